@@ -15,12 +15,12 @@ namespace {
 
 constexpr const char* kAdministrator = "administrator";
 
-AccessRepository repository(SessionContext& workplace) {
-  return AccessRepository(workplace.connection(), workplace.passwordCost());
+AccessRepository repository(SessionContext& session) {
+  return AccessRepository(session.connection(), session.passwordCost());
 }
 
-StoredUser userOf(SessionContext& workplace, const std::string& userId) {
-  for (const StoredUser& user : repository(workplace).users()) {
+StoredUser userOf(SessionContext& session, const std::string& userId) {
+  for (const StoredUser& user : repository(session).users()) {
     if (user.id == userId) {
       return user;
     }
@@ -33,8 +33,8 @@ bool isActiveAdministrator(const StoredUser& user) {
 }
 
 /// Somebody must be left who can let others in.
-void keepAnAdministrator(SessionContext& workplace, const std::string& withoutUser) {
-  const std::vector<StoredUser> all = repository(workplace).users();
+void keepAnAdministrator(SessionContext& session, const std::string& withoutUser) {
+  const std::vector<StoredUser> all = repository(session).users();
   const bool remains = std::any_of(all.begin(), all.end(), [&](const StoredUser& user) {
     return user.id != withoutUser && isActiveAdministrator(user);
   });
@@ -57,33 +57,33 @@ const char* failureName(SignIn outcome) {
 }
 
 /// A failure, without what was typed: an unknown login may be a password in the wrong field.
-void noteFailure(SessionContext& workplace, const std::string& login, SignIn outcome, const char* with) {
+void noteFailure(SessionContext& session, const std::string& login, SignIn outcome, const char* with) {
   std::string userId;
-  for (const StoredUser& user : repository(workplace).users()) {
+  for (const StoredUser& user : repository(session).users()) {
     if (user.login == login) {
       userId = user.id;
     }
   }
-  workplace.note({.action = "user.sign_in_failed",
-                  .objectKind = "app_user",
-                  .objectId = userId,
-                  .newJson = nlohmann::json{{"outcome", failureName(outcome)}, {"with", with}}.dump()});
+  session.note({.action = "user.sign_in_failed",
+                .objectKind = "app_user",
+                .objectId = userId,
+                .newJson = nlohmann::json{{"outcome", failureName(outcome)}, {"with", with}}.dump()});
 }
 
-SignInAnswer answer(SessionContext& workplace, const std::string& login, const SignInResult& result,
+SignInAnswer answer(SessionContext& session, const std::string& login, const SignInResult& result,
                     bool practiceOnly) {
   SignInAnswer answer{result.outcome, {}, result.waitUntilUtc_us};
   if (result.outcome != SignIn::kOk && result.outcome != SignIn::kMustChange) {
-    noteFailure(workplace, login, result.outcome, practiceOnly ? "pin" : "password");
+    noteFailure(session, login, result.outcome, practiceOnly ? "pin" : "password");
     return answer;
   }
-  const StoredUser user = userOf(workplace, result.userId);
+  const StoredUser user = userOf(session, result.userId);
   answer.actor = {user.id, user.login, user.personId, user.roles, practiceOnly};
   if (result.outcome == SignIn::kOk) {
-    workplace.setActor(answer.actor);
-    workplace.note({.action = practiceOnly ? "user.sign_in_practice" : "user.sign_in",
-                    .objectKind = "app_user",
-                    .objectId = user.id});
+    session.setActor(answer.actor);
+    session.note({.action = practiceOnly ? "user.sign_in_practice" : "user.sign_in",
+                  .objectKind = "app_user",
+                  .objectId = user.id});
   }
   return answer;
 }
@@ -98,7 +98,7 @@ bool needsFirstRun(Connection& connection) {
   return AccessRepository(connection).users().empty();
 }
 
-void setUpCentre(SessionContext& workplace, const FirstRun& first) {
+void setUpCentre(SessionContext& session, const FirstRun& first) {
   if (first.centre.empty()) {
     throw Error(ErrorCode::kBadParameter, "the centre has no name", "centre",
                 "Enter the name of your centre");
@@ -106,43 +106,42 @@ void setUpCentre(SessionContext& workplace, const FirstRun& first) {
   if (first.login.empty()) {
     throw Error(ErrorCode::kBadParameter, "the administrator has no sign-in name", "login", "Enter one");
   }
-  AccessRepository access = repository(workplace);
+  AccessRepository access = repository(session);
   const SealedSecret password = access.sealPassword(first.login, first.password);
-  const std::int64_t now_us = workplace.now_us();
-  Transaction transaction(workplace.connection());
-  if (!needsFirstRun(workplace.connection())) {
+  const std::int64_t now_us = session.now_us();
+  Transaction transaction(session.connection());
+  if (!needsFirstRun(session.connection())) {
     throw Error(ErrorCode::kPermission, "this database belongs to a centre already", "first run",
                 "Sign in, or choose another database");
   }
-  StudyRepository(workplace.connection()).setCentre({workplace.ids().newUuid(), first.centre, now_us, false});
-  SettingRepository settings(workplace.connection());
+  StudyRepository(session.connection()).setCentre({session.ids().newUuid(), first.centre, now_us, false});
+  SettingRepository settings(session.connection());
   settings.set("language", first.language, now_us);
-  const std::string userId = workplace.ids().newUuid();
+  const std::string userId = session.ids().newUuid();
   access.addUser({.id = userId, .login = first.login, .createdUtc_us = now_us, .roles = {kAdministrator}},
                  password);
   access.setPassword(userId, password, false);
-  workplace.note({.action = "centre.set_up",
-                  .objectKind = "app_user",
-                  .objectId = userId,
-                  .newJson = rolesJson({kAdministrator})});
+  session.note({.action = "centre.set_up",
+                .objectKind = "app_user",
+                .objectId = userId,
+                .newJson = rolesJson({kAdministrator})});
   transaction.commit();
 }
 
-SignInAnswer signIn(SessionContext& workplace, const std::string& login, const std::string& password) {
-  return answer(workplace, login, repository(workplace).signIn(login, password, workplace.now_us()), false);
+SignInAnswer signIn(SessionContext& session, const std::string& login, const std::string& password) {
+  return answer(session, login, repository(session).signIn(login, password, session.now_us()), false);
 }
 
-SignInAnswer signInForPractice(SessionContext& workplace, const std::string& login, const std::string& pin) {
-  return answer(workplace, login, repository(workplace).signInForPractice(login, pin, workplace.now_us()),
-                true);
+SignInAnswer signInForPractice(SessionContext& session, const std::string& login, const std::string& pin) {
+  return answer(session, login, repository(session).signInForPractice(login, pin, session.now_us()), true);
 }
 
-SignInAnswer changeOwnPassword(SessionContext& workplace, const std::string& login,
+SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login,
                                const std::string& oldPassword, const std::string& newPassword) {
-  AccessRepository access = repository(workplace);
-  const SignInResult old = access.signIn(login, oldPassword, workplace.now_us());
+  AccessRepository access = repository(session);
+  const SignInResult old = access.signIn(login, oldPassword, session.now_us());
   if (old.outcome != SignIn::kOk && old.outcome != SignIn::kMustChange) {
-    noteFailure(workplace, login, old.outcome, "password");
+    noteFailure(session, login, old.outcome, "password");
     throw Error(ErrorCode::kPermission, "the present password is not right", "password", "Try again");
   }
   if (newPassword == oldPassword) {
@@ -150,124 +149,123 @@ SignInAnswer changeOwnPassword(SessionContext& workplace, const std::string& log
                 "Choose another one");
   }
   const SealedSecret password = access.sealPassword(login, newPassword);
-  Transaction transaction(workplace.connection());
+  Transaction transaction(session.connection());
   access.setPassword(old.userId, password, false);
-  SignInAnswer signedIn = answer(workplace, login, {SignIn::kOk, old.userId}, false);
-  workplace.note({.action = "user.change_password", .objectKind = "app_user", .objectId = old.userId});
+  SignInAnswer signedIn = answer(session, login, {SignIn::kOk, old.userId}, false);
+  session.note({.action = "user.change_password", .objectKind = "app_user", .objectId = old.userId});
   transaction.commit();
   return signedIn;
 }
 
-SignInAnswer unlock(SessionContext& workplace, const std::string& secret) {
-  const Actor& actor = workplace.actor();
+SignInAnswer unlock(SessionContext& session, const std::string& secret) {
+  const Actor& actor = session.actor();
   if (actor.userId.empty()) {
     throw Error(ErrorCode::kPermission, "nobody is signed in", "lock", "Sign in first");
   }
-  AccessRepository access = repository(workplace);
+  AccessRepository access = repository(session);
   const SignInResult result = actor.practiceOnly
-                                  ? access.signInForPractice(actor.login, secret, workplace.now_us())
-                                  : access.signIn(actor.login, secret, workplace.now_us());
+                                  ? access.signInForPractice(actor.login, secret, session.now_us())
+                                  : access.signIn(actor.login, secret, session.now_us());
   SignInAnswer unlocked{result.outcome, {}, result.waitUntilUtc_us};
   if (result.outcome == SignIn::kOk || result.outcome == SignIn::kMustChange) {
     unlocked.actor = actor;
-    workplace.note({.action = "user.unlock", .objectKind = "app_user", .objectId = actor.userId});
+    session.note({.action = "user.unlock", .objectKind = "app_user", .objectId = actor.userId});
   } else {
-    noteFailure(workplace, actor.login, result.outcome, actor.practiceOnly ? "pin" : "password");
+    noteFailure(session, actor.login, result.outcome, actor.practiceOnly ? "pin" : "password");
   }
   return unlocked;
 }
 
-void signOut(SessionContext& workplace) {
-  if (!workplace.actor().userId.empty()) {
-    workplace.note(
-        {.action = "user.sign_out", .objectKind = "app_user", .objectId = workplace.actor().userId});
+void signOut(SessionContext& session) {
+  if (!session.actor().userId.empty()) {
+    session.note({.action = "user.sign_out", .objectKind = "app_user", .objectId = session.actor().userId});
   }
-  workplace.setActor({});
+  session.setActor({});
 }
 
-std::string addUser(SessionContext& workplace, const NewUser& user) {
-  workplace.require(Operation::kUserManage);
-  const std::string id = workplace.ids().newUuid();
-  AccessRepository access = repository(workplace);
+std::string addUser(SessionContext& session, const NewUser& user) {
+  session.require(Operation::kUserManage);
+  const std::string id = session.ids().newUuid();
+  AccessRepository access = repository(session);
   const SealedSecret password = access.sealPassword(user.login, user.startPassword);
-  Transaction transaction(workplace.connection());
+  Transaction transaction(session.connection());
   access.addUser({.id = id,
                   .login = user.login,
                   .personId = user.personId,
-                  .createdUtc_us = workplace.now_us(),
+                  .createdUtc_us = session.now_us(),
                   .demonstration = user.demonstration,
                   .roles = user.roles},
                  password);
-  workplace.note(
+  session.note(
       {.action = "user.add", .objectKind = "app_user", .objectId = id, .newJson = rolesJson(user.roles)});
   transaction.commit();
   return id;
 }
 
-std::vector<StoredUser> users(SessionContext& workplace) {
-  workplace.require(Operation::kUserManage);
-  return repository(workplace).users();
+std::vector<StoredUser> users(SessionContext& session) {
+  session.require(Operation::kUserManage);
+  return repository(session).users();
 }
 
-void setUserRoles(SessionContext& workplace, const std::string& userId, const std::vector<std::string>& roles,
+void setUserRoles(SessionContext& session, const std::string& userId, const std::vector<std::string>& roles,
                   const std::string& reason) {
-  workplace.require(Operation::kUserManage);
-  Transaction transaction(workplace.connection());
-  const StoredUser before = userOf(workplace, userId);
+  session.require(Operation::kUserManage);
+  Transaction transaction(session.connection());
+  const StoredUser before = userOf(session, userId);
   const bool keepsRole = std::find(roles.begin(), roles.end(), kAdministrator) != roles.end();
   if (isActiveAdministrator(before) && !keepsRole) {
-    keepAnAdministrator(workplace, userId);
+    keepAnAdministrator(session, userId);
   }
-  repository(workplace).setRoles(userId, roles);
-  workplace.note({.action = "user.set_roles",
-                  .objectKind = "app_user",
-                  .objectId = userId,
-                  .oldJson = rolesJson(before.roles),
-                  .newJson = rolesJson(roles),
-                  .reason = reason});
+  repository(session).setRoles(userId, roles);
+  session.note({.action = "user.set_roles",
+                .objectKind = "app_user",
+                .objectId = userId,
+                .oldJson = rolesJson(before.roles),
+                .newJson = rolesJson(roles),
+                .reason = reason});
   transaction.commit();
 }
 
-void setUserActive(SessionContext& workplace, const std::string& userId, bool active,
+void setUserActive(SessionContext& session, const std::string& userId, bool active,
                    const std::string& reason) {
-  workplace.require(Operation::kUserManage);
-  Transaction transaction(workplace.connection());
-  if (!active && isActiveAdministrator(userOf(workplace, userId))) {
-    keepAnAdministrator(workplace, userId);
+  session.require(Operation::kUserManage);
+  Transaction transaction(session.connection());
+  if (!active && isActiveAdministrator(userOf(session, userId))) {
+    keepAnAdministrator(session, userId);
   }
-  repository(workplace).setActive(userId, active);
-  workplace.note({.action = active ? "user.enable" : "user.disable",
-                  .objectKind = "app_user",
-                  .objectId = userId,
-                  .reason = reason});
+  repository(session).setActive(userId, active);
+  session.note({.action = active ? "user.enable" : "user.disable",
+                .objectKind = "app_user",
+                .objectId = userId,
+                .reason = reason});
   transaction.commit();
 }
 
-void resetPassword(SessionContext& workplace, const std::string& userId, const std::string& startPassword,
+void resetPassword(SessionContext& session, const std::string& userId, const std::string& startPassword,
                    const std::string& reason) {
-  workplace.require(Operation::kUserManage);
-  AccessRepository access = repository(workplace);
-  const SealedSecret password = access.sealPassword(userOf(workplace, userId).login, startPassword);
-  Transaction transaction(workplace.connection());
+  session.require(Operation::kUserManage);
+  AccessRepository access = repository(session);
+  const SealedSecret password = access.sealPassword(userOf(session, userId).login, startPassword);
+  Transaction transaction(session.connection());
   access.setPassword(userId, password, true);
-  workplace.note(
+  session.note(
       {.action = "user.reset_password", .objectKind = "app_user", .objectId = userId, .reason = reason});
   transaction.commit();
 }
 
-void setOwnPin(SessionContext& workplace, const std::string& pin) {
-  workplace.require(Operation::kPractice);
-  if (workplace.actor().practiceOnly) {
+void setOwnPin(SessionContext& session, const std::string& pin) {
+  session.require(Operation::kPractice);
+  if (session.actor().practiceOnly) {
     throw Error(ErrorCode::kPermission, "you came in with the PIN", "PIN",
                 "Sign in with your password to change it");
   }
-  AccessRepository access = repository(workplace);
+  AccessRepository access = repository(session);
   const SealedSecret sealed = access.sealPin(pin);
-  Transaction transaction(workplace.connection());
-  access.setPin(workplace.actor().userId, sealed);
-  workplace.note({.action = pin.empty() ? "user.remove_pin" : "user.set_pin",
-                  .objectKind = "app_user",
-                  .objectId = workplace.actor().userId});
+  Transaction transaction(session.connection());
+  access.setPin(session.actor().userId, sealed);
+  session.note({.action = pin.empty() ? "user.remove_pin" : "user.set_pin",
+                .objectKind = "app_user",
+                .objectId = session.actor().userId});
   transaction.commit();
 }
 
@@ -277,7 +275,7 @@ Home homeOf(const Actor& actor) {
   }
   for (const char* role : {kAdministrator, "allocator", "statistician"}) {
     if (actor.hasRole(role)) {
-      return Home::kOffice;
+      return Home::kAdministrator;
     }
   }
   return actor.hasRole("rater") ? Home::kReview : Home::kStation;

@@ -23,7 +23,7 @@ struct FirstRun {
 [[nodiscard]] bool needsFirstRun(Connection& connection);
 /// Stores the centre, its settings and the first administrator, whose password is their own from the start.
 /// Throws Error{kPermission} when the database has users already, {kBadParameter} for a weak password.
-void setUpCentre(SessionContext& workplace, const FirstRun& first);
+void setUpCentre(SessionContext& session, const FirstRun& first);
 
 /// What came of a try to sign in.
 struct SignInAnswer {
@@ -32,21 +32,21 @@ struct SignInAnswer {
   std::int64_t waitUntilUtc_us = 0;  ///< for kWait
 };
 
-/// With the password; the workplace then belongs to the actor (for kOk only). Audited; a failure without what
+/// With the password; the session then belongs to the actor (for kOk only). Audited; a failure without what
 /// was typed.
-[[nodiscard]] SignInAnswer signIn(SessionContext& workplace, const std::string& login,
+[[nodiscard]] SignInAnswer signIn(SessionContext& session, const std::string& login,
                                   const std::string& password);
 /// With the station PIN: practice without a record and nothing else.
-[[nodiscard]] SignInAnswer signInForPractice(SessionContext& workplace, const std::string& login,
+[[nodiscard]] SignInAnswer signInForPractice(SessionContext& session, const std::string& login,
                                              const std::string& pin);
 /// After kMustChange, or by the user: the old password must fit. Then signs in. Throws Error{kBadParameter}
 /// for a weak or unchanged password, {kPermission} when the old one is wrong.
-SignInAnswer changeOwnPassword(SessionContext& workplace, const std::string& login,
+SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login,
                                const std::string& oldPassword, const std::string& newPassword);
 /// After an idle lock: the secret of the user who is signed in (the PIN for practice), nobody else's.
 /// Audited, failures too. Throws Error{kPermission} when nobody is signed in.
-[[nodiscard]] SignInAnswer unlock(SessionContext& workplace, const std::string& secret);
-void signOut(SessionContext& workplace);
+[[nodiscard]] SignInAnswer unlock(SessionContext& session, const std::string& secret);
+void signOut(SessionContext& session);
 
 /// A user and a start password that must be changed at the first sign-in. kUserManage.
 struct NewUser {
@@ -56,22 +56,22 @@ struct NewUser {
   std::string startPassword{};
   bool demonstration = false;
 };
-std::string addUser(SessionContext& workplace, const NewUser& user);
-[[nodiscard]] std::vector<StoredUser> users(SessionContext& workplace);
+std::string addUser(SessionContext& session, const NewUser& user);
+[[nodiscard]] std::vector<StoredUser> users(SessionContext& session);
 /// At least one active administrator must remain: throws Error{kBadParameter} otherwise.
-void setUserRoles(SessionContext& workplace, const std::string& userId, const std::vector<std::string>& roles,
+void setUserRoles(SessionContext& session, const std::string& userId, const std::vector<std::string>& roles,
                   const std::string& reason);
-void setUserActive(SessionContext& workplace, const std::string& userId, bool active,
+void setUserActive(SessionContext& session, const std::string& userId, bool active,
                    const std::string& reason);
 /// A new start password, to be changed at the next sign-in.
-void resetPassword(SessionContext& workplace, const std::string& userId, const std::string& startPassword,
+void resetPassword(SessionContext& session, const std::string& userId, const std::string& startPassword,
                    const std::string& reason);
 /// One's own station PIN; empty removes it.
-void setOwnPin(SessionContext& workplace, const std::string& pin);
+void setOwnPin(SessionContext& session, const std::string& pin);
 
 /// What an actor reaches first: "station" (trainee), "review" (rater), "office" (administrator, allocator,
 /// statistician).
-enum class Home { kStation, kReview, kOffice };
+enum class Home { kStation, kReview, kAdministrator };
 [[nodiscard]] Home homeOf(const Actor& actor);
 
 }  // namespace torsio

@@ -7,35 +7,35 @@
 
 namespace torsio {
 
-std::vector<AuditEntry> auditEntries(SessionContext& workplace, const AuditFilter& filter) {
-  workplace.require(Operation::kAuditView);
-  return AuditRepository(workplace.connection()).entries(filter);
+std::vector<AuditEntry> auditEntries(SessionContext& session, const AuditFilter& filter) {
+  session.require(Operation::kAuditView);
+  return AuditRepository(session.connection()).entries(filter);
 }
 
-std::int64_t auditEntryCount(SessionContext& workplace, std::int64_t fromUtc_us) {
-  workplace.require(Operation::kAuditView);
-  return AuditRepository(workplace.connection()).count(fromUtc_us);
+std::int64_t auditEntryCount(SessionContext& session, std::int64_t fromUtc_us) {
+  session.require(Operation::kAuditView);
+  return AuditRepository(session.connection()).count(fromUtc_us);
 }
 
-std::map<std::string, std::string> auditActors(SessionContext& workplace) {
-  workplace.require(Operation::kAuditView);
+std::map<std::string, std::string> auditActors(SessionContext& session) {
+  session.require(Operation::kAuditView);
   std::map<std::string, std::string> logins;
-  for (const StoredUser& user : AccessRepository(workplace.connection()).users()) {
+  for (const StoredUser& user : AccessRepository(session.connection()).users()) {
     logins.emplace(user.id, user.login);
   }
   // Simulated raters have no account: their marks stand under the person.
-  for (const StoredRater& rater : PeopleRepository(workplace.connection()).raters()) {
+  for (const StoredRater& rater : PeopleRepository(session.connection()).raters()) {
     logins.emplace(rater.person.id, rater.person.code);
   }
   return logins;
 }
 
-std::vector<AuditFinding> verifyAudit(SessionContext& workplace) {
-  workplace.require(Operation::kAuditView);
-  std::vector<AuditFinding> findings = verifyAuditTrail(workplace.connection());
-  workplace.note({.action = "audit.verify",
-                  .objectKind = "audit_entry",
-                  .newJson = R"({"findings":)" + std::to_string(findings.size()) + "}"});
+std::vector<AuditFinding> verifyAudit(SessionContext& session) {
+  session.require(Operation::kAuditView);
+  std::vector<AuditFinding> findings = verifyAuditTrail(session.connection());
+  session.note({.action = "audit.verify",
+                .objectKind = "audit_entry",
+                .newJson = R"({"findings":)" + std::to_string(findings.size()) + "}"});
   return findings;
 }
 

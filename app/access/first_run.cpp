@@ -50,20 +50,20 @@ std::string randomStartPassword() {
   return password;
 }
 
-std::vector<StartAccount> performFirstRun(SessionContext& workplace, const FirstRun& first,
+std::vector<StartAccount> performFirstRun(SessionContext& session, const FirstRun& first,
                                           const AddPeople& addPeople) {
   std::vector<StartAccount> accounts;
-  Transaction transaction(workplace.connection());
+  Transaction transaction(session.connection());
   try {
-    setUpCentre(workplace, first);
-    const SignInAnswer answer = signIn(workplace, first.login, first.password);
+    setUpCentre(session, first);
+    const SignInAnswer answer = signIn(session, first.login, first.password);
     TORSIO_EXPECTS(answer.outcome == SignIn::kOk);
     if (first.demonstration) {
-      accounts = addPeople(workplace);
+      accounts = addPeople(session);
     }
     transaction.commit();
   } catch (...) {
-    workplace.setActor({});  // nothing was kept, nobody is signed in
+    session.setActor({});  // nothing was kept, nobody is signed in
     throw;
   }
   return accounts;

@@ -35,7 +35,7 @@ using AddPeople = std::function<std::vector<StartAccount>(SessionContext&)>;
 /// Carries out what the first-run wizard decided, all or nothing: the centre, the first administrator (who is
 /// signed in afterwards) and, where `first.demonstration` is set, `addPeople` (app/demonstration has one).
 /// Throws what setUpCentre and `addPeople` throw.
-std::vector<StartAccount> performFirstRun(SessionContext& workplace, const FirstRun& first,
+std::vector<StartAccount> performFirstRun(SessionContext& session, const FirstRun& first,
                                           const AddPeople& addPeople);
 
 /// Twenty characters in groups that can be read aloud; from the system's random source.

@@ -32,14 +32,14 @@ bool Actor::hasRole(const std::string& role) const {
   return std::find(roles.begin(), roles.end(), role) != roles.end();
 }
 
-SessionContext::SessionContext(const WorkplaceKey& key)
+SessionContext::SessionContext(const SessionKey& key)
     : owned_(std::make_unique<Owned>(key.locator)),
       connection_(&owned_->connection),
       ids_(&owned_->ids),
       key_(key),
       now_(utcNow_us) {}
 
-SessionContext::SessionContext(Connection& connection, IdSource& ids, WorkplaceKey key, UtcClock now)
+SessionContext::SessionContext(Connection& connection, IdSource& ids, SessionKey key, UtcClock now)
     : connection_(&connection), ids_(&ids), key_(std::move(key)), now_(std::move(now)) {}
 
 SessionContext::~SessionContext() = default;

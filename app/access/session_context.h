@@ -31,7 +31,7 @@ struct Actor {
 using UtcClock = std::function<std::int64_t()>;
 
 /// What a worker thread needs to work for the same person on a connection of its own.
-struct WorkplaceKey {
+struct SessionKey {
   std::string locator{};
   std::string station{};
   Actor actor{};
@@ -54,9 +54,9 @@ struct AuditNote {
 class SessionContext {
  public:
   /// Opens (or makes) the database of `key` and brings its schema up to date. Throws Error, DbError.
-  explicit SessionContext(const WorkplaceKey& key);
-  /// Tests and the demonstration: an open connection, ids and time of their own. Both outlive the workplace.
-  SessionContext(Connection& connection, IdSource& ids, WorkplaceKey key, UtcClock now);
+  explicit SessionContext(const SessionKey& key);
+  /// Tests and the demonstration: an open connection, ids and time of their own. Both outlive the session.
+  SessionContext(Connection& connection, IdSource& ids, SessionKey key, UtcClock now);
   ~SessionContext();
   SessionContext(SessionContext&&) noexcept;
   SessionContext& operator=(SessionContext&&) = delete;
@@ -65,7 +65,7 @@ class SessionContext {
   [[nodiscard]] IdSource& ids() const noexcept { return *ids_; }
   [[nodiscard]] const Actor& actor() const noexcept { return key_.actor; }
   [[nodiscard]] const std::string& station() const noexcept { return key_.station; }
-  [[nodiscard]] const WorkplaceKey& key() const noexcept { return key_; }
+  [[nodiscard]] const SessionKey& key() const noexcept { return key_; }
   [[nodiscard]] std::int64_t now_us() const { return now_(); }
   /// Of every password that is set from now on; tests use a cheap one.
   [[nodiscard]] PasswordCost passwordCost() const noexcept { return passwordCost_; }
@@ -90,7 +90,7 @@ class SessionContext {
   std::unique_ptr<Owned> owned_;  // null when connection and ids are borrowed
   Connection* connection_;
   IdSource* ids_;
-  WorkplaceKey key_;
+  SessionKey key_;
   UtcClock now_;
   PasswordCost passwordCost_ = PasswordCost::kModerate;
 };

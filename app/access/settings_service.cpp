@@ -35,52 +35,52 @@ int minutesOf(const std::optional<std::string>& text) {
 
 }  // namespace
 
-void setCentreSetting(SessionContext& workplace, const std::string& name, const std::string& value,
+void setCentreSetting(SessionContext& session, const std::string& name, const std::string& value,
                       const std::string& reason) {
-  workplace.require(Operation::kSettingsEdit);
+  session.require(Operation::kSettingsEdit);
   if (name.empty() || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos) {
     throw Error(ErrorCode::kBadParameter, "this is no name of a setting", name, "Choose one from the list");
   }
   if (value.size() > kLongestValue) {
     throw Error(ErrorCode::kBadParameter, "the value is too long", name, "Shorten it");
   }
-  Transaction transaction(workplace.connection());
-  SettingRepository settings(workplace.connection());
+  Transaction transaction(session.connection());
+  SettingRepository settings(session.connection());
   const std::string before = settings.value(name).value_or("");
-  settings.set(name, value, workplace.now_us());
-  workplace.note({.action = "setting.change",
-                  .objectKind = "setting",
-                  .objectId = name,
-                  .oldJson = nlohmann::json{{"value", before}}.dump(),
-                  .newJson = nlohmann::json{{"value", value}}.dump(),
-                  .reason = reason});
+  settings.set(name, value, session.now_us());
+  session.note({.action = "setting.change",
+                .objectKind = "setting",
+                .objectId = name,
+                .oldJson = nlohmann::json{{"value", before}}.dump(),
+                .newJson = nlohmann::json{{"value", value}}.dump(),
+                .reason = reason});
   transaction.commit();
 }
 
-void setCentreName(SessionContext& workplace, const std::string& name) {
-  workplace.require(Operation::kSettingsEdit);
+void setCentreName(SessionContext& session, const std::string& name) {
+  session.require(Operation::kSettingsEdit);
   if (name.empty()) {
     throw Error(ErrorCode::kBadParameter, "the centre has no name", "centre",
                 "Enter the name of your centre");
   }
-  Transaction transaction(workplace.connection());
-  StudyRepository studies(workplace.connection());
+  Transaction transaction(session.connection());
+  StudyRepository studies(session.connection());
   const std::optional<StoredCentre> before = studies.centre();
   if (before && before->name == name) {
     return;
   }
-  StoredCentre centre = before.value_or(StoredCentre{.id = workplace.ids().newUuid()});
+  StoredCentre centre = before.value_or(StoredCentre{.id = session.ids().newUuid()});
   centre.name = name;
   centre.demonstration = false;
   if (!before) {
-    centre.createdUtc_us = workplace.now_us();
+    centre.createdUtc_us = session.now_us();
   }
   studies.setCentre(centre);
-  workplace.note({.action = "centre.rename",
-                  .objectKind = "centre",
-                  .objectId = centre.id,
-                  .oldJson = nlohmann::json{{"name", before ? before->name : ""}}.dump(),
-                  .newJson = nlohmann::json{{"name", name}}.dump()});
+  session.note({.action = "centre.rename",
+                .objectKind = "centre",
+                .objectId = centre.id,
+                .oldJson = nlohmann::json{{"name", before ? before->name : ""}}.dump(),
+                .newJson = nlohmann::json{{"name", name}}.dump()});
   transaction.commit();
 }
 
@@ -94,21 +94,21 @@ IdleLimits centreIdleLimits(Connection& connection) {
   return {.warn_us = warn_min * kMinute_us, .lock_us = lock_min * kMinute_us};
 }
 
-void setCentreIdleLimits(SessionContext& workplace, int warn_min, int lock_min) {
-  workplace.require(Operation::kSettingsEdit);
+void setCentreIdleLimits(SessionContext& session, int warn_min, int lock_min) {
+  session.require(Operation::kSettingsEdit);
   if (!sensible(warn_min, lock_min)) {
     throw Error(ErrorCode::kBadParameter, "these minutes make no sense", "idle lock",
                 Text("Lock after %1 to %2 minutes, and warn at least one minute before",
                      kShortestIdleLock_min, kLongestIdleLock_min));
   }
-  Transaction transaction(workplace.connection());
-  setCentreSetting(workplace, kIdleWarn, std::to_string(warn_min));
-  setCentreSetting(workplace, kIdleLock, std::to_string(lock_min));
+  Transaction transaction(session.connection());
+  setCentreSetting(session, kIdleWarn, std::to_string(warn_min));
+  setCentreSetting(session, kIdleLock, std::to_string(lock_min));
   transaction.commit();
 }
 
-void setGradedWithMouse(SessionContext& workplace, bool graded) {
-  setCentreSetting(workplace, "graded_with_mouse", graded ? "yes" : "no");
+void setGradedWithMouse(SessionContext& session, bool graded) {
+  setCentreSetting(session, "graded_with_mouse", graded ? "yes" : "no");
 }
 
 }  // namespace torsio

@@ -11,12 +11,12 @@ namespace torsio {
 /// Sets a choice of the centre, the same for all its stations; services read the one that they need
 /// themselves. Audited with the old and the new value. kSettingsEdit. Throws Error{kBadParameter} for a name
 /// that is not made of lower-case letters, digits and underscores, or a value that is too long.
-void setCentreSetting(SessionContext& workplace, const std::string& name, const std::string& value,
+void setCentreSetting(SessionContext& session, const std::string& name, const std::string& value,
                       const std::string& reason = {});
 
 /// The name that stands at sign-in, on transcripts and in reports made from now on. Audited. kSettingsEdit.
 /// Throws Error{kBadParameter} for an empty name.
-void setCentreName(SessionContext& workplace, const std::string& name);
+void setCentreName(SessionContext& session, const std::string& name);
 
 /// Bounds of the idle limits in minutes: short enough to protect a record, long enough to read a page.
 inline constexpr int kShortestIdleLock_min = 2;
@@ -28,9 +28,9 @@ inline constexpr int kLongestIdleLock_min = 60;
 [[nodiscard]] IdleLimits centreIdleLimits(Connection& connection);
 /// Audited. kSettingsEdit. Throws Error{kBadParameter} unless 1 <= warn < lock and the lock lies within its
 /// bounds.
-void setCentreIdleLimits(SessionContext& workplace, int warn_min, int lock_min);
+void setCentreIdleLimits(SessionContext& session, int warn_min, int lock_min);
 
 /// Whether runs with mouse and keyboard may be graded ("graded_with_mouse"). Audited. kSettingsEdit.
-void setGradedWithMouse(SessionContext& workplace, bool graded);
+void setGradedWithMouse(SessionContext& session, bool graded);
 
 }  // namespace torsio

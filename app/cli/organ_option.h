@@ -15,15 +15,15 @@ namespace torsio::cli {
 
 /// What the options say that choose an organ and its model; the same words in every command.
 struct OrganArguments {
-  std::string organ = "arm";     ///< a scene's name, or a mesh file
-  std::string unit = "mm";       ///< unit of the mesh file
-  std::vector<double> fixedEnd;  ///< fixed end of the mesh file, in its unit; empty: found from the shape
-  std::vector<double> freeEnd;   ///< free end of the mesh file, in its unit; empty: found from the shape
-  std::string material;          ///< material by name; empty: the scene's
-  std::string pattern;           ///< twist pattern by name; empty: the scene's first
-  std::string formulation;       ///< formulation of the twist model; empty: the scene's
-  std::optional<int> ridges;     ///< ridges of the lattice (N); empty: the scene's
-  std::optional<int> sections;   ///< sections of the lattice (M); empty: the scene's
+  std::string organ = "forearm";  ///< a scene's name, or a mesh file
+  std::string unit = "mm";        ///< unit of the mesh file
+  std::vector<double> fixedEnd;   ///< fixed end of the mesh file, in its unit; empty: found from the shape
+  std::vector<double> freeEnd;    ///< free end of the mesh file, in its unit; empty: found from the shape
+  std::string material;           ///< material by name; empty: the scene's
+  std::string pattern;            ///< twist pattern by name; empty: the scene's first
+  std::string formulation;        ///< formulation of the twist model; empty: the scene's
+  std::optional<int> ridges;      ///< ridges of the lattice (N); empty: the scene's
+  std::optional<int> sections;    ///< sections of the lattice (M); empty: the scene's
 };
 
 /// Adds these options to a command; `arguments` outlives it.

@@ -22,40 +22,40 @@ struct DemonstrationUsers {
   std::string raterId;
 };
 
-DemonstrationUsers fillWithPeople(SessionContext& workplace, const std::filesystem::path& assets,
+DemonstrationUsers fillWithPeople(SessionContext& session, const std::filesystem::path& assets,
                                   const ProgressCallback& progress) {
   DemonstrationOptions options;
   options.training.assets = assets;
-  options.training.id = "arm";
+  options.training.id = "forearm";
   options.example.assets = assets;
   options.example.id = "stomach";
   options.progress = progress;
-  static_cast<void>(fillDemonstration(options, workplace.connection()));
+  static_cast<void>(fillDemonstration(options, session.connection()));
   // What the trainee and the physician of the demonstration find when they sign in.
   if (progress) {
     progress({"Laying out the desks", kDesksAt, -1.0});
   }
   const DemonstrationStation station =
-      storeDemonstrationStation(workplace.connection(), workplace.ids(), assets, workplace.now_us());
+      storeDemonstrationStation(session.connection(), session.ids(), assets, session.now_us());
   const DemonstrationDesk desk =
-      storeDemonstrationDesk(workplace.connection(), workplace.ids(), loadScene(options.training),
-                             {.seed = options.seed, .utc_us = workplace.now_us()});
+      storeDemonstrationDesk(session.connection(), session.ids(), loadScene(options.training),
+                             {.seed = options.seed, .utc_us = session.now_us()});
   return {station.personId, desk.raterIds.front()};
 }
 
-StartAccount account(SessionContext& workplace, const std::string& login, const std::string& role,
+StartAccount account(SessionContext& session, const std::string& login, const std::string& role,
                      const StoredPerson& person) {
   StartAccount made{login, role, person.code, randomStartPassword()};
-  addUser(workplace, {.login = login,
-                      .personId = person.id,
-                      .roles = {role},
-                      .startPassword = made.startPassword,
-                      .demonstration = true});
+  addUser(session, {.login = login,
+                    .personId = person.id,
+                    .roles = {role},
+                    .startPassword = made.startPassword,
+                    .demonstration = true});
   return made;
 }
 
-std::vector<StartAccount> accountsOf(SessionContext& workplace, const DemonstrationUsers& users) {
-  PeopleRepository people(workplace.connection());
+std::vector<StartAccount> accountsOf(SessionContext& session, const DemonstrationUsers& users) {
+  PeopleRepository people(session.connection());
   const std::vector<StoredTrainee> trainees = people.trainees();
   const std::vector<StoredRater> raters = people.raters();
   const auto trainee = std::find_if(trainees.begin(), trainees.end(), [&](const StoredTrainee& candidate) {
@@ -65,15 +65,15 @@ std::vector<StartAccount> accountsOf(SessionContext& workplace, const Demonstrat
     return candidate.person.id == users.raterId;
   });
   TORSIO_EXPECTS(trainee != trainees.end() && rater != raters.end());
-  return {account(workplace, "demo.trainee", "trainee", trainee->person),
-          account(workplace, "demo.physician", "rater", rater->person)};
+  return {account(session, "demo.trainee", "trainee", trainee->person),
+          account(session, "demo.physician", "rater", rater->person)};
 }
 
 }  // namespace
 
-std::vector<StartAccount> addDemonstration(SessionContext& workplace, const std::filesystem::path& assets,
+std::vector<StartAccount> addDemonstration(SessionContext& session, const std::filesystem::path& assets,
                                            const ProgressCallback& progress) {
-  return accountsOf(workplace, fillWithPeople(workplace, assets, progress));
+  return accountsOf(session, fillWithPeople(session, assets, progress));
 }
 
 }  // namespace torsio

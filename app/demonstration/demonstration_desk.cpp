@@ -143,7 +143,7 @@ class DeskMaker {
         one.id = ids_.newUuid();
         one.raterId = desk_.raterIds[rater];
         one.enrolmentId = enrolmentIds_[at];
-        one.scoringPoint = live ? kLivePoint : kRecordedPoint;
+        one.occasionCode = live ? kLivePoint : kRecordedPoint;
         one.trialId = live ? std::string() : trialIds_[at];
         one.rubricRevisionId = desk_.rubricRevisionId;
         one.caseLabel = live ? numbered("L", number + 1) : caseLabel(static_cast<int>(rater), number);

@@ -209,7 +209,7 @@ void assignMarks(Connection& connection, std::vector<StoredTrainingMark>& marks,
   const std::string rubric = addOverallRubric(connection, ids, marks.front().scale, utc_us);
   std::map<std::pair<std::string, std::string>, std::string> labels;  // one for all raters: it is called out
   for (const StoredTrainingMark& mark : marks) {
-    labels[{mark.enrolmentId, mark.scoringPoint}];
+    labels[{mark.enrolmentId, mark.occasionCode}];
   }
   const std::vector<std::string> drawn = liveLabels(labels.size(), seed);
   std::size_t next = 0;
@@ -223,9 +223,9 @@ void assignMarks(Connection& connection, std::vector<StoredTrainingMark>& marks,
     one.id = ids.newUuid();
     one.raterId = mark.raterId;
     one.enrolmentId = mark.enrolmentId;
-    one.scoringPoint = mark.scoringPoint;
+    one.occasionCode = mark.occasionCode;
     one.rubricRevisionId = rubric;
-    one.caseLabel = labels.at({mark.enrolmentId, mark.scoringPoint});
+    one.caseLabel = labels.at({mark.enrolmentId, mark.occasionCode});
     one.position = ++positions[mark.raterId];
     one.assignedBy = "demonstration";
     one.assignedUtc_us = utc_us;
@@ -311,7 +311,7 @@ void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& 
     stored.id = ids.newUuid();
     stored.enrolmentId = enrolmentIds.at(mark.trainee);
     stored.raterId = raterIds.at(mark.rater);
-    stored.scoringPoint = occasions.at(mark.occasion).code;
+    stored.occasionCode = occasions.at(mark.occasion).code;
     stored.score_steps = mark.steps;
     stored.submittedUtc_us = utc_us;
     stored.demonstration = true;

@@ -35,7 +35,7 @@ StoredCurriculumVersion versionFrom(const StoredCurriculumVersion& content, IdSo
   version.curriculumId = curriculumId;
   version.createdUtc_us = utc_us;
   version.arms.clear();
-  version.scoringPoints.clear();
+  version.plannedOccasions.clear();
   std::map<std::string, std::string> idOf;
   for (StoredModule& module : version.modules) {
     idOf[module.code] = module.id = ids.newUuid();

@@ -139,28 +139,28 @@ DatabaseCheck checkDatabase(const std::string& locator) {
   return check(connection);
 }
 
-BackupContent backUpDatabase(SessionContext& workplace, const fs::path& target,
+BackupContent backUpDatabase(SessionContext& session, const fs::path& target,
                              const ProgressCallback& progress) {
-  workplace.require(Operation::kDatabaseBackup);
-  if (workplace.connection().engine() != Engine::kSqlite) {
-    requireSqlite(workplace.key().locator, "Use pg_dump --format=custom --file=FILE on the server");
+  session.require(Operation::kDatabaseBackup);
+  if (session.connection().engine() != Engine::kSqlite) {
+    requireSqlite(session.key().locator, "Use pg_dump --format=custom --file=FILE on the server");
   }
   // Before the copy, so that the backup itself tells of it.
-  workplace.note(
+  session.note(
       {.action = "database.backup", .objectKind = "database", .objectId = target.filename().string()});
   tellProgress(progress, "Copying the record while others work", 0.0);
-  backupSqlite(workplace.connection(), target);
+  backupSqlite(session.connection(), target);
   tellProgress(progress, "Reading the backup from end to end", 0.6);
   return checkBackup(target);
 }
 
-DatabaseCheck checkDatabase(SessionContext& workplace, const ProgressCallback& progress) {
-  workplace.require(Operation::kDatabaseBackup);
-  DatabaseCheck result = check(workplace.connection(), progress);
-  workplace.note({.action = "database.check",
-                  .objectKind = "database",
-                  .newJson = R"({"damage":)" + std::to_string(result.damage.size()) + R"(,"audit":)" +
-                             std::to_string(result.audit.size()) + "}"});
+DatabaseCheck checkDatabase(SessionContext& session, const ProgressCallback& progress) {
+  session.require(Operation::kDatabaseBackup);
+  DatabaseCheck result = check(session.connection(), progress);
+  session.note({.action = "database.check",
+                .objectKind = "database",
+                .newJson = R"({"damage":)" + std::to_string(result.damage.size()) + R"(,"audit":)" +
+                           std::to_string(result.audit.size()) + "}"});
   return result;
 }
 

@@ -50,10 +50,10 @@ BackupContent restoreDatabase(const std::filesystem::path& backup, const std::st
 [[nodiscard]] DatabaseCheck checkDatabase(const std::string& locator);
 
 /// kDatabaseBackup, audited.
-BackupContent backUpDatabase(SessionContext& workplace, const std::filesystem::path& target,
+BackupContent backUpDatabase(SessionContext& session, const std::filesystem::path& target,
                              const ProgressCallback& progress = {});
 /// kDatabaseBackup, audited with the result.
-[[nodiscard]] DatabaseCheck checkDatabase(SessionContext& workplace, const ProgressCallback& progress = {});
+[[nodiscard]] DatabaseCheck checkDatabase(SessionContext& session, const ProgressCallback& progress = {});
 
 /// Copies a file in steps, telling the fraction; what was begun is removed again when `progress` throws.
 /// Throws Error (kFileUnwritable, kFileMissing).

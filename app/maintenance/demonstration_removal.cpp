@@ -28,15 +28,15 @@ DemonstrationSize sizeOf(const std::vector<DemonstrationRows>& tables) {
 
 }  // namespace
 
-DemonstrationSize demonstrationSize(SessionContext& workplace) {
-  workplace.require(Operation::kPersonErase);
-  return sizeOf(demonstrationRows(workplace.connection()));
+DemonstrationSize demonstrationSize(SessionContext& session) {
+  session.require(Operation::kPersonErase);
+  return sizeOf(demonstrationRows(session.connection()));
 }
 
-DemonstrationSize removeDemonstrationData(SessionContext& workplace, const std::string& reason) {
-  workplace.require(Operation::kPersonErase);
-  return sizeOf(removeDemonstration(workplace.connection(), workplace.actor().userId, workplace.station(),
-                                    reason, workplace.now_us()));
+DemonstrationSize removeDemonstrationData(SessionContext& session, const std::string& reason) {
+  session.require(Operation::kPersonErase);
+  return sizeOf(removeDemonstration(session.connection(), session.actor().userId, session.station(), reason,
+                                    session.now_us()));
 }
 
 }  // namespace torsio

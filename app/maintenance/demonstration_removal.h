@@ -16,11 +16,11 @@ struct DemonstrationSize {
 };
 
 /// For the question before removing. kPersonErase.
-[[nodiscard]] DemonstrationSize demonstrationSize(SessionContext& workplace);
+[[nodiscard]] DemonstrationSize demonstrationSize(SessionContext& session);
 
 /// Removes all demonstration data at once; real data stay untouched (removeDemonstration in
 /// db/repository/system/demonstration_data.h). kPersonErase, audited. Returns what was removed. Throws Error
 /// (kBadData) when real data use simulated ones; nothing is removed then.
-DemonstrationSize removeDemonstrationData(SessionContext& workplace, const std::string& reason);
+DemonstrationSize removeDemonstrationData(SessionContext& session, const std::string& reason);
 
 }  // namespace torsio

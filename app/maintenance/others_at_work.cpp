@@ -6,29 +6,29 @@
 
 namespace torsio {
 
-std::vector<Text> othersAtWork(SessionContext& workplace) {
-  workplace.require(Operation::kDatabaseRestore);
-  const std::int64_t aliveSince_us = workplace.now_us() - kStationSilence_us;
+std::vector<Text> othersAtWork(SessionContext& session) {
+  session.require(Operation::kDatabaseRestore);
+  const std::int64_t aliveSince_us = session.now_us() - kStationSilence_us;
   std::vector<Text> sentences;
-  for (const StationState& state : StationRepository(workplace.connection()).board()) {
+  for (const StationState& state : StationRepository(session.connection()).board()) {
     if (state.heartbeatUtc_us < aliveSince_us) {
       continue;
     }
     if (!state.trialId.empty() && !state.ended) {
       sentences.push_back(Text("a run is going on at the station %1", state.station));
-    } else if (state.station != workplace.station()) {
+    } else if (state.station != session.station()) {
       sentences.push_back(Text("the station %1 is connected", state.station));
     }
   }
   return sentences;
 }
 
-void requireNobodyAtWork(SessionContext& workplace) {
-  const std::vector<Text> others = othersAtWork(workplace);
+void requireNobodyAtWork(SessionContext& session) {
+  const std::vector<Text> others = othersAtWork(session);
   if (others.empty()) {
     return;
   }
-  throw Error(ErrorCode::kDatabase, others.front(), workplace.connection().location(),
+  throw Error(ErrorCode::kDatabase, others.front(), session.connection().location(),
               "Let the run come to its end, close Torsio at all other stations, wait half a minute, and try "
               "again");
 }

@@ -144,14 +144,14 @@ class FolderInTheMaking {
 
 }  // namespace
 
-PersonPackage exportPersonPackage(SessionContext& workplace, const std::string& personId,
+PersonPackage exportPersonPackage(SessionContext& session, const std::string& personId,
                                   const fs::path& folder, const std::string& reason) {
-  workplace.require(Operation::kPersonExport);
+  session.require(Operation::kPersonExport);
   if (fs::exists(folder)) {
     throw Error(ErrorCode::kFileUnwritable, "this folder exists already", folder.string(),
                 "Name a new folder");
   }
-  const std::vector<PersonTable> tables = exportPerson(workplace.connection(), personId);
+  const std::vector<PersonTable> tables = exportPerson(session.connection(), personId);
   if (tables.empty()) {
     throw Error(ErrorCode::kBadData, "there is no such person", personId, "Check the code");
   }
@@ -166,14 +166,14 @@ PersonPackage exportPersonPackage(SessionContext& workplace, const std::string& 
     }
     for (const std::vector<Value>& row : table.rows) {
       const std::string& id = std::get<std::string>(row.at(0).storage());
-      if (writeRecording(workplace.connection(), id, making.path() / "recordings")) {
+      if (writeRecording(session.connection(), id, making.path() / "recordings")) {
         ++package.recordings;
       }
     }
   }
   writeFileAtomically(making.path() / "README.txt", std::string_view(kReadme));
-  writeManifest(making.path(), personId, workplace.now_us());
-  workplace.note({.action = "person.export", .objectKind = "person", .objectId = personId, .reason = reason});
+  writeManifest(making.path(), personId, session.now_us());
+  session.note({.action = "person.export", .objectKind = "person", .objectId = personId, .reason = reason});
   std::error_code failed;
   fs::rename(making.path(), folder, failed);
   if (failed) {
@@ -184,12 +184,12 @@ PersonPackage exportPersonPackage(SessionContext& workplace, const std::string& 
   return package;
 }
 
-void erasePersonRecord(SessionContext& workplace, const std::string& personId, const std::string& reason) {
-  workplace.require(Operation::kPersonErase);
+void erasePersonRecord(SessionContext& session, const std::string& personId, const std::string& reason) {
+  session.require(Operation::kPersonErase);
   if (reason.empty()) {
     throw Error(ErrorCode::kBadParameter, "erasing needs a reason", personId, "Say why, for the audit trail");
   }
-  erasePerson(workplace.connection(), personId, workplace.actor().userId, reason, workplace.now_us());
+  erasePerson(session.connection(), personId, session.actor().userId, reason, session.now_us());
 }
 
 }  // namespace torsio

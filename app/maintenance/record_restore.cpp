@@ -26,12 +26,12 @@ namespace {
 
 constexpr std::uintmax_t kSpareRoom_bytes = 64ULL << 20;  // the write-ahead log of the copy, and some air
 
-void requireFile(SessionContext& workplace) {
-  if (workplace.connection().engine() == Engine::kSqlite) {
+void requireFile(SessionContext& session) {
+  if (session.connection().engine() == Engine::kSqlite) {
     return;
   }
   throw Error(ErrorCode::kUsage, "this record lies on a database server, which restores its own backups",
-              workplace.connection().location(), "Use pg_restore on the server");
+              session.connection().location(), "Use pg_restore on the server");
 }
 
 std::set<std::string> idsOf(Connection& connection, const std::string& table) {
@@ -140,10 +140,10 @@ void requireRoom(const fs::path& record, const fs::path& backup) {
 }
 
 /// The audit entry in the trail of `connection`.
-void tell(SessionContext& workplace, Connection& connection, const std::string& action,
-          const RestorePlan& plan, const fs::path& safety) {
-  WorkplaceKey key = workplace.key();
-  const SessionContext there(connection, workplace.ids(), key, [&workplace] { return workplace.now_us(); });
+void tell(SessionContext& session, Connection& connection, const std::string& action, const RestorePlan& plan,
+          const fs::path& safety) {
+  SessionKey key = session.key();
+  const SessionContext there(connection, session.ids(), key, [&session] { return session.now_us(); });
   there.note({.action = action,
               .objectKind = "database",
               .objectId = plan.backup.filename().string(),
@@ -155,25 +155,25 @@ void tell(SessionContext& workplace, Connection& connection, const std::string& 
 }
 
 /// Brings the copy up to date, erases again, tells of the restore.
-void bringToday(SessionContext& workplace, const fs::path& ready, const RestorePlan& plan,
+void bringToday(SessionContext& session, const fs::path& ready, const RestorePlan& plan,
                 const fs::path& safety) {
   Connection copy = openRecord(ready.string(), OpenMode::kReadWrite,
                                {.softwareVersion = softwareVersion(), .backup = false});
-  for (const Erasure& erasure : erasedSince(workplace.connection(), copy)) {
+  for (const Erasure& erasure : erasedSince(session.connection(), copy)) {
     erasePerson(copy, erasure.personId, erasure.requestedBy, erasure.reason, erasure.erasedUtc_us);
   }
-  tell(workplace, copy, "database.restore", plan, safety);
+  tell(session, copy, "database.restore", plan, safety);
 }
 
 }  // namespace
 
-RestorePlan planRestore(SessionContext& workplace, const fs::path& backup, const ProgressCallback& progress) {
-  workplace.require(Operation::kDatabaseRestore);
-  requireFile(workplace);
-  requireNobodyAtWork(workplace);
+RestorePlan planRestore(SessionContext& session, const fs::path& backup, const ProgressCallback& progress) {
+  session.require(Operation::kDatabaseRestore);
+  requireFile(session);
+  requireNobodyAtWork(session);
   RestorePlan plan;
   plan.backup = backup;
-  const Contents present(workplace.connection());
+  const Contents present(session.connection());
   plan.present = present.extent();
   const BackupCheck check = verifyBackup(backup, progress, [&](Connection& copy) {
     const Contents restored(copy);
@@ -181,7 +181,7 @@ RestorePlan planRestore(SessionContext& workplace, const fs::path& backup, const
     plan.lostPeople = missing(present.people, restored.people);
     plan.lostTrials = missing(present.trials, restored.trials);
     plan.lostMarks = missing(present.marks, restored.marks);
-    plan.erasedSince = std::ssize(erasedSince(workplace.connection(), copy));
+    plan.erasedSince = std::ssize(erasedSince(session.connection(), copy));
   });
   if (!check.database.sound()) {
     throw Error(ErrorCode::kVerifyFailed, "the backup is not sound, so nothing was restored", backup.string(),
@@ -190,24 +190,24 @@ RestorePlan planRestore(SessionContext& workplace, const fs::path& backup, const
   return plan;
 }
 
-std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& workplace, const RestorePlan& plan,
+std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session, const RestorePlan& plan,
                                                 const ProgressCallback& progress) {
-  workplace.require(Operation::kDatabaseRestore);
-  requireFile(workplace);
-  requireNobodyAtWork(workplace);
-  const fs::path record = workplace.key().locator;
+  session.require(Operation::kDatabaseRestore);
+  requireFile(session);
+  requireNobodyAtWork(session);
+  const fs::path record = session.key().locator;
   requireRoom(record, plan.backup);
-  const fs::path safety = safetyName(record, workplace.now_us());
-  tell(workplace, workplace.connection(), "database.restore_begin", plan, safety);
+  const fs::path safety = safetyName(record, session.now_us());
+  tell(session, session.connection(), "database.restore_begin", plan, safety);
   tellProgress(progress, "Backing up the record as it is now", 0.0);
-  backupSqlite(workplace.connection(), safety);
+  backupSqlite(session.connection(), safety);
   (void)checkBackup(safety);
 
   const fs::path ready = temporaryBeside(record);
   auto prepared = std::make_shared<PreparedRestore>(ready, record, safety);
   copyStepwise(plan.backup, ready, partOf(progress, 0.5, 0.7));
   tellProgress(progress, "Preparing the restored record", 0.7);
-  bringToday(workplace, ready, plan, safety);
+  bringToday(session, ready, plan, safety);
   tellProgress(progress, "Checking the restored record", 0.8);
   settleSqlite(ready);
   tellProgress(progress, "Ready", 1.0);

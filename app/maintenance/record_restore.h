@@ -34,7 +34,7 @@ struct RestorePlan {
 /// kDatabaseRestore. Throws Error: kUsage when the record is no file (a server has its own tools), kDatabase
 /// while others work at the record, kVerifyFailed and others when the backup is not sound; whatever
 /// `progress` throws.
-[[nodiscard]] RestorePlan planRestore(SessionContext& workplace, const std::filesystem::path& backup,
+[[nodiscard]] RestorePlan planRestore(SessionContext& session, const std::filesystem::path& backup,
                                       const ProgressCallback& progress = {});
 
 /// A backup that stands ready beside the record. Removes itself unless it has taken the record's place.
@@ -65,7 +65,7 @@ class PreparedRestore {
 /// entry and is else unchanged until takeOver(). kDatabaseRestore. Throws as planRestore does, and
 /// kFileUnwritable when there is not enough room; then nothing is left but the finished safety backup, if
 /// any.
-[[nodiscard]] std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& workplace,
+[[nodiscard]] std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session,
                                                               const RestorePlan& plan,
                                                               const ProgressCallback& progress = {});
 

@@ -17,18 +17,18 @@ void requireReason(const std::string& reason, const std::string& where) {
   }
 }
 
-void hold(SessionContext& workplace, const RetentionHold& decision) {
-  workplace.require(Operation::kRetentionManage);
+void hold(SessionContext& session, const RetentionHold& decision) {
+  session.require(Operation::kRetentionManage);
   requireReason(decision.reason, decision.personId);
-  Transaction transaction(workplace.connection());
+  Transaction transaction(session.connection());
   RetentionHold stored = decision;
-  stored.decidedBy = workplace.actor().userId;
-  stored.decidedUtc_us = workplace.now_us();
-  RetentionRepository(workplace.connection()).addHold(stored);
-  workplace.note({.action = "retention." + decision.kind,
-                  .objectKind = "person",
-                  .objectId = decision.personId,
-                  .reason = decision.reason});
+  stored.decidedBy = session.actor().userId;
+  stored.decidedUtc_us = session.now_us();
+  RetentionRepository(session.connection()).addHold(stored);
+  session.note({.action = "retention." + decision.kind,
+                .objectKind = "person",
+                .objectId = decision.personId,
+                .reason = decision.reason});
   transaction.commit();
 }
 
@@ -39,61 +39,61 @@ std::int64_t recordingsOf(Connection& connection, const std::string& code) {
 
 }  // namespace
 
-std::vector<RetentionRule> retentionRules(SessionContext& workplace) {
-  workplace.require(Operation::kRetentionManage);
-  return RetentionRepository(workplace.connection()).rules();
+std::vector<RetentionRule> retentionRules(SessionContext& session) {
+  session.require(Operation::kRetentionManage);
+  return RetentionRepository(session.connection()).rules();
 }
 
-void setRetentionRule(SessionContext& workplace, const std::string& category, std::int64_t keep_days,
+void setRetentionRule(SessionContext& session, const std::string& category, std::int64_t keep_days,
                       const std::string& basis) {
-  workplace.require(Operation::kRetentionManage);
-  Transaction transaction(workplace.connection());
-  RetentionRepository(workplace.connection()).setRule({category, keep_days, basis, workplace.now_us()});
-  workplace.note({.action = "retention.rule",
-                  .objectKind = "retention_rule",
-                  .objectId = category,
-                  .newJson = R"({"keep_days":)" + std::to_string(keep_days) + "}",
-                  .reason = basis});
+  session.require(Operation::kRetentionManage);
+  Transaction transaction(session.connection());
+  RetentionRepository(session.connection()).setRule({category, keep_days, basis, session.now_us()});
+  session.note({.action = "retention.rule",
+                .objectKind = "retention_rule",
+                .objectId = category,
+                .newJson = R"({"keep_days":)" + std::to_string(keep_days) + "}",
+                .reason = basis});
   transaction.commit();
 }
 
-void removeRetentionRule(SessionContext& workplace, const std::string& category) {
-  workplace.require(Operation::kRetentionManage);
-  Transaction transaction(workplace.connection());
-  RetentionRepository(workplace.connection()).removeRule(category);
-  workplace.note({.action = "retention.remove_rule", .objectKind = "retention_rule", .objectId = category});
+void removeRetentionRule(SessionContext& session, const std::string& category) {
+  session.require(Operation::kRetentionManage);
+  Transaction transaction(session.connection());
+  RetentionRepository(session.connection()).removeRule(category);
+  session.note({.action = "retention.remove_rule", .objectKind = "retention_rule", .objectId = category});
   transaction.commit();
 }
 
-std::vector<RetentionItem> retentionQueue(SessionContext& workplace) {
-  workplace.require(Operation::kRetentionManage);
-  return RetentionRepository(workplace.connection()).due(workplace.now_us());
+std::vector<RetentionItem> retentionQueue(SessionContext& session) {
+  session.require(Operation::kRetentionManage);
+  return RetentionRepository(session.connection()).due(session.now_us());
 }
 
-void lockRecord(SessionContext& workplace, const std::string& personId, const std::string& reason) {
-  hold(workplace, {.personId = personId, .kind = "lock", .reason = reason});
+void lockRecord(SessionContext& session, const std::string& personId, const std::string& reason) {
+  hold(session, {.personId = personId, .kind = "lock", .reason = reason});
 }
 
-void extendRecord(SessionContext& workplace, const std::string& personId, std::int64_t untilUtc_us,
+void extendRecord(SessionContext& session, const std::string& personId, std::int64_t untilUtc_us,
                   const std::string& reason) {
-  workplace.require(Operation::kRetentionManage);
-  if (untilUtc_us <= workplace.now_us()) {
+  session.require(Operation::kRetentionManage);
+  if (untilUtc_us <= session.now_us()) {
     throw Error(ErrorCode::kBadParameter, "this day has passed", personId, "Choose a later day");
   }
-  hold(workplace, {.personId = personId, .kind = "extend", .untilUtc_us = untilUtc_us, .reason = reason});
+  hold(session, {.personId = personId, .kind = "extend", .untilUtc_us = untilUtc_us, .reason = reason});
 }
 
-void releaseRecord(SessionContext& workplace, const std::string& personId, const std::string& reason) {
-  hold(workplace, {.personId = personId, .kind = "release", .reason = reason});
+void releaseRecord(SessionContext& session, const std::string& personId, const std::string& reason) {
+  hold(session, {.personId = personId, .kind = "release", .reason = reason});
 }
 
-RetentionOutcome eraseDue(SessionContext& workplace, std::span<const std::string> personIds,
+RetentionOutcome eraseDue(SessionContext& session, std::span<const std::string> personIds,
                           const std::string& reason, bool dryRun) {
   if (!dryRun) {
-    workplace.require(Operation::kPersonErase);
+    session.require(Operation::kPersonErase);
     requireReason(reason, "retention");
   }
-  const std::vector<RetentionItem> queue = retentionQueue(workplace);
+  const std::vector<RetentionItem> queue = retentionQueue(session);
   RetentionOutcome outcome{.dryRun = dryRun};
   for (const std::string& id : personIds) {
     const auto item = std::find_if(queue.begin(), queue.end(),
@@ -105,12 +105,12 @@ RetentionOutcome eraseDue(SessionContext& workplace, std::span<const std::string
     (item->held ? outcome.skipped : outcome.erased).push_back(*item);
   }
   for (const RetentionItem& item : outcome.erased) {
-    outcome.recordings += recordingsOf(workplace.connection(), item.code);
+    outcome.recordings += recordingsOf(session.connection(), item.code);
     if (dryRun) {
       continue;
     }
-    erasePerson(workplace.connection(), item.personId, workplace.actor().userId,
-                reason + " (retention: " + item.category + ")", workplace.now_us());
+    erasePerson(session.connection(), item.personId, session.actor().userId,
+                reason + " (retention: " + item.category + ")", session.now_us());
   }
   return outcome;
 }

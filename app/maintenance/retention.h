@@ -12,21 +12,21 @@
 namespace torsio {
 
 /// kRetentionManage, as all below; every change is audited.
-[[nodiscard]] std::vector<RetentionRule> retentionRules(SessionContext& workplace);
-void setRetentionRule(SessionContext& workplace, const std::string& category, std::int64_t keep_days,
+[[nodiscard]] std::vector<RetentionRule> retentionRules(SessionContext& session);
+void setRetentionRule(SessionContext& session, const std::string& category, std::int64_t keep_days,
                       const std::string& basis);
 /// Takes the rule of a category away: its records are kept without limit.
-void removeRetentionRule(SessionContext& workplace, const std::string& category);
+void removeRetentionRule(SessionContext& session, const std::string& category);
 
 /// The review queue: whose record is due now and why, those who are held among them, longest due first.
-[[nodiscard]] std::vector<RetentionItem> retentionQueue(SessionContext& workplace);
+[[nodiscard]] std::vector<RetentionItem> retentionQueue(SessionContext& session);
 
 /// Keeps a record for good, or until a day; release ends it. Throws Error (kBadParameter) without a reason,
 /// or for a day that has passed.
-void lockRecord(SessionContext& workplace, const std::string& personId, const std::string& reason);
-void extendRecord(SessionContext& workplace, const std::string& personId, std::int64_t untilUtc_us,
+void lockRecord(SessionContext& session, const std::string& personId, const std::string& reason);
+void extendRecord(SessionContext& session, const std::string& personId, std::int64_t untilUtc_us,
                   const std::string& reason);
-void releaseRecord(SessionContext& workplace, const std::string& personId, const std::string& reason);
+void releaseRecord(SessionContext& session, const std::string& personId, const std::string& reason);
 
 /// What an erase of due records would do, or did.
 struct RetentionOutcome {
@@ -38,7 +38,7 @@ struct RetentionOutcome {
 /// The reviewer's choice out of the queue. A dry run changes nothing. Else also kPersonErase: each person is
 /// erased in a transaction of their own through erasePerson. Throws Error (kBadData) before anything is
 /// erased when somebody is not due.
-RetentionOutcome eraseDue(SessionContext& workplace, std::span<const std::string> personIds,
+RetentionOutcome eraseDue(SessionContext& session, std::span<const std::string> personIds,
                           const std::string& reason, bool dryRun);
 
 }  // namespace torsio

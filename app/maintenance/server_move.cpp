@@ -120,8 +120,8 @@ std::string passwordFileLine(const ServerAddress& address) {
          ":PASSWORD";
 }
 
-ServerCheck checkServer(SessionContext& workplace, const ServerAddress& address) {
-  workplace.require(Operation::kDatabaseRestore);
+ServerCheck checkServer(SessionContext& session, const ServerAddress& address) {
+  session.require(Operation::kDatabaseRestore);
   ServerCheck check;
   Connection connection = openDatabase(typedLocator(address), OpenMode::kReadOnly);
   check.location = connection.location();
@@ -131,40 +131,38 @@ ServerCheck checkServer(SessionContext& workplace, const ServerAddress& address)
   return check;
 }
 
-CopyReport moveToServer(SessionContext& workplace, const ServerAddress& address,
+CopyReport moveToServer(SessionContext& session, const ServerAddress& address,
                         const ProgressCallback& progress, const std::filesystem::path& unstored) {
-  workplace.require(Operation::kDatabaseRestore);
-  requireNobodyAtWork(workplace);
-  requireNothingWaits(workplace.key().locator, unstored);
+  session.require(Operation::kDatabaseRestore);
+  requireNobodyAtWork(session);
+  requireNothingWaits(session.key().locator, unstored);
   tellProgress(progress, "Looking at the server", 0.0);
-  const ServerCheck check = checkServer(workplace, address);
+  const ServerCheck check = checkServer(session, address);
   if (!check.hindrance.empty()) {
     throw Error(ErrorCode::kBadData, check.hindrance, check.location,
                 "Let the server's administrator make an empty database");
   }
   AuditNote note{.action = "database.move", .objectKind = "database", .objectId = check.location};
-  workplace.note(note);  // before the copy, so that both tell of it
+  session.note(note);  // before the copy, so that both tell of it
   try {
-    return copyDatabase(workplace.key().locator, typedLocator(address), partOf(progress, kCopyFrom, 1.0));
+    return copyDatabase(session.key().locator, typedLocator(address), partOf(progress, kCopyFrom, 1.0));
   } catch (...) {
     note.action = "database.move_given_up";
-    workplace.note(note);
+    session.note(note);
     throw;
   }
 }
 
-std::string switchToServer(SessionContext& workplace, const ServerAddress& address,
-                           const CopyReport& copied) {
-  workplace.require(Operation::kDatabaseRestore);
-  requireNobodyAtWork(workplace);
-  if (AuditRepository(workplace.connection()).length() != copied.auditEntries) {
+std::string switchToServer(SessionContext& session, const ServerAddress& address, const CopyReport& copied) {
+  session.require(Operation::kDatabaseRestore);
+  requireNobodyAtWork(session);
+  if (AuditRepository(session.connection()).length() != copied.auditEntries) {
     throw Error(ErrorCode::kBadData, "something was written to this record after it was copied",
-                workplace.connection().location(), "Make an empty database on the server and copy again");
+                session.connection().location(), "Make an empty database on the server and copy again");
   }
   std::string locator = openLasting(address);
   Connection there = openDatabase(locator, OpenMode::kReadWrite);
-  const SessionContext server(there, workplace.ids(), workplace.key(),
-                              [&workplace] { return workplace.now_us(); });
+  const SessionContext server(there, session.ids(), session.key(), [&session] { return session.now_us(); });
   server.note({.action = "database.switch",
                .objectKind = "database",
                .objectId = parseLocator(locator).shown(),
@@ -173,11 +171,11 @@ std::string switchToServer(SessionContext& workplace, const ServerAddress& addre
   return locator;
 }
 
-std::string joinServer(SessionContext& workplace, const ServerAddress& address,
+std::string joinServer(SessionContext& session, const ServerAddress& address,
                        const std::filesystem::path& unstored) {
-  workplace.require(Operation::kDatabaseRestore);
-  requireNothingWaits(workplace.key().locator, unstored);
-  const ServerCheck check = checkServer(workplace, address);
+  session.require(Operation::kDatabaseRestore);
+  requireNothingWaits(session.key().locator, unstored);
+  const ServerCheck check = checkServer(session, address);
   if (!check.holdsRecord) {
     throw Error(ErrorCode::kBadData, "there is no record in this database", check.location,
                 "Copy the record of this station there");
@@ -185,10 +183,9 @@ std::string joinServer(SessionContext& workplace, const ServerAddress& address,
   std::string locator = openLasting(address);
   const AuditNote note{.action = "database.join", .objectKind = "database", .objectId = check.location};
   Connection there = openUpToDate(locator);
-  const SessionContext server(there, workplace.ids(), workplace.key(),
-                              [&workplace] { return workplace.now_us(); });
+  const SessionContext server(there, session.ids(), session.key(), [&session] { return session.now_us(); });
   server.note(note);
-  workplace.note(note);
+  session.note(note);
   return locator;
 }
 

@@ -44,14 +44,14 @@ struct ServerCheck {
 /// Connects and looks: whether the database is empty or holds the empty tables of a version that we know, and
 /// whether the account may make tables. kDatabaseRestore. Throws Error, DbError (kUnreachable) when it does
 /// not answer or refuses the password.
-[[nodiscard]] ServerCheck checkServer(SessionContext& workplace, const ServerAddress& address);
+[[nodiscard]] ServerCheck checkServer(SessionContext& session, const ServerAddress& address);
 
 /// Copies this record to the server and compares both (copyDatabase). The record itself stays as it is but
 /// for an audit entry before, which is copied too, and another when it failed. kDatabaseRestore. Throws
 /// Error: kDatabase while others work at the record, kBadData while recordings of this station wait in files
 /// of `unstored` or when the target is not empty, kVerifyFailed when the copy differs; whatever `progress`
 /// throws. The server is as it was then.
-[[nodiscard]] CopyReport moveToServer(SessionContext& workplace, const ServerAddress& address,
+[[nodiscard]] CopyReport moveToServer(SessionContext& session, const ServerAddress& address,
                                       const ProgressCallback& progress = {},
                                       const std::filesystem::path& unstored = unstoredFolder());
 
@@ -59,14 +59,14 @@ struct ServerCheck {
 /// without the typed password. Tells of it in the audit trail of the server's record. Returns the locator to
 /// keep. kDatabaseRestore. Throws Error (kBadData) when something was written, (kDatabase) when the
 /// password would be needed.
-[[nodiscard]] std::string switchToServer(SessionContext& workplace, const ServerAddress& address,
+[[nodiscard]] std::string switchToServer(SessionContext& session, const ServerAddress& address,
                                          const CopyReport& copied);
 
 /// Another station turns to a record that lies on the server already; the record here stays as it is and is
 /// not used any more. Told in both audit trails. Returns the locator to keep. kDatabaseRestore. Throws Error
 /// (kBadData) while recordings of this station wait in files of `unstored` or when no record is there,
 /// (kDatabase) when the password would be needed.
-[[nodiscard]] std::string joinServer(SessionContext& workplace, const ServerAddress& address,
+[[nodiscard]] std::string joinServer(SessionContext& session, const ServerAddress& address,
                                      const std::filesystem::path& unstored = unstoredFolder());
 
 }  // namespace torsio

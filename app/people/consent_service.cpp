@@ -43,14 +43,14 @@ std::vector<ConsentText> consentTexts(const std::filesystem::path& assets, const
   return texts;
 }
 
-std::vector<StoredConsent> consentHistory(SessionContext& workplace, const std::string& personId) {
-  workplace.require(Operation::kPersonViewCoded);
-  return PeopleRepository(workplace.connection()).consents(personId);
+std::vector<StoredConsent> consentHistory(SessionContext& session, const std::string& personId) {
+  session.require(Operation::kPersonViewCoded);
+  return PeopleRepository(session.connection()).consents(personId);
 }
 
-void recordConsent(SessionContext& workplace, const std::string& personId, const std::string& purpose,
+void recordConsent(SessionContext& session, const std::string& personId, const std::string& purpose,
                    bool granted, const std::string& textVersion) {
-  workplace.require(Operation::kConsentRecord);
+  session.require(Operation::kConsentRecord);
   if (!isPurpose(purpose)) {
     throw Error(ErrorCode::kBadParameter, "there is no such purpose", purpose, "Choose one from the list");
   }
@@ -58,18 +58,18 @@ void recordConsent(SessionContext& workplace, const std::string& personId, const
     throw Error(ErrorCode::kBadParameter, "it is not said which text was shown", purpose,
                 "Give the version of the consent text");
   }
-  Transaction transaction(workplace.connection());
-  PeopleRepository repository(workplace.connection());
+  Transaction transaction(session.connection());
+  PeopleRepository repository(session.connection());
   const auto person = repository.find(personId);
   if (!person || person->state == "erased") {
     throw Error(ErrorCode::kBadParameter, "there is no such person", personId, "Choose one from the list");
   }
-  repository.recordConsent({personId, purpose, granted, textVersion, workplace.now_us(),
-                            workplace.actor().userId, person->demonstration});
-  workplace.note({.action = granted ? "consent.grant" : "consent.withdraw",
-                  .objectKind = "consent",
-                  .objectId = personId,
-                  .newJson = nlohmann::json{{"purpose", purpose}, {"text", textVersion}}.dump()});
+  repository.recordConsent({personId, purpose, granted, textVersion, session.now_us(), session.actor().userId,
+                            person->demonstration});
+  session.note({.action = granted ? "consent.grant" : "consent.withdraw",
+                .objectKind = "consent",
+                .objectId = personId,
+                .newJson = nlohmann::json{{"purpose", purpose}, {"text", textVersion}}.dump()});
   transaction.commit();
 }
 

@@ -24,12 +24,11 @@ struct ConsentText {
                                                     const std::string& language = "en");
 
 /// Every decision, oldest first. kPersonViewCoded.
-[[nodiscard]] std::vector<StoredConsent> consentHistory(SessionContext& workplace,
-                                                        const std::string& personId);
+[[nodiscard]] std::vector<StoredConsent> consentHistory(SessionContext& session, const std::string& personId);
 
 /// Given, or withdrawn (`granted` false). Audited. kConsentRecord. Throws Error{kBadParameter} for an unknown
 /// purpose or person, or an empty version.
-void recordConsent(SessionContext& workplace, const std::string& personId, const std::string& purpose,
+void recordConsent(SessionContext& session, const std::string& personId, const std::string& purpose,
                    bool granted, const std::string& textVersion);
 
 }  // namespace torsio

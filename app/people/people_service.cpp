@@ -190,15 +190,15 @@ std::vector<std::string> codedCells(const PersonRow& row) {
 
 }  // namespace
 
-std::vector<PersonRow> people(SessionContext& workplace) {
-  workplace.require(Operation::kPersonViewCoded);
-  PeopleRepository repository(workplace.connection());
+std::vector<PersonRow> people(SessionContext& session) {
+  session.require(Operation::kPersonViewCoded);
+  PeopleRepository repository(session.connection());
   return byCode(rowsById(repository));
 }
 
-std::vector<NamedPersonRow> namedPeople(SessionContext& workplace) {
-  workplace.require(Operation::kPersonViewIdentity);
-  PeopleRepository repository(workplace.connection());
+std::vector<NamedPersonRow> namedPeople(SessionContext& session) {
+  session.require(Operation::kPersonViewIdentity);
+  PeopleRepository repository(session.connection());
   std::map<std::string, StoredIdentity> identities;
   for (StoredIdentity& identity : repository.identities()) {
     identities[identity.personId] = std::move(identity);
@@ -213,20 +213,20 @@ std::vector<NamedPersonRow> namedPeople(SessionContext& workplace) {
   return list;
 }
 
-std::string addPerson(SessionContext& workplace, const PersonEntry& entry) {
-  workplace.require(Operation::kPersonEdit);
-  Transaction transaction(workplace.connection());
-  PeopleRepository repository(workplace.connection());
+std::string addPerson(SessionContext& session, const PersonEntry& entry) {
+  session.require(Operation::kPersonEdit);
+  Transaction transaction(session.connection());
+  PeopleRepository repository(session.connection());
   if (!entry.raterClass.empty()) {
-    ensureRaterClasses(workplace);
+    ensureRaterClasses(session);
   }
   checkEntry(repository, entry, "");
   const std::vector<std::string> codes = repository.codes();
   PersonCodes next({codes.begin(), codes.end()});
   StoredPerson person = personFrom(entry, {});
-  person.id = workplace.ids().newUuid();
+  person.id = session.ids().newUuid();
   person.code = next.next(entry.trainee ? kTraineePrefix : kRaterPrefix);
-  person.createdUtc_us = workplace.now_us();
+  person.createdUtc_us = session.now_us();
   if (entry.trainee) {
     repository.addTrainees(std::vector<StoredTrainee>{{person, entry.handedness}});
     if (!entry.raterClass.empty()) {
@@ -236,18 +236,18 @@ std::string addPerson(SessionContext& workplace, const PersonEntry& entry) {
     repository.addRaters(std::vector<StoredRater>{{person, entry.raterClass}});
   }
   repository.setIdentity({person.id, entry.fullName, entry.email, entry.externalId});
-  workplace.note({.action = "person.add",
-                  .objectKind = "person",
-                  .objectId = person.id,
-                  .newJson = codedJson(person, entry.handedness, entry.raterClass).dump()});
+  session.note({.action = "person.add",
+                .objectKind = "person",
+                .objectId = person.id,
+                .newJson = codedJson(person, entry.handedness, entry.raterClass).dump()});
   transaction.commit();
   return person.id;
 }
 
-PersonEntry personEntry(SessionContext& workplace, const std::string& personId) {
-  workplace.require(Operation::kPersonEdit);
-  workplace.require(Operation::kPersonViewIdentity);
-  PeopleRepository repository(workplace.connection());
+PersonEntry personEntry(SessionContext& session, const std::string& personId) {
+  session.require(Operation::kPersonEdit);
+  session.require(Operation::kPersonViewIdentity);
+  PeopleRepository repository(session.connection());
   const PersonRow row = rowOf(repository, personId);
   const StoredIdentity identity = repository.identity(personId).value_or(StoredIdentity{});
   return {.fullName = identity.fullName,
@@ -262,14 +262,14 @@ PersonEntry personEntry(SessionContext& workplace, const std::string& personId) 
           .raterClass = row.raterClass};
 }
 
-void changePerson(SessionContext& workplace, const std::string& personId, const PersonEntry& entry,
+void changePerson(SessionContext& session, const std::string& personId, const PersonEntry& entry,
                   const std::string& reason) {
-  workplace.require(Operation::kPersonEdit);
-  Transaction transaction(workplace.connection());
-  PeopleRepository repository(workplace.connection());
+  session.require(Operation::kPersonEdit);
+  Transaction transaction(session.connection());
+  PeopleRepository repository(session.connection());
   const PersonRow before = rowOf(repository, personId);
   if (!entry.raterClass.empty()) {
-    ensureRaterClasses(workplace);
+    ensureRaterClasses(session);
   }
   checkEntry(repository, entry, personId);
   if ((before.trainee && !entry.trainee) || (before.rater && entry.raterClass.empty())) {
@@ -294,32 +294,32 @@ void changePerson(SessionContext& workplace, const std::string& personId, const 
   repository.setIdentity({personId, entry.fullName, entry.email, entry.externalId});
   nlohmann::json now = codedJson(after, entry.handedness, entry.raterClass);
   now["identity_changed"] = changedIdentity(old, entry);
-  workplace.note({.action = "person.change",
-                  .objectKind = "person",
-                  .objectId = personId,
-                  .oldJson = codedJson(before.person, before.handedness, before.raterClass).dump(),
-                  .newJson = now.dump(),
-                  .reason = reason});
+  session.note({.action = "person.change",
+                .objectKind = "person",
+                .objectId = personId,
+                .oldJson = codedJson(before.person, before.handedness, before.raterClass).dump(),
+                .newJson = now.dump(),
+                .reason = reason});
   transaction.commit();
 }
 
-void setPersonState(SessionContext& workplace, const std::string& personId, const std::string& state,
+void setPersonState(SessionContext& session, const std::string& personId, const std::string& state,
                     const std::string& reason) {
-  workplace.require(Operation::kPersonEdit);
+  session.require(Operation::kPersonEdit);
   if (std::find(kStates.begin(), kStates.end(), state) == kStates.end()) {
     refuse("this is no state of a person", state, "Choose active or left");
   }
-  Transaction transaction(workplace.connection());
-  PeopleRepository repository(workplace.connection());
+  Transaction transaction(session.connection());
+  PeopleRepository repository(session.connection());
   StoredPerson person = rowOf(repository, personId).person;
   const std::string before = std::exchange(person.state, state);
   repository.updatePerson(person);
-  workplace.note({.action = "person.set_state",
-                  .objectKind = "person",
-                  .objectId = personId,
-                  .oldJson = nlohmann::json{{"state", before}}.dump(),
-                  .newJson = nlohmann::json{{"state", state}}.dump(),
-                  .reason = reason});
+  session.note({.action = "person.set_state",
+                .objectKind = "person",
+                .objectId = personId,
+                .oldJson = nlohmann::json{{"state", before}}.dump(),
+                .newJson = nlohmann::json{{"state", state}}.dump(),
+                .reason = reason});
   transaction.commit();
 }
 
@@ -329,29 +329,29 @@ std::vector<StoredRaterClass> paperRaterClasses() {
           {"chief", "chief physician", 3}};
 }
 
-std::vector<StoredRaterClass> ensureRaterClasses(SessionContext& workplace) {
-  workplace.require(Operation::kPersonEdit);
-  PeopleRepository repository(workplace.connection());
+std::vector<StoredRaterClass> ensureRaterClasses(SessionContext& session) {
+  session.require(Operation::kPersonEdit);
+  PeopleRepository repository(session.connection());
   std::vector<StoredRaterClass> classes = repository.raterClasses();
   if (!classes.empty()) {
     return classes;
   }
   classes = paperRaterClasses();
-  Transaction transaction(workplace.connection());
+  Transaction transaction(session.connection());
   repository.addRaterClasses(classes);
-  workplace.note(
+  session.note(
       {.action = "rater_class.add", .objectKind = "rater_class", .objectId = "intern deputy_chief chief"});
   transaction.commit();
   return classes;
 }
 
-std::vector<StoredRaterClass> raterClasses(SessionContext& workplace) {
-  workplace.require(Operation::kPersonViewCoded);
-  return PeopleRepository(workplace.connection()).raterClasses();
+std::vector<StoredRaterClass> raterClasses(SessionContext& session) {
+  session.require(Operation::kPersonViewCoded);
+  return PeopleRepository(session.connection()).raterClasses();
 }
 
-std::size_t exportPeople(SessionContext& workplace, const std::filesystem::path& file, bool withNames) {
-  workplace.require(withNames ? Operation::kReportExportNamed : Operation::kReportExportCoded);
+std::size_t exportPeople(SessionContext& session, const std::filesystem::path& file, bool withNames) {
+  session.require(withNames ? Operation::kReportExportNamed : Operation::kReportExportCoded);
   constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
   std::string text = kByteOrderMark;
   std::vector<std::string> header{"code",       "trainee",   "rater_class", "sex",  "level",
@@ -360,7 +360,7 @@ std::size_t exportPeople(SessionContext& workplace, const std::filesystem::path&
   if (withNames) {
     header.insert(header.end(), {"full_name", "external_id", "email"});
     text += csvLine(header);
-    for (const NamedPersonRow& named : namedPeople(workplace)) {
+    for (const NamedPersonRow& named : namedPeople(session)) {
       std::vector<std::string> cells = codedCells(named.row);
       cells.insert(cells.end(), {named.identity.fullName, named.identity.externalId, named.identity.email});
       text += csvLine(cells);
@@ -368,7 +368,7 @@ std::size_t exportPeople(SessionContext& workplace, const std::filesystem::path&
     }
   } else {
     text += csvLine(header);
-    for (const PersonRow& row : people(workplace)) {
+    for (const PersonRow& row : people(session)) {
       text += csvLine(codedCells(row));
       ++count;
     }
@@ -377,9 +377,9 @@ std::size_t exportPeople(SessionContext& workplace, const std::filesystem::path&
   digest.update(text);
   // First the trail, then the file: names that left the house without a trace would be worse than a trace
   // of a file that could not be written.
-  workplace.note({.action = withNames ? "people.export_named" : "people.export_coded",
-                  .objectKind = "person",
-                  .newJson = nlohmann::json{{"people", count}, {"blake2b", digest.hex()}}.dump()});
+  session.note({.action = withNames ? "people.export_named" : "people.export_coded",
+                .objectKind = "person",
+                .newJson = nlohmann::json{{"people", count}, {"blake2b", digest.hex()}}.dump()});
   writeFileAtomically(file, text);
   return count;
 }

@@ -29,9 +29,9 @@ struct NamedPersonRow {
 };
 
 /// Everybody who was not erased, ordered by code. kPersonViewCoded.
-[[nodiscard]] std::vector<PersonRow> people(SessionContext& workplace);
+[[nodiscard]] std::vector<PersonRow> people(SessionContext& session);
 /// Everybody who was not erased, with names, ordered by code. kPersonViewIdentity.
-[[nodiscard]] std::vector<NamedPersonRow> namedPeople(SessionContext& workplace);
+[[nodiscard]] std::vector<NamedPersonRow> namedPeople(SessionContext& session);
 
 /// One person to enter by hand. Empty texts mean "not known".
 struct PersonEntry {
@@ -49,26 +49,26 @@ struct PersonEntry {
 
 /// Stores a new person under the next free code ("T-31", "R-11"). Returns the id. Audited under the code,
 /// never with the name. kPersonEdit. Throws Error{kBadData} when the staff number is known already.
-std::string addPerson(SessionContext& workplace, const PersonEntry& entry);
+std::string addPerson(SessionContext& session, const PersonEntry& entry);
 /// What the dialog starts from. kPersonEdit and kPersonViewIdentity.
-[[nodiscard]] PersonEntry personEntry(SessionContext& workplace, const std::string& personId);
+[[nodiscard]] PersonEntry personEntry(SessionContext& session, const std::string& personId);
 /// Replaces all fields; a part (trainee, rater) can be added, not taken away. kPersonEdit.
-void changePerson(SessionContext& workplace, const std::string& personId, const PersonEntry& entry,
+void changePerson(SessionContext& session, const std::string& personId, const PersonEntry& entry,
                   const std::string& reason);
 /// "active" or "left": who left keeps the record and is offered nowhere. kPersonEdit.
-void setPersonState(SessionContext& workplace, const std::string& personId, const std::string& state,
+void setPersonState(SessionContext& session, const std::string& personId, const std::string& state,
                     const std::string& reason);
 
 /// Interns, deputy chiefs and chiefs (paper section 5.3).
 [[nodiscard]] std::vector<StoredRaterClass> paperRaterClasses();
 /// Classes of raters in their order; the three of the paper are made when there are none. kPersonEdit.
-std::vector<StoredRaterClass> ensureRaterClasses(SessionContext& workplace);
+std::vector<StoredRaterClass> ensureRaterClasses(SessionContext& session);
 /// Without making any. kPersonViewCoded.
-[[nodiscard]] std::vector<StoredRaterClass> raterClasses(SessionContext& workplace);
+[[nodiscard]] std::vector<StoredRaterClass> raterClasses(SessionContext& session);
 
 /// Writes the list as CSV (UTF-8 with byte order mark, so that spreadsheets read it right). Coded:
 /// kReportExportCoded. With names: kReportExportNamed; that the names were taken out is audited, with the
 /// hash of the file. Returns the number of people. Throws Error{kFileUnwritable}.
-std::size_t exportPeople(SessionContext& workplace, const std::filesystem::path& file, bool withNames);
+std::size_t exportPeople(SessionContext& session, const std::filesystem::path& file, bool withNames);
 
 }  // namespace torsio

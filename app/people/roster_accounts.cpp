@@ -36,26 +36,26 @@ std::vector<std::string> rolesOf(const PersonRow& row) {
 
 }  // namespace
 
-std::vector<PersonRow> peopleWithoutAccount(SessionContext& workplace) {
-  workplace.require(Operation::kUserManage);
+std::vector<PersonRow> peopleWithoutAccount(SessionContext& session) {
+  session.require(Operation::kUserManage);
   std::set<std::string> withAccount;
-  for (const StoredUser& user : users(workplace)) {
+  for (const StoredUser& user : users(session)) {
     withAccount.insert(user.personId);
   }
-  std::vector<PersonRow> rows = people(workplace);
+  std::vector<PersonRow> rows = people(session);
   std::erase_if(rows, [&withAccount](const PersonRow& row) {
     return row.person.state != "active" || withAccount.contains(row.person.id);
   });
   return rows;
 }
 
-void addAccounts(SessionContext& workplace, const std::vector<std::string>& personIds,
+void addAccounts(SessionContext& session, const std::vector<std::string>& personIds,
                  std::vector<StartAccount>& made, const ProgressCallback& progress) {
-  std::vector<PersonRow> rows = peopleWithoutAccount(workplace);
+  std::vector<PersonRow> rows = peopleWithoutAccount(session);
   const std::set<std::string> wanted(personIds.begin(), personIds.end());
   std::erase_if(rows, [&wanted](const PersonRow& row) { return !wanted.contains(row.person.id); });
   std::set<std::string> taken;
-  for (const StoredUser& user : users(workplace)) {
+  for (const StoredUser& user : users(session)) {
     taken.insert(user.login);
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -67,7 +67,7 @@ void addAccounts(SessionContext& workplace, const std::vector<std::string>& pers
                  .roles = rolesOf(row),
                  .startPassword = randomStartPassword(),
                  .demonstration = row.person.demonstration};
-    addUser(workplace, user);
+    addUser(session, user);
     taken.insert(user.login);
     made.push_back({user.login, user.roles.front(), row.person.code, user.startPassword});
   }

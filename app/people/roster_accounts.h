@@ -11,14 +11,14 @@
 namespace torsio {
 
 /// Who trains or scores and cannot sign in yet, ordered by code. kUserManage.
-[[nodiscard]] std::vector<PersonRow> peopleWithoutAccount(SessionContext& workplace);
+[[nodiscard]] std::vector<PersonRow> peopleWithoutAccount(SessionContext& session);
 
 /// An account for each of these people, in the order of their codes: the sign-in name is the code in small
 /// letters (with a number behind it when somebody has that name), the roles follow from what the person does.
 /// Each account is stored by itself, since sealing a password takes about a second; every stored one is put
 /// into `made` at once, so that none is lost when `progress` or the database throws. Whoever has an account,
 /// or left, is passed over. kUserManage.
-void addAccounts(SessionContext& workplace, const std::vector<std::string>& personIds,
+void addAccounts(SessionContext& session, const std::vector<std::string>& personIds,
                  std::vector<StartAccount>& made, const ProgressCallback& progress = {});
 
 }  // namespace torsio

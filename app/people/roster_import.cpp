@@ -85,13 +85,13 @@ struct KnownPeople {
   std::vector<StoredRaterClass> classes;
 };
 
-KnownPeople readKnown(SessionContext& workplace) {
+KnownPeople readKnown(SessionContext& session) {
   KnownPeople known;
-  known.classes = PeopleRepository(workplace.connection()).raterClasses();
+  known.classes = PeopleRepository(session.connection()).raterClasses();
   if (known.classes.empty()) {
     known.classes = paperRaterClasses();
   }
-  for (NamedPersonRow& named : namedPeople(workplace)) {
+  for (NamedPersonRow& named : namedPeople(session)) {
     if (!named.identity.email.empty()) {
       known.codeByEmail[lower(named.identity.email)] = named.row.person.code;
       known.numberByEmail[lower(named.identity.email)] = named.identity.externalId;
@@ -331,10 +331,10 @@ std::string fingerprintOf(const RosterPreview& preview) {
   return digest.hex();
 }
 
-RosterPreview preview(SessionContext& workplace, const RosterFile& file, RosterKind kind,
+RosterPreview preview(SessionContext& session, const RosterFile& file, RosterKind kind,
                       const RosterColumns& columns, const ProgressCallback& progress, double share) {
   checkColumns(file, kind, columns);
-  const KnownPeople known = readKnown(workplace);
+  const KnownPeople known = readKnown(session);
   RosterPreview preview;
   preview.kind = kind;
   std::map<std::string, std::size_t> lineOf;
@@ -373,9 +373,9 @@ RosterPreview preview(SessionContext& workplace, const RosterFile& file, RosterK
   return preview;
 }
 
-void requireRosterRights(const SessionContext& workplace) {
-  workplace.require(Operation::kPersonEdit);
-  workplace.require(Operation::kPersonViewIdentity);
+void requireRosterRights(const SessionContext& session) {
+  session.require(Operation::kPersonEdit);
+  session.require(Operation::kPersonViewIdentity);
 }
 
 nlohmann::json addedJson(const StoredPerson& person, const std::string& part) {
@@ -387,14 +387,14 @@ nlohmann::json addedJson(const StoredPerson& person, const std::string& part) {
 }
 
 /// Adds the new people; ids are random, so giving codes in their order hides the order of the roster.
-std::vector<std::string> addNew(SessionContext& workplace, const RosterPreview& preview, LineCount& count) {
-  PeopleRepository repository(workplace.connection());
+std::vector<std::string> addNew(SessionContext& session, const RosterPreview& preview, LineCount& count) {
+  PeopleRepository repository(session.connection());
   const std::vector<std::string> used = repository.codes();
   PersonCodes codes({used.begin(), used.end()});
   std::map<std::string, const RosterRow*> byId;
   for (const RosterRow& row : preview.rows) {
     if (row.status == RosterStatus::kNew) {
-      byId[workplace.ids().newUuid()] = &row;
+      byId[session.ids().newUuid()] = &row;
     }
   }
   const bool trainees = preview.kind == RosterKind::kTrainees;
@@ -413,7 +413,7 @@ std::vector<std::string> addNew(SessionContext& workplace, const RosterPreview& 
                         .level = entry.level,
                         .experience = entry.experience,
                         .age_years = entry.age_years,
-                        .createdUtc_us = workplace.now_us()};
+                        .createdUtc_us = session.now_us()};
     if (trainees) {
       repository.addTrainees(std::vector<StoredTrainee>{{person, entry.handedness}});
     }
@@ -421,47 +421,47 @@ std::vector<std::string> addNew(SessionContext& workplace, const RosterPreview& 
       repository.addRaters(std::vector<StoredRater>{{person, entry.raterClass}});
     }
     repository.setIdentity({id, entry.fullName, entry.email, entry.externalId});
-    workplace.note({.action = "person.add",
-                    .objectKind = "person",
-                    .objectId = id,
-                    .newJson = addedJson(person, trainees ? "trainee" : entry.raterClass).dump()});
+    session.note({.action = "person.add",
+                  .objectKind = "person",
+                  .objectId = id,
+                  .newJson = addedJson(person, trainees ? "trainee" : entry.raterClass).dump()});
     newCodes.push_back(person.code);
   }
   return newCodes;
 }
 
-void applyChanges(SessionContext& workplace, const RosterPreview& preview, LineCount& count) {
+void applyChanges(SessionContext& session, const RosterPreview& preview, LineCount& count) {
   for (const RosterRow& row : preview.rows) {
     if (row.status != RosterStatus::kChanges) {
       continue;
     }
     count.next();
-    PersonEntry entry = personEntry(workplace, row.personId);
+    PersonEntry entry = personEntry(session, row.personId);
     for (const RosterChange& change : row.changes) {
       setValue(entry, change.field, change.to);
     }
     if (preview.kind == RosterKind::kTrainees) {
       entry.trainee = true;
     }
-    changePerson(workplace, row.personId, entry, "roster import");
+    changePerson(session, row.personId, entry, "roster import");
   }
 }
 
 }  // namespace
 
-RosterPreview previewRoster(SessionContext& workplace, const RosterFile& file, RosterKind kind,
+RosterPreview previewRoster(SessionContext& session, const RosterFile& file, RosterKind kind,
                             const RosterColumns& columns, const ProgressCallback& progress) {
-  requireRosterRights(workplace);
-  return preview(workplace, file, kind, columns, progress, 1.0);
+  requireRosterRights(session);
+  return preview(session, file, kind, columns, progress, 1.0);
 }
 
-RosterOutcome importRoster(SessionContext& workplace, const RosterFile& file, RosterKind kind,
+RosterOutcome importRoster(SessionContext& session, const RosterFile& file, RosterKind kind,
                            const RosterColumns& columns, const std::string& fingerprint, RosterMode mode,
                            const ProgressCallback& progress) {
   constexpr double kComparing = 0.2;  // of the whole work
-  requireRosterRights(workplace);
-  Transaction transaction(workplace.connection());
-  const RosterPreview now = preview(workplace, file, kind, columns, progress, kComparing);
+  requireRosterRights(session);
+  Transaction transaction(session.connection());
+  const RosterPreview now = preview(session, file, kind, columns, progress, kComparing);
   for (const RosterRow& row : now.rows) {
     if (row.status != RosterStatus::kError) {
       continue;
@@ -473,22 +473,22 @@ RosterOutcome importRoster(SessionContext& workplace, const RosterFile& file, Ro
                 "Look at the preview again");
   }
   if (kind == RosterKind::kRaters) {
-    ensureRaterClasses(workplace);
+    ensureRaterClasses(session);
   }
   RosterOutcome outcome;
   LineCount count(progress, mode == RosterMode::kDryRun ? Text("Trying it out") : Text("Importing"),
                   now.added + now.changed, kComparing, 1.0);
-  outcome.newCodes = addNew(workplace, now, count);
-  applyChanges(workplace, now, count);
+  outcome.newCodes = addNew(session, now, count);
+  applyChanges(session, now, count);
   outcome.added = now.added;
   outcome.changed = now.changed;
-  workplace.note({.action = "roster.import",
-                  .objectKind = "person",
-                  .newJson = nlohmann::json{{"added", now.added},
-                                            {"changed", now.changed},
-                                            {"same", now.same},
-                                            {"blake2b", file.contentHash}}
-                                 .dump()});
+  session.note({.action = "roster.import",
+                .objectKind = "person",
+                .newJson = nlohmann::json{{"added", now.added},
+                                          {"changed", now.changed},
+                                          {"same", now.same},
+                                          {"blake2b", file.contentHash}}
+                               .dump()});
   if (mode == RosterMode::kCommit) {
     transaction.commit();
   }

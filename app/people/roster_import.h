@@ -101,7 +101,7 @@ struct RosterPreview {
 /// number alone; an e-mail address that somebody else has is a hint. Changes nothing. kPersonEdit and
 /// kPersonViewIdentity. Throws Error{kBadParameter} when a required field has no column, or two fields share
 /// one.
-[[nodiscard]] RosterPreview previewRoster(SessionContext& workplace, const RosterFile& file, RosterKind kind,
+[[nodiscard]] RosterPreview previewRoster(SessionContext& session, const RosterFile& file, RosterKind kind,
                                           const RosterColumns& columns,
                                           const ProgressCallback& progress = {});
 
@@ -121,7 +121,7 @@ enum class RosterMode {
 /// Audited: one entry a person and one for the import, without names. The same operations. Throws
 /// Error{kBadData} when a line cannot be taken, or when the record has changed since the preview with this
 /// fingerprint. What `progress` throws stops it, and then nothing is stored.
-RosterOutcome importRoster(SessionContext& workplace, const RosterFile& file, RosterKind kind,
+RosterOutcome importRoster(SessionContext& session, const RosterFile& file, RosterKind kind,
                            const RosterColumns& columns, const std::string& fingerprint, RosterMode mode,
                            const ProgressCallback& progress = {});
 

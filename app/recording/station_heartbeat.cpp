@@ -28,22 +28,22 @@ void StationHeartbeat::showDevice(const StationDevice& device) {
 }
 
 void StationHeartbeat::send() {
-  const std::int64_t now_us = workplace_->now_us();
-  changed_ = changed_ || workplace_->actor().userId != shownUser_;
+  const std::int64_t now_us = session_->now_us();
+  changed_ = changed_ || session_->actor().userId != shownUser_;
   if (!changed_ && now_us < next_us_) {
     return;
   }
   changed_ = false;
-  shownUser_ = workplace_->actor().userId;
+  shownUser_ = session_->actor().userId;
   next_us_ = now_us + kAgain_us;
   try {
-    Connection& connection = workplace_->connection();
+    Connection& connection = session_->connection();
     const bool there =
         trialId_.empty() || trialId_ == shownTrial_ || TrialRepository(connection).find(trialId_);
     const std::string trial = there ? trialId_ : "";
-    StationState state{.station = workplace_->station(),
+    StationState state{.station = session_->station(),
                        .trialId = trial,
-                       .userId = workplace_->actor().userId,
+                       .userId = session_->actor().userId,
                        .softwareVersion = softwareVersion(),
                        .heartbeatUtc_us = now_us};
     storeDevice(device_, state);
@@ -62,7 +62,7 @@ void StationHeartbeat::send() {
 
 void StationHeartbeat::leave() {
   try {
-    StationRepository(workplace_->connection()).leave(workplace_->station());
+    StationRepository(session_->connection()).leave(session_->station());
   } catch (const DbError& error) {
     answered_ = error.fault() != DbFault::kUnreachable;
     shownTrial_.clear();

@@ -14,11 +14,11 @@ inline constexpr std::int64_t kHeartbeat_us = 10'000'000;
 
 /// The signs of life of this station (StationRepository): who is signed in, which trial runs, which version,
 /// which device.
-/// Belongs to the thread of its workplace. A database that is away is no error here: the board then shows
+/// Belongs to the thread of its session. A database that is away is no error here: the board then shows
 /// that the station is silent.
 class StationHeartbeat {
  public:
-  explicit StationHeartbeat(SessionContext& workplace) : workplace_(&workplace) {}
+  explicit StationHeartbeat(SessionContext& session) : session_(&session) {}
 
   /// What runs from now on; empty: nothing. Shown with the next heartbeat that finds it in the database.
   void show(const std::string& trialId);
@@ -32,7 +32,7 @@ class StationHeartbeat {
   void leave();
 
  private:
-  SessionContext* workplace_;
+  SessionContext* session_;
   std::string trialId_;
   StationDevice device_;
   std::string shownTrial_;

@@ -32,11 +32,11 @@ std::optional<StoredEnrolment> enrolmentOf(StudyRepository& studies, const std::
 }
 
 /// Training time that a recording proves and nobody logged; its station or its database went down before.
-std::int64_t logMissing_us(SessionContext& workplace, const TrialListing& trial) {
+std::int64_t logMissing_us(SessionContext& session, const TrialListing& trial) {
   if (trial.enrolmentId.empty()) {
     return 0;
   }
-  StudyRepository studies(workplace.connection());
+  StudyRepository studies(session.connection());
   const std::optional<StoredEnrolment> enrolment = enrolmentOf(studies, trial.enrolmentId);
   if (!enrolment) {
     return 0;
@@ -54,26 +54,25 @@ std::int64_t logMissing_us(SessionContext& workplace, const TrialListing& trial)
   if (missing_us < kAgreesWithin_us) {
     return 0;
   }
-  const StoredExposure found{
-      .id = workplace.ids().newUuid(),
-      .enrolmentId = trial.enrolmentId,
-      .phaseId = trial.phaseId,
-      .kind = "virtual",
-      .startedUtc_us = trial.startedUtc_us + logged_us,
-      .duration_us = missing_us,
-      .recordedBy = workplace.actor().userId.empty() ? "torsio" : workplace.actor().userId,
-      .demonstration = trial.demonstration};
+  const StoredExposure found{.id = session.ids().newUuid(),
+                             .enrolmentId = trial.enrolmentId,
+                             .phaseId = trial.phaseId,
+                             .kind = "virtual",
+                             .startedUtc_us = trial.startedUtc_us + logged_us,
+                             .duration_us = missing_us,
+                             .recordedBy = session.actor().userId.empty() ? "torsio" : session.actor().userId,
+                             .demonstration = trial.demonstration};
   studies.addExposures({&found, 1});
   return missing_us;
 }
 
-SettledTrial settled(SessionContext& workplace, TrialListing trial, bool fromFile) {
-  const std::int64_t added_us = logMissing_us(workplace, trial);
+SettledTrial settled(SessionContext& session, TrialListing trial, bool fromFile) {
+  const std::int64_t added_us = logMissing_us(session, trial);
   const nlohmann::json what{{"exposure_us", added_us}};
-  workplace.note({.action = fromFile ? "trial.import" : "trial.close_interrupted",
-                  .objectKind = "trial",
-                  .objectId = trial.trialId,
-                  .newJson = what.dump()});
+  session.note({.action = fromFile ? "trial.import" : "trial.close_interrupted",
+                .objectKind = "trial",
+                .objectId = trial.trialId,
+                .newJson = what.dump()});
   return {std::move(trial), fromFile, added_us};
 }
 
@@ -97,33 +96,33 @@ TrialListing listingOf(TrialRepository& trials, const Trial& trial) {
 
 /// Measures a recording that ended just now and keeps its digest; free practice is nobody's and is not
 /// measured.
-void measureNow(SessionContext& workplace, const TrialListing& trial) {
+void measureNow(SessionContext& session, const TrialListing& trial) {
   if (trial.enrolmentId.empty()) {
     return;
   }
   ExerciseRules rules;
-  static_cast<void>(digestOf(workplace.connection(), trial, rules, workplace.now_us()));
+  static_cast<void>(digestOf(session.connection(), trial, rules, session.now_us()));
 }
 
-SettledTrial store(SessionContext& workplace, const UnstoredTrial& waiting) {
-  Transaction transaction(workplace.connection());
-  TrialRepository trials(workplace.connection(), waiting.context);
+SettledTrial store(SessionContext& session, const UnstoredTrial& waiting) {
+  Transaction transaction(session.connection());
+  TrialRepository trials(session.connection(), waiting.context);
   trials.import(waiting.trial);
   TrialListing listing = listingOf(trials, waiting.trial);
-  measureNow(workplace, listing);
-  SettledTrial stored = settled(workplace, std::move(listing), true);
+  measureNow(session, listing);
+  SettledTrial stored = settled(session, std::move(listing), true);
   transaction.commit();
   std::error_code ignored;  // given once more at the next start, which is no error
   std::filesystem::remove(waiting.file, ignored);
   return stored;
 }
 
-void importFiles(SessionContext& workplace, const std::filesystem::path& folder, StationStart& start) {
-  UnstoredTrials found = unstoredTrials(workplace.key().locator, folder);
+void importFiles(SessionContext& session, const std::filesystem::path& folder, StationStart& start) {
+  UnstoredTrials found = unstoredTrials(session.key().locator, folder);
   start.kept = std::move(found.unreadable);
   for (const UnstoredTrial& waiting : found.trials) {
     try {
-      start.trials.push_back(store(workplace, waiting));
+      start.trials.push_back(store(session, waiting));
     } catch (const Error& refusal) {
       const auto* database = dynamic_cast<const DbError*>(&refusal);
       if (database != nullptr && database->retryable()) {
@@ -137,15 +136,14 @@ void importFiles(SessionContext& workplace, const std::filesystem::path& folder,
 
 }  // namespace
 
-StationStart settleStation(SessionContext& workplace, const std::filesystem::path& folder) {
+StationStart settleStation(SessionContext& session, const std::filesystem::path& folder) {
   StationStart start;
-  importFiles(workplace, folder, start);
-  Transaction transaction(workplace.connection());
-  TrialRepository trials(workplace.connection());
-  for (TrialListing& trial :
-       trials.closeInterrupted(workplace.station(), workplace.now_us() - kQuietTrial_us)) {
-    measureNow(workplace, trial);
-    start.trials.push_back(settled(workplace, std::move(trial), false));
+  importFiles(session, folder, start);
+  Transaction transaction(session.connection());
+  TrialRepository trials(session.connection());
+  for (TrialListing& trial : trials.closeInterrupted(session.station(), session.now_us() - kQuietTrial_us)) {
+    measureNow(session, trial);
+    start.trials.push_back(settled(session, std::move(trial), false));
   }
   transaction.commit();
   return start;

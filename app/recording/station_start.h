@@ -34,6 +34,6 @@ struct StationStart {
 /// closed as interrupted; the training time that either proves is logged. Audited. For the start of the
 /// program too, when nobody is signed in: it shows nobody's data. Throws DbError (the database is away); then
 /// the files are still there.
-StationStart settleStation(SessionContext& workplace, const std::filesystem::path& folder = unstoredFolder());
+StationStart settleStation(SessionContext& session, const std::filesystem::path& folder = unstoredFolder());
 
 }  // namespace torsio

@@ -22,9 +22,9 @@ bool isAway(const std::exception& problem) {
   return database != nullptr && database->retryable();
 }
 
-/// The line's own workplace with its heartbeat.
+/// The line's own session with its heartbeat.
 struct Desk {
-  std::unique_ptr<SessionContext> workplace;
+  std::unique_ptr<SessionContext> session;
   std::optional<StationHeartbeat> heartbeat;
 };
 
@@ -54,16 +54,16 @@ struct StationWriter::State {
 
   /// One round. Throws what the database throws.
   void serve(Desk& desk) {
-    if (!desk.workplace) {
-      desk.workplace = open();
-      desk.heartbeat.emplace(*desk.workplace);
+    if (!desk.session) {
+      desk.session = open();
+      desk.heartbeat.emplace(*desk.session);
     }
     while (std::optional<Waiting> next = front()) {
-      desk.workplace->setActor(next->actor);
-      perform(*desk.workplace, *next);
+      desk.session->setActor(next->actor);
+      perform(*desk.session, *next);
     }
     const auto [who, trial, tool, leaves] = shown();
-    desk.workplace->setActor(who);
+    desk.session->setActor(who);
     desk.heartbeat->show(trial);
     desk.heartbeat->showDevice(tool);
     if (leaves) {
@@ -72,14 +72,14 @@ struct StationWriter::State {
       desk.heartbeat->send();
     }
     if (!desk.heartbeat->answered()) {
-      throw DbError(DbFault::kUnreachable, "", "the database does not answer", desk.workplace->station(), "");
+      throw DbError(DbFault::kUnreachable, "", "the database does not answer", desk.session->station(), "");
     }
   }
 
-  void perform(SessionContext& workplace, const Waiting& waiting) {
+  void perform(SessionContext& session, const Waiting& waiting) {
     bool given = false;
     try {
-      waiting.write(workplace);
+      waiting.write(session);
     } catch (const std::exception& problem) {
       if (isAway(problem)) {
         throw;
@@ -104,7 +104,7 @@ struct StationWriter::State {
   }
 };
 
-StationWriter::StationWriter(const WorkplaceKey& key, const LinePatience& patience)
+StationWriter::StationWriter(const SessionKey& key, const LinePatience& patience)
     : StationWriter([key] { return std::make_unique<SessionContext>(key); }, patience) {
   signIn(key.actor);
 }

@@ -31,7 +31,7 @@ class StationWriter {
   using Open = std::function<std::unique_ptr<SessionContext>()>;
   using Write = std::function<void(SessionContext&)>;
 
-  explicit StationWriter(const WorkplaceKey& key, const LinePatience& patience = {});
+  explicit StationWriter(const SessionKey& key, const LinePatience& patience = {});
   StationWriter(Open open, const LinePatience& patience);
   /// Waits `farewell` at most.
   ~StationWriter();

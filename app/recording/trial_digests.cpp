@@ -82,10 +82,10 @@ class Fresh {
 
 }  // namespace
 
-std::vector<TrialSummaryRow> TrialDigests::ofCohort(SessionContext& workplace, const std::string& cohortId,
+std::vector<TrialSummaryRow> TrialDigests::ofCohort(SessionContext& session, const std::string& cohortId,
                                                     const ProgressCallback& progress) {
-  workplace.require(Operation::kResultsCompute);
-  Connection& connection = workplace.connection();
+  session.require(Operation::kResultsCompute);
+  Connection& connection = session.connection();
   StudyRepository study(connection);
   TrialRepository trials(connection);
   const std::map<std::string, std::size_t> groups = groupOfEnrolment(study, cohortId);
@@ -106,8 +106,8 @@ std::vector<TrialSummaryRow> TrialDigests::ofCohort(SessionContext& workplace, c
                   static_cast<double>(i) / static_cast<double>(listed.size()), -1.0});
       }
       const Trial trial = trials.load(listing.trialId);
-      StoredTrialDigest digest = keptDigest(trial, measureAttempt(trial.header, decodeTrial(trial), rules),
-                                            rules, workplace.now_us());
+      StoredTrialDigest digest =
+          keptDigest(trial, measureAttempt(trial.header, decodeTrial(trial), rules), rules, session.now_us());
       ++measured_;
       out.push_back(summaryRow(listing, digest));
       fresh.add(std::move(digest));

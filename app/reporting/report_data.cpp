@@ -21,16 +21,16 @@ namespace torsio {
 
 namespace {
 
-void addFreeze(SessionContext& workplace, const ReportRequest& request, CohortInputs& inputs) {
+void addFreeze(SessionContext& session, const ReportRequest& request, CohortInputs& inputs) {
   if (request.frozenId.empty()) {
     return;
   }
-  for (const FrozenRow& row : frozenData(workplace, request.cohortId)) {
+  for (const FrozenRow& row : frozenData(session, request.cohortId)) {
     if (row.id != request.frozenId) {
       continue;
     }
     CohortFreeze freeze{row.name, row.contentHash, row.createdUtc_us, row.createdBy, true};
-    const FrozenCheck check = compareWithFrozen(workplace, row.id);
+    const FrozenCheck check = compareWithFrozen(session, row.id);
     freeze.unchanged = check.same;
     inputs.freeze = std::move(freeze);
     for (const Text& difference : check.differences) {
@@ -44,20 +44,20 @@ void addFreeze(SessionContext& workplace, const ReportRequest& request, CohortIn
 
 /// Whoever may not look at marks gets them, under codes, once nothing can be influenced any more
 /// (docs/decisions/0007).
-bool showsSingleMarks(SessionContext& workplace, const ReportRequest& request, const CohortInputs& inputs) {
-  if (workplace.may(Operation::kMarkViewCoded)) {
+bool showsSingleMarks(SessionContext& session, const ReportRequest& request, const CohortInputs& inputs) {
+  if (session.may(Operation::kMarkViewCoded)) {
     return true;
   }
   return request.identity == ReportIdentity::kCoded && inputs.freeze && inputs.freeze->unchanged &&
-         SheetRepository(workplace.connection()).openAssignments(request.cohortId) == 0;
+         SheetRepository(session.connection()).openAssignments(request.cohortId) == 0;
 }
 
 /// The design in words, and whether the draw could be repeated.
-void addAllocation(SessionContext& workplace, const std::string& cohortId, CohortInputs& inputs) {
-  if (!workplace.may(Operation::kAllocationView)) {
+void addAllocation(SessionContext& session, const std::string& cohortId, CohortInputs& inputs) {
+  if (!session.may(Operation::kAllocationView)) {
     return;
   }
-  const std::vector<AllocationDesignRow> designs = allocationDesigns(workplace, cohortId);
+  const std::vector<AllocationDesignRow> designs = allocationDesigns(session, cohortId);
   if (designs.empty()) {
     return;
   }
@@ -80,7 +80,7 @@ void addAllocation(SessionContext& workplace, const std::string& cohortId, Cohor
   if (last.stored.seed.empty()) {
     return;
   }
-  const AllocationCheck check = checkAllocation(workplace, last.stored.id);
+  const AllocationCheck check = checkAllocation(session, last.stored.id);
   inputs.allocation.replayed = check.sound;
   if (!check.sound) {
     inputs.allocation.design.emplace_back(Text("Check of the draw"), check.finding);
@@ -88,9 +88,9 @@ void addAllocation(SessionContext& workplace, const std::string& cohortId, Cohor
 }
 
 /// "T-07 Li Na" in place of "T-07", everywhere.
-void nameTrainees(SessionContext& workplace, CohortInputs& inputs) {
-  workplace.require(Operation::kPersonViewIdentity);
-  PeopleRepository people(workplace.connection());
+void nameTrainees(SessionContext& session, CohortInputs& inputs) {
+  session.require(Operation::kPersonViewIdentity);
+  PeopleRepository people(session.connection());
   std::map<std::string, std::string> nameOf;  // by person
   for (const StoredIdentity& identity : people.identities()) {
     nameOf[identity.personId] = identity.fullName;
@@ -128,9 +128,9 @@ void nameTrainees(SessionContext& workplace, CohortInputs& inputs) {
 
 }  // namespace
 
-std::vector<ReportableCampaign> reportableCampaigns(SessionContext& workplace) {
-  workplace.require(Operation::kResultsCompute);
-  EvaluationRepository repository(workplace.connection());
+std::vector<ReportableCampaign> reportableCampaigns(SessionContext& session) {
+  session.require(Operation::kResultsCompute);
+  EvaluationRepository repository(session.connection());
   std::vector<ReportableCampaign> campaigns;
   for (const auto& [id, name] : repository.campaigns()) {
     campaigns.push_back({id, name, repository.hasMarks(id)});
@@ -138,10 +138,10 @@ std::vector<ReportableCampaign> reportableCampaigns(SessionContext& workplace) {
   return campaigns;
 }
 
-CohortInputs reportInputs(SessionContext& workplace, const ReportRequest& request, TrialDigests& digests,
+CohortInputs reportInputs(SessionContext& session, const ReportRequest& request, TrialDigests& digests,
                           const ProgressCallback& progress) {
-  workplace.require(Operation::kResultsCompute);
-  Connection& connection = workplace.connection();
+  session.require(Operation::kResultsCompute);
+  Connection& connection = session.connection();
   const StoredCohort cohort = StudyRepository(connection).cohort(request.cohortId);
   if (progress) {
     progress({"Reading marks", 0.0, -1.0});
@@ -153,7 +153,7 @@ CohortInputs reportInputs(SessionContext& workplace, const ReportRequest& reques
   const TrainingResult training = readTraining(connection, cohort.id);
   CohortInputs inputs = cohortInputs(connection, cohort.id, campaign, training);
   inputs.title = cohort.name;
-  inputs.createdUtc_us = workplace.now_us();
+  inputs.createdUtc_us = session.now_us();
   inputs.demonstration = cohort.demonstration || campaign.campaign.demonstration;
   inputs.identity = request.identity;
   if (!cohort.description.empty()) {
@@ -169,12 +169,12 @@ CohortInputs reportInputs(SessionContext& workplace, const ReportRequest& reques
              "every computation are the real ones."),
         demonstrationTrainingRule(), demonstrationEvaluationRule()};
   }
-  addAllocation(workplace, cohort.id, inputs);
-  addFreeze(workplace, request, inputs);
-  inputs.singleMarks = showsSingleMarks(workplace, request, inputs);
-  inputs.trials = digests.ofCohort(workplace, cohort.id, progress);
+  addAllocation(session, cohort.id, inputs);
+  addFreeze(session, request, inputs);
+  inputs.singleMarks = showsSingleMarks(session, request, inputs);
+  inputs.trials = digests.ofCohort(session, cohort.id, progress);
   if (request.identity == ReportIdentity::kNamed) {
-    nameTrainees(workplace, inputs);
+    nameTrainees(session, inputs);
   }
   return inputs;
 }

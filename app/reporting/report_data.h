@@ -17,7 +17,7 @@ struct ReportableCampaign {
   bool hasMarks = false;  ///< somebody has scored in it
 };
 /// Oldest first. kResultsCompute.
-[[nodiscard]] std::vector<ReportableCampaign> reportableCampaigns(SessionContext& workplace);
+[[nodiscard]] std::vector<ReportableCampaign> reportableCampaigns(SessionContext& session);
 
 /// What a report is asked for.
 struct ReportRequest {
@@ -31,7 +31,7 @@ struct ReportRequest {
 /// still the same. kResultsCompute; for named trainees kPersonViewIdentity too. Single marks are included for
 /// whoever has kMarkViewCoded; for others in a coded report of a frozen data set that is still the same and
 /// waits for no rater. Throws Error{kBadParameter} for an unknown cohort or data set.
-[[nodiscard]] CohortInputs reportInputs(SessionContext& workplace, const ReportRequest& request,
+[[nodiscard]] CohortInputs reportInputs(SessionContext& session, const ReportRequest& request,
                                         TrialDigests& digests, const ProgressCallback& progress = {});
 
 }  // namespace torsio

@@ -30,11 +30,11 @@ std::string_view identityCode(ReportIdentity identity) noexcept {
   return "";
 }
 
-ReportExport exportReport(SessionContext& workplace, const ReportRequest& request, const CohortInputs& inputs,
+ReportExport exportReport(SessionContext& session, const ReportRequest& request, const CohortInputs& inputs,
                           ReportFormat format, const std::filesystem::path& file, const std::string& language,
                           const ReportPages& pages) {
   const bool named = request.identity == ReportIdentity::kNamed;
-  workplace.require(named ? Operation::kReportExportNamed : Operation::kReportExportCoded);
+  session.require(named ? Operation::kReportExportNamed : Operation::kReportExportCoded);
   TORSIO_EXPECTS(inputs.identity == request.identity);
   if (format == ReportFormat::kPdf) {
     writePdfReport(cohortReport(inputs), file, wordingIn(language), pages);
@@ -61,8 +61,8 @@ ReportExport exportReport(SessionContext& workplace, const ReportRequest& reques
   note.objectKind = "cohort";
   note.objectId = request.cohortId;
   note.newJson = what.dump();
-  Transaction transaction(workplace.connection());
-  workplace.note(note);
+  Transaction transaction(session.connection());
+  session.note(note);
   transaction.commit();
   return done;
 }

@@ -27,7 +27,7 @@ using ReportPages = std::function<void(std::size_t page, std::size_t pages)>;
 /// in the audit trail who took out what: cohort, data set, form of identity, format, language, size and hash
 /// of the file; no name. Coded and aggregated: kReportExportCoded; named: kReportExportNamed. `inputs` are
 /// those of `request`. Throws Error{kFileUnwritable}; an older file of that name is then untouched.
-ReportExport exportReport(SessionContext& workplace, const ReportRequest& request, const CohortInputs& inputs,
+ReportExport exportReport(SessionContext& session, const ReportRequest& request, const CohortInputs& inputs,
                           ReportFormat format, const std::filesystem::path& file,
                           const std::string& language = "en", const ReportPages& pages = {});
 

@@ -29,7 +29,7 @@ constexpr const char* kThird = "third";
 using CaseKey = std::pair<std::string, std::string>;  // enrolment, code of the occasion
 
 CaseKey keyOf(const StoredAssignment& one) {
-  return {one.enrolmentId, one.scoringPoint};
+  return {one.enrolmentId, one.occasionCode};
 }
 
 /// What is known of the sheets of one case.
@@ -121,9 +121,9 @@ std::vector<Adjudicator> freeFor(const CaseSheets& sheets, const std::map<std::s
 
 }  // namespace
 
-std::vector<ThirdRequest> thirdRequests(SessionContext& workplace, const std::string& cohortId) {
-  workplace.require(Operation::kStudySetup);
-  Connection& connection = workplace.connection();
+std::vector<ThirdRequest> thirdRequests(SessionContext& session, const std::string& cohortId) {
+  session.require(Operation::kStudySetup);
+  Connection& connection = session.connection();
   std::vector<ThirdRequest> requests;
   const std::map<CaseKey, CaseSheets> cases = openCases(connection, cohortId);
   if (cases.empty()) {
@@ -163,22 +163,22 @@ std::vector<ThirdRequest> thirdRequests(SessionContext& workplace, const std::st
   return requests;
 }
 
-std::string assignThird(SessionContext& workplace, const std::string& cohortId,
-                        const std::string& assignmentId, const std::string& raterId) {
-  workplace.require(Operation::kStudySetup);
-  Transaction transaction(workplace.connection());
-  SheetRepository sheets(workplace.connection());
+std::string assignThird(SessionContext& session, const std::string& cohortId, const std::string& assignmentId,
+                        const std::string& raterId) {
+  session.require(Operation::kStudySetup);
+  Transaction transaction(session.connection());
+  SheetRepository sheets(session.connection());
   const auto asked = sheets.findAssignment(assignmentId);
   if (!asked) {
     refuse("nobody has asked for an adjudicator here", assignmentId, "Read the list again");
   }
   const StoredAssignment& before = asked->assignment;
-  const std::map<CaseKey, CaseSheets> cases = openCases(workplace.connection(), cohortId);
+  const std::map<CaseKey, CaseSheets> cases = openCases(session.connection(), cohortId);
   const auto found = cases.find(keyOf(before));
   if (found == cases.end()) {
     refuse("nobody has asked for an adjudicator here", assignmentId, "Read the list again");
   }
-  const std::vector<Adjudicator> free = freeFor(found->second, activeRaters(workplace.connection()));
+  const std::vector<Adjudicator> free = freeFor(found->second, activeRaters(session.connection()));
   if (std::none_of(free.begin(), free.end(), [&](const Adjudicator& rater) { return rater.id == raterId; })) {
     refuse("this rater cannot be asked about this case", assignmentId, "Choose one from the list");
   }
@@ -190,18 +190,18 @@ std::string assignThird(SessionContext& workplace, const std::string& cohortId,
     next.position = std::max(next.position, other.position);
   }
   ++next.position;
-  next.id = workplace.ids().newUuid();
+  next.id = session.ids().newUuid();
   next.raterId = raterId;
-  next.caseLabel = caseLabels(1, labels, drawSeed(workplace.ids()), 0).front();
+  next.caseLabel = caseLabels(1, labels, drawSeed(session.ids()), 0).front();
   next.dueUtc_us.reset();
-  next.assignedBy = workplace.actor().userId;
-  next.assignedUtc_us = workplace.now_us();
+  next.assignedBy = session.actor().userId;
+  next.assignedUtc_us = session.now_us();
   sheets.assign(std::span(&next, 1));
-  workplace.note({.action = "assignment.third",
-                  .objectKind = "assignment",
-                  .objectId = next.id,
-                  .newJson = nlohmann::json{{"rater", raterId}, {"asked_in", before.id}}.dump(),
-                  .reason = found->second.asked.front().reason});
+  session.note({.action = "assignment.third",
+                .objectKind = "assignment",
+                .objectId = next.id,
+                .newJson = nlohmann::json{{"rater", raterId}, {"asked_in", before.id}}.dump(),
+                .reason = found->second.asked.front().reason});
   transaction.commit();
   return next.id;
 }

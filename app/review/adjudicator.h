@@ -34,12 +34,12 @@ struct ThirdRequest {
 
 /// What waits in a cohort, oldest first: cases on which a physician's newest decision is "third" and nobody
 /// has been asked since. kStudySetup.
-[[nodiscard]] std::vector<ThirdRequest> thirdRequests(SessionContext& workplace, const std::string& cohortId);
+[[nodiscard]] std::vector<ThirdRequest> thirdRequests(SessionContext& session, const std::string& cohortId);
 
 /// Asks `raterId` about the case of a request, under a label of their own and with the same rubric. Returns
 /// the new assignment. kStudySetup; audited. Throws Error{kBadData}: no request, or the rater was asked about
 /// this case before or is none.
-std::string assignThird(SessionContext& workplace, const std::string& cohortId,
-                        const std::string& assignmentId, const std::string& raterId);
+std::string assignThird(SessionContext& session, const std::string& cohortId, const std::string& assignmentId,
+                        const std::string& raterId);
 
 }  // namespace torsio

@@ -36,12 +36,12 @@ std::string blindedDigest(const std::string& contentHash, const std::string& sal
   return digest.hex().substr(0, kDigestDigits);
 }
 
-StoredAssignment ownAssignment(SessionContext& workplace, Operation operation,
+StoredAssignment ownAssignment(SessionContext& session, Operation operation,
                                const std::string& assignmentId) {
-  workplace.require(operation);
-  DeskRepository desk(workplace.connection());
+  session.require(operation);
+  DeskRepository desk(session.connection());
   const std::optional<StoredAssignment> found = desk.assignment(assignmentId);
-  const std::string& person = workplace.actor().personId;
+  const std::string& person = session.actor().personId;
   if (!found || person.empty() || found->raterId != person) {
     throw Error(ErrorCode::kPermission, "this case is not yours", "the queue",
                 "Open a case of your own queue");
@@ -53,25 +53,25 @@ StoredAssignment ownAssignment(SessionContext& workplace, Operation operation,
   return *found;
 }
 
-BlindedCase blindedCase(SessionContext& workplace, const std::string& assignmentId) {
-  const StoredAssignment found = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
+BlindedCase blindedCase(SessionContext& session, const std::string& assignmentId) {
+  const StoredAssignment found = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   BlindedCase shown{.assignmentId = assignmentId,
                     .label = found.caseLabel,
                     .live = found.trialId.empty(),
                     .dueUtc_us = found.dueUtc_us};
   if (!shown.live) {
-    shown.length_us = DeskRepository(workplace.connection()).trialLength_us(found.trialId);
+    shown.length_us = DeskRepository(session.connection()).trialLength_us(found.trialId);
   }
   return shown;
 }
 
-BlindedRecording loadBlindedRecording(SessionContext& workplace, const std::string& assignmentId) {
-  const StoredAssignment found = ownAssignment(workplace, Operation::kTrialViewAssigned, assignmentId);
+BlindedRecording loadBlindedRecording(SessionContext& session, const std::string& assignmentId) {
+  const StoredAssignment found = ownAssignment(session, Operation::kTrialViewAssigned, assignmentId);
   if (found.trialId.empty()) {
     throw Error(ErrorCode::kBadData, "this case is scored live and has no recording",
                 placeOf(found.caseLabel), "Use the live sheet");
   }
-  return blindedRecordingOf(workplace.connection(), found.trialId, found.caseLabel, assignmentId);
+  return blindedRecordingOf(session.connection(), found.trialId, found.caseLabel, assignmentId);
 }
 
 BlindedRecording blindedRecordingOf(Connection& connection, const std::string& trialId,

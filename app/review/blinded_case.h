@@ -44,17 +44,16 @@ struct BlindedRecording {
 
 /// The assignment behind a case, for services only. Throws Error{kPermission}: the actor may not, or it is
 /// another rater's or nobody's (which of the two is not told), or it was withdrawn.
-[[nodiscard]] StoredAssignment ownAssignment(SessionContext& workplace, Operation operation,
+[[nodiscard]] StoredAssignment ownAssignment(SessionContext& session, Operation operation,
                                              const std::string& assignmentId);
 /// kMarkSubmit, own case.
-[[nodiscard]] BlindedCase blindedCase(SessionContext& workplace, const std::string& assignmentId);
+[[nodiscard]] BlindedCase blindedCase(SessionContext& session, const std::string& assignmentId);
 
 /// Loads the recording of an own case and checks it against its content hash, so that what is played is what
 /// was recorded, bit for bit. kTrialViewAssigned, and only while the case is assigned. Throws
 /// Error{kPermission}, {kBadData}: a live case; {kVerifyFailed}: the recording was changed. No text names the
 /// trial.
-[[nodiscard]] BlindedRecording loadBlindedRecording(SessionContext& workplace,
-                                                    const std::string& assignmentId);
+[[nodiscard]] BlindedRecording loadBlindedRecording(SessionContext& session, const std::string& assignmentId);
 
 /// The recording `trialId` under `label`, checked as above: for services that have decided who may see it.
 [[nodiscard]] BlindedRecording blindedRecordingOf(Connection& connection, const std::string& trialId,

@@ -8,42 +8,41 @@
 
 namespace torsio {
 
-std::vector<CaseRemark> caseRemarks(SessionContext& workplace, const std::string& assignmentId) {
-  const StoredAssignment assignment = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
+std::vector<CaseRemark> caseRemarks(SessionContext& session, const std::string& assignmentId) {
+  const StoredAssignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   std::vector<CaseRemark> own;
   if (assignment.trialId.empty()) {
     return own;
   }
-  for (const StoredRemark& remark : RemarkRepository(workplace.connection()).remarks(assignment.trialId)) {
-    if (remark.author == workplace.actor().userId && remark.purpose != "reply") {
+  for (const StoredRemark& remark : RemarkRepository(session.connection()).remarks(assignment.trialId)) {
+    if (remark.author == session.actor().userId && remark.purpose != "reply") {
       own.push_back({remark.time_us, remark.text});
     }
   }
   return own;
 }
 
-void addCaseRemark(SessionContext& workplace, const std::string& assignmentId, const CaseRemark& remark) {
-  const StoredAssignment assignment = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
+void addCaseRemark(SessionContext& session, const std::string& assignmentId, const CaseRemark& remark) {
+  const StoredAssignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   if (assignment.trialId.empty() || remark.time_us < 0) {
     throw Error(ErrorCode::kBadData, "this case has no recording to score",
                 Text("case %1", assignment.caseLabel), "Write it into the comment of the sheet");
   }
-  const auto header = TrialRepository(workplace.connection()).find(assignment.trialId);
+  const auto header = TrialRepository(session.connection()).find(assignment.trialId);
   StoredRemark stored;
-  stored.id = workplace.ids().newUuid();
+  stored.id = session.ids().newUuid();
   stored.trialId = assignment.trialId;
-  stored.author = workplace.actor().userId;
-  stored.authorPersonId = workplace.actor().personId;
+  stored.author = session.actor().userId;
+  stored.authorPersonId = session.actor().personId;
   stored.purpose = remark.text.empty() ? "bookmark" : "remark";
   stored.tick = header ? remark.time_us / header->tickPeriod_us : 0;
   stored.time_us = remark.time_us;
   stored.text = remark.text;
-  stored.createdUtc_us = workplace.now_us();
+  stored.createdUtc_us = session.now_us();
   stored.demonstration = assignment.demonstration;
-  Transaction transaction(workplace.connection());
-  RemarkRepository(workplace.connection()).add(stored);
-  workplace.note(
-      {.action = "remark.add", .objectKind = "trial_remark", .objectId = stored.id, .newJson = {}});
+  Transaction transaction(session.connection());
+  RemarkRepository(session.connection()).add(stored);
+  session.note({.action = "remark.add", .objectKind = "trial_remark", .objectId = stored.id, .newJson = {}});
   transaction.commit();
 }
 

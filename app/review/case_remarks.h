@@ -18,8 +18,8 @@ struct CaseRemark {
 
 /// Own ones only, by time: nobody sees another rater's before all have committed, nor after. kMarkSubmit, own
 /// case.
-[[nodiscard]] std::vector<CaseRemark> caseRemarks(SessionContext& workplace, const std::string& assignmentId);
+[[nodiscard]] std::vector<CaseRemark> caseRemarks(SessionContext& session, const std::string& assignmentId);
 /// Stored at once. kMarkSubmit, own recorded case; audited. Throws Error{kBadData} for a live case.
-void addCaseRemark(SessionContext& workplace, const std::string& assignmentId, const CaseRemark& remark);
+void addCaseRemark(SessionContext& session, const std::string& assignmentId, const CaseRemark& remark);
 
 }  // namespace torsio

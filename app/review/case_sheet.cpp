@@ -40,10 +40,10 @@ std::string seenJson(const BlindedCase& shown, const WatchLog& watched) {
 
 }  // namespace
 
-ViewingRules viewingRules(SessionContext& workplace) {
-  workplace.require(Operation::kMarkSubmit);
+ViewingRules viewingRules(SessionContext& session) {
+  session.require(Operation::kMarkSubmit);
   ViewingRules rules;
-  SettingRepository settings(workplace.connection());
+  SettingRepository settings(session.connection());
   if (const auto text = settings.value("review.minimum_watched_percent")) {
     const auto percent = numberIn(*text);
     if (percent && *percent >= 0.0 && *percent <= 100.0) {
@@ -69,17 +69,17 @@ ViewingRules viewingRules(SessionContext& workplace) {
   return rules;
 }
 
-KeptAt keptAt(SessionContext& workplace) {
-  workplace.require(Operation::kMarkSubmit);
-  return workplace.connection().engine() == Engine::kSqlite ? KeptAt::kThisMachine : KeptAt::kServer;
+KeptAt keptAt(SessionContext& session) {
+  session.require(Operation::kMarkSubmit);
+  return session.connection().engine() == Engine::kSqlite ? KeptAt::kThisMachine : KeptAt::kServer;
 }
 
-OpenedSheet openSheet(SessionContext& workplace, const std::string& assignmentId) {
-  const StoredAssignment assignment = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
-  SheetRepository sheets(workplace.connection());
-  DeskRepository desk(workplace.connection());
+OpenedSheet openSheet(SessionContext& session, const std::string& assignmentId) {
+  const StoredAssignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  SheetRepository sheets(session.connection());
+  DeskRepository desk(session.connection());
   OpenedSheet opened;
-  opened.shown = blindedCase(workplace, assignmentId);
+  opened.shown = blindedCase(session, assignmentId);
   opened.rubric = sheets.revision(assignment.rubricRevisionId).value();
   const std::int64_t length_us = opened.shown.length_us.value_or(0);
   opened.watched = WatchLog(length_us);
@@ -98,13 +98,13 @@ OpenedSheet openSheet(SessionContext& workplace, const std::string& assignmentId
   return opened;
 }
 
-std::int64_t saveSheet(SessionContext& workplace, const std::string& assignmentId, Sheet sheet,
+std::int64_t saveSheet(SessionContext& session, const std::string& assignmentId, Sheet sheet,
                        const WatchLog& watched) {
-  static_cast<void>(ownAssignment(workplace, Operation::kMarkSubmit, assignmentId));
-  sheet.changedUtc_us = workplace.now_us();
-  Transaction transaction(workplace.connection());
-  const std::int64_t revision = SheetRepository(workplace.connection()).saveDraft(assignmentId, sheet);
-  DeskRepository(workplace.connection()).saveDraftViewing(assignmentId, watched.stored());
+  static_cast<void>(ownAssignment(session, Operation::kMarkSubmit, assignmentId));
+  sheet.changedUtc_us = session.now_us();
+  Transaction transaction(session.connection());
+  const std::int64_t revision = SheetRepository(session.connection()).saveDraft(assignmentId, sheet);
+  DeskRepository(session.connection()).saveDraftViewing(assignmentId, watched.stored());
   transaction.commit();
   return revision;
 }
@@ -123,11 +123,11 @@ SheetCheck checkSheet(const StoredRubricRevision& rubric, const Sheet& sheet, bo
   return checkSheetLines(lines, seen, rules);
 }
 
-void submitSheet(SessionContext& workplace, const std::string& assignmentId, const Sheet& sheet,
+void submitSheet(SessionContext& session, const std::string& assignmentId, const Sheet& sheet,
                  const WatchLog& watched) {
-  const OpenedSheet opened = openSheet(workplace, assignmentId);
+  const OpenedSheet opened = openSheet(session, assignmentId);
   const SheetCheck check =
-      checkSheet(opened.rubric, sheet, opened.shown.live, watched, viewingRules(workplace));
+      checkSheet(opened.rubric, sheet, opened.shown.live, watched, viewingRules(session));
   const Text where("case %1", opened.shown.label);
   if (check.watchedTooLittle) {
     throw Error(ErrorCode::kBadData,
@@ -138,42 +138,42 @@ void submitSheet(SessionContext& workplace, const std::string& assignmentId, con
     throw Error(ErrorCode::kBadData, "the recording was played at a speed that is not allowed", where,
                 "Play it again at an allowed speed");
   }
-  const std::string markId = workplace.ids().newUuid();
-  Transaction transaction(workplace.connection());
-  SheetRepository(workplace.connection()).submit(assignmentId, markId, sheet, "", workplace.now_us());
-  DeskRepository(workplace.connection()).sealViewing(assignmentId, markId, watched.stored());
-  workplace.note({.action = "sheet.submit",
-                  .objectKind = "assignment",
-                  .objectId = assignmentId,
-                  .newJson = seenJson(opened.shown, watched)});
+  const std::string markId = session.ids().newUuid();
+  Transaction transaction(session.connection());
+  SheetRepository(session.connection()).submit(assignmentId, markId, sheet, "", session.now_us());
+  DeskRepository(session.connection()).sealViewing(assignmentId, markId, watched.stored());
+  session.note({.action = "sheet.submit",
+                .objectKind = "assignment",
+                .objectId = assignmentId,
+                .newJson = seenJson(opened.shown, watched)});
   transaction.commit();
 }
 
-void amendSheet(SessionContext& workplace, const std::string& assignmentId, const Sheet& sheet,
+void amendSheet(SessionContext& session, const std::string& assignmentId, const Sheet& sheet,
                 const std::string& reason) {
-  const StoredAssignment assignment = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
+  const StoredAssignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   const std::string where = "case " + assignment.caseLabel;
   if (reason.empty()) {
     throw Error(ErrorCode::kBadParameter, "a submitted mark is changed with a reason only", where,
                 "Write why you change it");
   }
-  SheetRepository sheets(workplace.connection());
+  SheetRepository sheets(session.connection());
   if (!sheets.submitted(assignmentId)) {
     throw Error(ErrorCode::kBadData, "this sheet is not submitted yet", where, "Fill it in and submit it");
   }
-  Transaction transaction(workplace.connection());
-  sheets.submit(assignmentId, workplace.ids().newUuid(), sheet, reason, workplace.now_us());
-  workplace.note(
+  Transaction transaction(session.connection());
+  sheets.submit(assignmentId, session.ids().newUuid(), sheet, reason, session.now_us());
+  session.note(
       {.action = "sheet.amend", .objectKind = "assignment", .objectId = assignmentId, .reason = reason});
   transaction.commit();
 }
 
-std::vector<SheetVersion> sheetVersions(SessionContext& workplace, const std::string& assignmentId) {
-  const StoredAssignment assignment = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
+std::vector<SheetVersion> sheetVersions(SessionContext& session, const std::string& assignmentId) {
+  const StoredAssignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   std::vector<SheetVersion> versions;
   for (const StoredTrainingMark& mark :
-       RatingRepository(workplace.connection())
-           .history(assignment.enrolmentId, assignment.raterId, assignment.scoringPoint)) {
+       RatingRepository(session.connection())
+           .history(assignment.enrolmentId, assignment.raterId, assignment.occasionCode)) {
     versions.push_back(
         {mark.version, mark.score_steps, mark.comment, mark.amendReason, mark.submittedUtc_us});
   }

@@ -17,12 +17,12 @@ namespace torsio {
 /// Reads what the centre asks of a rater who scores from a recording: settings
 /// "review.minimum_watched_percent" and "review.speeds" ("1" or "0.5,1,1.5"); what cannot be read there falls
 /// back to the defaults. kMarkSubmit.
-[[nodiscard]] ViewingRules viewingRules(SessionContext& workplace);
+[[nodiscard]] ViewingRules viewingRules(SessionContext& session);
 
 /// Where a keystroke is kept once it is said to be saved.
 enum class KeptAt { kThisMachine, kServer };
 /// kMarkSubmit.
-[[nodiscard]] KeptAt keptAt(SessionContext& workplace);
+[[nodiscard]] KeptAt keptAt(SessionContext& session);
 
 /// A case as it is laid on the desk.
 struct OpenedSheet {
@@ -33,12 +33,12 @@ struct OpenedSheet {
   WatchLog watched{};
 };
 /// kMarkSubmit, own case.
-[[nodiscard]] OpenedSheet openSheet(SessionContext& workplace, const std::string& assignmentId);
+[[nodiscard]] OpenedSheet openSheet(SessionContext& session, const std::string& assignmentId);
 
 /// Stores the draft; it is on the disk when the call returns. Call it with every keystroke. Returns the new
 /// revision. Drafts leave no trace in the audit trail: they are nobody's record until they are submitted.
 /// kMarkSubmit, own case. Throws DbError{kConflict} when the draft was changed at another station meanwhile.
-std::int64_t saveSheet(SessionContext& workplace, const std::string& assignmentId, Sheet sheet,
+std::int64_t saveSheet(SessionContext& session, const std::string& assignmentId, Sheet sheet,
                        const WatchLog& watched);
 
 /// Checks a sheet against its rubric with the rules of assessment/rating. Pure.
@@ -47,12 +47,12 @@ std::int64_t saveSheet(SessionContext& workplace, const std::string& assignmentI
 
 /// Seals the sheet with what was watched and how fast. kMarkSubmit, own case; audited. Throws Error{kBadData}
 /// when checkSheet() says no, DbError{kUnique} when it was submitted before.
-void submitSheet(SessionContext& workplace, const std::string& assignmentId, const Sheet& sheet,
+void submitSheet(SessionContext& session, const std::string& assignmentId, const Sheet& sheet,
                  const WatchLog& watched);
 
 /// The next version of a submitted sheet; the one before stays as it is. kMarkSubmit, own case; audited.
 /// Throws Error{kBadParameter} without a reason, {kBadData}: not submitted yet, or not complete.
-void amendSheet(SessionContext& workplace, const std::string& assignmentId, const Sheet& sheet,
+void amendSheet(SessionContext& session, const std::string& assignmentId, const Sheet& sheet,
                 const std::string& reason);
 
 /// One sealed version of an own sheet.
@@ -64,7 +64,7 @@ struct SheetVersion {
   std::int64_t submittedUtc_us = 0;
 };
 /// Oldest first. kMarkSubmit, own case.
-[[nodiscard]] std::vector<SheetVersion> sheetVersions(SessionContext& workplace,
+[[nodiscard]] std::vector<SheetVersion> sheetVersions(SessionContext& session,
                                                       const std::string& assignmentId);
 
 }  // namespace torsio

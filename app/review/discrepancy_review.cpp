@@ -73,23 +73,23 @@ std::optional<RowComparison> compare(const std::vector<CaseMark>& marks, const s
 }
 
 /// Throws unless everybody has committed on this own case.
-StoredAssignment committedCase(SessionContext& workplace, const std::string& assignmentId) {
-  StoredAssignment found = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
-  if (!SheetRepository(workplace.connection()).allSubmitted(found.enrolmentId, found.scoringPoint)) {
+StoredAssignment committedCase(SessionContext& session, const std::string& assignmentId) {
+  StoredAssignment found = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  if (!SheetRepository(session.connection()).allSubmitted(found.enrolmentId, found.occasionCode)) {
     throw Error(ErrorCode::kBadData, "not everybody has submitted this case yet",
                 Text("case %1", found.caseLabel), "Wait until all have committed");
   }
   return found;
 }
 
-void decide(SessionContext& workplace, const std::string& assignmentId, const char* decision,
+void decide(SessionContext& session, const std::string& assignmentId, const char* decision,
             const std::string& reason) {
-  DiscrepancyRepository(workplace.connection(), workplace.station())
+  DiscrepancyRepository(session.connection(), session.station())
       .add({.assignmentId = assignmentId,
             .decision = decision,
             .reason = reason,
-            .decidedBy = workplace.actor().userId,
-            .decidedUtc_us = workplace.now_us()});
+            .decidedBy = session.actor().userId,
+            .decidedUtc_us = session.now_us()});
 }
 
 void requireReason(const std::string& reason, const std::string& label) {
@@ -102,16 +102,16 @@ void requireReason(const std::string& reason, const std::string& label) {
 
 }  // namespace
 
-std::vector<DiscrepancyCase> alignmentCases(SessionContext& workplace) {
-  workplace.require(Operation::kMarkSubmit);
-  DeskRepository desk(workplace.connection());
-  SheetRepository sheets(workplace.connection());
-  DiscrepancyRepository decisions(workplace.connection());
-  const double threshold = threshold_points(workplace.connection());
-  const std::string& rater = workplace.actor().personId;
+std::vector<DiscrepancyCase> alignmentCases(SessionContext& session) {
+  session.require(Operation::kMarkSubmit);
+  DeskRepository desk(session.connection());
+  SheetRepository sheets(session.connection());
+  DiscrepancyRepository decisions(session.connection());
+  const double threshold = threshold_points(session.connection());
+  const std::string& rater = session.actor().personId;
   std::vector<DiscrepancyCase> found;
   for (const StoredAssignment& assignment : desk.committed(rater)) {
-    const std::vector<CaseMark> marks = desk.marksOfCase(assignment.enrolmentId, assignment.scoringPoint);
+    const std::vector<CaseMark> marks = desk.marksOfCase(assignment.enrolmentId, assignment.occasionCode);
     const StoredRubricRevision rubric = sheets.revision(assignment.rubricRevisionId).value();
     DiscrepancyCase line;
     const auto add = [&](const std::string& row, const std::string& label, const ScoreScale& scale) {
@@ -132,7 +132,7 @@ std::vector<DiscrepancyCase> alignmentCases(SessionContext& workplace) {
     if (!apart) {
       continue;
     }
-    line.shown = blindedCase(workplace, assignment.id);
+    line.shown = blindedCase(session, assignment.id);
     if (const auto decided = decisions.latest(assignment.id)) {
       line.decision = decided->decision;
       line.reason = decided->reason;
@@ -142,25 +142,25 @@ std::vector<DiscrepancyCase> alignmentCases(SessionContext& workplace) {
   return found;
 }
 
-void keepMark(SessionContext& workplace, const std::string& assignmentId, const std::string& reason) {
-  static_cast<void>(committedCase(workplace, assignmentId));
-  decide(workplace, assignmentId, "keep", reason);
+void keepMark(SessionContext& session, const std::string& assignmentId, const std::string& reason) {
+  static_cast<void>(committedCase(session, assignmentId));
+  decide(session, assignmentId, "keep", reason);
 }
 
-void moveMark(SessionContext& workplace, const std::string& assignmentId, const Sheet& sheet,
+void moveMark(SessionContext& session, const std::string& assignmentId, const Sheet& sheet,
               const std::string& reason) {
-  const StoredAssignment found = committedCase(workplace, assignmentId);
+  const StoredAssignment found = committedCase(session, assignmentId);
   requireReason(reason, found.caseLabel);
-  Transaction transaction(workplace.connection());
-  amendSheet(workplace, assignmentId, sheet, reason);
-  decide(workplace, assignmentId, "move", reason);
+  Transaction transaction(session.connection());
+  amendSheet(session, assignmentId, sheet, reason);
+  decide(session, assignmentId, "move", reason);
   transaction.commit();
 }
 
-void askForThird(SessionContext& workplace, const std::string& assignmentId, const std::string& reason) {
-  const StoredAssignment found = committedCase(workplace, assignmentId);
+void askForThird(SessionContext& session, const std::string& assignmentId, const std::string& reason) {
+  const StoredAssignment found = committedCase(session, assignmentId);
   requireReason(reason, found.caseLabel);
-  decide(workplace, assignmentId, "third", reason);
+  decide(session, assignmentId, "third", reason);
 }
 
 }  // namespace torsio

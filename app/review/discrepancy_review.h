@@ -37,15 +37,15 @@ inline constexpr double kAlignmentThreshold_points = 2.0;
 
 /// Disagreements only, in the rater's own order; a case that was moved stays listed with its decision as long
 /// as it lies apart. kMarkSubmit. Cases on which somebody has not committed are not even looked at.
-[[nodiscard]] std::vector<DiscrepancyCase> alignmentCases(SessionContext& workplace);
+[[nodiscard]] std::vector<DiscrepancyCase> alignmentCases(SessionContext& session);
 
 /// The mark stays. kMarkSubmit, own committed case; audited.
-void keepMark(SessionContext& workplace, const std::string& assignmentId, const std::string& reason);
+void keepMark(SessionContext& session, const std::string& assignmentId, const std::string& reason);
 /// A new version of the own sheet; both stay. Throws Error{kBadParameter} without a reason, {kBadData} when
 /// not all have committed. kMarkSubmit, own committed case; audited.
-void moveMark(SessionContext& workplace, const std::string& assignmentId, const Sheet& sheet,
+void moveMark(SessionContext& session, const std::string& assignmentId, const Sheet& sheet,
               const std::string& reason);
 /// The office is asked for a further rater; needs a reason. kMarkSubmit, own committed case; audited.
-void askForThird(SessionContext& workplace, const std::string& assignmentId, const std::string& reason);
+void askForThird(SessionContext& session, const std::string& assignmentId, const std::string& reason);
 
 }  // namespace torsio

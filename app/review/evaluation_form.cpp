@@ -80,16 +80,16 @@ OpenForm formOf(Connection& connection, const StoredCampaign& campaign, const St
   return open;
 }
 
-OpenForm ownForm(SessionContext& workplace, const std::string& campaignId) {
-  workplace.require(Operation::kEvaluationSubmit);
-  const auto campaign = EvaluationRepository(workplace.connection()).campaign(campaignId);
-  const std::string& person = workplace.actor().personId;
+OpenForm ownForm(SessionContext& session, const std::string& campaignId) {
+  session.require(Operation::kEvaluationSubmit);
+  const auto campaign = EvaluationRepository(session.connection()).campaign(campaignId);
+  const std::string& person = session.actor().personId;
   const StoredCampaignRater* rater = campaign && !person.empty() ? asked(*campaign, person) : nullptr;
   if (rater == nullptr) {
     throw Error(ErrorCode::kPermission, "you are not asked in this evaluation", "the evaluation",
                 "Ask an administrator");
   }
-  return formOf(workplace.connection(), *campaign, *rater);
+  return formOf(session.connection(), *campaign, *rater);
 }
 
 /// Position of a model that may still be marked.
@@ -115,28 +115,28 @@ bool EvaluationForm::complete() const noexcept {
                      [](const EvaluationFormModel& model) { return model.submitted; });
 }
 
-std::vector<EvaluationForm> evaluationForms(SessionContext& workplace) {
-  workplace.require(Operation::kEvaluationSubmit);
+std::vector<EvaluationForm> evaluationForms(SessionContext& session) {
+  session.require(Operation::kEvaluationSubmit);
   std::vector<EvaluationForm> forms;
-  const std::string& person = workplace.actor().personId;
+  const std::string& person = session.actor().personId;
   if (person.empty()) {
     return forms;
   }
-  EvaluationRepository repository(workplace.connection());
+  EvaluationRepository repository(session.connection());
   for (const auto& [id, name] : repository.campaigns()) {
     const auto campaign = repository.campaign(id);
     const StoredCampaignRater* rater = campaign ? asked(*campaign, person) : nullptr;
     if (rater != nullptr) {
-      forms.push_back(formOf(workplace.connection(), *campaign, *rater).form);
+      forms.push_back(formOf(session.connection(), *campaign, *rater).form);
     }
   }
   return forms;
 }
 
-void saveEvaluationScore(SessionContext& workplace, const std::string& campaignId,
+void saveEvaluationScore(SessionContext& session, const std::string& campaignId,
                          const std::string& hiddenLabel, std::size_t index,
                          std::optional<std::int64_t> score_steps) {
-  const OpenForm open = ownForm(workplace, campaignId);
+  const OpenForm open = ownForm(session, campaignId);
   const std::size_t model = openModel(open, hiddenLabel);
   const ScoreScale& scale = open.form.scale;
   const bool outside = score_steps && !isOnScale(*score_steps, scale);
@@ -144,14 +144,14 @@ void saveEvaluationScore(SessionContext& workplace, const std::string& campaignI
     throw Error(ErrorCode::kBadData, "the mark lies outside the scale", Text("model %1", hiddenLabel),
                 "Correct the mark");
   }
-  DeskRepository(workplace.connection())
-      .saveEvaluationDraft(campaignId, workplace.actor().personId, open.models[model].code,
-                           static_cast<std::int64_t>(index + 1), score_steps, workplace.now_us());
+  DeskRepository(session.connection())
+      .saveEvaluationDraft(campaignId, session.actor().personId, open.models[model].code,
+                           static_cast<std::int64_t>(index + 1), score_steps, session.now_us());
 }
 
-void submitEvaluation(SessionContext& workplace, const std::string& campaignId,
+void submitEvaluation(SessionContext& session, const std::string& campaignId,
                       const std::string& hiddenLabel) {
-  const OpenForm open = ownForm(workplace, campaignId);
+  const OpenForm open = ownForm(session, campaignId);
   const std::size_t model = openModel(open, hiddenLabel);
   const std::vector<std::optional<std::int64_t>>& scores = open.form.models[model].scores;
   std::vector<StoredEvaluationMark> marks;
@@ -161,20 +161,20 @@ void submitEvaluation(SessionContext& workplace, const std::string& campaignId,
                   Text("model %1", hiddenLabel), "Fill it in");
     }
     StoredEvaluationMark mark;
-    mark.id = workplace.ids().newUuid();
-    mark.raterId = workplace.actor().personId;
+    mark.id = session.ids().newUuid();
+    mark.raterId = session.actor().personId;
     mark.modelCode = open.models[model].code;
     mark.indexNumber = static_cast<std::int64_t>(i + 1);
     mark.score_steps = *scores[i];
-    mark.submittedUtc_us = workplace.now_us();
+    mark.submittedUtc_us = session.now_us();
     mark.demonstration = open.demonstration;
     marks.push_back(std::move(mark));
   }
-  Transaction transaction(workplace.connection());
-  EvaluationRepository(workplace.connection(), workplace.station()).submit(campaignId, marks);
-  DeskRepository(workplace.connection())
-      .removeEvaluationDraft(campaignId, workplace.actor().personId, open.models[model].code);
-  workplace.note({.action = "evaluation.form", .objectKind = "evaluation_campaign", .objectId = campaignId});
+  Transaction transaction(session.connection());
+  EvaluationRepository(session.connection(), session.station()).submit(campaignId, marks);
+  DeskRepository(session.connection())
+      .removeEvaluationDraft(campaignId, session.actor().personId, open.models[model].code);
+  session.note({.action = "evaluation.form", .objectKind = "evaluation_campaign", .objectId = campaignId});
   transaction.commit();
 }
 

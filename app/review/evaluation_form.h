@@ -30,16 +30,15 @@ struct EvaluationForm {
 };
 
 /// The campaigns that ask the actor, oldest first. kEvaluationSubmit.
-[[nodiscard]] std::vector<EvaluationForm> evaluationForms(SessionContext& workplace);
+[[nodiscard]] std::vector<EvaluationForm> evaluationForms(SessionContext& session);
 /// Stores one mark of the draft, empty takes it back; it is on the disk when the call returns.
 /// kEvaluationSubmit, own form. Throws Error{kPermission}: not asked, {kBadData}: unknown model or index, out
 /// of the scale, or submitted already.
-void saveEvaluationScore(SessionContext& workplace, const std::string& campaignId,
+void saveEvaluationScore(SessionContext& session, const std::string& campaignId,
                          const std::string& hiddenLabel, std::size_t index,
                          std::optional<std::int64_t> score_steps);
 /// Seals the marks of one model. kEvaluationSubmit, own form; audited. Throws Error{kBadData} naming the
 /// first index without a mark.
-void submitEvaluation(SessionContext& workplace, const std::string& campaignId,
-                      const std::string& hiddenLabel);
+void submitEvaluation(SessionContext& session, const std::string& campaignId, const std::string& hiddenLabel);
 
 }  // namespace torsio

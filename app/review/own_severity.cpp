@@ -39,16 +39,16 @@ std::optional<SeverityCase> compared(const std::vector<CaseMark>& marks, const s
 
 }  // namespace
 
-OwnSeverity ownSeverity(SessionContext& workplace) {
-  workplace.require(Operation::kMarkSubmit);
-  const std::string& rater = workplace.actor().personId;
-  DeskRepository desk(workplace.connection());
+OwnSeverity ownSeverity(SessionContext& session) {
+  session.require(Operation::kMarkSubmit);
+  const std::string& rater = session.actor().personId;
+  DeskRepository desk(session.connection());
   OwnSeverity out;
   std::vector<double> own;
   std::vector<double> panel;
   const std::vector<StoredAssignment> committed = desk.committed(rater);
   for (const StoredAssignment& assignment : committed) {
-    const std::vector<CaseMark> marks = desk.marksOfCase(assignment.enrolmentId, assignment.scoringPoint);
+    const std::vector<CaseMark> marks = desk.marksOfCase(assignment.enrolmentId, assignment.occasionCode);
     auto line = compared(marks, rater);
     if (!line) {
       continue;
@@ -62,7 +62,7 @@ OwnSeverity ownSeverity(SessionContext& workplace) {
     out.cases.push_back(std::move(*line));
   }
   std::size_t submitted = 0;
-  for (const QueueEntry& entry : SheetRepository(workplace.connection()).queue(rater)) {
+  for (const QueueEntry& entry : SheetRepository(session.connection()).queue(rater)) {
     if (entry.state == SheetState::kSubmitted) {
       ++submitted;
     }

@@ -34,6 +34,6 @@ struct OwnSeverity {
 
 /// Overall marks of cases on which all have committed; "not assessable" ones are left out. The mean of the
 /// others does not contain the own mark. kMarkSubmit.
-[[nodiscard]] OwnSeverity ownSeverity(SessionContext& workplace);
+[[nodiscard]] OwnSeverity ownSeverity(SessionContext& session);
 
 }  // namespace torsio

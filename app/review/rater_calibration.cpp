@@ -84,12 +84,12 @@ std::optional<double> RaterCalibration::meanOffset_points() const noexcept {
   return n > 0 ? std::optional(sum / static_cast<double>(n)) : std::nullopt;
 }
 
-RaterCalibration warmUp(SessionContext& workplace) {
-  workplace.require(Operation::kMarkSubmit);
-  DeskRepository desk(workplace.connection());
-  SheetRepository sheets(workplace.connection());
+RaterCalibration warmUp(SessionContext& session) {
+  session.require(Operation::kMarkSubmit);
+  DeskRepository desk(session.connection());
+  SheetRepository sheets(session.connection());
   const std::vector<StoredWarmup> tries =
-      RemarkRepository(workplace.connection()).warmups(workplace.actor().personId);
+      RemarkRepository(session.connection()).warmups(session.actor().personId);
   RaterCalibration out;
   for (const StoredReferenceRun& run : desk.referenceRuns()) {
     const StoredRubricRevision rubric = sheets.revision(run.rubricRevisionId).value();
@@ -114,51 +114,51 @@ RaterCalibration warmUp(SessionContext& workplace) {
   return out;
 }
 
-BlindedRecording loadReferenceRun(SessionContext& workplace, std::size_t number) {
-  workplace.require(Operation::kTrialViewAssigned);
-  const StoredReferenceRun run = runNumber(workplace.connection(), number);
-  return blindedRecordingOf(workplace.connection(), run.trialId, labelOf(number), workplace.actor().personId);
+BlindedRecording loadReferenceRun(SessionContext& session, std::size_t number) {
+  session.require(Operation::kTrialViewAssigned);
+  const StoredReferenceRun run = runNumber(session.connection(), number);
+  return blindedRecordingOf(session.connection(), run.trialId, labelOf(number), session.actor().personId);
 }
 
-void scoreReferenceRun(SessionContext& workplace, std::size_t number, std::int64_t score_steps) {
-  workplace.require(Operation::kMarkSubmit);
-  const StoredReferenceRun run = runNumber(workplace.connection(), number);
+void scoreReferenceRun(SessionContext& session, std::size_t number, std::int64_t score_steps) {
+  session.require(Operation::kMarkSubmit);
+  const StoredReferenceRun run = runNumber(session.connection(), number);
   const StoredRubricRevision rubric =
-      SheetRepository(workplace.connection()).revision(run.rubricRevisionId).value();
+      SheetRepository(session.connection()).revision(run.rubricRevisionId).value();
   if (!isOnScale(score_steps, rubric.overall)) {
     throw Error(ErrorCode::kBadData, "the mark lies outside the scale", Text("reference %1", number),
                 "Correct the mark");
   }
   StoredWarmup warmup;
-  warmup.id = workplace.ids().newUuid();
-  warmup.raterId = workplace.actor().personId;
+  warmup.id = session.ids().newUuid();
+  warmup.raterId = session.actor().personId;
   warmup.referenceTrialId = run.trialId;
   warmup.rubricRevisionId = run.rubricRevisionId;
   warmup.score_steps = score_steps;
   warmup.scale = rubric.overall;
   warmup.panelOffset_steps = static_cast<double>(score_steps) - run.panel_steps;
-  warmup.createdUtc_us = workplace.now_us();
+  warmup.createdUtc_us = session.now_us();
   warmup.demonstration = run.demonstration;
-  Transaction transaction(workplace.connection());
-  RemarkRepository(workplace.connection()).addWarmup(warmup);
-  workplace.note({.action = "warmup.score", .objectKind = "rater_warmup", .objectId = warmup.id});
+  Transaction transaction(session.connection());
+  RemarkRepository(session.connection()).addWarmup(warmup);
+  session.note({.action = "warmup.score", .objectKind = "rater_warmup", .objectId = warmup.id});
   transaction.commit();
 }
 
-std::vector<ReferenceCandidate> referenceCandidates(SessionContext& workplace) {
-  workplace.require(Operation::kStudySetup);
-  DeskRepository desk(workplace.connection());
-  std::set<std::string> spoken;
+std::vector<ReferenceCandidate> referenceCandidates(SessionContext& session) {
+  session.require(Operation::kStudySetup);
+  DeskRepository desk(session.connection());
+  std::set<std::string> decided;
   for (const std::string& trialId : desk.assignedTrials()) {
-    spoken.insert(trialId);
+    decided.insert(trialId);
   }
   for (const StoredReferenceRun& run : desk.allReferenceRuns()) {
-    spoken.insert(run.trialId);
+    decided.insert(run.trialId);
   }
   std::vector<ReferenceCandidate> candidates;
-  for (const TrialListing& trial : TrialRepository(workplace.connection()).list({.limit = kMostListed})) {
+  for (const TrialListing& trial : TrialRepository(session.connection()).list({.limit = kMostListed})) {
     const bool complete = trial.summary && trial.summary->outcome == TrialOutcome::kCompleted;
-    if (!complete || spoken.contains(trial.trialId)) {
+    if (!complete || decided.contains(trial.trialId)) {
       continue;
     }
     candidates.push_back({trial.trialId, trial.traineeCode, trial.sceneId, trial.phaseLabel,
@@ -168,11 +168,11 @@ std::vector<ReferenceCandidate> referenceCandidates(SessionContext& workplace) {
   return candidates;
 }
 
-std::vector<ReferenceRow> referenceRows(SessionContext& workplace) {
-  workplace.require(Operation::kStudySetup);
-  DeskRepository desk(workplace.connection());
-  SheetRepository sheets(workplace.connection());
-  TrialRepository trials(workplace.connection());
+std::vector<ReferenceRow> referenceRows(SessionContext& session) {
+  session.require(Operation::kStudySetup);
+  DeskRepository desk(session.connection());
+  SheetRepository sheets(session.connection());
+  TrialRepository trials(session.connection());
   std::map<std::string, std::string> reasons;
   for (const StoredReferenceWithdrawal& withdrawal : desk.referenceWithdrawals()) {
     reasons.emplace(withdrawal.trialId, withdrawal.reason);
@@ -194,48 +194,48 @@ std::vector<ReferenceRow> referenceRows(SessionContext& workplace) {
   return rows;
 }
 
-void addReferenceRuns(SessionContext& workplace, const std::vector<ReferenceChoice>& runs) {
-  workplace.require(Operation::kStudySetup);
-  DeskRepository desk(workplace.connection());
+void addReferenceRuns(SessionContext& session, const std::vector<ReferenceChoice>& runs) {
+  session.require(Operation::kStudySetup);
+  DeskRepository desk(session.connection());
   auto position = static_cast<std::int64_t>(desk.allReferenceRuns().size());
-  Transaction transaction(workplace.connection());
+  Transaction transaction(session.connection());
   for (const ReferenceChoice& choice : runs) {
-    const ScoreScale scale = checkedScale(workplace.connection(), choice);
+    const ScoreScale scale = checkedScale(session.connection(), choice);
     StoredReferenceRun run;
     run.trialId = choice.trialId;
     run.position = ++position;
     run.rubricRevisionId = choice.rubricRevisionId;
     run.panel_steps = choice.panel_points * static_cast<double>(scale.stepsPerPoint);
     run.panelRaters = choice.panelRaters;
-    run.setBy = workplace.actor().userId;
-    run.setUtc_us = workplace.now_us();
+    run.setBy = session.actor().userId;
+    run.setUtc_us = session.now_us();
     // A simulated recording must go when the demonstration goes.
     run.demonstration =
-        choice.demonstration || TrialRepository(workplace.connection()).find(choice.trialId)->demonstration;
+        choice.demonstration || TrialRepository(session.connection()).find(choice.trialId)->demonstration;
     desk.addReferenceRuns(std::span(&run, 1));
-    workplace.note({.action = "reference_run.add", .objectKind = "reference_run", .objectId = run.trialId});
+    session.note({.action = "reference_run.add", .objectKind = "reference_run", .objectId = run.trialId});
   }
   transaction.commit();
 }
 
-void withdrawReferenceRun(SessionContext& workplace, const std::string& trialId, const std::string& reason) {
-  workplace.require(Operation::kStudySetup);
+void withdrawReferenceRun(SessionContext& session, const std::string& trialId, const std::string& reason) {
+  session.require(Operation::kStudySetup);
   if (reason.empty()) {
     throw Error(ErrorCode::kBadParameter, "a withdrawal needs a reason", trialId, "Say why, in a few words");
   }
-  Transaction transaction(workplace.connection());
-  DeskRepository desk(workplace.connection());
+  Transaction transaction(session.connection());
+  DeskRepository desk(session.connection());
   const std::vector<StoredReferenceRun> runs = desk.referenceRuns();
   if (std::none_of(runs.begin(), runs.end(),
                    [&](const StoredReferenceRun& run) { return run.trialId == trialId; })) {
     throw Error(ErrorCode::kBadData, "this recording is no reference run, or was withdrawn already", trialId,
                 "Open the list again");
   }
-  desk.withdrawReferenceRun({trialId, reason, workplace.actor().userId, workplace.now_us()});
-  workplace.note({.action = "reference_run.withdraw",
-                  .objectKind = "reference_run",
-                  .objectId = trialId,
-                  .reason = reason});
+  desk.withdrawReferenceRun({trialId, reason, session.actor().userId, session.now_us()});
+  session.note({.action = "reference_run.withdraw",
+                .objectKind = "reference_run",
+                .objectId = trialId,
+                .reason = reason});
   transaction.commit();
 }
 

@@ -31,13 +31,13 @@ struct RaterCalibration {
 };
 
 /// kMarkSubmit.
-[[nodiscard]] RaterCalibration warmUp(SessionContext& workplace);
+[[nodiscard]] RaterCalibration warmUp(SessionContext& session);
 /// The recording of run `number`, blinded like a case. kTrialViewAssigned: reference runs are for every
 /// rater. Throws Error{kBadData}: no such run.
-[[nodiscard]] BlindedRecording loadReferenceRun(SessionContext& workplace, std::size_t number);
+[[nodiscard]] BlindedRecording loadReferenceRun(SessionContext& session, std::size_t number);
 /// Stores the rater's overall mark with its offset from the panel; a second try is kept beside the first.
 /// kMarkSubmit; audited. Throws Error{kBadData}: no such run, or outside the scale.
-void scoreReferenceRun(SessionContext& workplace, std::size_t number, std::int64_t score_steps);
+void scoreReferenceRun(SessionContext& session, std::size_t number, std::int64_t score_steps);
 
 /// A recording that may become a reference run: complete, never one before, and nobody is asked to score it
 /// (the panel's mark would give the case away).
@@ -51,7 +51,7 @@ struct ReferenceCandidate {
   bool demonstration = false;
 };
 /// Newest first. kStudySetup.
-[[nodiscard]] std::vector<ReferenceCandidate> referenceCandidates(SessionContext& workplace);
+[[nodiscard]] std::vector<ReferenceCandidate> referenceCandidates(SessionContext& session);
 
 /// A reference run as the office sees it.
 struct ReferenceRow {
@@ -67,7 +67,7 @@ struct ReferenceRow {
   std::string withdrawnBecause{};  ///< empty: raters are given it
 };
 /// In the order of the warm-up, those that were withdrawn last. kStudySetup.
-[[nodiscard]] std::vector<ReferenceRow> referenceRows(SessionContext& workplace);
+[[nodiscard]] std::vector<ReferenceRow> referenceRows(SessionContext& session);
 
 /// A run for the warm-up, chosen by the office.
 struct ReferenceChoice {
@@ -80,10 +80,10 @@ struct ReferenceChoice {
 /// Adds reference runs behind those there are. kStudySetup; audited. Throws Error{kBadData}: no
 /// such rubric, a recording that does not exist or has not ended, one that is or was a reference run;
 /// {kBadParameter}: a mark outside the rubric's scale, or a panel of nobody.
-void addReferenceRuns(SessionContext& workplace, const std::vector<ReferenceChoice>& runs);
+void addReferenceRuns(SessionContext& session, const std::vector<ReferenceChoice>& runs);
 /// From now on no rater is given the run; it stays stored with what raters scored, and later ones move up.
 /// For good: what raters have seen cannot come back as new. kStudySetup; audited with the reason. Throws
 /// Error{kBadData}: no such reference run; {kBadParameter}: no reason.
-void withdrawReferenceRun(SessionContext& workplace, const std::string& trialId, const std::string& reason);
+void withdrawReferenceRun(SessionContext& session, const std::string& trialId, const std::string& reason);
 
 }  // namespace torsio

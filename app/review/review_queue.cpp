@@ -29,11 +29,11 @@ std::optional<double> ownPace_min(DeskRepository& desk, const std::string& rater
   return static_cast<double>(*middle) / kMinute_us;
 }
 
-std::vector<QueueLine> allLines(SessionContext& workplace, const std::optional<double>& pace_min) {
-  DeskRepository desk(workplace.connection());
-  const std::int64_t now_us = workplace.now_us();
+std::vector<QueueLine> allLines(SessionContext& session, const std::optional<double>& pace_min) {
+  DeskRepository desk(session.connection());
+  const std::int64_t now_us = session.now_us();
   std::vector<QueueLine> lines;
-  for (const QueueEntry& entry : SheetRepository(workplace.connection()).queue(workplace.actor().personId)) {
+  for (const QueueEntry& entry : SheetRepository(session.connection()).queue(session.actor().personId)) {
     QueueLine line;
     line.shown = {entry.assignmentId, entry.caseLabel, entry.trialId.empty(), entry.dueUtc_us, {}};
     if (!line.shown.live) {
@@ -54,13 +54,13 @@ std::vector<QueueLine> allLines(SessionContext& workplace, const std::optional<d
 
 }  // namespace
 
-ReviewQueue reviewQueue(SessionContext& workplace) {
-  workplace.require(Operation::kMarkSubmit);
+ReviewQueue reviewQueue(SessionContext& session) {
+  session.require(Operation::kMarkSubmit);
   ReviewQueue queue;
-  DeskRepository desk(workplace.connection());
-  const std::optional<double> pace_min = ownPace_min(desk, workplace.actor().personId);
+  DeskRepository desk(session.connection());
+  const std::optional<double> pace_min = ownPace_min(desk, session.actor().personId);
   queue.fromOwnPace = pace_min.has_value();
-  for (QueueLine& line : allLines(workplace, pace_min)) {
+  for (QueueLine& line : allLines(session, pace_min)) {
     const bool done = line.state == SheetState::kSubmitted;
     if (!done && line.shown.dueUtc_us &&
         (!queue.nextDueUtc_us || *line.shown.dueUtc_us < *queue.nextDueUtc_us)) {
@@ -89,15 +89,15 @@ ReviewQueue reviewQueue(SessionContext& workplace) {
     queue.next = found->shown.assignmentId;
     break;
   }
-  const RaterCalibration warmUp = torsio::warmUp(workplace);
+  const RaterCalibration warmUp = torsio::warmUp(session);
   queue.warmUpWaiting = !warmUp.runs.empty() && !warmUp.complete();
-  for (const DiscrepancyCase& open : alignmentCases(workplace)) {
+  for (const DiscrepancyCase& open : alignmentCases(session)) {
     if (open.decision.empty()) {
       ++queue.disagreements;
     }
   }
-  if (workplace.may(Operation::kEvaluationSubmit)) {
-    for (const EvaluationForm& form : evaluationForms(workplace)) {
+  if (session.may(Operation::kEvaluationSubmit)) {
+    for (const EvaluationForm& form : evaluationForms(session)) {
       for (const EvaluationFormModel& model : form.models) {
         queue.models += model.submitted ? 0 : 1;
       }
@@ -106,10 +106,10 @@ ReviewQueue reviewQueue(SessionContext& workplace) {
   return queue;
 }
 
-std::vector<QueueLine> liveLines(SessionContext& workplace) {
-  workplace.require(Operation::kMarkSubmit);
+std::vector<QueueLine> liveLines(SessionContext& session) {
+  session.require(Operation::kMarkSubmit);
   std::vector<QueueLine> lines;
-  for (QueueLine& line : allLines(workplace, std::nullopt)) {
+  for (QueueLine& line : allLines(session, std::nullopt)) {
     if (line.shown.live) {
       lines.push_back(std::move(line));
     }

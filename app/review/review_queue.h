@@ -39,9 +39,9 @@ struct ReviewQueue {
 };
 
 /// kMarkSubmit.
-[[nodiscard]] ReviewQueue reviewQueue(SessionContext& workplace);
+[[nodiscard]] ReviewQueue reviewQueue(SessionContext& session);
 
 /// Live cases of the actor in running order: scored on the real arm, without a recording. kMarkSubmit.
-[[nodiscard]] std::vector<QueueLine> liveLines(SessionContext& workplace);
+[[nodiscard]] std::vector<QueueLine> liveLines(SessionContext& session);
 
 }  // namespace torsio

@@ -16,13 +16,13 @@ Occasions occasionsOfCohort(Connection& connection, const std::string& cohortId)
   OccasionRepository repository(connection);
   Occasions all = repository.all();
   const auto version = CurriculumRepository(connection).version(cohort.curriculumVersionId);
-  if (!version || version->scoringPoints.empty()) {
+  if (!version || version->plannedOccasions.empty()) {
     return all;
   }
   std::set<std::string> used = repository.usedBy(cohortId);
   std::vector<Occasion> own;
   for (Occasion occasion : all) {
-    for (const StoredScoringPoint& point : version->scoringPoints) {
+    for (const PlannedOccasion& point : version->plannedOccasions) {
       if (point.code == occasion.code) {
         occasion.afterExposure_us = point.afterExposure_us;
       }

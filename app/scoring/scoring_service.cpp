@@ -146,7 +146,7 @@ ReadTraining trainingWithHash(Connection& connection, const std::string& cohortI
     read.inputs.update(mark.version);
     read.inputs.update(mark.score_steps.value_or(-1));
     const std::size_t occasion =
-        positionOf(read.result.occasions, mark.scoringPoint, [](const Occasion& one) { return one.code; });
+        positionOf(read.result.occasions, mark.occasionCode, [](const Occasion& one) { return one.code; });
     if (!mark.score_steps) {
       ++read.notAssessable[{mark.traineeCode, occasion}];
       ++read.result.notAssessable;

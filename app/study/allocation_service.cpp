@@ -51,15 +51,15 @@ struct Field {
   }
 };
 
-Field readField(SessionContext& workplace, const std::string& cohortId) {
-  StudyRepository study(workplace.connection());
+Field readField(SessionContext& session, const std::string& cohortId) {
+  StudyRepository study(session.connection());
   Field field;
   field.cohort = study.cohort(cohortId);
   field.groups = study.groups(cohortId);
   field.enrolments = study.enrolments(cohortId);
   std::erase_if(field.enrolments,
                 [](const StoredEnrolment& e) { return e.state == EnrolmentState::kWithdrawn; });
-  for (StoredTrainee& trainee : PeopleRepository(workplace.connection()).trainees()) {
+  for (StoredTrainee& trainee : PeopleRepository(session.connection()).trainees()) {
     field.trainees[trainee.person.id] = std::move(trainee);
   }
   return field;
@@ -137,8 +137,8 @@ std::map<std::string, std::string> codesOf(StudyRepository& study, const std::st
   return codes;
 }
 
-OpenDraw openDraw(SessionContext& workplace, const Field& field) {
-  StudyRepository study(workplace.connection());
+OpenDraw openDraw(SessionContext& session, const Field& field) {
+  StudyRepository study(session.connection());
   const std::vector<StoredAllocationDesign> designs = study.designs(field.cohort.id);
   if (designs.empty()) {
     refuse("no allocation design is locked", field.cohort.name, "Lock one first");
@@ -168,14 +168,14 @@ OpenDraw openDraw(SessionContext& workplace, const Field& field) {
   return open;
 }
 
-StoredAllocation draw(SessionContext& workplace, const Field& field, OpenDraw& open,
+StoredAllocation draw(SessionContext& session, const Field& field, OpenDraw& open,
                       const StoredEnrolment& enrolment) {
-  StudyRepository study(workplace.connection());
+  StudyRepository study(session.connection());
   const AllocationPerson person = personForDraw(open.design, field.trainees.at(enrolment.traineeId));
   const AllocationRecord drawn = open.allocator.assign(person);
   const StoredGroup& group = field.groups.at(drawn.arm);
   StoredAllocation record;
-  record.id = workplace.ids().newUuid();
+  record.id = session.ids().newUuid();
   record.designId = open.stored.id;
   record.sequence = static_cast<std::int64_t>(open.records.size() + 1);
   record.enrolmentId = enrolment.id;
@@ -186,13 +186,13 @@ StoredAllocation draw(SessionContext& workplace, const Field& field, OpenDraw& o
   record.scoresJson = numbersJson(open.design.arms, drawn.scores);
   record.drawBefore = static_cast<std::int64_t>(drawn.drawsBefore);
   record.drawAfter = static_cast<std::int64_t>(drawn.drawsAfter);
-  record.allocatedBy = workplace.actor().userId;
+  record.allocatedBy = session.actor().userId;
   record.softwareVersion = softwareVersion();
-  record.allocatedUtc_us = workplace.now_us();
+  record.allocatedUtc_us = session.now_us();
   record.demonstration = field.cohort.demonstration;
   record = study.allocate(std::span(&record, 1)).front();
   open.records.push_back(record);
-  workplace.note(
+  session.note(
       {.action = "allocation.draw",
        .objectKind = "allocation",
        .objectId = record.id,
@@ -242,9 +242,9 @@ const std::vector<std::string>& allocationFactorNames() {
   return kNames;
 }
 
-BalancePreview previewBalance(SessionContext& workplace, const AllocationPlan& plan) {
-  workplace.require(Operation::kAllocationRun);
-  Field field = readField(workplace, plan.cohortId);
+BalancePreview previewBalance(SessionContext& session, const AllocationPlan& plan) {
+  session.require(Operation::kAllocationRun);
+  Field field = readField(session, plan.cohortId);
   BalancePreview preview;
   preview.groups = field.groupCodes();
   std::vector<StoredEnrolment> people = field.waiting();
@@ -282,12 +282,12 @@ BalancePreview previewBalance(SessionContext& workplace, const AllocationPlan& p
   return preview;
 }
 
-AllocationDesignRow lockAllocation(SessionContext& workplace, const AllocationPlan& plan,
+AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan& plan,
                                    const std::string& supersedeReason) {
-  workplace.require(Operation::kAllocationRun);
-  Transaction transaction(workplace.connection());
-  const Field field = readField(workplace, plan.cohortId);
-  StudyRepository study(workplace.connection());
+  session.require(Operation::kAllocationRun);
+  Transaction transaction(session.connection());
+  const Field field = readField(session, plan.cohortId);
+  StudyRepository study(session.connection());
   const std::vector<StoredAllocationDesign> before = study.designs(plan.cohortId);
   if (!before.empty() && !study.allocations(before.back().id).empty() && supersedeReason.empty()) {
     refuse("allocation has begun with another design", field.cohort.name,
@@ -297,9 +297,9 @@ AllocationDesignRow lockAllocation(SessionContext& workplace, const AllocationPl
     refuse("nobody waits for a group", field.cohort.name, "Enrol trainees first");
   }
   const AllocationDesign design = designOf(field, plan);
-  const std::uint64_t seed = plan.seed ? *plan.seed : drawSeed(workplace.ids());
+  const std::uint64_t seed = plan.seed ? *plan.seed : drawSeed(session.ids());
   StoredAllocationDesign stored;
-  stored.id = workplace.ids().newUuid();
+  stored.id = session.ids().newUuid();
   stored.cohortId = plan.cohortId;
   stored.algorithm = allocationMethodName(design.method);
   stored.algorithmVersion = kAllocationVersion;
@@ -307,28 +307,28 @@ AllocationDesignRow lockAllocation(SessionContext& workplace, const AllocationPl
   stored.generator = kAllocationGenerator;
   stored.seedCommitment = seedCommitment(design, seed);
   stored.seed = std::to_string(seed);
-  stored.lockedUtc_us = workplace.now_us();
+  stored.lockedUtc_us = session.now_us();
   if (!before.empty()) {
     stored.lockedUtc_us = std::max(stored.lockedUtc_us, before.back().lockedUtc_us + 1);
   }
   stored.demonstration = field.cohort.demonstration;
   study.lockDesign(stored);
   stored.seed.clear();
-  workplace.note({.action = before.empty() ? "allocation.lock" : "allocation.supersede",
-                  .objectKind = "allocation_design",
-                  .objectId = stored.id,
-                  .newJson = nlohmann::json{{"cohort", plan.cohortId},
-                                            {"commitment", stored.seedCommitment},
-                                            {"seed_given", plan.seed.has_value()}}
-                                 .dump(),
-                  .reason = supersedeReason});
+  session.note({.action = before.empty() ? "allocation.lock" : "allocation.supersede",
+                .objectKind = "allocation_design",
+                .objectId = stored.id,
+                .newJson = nlohmann::json{{"cohort", plan.cohortId},
+                                          {"commitment", stored.seedCommitment},
+                                          {"seed_given", plan.seed.has_value()}}
+                               .dump(),
+                .reason = supersedeReason});
   transaction.commit();
   return {stored, design, 0, 0};
 }
 
-std::vector<AllocationDesignRow> allocationDesigns(SessionContext& workplace, const std::string& cohortId) {
-  workplace.require(Operation::kAllocationView);
-  StudyRepository study(workplace.connection());
+std::vector<AllocationDesignRow> allocationDesigns(SessionContext& session, const std::string& cohortId) {
+  session.require(Operation::kAllocationView);
+  StudyRepository study(session.connection());
   std::vector<std::string> groups;
   for (const StoredGroup& group : study.groups(cohortId)) {
     groups.push_back(group.code);
@@ -340,16 +340,16 @@ std::vector<AllocationDesignRow> allocationDesigns(SessionContext& workplace, co
   return rows;
 }
 
-std::vector<StoredAllocation> allocations(SessionContext& workplace, const std::string& designId) {
-  workplace.require(Operation::kAllocationView);
-  return StudyRepository(workplace.connection()).allocations(designId);
+std::vector<StoredAllocation> allocations(SessionContext& session, const std::string& designId) {
+  session.require(Operation::kAllocationView);
+  return StudyRepository(session.connection()).allocations(designId);
 }
 
-StoredAllocation allocateOne(SessionContext& workplace, const std::string& cohortId,
+StoredAllocation allocateOne(SessionContext& session, const std::string& cohortId,
                              const std::string& enrolmentId) {
-  workplace.require(Operation::kAllocationRun);
-  Transaction transaction(workplace.connection());
-  const Field field = readField(workplace, cohortId);
+  session.require(Operation::kAllocationRun);
+  Transaction transaction(session.connection());
+  const Field field = readField(session, cohortId);
   const std::vector<StoredEnrolment> waiting = field.waiting();
   const auto enrolment = std::find_if(waiting.begin(), waiting.end(),
                                       [&](const StoredEnrolment& e) { return e.id == enrolmentId; });
@@ -357,38 +357,38 @@ StoredAllocation allocateOne(SessionContext& workplace, const std::string& cohor
     refuse("has a group already, has withdrawn or is not enrolled here", enrolmentId,
            "Choose somebody who waits; a change of group is an override with a reason");
   }
-  OpenDraw open = openDraw(workplace, field);
-  StoredAllocation record = draw(workplace, field, open, *enrolment);
+  OpenDraw open = openDraw(session, field);
+  StoredAllocation record = draw(session, field, open, *enrolment);
   transaction.commit();
   return record;
 }
 
-std::size_t allocateAll(SessionContext& workplace, const std::string& cohortId) {
-  workplace.require(Operation::kAllocationRun);
-  Transaction transaction(workplace.connection());
-  const Field field = readField(workplace, cohortId);
-  OpenDraw open = openDraw(workplace, field);
+std::size_t allocateAll(SessionContext& session, const std::string& cohortId) {
+  session.require(Operation::kAllocationRun);
+  Transaction transaction(session.connection());
+  const Field field = readField(session, cohortId);
+  OpenDraw open = openDraw(session, field);
   const std::vector<StoredEnrolment> waiting = field.waiting();
   if (waiting.empty()) {
     refuse("nobody waits for a group", field.cohort.name, "Enrol trainees first");
   }
   for (const StoredEnrolment& enrolment : waiting) {
-    draw(workplace, field, open, enrolment);
+    draw(session, field, open, enrolment);
   }
   transaction.commit();
   return waiting.size();
 }
 
-StoredAllocation overrideAllocation(SessionContext& workplace, const std::string& cohortId,
+StoredAllocation overrideAllocation(SessionContext& session, const std::string& cohortId,
                                     const std::string& enrolmentId, const std::string& groupId,
                                     const std::string& reason) {
-  workplace.require(Operation::kAllocationRun);
+  session.require(Operation::kAllocationRun);
   if (reason.empty()) {
     refuse("an override needs a reason", enrolmentId, "Say in a few words why");
   }
-  Transaction transaction(workplace.connection());
-  const Field field = readField(workplace, cohortId);
-  OpenDraw open = openDraw(workplace, field);
+  Transaction transaction(session.connection());
+  const Field field = readField(session, cohortId);
+  OpenDraw open = openDraw(session, field);
   const auto last = std::find_if(open.records.rbegin(), open.records.rend(),
                                  [&](const StoredAllocation& r) { return r.enrolmentId == enrolmentId; });
   if (last == open.records.rend()) {
@@ -402,31 +402,31 @@ StoredAllocation overrideAllocation(SessionContext& workplace, const std::string
   if (last->groupId == groupId) {
     refuse("is in this group already", group->code, "Choose another group");
   }
-  StudyRepository study(workplace.connection());
+  StudyRepository study(session.connection());
   StoredAllocation record = *last;
-  record.id = workplace.ids().newUuid();
+  record.id = session.ids().newUuid();
   record.sequence = static_cast<std::int64_t>(open.records.size() + 1);
   record.groupId = groupId;
   record.numberInGroup = ++open.highestNumber[groupId];
   record.drawBefore = record.drawAfter;  // nothing was drawn
-  record.allocatedBy = workplace.actor().userId;
+  record.allocatedBy = session.actor().userId;
   record.softwareVersion = softwareVersion();
   record.overrideReason = reason;
-  record.allocatedUtc_us = workplace.now_us();
+  record.allocatedUtc_us = session.now_us();
   record = study.allocate(std::span(&record, 1)).front();
-  workplace.note({.action = "allocation.override",
-                  .objectKind = "allocation",
-                  .objectId = record.id,
-                  .newJson = nlohmann::json{{"enrolment", enrolmentId}, {"record", record.recordHash}}.dump(),
-                  .reason = reason});
+  session.note({.action = "allocation.override",
+                .objectKind = "allocation",
+                .objectId = record.id,
+                .newJson = nlohmann::json{{"enrolment", enrolmentId}, {"record", record.recordHash}}.dump(),
+                .reason = reason});
   transaction.commit();
   return record;
 }
 
-std::string revealSeed(SessionContext& workplace, const std::string& designId, const std::string& reason) {
-  workplace.require(Operation::kAllocationReveal);
-  Transaction transaction(workplace.connection());
-  StudyRepository study(workplace.connection());
+std::string revealSeed(SessionContext& session, const std::string& designId, const std::string& reason) {
+  session.require(Operation::kAllocationReveal);
+  Transaction transaction(session.connection());
+  StudyRepository study(session.connection());
   const std::string seed = study.sealedSeed(designId);
   if (seed.empty()) {
     refuse("there is no such design", designId, "Choose one from the list");
@@ -436,23 +436,23 @@ std::string revealSeed(SessionContext& workplace, const std::string& designId, c
     if (designs.empty() || designs.back().id != designId || !reason.empty()) {
       continue;
     }
-    if (const std::size_t waiting = readField(workplace, cohort.id).waiting().size(); waiting > 0) {
+    if (const std::size_t waiting = readField(session, cohort.id).waiting().size(); waiting > 0) {
       refuse(Text("%1 people still wait for a group: the seed would tell them theirs", waiting), cohort.name,
              "Allocate them first, or give a reason");
     }
   }
-  study.revealSeed(designId, workplace.now_us());
-  workplace.note({.action = "allocation.reveal",
-                  .objectKind = "allocation_design",
-                  .objectId = designId,
-                  .reason = reason});
+  study.revealSeed(designId, session.now_us());
+  session.note({.action = "allocation.reveal",
+                .objectKind = "allocation_design",
+                .objectId = designId,
+                .reason = reason});
   transaction.commit();
   return seed;
 }
 
-AllocationCheck checkAllocation(SessionContext& workplace, const std::string& designId) {
-  workplace.require(Operation::kAllocationView);
-  StudyRepository study(workplace.connection());
+AllocationCheck checkAllocation(SessionContext& session, const std::string& designId) {
+  session.require(Operation::kAllocationView);
+  StudyRepository study(session.connection());
   AllocationCheck check;
   const auto wrong = [&](const Text& finding) {
     check.sound = false;
@@ -511,10 +511,10 @@ AllocationCheck checkAllocation(SessionContext& workplace, const std::string& de
   refuse("there is no such design", designId, "Choose one from the list");
 }
 
-std::vector<SealedCard> takeOutCards(SessionContext& workplace, const std::string& cohortId) {
-  workplace.require(Operation::kAllocationRun);
-  Transaction transaction(workplace.connection());
-  StudyRepository study(workplace.connection());
+std::vector<SealedCard> takeOutCards(SessionContext& session, const std::string& cohortId) {
+  session.require(Operation::kAllocationRun);
+  Transaction transaction(session.connection());
+  StudyRepository study(session.connection());
   const std::vector<StoredAllocationDesign> designs = study.designs(cohortId);
   std::map<std::string, std::string> codes;
   for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
@@ -534,10 +534,10 @@ std::vector<SealedCard> takeOutCards(SessionContext& workplace, const std::strin
   if (cards.empty()) {
     throw Error(ErrorCode::kBadData, "nobody is allocated yet", cohortId, "Lock a design and allocate first");
   }
-  workplace.note({.action = "allocation.cards",
-                  .objectKind = "allocation_design",
-                  .objectId = designs.back().id,
-                  .newJson = nlohmann::json{{"cards", cards.size()}}.dump()});
+  session.note({.action = "allocation.cards",
+                .objectKind = "allocation_design",
+                .objectId = designs.back().id,
+                .newJson = nlohmann::json{{"cards", cards.size()}}.dump()});
   transaction.commit();
   return cards;
 }

@@ -47,7 +47,7 @@ struct BalancePreview {
   std::vector<std::string> missing{};  ///< codes of people whose factors are not all recorded
 };
 /// kAllocationRun. Throws Error{kBadParameter} for a plan that breaks the rules of its method.
-[[nodiscard]] BalancePreview previewBalance(SessionContext& workplace, const AllocationPlan& plan);
+[[nodiscard]] BalancePreview previewBalance(SessionContext& session, const AllocationPlan& plan);
 
 /// A locked design as the office sees it.
 struct AllocationDesignRow {
@@ -60,10 +60,10 @@ struct AllocationDesignRow {
 /// Fixes the design, draws and seals the seed. Returns the design with its commitment, which may be
 /// published. Supersedes an earlier design for whoever is not allocated yet; once somebody is, only with a
 /// reason. Audited. kAllocationRun.
-AllocationDesignRow lockAllocation(SessionContext& workplace, const AllocationPlan& plan,
+AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan& plan,
                                    const std::string& supersedeReason = {});
 /// Oldest first; the last one counts. kAllocationView.
-[[nodiscard]] std::vector<AllocationDesignRow> allocationDesigns(SessionContext& workplace,
+[[nodiscard]] std::vector<AllocationDesignRow> allocationDesigns(SessionContext& session,
                                                                  const std::string& cohortId);
 /// What goes into one envelope.
 struct SealedCard {
@@ -74,27 +74,25 @@ struct SealedCard {
 };
 /// The cards of the newest design, in the order of the draw, to be printed and put into envelopes. That they
 /// were taken out is audited. kAllocationRun. Throws Error{kBadData} when nobody is allocated yet.
-[[nodiscard]] std::vector<SealedCard> takeOutCards(SessionContext& workplace, const std::string& cohortId);
+[[nodiscard]] std::vector<SealedCard> takeOutCards(SessionContext& session, const std::string& cohortId);
 
 /// Who was put where, in order, overrides too. kAllocationView.
-[[nodiscard]] std::vector<StoredAllocation> allocations(SessionContext& workplace,
-                                                        const std::string& designId);
+[[nodiscard]] std::vector<StoredAllocation> allocations(SessionContext& session, const std::string& designId);
 
 /// Draws the group of one enrolment. Audited. kAllocationRun. Throws Error{kBadData}: no design, allocated
 /// already, a factor is not recorded, the list is used up.
-StoredAllocation allocateOne(SessionContext& workplace, const std::string& cohortId,
+StoredAllocation allocateOne(SessionContext& session, const std::string& cohortId,
                              const std::string& enrolmentId);
 /// Everybody who is enrolled and has no group, by code: all or none. Returns how many. The same.
-std::size_t allocateAll(SessionContext& workplace, const std::string& cohortId);
+std::size_t allocateAll(SessionContext& session, const std::string& cohortId);
 /// Moves somebody to another group, as a new record with its reason beside the drawn one. Audited.
 /// kAllocationRun.
-StoredAllocation overrideAllocation(SessionContext& workplace, const std::string& cohortId,
+StoredAllocation overrideAllocation(SessionContext& session, const std::string& cohortId,
                                     const std::string& enrolmentId, const std::string& groupId,
                                     const std::string& reason);
 /// Opens the seal: from now on anybody can repeat the draw. Returns the seed. Audited. kAllocationReveal.
 /// Refused while an enrolled person has no group, unless a reason is given.
-std::string revealSeed(SessionContext& workplace, const std::string& designId,
-                       const std::string& reason = {});
+std::string revealSeed(SessionContext& session, const std::string& designId, const std::string& reason = {});
 
 struct AllocationCheck {
   bool sound = true;
@@ -103,6 +101,6 @@ struct AllocationCheck {
   std::size_t overrides = 0;
 };
 /// Repeats the whole draw from the seed and compares commitment, chain and every record. kAllocationView.
-[[nodiscard]] AllocationCheck checkAllocation(SessionContext& workplace, const std::string& designId);
+[[nodiscard]] AllocationCheck checkAllocation(SessionContext& session, const std::string& designId);
 
 }  // namespace torsio

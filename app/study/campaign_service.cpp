@@ -76,7 +76,7 @@ void checkModels(const std::vector<NewModel>& models) {
 }
 
 /// The raters of the plan by class, in the order of codes.
-std::map<std::string, std::vector<StoredRater>> ratersByClass(SessionContext& workplace,
+std::map<std::string, std::vector<StoredRater>> ratersByClass(SessionContext& session,
                                                               const CampaignPlan& plan) {
   std::map<std::string, std::int64_t> weight_milli;
   for (const RaterClass& raterClass : plan.instrument.classes) {
@@ -85,7 +85,7 @@ std::map<std::string, std::vector<StoredRater>> ratersByClass(SessionContext& wo
   const std::set<std::string> wanted(plan.raterIds.begin(), plan.raterIds.end());
   std::map<std::string, std::vector<StoredRater>> byClass;
   std::size_t found = 0;
-  for (StoredRater& rater : PeopleRepository(workplace.connection()).raters()) {
+  for (StoredRater& rater : PeopleRepository(session.connection()).raters()) {
     if (!wanted.contains(rater.person.id) || rater.person.state != "active") {
       continue;
     }
@@ -120,20 +120,20 @@ EvaluationInstrument paperEvaluationInstrument() {
   return instrument;
 }
 
-std::string addCampaign(SessionContext& workplace, const CampaignPlan& plan) {
-  workplace.require(Operation::kEvaluationSetup);
+std::string addCampaign(SessionContext& session, const CampaignPlan& plan) {
+  session.require(Operation::kEvaluationSetup);
   if (plan.name.empty()) {
     refuseParameter("the evaluation has no name", "name", "Enter one");
   }
   checkModels(plan.models);
   validateInstrument(plan.instrument);
-  Transaction transaction(workplace.connection());
-  const std::uint64_t seed = plan.seed ? *plan.seed : drawSeed(workplace.ids());
+  Transaction transaction(session.connection());
+  const std::uint64_t seed = plan.seed ? *plan.seed : drawSeed(session.ids());
   StoredCampaign campaign;
-  campaign.id = workplace.ids().newUuid();
+  campaign.id = session.ids().newUuid();
   campaign.name = plan.name;
   campaign.instrument = plan.instrument;
-  campaign.createdUtc_us = workplace.now_us();
+  campaign.createdUtc_us = session.now_us();
   campaign.demonstration = plan.demonstration;
   Random labelDraw = Random::forStream(seed, kLabelStream);
   const std::vector<std::string> labels = hiddenLabels(plan.models.size(), labelDraw);
@@ -142,7 +142,7 @@ std::string addCampaign(SessionContext& workplace, const CampaignPlan& plan) {
         {plan.models[i].code, plan.models[i].label, labels[i], static_cast<std::int64_t>(i + 1)});
   }
   Random orderDraw = Random::forStream(seed, kOrderStream);
-  for (const auto& [classCode, raters] : ratersByClass(workplace, plan)) {
+  for (const auto& [classCode, raters] : ratersByClass(session, plan)) {
     // Each class goes through all orders before one comes again; which rater gets which is drawn.
     std::vector<std::vector<std::size_t>> orders;
     for (std::size_t i = 0; i < raters.size(); ++i) {
@@ -158,23 +158,23 @@ std::string addCampaign(SessionContext& workplace, const CampaignPlan& plan) {
       campaign.raters.push_back({raters[i].person.id, classCode, text});
     }
   }
-  EvaluationRepository(workplace.connection()).addCampaign(campaign);
-  workplace.note({.action = "evaluation.add",
-                  .objectKind = "evaluation_campaign",
-                  .objectId = campaign.id,
-                  .newJson = nlohmann::json{{"models", plan.models.size()},
-                                            {"raters", campaign.raters.size()},
-                                            {"seed", std::to_string(seed)}}
-                                 .dump()});
+  EvaluationRepository(session.connection()).addCampaign(campaign);
+  session.note({.action = "evaluation.add",
+                .objectKind = "evaluation_campaign",
+                .objectId = campaign.id,
+                .newJson = nlohmann::json{{"models", plan.models.size()},
+                                          {"raters", campaign.raters.size()},
+                                          {"seed", std::to_string(seed)}}
+                               .dump()});
   transaction.commit();
   return campaign.id;
 }
 
-std::vector<CampaignRow> campaigns(SessionContext& workplace) {
-  workplace.require(Operation::kEvaluationSetup);
-  EvaluationRepository repository(workplace.connection());
+std::vector<CampaignRow> campaigns(SessionContext& session) {
+  session.require(Operation::kEvaluationSetup);
+  EvaluationRepository repository(session.connection());
   std::map<std::string, std::string> codes;
-  for (const StoredRater& rater : PeopleRepository(workplace.connection()).raters()) {
+  for (const StoredRater& rater : PeopleRepository(session.connection()).raters()) {
     codes[rater.person.id] = rater.person.code;
   }
   std::vector<CampaignRow> rows;

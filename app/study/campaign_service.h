@@ -35,7 +35,7 @@ struct CampaignPlan {
 /// within each class (every order as often as any other, up to four models; beyond, rows of a Latin square).
 /// Returns the id. Audited. kEvaluationSetup. Throws Error{kBadParameter}: weights that do not sum to 1,
 /// fewer than two models, a weighted class without a rater, a rater whose class has no weight.
-std::string addCampaign(SessionContext& workplace, const CampaignPlan& plan);
+std::string addCampaign(SessionContext& session, const CampaignPlan& plan);
 
 struct CampaignRow {
   StoredCampaign campaign{};
@@ -51,6 +51,6 @@ struct CampaignRow {
   std::vector<Rater> raters{};
 };
 /// Oldest first, with who has scored how much; no marks. kEvaluationSetup.
-[[nodiscard]] std::vector<CampaignRow> campaigns(SessionContext& workplace);
+[[nodiscard]] std::vector<CampaignRow> campaigns(SessionContext& session);
 
 }  // namespace torsio

@@ -3,14 +3,14 @@
 
 namespace torsio {
 
-std::vector<TrialListing> codedTrials(SessionContext& workplace, const TrialFilter& filter) {
-  workplace.require(Operation::kTrialViewCoded);
-  return TrialRepository(workplace.connection()).list(filter);
+std::vector<TrialListing> codedTrials(SessionContext& session, const TrialFilter& filter) {
+  session.require(Operation::kTrialViewCoded);
+  return TrialRepository(session.connection()).list(filter);
 }
 
-std::vector<StoredTrainingMark> codedMarks(SessionContext& workplace, const std::string& cohortId) {
-  workplace.require(Operation::kMarkViewCoded);
-  return RatingRepository(workplace.connection()).marks(cohortId);
+std::vector<StoredTrainingMark> codedMarks(SessionContext& session, const std::string& cohortId) {
+  session.require(Operation::kMarkViewCoded);
+  return RatingRepository(session.connection()).marks(cohortId);
 }
 
 }  // namespace torsio

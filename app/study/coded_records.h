@@ -11,11 +11,10 @@
 namespace torsio {
 
 /// Recordings under their codes, newest first. kTrialViewCoded.
-[[nodiscard]] std::vector<TrialListing> codedTrials(SessionContext& workplace,
-                                                    const TrialFilter& filter = {});
+[[nodiscard]] std::vector<TrialListing> codedTrials(SessionContext& session, const TrialFilter& filter = {});
 
 /// Every newest mark of a cohort under the codes of trainee and rater. kMarkViewCoded.
-[[nodiscard]] std::vector<StoredTrainingMark> codedMarks(SessionContext& workplace,
+[[nodiscard]] std::vector<StoredTrainingMark> codedMarks(SessionContext& session,
                                                          const std::string& cohortId);
 
 }  // namespace torsio

@@ -53,16 +53,16 @@ const StoredPhase* phaseOf(const StudyArm& arm, const std::string& phaseId) {
   return found == arm.phases.end() ? nullptr : &*found;
 }
 
-void checkPhase(SessionContext& workplace, const StoredCohort& cohort, const StoredEnrolment& enrolment,
+void checkPhase(SessionContext& session, const StoredCohort& cohort, const StoredEnrolment& enrolment,
                 const NewExposure& exposure) {
   if (exposure.phaseId.empty()) {
     return;
   }
-  const auto version = CurriculumRepository(workplace.connection()).version(cohort.curriculumVersionId);
+  const auto version = CurriculumRepository(session.connection()).version(cohort.curriculumVersionId);
   if (!version) {
     refuse("the cohort follows no curriculum", "phase", "Record the time without a phase");
   }
-  StudyRepository study(workplace.connection());
+  StudyRepository study(session.connection());
   std::string armId;
   for (const StoredGroup& group : study.groups(cohort.id)) {
     if (group.id == enrolment.groupId) {
@@ -90,10 +90,10 @@ void checkPhase(SessionContext& workplace, const StoredCohort& cohort, const Sto
 
 }  // namespace
 
-std::vector<CohortRow> cohorts(SessionContext& workplace) {
-  workplace.require(Operation::kPersonViewCoded);
-  StudyRepository study(workplace.connection());
-  CurriculumRepository curricula(workplace.connection());
+std::vector<CohortRow> cohorts(SessionContext& session) {
+  session.require(Operation::kPersonViewCoded);
+  StudyRepository study(session.connection());
+  CurriculumRepository curricula(session.connection());
   std::vector<CohortRow> rows;
   for (StoredCohort& cohort : study.cohorts()) {
     CohortRow row;
@@ -122,10 +122,10 @@ std::vector<CohortRow> cohorts(SessionContext& workplace) {
   return rows;
 }
 
-std::vector<StoredEnrolment> enrolments(SessionContext& workplace, const std::string& cohortId) {
-  workplace.require(Operation::kPersonViewCoded);
-  std::vector<StoredEnrolment> list = StudyRepository(workplace.connection()).enrolments(cohortId);
-  if (workplace.may(Operation::kAllocationView)) {
+std::vector<StoredEnrolment> enrolments(SessionContext& session, const std::string& cohortId) {
+  session.require(Operation::kPersonViewCoded);
+  std::vector<StoredEnrolment> list = StudyRepository(session.connection()).enrolments(cohortId);
+  if (session.may(Operation::kAllocationView)) {
     return list;
   }
   for (StoredEnrolment& enrolment : list) {
@@ -139,13 +139,13 @@ std::vector<StoredEnrolment> enrolments(SessionContext& workplace, const std::st
   return list;
 }
 
-std::string addCohort(SessionContext& workplace, const NewCohort& cohort) {
-  workplace.require(Operation::kStudySetup);
+std::string addCohort(SessionContext& session, const NewCohort& cohort) {
+  session.require(Operation::kStudySetup);
   checkNewCohort(cohort);
-  Transaction transaction(workplace.connection());
-  const std::string id = workplace.ids().newUuid();
+  Transaction transaction(session.connection());
+  const std::string id = session.ids().newUuid();
   std::vector<NewGroup> names = cohort.groups;
-  CurriculumRepository curricula(workplace.connection());
+  CurriculumRepository curricula(session.connection());
   if (names.empty()) {
     const auto version = curricula.version(cohort.curriculumVersionId);
     if (!version) {
@@ -157,11 +157,11 @@ std::string addCohort(SessionContext& workplace, const NewCohort& cohort) {
   }
   std::vector<StoredGroup> groups;
   for (const NewGroup& group : names) {
-    groups.push_back({workplace.ids().newUuid(), id, static_cast<std::int64_t>(groups.size() + 1), group.code,
-                      group.label});
+    groups.push_back(
+        {session.ids().newUuid(), id, static_cast<std::int64_t>(groups.size() + 1), group.code, group.label});
   }
-  StudyRepository(workplace.connection())
-      .addCohort({id, cohort.name, cohort.description, workplace.now_us(), cohort.demonstration}, groups);
+  StudyRepository(session.connection())
+      .addCohort({id, cohort.name, cohort.description, session.now_us(), cohort.demonstration}, groups);
   nlohmann::json now{{"groups", nlohmann::json::array()}, {"curriculum_version", cohort.curriculumVersionId}};
   for (const StoredGroup& group : groups) {
     now["groups"].push_back(group.code);
@@ -169,43 +169,43 @@ std::string addCohort(SessionContext& workplace, const NewCohort& cohort) {
   if (!cohort.curriculumVersionId.empty()) {
     curricula.assign(id, cohort.curriculumVersionId);
   }
-  workplace.note({.action = "cohort.add", .objectKind = "cohort", .objectId = id, .newJson = now.dump()});
+  session.note({.action = "cohort.add", .objectKind = "cohort", .objectId = id, .newJson = now.dump()});
   transaction.commit();
   return id;
 }
 
-void assignCurriculum(SessionContext& workplace, const std::string& cohortId, const std::string& versionId) {
-  workplace.require(Operation::kStudySetup);
-  Transaction transaction(workplace.connection());
-  StudyRepository study(workplace.connection());
+void assignCurriculum(SessionContext& session, const std::string& cohortId, const std::string& versionId) {
+  session.require(Operation::kStudySetup);
+  Transaction transaction(session.connection());
+  StudyRepository study(session.connection());
   const StoredCohort before = study.cohort(cohortId);
   if (!study.exposures(cohortId).empty()) {
     refuse("training has begun: the curriculum of this cohort stays", before.name,
            "Make another cohort for the other curriculum");
   }
-  CurriculumRepository(workplace.connection()).assign(cohortId, versionId);
-  workplace.note({.action = "cohort.assign_curriculum",
-                  .objectKind = "cohort",
-                  .objectId = cohortId,
-                  .oldJson = nlohmann::json{{"curriculum_version", before.curriculumVersionId}}.dump(),
-                  .newJson = nlohmann::json{{"curriculum_version", versionId}}.dump()});
+  CurriculumRepository(session.connection()).assign(cohortId, versionId);
+  session.note({.action = "cohort.assign_curriculum",
+                .objectKind = "cohort",
+                .objectId = cohortId,
+                .oldJson = nlohmann::json{{"curriculum_version", before.curriculumVersionId}}.dump(),
+                .newJson = nlohmann::json{{"curriculum_version", versionId}}.dump()});
   transaction.commit();
 }
 
-std::vector<std::string> enrolTrainees(SessionContext& workplace, const std::string& cohortId,
+std::vector<std::string> enrolTrainees(SessionContext& session, const std::string& cohortId,
                                        const std::vector<std::string>& traineeIds) {
-  workplace.require(Operation::kStudyEnrol);
+  session.require(Operation::kStudyEnrol);
   if (traineeIds.empty()) {
     refuse("nobody was chosen", "enrolment", "Choose at least one trainee");
   }
-  Transaction transaction(workplace.connection());
-  StudyRepository study(workplace.connection());
+  Transaction transaction(session.connection());
+  StudyRepository study(session.connection());
   const StoredCohort cohort = study.cohort(cohortId);
   std::set<std::string> enrolled;
   for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
     enrolled.insert(enrolment.traineeId);
   }
-  PeopleRepository people(workplace.connection());
+  PeopleRepository people(session.connection());
   std::vector<StoredEnrolment> records;
   std::vector<std::string> ids;
   for (const std::string& traineeId : traineeIds) {
@@ -216,38 +216,38 @@ std::vector<std::string> enrolTrainees(SessionContext& workplace, const std::str
     if (!enrolled.insert(traineeId).second) {
       refuse("is enrolled in this cohort already", person->code, "Leave them out");
     }
-    ids.push_back(workplace.ids().newUuid());
+    ids.push_back(session.ids().newUuid());
     records.push_back({.id = ids.back(),
                        .cohortId = cohortId,
                        .traineeId = traineeId,
-                       .enrolledUtc_us = workplace.now_us(),
+                       .enrolledUtc_us = session.now_us(),
                        .demonstration = cohort.demonstration});
-    workplace.note({.action = "enrolment.add",
-                    .objectKind = "enrolment",
-                    .objectId = ids.back(),
-                    .newJson = nlohmann::json{{"cohort", cohortId}, {"trainee", person->code}}.dump()});
+    session.note({.action = "enrolment.add",
+                  .objectKind = "enrolment",
+                  .objectId = ids.back(),
+                  .newJson = nlohmann::json{{"cohort", cohortId}, {"trainee", person->code}}.dump()});
   }
   study.enrol(records);
   transaction.commit();
   return ids;
 }
 
-void setEnrolmentState(SessionContext& workplace, const std::string& cohortId, const std::string& enrolmentId,
+void setEnrolmentState(SessionContext& session, const std::string& cohortId, const std::string& enrolmentId,
                        EnrolmentState state, const std::string& reason) {
-  workplace.require(Operation::kStudyEnrol);
+  session.require(Operation::kStudyEnrol);
   if (state == EnrolmentState::kWithdrawn && reason.empty()) {
     refuse("a withdrawal needs a reason", enrolmentId, "Say in a few words why");
   }
-  Transaction transaction(workplace.connection());
-  StudyRepository study(workplace.connection());
+  Transaction transaction(session.connection());
+  StudyRepository study(session.connection());
   const StoredEnrolment before = enrolmentOf(study, cohortId, enrolmentId);
   study.setEnrolmentState(enrolmentId, state);
-  workplace.note({.action = "enrolment.set_state",
-                  .objectKind = "enrolment",
-                  .objectId = enrolmentId,
-                  .oldJson = nlohmann::json{{"state", storedText(before.state)}}.dump(),
-                  .newJson = nlohmann::json{{"state", storedText(state)}}.dump(),
-                  .reason = reason});
+  session.note({.action = "enrolment.set_state",
+                .objectKind = "enrolment",
+                .objectId = enrolmentId,
+                .oldJson = nlohmann::json{{"state", storedText(before.state)}}.dump(),
+                .newJson = nlohmann::json{{"state", storedText(state)}}.dump(),
+                .reason = reason});
   transaction.commit();
 }
 
@@ -258,45 +258,45 @@ const std::vector<std::string>& deviationKinds() {
   return kKinds;
 }
 
-std::string reportDeviation(SessionContext& workplace, const NewDeviation& deviation) {
-  workplace.require(Operation::kStudySetup);
+std::string reportDeviation(SessionContext& session, const NewDeviation& deviation) {
+  session.require(Operation::kStudySetup);
   if (std::find(deviationKinds().begin(), deviationKinds().end(), deviation.kind) == deviationKinds().end()) {
     refuse("this kind of deviation is not known", deviation.kind, "Choose one from the list");
   }
   if (deviation.kind == "other" && deviation.description.empty()) {
     refuse("\"other\" needs a description", "deviation", "Say in a few words what happened");
   }
-  Transaction transaction(workplace.connection());
-  StudyRepository study(workplace.connection());
+  Transaction transaction(session.connection());
+  StudyRepository study(session.connection());
   const StoredCohort cohort = study.cohort(deviation.cohortId);
   if (!deviation.enrolmentId.empty()) {
     (void)enrolmentOf(study, cohort.id, deviation.enrolmentId);
   }
-  const std::int64_t now_us = workplace.now_us();
-  const std::string id = workplace.ids().newUuid();
+  const std::int64_t now_us = session.now_us();
+  const std::string id = session.ids().newUuid();
   study.addDeviation({id, cohort.id, deviation.enrolmentId, deviation.kind, deviation.description,
                       deviation.happenedUtc_us == 0 ? now_us : deviation.happenedUtc_us,
-                      workplace.actor().userId, now_us, cohort.demonstration});
+                      session.actor().userId, now_us, cohort.demonstration});
   // The description is free text and may name somebody: it stays out of the trail.
-  workplace.note({.action = "deviation.report",
-                  .objectKind = "deviation",
-                  .objectId = id,
-                  .newJson = nlohmann::json{{"kind", deviation.kind},
-                                            {"cohort", cohort.id},
-                                            {"enrolment", deviation.enrolmentId}}
-                                 .dump()});
+  session.note({.action = "deviation.report",
+                .objectKind = "deviation",
+                .objectId = id,
+                .newJson =
+                    nlohmann::json{
+                        {"kind", deviation.kind}, {"cohort", cohort.id}, {"enrolment", deviation.enrolmentId}}
+                        .dump()});
   transaction.commit();
   return id;
 }
 
-std::vector<StoredDeviation> deviations(SessionContext& workplace, const std::string& cohortId) {
-  workplace.require(Operation::kPersonViewCoded);
-  return StudyRepository(workplace.connection()).deviations(cohortId);
+std::vector<StoredDeviation> deviations(SessionContext& session, const std::string& cohortId) {
+  session.require(Operation::kPersonViewCoded);
+  return StudyRepository(session.connection()).deviations(cohortId);
 }
 
-std::string recordExposure(SessionContext& workplace, const NewExposure& exposure) {
-  if (!workplace.may(Operation::kStudySetup)) {
-    workplace.require(Operation::kTrialRecordOwn);
+std::string recordExposure(SessionContext& session, const NewExposure& exposure) {
+  if (!session.may(Operation::kStudySetup)) {
+    session.require(Operation::kTrialRecordOwn);
   }
   if (exposure.kind != "virtual" && exposure.kind != "real" && exposure.kind != "rest") {
     refuse("this is no kind of training time", exposure.kind, "Choose virtual, real or rest");
@@ -304,29 +304,29 @@ std::string recordExposure(SessionContext& workplace, const NewExposure& exposur
   if (exposure.duration_us <= 0) {
     refuse("no time was spent", "exposure", "Enter the minutes");
   }
-  Transaction transaction(workplace.connection());
-  StudyRepository study(workplace.connection());
+  Transaction transaction(session.connection());
+  StudyRepository study(session.connection());
   const StoredCohort cohort = study.cohort(exposure.cohortId);
   const StoredEnrolment enrolment = enrolmentOf(study, exposure.cohortId, exposure.enrolmentId);
-  if (!workplace.may(Operation::kStudySetup)) {
-    workplace.requireOwn(Operation::kTrialRecordOwn, enrolment.traineeId);
+  if (!session.may(Operation::kStudySetup)) {
+    session.requireOwn(Operation::kTrialRecordOwn, enrolment.traineeId);
   }
   if (enrolment.state == EnrolmentState::kWithdrawn) {
     refuse("has withdrawn from the study", enrolment.traineeCode, "Nothing is recorded any more");
   }
-  checkPhase(workplace, cohort, enrolment, exposure);
-  StoredExposure stored{
-      workplace.ids().newUuid(), exposure.enrolmentId, exposure.phaseId,         exposure.kind,
-      exposure.startedUtc_us,    exposure.duration_us, workplace.actor().userId, enrolment.demonstration};
+  checkPhase(session, cohort, enrolment, exposure);
+  StoredExposure stored{session.ids().newUuid(), exposure.enrolmentId,   exposure.phaseId,
+                        exposure.kind,           exposure.startedUtc_us, exposure.duration_us,
+                        session.actor().userId,  enrolment.demonstration};
   study.addExposures(std::span(&stored, 1));
-  workplace.note({.action = "exposure.record",
-                  .objectKind = "exposure",
-                  .objectId = stored.id,
-                  .newJson = nlohmann::json{{"enrolment", exposure.enrolmentId},
-                                            {"kind", exposure.kind},
-                                            {"phase", exposure.phaseId},
-                                            {"duration_us", exposure.duration_us}}
-                                 .dump()});
+  session.note({.action = "exposure.record",
+                .objectKind = "exposure",
+                .objectId = stored.id,
+                .newJson = nlohmann::json{{"enrolment", exposure.enrolmentId},
+                                          {"kind", exposure.kind},
+                                          {"phase", exposure.phaseId},
+                                          {"duration_us", exposure.duration_us}}
+                               .dump()});
   transaction.commit();
   return stored.id;
 }

@@ -24,10 +24,10 @@ struct CohortRow {
 };
 
 /// All cohorts, oldest first. kPersonViewCoded.
-[[nodiscard]] std::vector<CohortRow> cohorts(SessionContext& workplace);
+[[nodiscard]] std::vector<CohortRow> cohorts(SessionContext& session);
 /// Enrolments in order of group and number. Without kAllocationView the groups are left out.
 /// kPersonViewCoded.
-[[nodiscard]] std::vector<StoredEnrolment> enrolments(SessionContext& workplace, const std::string& cohortId);
+[[nodiscard]] std::vector<StoredEnrolment> enrolments(SessionContext& session, const std::string& cohortId);
 
 struct NewGroup {
   std::string code{};   ///< "G1"
@@ -42,17 +42,17 @@ struct NewCohort {
 };
 /// Returns the id. Audited. kStudySetup. Throws Error{kBadParameter}: no name, no groups, a code twice;
 /// kBadData when the curriculum is not running or has not an arm a group.
-std::string addCohort(SessionContext& workplace, const NewCohort& cohort);
+std::string addCohort(SessionContext& session, const NewCohort& cohort);
 /// Ties the groups, number by number, to the arms of a running version. Audited. kStudySetup. Refused once
 /// training has begun.
-void assignCurriculum(SessionContext& workplace, const std::string& cohortId, const std::string& versionId);
+void assignCurriculum(SessionContext& session, const std::string& cohortId, const std::string& versionId);
 
 /// Enrols trainees (ids of people), before allocation. Returns the ids of the enrolments. Audited.
 /// kStudyEnrol. Throws Error{kBadData} for somebody who is no active trainee or is enrolled already.
-std::vector<std::string> enrolTrainees(SessionContext& workplace, const std::string& cohortId,
+std::vector<std::string> enrolTrainees(SessionContext& session, const std::string& cohortId,
                                        const std::vector<std::string>& traineeIds);
 /// Completed or withdrawn (or back to enrolled); what was recorded stays. Audited. kStudyEnrol.
-void setEnrolmentState(SessionContext& workplace, const std::string& cohortId, const std::string& enrolmentId,
+void setEnrolmentState(SessionContext& session, const std::string& cohortId, const std::string& enrolmentId,
                        EnrolmentState state, const std::string& reason);
 
 /// Something that did not go by the protocol.
@@ -67,9 +67,9 @@ struct NewDeviation {
 /// "other".
 [[nodiscard]] const std::vector<std::string>& deviationKinds();
 /// Audited. kStudySetup.
-std::string reportDeviation(SessionContext& workplace, const NewDeviation& deviation);
+std::string reportDeviation(SessionContext& session, const NewDeviation& deviation);
 /// Oldest first. kPersonViewCoded.
-[[nodiscard]] std::vector<StoredDeviation> deviations(SessionContext& workplace, const std::string& cohortId);
+[[nodiscard]] std::vector<StoredDeviation> deviations(SessionContext& session, const std::string& cohortId);
 
 /// Time spent on the virtual or real arm, or resting.
 struct NewExposure {
@@ -82,6 +82,6 @@ struct NewExposure {
 };
 /// Append-only. One's own at the station: kTrialRecordOwn; anybody's, on the run day: kStudySetup. Audited.
 /// Throws Error{kBadData}: not enrolled, a phase of another arm, a kind that is not the phase's, no time.
-std::string recordExposure(SessionContext& workplace, const NewExposure& exposure);
+std::string recordExposure(SessionContext& session, const NewExposure& exposure);
 
 }  // namespace torsio

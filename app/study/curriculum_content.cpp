@@ -210,13 +210,13 @@ StoredCurriculumVersion readContent(JsonFields& fields) {
   for (std::size_t i = 0; i < arms.size(); ++i) {
     content.arms.push_back(readArm(arms[i], placeIn(fields, "arms", i)));
   }
-  const std::vector<json> points = elements(fields, "scoring_points");
+  const std::vector<json> points = elements(fields, "occasions");
   for (std::size_t i = 0; i < points.size(); ++i) {
-    JsonFields point(points[i], placeIn(fields, "scoring_points", i));
-    StoredScoringPoint stored{point.text("code", ""),
-                              microseconds(point, "after_min", kMostMinutes, kMinute_us, 0.0)};
+    JsonFields point(points[i], placeIn(fields, "occasions", i));
+    PlannedOccasion stored{point.text("code", ""),
+                           microseconds(point, "after_min", kMostMinutes, kMinute_us, 0.0)};
     point.finish();
-    content.scoringPoints.push_back(std::move(stored));
+    content.plannedOccasions.push_back(std::move(stored));
   }
   return content;
 }
@@ -232,18 +232,16 @@ json parsed(const std::string& text, const std::string& name) {
 }  // namespace
 
 std::string curriculumJson(const StoredCurriculumVersion& content) {
-  json out{{"format", kFormat},
-           {"modules", json::array()},
-           {"arms", json::array()},
-           {"scoring_points", json::array()}};
+  json out{
+      {"format", kFormat}, {"modules", json::array()}, {"arms", json::array()}, {"occasions", json::array()}};
   for (const StoredModule& module : content.modules) {
     out["modules"].push_back(moduleJson(module));
   }
   for (const StudyArm& arm : content.arms) {
     out["arms"].push_back(armJson(arm));
   }
-  for (const StoredScoringPoint& point : content.scoringPoints) {
-    out["scoring_points"].push_back(
+  for (const PlannedOccasion& point : content.plannedOccasions) {
+    out["occasions"].push_back(
         {{"code", point.code}, {"after_min", static_cast<double>(point.afterExposure_us) / kMinute_us}});
   }
   return out.dump(2);

@@ -230,7 +230,7 @@ class Examination {
     }
     std::int64_t before_us = -1;
     for (const Occasion& occasion : known_) {
-      for (const StoredScoringPoint& point : content_.scoringPoints) {
+      for (const PlannedOccasion& point : content_.plannedOccasions) {
         if (point.code != occasion.code) {
           continue;
         }
@@ -247,7 +247,7 @@ class Examination {
         }
       }
     }
-    for (const StoredScoringPoint& point : content_.scoringPoints) {
+    for (const PlannedOccasion& point : content_.plannedOccasions) {
       if (!seen.contains(point.code)) {
         add(Text("occasion \"%1\"", point.code), "is not known", "Choose one from the list");
       }

@@ -72,27 +72,27 @@ StoredCurriculumVersion withIds(StoredCurriculumVersion content, IdSource& ids) 
   return content;
 }
 
-void moveTo(SessionContext& workplace, const std::string& versionId, const std::string& state,
+void moveTo(SessionContext& session, const std::string& versionId, const std::string& state,
             const std::string& reason) {
-  workplace.require(Operation::kCurriculumEdit);
-  Transaction transaction(workplace.connection());
-  CurriculumRepository(workplace.connection())
-      .moveTo(versionId, state, workplace.actor().userId, workplace.now_us());
-  workplace.note({.action = "curriculum." + state,
-                  .objectKind = "curriculum_version",
-                  .objectId = versionId,
-                  .newJson = nlohmann::json{{"state", state}}.dump(),
-                  .reason = reason});
+  session.require(Operation::kCurriculumEdit);
+  Transaction transaction(session.connection());
+  CurriculumRepository(session.connection())
+      .moveTo(versionId, state, session.actor().userId, session.now_us());
+  session.note({.action = "curriculum." + state,
+                .objectKind = "curriculum_version",
+                .objectId = versionId,
+                .newJson = nlohmann::json{{"state", state}}.dump(),
+                .reason = reason});
   transaction.commit();
 }
 
 }  // namespace
 
-std::vector<CurriculumRow> curricula(SessionContext& workplace) {
-  workplace.require(Operation::kPersonViewCoded);
-  CurriculumRepository repository(workplace.connection());
+std::vector<CurriculumRow> curricula(SessionContext& session) {
+  session.require(Operation::kPersonViewCoded);
+  CurriculumRepository repository(session.connection());
   std::map<std::string, std::vector<std::string>> followers;
-  for (const StoredCohort& cohort : StudyRepository(workplace.connection()).cohorts()) {
+  for (const StoredCohort& cohort : StudyRepository(session.connection()).cohorts()) {
     followers[cohort.curriculumVersionId].push_back(cohort.name);
   }
   std::vector<CurriculumRow> rows;
@@ -113,43 +113,43 @@ std::vector<CurriculumRow> curricula(SessionContext& workplace) {
   return rows;
 }
 
-StoredCurriculumVersion publishedContent(SessionContext& workplace, const std::string& versionId) {
-  workplace.require(Operation::kPersonViewCoded);
-  auto version = CurriculumRepository(workplace.connection()).version(versionId);
+StoredCurriculumVersion publishedContent(SessionContext& session, const std::string& versionId) {
+  session.require(Operation::kPersonViewCoded);
+  auto version = CurriculumRepository(session.connection()).version(versionId);
   if (!version) {
     throw Error(ErrorCode::kBadData, "there is no such version", versionId, "Choose one from the list");
   }
   return withCodes(*std::move(version));
 }
 
-std::optional<StoredCurriculumVersion> curriculumVersion(SessionContext& workplace,
+std::optional<StoredCurriculumVersion> curriculumVersion(SessionContext& session,
                                                          const std::string& versionId) {
-  if (!workplace.may(Operation::kPractice)) {
-    workplace.require(Operation::kPersonViewCoded);
+  if (!session.may(Operation::kPractice)) {
+    session.require(Operation::kPersonViewCoded);
   }
-  return CurriculumRepository(workplace.connection()).version(versionId);
+  return CurriculumRepository(session.connection()).version(versionId);
 }
 
-std::string addCurriculum(SessionContext& workplace, const std::string& name, const std::string& description,
+std::string addCurriculum(SessionContext& session, const std::string& name, const std::string& description,
                           const std::optional<StoredCurriculumVersion>& content, bool demonstration) {
-  workplace.require(Operation::kCurriculumEdit);
+  session.require(Operation::kCurriculumEdit);
   if (name.empty()) {
     throw Error(ErrorCode::kBadParameter, "the curriculum has no name", "curriculum", "Enter one");
   }
-  Transaction transaction(workplace.connection());
-  CurriculumRepository repository(workplace.connection());
-  const std::string id = workplace.ids().newUuid();
-  repository.addCurriculum({id, name, description, workplace.now_us(), demonstration});
+  Transaction transaction(session.connection());
+  CurriculumRepository repository(session.connection());
+  const std::string id = session.ids().newUuid();
+  repository.addCurriculum({id, name, description, session.now_us(), demonstration});
   repository.saveDraft(id, {0, curriculumJson(content.value_or(StoredCurriculumVersion{})),
-                            workplace.actor().userId, workplace.now_us()});
-  workplace.note({.action = "curriculum.add", .objectKind = "curriculum", .objectId = id});
+                            session.actor().userId, session.now_us()});
+  session.note({.action = "curriculum.add", .objectKind = "curriculum", .objectId = id});
   transaction.commit();
   return id;
 }
 
-CurriculumDraft curriculumDraft(SessionContext& workplace, const std::string& curriculumId) {
-  workplace.require(Operation::kCurriculumEdit);
-  CurriculumRepository repository(workplace.connection());
+CurriculumDraft curriculumDraft(SessionContext& session, const std::string& curriculumId) {
+  session.require(Operation::kCurriculumEdit);
+  CurriculumRepository repository(session.connection());
   const StoredCurriculum curriculum = curriculumOf(repository, curriculumId);
   if (const auto draft = repository.draft(curriculumId)) {
     return {draft->revision, parseCurriculum(draft->contentJson, curriculum.name), draft->changedBy,
@@ -162,56 +162,56 @@ CurriculumDraft curriculumDraft(SessionContext& workplace, const std::string& cu
   return {0, withCodes(repository.version(versions.back()).value()), "", 0};
 }
 
-std::int64_t saveCurriculumDraft(SessionContext& workplace, const std::string& curriculumId,
+std::int64_t saveCurriculumDraft(SessionContext& session, const std::string& curriculumId,
                                  const CurriculumDraft& draft) {
-  workplace.require(Operation::kCurriculumEdit);
-  Transaction transaction(workplace.connection());
-  const std::int64_t revision = CurriculumRepository(workplace.connection())
+  session.require(Operation::kCurriculumEdit);
+  Transaction transaction(session.connection());
+  const std::int64_t revision = CurriculumRepository(session.connection())
                                     .saveDraft(curriculumId, {draft.revision, curriculumJson(draft.content),
-                                                              workplace.actor().userId, workplace.now_us()});
+                                                              session.actor().userId, session.now_us()});
   // One entry for the first save in a row of the same person would hide who wrote what: each save counts.
-  workplace.note({.action = "curriculum.save_draft",
-                  .objectKind = "curriculum_draft",
-                  .objectId = curriculumId,
-                  .newJson = nlohmann::json{{"revision", revision}}.dump()});
+  session.note({.action = "curriculum.save_draft",
+                .objectKind = "curriculum_draft",
+                .objectId = curriculumId,
+                .newJson = nlohmann::json{{"revision", revision}}.dump()});
   transaction.commit();
   return revision;
 }
 
-std::string publishCurriculum(SessionContext& workplace, const std::string& curriculumId,
+std::string publishCurriculum(SessionContext& session, const std::string& curriculumId,
                               const std::string& note, const std::filesystem::path& assets) {
-  workplace.require(Operation::kCurriculumEdit);
-  Transaction transaction(workplace.connection());
-  const CurriculumDraft draft = curriculumDraft(workplace, curriculumId);
-  const Occasions known = OccasionRepository(workplace.connection()).all();
+  session.require(Operation::kCurriculumEdit);
+  Transaction transaction(session.connection());
+  const CurriculumDraft draft = curriculumDraft(session, curriculumId);
+  const Occasions known = OccasionRepository(session.connection()).all();
   for (const CurriculumProblem& problem : curriculumProblems(draft.content, assets, known)) {
     throw Error(ErrorCode::kBadData, problem.what, problem.where, problem.remedy);
   }
-  CurriculumRepository repository(workplace.connection());
-  StoredCurriculumVersion version = withIds(draft.content, workplace.ids());
-  version.id = workplace.ids().newUuid();
+  CurriculumRepository repository(session.connection());
+  StoredCurriculumVersion version = withIds(draft.content, session.ids());
+  version.id = session.ids().newUuid();
   version.curriculumId = curriculumId;
   version.number = static_cast<std::int64_t>(repository.versionIds(curriculumId).size() + 1);
   version.note = note;
-  version.createdUtc_us = workplace.now_us();
-  repository.addVersion(version, workplace.actor().userId);
-  workplace.note({.action = "curriculum.publish",
-                  .objectKind = "curriculum_version",
-                  .objectId = version.id,
-                  .newJson = nlohmann::json{{"curriculum", curriculumId},
-                                            {"number", version.number},
-                                            {"draft_revision", draft.revision}}
-                                 .dump()});
+  version.createdUtc_us = session.now_us();
+  repository.addVersion(version, session.actor().userId);
+  session.note({.action = "curriculum.publish",
+                .objectKind = "curriculum_version",
+                .objectId = version.id,
+                .newJson = nlohmann::json{{"curriculum", curriculumId},
+                                          {"number", version.number},
+                                          {"draft_revision", draft.revision}}
+                               .dump()});
   transaction.commit();
   return version.id;
 }
 
-void runCurriculum(SessionContext& workplace, const std::string& versionId) {
-  moveTo(workplace, versionId, "running", "");
+void runCurriculum(SessionContext& session, const std::string& versionId) {
+  moveTo(session, versionId, "running", "");
 }
 
-void closeCurriculum(SessionContext& workplace, const std::string& versionId, const std::string& reason) {
-  moveTo(workplace, versionId, "closed", reason);
+void closeCurriculum(SessionContext& session, const std::string& versionId, const std::string& reason) {
+  moveTo(session, versionId, "closed", reason);
 }
 
 }  // namespace torsio

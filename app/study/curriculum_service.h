@@ -30,18 +30,17 @@ struct CurriculumRow {
 };
 
 /// All curricula by name. kPersonViewCoded (whoever works in the office).
-[[nodiscard]] std::vector<CurriculumRow> curricula(SessionContext& workplace);
+[[nodiscard]] std::vector<CurriculumRow> curricula(SessionContext& session);
 /// A published version with codes in place of ids: as it looks in the editor, and as a start of the next
 /// draft. kPersonViewCoded. Throws Error{kBadData} for an unknown id.
-[[nodiscard]] StoredCurriculumVersion publishedContent(SessionContext& workplace,
-                                                       const std::string& versionId);
+[[nodiscard]] StoredCurriculumVersion publishedContent(SessionContext& session, const std::string& versionId);
 /// A published version with all its parts; empty: there is none. kPersonViewCoded or kPractice.
-[[nodiscard]] std::optional<StoredCurriculumVersion> curriculumVersion(SessionContext& workplace,
+[[nodiscard]] std::optional<StoredCurriculumVersion> curriculumVersion(SessionContext& session,
                                                                        const std::string& versionId);
 
 /// A new curriculum with a first draft: empty, or from a template. Returns its id. kCurriculumEdit. Throws
 /// Error{kBadParameter} for an empty name, DbError{kUnique} when the name is taken.
-std::string addCurriculum(SessionContext& workplace, const std::string& name, const std::string& description,
+std::string addCurriculum(SessionContext& session, const std::string& name, const std::string& description,
                           const std::optional<StoredCurriculumVersion>& content = std::nullopt,
                           bool demonstration = false);
 
@@ -53,19 +52,19 @@ struct CurriculumDraft {
   std::int64_t changedUtc_us = 0;
 };
 /// The draft; without one: the newest version as a start of the next, revision 0. kCurriculumEdit.
-[[nodiscard]] CurriculumDraft curriculumDraft(SessionContext& workplace, const std::string& curriculumId);
+[[nodiscard]] CurriculumDraft curriculumDraft(SessionContext& session, const std::string& curriculumId);
 /// Saves also what cannot be published yet. Returns the new revision. kCurriculumEdit. Throws
 /// DbError{kConflict} when somebody else saved meanwhile: nothing is overwritten.
-std::int64_t saveCurriculumDraft(SessionContext& workplace, const std::string& curriculumId,
+std::int64_t saveCurriculumDraft(SessionContext& session, const std::string& curriculumId,
                                  const CurriculumDraft& draft);
 
 /// Makes a version that never changes out of the saved draft. Returns its id. Audited. kCurriculumEdit.
 /// Throws Error{kBadData} with the first problem.
-std::string publishCurriculum(SessionContext& workplace, const std::string& curriculumId,
+std::string publishCurriculum(SessionContext& session, const std::string& curriculumId,
                               const std::string& note, const std::filesystem::path& assets);
 /// From now on cohorts can follow it / no cohort may begin it any more. Audited. kCurriculumEdit. Throws
 /// Error{kBadData} for any other step.
-void runCurriculum(SessionContext& workplace, const std::string& versionId);
-void closeCurriculum(SessionContext& workplace, const std::string& versionId, const std::string& reason);
+void runCurriculum(SessionContext& session, const std::string& versionId);
+void closeCurriculum(SessionContext& session, const std::string& versionId, const std::string& reason);
 
 }  // namespace torsio

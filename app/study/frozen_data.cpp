@@ -88,9 +88,9 @@ std::vector<std::string> idsOf(const std::vector<Row>& rows) {
   return ids;
 }
 
-Manifest manifestOf(SessionContext& workplace, const std::string& cohortId,
+Manifest manifestOf(SessionContext& session, const std::string& cohortId,
                     const std::vector<std::string>& campaignIds) {
-  Connection& connection = workplace.connection();
+  Connection& connection = session.connection();
   StudyRepository study(connection);
   Manifest manifest;
   manifest["enrolment"] = hashesOf(study.enrolments(cohortId));
@@ -166,9 +166,9 @@ FrozenRow rowOf(const StoredFreeze& stored, const std::string& createdBy) {
   return row;
 }
 
-std::optional<StoredFreeze> findFreeze(SessionContext& workplace, const std::string& frozenId) {
-  FreezeRepository repository(workplace.connection());
-  for (const StoredCohort& cohort : StudyRepository(workplace.connection()).cohorts()) {
+std::optional<StoredFreeze> findFreeze(SessionContext& session, const std::string& frozenId) {
+  FreezeRepository repository(session.connection());
+  for (const StoredCohort& cohort : StudyRepository(session.connection()).cohorts()) {
     for (StoredFreeze& freeze : repository.list(cohort.id)) {
       if (freeze.id == frozenId) {
         return std::move(freeze);
@@ -203,50 +203,50 @@ void compareTable(const std::string& table, const Hashes& then, const Hashes& no
 
 }  // namespace
 
-FrozenRow freezeData(SessionContext& workplace, const std::string& cohortId, const std::string& name,
+FrozenRow freezeData(SessionContext& session, const std::string& cohortId, const std::string& name,
                      const std::vector<std::string>& campaignIds) {
-  workplace.require(Operation::kResultsCompute);
+  session.require(Operation::kResultsCompute);
   if (name.empty()) {
     refuseParameter("the data set has no name", "name", "Enter one");
   }
-  Transaction transaction(workplace.connection());
-  FreezeRepository repository(workplace.connection(), workplace.station());
+  Transaction transaction(session.connection());
+  FreezeRepository repository(session.connection(), session.station());
   if (repository.findByName(name)) {
     refuseParameter("another data set has this name", name,
                     "Choose another name; frozen data stay as they are");
   }
-  const StoredCohort cohort = StudyRepository(workplace.connection()).cohort(cohortId);
+  const StoredCohort cohort = StudyRepository(session.connection()).cohort(cohortId);
   StoredFreeze freeze;
-  freeze.id = workplace.ids().newUuid();
+  freeze.id = session.ids().newUuid();
   freeze.cohortId = cohortId;
   freeze.name = name;
-  freeze.manifestJson = manifestJson(manifestOf(workplace, cohortId, campaignIds)).dump();
+  freeze.manifestJson = manifestJson(manifestOf(session, cohortId, campaignIds)).dump();
   freeze.contentHash = hashOfText(freeze.manifestJson);
-  freeze.createdBy = workplace.actor().userId;
-  freeze.createdUtc_us = workplace.now_us();
+  freeze.createdBy = session.actor().userId;
+  freeze.createdUtc_us = session.now_us();
   freeze.demonstration = cohort.demonstration;
   repository.add(freeze);  // with its entry in the trail
   transaction.commit();
-  return rowOf(freeze, workplace.actor().login);
+  return rowOf(freeze, session.actor().login);
 }
 
-std::vector<FrozenRow> frozenData(SessionContext& workplace, const std::string& cohortId) {
-  workplace.require(Operation::kResultsCompute);
+std::vector<FrozenRow> frozenData(SessionContext& session, const std::string& cohortId) {
+  session.require(Operation::kResultsCompute);
   std::map<std::string, std::string> loginOf;  // by user
-  for (const StoredUser& user : AccessRepository(workplace.connection()).users()) {
+  for (const StoredUser& user : AccessRepository(session.connection()).users()) {
     loginOf.emplace(user.id, user.login);
   }
   std::vector<FrozenRow> rows;
-  for (const StoredFreeze& stored : FreezeRepository(workplace.connection()).list(cohortId)) {
+  for (const StoredFreeze& stored : FreezeRepository(session.connection()).list(cohortId)) {
     const auto known = loginOf.find(stored.createdBy);
     rows.push_back(rowOf(stored, known == loginOf.end() ? stored.createdBy : known->second));
   }
   return rows;
 }
 
-FrozenCheck compareWithFrozen(SessionContext& workplace, const std::string& frozenId) {
-  workplace.require(Operation::kResultsCompute);
-  const auto stored = findFreeze(workplace, frozenId);
+FrozenCheck compareWithFrozen(SessionContext& session, const std::string& frozenId) {
+  session.require(Operation::kResultsCompute);
+  const auto stored = findFreeze(session, frozenId);
   if (!stored) {
     refuseParameter("there is no such data set", frozenId, "Choose one from the list");
   }
@@ -264,7 +264,7 @@ FrozenCheck compareWithFrozen(SessionContext& workplace, const std::string& froz
       campaignIds.push_back(id);
     }
   }
-  Manifest now = manifestOf(workplace, stored->cohortId, campaignIds);
+  Manifest now = manifestOf(session, stored->cohortId, campaignIds);
   for (const auto& [table, rows] : then) {
     compareTable(table, rows, now[table], check);
   }

@@ -35,10 +35,10 @@ struct FrozenRow {
 /// Stores the manifest of everything that a report of the cohort (and of `campaignIds`) is made of, under a
 /// name. Nothing is copied or locked: the hash says later whether it is still the same. Audited.
 /// kResultsCompute. Throws Error{kBadParameter} for an empty or used name, an unknown cohort or campaign.
-FrozenRow freezeData(SessionContext& workplace, const std::string& cohortId, const std::string& name,
+FrozenRow freezeData(SessionContext& session, const std::string& cohortId, const std::string& name,
                      const std::vector<std::string>& campaignIds = {});
 /// Oldest first. kResultsCompute.
-[[nodiscard]] std::vector<FrozenRow> frozenData(SessionContext& workplace, const std::string& cohortId);
+[[nodiscard]] std::vector<FrozenRow> frozenData(SessionContext& session, const std::string& cohortId);
 
 struct FrozenCheck {
   bool same = true;
@@ -46,6 +46,6 @@ struct FrozenCheck {
 };
 /// Compares a frozen state with what is there now. kResultsCompute. Throws Error{kBadParameter} when there is
 /// none.
-[[nodiscard]] FrozenCheck compareWithFrozen(SessionContext& workplace, const std::string& frozenId);
+[[nodiscard]] FrozenCheck compareWithFrozen(SessionContext& session, const std::string& frozenId);
 
 }  // namespace torsio

@@ -8,18 +8,18 @@
 
 namespace torsio {
 
-Occasions knownOccasions(SessionContext& workplace) {
-  workplace.require(Operation::kPersonViewCoded);
-  return OccasionRepository(workplace.connection()).all();
+Occasions knownOccasions(SessionContext& session) {
+  session.require(Operation::kPersonViewCoded);
+  return OccasionRepository(session.connection()).all();
 }
 
-Occasion addOccasion(SessionContext& workplace, const std::string& label) {
-  workplace.require(Operation::kCurriculumEdit);
+Occasion addOccasion(SessionContext& session, const std::string& label) {
+  session.require(Operation::kCurriculumEdit);
   if (label.empty()) {
     throw Error(ErrorCode::kBadParameter, "the occasion has no name", "occasion", "Enter one");
   }
-  Transaction transaction(workplace.connection());
-  OccasionRepository repository(workplace.connection());
+  Transaction transaction(session.connection());
+  OccasionRepository repository(session.connection());
   const Occasions known = repository.all();
   for (const Occasion& other : known) {
     if (other.label == label) {
@@ -32,10 +32,10 @@ Occasion addOccasion(SessionContext& workplace, const std::string& label) {
   }
   const Occasion added{"occasion-" + std::to_string(number), label, {}};
   repository.add(added);
-  workplace.note({.action = "occasion.add",
-                  .objectKind = "occasion",
-                  .objectId = added.code,
-                  .newJson = nlohmann::json{{"label", label}}.dump()});
+  session.note({.action = "occasion.add",
+                .objectKind = "occasion",
+                .objectId = added.code,
+                .newJson = nlohmann::json{{"label", label}}.dump()});
   transaction.commit();
   return added;
 }

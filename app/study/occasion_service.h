@@ -10,10 +10,10 @@ namespace torsio {
 
 /// Lists the occasions that curricula can name, in order of time. kPersonViewCoded (whoever works in the
 /// office).
-[[nodiscard]] Occasions knownOccasions(SessionContext& workplace);
+[[nodiscard]] Occasions knownOccasions(SessionContext& session);
 
 /// Adds an occasion after all others, for every later curriculum ("six months later"). Returns it. Audited.
 /// kCurriculumEdit. Throws Error{kBadParameter} without a name or when another occasion has it.
-Occasion addOccasion(SessionContext& workplace, const std::string& label);
+Occasion addOccasion(SessionContext& session, const std::string& label);
 
 }  // namespace torsio

@@ -81,19 +81,19 @@ void checkRevision(const StoredRubricRevision& revision) {
   }
 }
 
-std::string storeRevision(SessionContext& workplace, const std::string& rubricId,
-                          StoredRubricRevision revision, std::int64_t number, const std::string& note) {
-  revision.id = workplace.ids().newUuid();
+std::string storeRevision(SessionContext& session, const std::string& rubricId, StoredRubricRevision revision,
+                          std::int64_t number, const std::string& note) {
+  revision.id = session.ids().newUuid();
   revision.rubricId = rubricId;
   revision.number = number;
   revision.note = note;
-  revision.createdBy = workplace.actor().userId;
-  revision.createdUtc_us = workplace.now_us();
-  SheetRepository(workplace.connection()).addRevision(revision);
-  workplace.note({.action = number == 1 ? "rubric.add" : "rubric.revise",
-                  .objectKind = "rubric_revision",
-                  .objectId = revision.id,
-                  .newJson = json{{"rubric", rubricId}, {"number", number}}.dump()});
+  revision.createdBy = session.actor().userId;
+  revision.createdUtc_us = session.now_us();
+  SheetRepository(session.connection()).addRevision(revision);
+  session.note({.action = number == 1 ? "rubric.add" : "rubric.revise",
+                .objectKind = "rubric_revision",
+                .objectId = revision.id,
+                .newJson = json{{"rubric", rubricId}, {"number", number}}.dump()});
   return revision.id;
 }
 
@@ -148,9 +148,9 @@ std::vector<RubricTemplate> rubricTemplates(const std::filesystem::path& assets)
   return templates;
 }
 
-std::vector<RubricRow> rubrics(SessionContext& workplace) {
-  workplace.require(Operation::kPersonViewCoded);
-  SheetRepository repository(workplace.connection());
+std::vector<RubricRow> rubrics(SessionContext& session) {
+  session.require(Operation::kPersonViewCoded);
+  SheetRepository repository(session.connection());
   std::vector<RubricRow> rows;
   for (const StoredRubric& rubric : repository.rubrics()) {
     RubricRow row{rubric.id, rubric.name, {}};
@@ -162,32 +162,31 @@ std::vector<RubricRow> rubrics(SessionContext& workplace) {
   return rows;
 }
 
-std::string addRubric(SessionContext& workplace, const std::string& name, const StoredRubricRevision& first,
+std::string addRubric(SessionContext& session, const std::string& name, const StoredRubricRevision& first,
                       bool demonstration) {
-  workplace.require(Operation::kCurriculumEdit);
+  session.require(Operation::kCurriculumEdit);
   if (name.empty()) {
     refuseParameter("the rubric has no name", "rubric", "Enter one");
   }
   checkRevision(first);
-  Transaction transaction(workplace.connection());
-  const std::string rubricId = workplace.ids().newUuid();
-  SheetRepository(workplace.connection()).addRubric(rubricId, name, workplace.now_us(), demonstration);
-  const std::string id = storeRevision(workplace, rubricId, first, 1, first.note);
+  Transaction transaction(session.connection());
+  const std::string rubricId = session.ids().newUuid();
+  SheetRepository(session.connection()).addRubric(rubricId, name, session.now_us(), demonstration);
+  const std::string id = storeRevision(session, rubricId, first, 1, first.note);
   transaction.commit();
   return id;
 }
 
-std::string reviseRubric(SessionContext& workplace, const std::string& rubricId,
+std::string reviseRubric(SessionContext& session, const std::string& rubricId,
                          const StoredRubricRevision& next, const std::string& note) {
-  workplace.require(Operation::kCurriculumEdit);
+  session.require(Operation::kCurriculumEdit);
   checkRevision(next);
-  Transaction transaction(workplace.connection());
-  const std::size_t before = SheetRepository(workplace.connection()).revisionIds(rubricId).size();
+  Transaction transaction(session.connection());
+  const std::size_t before = SheetRepository(session.connection()).revisionIds(rubricId).size();
   if (before == 0) {
     refuseParameter("there is no such rubric", rubricId, "Choose one from the list");
   }
-  const std::string id =
-      storeRevision(workplace, rubricId, next, static_cast<std::int64_t>(before + 1), note);
+  const std::string id = storeRevision(session, rubricId, next, static_cast<std::int64_t>(before + 1), note);
   transaction.commit();
   return id;
 }

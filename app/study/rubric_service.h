@@ -27,15 +27,15 @@ struct RubricRow {
   std::vector<StoredRubricRevision> revisions{};  ///< oldest first; the last one is offered
 };
 /// All rubrics by name. kPersonViewCoded (whoever works in the office).
-[[nodiscard]] std::vector<RubricRow> rubrics(SessionContext& workplace);
+[[nodiscard]] std::vector<RubricRow> rubrics(SessionContext& session);
 
 /// Stores a rubric with its first revision. Returns the id of the revision. Audited. kCurriculumEdit. Throws
 /// Error{kBadParameter}: no rows, a row without code or label, a code twice, a scale or an anchor out of
 /// range.
-std::string addRubric(SessionContext& workplace, const std::string& name, const StoredRubricRevision& first,
+std::string addRubric(SessionContext& session, const std::string& name, const StoredRubricRevision& first,
                       bool demonstration = false);
 /// The next revision: sheets that were assigned keep theirs. Returns its id. Audited. kCurriculumEdit.
-std::string reviseRubric(SessionContext& workplace, const std::string& rubricId,
+std::string reviseRubric(SessionContext& session, const std::string& rubricId,
                          const StoredRubricRevision& next, const std::string& note);
 
 }  // namespace torsio

@@ -103,8 +103,8 @@ struct Today {
   std::map<std::pair<std::string, std::string>, std::size_t> missing;  ///< and code of the occasion
 };
 
-Today readToday(SessionContext& workplace, const std::string& cohortId) {
-  StudyRepository study(workplace.connection());
+Today readToday(SessionContext& session, const std::string& cohortId) {
+  StudyRepository study(session.connection());
   Today today;
   for (StoredExposure& exposure : study.exposures(cohortId)) {
     today.exposures[exposure.enrolmentId].push_back(std::move(exposure));
@@ -115,9 +115,9 @@ Today readToday(SessionContext& workplace, const std::string& cohortId) {
   for (const StoredDeviation& deviation : study.deviations(cohortId)) {
     ++today.deviations[deviation.enrolmentId];
   }
-  for (const AssignmentStatus& status : SheetRepository(workplace.connection()).assignments(cohortId)) {
+  for (const AssignmentStatus& status : SheetRepository(session.connection()).assignments(cohortId)) {
     if (isOutstanding(status.state)) {
-      ++today.missing[{status.assignment.enrolmentId, status.assignment.scoringPoint}];
+      ++today.missing[{status.assignment.enrolmentId, status.assignment.occasionCode}];
     }
   }
   return today;
@@ -125,16 +125,16 @@ Today readToday(SessionContext& workplace, const std::string& cohortId) {
 
 }  // namespace
 
-RunDayBoard runDayBoard(SessionContext& workplace, const std::string& cohortId) {
-  workplace.require(Operation::kStudySetup);
-  StudyRepository study(workplace.connection());
+RunDayBoard runDayBoard(SessionContext& session, const std::string& cohortId) {
+  session.require(Operation::kStudySetup);
+  StudyRepository study(session.connection());
   RunDayBoard board;
-  board.asOfUtc_us = workplace.now_us();
-  board.stations = StationRepository(workplace.connection()).board();
+  board.asOfUtc_us = session.now_us();
+  board.stations = StationRepository(session.connection()).board();
   const StoredCohort cohort = study.cohort(cohortId);
   board.cohortName = cohort.name;
-  const Occasions occasions = occasionsOfCohort(workplace.connection(), cohortId);
-  const auto version = CurriculumRepository(workplace.connection()).version(cohort.curriculumVersionId);
+  const Occasions occasions = occasionsOfCohort(session.connection(), cohortId);
+  const auto version = CurriculumRepository(session.connection()).version(cohort.curriculumVersionId);
   std::map<std::string, const StudyArm*> armOfGroup;
   for (const StoredGroup& group : study.groups(cohortId)) {
     if (!version) {
@@ -146,7 +146,7 @@ RunDayBoard runDayBoard(SessionContext& workplace, const std::string& cohortId) 
       }
     }
   }
-  Today today = readToday(workplace, cohortId);
+  Today today = readToday(session, cohortId);
   for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
     RunDayRow row;
     row.enrolmentId = enrolment.id;
@@ -222,15 +222,15 @@ std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board) {
   return alerts;
 }
 
-void swapTurns(SessionContext& workplace, const std::string& cohortId, const std::string& enrolmentId,
+void swapTurns(SessionContext& session, const std::string& cohortId, const std::string& enrolmentId,
                const std::string& otherEnrolmentId, const std::string& reason) {
-  workplace.require(Operation::kStudySetup);
+  session.require(Operation::kStudySetup);
   if (enrolmentId == otherEnrolmentId) {
     throw Error(ErrorCode::kBadData, "nobody swaps with themselves", cohortId, "Choose another trainee");
   }
-  Transaction transaction(workplace.connection());
+  Transaction transaction(session.connection());
   std::map<std::string, std::string> codes;
-  for (const StoredEnrolment& enrolment : StudyRepository(workplace.connection()).enrolments(cohortId)) {
+  for (const StoredEnrolment& enrolment : StudyRepository(session.connection()).enrolments(cohortId)) {
     codes[enrolment.id] = enrolment.traineeCode;
   }
   for (const std::string& id : {enrolmentId, otherEnrolmentId}) {
@@ -240,11 +240,11 @@ void swapTurns(SessionContext& workplace, const std::string& cohortId, const std
   }
   for (const auto& [id, other] :
        {std::pair(enrolmentId, otherEnrolmentId), std::pair(otherEnrolmentId, enrolmentId)}) {
-    reportDeviation(workplace, {.cohortId = cohortId,
-                                .enrolmentId = id,
-                                .kind = "swapped",
-                                .description = "turn swapped with " + codes.at(other) +
-                                               (reason.empty() ? "" : ": " + reason)});
+    reportDeviation(session, {.cohortId = cohortId,
+                              .enrolmentId = id,
+                              .kind = "swapped",
+                              .description = "turn swapped with " + codes.at(other) +
+                                             (reason.empty() ? "" : ": " + reason)});
   }
   transaction.commit();
 }

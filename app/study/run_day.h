@@ -83,10 +83,10 @@ struct RunDayAlert {
 /// Two trainees take each other's turn today; their groups stay as they were drawn. A deviation of kind
 /// "swapped" for each, naming the other, both or none. kStudySetup. Throws Error{kBadData} for one and the
 /// same trainee.
-void swapTurns(SessionContext& workplace, const std::string& cohortId, const std::string& enrolmentId,
+void swapTurns(SessionContext& session, const std::string& cohortId, const std::string& enrolmentId,
                const std::string& otherEnrolmentId, const std::string& reason);
 
 /// Everything about today in one look. kStudySetup.
-[[nodiscard]] RunDayBoard runDayBoard(SessionContext& workplace, const std::string& cohortId);
+[[nodiscard]] RunDayBoard runDayBoard(SessionContext& session, const std::string& cohortId);
 
 }  // namespace torsio

@@ -33,13 +33,13 @@ constexpr std::uint64_t kLabelsOfRater = 100'000;
 /// One trainee at one occasion.
 struct Case {
   StoredEnrolment enrolment;
-  std::string scoringPoint;
+  std::string occasionCode;
   std::string trialId;      ///< empty: live
   std::string commonLabel;  ///< of a live case: the same for all raters
 };
 
-std::string keyOf(const std::string& enrolmentId, const std::string& scoringPoint) {
-  return enrolmentId + " " + scoringPoint;
+std::string keyOf(const std::string& enrolmentId, const std::string& occasionCode) {
+  return enrolmentId + " " + occasionCode;
 }
 
 std::vector<StoredEnrolment> chosenEnrolments(StudyRepository& study, const ScoringPlan& plan) {
@@ -62,24 +62,24 @@ std::vector<StoredEnrolment> chosenEnrolments(StudyRepository& study, const Scor
   return chosen;
 }
 
-void checkPlan(SessionContext& workplace, const ScoringPlan& plan) {
+void checkPlan(SessionContext& session, const ScoringPlan& plan) {
   if (plan.raterIds.empty()) {
     refuseParameter("nobody is asked to score", "raters", "Choose at least one");
   }
-  if (plan.scoringPoints.empty()) {
+  if (plan.occasionCodes.empty()) {
     refuseParameter("no occasion is chosen", "occasions", "Choose at least one");
   }
-  const Occasions occasions = OccasionRepository(workplace.connection()).all();
-  for (const std::string& point : plan.scoringPoints) {
+  const Occasions occasions = OccasionRepository(session.connection()).all();
+  for (const std::string& point : plan.occasionCodes) {
     if (!occasions.contains(point)) {
       refuseParameter("there is no such occasion", point, "Choose one from the list");
     }
   }
-  if (!SheetRepository(workplace.connection()).revision(plan.rubricRevisionId)) {
+  if (!SheetRepository(session.connection()).revision(plan.rubricRevisionId)) {
     refuseParameter("there is no such rubric", plan.rubricRevisionId, "Choose one from the list");
   }
   std::set<std::string> known;
-  for (const StoredRater& rater : PeopleRepository(workplace.connection()).raters()) {
+  for (const StoredRater& rater : PeopleRepository(session.connection()).raters()) {
     if (rater.person.state == "active") {
       known.insert(rater.person.id);
     }
@@ -103,11 +103,11 @@ std::vector<Case> casesOf(Connection& connection, StudyRepository& study, const 
       refuseParameter("a physician was asked about this recording by name", recording.trialId,
                       "Choose another recording: a case must be blinded");
     }
-    recordings[keyOf(recording.enrolmentId, recording.scoringPoint)] = recording.trialId;
+    recordings[keyOf(recording.enrolmentId, recording.occasionCode)] = recording.trialId;
   }
   std::vector<Case> cases;
   for (const StoredEnrolment& enrolment : chosenEnrolments(study, plan)) {
-    for (const std::string& point : plan.scoringPoints) {
+    for (const std::string& point : plan.occasionCodes) {
       const auto recording = recordings.find(keyOf(enrolment.id, point));
       cases.push_back({enrolment, point, recording == recordings.end() ? "" : recording->second, ""});
     }
@@ -121,14 +121,14 @@ void giveCommonLabels(std::vector<Case>& cases, const std::vector<AssignmentStat
   std::map<std::string, std::string> known;
   for (const AssignmentStatus& status : present) {
     if (status.assignment.trialId.empty()) {
-      known[keyOf(status.assignment.enrolmentId, status.assignment.scoringPoint)] =
+      known[keyOf(status.assignment.enrolmentId, status.assignment.occasionCode)] =
           status.assignment.caseLabel;
     }
   }
   const std::vector<std::string> fresh = caseLabels(cases.size(), taken, seed, kCommonLabels);
   std::size_t next = 0;
   for (Case& one : cases) {
-    const auto before = known.find(keyOf(one.enrolment.id, one.scoringPoint));
+    const auto before = known.find(keyOf(one.enrolment.id, one.occasionCode));
     if (one.trialId.empty()) {
       one.commonLabel = before != known.end() ? before->second : fresh.at(next++);
     }
@@ -136,24 +136,24 @@ void giveCommonLabels(std::vector<Case>& cases, const std::vector<AssignmentStat
 }
 
 /// The assignments of one rater for the cases that they were not asked about yet.
-std::vector<StoredAssignment> assignmentsFor(SessionContext& workplace, const ScoringPlan& plan,
+std::vector<StoredAssignment> assignmentsFor(SessionContext& session, const ScoringPlan& plan,
                                              const std::vector<Case>& cases, std::size_t panelPosition,
                                              std::uint64_t seed) {
   const std::string& raterId = plan.raterIds.at(panelPosition);
   std::set<std::string> asked;
   std::set<std::string> labels;
   std::int64_t position = 0;
-  for (const StoredAssignment& before : SheetRepository(workplace.connection()).assignmentsOf(raterId)) {
-    asked.insert(keyOf(before.enrolmentId, before.scoringPoint));
+  for (const StoredAssignment& before : SheetRepository(session.connection()).assignmentsOf(raterId)) {
+    asked.insert(keyOf(before.enrolmentId, before.occasionCode));
     labels.insert(before.caseLabel);
     position = std::max(position, before.position);
   }
   std::vector<OrderedCase> open;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (asked.contains(keyOf(cases[i].enrolment.id, cases[i].scoringPoint))) {
+    if (asked.contains(keyOf(cases[i].enrolment.id, cases[i].occasionCode))) {
       continue;
     }
-    open.push_back({i, cases[i].scoringPoint + " " + cases[i].enrolment.groupCode});
+    open.push_back({i, cases[i].occasionCode + " " + cases[i].enrolment.groupCode});
   }
   for (const Case& one : cases) {
     labels.insert(one.commonLabel);
@@ -162,17 +162,17 @@ std::vector<StoredAssignment> assignmentsFor(SessionContext& workplace, const Sc
   std::vector<StoredAssignment> made;
   for (const std::size_t index : counterbalancedOrder(open, seed, panelPosition)) {
     const Case& one = cases.at(index);
-    made.push_back({.id = workplace.ids().newUuid(),
+    made.push_back({.id = session.ids().newUuid(),
                     .raterId = raterId,
                     .enrolmentId = one.enrolment.id,
-                    .scoringPoint = one.scoringPoint,
+                    .occasionCode = one.occasionCode,
                     .trialId = one.trialId,
                     .rubricRevisionId = plan.rubricRevisionId,
                     .caseLabel = one.commonLabel.empty() ? own.at(made.size()) : one.commonLabel,
                     .position = ++position,
                     .dueUtc_us = plan.dueUtc_us,
-                    .assignedBy = workplace.actor().userId,
-                    .assignedUtc_us = workplace.now_us(),
+                    .assignedBy = session.actor().userId,
+                    .assignedUtc_us = session.now_us(),
                     .demonstration = one.enrolment.demonstration});
   }
   return made;
@@ -183,29 +183,29 @@ ScoringCell cellOf(const AssignmentStatus& status) {
           status.changedUtc_us};
 }
 
-void setReleased(SessionContext& workplace, const std::string& cohortId, const std::string& scoringPoint,
+void setReleased(SessionContext& session, const std::string& cohortId, const std::string& occasionCode,
                  bool released, const std::string& reason) {
-  SheetRepository(workplace.connection())
-      .setReleased(cohortId, scoringPoint, released, reason, workplace.actor().userId, workplace.now_us());
-  workplace.note({.action = released ? "mark.release" : "mark.retract",
-                  .objectKind = "mark_release",
-                  .objectId = cohortId,
-                  .newJson = nlohmann::json{{"scoring_point", scoringPoint}}.dump(),
-                  .reason = reason});
+  SheetRepository(session.connection())
+      .setReleased(cohortId, occasionCode, released, reason, session.actor().userId, session.now_us());
+  session.note({.action = released ? "mark.release" : "mark.retract",
+                .objectKind = "mark_release",
+                .objectId = cohortId,
+                .newJson = nlohmann::json{{"occasion", occasionCode}}.dump(),
+                .reason = reason});
 }
 
 }  // namespace
 
-ScoringPlanOutcome createAssignments(SessionContext& workplace, const ScoringPlan& plan) {
-  workplace.require(Operation::kStudySetup);
-  Transaction transaction(workplace.connection());
-  StudyRepository study(workplace.connection());
+ScoringPlanOutcome createAssignments(SessionContext& session, const ScoringPlan& plan) {
+  session.require(Operation::kStudySetup);
+  Transaction transaction(session.connection());
+  StudyRepository study(session.connection());
   const StoredCohort cohort = study.cohort(plan.cohortId);
-  checkPlan(workplace, plan);
+  checkPlan(session, plan);
   ScoringPlanOutcome outcome;
-  outcome.seed = plan.seed ? *plan.seed : drawSeed(workplace.ids());
-  std::vector<Case> cases = casesOf(workplace.connection(), study, plan);
-  SheetRepository sheets(workplace.connection());
+  outcome.seed = plan.seed ? *plan.seed : drawSeed(session.ids());
+  std::vector<Case> cases = casesOf(session.connection(), study, plan);
+  SheetRepository sheets(session.connection());
   std::set<std::string> taken;
   for (const std::string& rater : plan.raterIds) {
     for (const StoredAssignment& before : sheets.assignmentsOf(rater)) {
@@ -214,45 +214,45 @@ ScoringPlanOutcome createAssignments(SessionContext& workplace, const ScoringPla
   }
   giveCommonLabels(cases, sheets.assignments(plan.cohortId), taken, outcome.seed);
   for (std::size_t rater = 0; rater < plan.raterIds.size(); ++rater) {
-    const std::vector<StoredAssignment> made = assignmentsFor(workplace, plan, cases, rater, outcome.seed);
+    const std::vector<StoredAssignment> made = assignmentsFor(session, plan, cases, rater, outcome.seed);
     sheets.assign(made);
     outcome.created += made.size();
     outcome.already += cases.size() - made.size();
     if (made.empty()) {
       continue;
     }
-    workplace.note({.action = "assignment.create",
-                    .objectKind = "assignment",
-                    .objectId = plan.raterIds[rater],
-                    .newJson = nlohmann::json{
-                        {"cohort", cohort.id},
-                        {"rater", plan.raterIds[rater]},
-                        {"scoring_points", plan.scoringPoints},
-                        {"sheets", made.size()},
-                        {"rubric_revision", plan.rubricRevisionId},
-                        {"seed", std::to_string(outcome.seed)},
-                        {"panel_position",
-                         rater}}.dump()});
+    session.note({.action = "assignment.create",
+                  .objectKind = "assignment",
+                  .objectId = plan.raterIds[rater],
+                  .newJson = nlohmann::json{
+                      {"cohort", cohort.id},
+                      {"rater", plan.raterIds[rater]},
+                      {"occasions", plan.occasionCodes},
+                      {"sheets", made.size()},
+                      {"rubric_revision", plan.rubricRevisionId},
+                      {"seed", std::to_string(outcome.seed)},
+                      {"panel_position",
+                       rater}}.dump()});
   }
   transaction.commit();
   return outcome;
 }
 
-ScoringMatrix scoringMatrix(SessionContext& workplace, const std::string& cohortId) {
-  workplace.require(Operation::kStudySetup);
-  const std::vector<AssignmentStatus> all = SheetRepository(workplace.connection()).assignments(cohortId);
+ScoringMatrix scoringMatrix(SessionContext& session, const std::string& cohortId) {
+  session.require(Operation::kStudySetup);
+  const std::vector<AssignmentStatus> all = SheetRepository(session.connection()).assignments(cohortId);
   std::map<std::string, std::string> codes;
-  for (const StoredEnrolment& enrolment : StudyRepository(workplace.connection()).enrolments(cohortId)) {
+  for (const StoredEnrolment& enrolment : StudyRepository(session.connection()).enrolments(cohortId)) {
     codes[enrolment.id] = enrolment.traineeCode;
   }
   ScoringMatrix matrix;
-  matrix.occasions = occasionsOfCohort(workplace.connection(), cohortId);
+  matrix.occasions = occasionsOfCohort(session.connection(), cohortId);
   std::map<std::string, std::size_t> column;
   std::set<std::string> involved;
   for (const AssignmentStatus& status : all) {
     involved.insert(status.assignment.raterId);
   }
-  for (const StoredRater& rater : PeopleRepository(workplace.connection()).raters()) {
+  for (const StoredRater& rater : PeopleRepository(session.connection()).raters()) {
     if (!involved.contains(rater.person.id)) {
       continue;
     }
@@ -262,10 +262,10 @@ ScoringMatrix scoringMatrix(SessionContext& workplace, const std::string& cohort
   for (const AssignmentStatus& status : all) {
     const StoredAssignment& one = status.assignment;
     const bool sameLine = !matrix.lines.empty() && matrix.lines.back().enrolmentId == one.enrolmentId &&
-                          matrix.lines.back().occasion.code == one.scoringPoint;
+                          matrix.lines.back().occasion.code == one.occasionCode;
     if (!sameLine) {
       matrix.lines.push_back({one.enrolmentId, codes[one.enrolmentId],
-                              matrix.occasions.named(one.scoringPoint),
+                              matrix.occasions.named(one.occasionCode),
                               std::vector<ScoringCell>(matrix.raters.size()), 0});
     }
     const std::size_t at = column.at(one.raterId);
@@ -278,14 +278,14 @@ ScoringMatrix scoringMatrix(SessionContext& workplace, const std::string& cohort
   return matrix;
 }
 
-std::string reassign(SessionContext& workplace, const std::string& assignmentId,
-                     const std::string& newRaterId, const std::string& reason) {
-  workplace.require(Operation::kStudySetup);
+std::string reassign(SessionContext& session, const std::string& assignmentId, const std::string& newRaterId,
+                     const std::string& reason) {
+  session.require(Operation::kStudySetup);
   if (reason.empty()) {
     refuse("taking a sheet from its rater needs a reason", assignmentId, "Say why");
   }
-  Transaction transaction(workplace.connection());
-  SheetRepository sheets(workplace.connection());
+  Transaction transaction(session.connection());
+  SheetRepository sheets(session.connection());
   const auto before = sheets.findAssignment(assignmentId);
   if (!before) {
     refuse("there is no such sheet", assignmentId, "Read the matrix again");
@@ -293,56 +293,56 @@ std::string reassign(SessionContext& workplace, const std::string& assignmentId,
   if (before->state == SheetState::kWithdrawn) {
     refuse("the sheet was withdrawn already", before->assignment.caseLabel, "Read the matrix again");
   }
-  sheets.withdraw(assignmentId, reason, workplace.actor().userId, workplace.now_us());
+  sheets.withdraw(assignmentId, reason, session.actor().userId, session.now_us());
   std::string newId;
   if (!newRaterId.empty()) {
     StoredAssignment next = before->assignment;
     std::set<std::string> labels;
     std::int64_t position = 0;
     for (const StoredAssignment& other : sheets.assignmentsOf(newRaterId)) {
-      if (other.enrolmentId == next.enrolmentId && other.scoringPoint == next.scoringPoint) {
+      if (other.enrolmentId == next.enrolmentId && other.occasionCode == next.occasionCode) {
         refuse("the other rater was asked about this case before", other.caseLabel, "Choose somebody else");
       }
       labels.insert(other.caseLabel);
       position = std::max(position, other.position);
     }
-    const std::vector<StoredRater> raters = PeopleRepository(workplace.connection()).raters();
+    const std::vector<StoredRater> raters = PeopleRepository(session.connection()).raters();
     if (std::none_of(raters.begin(), raters.end(), [&](const StoredRater& rater) {
           return rater.person.id == newRaterId && rater.person.state == "active";
         })) {
       refuse("this is no active rater", newRaterId, "Choose one from the list");
     }
-    newId = workplace.ids().newUuid();
+    newId = session.ids().newUuid();
     next.id = newId;
     next.raterId = newRaterId;
     next.position = position + 1;
     // A live case is called out in the room: it keeps its label unless the new rater knows another by it.
     if (!next.trialId.empty() || labels.contains(next.caseLabel)) {
-      next.caseLabel = caseLabels(1, labels, drawSeed(workplace.ids()), kCommonLabels).front();
+      next.caseLabel = caseLabels(1, labels, drawSeed(session.ids()), kCommonLabels).front();
     }
-    next.assignedBy = workplace.actor().userId;
-    next.assignedUtc_us = workplace.now_us();
+    next.assignedBy = session.actor().userId;
+    next.assignedUtc_us = session.now_us();
     sheets.assign(std::span(&next, 1));
   }
-  workplace.note({.action = newId.empty() ? "assignment.withdraw" : "assignment.reassign",
-                  .objectKind = "assignment",
-                  .objectId = assignmentId,
-                  .oldJson = nlohmann::json{{"rater", before->assignment.raterId}}.dump(),
-                  .newJson = nlohmann::json{{"rater", newRaterId}, {"assignment", newId}}.dump(),
-                  .reason = reason});
+  session.note({.action = newId.empty() ? "assignment.withdraw" : "assignment.reassign",
+                .objectKind = "assignment",
+                .objectId = assignmentId,
+                .oldJson = nlohmann::json{{"rater", before->assignment.raterId}}.dump(),
+                .newJson = nlohmann::json{{"rater", newRaterId}, {"assignment", newId}}.dump(),
+                .reason = reason});
   transaction.commit();
   return newId;
 }
 
-std::vector<ReleaseState> releaseStates(SessionContext& workplace, const std::string& cohortId) {
-  workplace.require(Operation::kMarkRelease);
-  SheetRepository sheets(workplace.connection());
+std::vector<ReleaseState> releaseStates(SessionContext& session, const std::string& cohortId) {
+  session.require(Operation::kMarkRelease);
+  SheetRepository sheets(session.connection());
   std::vector<ReleaseState> states;
   const std::vector<AssignmentStatus> all = sheets.assignments(cohortId);
-  for (const Occasion& occasion : occasionsOfCohort(workplace.connection(), cohortId)) {
+  for (const Occasion& occasion : occasionsOfCohort(session.connection(), cohortId)) {
     ReleaseState state{occasion, sheets.isReleased(cohortId, occasion.code), 0, 0};
     for (const AssignmentStatus& status : all) {
-      if (status.assignment.scoringPoint != occasion.code || status.state == SheetState::kWithdrawn) {
+      if (status.assignment.occasionCode != occasion.code || status.state == SheetState::kWithdrawn) {
         continue;
       }
       ++state.sheets;
@@ -355,39 +355,39 @@ std::vector<ReleaseState> releaseStates(SessionContext& workplace, const std::st
   return states;
 }
 
-void releaseMarks(SessionContext& workplace, const std::string& cohortId, const std::string& scoringPoint,
+void releaseMarks(SessionContext& session, const std::string& cohortId, const std::string& occasionCode,
                   const std::string& reason) {
-  workplace.require(Operation::kMarkRelease);
-  Transaction transaction(workplace.connection());
-  for (const ReleaseState& state : releaseStates(workplace, cohortId)) {
-    if (state.occasion.code != scoringPoint) {
+  session.require(Operation::kMarkRelease);
+  Transaction transaction(session.connection());
+  for (const ReleaseState& state : releaseStates(session, cohortId)) {
+    if (state.occasion.code != occasionCode) {
       continue;
     }
     if (state.released) {
-      refuse("these marks are released already", scoringPoint, "Nothing is to be done");
+      refuse("these marks are released already", occasionCode, "Nothing is to be done");
     }
     if (state.missing > 0 && reason.empty()) {
-      refuse(Text("%1 of %2 sheets are not submitted", state.missing, state.sheets), scoringPoint,
+      refuse(Text("%1 of %2 sheets are not submitted", state.missing, state.sheets), occasionCode,
              "Wait for them, or give a reason");
     }
-    setReleased(workplace, cohortId, scoringPoint, true, reason);
+    setReleased(session, cohortId, occasionCode, true, reason);
     transaction.commit();
     return;
   }
-  refuse("there is no such occasion", scoringPoint, "Choose one from the list");
+  refuse("there is no such occasion", occasionCode, "Choose one from the list");
 }
 
-void retractMarks(SessionContext& workplace, const std::string& cohortId, const std::string& scoringPoint,
+void retractMarks(SessionContext& session, const std::string& cohortId, const std::string& occasionCode,
                   const std::string& reason) {
-  workplace.require(Operation::kMarkRelease);
+  session.require(Operation::kMarkRelease);
   if (reason.empty()) {
-    refuse("taking marks back needs a reason", scoringPoint, "Say why");
+    refuse("taking marks back needs a reason", occasionCode, "Say why");
   }
-  Transaction transaction(workplace.connection());
-  if (!SheetRepository(workplace.connection()).isReleased(cohortId, scoringPoint)) {
-    refuse("these marks are not released", scoringPoint, "Nothing is to be done");
+  Transaction transaction(session.connection());
+  if (!SheetRepository(session.connection()).isReleased(cohortId, occasionCode)) {
+    refuse("these marks are not released", occasionCode, "Nothing is to be done");
   }
-  setReleased(workplace, cohortId, scoringPoint, false, reason);
+  setReleased(session, cohortId, occasionCode, false, reason);
   transaction.commit();
 }
 

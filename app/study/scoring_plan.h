@@ -16,14 +16,14 @@ namespace torsio {
 /// arm.
 struct CaseRecording {
   std::string enrolmentId{};
-  std::string scoringPoint{};
+  std::string occasionCode{};
   std::string trialId{};
 };
 
 /// Who is asked to score whom, when.
 struct ScoringPlan {
   std::string cohortId{};
-  std::vector<std::string> scoringPoints{};  ///< codes of occasions
+  std::vector<std::string> occasionCodes{};  ///< codes of occasions
   std::vector<std::string> raterIds{};
   std::vector<std::string> enrolmentIds{};  ///< empty: everybody who has not withdrawn
   std::vector<CaseRecording> recordings{};
@@ -45,7 +45,7 @@ struct ScoringPlanOutcome {
 /// a live case has one label for all raters (it is called out in the room), a recorded one another for each.
 /// Audited. kStudySetup. Throws Error{kBadParameter}: nobody to score, an unknown rater, rubric or
 /// occasion.
-ScoringPlanOutcome createAssignments(SessionContext& workplace, const ScoringPlan& plan);
+ScoringPlanOutcome createAssignments(SessionContext& session, const ScoringPlan& plan);
 
 /// One cell of the matrix.
 struct ScoringCell {
@@ -75,13 +75,13 @@ struct ScoringMatrix {
   Occasions occasions{};      ///< of the cohort: what can be asked for
 };
 /// Who has scored whom; no marks. kStudySetup.
-[[nodiscard]] ScoringMatrix scoringMatrix(SessionContext& workplace, const std::string& cohortId);
+[[nodiscard]] ScoringMatrix scoringMatrix(SessionContext& session, const std::string& cohortId);
 
 /// Takes a sheet that was not submitted from its rater; with `newRaterId` another one is asked, under a label
 /// of theirs. Returns the new assignment, empty without one. Audited. kStudySetup. Throws Error{kBadData}:
 /// submitted already, or the other rater was asked about this case before.
-std::string reassign(SessionContext& workplace, const std::string& assignmentId,
-                     const std::string& newRaterId, const std::string& reason);
+std::string reassign(SessionContext& session, const std::string& assignmentId, const std::string& newRaterId,
+                     const std::string& reason);
 
 /// What stands before a release.
 struct ReleaseState {
@@ -91,13 +91,13 @@ struct ReleaseState {
   std::size_t missing = 0;  ///< not submitted yet
 };
 /// In order of time. kMarkRelease.
-[[nodiscard]] std::vector<ReleaseState> releaseStates(SessionContext& workplace, const std::string& cohortId);
+[[nodiscard]] std::vector<ReleaseState> releaseStates(SessionContext& session, const std::string& cohortId);
 /// Shows the marks of an occasion to the trainees. While sheets are missing only with a reason. Audited.
 /// kMarkRelease.
-void releaseMarks(SessionContext& workplace, const std::string& cohortId, const std::string& scoringPoint,
+void releaseMarks(SessionContext& session, const std::string& cohortId, const std::string& occasionCode,
                   const std::string& reason = {});
 /// Takes them back; the reason is required. Audited. kMarkRelease.
-void retractMarks(SessionContext& workplace, const std::string& cohortId, const std::string& scoringPoint,
+void retractMarks(SessionContext& session, const std::string& cohortId, const std::string& occasionCode,
                   const std::string& reason);
 
 }  // namespace torsio

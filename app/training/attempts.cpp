@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::int64_t kMostAttempts = 10'000;
 
-Attempt measured(SessionContext& workplace, const TrialListing& listing, ExerciseRules& rules) {
+Attempt measured(SessionContext& session, const TrialListing& listing, ExerciseRules& rules) {
   Attempt attempt;
   if (listing.summary) {
     const AttemptMeasures measures =
-        measuresFrom(digestOf(workplace.connection(), listing, rules, workplace.now_us()));
+        measuresFrom(digestOf(session.connection(), listing, rules, session.now_us()));
     attempt.duration_s = static_cast<double>(measures.duration_us) * 1e-6;
     attempt.twists = std::ssize(measures.twists);
     attempt.onTarget = measures.twistsOnTarget();
@@ -36,30 +36,30 @@ Attempt measured(SessionContext& workplace, const TrialListing& listing, Exercis
 
 }  // namespace
 
-Attempt attemptOf(SessionContext& workplace, const std::string& trialId) {
-  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
-  const TrialListing listing = ownTrial(workplace, record, trialId);
+Attempt attemptOf(SessionContext& session, const std::string& trialId) {
+  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
+  const TrialListing listing = ownTrial(session, record, trialId);
   ExerciseRules rules;
-  Transaction transaction(workplace.connection());
-  Attempt attempt = measured(workplace, listing, rules);
+  Transaction transaction(session.connection());
+  Attempt attempt = measured(session, listing, rules);
   transaction.commit();
   return attempt;
 }
 
-std::vector<Attempt> attemptsOf(SessionContext& workplace, const std::string& personId,
+std::vector<Attempt> attemptsOf(SessionContext& session, const std::string& personId,
                                 const std::string& moduleId) {
-  workplace.requireOwn(Operation::kTrialViewOwn, personId);
-  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
-  TrialRepository trials(workplace.connection());
+  session.requireOwn(Operation::kTrialViewOwn, personId);
+  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
+  TrialRepository trials(session.connection());
   TrialFilter filter;
   filter.traineeCode = record.code;
   filter.moduleId = moduleId;
   filter.limit = kMostAttempts;
   std::vector<Attempt> attempts;
   ExerciseRules rules;
-  Transaction transaction(workplace.connection());
+  Transaction transaction(session.connection());
   for (const TrialListing& listing : trials.list(filter)) {
-    attempts.push_back(measured(workplace, listing, rules));
+    attempts.push_back(measured(session, listing, rules));
   }
   transaction.commit();
   std::reverse(attempts.begin(), attempts.end());

@@ -35,11 +35,11 @@ struct Attempt {
 
 /// Reads what was measured of a stored trial (reporting/kept_digests.h); measures it when nobody has yet.
 /// kTrialViewOwn, own trials only.
-Attempt attemptOf(SessionContext& workplace, const std::string& trialId);
+Attempt attemptOf(SessionContext& session, const std::string& trialId);
 
 /// The tries of a trainee, oldest first; empty `moduleId`: at all modules. Trials that were not measured yet
 /// are measured now. kTrialViewOwn, own trials only.
-[[nodiscard]] std::vector<Attempt> attemptsOf(SessionContext& workplace, const std::string& personId,
+[[nodiscard]] std::vector<Attempt> attemptsOf(SessionContext& session, const std::string& personId,
                                               const std::string& moduleId = {});
 
 /// Whether an attempt counts for mastery and for the limit: ended in good order, and graded unless the module

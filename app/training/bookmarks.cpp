@@ -9,24 +9,24 @@
 
 namespace torsio {
 
-std::string keepBookmark(SessionContext& workplace, const TrialListing& trial, double at_s,
+std::string keepBookmark(SessionContext& session, const TrialListing& trial, double at_s,
                          const std::string& text) {
   const double length_s = trial.summary ? spanOf_s(trial.summary->samples) : 0.0;
   if (!std::isfinite(at_s) || at_s < 0.0 || at_s > length_s) {
     throw Error(ErrorCode::kBadParameter, "the moment lies outside the recording", trial.trialId,
                 "Choose a time within it");
   }
-  const std::string id = workplace.ids().newUuid();
-  RemarkRepository(workplace.connection())
+  const std::string id = session.ids().newUuid();
+  RemarkRepository(session.connection())
       .add({.id = id,
             .trialId = trial.trialId,
-            .author = workplace.actor().userId,
-            .authorPersonId = workplace.actor().personId,
+            .author = session.actor().userId,
+            .authorPersonId = session.actor().personId,
             .purpose = "bookmark",
             .tick = std::llround(at_s * 1e3),
             .time_us = std::llround(at_s * 1e6),
             .text = text,
-            .createdUtc_us = workplace.now_us(),
+            .createdUtc_us = session.now_us(),
             .demonstration = trial.demonstration});
   return id;
 }

@@ -93,10 +93,10 @@ struct Debrief {
 
 /// The debrief of a stored trial. kTrialViewOwn, own trials only. `scene`: that of the trial when it is
 /// loaded already; else it is loaded from `assets` for the expert run. Seconds: call it off the GUI thread.
-[[nodiscard]] Debrief debrief(SessionContext& workplace, const std::string& trialId,
+[[nodiscard]] Debrief debrief(SessionContext& session, const std::string& trialId,
                               const std::filesystem::path& assets, const Scene* scene = nullptr);
 
 /// A bookmark of one's own in a trial of one's own. Audited. kTrialViewOwn.
-void addBookmark(SessionContext& workplace, const std::string& trialId, double at_s, const std::string& text);
+void addBookmark(SessionContext& session, const std::string& trialId, double at_s, const std::string& text);
 
 }  // namespace torsio

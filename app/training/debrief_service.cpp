@@ -82,21 +82,21 @@ void addMastery(const StoredModule& module, const Attempt& attempt, const std::v
 
 }  // namespace
 
-Debrief debrief(SessionContext& workplace, const std::string& trialId, const std::filesystem::path& assets,
+Debrief debrief(SessionContext& session, const std::string& trialId, const std::filesystem::path& assets,
                 const Scene* scene) {
-  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
-  const TrialListing listing = ownTrial(workplace, record, trialId);
-  TrialRepository trials(workplace.connection());
+  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
+  const TrialListing listing = ownTrial(session, record, trialId);
+  TrialRepository trials(session.connection());
   const Trial trial = trials.load(trialId);
   const StoredModule* module = record.module(listing.moduleId);
   ExerciseRules exercises(assets);
   const AttemptRules rules =
-      exercises.of(workplace.connection(), listing.sceneId, listing.patternId, listing.moduleId);
+      exercises.of(session.connection(), listing.sceneId, listing.patternId, listing.moduleId);
   // Decoded and measured once, for the debrief and for what is kept beside the trial.
   const std::vector<Sample> samples = decodeTrial(trial);
   const MeasuredTrial measured = measureTwists(trial.header, samples, rules);
   if (listing.summary) {
-    keepDigest(workplace.connection(), trial, measureAttempt(samples, measured), rules, workplace.now_us());
+    keepDigest(session.connection(), trial, measureAttempt(samples, measured), rules, session.now_us());
   }
   const std::optional<Trial> expert = expertFor(trials, trial.header, assets, scene);
   Debrief out = makeDebrief(trial.header, samples, measured, rules, expert ? &*expert : nullptr);
@@ -105,11 +105,10 @@ Debrief debrief(SessionContext& workplace, const std::string& trialId, const std
   out.interrupted = trial.summary.outcome == TrialOutcome::kInterrupted;
   if (module != nullptr) {
     out.moduleTitle = module->title;
-    addMastery(*module, attemptOf(workplace, trialId), attemptsOf(workplace, record.personId, module->id),
-               out);
+    addMastery(*module, attemptOf(session, trialId), attemptsOf(session, record.personId, module->id), out);
   }
-  for (const StoredRemark& remark : RemarkRepository(workplace.connection()).remarks(trialId)) {
-    if (remark.purpose != "bookmark" || remark.author != workplace.actor().userId) {
+  for (const StoredRemark& remark : RemarkRepository(session.connection()).remarks(trialId)) {
+    if (remark.purpose != "bookmark" || remark.author != session.actor().userId) {
       continue;
     }
     out.bookmarks.push_back({remark.id, static_cast<double>(remark.time_us) * 1e-6, remark.text});
@@ -117,13 +116,12 @@ Debrief debrief(SessionContext& workplace, const std::string& trialId, const std
   return out;
 }
 
-void addBookmark(SessionContext& workplace, const std::string& trialId, double at_s,
-                 const std::string& text) {
-  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
-  const TrialListing listing = ownTrial(workplace, record, trialId);
-  Transaction transaction(workplace.connection());
-  const std::string id = keepBookmark(workplace, listing, at_s, text);
-  workplace.note({.action = "trial.bookmark", .objectKind = "trial_remark", .objectId = id});
+void addBookmark(SessionContext& session, const std::string& trialId, double at_s, const std::string& text) {
+  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
+  const TrialListing listing = ownTrial(session, record, trialId);
+  Transaction transaction(session.connection());
+  const std::string id = keepBookmark(session, listing, at_s, text);
+  session.note({.action = "trial.bookmark", .objectKind = "trial_remark", .objectId = id});
   transaction.commit();
 }
 

@@ -134,16 +134,16 @@ void chooseNext(NextSteps& steps) {
 
 }  // namespace
 
-NextSteps nextSteps(SessionContext& workplace, const std::string& personId) {
-  workplace.requireOwn(Operation::kTrialViewOwn, personId);
-  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
+NextSteps nextSteps(SessionContext& session, const std::string& personId) {
+  session.requireOwn(Operation::kTrialViewOwn, personId);
+  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   NextSteps steps;
   steps.personId = record.personId;
   steps.traineeCode = record.code;
   steps.demonstration = record.demonstration;
-  steps.recordingAllowed = PeopleRepository(workplace.connection()).hasConsent(personId, "training_record");
-  steps.unreadRemarks = unreadRemarks(workplace);
-  const std::vector<Attempt> all = attemptsOf(workplace, personId);
+  steps.recordingAllowed = PeopleRepository(session.connection()).hasConsent(personId, "training_record");
+  steps.unreadRemarks = unreadRemarks(session);
+  const std::vector<Attempt> all = attemptsOf(session, personId);
   for (const Attempt& attempt : all) {
     if (attempt.interrupted) {
       steps.interrupted.insert(steps.interrupted.begin(), attempt);
@@ -166,7 +166,7 @@ NextSteps nextSteps(SessionContext& workplace, const std::string& personId) {
     steps.modules.push_back(stepFor(module, all));
   }
   decideStates(steps.modules);
-  planArm(workplace.connection(), record, steps);
+  planArm(session.connection(), record, steps);
   chooseNext(steps);
   return steps;
 }

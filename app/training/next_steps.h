@@ -59,7 +59,7 @@ inline constexpr std::int64_t kModuleTime_us = 600'000'000;
 
 /// Modules of the running curriculum of the trainee's cohort, what is open, what is locked and why.
 /// kTrialViewOwn, own person only.
-[[nodiscard]] NextSteps nextSteps(SessionContext& workplace, const std::string& personId);
+[[nodiscard]] NextSteps nextSteps(SessionContext& session, const std::string& personId);
 
 /// The step of one module. Throws Error{kBadParameter} when the curriculum has no such module.
 [[nodiscard]] const ModuleStep& stepOf(const NextSteps& steps, const std::string& moduleId);

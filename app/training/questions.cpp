@@ -30,15 +30,15 @@ double secondsOf(std::int64_t time_us) {
 }
 
 /// Practice, and never in the hands of raters.
-bool namesMayBeShown(SessionContext& workplace, const TrialListing& trial) {
+bool namesMayBeShown(SessionContext& session, const TrialListing& trial) {
   return trial.attemptMode == AttemptMode::kPractice &&
-         !QuestionRepository(workplace.connection()).isScored(trial.trialId);
+         !QuestionRepository(session.connection()).isScored(trial.trialId);
 }
 
 /// Chiefs who can sign in; simulated ones for simulated trainees only, and the other way round.
-std::vector<AskablePhysician> askable(SessionContext& workplace, const TraineeRecord& record) {
-  PeopleRepository people(workplace.connection());
-  const std::string last = QuestionRepository(workplace.connection()).lastAsked(record.personId);
+std::vector<AskablePhysician> askable(SessionContext& session, const TraineeRecord& record) {
+  PeopleRepository people(session.connection());
+  const std::string last = QuestionRepository(session.connection()).lastAsked(record.personId);
   std::vector<AskablePhysician> physicians;
   for (const StoredRater& rater : people.raters()) {
     const StoredPerson& person = rater.person;
@@ -53,25 +53,25 @@ std::vector<AskablePhysician> askable(SessionContext& workplace, const TraineeRe
   return physicians;
 }
 
-StoredQuestion questionToMe(SessionContext& workplace, const std::string& questionId) {
-  workplace.require(Operation::kTrialViewAssigned);
-  const std::optional<StoredQuestion> question = QuestionRepository(workplace.connection()).find(questionId);
+StoredQuestion questionToMe(SessionContext& session, const std::string& questionId) {
+  session.require(Operation::kTrialViewAssigned);
+  const std::optional<StoredQuestion> question = QuestionRepository(session.connection()).find(questionId);
   if (!question) {
     throw Error(ErrorCode::kBadParameter, "there is no such question", questionId, "Open the list again");
   }
-  if (workplace.actor().personId.empty() || question->raterId != workplace.actor().personId) {
+  if (session.actor().personId.empty() || question->raterId != session.actor().personId) {
     throw Error(ErrorCode::kPermission, "this question was put to somebody else", questionId,
                 "Open one of your own");
   }
   return *question;
 }
 
-std::string moduleTitle(SessionContext& workplace, const std::string& trialId) {
-  const auto context = TrialRepository(workplace.connection()).context(trialId);
+std::string moduleTitle(SessionContext& session, const std::string& trialId) {
+  const auto context = TrialRepository(session.connection()).context(trialId);
   if (!context || context->moduleId.empty()) {
     return {};
   }
-  Statement row = workplace.connection().prepare("SELECT title FROM module WHERE id = ?");
+  Statement row = session.connection().prepare("SELECT title FROM module WHERE id = ?");
   row.execute({context->moduleId});
   std::string title;
   while (row.step()) {
@@ -82,14 +82,14 @@ std::string moduleTitle(SessionContext& workplace, const std::string& trialId) {
 
 }  // namespace
 
-QuestionDesk questionDesk(SessionContext& workplace, const std::string& trialId) {
-  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
-  const TrialListing trial = ownTrial(workplace, record, trialId);
-  PeopleRepository people(workplace.connection());
+QuestionDesk questionDesk(SessionContext& session, const std::string& trialId) {
+  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
+  const TrialListing trial = ownTrial(session, record, trialId);
+  PeopleRepository people(session.connection());
   QuestionDesk desk;
-  desk.physicians = askable(workplace, record);
-  desk.mayAsk = namesMayBeShown(workplace, trial) && !desk.physicians.empty();
-  for (const StoredQuestion& stored : QuestionRepository(workplace.connection()).ofTrial(trialId)) {
+  desk.physicians = askable(session, record);
+  desk.mayAsk = namesMayBeShown(session, trial) && !desk.physicians.empty();
+  for (const StoredQuestion& stored : QuestionRepository(session.connection()).ofTrial(trialId)) {
     const std::optional<StoredPerson> person = people.find(stored.raterId);
     desk.questions.push_back({.id = stored.remarkId,
                               .physician = nameOf(people, stored.raterId, person ? person->code : ""),
@@ -103,42 +103,42 @@ QuestionDesk questionDesk(SessionContext& workplace, const std::string& trialId)
   return desk;
 }
 
-std::string askPhysician(SessionContext& workplace, const std::string& trialId, double at_s,
+std::string askPhysician(SessionContext& session, const std::string& trialId, double at_s,
                          const std::string& raterId, const std::string& text) {
-  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
-  const TrialListing trial = ownTrial(workplace, record, trialId);
-  if (!namesMayBeShown(workplace, trial)) {
+  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
+  const TrialListing trial = ownTrial(session, record, trialId);
+  if (!namesMayBeShown(session, trial)) {
     throw Error(ErrorCode::kPermission, "this run is or may be judged without names", trialId,
                 "Ask about a practice run");
   }
-  const std::vector<AskablePhysician> physicians = askable(workplace, record);
+  const std::vector<AskablePhysician> physicians = askable(session, record);
   if (std::none_of(physicians.begin(), physicians.end(),
                    [&](const AskablePhysician& one) { return one.raterId == raterId; })) {
     throw Error(ErrorCode::kBadParameter, "this physician cannot be asked", raterId,
                 "Choose one from the list");
   }
-  Transaction transaction(workplace.connection());
-  const std::string id = keepBookmark(workplace, trial, at_s, text);
-  QuestionRepository(workplace.connection())
-      .add({.remarkId = id, .raterId = raterId, .askedUtc_us = workplace.now_us()});
-  workplace.note({.action = "question.ask", .objectKind = "trial_question", .objectId = id});
+  Transaction transaction(session.connection());
+  const std::string id = keepBookmark(session, trial, at_s, text);
+  QuestionRepository(session.connection())
+      .add({.remarkId = id, .raterId = raterId, .askedUtc_us = session.now_us()});
+  session.note({.action = "question.ask", .objectKind = "trial_question", .objectId = id});
   transaction.commit();
   return id;
 }
 
-std::vector<PhysicianQuestion> questionsToMe(SessionContext& workplace) {
-  workplace.require(Operation::kTrialViewAssigned);
+std::vector<PhysicianQuestion> questionsToMe(SessionContext& session) {
+  session.require(Operation::kTrialViewAssigned);
   std::vector<PhysicianQuestion> questions;
-  if (workplace.actor().personId.empty()) {
+  if (session.actor().personId.empty()) {
     return questions;
   }
-  PeopleRepository people(workplace.connection());
+  PeopleRepository people(session.connection());
   for (const StoredQuestion& stored :
-       QuestionRepository(workplace.connection()).toRater(workplace.actor().personId)) {
+       QuestionRepository(session.connection()).toRater(session.actor().personId)) {
     const std::optional<StoredPerson> person = people.find(stored.personId);
     questions.push_back({.id = stored.remarkId,
                          .trainee = nameOf(people, stored.personId, person ? person->code : ""),
-                         .moduleTitle = moduleTitle(workplace, stored.trialId),
+                         .moduleTitle = moduleTitle(session, stored.trialId),
                          .trialId = stored.trialId,
                          .at_s = secondsOf(stored.time_us),
                          .text = stored.text,
@@ -149,42 +149,40 @@ std::vector<PhysicianQuestion> questionsToMe(SessionContext& workplace) {
   return questions;
 }
 
-Debrief questionedRun(SessionContext& workplace, const std::string& questionId) {
-  const StoredQuestion question = questionToMe(workplace, questionId);
-  const Trial trial = TrialRepository(workplace.connection()).load(question.trialId);
-  const std::optional<TrialContext> context =
-      TrialRepository(workplace.connection()).context(question.trialId);
+Debrief questionedRun(SessionContext& session, const std::string& questionId) {
+  const StoredQuestion question = questionToMe(session, questionId);
+  const Trial trial = TrialRepository(session.connection()).load(question.trialId);
+  const std::optional<TrialContext> context = TrialRepository(session.connection()).context(question.trialId);
   ExerciseRules exercises;
-  const AttemptRules rules =
-      exercises.of(workplace.connection(), trial.header.sceneId, trial.header.patternId,
-                   context ? context->moduleId : std::string());
+  const AttemptRules rules = exercises.of(session.connection(), trial.header.sceneId, trial.header.patternId,
+                                          context ? context->moduleId : std::string());
   Debrief run = makeDebrief(trial.header, decodeTrial(trial), rules, nullptr);
-  run.moduleTitle = moduleTitle(workplace, question.trialId);
+  run.moduleTitle = moduleTitle(session, question.trialId);
   run.bookmarks.push_back({question.remarkId, secondsOf(question.time_us), question.text});
   return run;
 }
 
-void answerQuestion(SessionContext& workplace, const std::string& questionId, const std::string& text) {
-  const StoredQuestion question = questionToMe(workplace, questionId);
+void answerQuestion(SessionContext& session, const std::string& questionId, const std::string& text) {
+  const StoredQuestion question = questionToMe(session, questionId);
   if (text.empty()) {
     throw Error(ErrorCode::kBadParameter, "the answer is empty", "", "Write what you want to say");
   }
-  RemarkRepository remarks(workplace.connection());
+  RemarkRepository remarks(session.connection());
   const std::optional<StoredRemark> bookmark = remarks.find(questionId);
-  const std::string id = workplace.ids().newUuid();
-  Transaction transaction(workplace.connection());
+  const std::string id = session.ids().newUuid();
+  Transaction transaction(session.connection());
   remarks.add({.id = id,
                .trialId = question.trialId,
-               .author = workplace.actor().userId,
-               .authorPersonId = workplace.actor().personId,
+               .author = session.actor().userId,
+               .authorPersonId = session.actor().personId,
                .purpose = "reply",
                .replyTo = questionId,
                .tick = bookmark ? bookmark->tick : 0,
                .time_us = question.time_us,
                .text = text,
-               .createdUtc_us = workplace.now_us(),
+               .createdUtc_us = session.now_us(),
                .demonstration = bookmark && bookmark->demonstration});
-  workplace.note({.action = "question.answer", .objectKind = "trial_question", .objectId = questionId});
+  session.note({.action = "question.answer", .objectKind = "trial_question", .objectId = questionId});
   transaction.commit();
 }
 

@@ -38,13 +38,13 @@ struct QuestionDesk {
   std::vector<OwnQuestion> questions{};  ///< by moment
 };
 /// kTrialViewOwn, own trials only.
-[[nodiscard]] QuestionDesk questionDesk(SessionContext& workplace, const std::string& trialId);
+[[nodiscard]] QuestionDesk questionDesk(SessionContext& session, const std::string& trialId);
 
 /// Sends a moment of a practice run to a chief physician; `text` may be empty: the moment speaks. It is a
 /// bookmark, too. Returns its id. Audited. kTrialViewOwn, own trials only. Throws Error{kPermission} for a
 /// trial that is, was or may become a blinded case, {kBadParameter} for a moment outside the recording or a
 /// physician who cannot be asked.
-std::string askPhysician(SessionContext& workplace, const std::string& trialId, double at_s,
+std::string askPhysician(SessionContext& session, const std::string& trialId, double at_s,
                          const std::string& raterId, const std::string& text);
 
 /// A question as the physician sees it.
@@ -60,12 +60,12 @@ struct PhysicianQuestion {
   std::string answer{};
 };
 /// What this physician was asked: what waits first, oldest first. kTrialViewAssigned.
-[[nodiscard]] std::vector<PhysicianQuestion> questionsToMe(SessionContext& workplace);
+[[nodiscard]] std::vector<PhysicianQuestion> questionsToMe(SessionContext& session);
 /// The run that one of these questions is about, without an expert's. kTrialViewAssigned; the question must
 /// be to the actor.
-[[nodiscard]] Debrief questionedRun(SessionContext& workplace, const std::string& questionId);
+[[nodiscard]] Debrief questionedRun(SessionContext& session, const std::string& questionId);
 /// A remark at the moment of the question, for the trainee to read at once. Audited. kTrialViewAssigned; the
 /// question must be to the actor. Throws Error{kBadParameter} for an empty text.
-void answerQuestion(SessionContext& workplace, const std::string& questionId, const std::string& text);
+void answerQuestion(SessionContext& session, const std::string& questionId, const std::string& text);
 
 }  // namespace torsio

@@ -35,7 +35,7 @@ class Release {
       if (status.state == SheetState::kWithdrawn) {
         continue;
       }
-      if (!sheets.isReleased(record.cohort.id, assignment.scoringPoint)) {
+      if (!sheets.isReleased(record.cohort.id, assignment.occasionCode)) {
         held_.insert(assignment.trialId);
       }
       asked_[assignment.trialId].push_back(std::move(status));
@@ -103,11 +103,11 @@ std::vector<TraineeRemark> threads(const std::vector<StoredRemark>& all,
   return roots;
 }
 
-TrialRemarks remarksOf(SessionContext& workplace, const TraineeRecord& record, const TrialListing& trial) {
-  RemarkRepository repository(workplace.connection());
+TrialRemarks remarksOf(SessionContext& session, const TraineeRecord& record, const TrialListing& trial) {
+  RemarkRepository repository(session.connection());
   std::set<std::string> read;
   for (const StoredReceipt& receipt : repository.receipts(trial.trialId)) {
-    if (receipt.reader == workplace.actor().userId) {
+    if (receipt.reader == session.actor().userId) {
       read.insert(receipt.remarkId);
     }
   }
@@ -119,12 +119,12 @@ TrialRemarks remarksOf(SessionContext& workplace, const TraineeRecord& record, c
   out.phaseLabel = trial.phaseLabel;
   out.startedUtc_us = trial.startedUtc_us;
   std::set<std::string> answered;
-  for (const StoredQuestion& question : QuestionRepository(workplace.connection()).ofTrial(trial.trialId)) {
+  for (const StoredQuestion& question : QuestionRepository(session.connection()).ofTrial(trial.trialId)) {
     if (!question.answerId.empty()) {
       answered.insert(question.remarkId);
     }
   }
-  out.remarks = threads(repository.remarks(trial.trialId), answered, read, workplace.actor());
+  out.remarks = threads(repository.remarks(trial.trialId), answered, read, session.actor());
   for (const TraineeRemark& remark : out.remarks) {
     if (!remark.read) {
       ++out.unread;
@@ -139,14 +139,14 @@ TrialRemarks remarksOf(SessionContext& workplace, const TraineeRecord& record, c
 }
 
 /// A remark that the actor may see, with its trial.
-StoredRemark visibleRemark(SessionContext& workplace, const std::string& remarkId) {
-  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
-  const std::optional<StoredRemark> remark = RemarkRepository(workplace.connection()).find(remarkId);
+StoredRemark visibleRemark(SessionContext& session, const std::string& remarkId) {
+  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
+  const std::optional<StoredRemark> remark = RemarkRepository(session.connection()).find(remarkId);
   if (!remark) {
     throw Error(ErrorCode::kBadParameter, "there is no such remark", remarkId, "Open the list again");
   }
-  static_cast<void>(ownTrial(workplace, record, remark->trialId));
-  if (!Release(workplace.connection(), record).mayShow(remark->trialId)) {
+  static_cast<void>(ownTrial(session, record, remark->trialId));
+  if (!Release(session.connection(), record).mayShow(remark->trialId)) {
     throw Error(ErrorCode::kPermission, "the marks of this recording are not released yet", remark->trialId,
                 "Come back when they are");
   }
@@ -226,18 +226,18 @@ std::int64_t stepsOf(double value, const ScoreScale& scale, const std::string& w
 
 }  // namespace
 
-std::vector<TrialRemarks> ownRemarks(SessionContext& workplace) {
-  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
-  const Release release(workplace.connection(), record);
+std::vector<TrialRemarks> ownRemarks(SessionContext& session) {
+  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
+  const Release release(session.connection(), record);
   TrialFilter filter;
   filter.traineeCode = record.code;
   filter.limit = kAllTrials;
   std::vector<TrialRemarks> all;
-  for (const TrialListing& trial : TrialRepository(workplace.connection()).list(filter)) {
+  for (const TrialListing& trial : TrialRepository(session.connection()).list(filter)) {
     if (!release.mayShow(trial.trialId)) {
       continue;
     }
-    TrialRemarks remarks = remarksOf(workplace, record, trial);
+    TrialRemarks remarks = remarksOf(session, record, trial);
     if (!remarks.remarks.empty()) {
       all.push_back(std::move(remarks));
     }
@@ -245,59 +245,59 @@ std::vector<TrialRemarks> ownRemarks(SessionContext& workplace) {
   return all;
 }
 
-std::size_t unreadRemarks(SessionContext& workplace) {
-  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
-  const Release release(workplace.connection(), record);
+std::size_t unreadRemarks(SessionContext& session) {
+  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
+  const Release release(session.connection(), record);
   const std::vector<StoredRemark> unread =
-      RemarkRepository(workplace.connection()).unreadOnTrialsOf(record.personId, workplace.actor().userId);
+      RemarkRepository(session.connection()).unreadOnTrialsOf(record.personId, session.actor().userId);
   return static_cast<std::size_t>(
       std::count_if(unread.begin(), unread.end(), [&](const StoredRemark& remark) {
         return remark.authorPersonId != record.personId && release.mayShow(remark.trialId);
       }));
 }
 
-void markRemarkRead(SessionContext& workplace, const std::string& remarkId) {
-  const StoredRemark remark = visibleRemark(workplace, remarkId);
-  Transaction transaction(workplace.connection());
-  RemarkRepository(workplace.connection())
+void markRemarkRead(SessionContext& session, const std::string& remarkId) {
+  const StoredRemark remark = visibleRemark(session, remarkId);
+  Transaction transaction(session.connection());
+  RemarkRepository(session.connection())
       .markRead({.remarkId = remark.id,
-                 .reader = workplace.actor().userId,
-                 .readerPersonId = workplace.actor().personId,
-                 .readUtc_us = workplace.now_us()});
-  workplace.note({.action = "remark.read", .objectKind = "trial_remark", .objectId = remark.id});
+                 .reader = session.actor().userId,
+                 .readerPersonId = session.actor().personId,
+                 .readUtc_us = session.now_us()});
+  session.note({.action = "remark.read", .objectKind = "trial_remark", .objectId = remark.id});
   transaction.commit();
 }
 
-std::string replyToRemark(SessionContext& workplace, const std::string& remarkId, const std::string& text) {
-  const StoredRemark remark = visibleRemark(workplace, remarkId);
+std::string replyToRemark(SessionContext& session, const std::string& remarkId, const std::string& text) {
+  const StoredRemark remark = visibleRemark(session, remarkId);
   if (text.empty()) {
     throw Error(ErrorCode::kBadParameter, "the reply is empty", "", "Write what you want to say");
   }
-  const std::string id = workplace.ids().newUuid();
-  Transaction transaction(workplace.connection());
-  RemarkRepository(workplace.connection())
+  const std::string id = session.ids().newUuid();
+  Transaction transaction(session.connection());
+  RemarkRepository(session.connection())
       .add({.id = id,
             .trialId = remark.trialId,
-            .author = workplace.actor().userId,
-            .authorPersonId = workplace.actor().personId,
+            .author = session.actor().userId,
+            .authorPersonId = session.actor().personId,
             .purpose = "reply",
             .replyTo = remark.id,
             .tick = remark.tick,
             .time_us = remark.time_us,
             .text = text,
-            .createdUtc_us = workplace.now_us(),
+            .createdUtc_us = session.now_us(),
             .demonstration = remark.demonstration});
-  workplace.note({.action = "remark.reply", .objectKind = "trial_remark", .objectId = id});
+  session.note({.action = "remark.reply", .objectKind = "trial_remark", .objectId = id});
   transaction.commit();
   return id;
 }
 
-ScoreGap scoreGap(SessionContext& workplace, const std::string& trialId) {
-  workplace.require(Operation::kMarkViewOwn);
-  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
-  static_cast<void>(ownTrial(workplace, record, trialId));
-  const Release release(workplace.connection(), record);
-  const StoredRubricRevision rubric = rubricOf(workplace.connection(), release.asked(trialId));
+ScoreGap scoreGap(SessionContext& session, const std::string& trialId) {
+  session.require(Operation::kMarkViewOwn);
+  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
+  static_cast<void>(ownTrial(session, record, trialId));
+  const Release release(session.connection(), record);
+  const StoredRubricRevision rubric = rubricOf(session.connection(), release.asked(trialId));
   ScoreGap gap;
   gap.trialId = trialId;
   gap.overall = rowOf("", "", rubric.overall);
@@ -306,14 +306,14 @@ ScoreGap scoreGap(SessionContext& workplace, const std::string& trialId) {
   }
   gap.released = !release.asked(trialId).empty() && release.mayShow(trialId);
 
-  const auto own = RemarkRepository(workplace.connection()).selfScores(trialId);
+  const auto own = RemarkRepository(session.connection()).selfScores(trialId);
   gap.selfScored = !own.empty();
   if (!gap.selfScored) {
     return gap;
   }
   gap.overall.own = points(own.back().score_steps, own.back().scale);
   const PanelMeans panel =
-      gap.released ? panelOf(workplace.connection(), release.asked(trialId), rubric) : PanelMeans{};
+      gap.released ? panelOf(session.connection(), release.asked(trialId), rubric) : PanelMeans{};
   gap.raters = panel.raters;
   if (panel.raters > 0) {
     gap.overall.panel = panel.overall;
@@ -332,20 +332,20 @@ ScoreGap scoreGap(SessionContext& workplace, const std::string& trialId) {
   return gap;
 }
 
-void selfScore(SessionContext& workplace, const std::string& trialId, double overall,
+void selfScore(SessionContext& session, const std::string& trialId, double overall,
                const std::vector<SelfScoreRow>& rows) {
-  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
-  const TrialListing trial = ownTrial(workplace, record, trialId);
-  const Release release(workplace.connection(), record);
-  const StoredRubricRevision rubric = rubricOf(workplace.connection(), release.asked(trialId));
-  RemarkRepository repository(workplace.connection());
+  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
+  const TrialListing trial = ownTrial(session, record, trialId);
+  const Release release(session.connection(), record);
+  const StoredRubricRevision rubric = rubricOf(session.connection(), release.asked(trialId));
+  RemarkRepository repository(session.connection());
   const auto before = repository.selfScores(trialId);
   if (!before.empty() && !release.asked(trialId).empty() && release.mayShow(trialId)) {
     throw Error(ErrorCode::kPermission, "the physicians' marks were shown already", trialId,
                 "Your own marks stay as they are");
   }
   StoredSelfScore score;
-  score.id = workplace.ids().newUuid();
+  score.id = session.ids().newUuid();
   score.trialId = trialId;
   score.traineeId = record.personId;
   score.version = static_cast<std::int64_t>(before.size()) + 1;
@@ -360,11 +360,11 @@ void selfScore(SessionContext& workplace, const std::string& trialId, double ove
     }
     score.rows.push_back({rubric.id, row.code, stepsOf(row.points, known->scale, known->label)});
   }
-  score.createdUtc_us = workplace.now_us();
+  score.createdUtc_us = session.now_us();
   score.demonstration = trial.demonstration;
-  Transaction transaction(workplace.connection());
+  Transaction transaction(session.connection());
   repository.addSelfScore(score);
-  workplace.note({.action = "trial.self_score", .objectKind = "trial", .objectId = trialId});
+  session.note({.action = "trial.self_score", .objectKind = "trial", .objectId = trialId});
   transaction.commit();
 }
 

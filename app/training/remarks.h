@@ -35,13 +35,13 @@ struct TrialRemarks {
 
 /// Own trials with remarks, newest first. A remark on a trial that raters were asked to score appears when
 /// the marks of that scoring point were released. kTrialViewOwn.
-[[nodiscard]] std::vector<TrialRemarks> ownRemarks(SessionContext& workplace);
+[[nodiscard]] std::vector<TrialRemarks> ownRemarks(SessionContext& session);
 /// Remarks that may be seen and were not read yet. kTrialViewOwn.
-[[nodiscard]] std::size_t unreadRemarks(SessionContext& workplace);
+[[nodiscard]] std::size_t unreadRemarks(SessionContext& session);
 /// Audited. kTrialViewOwn.
-void markRemarkRead(SessionContext& workplace, const std::string& remarkId);
+void markRemarkRead(SessionContext& session, const std::string& remarkId);
 /// Returns the id of the reply. Audited. kTrialViewOwn. Throws Error{kBadParameter} for an empty text.
-std::string replyToRemark(SessionContext& workplace, const std::string& remarkId, const std::string& text);
+std::string replyToRemark(SessionContext& session, const std::string& remarkId, const std::string& text);
 
 /// One row of a sheet beside the trainee's own answer; points, not steps.
 struct ScoreGapRow {
@@ -64,7 +64,7 @@ struct ScoreGap {
   std::size_t raters = 0;  ///< whose marks the means rest on
 };
 /// kTrialViewOwn and kMarkViewOwn. The raters' means are empty until the trainee has scored.
-[[nodiscard]] ScoreGap scoreGap(SessionContext& workplace, const std::string& trialId);
+[[nodiscard]] ScoreGap scoreGap(SessionContext& session, const std::string& trialId);
 
 struct SelfScoreRow {
   std::string code{};
@@ -73,7 +73,7 @@ struct SelfScoreRow {
 /// Stores the trainee's own sheet; a change of mind before the raters' marks were seen is a new version.
 /// Audited. kTrialViewOwn. Throws Error{kBadParameter} for points that the scale does not have,
 /// {kPermission} once the raters' marks were shown.
-void selfScore(SessionContext& workplace, const std::string& trialId, double overall,
+void selfScore(SessionContext& session, const std::string& trialId, double overall,
                const std::vector<SelfScoreRow>& rows);
 
 }  // namespace torsio

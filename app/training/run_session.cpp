@@ -78,25 +78,24 @@ RunPlan planOf(const NextSteps& steps, const ModuleStep& step) {
 
 }  // namespace
 
-RunSession::RunSession(SessionContext& workplace, const RunRequest& request, const Clock& clock,
+RunSession::RunSession(SessionContext& session, const RunRequest& request, const Clock& clock,
                        StationWriter* line)
-    : workplace_(workplace),
+    : session_(session),
       clock_(&clock),
-      steps_(
-          (workplace.require(Operation::kTrialRecordOwn), nextSteps(workplace, workplace.actor().personId))),
+      steps_((session.require(Operation::kTrialRecordOwn), nextSteps(session, session.actor().personId))),
       step_(chosenStep(steps_, request)),
       graded_(request.graded),
       run_(planOf(steps_, step_), clock),
       line_(line),
-      heartbeat_(workplace) {
-  heartbeat_.showDevice(stationDevice(request.device, workplace.now_us()));
+      heartbeat_(session) {
+  heartbeat_.showDevice(stationDevice(request.device, session.now_us()));
 }
 
 void RunSession::write(StationWriter::Write write) {
   if (line_ != nullptr) {
     line_->write(std::move(write));
   } else {
-    write(workplace_);
+    write(session_);
   }
 }
 
@@ -120,7 +119,7 @@ void RunSession::heartbeat() {
 
 void RunSession::start() {
   run_.start();
-  utcOffset_us_ = workplace_.now_us() - clock_->now_us();
+  utcOffset_us_ = session_.now_us() - clock_->now_us();
   const nlohmann::json what{{"module", step_.module.id}, {"mode", storedText(mode())}};
   write([note = AuditNote{.action = "run.start",
                           .objectKind = "enrolment",
@@ -196,14 +195,14 @@ void RunSession::stop(const std::string& reason) {
   const AuditNote note{
       .action = "run.stop", .objectKind = "enrolment", .objectId = steps_.enrolmentId, .reason = reason};
   if (early && !run_.phase().phaseId.empty()) {
-    const StoredDeviation deviation{.id = workplace_.ids().newUuid(),
+    const StoredDeviation deviation{.id = session_.ids().newUuid(),
                                     .cohortId = steps_.cohortId,
                                     .enrolmentId = steps_.enrolmentId,
                                     .kind = "phase cut short",
                                     .description = reason,
-                                    .happenedUtc_us = workplace_.now_us(),
-                                    .reportedBy = workplace_.actor().userId,
-                                    .reportedUtc_us = workplace_.now_us(),
+                                    .happenedUtc_us = session_.now_us(),
+                                    .reportedBy = session_.actor().userId,
+                                    .reportedUtc_us = session_.now_us(),
                                     .demonstration = steps_.demonstration};
     write([deviation, note](SessionContext& own) {
       Transaction transaction(own.connection());
@@ -221,13 +220,13 @@ void RunSession::stop(const std::string& reason) {
 RecordingSpec RunSession::newTrial() {
   const RunPhase& phase = run_.phase();
   const StoredModule& practised = module();
-  RecordingSpec recording{.trialId = workplace_.ids().newUuid(),
+  RecordingSpec recording{.trialId = session_.ids().newUuid(),
                           .traineeCode = steps_.traineeCode,
                           .phaseLabel = phase.label,
                           .targetAngle_rad = practised.targetAngle_rad,
-                          .startedUtc_us = workplace_.now_us(),
+                          .startedUtc_us = session_.now_us(),
                           .demonstration = steps_.demonstration,
-                          .context = {.station = workplace_.station(),
+                          .context = {.station = session_.station(),
                                       .enrolmentId = steps_.enrolmentId,
                                       .moduleId = practised.id,
                                       .phaseId = phase.phaseId,
@@ -239,14 +238,13 @@ RecordingSpec RunSession::newTrial() {
 }
 
 std::unique_ptr<TrialSink> RunSession::sinkFor(const RecordingSpec& recording) const {
-  return recordingSink(workplace_.key().locator, recording.context);
+  return recordingSink(session_.key().locator, recording.context);
 }
 
-std::vector<RecoveredTrial> recoverInterrupted(SessionContext& workplace,
-                                               const std::filesystem::path& folder) {
-  const TraineeRecord record = ownRecord(workplace, Operation::kTrialRecordOwn);
+std::vector<RecoveredTrial> recoverInterrupted(SessionContext& session, const std::filesystem::path& folder) {
+  const TraineeRecord record = ownRecord(session, Operation::kTrialRecordOwn);
   std::vector<RecoveredTrial> own;
-  for (const SettledTrial& settled : settleStation(workplace, folder).trials) {
+  for (const SettledTrial& settled : settleStation(session, folder).trials) {
     const TrialListing& trial = settled.trial;
     if (trial.traineeCode != record.code || trial.summary->outcome != TrialOutcome::kInterrupted) {
       continue;
@@ -261,36 +259,36 @@ std::vector<RecoveredTrial> recoverInterrupted(SessionContext& workplace,
   return own;
 }
 
-void decideOwnConsent(SessionContext& workplace, const std::string& purpose, bool granted,
+void decideOwnConsent(SessionContext& session, const std::string& purpose, bool granted,
                       const std::string& textVersion) {
-  const TraineeRecord record = ownRecord(workplace, Operation::kTrialRecordOwn);
+  const TraineeRecord record = ownRecord(session, Operation::kTrialRecordOwn);
   if (textVersion.empty()) {
     throw Error(ErrorCode::kBadParameter, "it is not known which text was shown", purpose,
                 "Open the consent again");
   }
-  Transaction transaction(workplace.connection());
-  PeopleRepository(workplace.connection())
+  Transaction transaction(session.connection());
+  PeopleRepository(session.connection())
       .recordConsent({.personId = record.personId,
                       .purpose = purpose,
                       .granted = granted,
                       .textVersion = textVersion,
-                      .decidedUtc_us = workplace.now_us(),
-                      .recordedBy = workplace.actor().userId,
+                      .decidedUtc_us = session.now_us(),
+                      .recordedBy = session.actor().userId,
                       .demonstration = record.demonstration});
   const nlohmann::json what{{"purpose", purpose}, {"granted", granted}, {"text", textVersion}};
-  workplace.note(
+  session.note(
       {.action = "consent.own", .objectKind = "person", .objectId = record.personId, .newJson = what.dump()});
   transaction.commit();
 }
 
-bool hasOwnConsent(SessionContext& workplace, const std::string& purpose) {
-  workplace.require(Operation::kTrialViewOwn);
-  return PeopleRepository(workplace.connection()).hasConsent(workplace.actor().personId, purpose);
+bool hasOwnConsent(SessionContext& session, const std::string& purpose) {
+  session.require(Operation::kTrialViewOwn);
+  return PeopleRepository(session.connection()).hasConsent(session.actor().personId, purpose);
 }
 
-bool gradesWithMouse(SessionContext& workplace) {
-  workplace.require(Operation::kPractice);
-  return SettingRepository(workplace.connection()).value("graded_with_mouse") == "yes";
+bool gradesWithMouse(SessionContext& session) {
+  session.require(Operation::kPractice);
+  return SettingRepository(session.connection()).value("graded_with_mouse") == "yes";
 }
 
 }  // namespace torsio

@@ -37,8 +37,8 @@ class RunSession {
   /// for the training record, {kDevice} when a graded run meets a device that is not green (or any run a red
   /// one), {kBadParameter} when the module is locked, used up or unknown, or all phases are over.
   /// `line`: writes what comes up in the course of the run, and gives the signs of life; it outlives the
-  /// session. Null: the workplace writes at once.
-  RunSession(SessionContext& workplace, const RunRequest& request, const Clock& clock,
+  /// session. Null: the session writes at once.
+  RunSession(SessionContext& session, const RunRequest& request, const Clock& clock,
              StationWriter* line = nullptr);
 
   [[nodiscard]] const TrainingRun& run() const noexcept { return run_; }
@@ -71,7 +71,7 @@ class RunSession {
   [[nodiscard]] AttemptMode mode() const noexcept;
   void heartbeat();
 
-  SessionContext& workplace_;
+  SessionContext& session_;
   const Clock* clock_;
   NextSteps steps_;
   ModuleStep step_;
@@ -94,16 +94,16 @@ struct RecoveredTrial {
 };
 /// Puts the recordings of this station in order (settleStation). Returns those of the actor that were cut
 /// off. kTrialRecordOwn.
-std::vector<RecoveredTrial> recoverInterrupted(SessionContext& workplace,
+std::vector<RecoveredTrial> recoverInterrupted(SessionContext& session,
                                                const std::filesystem::path& folder = unstoredFolder());
 
 /// The actor's own decision about a purpose of consent. kTrialRecordOwn. Throws Error{kBadParameter}.
-void decideOwnConsent(SessionContext& workplace, const std::string& purpose, bool granted,
+void decideOwnConsent(SessionContext& session, const std::string& purpose, bool granted,
                       const std::string& textVersion);
 /// Whether the actor's newest decision grants the purpose. kTrialViewOwn.
-[[nodiscard]] bool hasOwnConsent(SessionContext& workplace, const std::string& purpose);
+[[nodiscard]] bool hasOwnConsent(SessionContext& session, const std::string& purpose);
 
 /// Whether the centre grades runs with mouse and keyboard (setting "graded_with_mouse": "yes").
-[[nodiscard]] bool gradesWithMouse(SessionContext& workplace);
+[[nodiscard]] bool gradesWithMouse(SessionContext& session);
 
 }  // namespace torsio

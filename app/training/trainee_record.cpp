@@ -64,10 +64,10 @@ const StoredModule* TraineeRecord::module(const std::string& moduleId) const {
   return found == version->modules.end() ? nullptr : &*found;
 }
 
-TraineeRecord ownRecord(SessionContext& workplace, Operation operation) {
-  const std::string& personId = workplace.actor().personId;
-  workplace.requireOwn(operation, personId);
-  for (const StoredTrainee& trainee : PeopleRepository(workplace.connection()).trainees()) {
+TraineeRecord ownRecord(SessionContext& session, Operation operation) {
+  const std::string& personId = session.actor().personId;
+  session.requireOwn(operation, personId);
+  for (const StoredTrainee& trainee : PeopleRepository(session.connection()).trainees()) {
     if (trainee.person.id != personId) {
       continue;
     }
@@ -75,16 +75,16 @@ TraineeRecord ownRecord(SessionContext& workplace, Operation operation) {
     record.personId = personId;
     record.code = trainee.person.code;
     record.demonstration = trainee.person.demonstration;
-    findEnrolment(workplace.connection(), record);
-    findCurriculum(workplace.connection(), record);
+    findEnrolment(session.connection(), record);
+    findCurriculum(session.connection(), record);
     return record;
   }
-  throw Error(ErrorCode::kPermission, "you are not enrolled as a trainee", workplace.actor().login,
+  throw Error(ErrorCode::kPermission, "you are not enrolled as a trainee", session.actor().login,
               "Ask an administrator to add you to the roster");
 }
 
-TrialListing ownTrial(SessionContext& workplace, const TraineeRecord& record, const std::string& trialId) {
-  TrialRepository trials(workplace.connection());
+TrialListing ownTrial(SessionContext& session, const TraineeRecord& record, const std::string& trialId) {
+  TrialRepository trials(session.connection());
   TrialFilter filter;
   filter.traineeCode = record.code;
   filter.limit = kAllTrials;

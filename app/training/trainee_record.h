@@ -26,10 +26,10 @@ struct TraineeRecord {
 };
 
 /// The record of the actor. Throws Error{kPermission}: no right to `operation`, or no trainee.
-[[nodiscard]] TraineeRecord ownRecord(SessionContext& workplace, Operation operation);
+[[nodiscard]] TraineeRecord ownRecord(SessionContext& session, Operation operation);
 
 /// A trial of this trainee. Throws Error{kPermission} for somebody else's, {kBadParameter} for none.
-[[nodiscard]] TrialListing ownTrial(SessionContext& workplace, const TraineeRecord& record,
+[[nodiscard]] TrialListing ownTrial(SessionContext& session, const TraineeRecord& record,
                                     const std::string& trialId);
 
 }  // namespace torsio

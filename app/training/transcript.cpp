@@ -11,11 +11,11 @@ namespace {
 
 constexpr double kMinute_us = 60e6;
 
-void addTimes(SessionContext& workplace, const NextSteps& steps, Transcript& transcript) {
+void addTimes(SessionContext& session, const NextSteps& steps, Transcript& transcript) {
   if (steps.cohortId.empty()) {
     return;
   }
-  for (const StoredExposure& exposure : StudyRepository(workplace.connection()).exposures(steps.cohortId)) {
+  for (const StoredExposure& exposure : StudyRepository(session.connection()).exposures(steps.cohortId)) {
     if (exposure.enrolmentId != steps.enrolmentId) {
       continue;
     }
@@ -34,30 +34,30 @@ void addTimes(SessionContext& workplace, const NextSteps& steps, Transcript& tra
 
 }  // namespace
 
-Transcript transcript(SessionContext& workplace, const std::string& personId) {
-  const NextSteps steps = nextSteps(workplace, personId);
+Transcript transcript(SessionContext& session, const std::string& personId) {
+  const NextSteps steps = nextSteps(session, personId);
   Transcript transcript;
-  if (const auto centre = StudyRepository(workplace.connection()).centre()) {
+  if (const auto centre = StudyRepository(session.connection()).centre()) {
     transcript.centre = centre->name;
   }
-  if (const auto identity = PeopleRepository(workplace.connection()).identity(personId)) {
+  if (const auto identity = PeopleRepository(session.connection()).identity(personId)) {
     transcript.fullName = identity->fullName;
   }
   transcript.traineeCode = steps.traineeCode;
   transcript.cohortName = steps.cohortName;
   transcript.armLabel = steps.armLabel;
   transcript.demonstration = steps.demonstration;
-  transcript.madeUtc_us = workplace.now_us();
+  transcript.madeUtc_us = session.now_us();
   transcript.softwareVersion = softwareVersion();
   for (const ModuleStep& step : steps.modules) {
     TranscriptModule module;
     module.step = step;
-    module.attempts = attemptsOf(workplace, personId, step.module.id);
-    module.level = trend(workplace, personId, step.module.id).level;
+    module.attempts = attemptsOf(session, personId, step.module.id);
+    module.level = trend(session, personId, step.module.id).level;
     transcript.modules.push_back(std::move(module));
   }
-  addTimes(workplace, steps, transcript);
-  workplace.note({.action = "transcript.make", .objectKind = "person", .objectId = personId});
+  addTimes(session, steps, transcript);
+  session.note({.action = "transcript.make", .objectKind = "person", .objectId = personId});
   return transcript;
 }
 

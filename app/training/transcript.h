@@ -33,6 +33,6 @@ struct Transcript {
   double rest_min = 0.0;
 };
 /// kTrialViewOwn, own person only. Audited: it may leave the house.
-[[nodiscard]] Transcript transcript(SessionContext& workplace, const std::string& personId);
+[[nodiscard]] Transcript transcript(SessionContext& session, const std::string& personId);
 
 }  // namespace torsio

@@ -131,10 +131,10 @@ LevelCourse levelCourse(const std::vector<bool>& failed) {
   return course;
 }
 
-Trend trend(SessionContext& workplace, const std::string& personId, const std::string& moduleId,
+Trend trend(SessionContext& session, const std::string& personId, const std::string& moduleId,
             const std::string& metric) {
-  workplace.requireOwn(Operation::kTrialViewOwn, personId);
-  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
+  session.requireOwn(Operation::kTrialViewOwn, personId);
+  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   const StoredModule* module = record.module(moduleId);
   if (module == nullptr) {
     throw Error(ErrorCode::kBadParameter, "your curriculum has no such module", moduleId,
@@ -149,7 +149,7 @@ Trend trend(SessionContext& workplace, const std::string& personId, const std::s
   }
   describeMetric(trend);
   std::vector<bool> failed;
-  for (const Attempt& attempt : attemptsOf(workplace, personId, moduleId)) {
+  for (const Attempt& attempt : attemptsOf(session, personId, moduleId)) {
     if (!attempt.ended || attempt.interrupted) {
       continue;
     }

@@ -74,7 +74,7 @@ struct LevelCourse {
 
 /// kTrialViewOwn, own attempts only. `metric`: empty: that of the module's first mastery rule. Throws
 /// Error{kBadParameter} for a module that is not in the trainee's curriculum.
-[[nodiscard]] Trend trend(SessionContext& workplace, const std::string& personId, const std::string& moduleId,
+[[nodiscard]] Trend trend(SessionContext& session, const std::string& personId, const std::string& moduleId,
                           const std::string& metric = {});
 
 }  // namespace torsio

@@ -3,8 +3,8 @@
 #include <map>
 
 #include "assessment/report/number_format.h"
+#include "assessment/report/report_labels.h"
 #include "assessment/report/report_sections.h"
-#include "assessment/report/report_words.h"
 #include "assessment/report/study_analysis.h"
 #include "sim/base/text_list.h"
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "assessment/report/number_format.h"
+#include "assessment/report/report_labels.h"
 #include "assessment/report/report_sections.h"
-#include "assessment/report/report_words.h"
 
 namespace torsio {
 

@@ -101,11 +101,4 @@
         </translation>
     </message>
 </context>
-<context>
-    <name>Assets</name>
-    <message>
-        <source>Arm</source>
-        <translation>Forearm</translation>
-    </message>
-</context>
 </TS>

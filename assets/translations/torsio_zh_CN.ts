@@ -192,7 +192,7 @@
 <context>
     <name>Assets</name>
     <message>
-        <source>Arm</source>
+        <source>Forearm</source>
         <translation>前臂</translation>
     </message>
     <message>

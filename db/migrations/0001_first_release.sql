@@ -260,12 +260,12 @@ CREATE INDEX audit_entry_time ON audit_entry (at_utc_us);
 
 -- Curricula.
 
-CREATE TABLE scoring_point (
+CREATE TABLE occasion (
   code TEXT PRIMARY KEY,
   label TEXT NOT NULL,
   position BIGINT NOT NULL
 );
-INSERT INTO scoring_point (code, label, position) VALUES
+INSERT INTO occasion (code, label, position) VALUES
   ('pre', 'before training', 1), ('mid', 'after 20 min', 2), ('post', 'after 40 min', 3);
 
 CREATE TABLE curriculum (
@@ -374,13 +374,13 @@ CREATE INDEX curriculum_phase_module ON curriculum_phase (module_id);
 {{append_only curriculum_phase}}
 
 -- When marks are taken: after so much exposure (0: before training).
-CREATE TABLE curriculum_scoring_point (
+CREATE TABLE curriculum_occasion (
   version_id TEXT NOT NULL REFERENCES curriculum_version (id),
-  scoring_point TEXT NOT NULL REFERENCES scoring_point (code),
+  occasion TEXT NOT NULL REFERENCES occasion (code),
   after_exposure_us BIGINT NOT NULL CHECK (after_exposure_us >= 0),
-  PRIMARY KEY (version_id, scoring_point)
+  PRIMARY KEY (version_id, occasion)
 );
-{{append_only curriculum_scoring_point}}
+{{append_only curriculum_occasion}}
 
 -- The training study.
 
@@ -793,7 +793,7 @@ CREATE TABLE assignment (
   id TEXT PRIMARY KEY,
   rater_id TEXT NOT NULL REFERENCES rater (person_id),
   enrolment_id TEXT NOT NULL REFERENCES enrolment (id),
-  scoring_point TEXT NOT NULL REFERENCES scoring_point (code),
+  occasion TEXT NOT NULL REFERENCES occasion (code),
   trial_id TEXT REFERENCES trial (id),
   rubric_revision_id TEXT NOT NULL REFERENCES rubric_revision (id),
   case_label TEXT NOT NULL,
@@ -802,10 +802,10 @@ CREATE TABLE assignment (
   assigned_by TEXT NOT NULL,
   assigned_utc_us BIGINT NOT NULL,
   demonstration BOOLEAN NOT NULL,
-  UNIQUE (rater_id, enrolment_id, scoring_point),
+  UNIQUE (rater_id, enrolment_id, occasion),
   UNIQUE (rater_id, case_label)
 );
-CREATE INDEX assignment_enrolment ON assignment (enrolment_id, scoring_point);
+CREATE INDEX assignment_enrolment ON assignment (enrolment_id, occasion);
 CREATE INDEX assignment_trial ON assignment (trial_id);
 CREATE INDEX assignment_rubric ON assignment (rubric_revision_id);
 {{append_only assignment}}
@@ -852,7 +852,7 @@ CREATE TABLE training_mark (
   id TEXT PRIMARY KEY,
   enrolment_id TEXT NOT NULL REFERENCES enrolment (id),
   rater_id TEXT NOT NULL REFERENCES rater (person_id),
-  scoring_point TEXT NOT NULL REFERENCES scoring_point (code),
+  occasion TEXT NOT NULL REFERENCES occasion (code),
   version BIGINT NOT NULL CHECK (version >= 1),
   trial_id TEXT REFERENCES trial (id),
   score_steps BIGINT,
@@ -866,7 +866,7 @@ CREATE TABLE training_mark (
   demonstration BOOLEAN NOT NULL,
   assignment_id TEXT REFERENCES assignment (id),
   comment_hash TEXT,
-  UNIQUE (enrolment_id, rater_id, scoring_point, version),
+  UNIQUE (enrolment_id, rater_id, occasion, version),
   CHECK (score_steps BETWEEN scale_lo_steps AND scale_hi_steps),
   CHECK ((score_steps IS NULL) = (not_assessable_reason IS NOT NULL)),
   CHECK ((version = 1) = (amend_reason IS NULL))
@@ -903,13 +903,13 @@ CREATE TABLE mark_viewing (
 -- Marks of a cohort at a scoring point shown to trainees, or taken back; the newest row counts.
 CREATE TABLE mark_release (
   cohort_id TEXT NOT NULL REFERENCES cohort (id),
-  scoring_point TEXT NOT NULL REFERENCES scoring_point (code),
+  occasion TEXT NOT NULL REFERENCES occasion (code),
   sequence BIGINT NOT NULL,
   released BOOLEAN NOT NULL,
   reason TEXT NOT NULL,
   decided_by TEXT NOT NULL,
   decided_utc_us BIGINT NOT NULL,
-  PRIMARY KEY (cohort_id, scoring_point, sequence)
+  PRIMARY KEY (cohort_id, occasion, sequence)
 );
 {{append_only mark_release}}
 
@@ -1068,13 +1068,13 @@ CREATE TABLE composite_result (
 CREATE TABLE training_result (
   run_id TEXT NOT NULL REFERENCES assessment_run (id),
   enrolment_id TEXT NOT NULL REFERENCES enrolment (id),
-  scoring_point TEXT NOT NULL REFERENCES scoring_point (code),
+  occasion TEXT NOT NULL REFERENCES occasion (code),
   mean DOUBLE PRECISION NOT NULL,
   variance DOUBLE PRECISION NOT NULL,
   rater_count BIGINT NOT NULL,
   missing_count BIGINT NOT NULL,
   flags TEXT NOT NULL,
-  PRIMARY KEY (run_id, enrolment_id, scoring_point)
+  PRIMARY KEY (run_id, enrolment_id, occasion)
 );
 CREATE INDEX training_result_enrolment ON training_result (enrolment_id);
 {{append_only training_result}}
@@ -1082,13 +1082,13 @@ CREATE INDEX training_result_enrolment ON training_result (enrolment_id);
 CREATE TABLE training_group_result (
   run_id TEXT NOT NULL REFERENCES assessment_run (id),
   group_id TEXT NOT NULL REFERENCES training_group (id),
-  scoring_point TEXT NOT NULL REFERENCES scoring_point (code),
+  occasion TEXT NOT NULL REFERENCES occasion (code),
   trainee_count BIGINT NOT NULL,
   mean DOUBLE PRECISION NOT NULL,
   variance_n DOUBLE PRECISION NOT NULL,
   variance_n_minus_1 DOUBLE PRECISION,
   flags TEXT NOT NULL,
-  PRIMARY KEY (run_id, group_id, scoring_point)
+  PRIMARY KEY (run_id, group_id, occasion)
 );
 CREATE INDEX training_group_result_group ON training_group_result (group_id);
 {{append_only training_group_result}}

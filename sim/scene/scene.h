@@ -42,7 +42,7 @@ struct TwistPattern {
 /// Request for a scene: a scene file of assets/scenes, possibly with another organ.
 struct SceneRequest {
   std::filesystem::path assets;                    ///< the assets folder
-  std::string id = "arm";                          ///< assets/scenes/<id>.json
+  std::string id = "forearm";                      ///< assets/scenes/<id>.json
   std::optional<std::filesystem::path> organFile;  ///< the user's mesh instead (--organ FILE)
   double organScale_m = 0.001;                     ///< one file unit of organFile in metres
   /// Id of the pattern; empty: the first of the scene. With organFile it may be a pattern of any scene,

@@ -44,7 +44,7 @@ double processor_s() {
 int main() {
   SceneRequest request;
   request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = "arm";
+  request.id = "forearm";
   const Scene scene = loadScene(request);
   bool kept = true;
   for (const std::int64_t minutes : {20, 40}) {

@@ -25,7 +25,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/record/sample_codec.h"
-#include "tests/app/session/office_centre.h"
+#include "tests/app/support/study_centre.h"
 
 namespace torsio {
 namespace {
@@ -105,23 +105,23 @@ std::vector<Sample> twist() {
 }
 
 /// Three groups, everybody with three recordings and thirty marks, stored through the repositories.
-std::string fill(testing::OfficeCentre& centre) {
+std::string fill(testing::StudyCentre& centre) {
   Connection& connection = centre.connection();
-  IdSource& ids = centre.workplace().ids();
+  IdSource& ids = centre.session().ids();
   std::vector<StoredTrainee> trainees;
   for (int i = 0; i < kTrainees; ++i) {
     StoredTrainee trainee;
     trainee.person.id = ids.newUuid();
     trainee.person.code = "T-" + std::to_string(10'000 + i);
     trainee.person.sex = i % 2 == 0 ? "female" : "male";
-    trainee.person.createdUtc_us = testing::kOfficeTime_us;
+    trainee.person.createdUtc_us = testing::kStudyTime_us;
     trainees.push_back(trainee);
   }
   const std::vector<std::string> raters = centre.addChiefs(kRaters);
   Transaction transaction(connection);
   PeopleRepository(connection).addTrainees(trainees);
   StudyRepository study(connection);
-  StoredCohort cohort{.id = ids.newUuid(), .name = "Large", .createdUtc_us = testing::kOfficeTime_us};
+  StoredCohort cohort{.id = ids.newUuid(), .name = "Large", .createdUtc_us = testing::kStudyTime_us};
   std::vector<StoredGroup> groups;
   for (int g = 1; g <= 3; ++g) {
     groups.push_back({.id = ids.newUuid(),
@@ -138,7 +138,7 @@ std::string fill(testing::OfficeCentre& centre) {
                           .traineeId = trainees[static_cast<std::size_t>(i)].person.id,
                           .groupId = groups[static_cast<std::size_t>(i % 3)].id,
                           .numberInGroup = 1 + i / 3,
-                          .enrolledUtc_us = testing::kOfficeTime_us});
+                          .enrolledUtc_us = testing::kStudyTime_us});
   }
   study.enrol(enrolments);
   std::vector<StoredTrainingMark> marks;
@@ -149,9 +149,9 @@ std::string fill(testing::OfficeCentre& centre) {
         mark.id = ids.newUuid();
         mark.enrolmentId = enrolment.id;
         mark.raterId = raters[r];
-        mark.scoringPoint = point;
+        mark.occasionCode = point;
         mark.score_steps = 10 * static_cast<std::int64_t>(1 + (marks.size() * 7 + r) % 10);
-        mark.submittedUtc_us = testing::kOfficeTime_us;
+        mark.submittedUtc_us = testing::kStudyTime_us;
         marks.push_back(std::move(mark));
       }
     }
@@ -162,11 +162,11 @@ std::string fill(testing::OfficeCentre& centre) {
     TrialHeader header;
     header.trialId = ids.newUuid();
     header.traineeCode = trainees[i / kTrialsEach].person.code;
-    header.sceneId = "arm";
+    header.sceneId = "forearm";
     header.patternId = "pronation";
     header.parametersJson = "{}";
     header.targetAngle_rad = 1.0;
-    header.startedUtc_us = testing::kOfficeTime_us;
+    header.startedUtc_us = testing::kStudyTime_us;
     TrialRepository trials(connection, {.station = "bench", .enrolmentId = enrolments[i / kTrialsEach].id});
     trials.begin(header);
     trials.append(chunk);
@@ -179,13 +179,13 @@ std::string fill(testing::OfficeCentre& centre) {
   return cohort.id;
 }
 
-Verdict measureReport(testing::OfficeCentre& centre, const std::string& cohortId) {
+Verdict measureReport(testing::StudyCentre& centre, const std::string& cohortId) {
   ReportRequest request;
   request.cohortId = cohortId;
-  SessionContext& workplace = centre.as("statistician");
+  SessionContext& session = centre.as("statistician");
   const auto build = [&] {
     TrialDigests digests(centre.assets());  // as in a program that has just been started
-    const ReportModel model = cohortReport(reportInputs(workplace, request, digests));
+    const ReportModel model = cohortReport(reportInputs(session, request, digests));
     if (model.sections.empty()) {
       std::abort();
     }
@@ -203,7 +203,7 @@ Verdict measureReport(testing::OfficeCentre& centre, const std::string& cohortId
 }
 
 /// Everybody's record is due for review two days later.
-void letAllBecomeDue(testing::OfficeCentre& centre) {
+void letAllBecomeDue(testing::StudyCentre& centre) {
   setRetentionRule(centre.as("administrator"), kRetainTrainee, 1, "a rule of the bench");
   centre.passTime_us(2 * 86'400'000'000);
 }
@@ -227,11 +227,11 @@ Took openings(const gui::PageEntry& entry, gui::ShellContext& shell) {
   return shortest;
 }
 
-Verdict measureLists(testing::OfficeCentre& centre) {
+Verdict measureLists(testing::StudyCentre& centre) {
   letAllBecomeDue(centre);
-  gui::ShellContext shell(centre.workplace(), centre.assets(), gui::ThemeKind::kLight);
+  gui::ShellContext shell(centre.session(), centre.assets(), gui::ThemeKind::kLight);
   Verdict worst = Verdict::kMet;
-  for (const gui::PageEntry& entry : gui::officePages()) {
+  for (const gui::PageEntry& entry : gui::administratorPages()) {
     if (entry.id == gui::PageId::kResults || entry.id == gui::PageId::kReports) {
       continue;  // measured above
     }
@@ -241,7 +241,7 @@ Verdict measureLists(testing::OfficeCentre& centre) {
   return worst;
 }
 
-Verdict measureTrials(testing::OfficeCentre& centre) {
+Verdict measureTrials(testing::StudyCentre& centre) {
   std::size_t listed = 0;
   const Took took = milliseconds([&] { listed = codedTrials(centre.as("administrator")).size(); });
   if (listed == 0) {
@@ -253,8 +253,8 @@ Verdict measureTrials(testing::OfficeCentre& centre) {
 /// A roster of ten thousand people, compared and then stored. No target: it happens once a year.
 void measureRoster() {
   constexpr int kPeople = 10'000;
-  testing::OfficeCentre centre;
-  SessionContext& workplace = centre.as("administrator");
+  testing::StudyCentre centre;
+  SessionContext& session = centre.as("administrator");
   std::string text = "external_id,full_name,sex,level\r\n";
   for (int i = 0; i < kPeople; ++i) {
     text += std::to_string(500'000 + i) + ",Person " + std::to_string(i) + ",female,intern\r\n";
@@ -263,9 +263,9 @@ void measureRoster() {
   const RosterColumns columns = suggestColumns(file, RosterKind::kTrainees);
   RosterPreview preview;
   const Took compared =
-      milliseconds([&] { preview = previewRoster(workplace, file, RosterKind::kTrainees, columns); });
+      milliseconds([&] { preview = previewRoster(session, file, RosterKind::kTrainees, columns); });
   const Took stored = milliseconds([&] {
-    static_cast<void>(importRoster(workplace, file, RosterKind::kTrainees, columns, preview.fingerprint,
+    static_cast<void>(importRoster(session, file, RosterKind::kTrainees, columns, preview.fingerprint,
                                    RosterMode::kCommit));
   });
   print("a roster of 10,000 is compared", compared);
@@ -280,7 +280,7 @@ void measureRoster() {
 int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   QApplication application(argc, argv);
-  torsio::testing::OfficeCentre centre;
+  torsio::testing::StudyCentre centre;
   std::string cohortId;
   torsio::print("filling", torsio::milliseconds([&] { cohortId = torsio::fill(centre); }));
   std::printf("\n");

@@ -80,7 +80,7 @@ double renderer_MB() {
 Trial recorded(const std::filesystem::path& assets, double duration_s) {
   SceneRequest request;
   request.assets = assets;
-  request.id = "arm";
+  request.id = "forearm";
   ScriptedTrial script;
   script.recording = {.trialId = "bench", .phaseLabel = "bench"};
   script.duration_s = duration_s;

@@ -182,7 +182,7 @@ int main(int argc, char** argv) {
   }
   using namespace torsio;
   const TriangleMesh bar = testing::prism(testing::circleOutline(kBarRadius_m, 100), kBarLength_m, 104);
-  const Scene scenes[] = {barScene(bar), shipped("arm"), shipped("stomach")};
+  const Scene scenes[] = {barScene(bar), shipped("forearm"), shipped("stomach")};
   for (const Scene& scene : scenes) {
     measure(scene, seconds);
     measureAnywhere(scene);

@@ -20,7 +20,7 @@ class AlignmentRepositoryTest : public DatabaseTest {
     StoredAssignment assignment{.id = sample.ids.newUuid()};
     assignment.raterId = sample.chiefs[0].person.id;
     assignment.enrolmentId = sample.enrolments[0].id;
-    assignment.scoringPoint = "mid";
+    assignment.occasionCode = "mid";
     assignment.rubricRevisionId = "revision";
     assignment.caseLabel = "7F";
     sheets.assign(std::span(&assignment, 1));

@@ -43,7 +43,7 @@ class AuditRepositoryTest : public DatabaseTest {
     mark.id = sample.ids.newUuid();
     mark.enrolmentId = sample.enrolments[0].id;
     mark.raterId = sample.chiefs[0].person.id;
-    mark.scoringPoint = "pre";
+    mark.occasionCode = "pre";
     mark.score_steps = 40;
     mark.comment = "calm";
     mark.submittedUtc_us = kSampleTime_us;
@@ -175,7 +175,7 @@ TEST_F(AuditRepositoryTest, FindsAMarkThatWasSlippedIn) {
   Connection connection = openWithSchema();
   const SampleRecord sample(connection, 1);
   connection.execute(
-      "INSERT INTO training_mark (id, enrolment_id, rater_id, scoring_point, version, score_steps, "
+      "INSERT INTO training_mark (id, enrolment_id, rater_id, occasion, version, score_steps, "
       "scale_lo_steps,"
       " scale_hi_steps, steps_per_point, submitted_utc_us, demonstration)"
       " VALUES ('x', ?, ?, 'pre', 1, 100, 10, 100, 10, 0, ?)",

@@ -38,7 +38,7 @@ class CurriculumRepositoryTest : public DatabaseTest {
     version.arms[1].phases = {
         {sample.ids.newUuid(), PhaseKind::kVirtual, "virtual 0-20 min", 20 * kMinute_us, ""},
         {sample.ids.newUuid(), PhaseKind::kReal, "real 20-40 min", 20 * kMinute_us, ""}};
-    version.scoringPoints = {{"pre", 0}, {"mid", 20 * kMinute_us}, {"post", 40 * kMinute_us}};
+    version.plannedOccasions = {{"pre", 0}, {"mid", 20 * kMinute_us}, {"post", 40 * kMinute_us}};
     return version;
   }
 };
@@ -68,8 +68,8 @@ TEST_F(CurriculumRepositoryTest, ReturnsAVersionWithAllItsParts) {
   ASSERT_EQ(stored.arms[1].phases.size(), 2U);
   EXPECT_EQ(stored.arms[1].phases[1].kind, PhaseKind::kReal);
   EXPECT_EQ(stored.arms[1].phases[1].duration_us, 20 * kMinute_us);
-  ASSERT_EQ(stored.scoringPoints.size(), 3U);
-  EXPECT_EQ(stored.scoringPoints[2].code, "post");
+  ASSERT_EQ(stored.plannedOccasions.size(), 3U);
+  EXPECT_EQ(stored.plannedOccasions[2].code, "post");
   EXPECT_EQ(curricula.versionIds(version.curriculumId), (std::vector<std::string>{version.id}));
   EXPECT_EQ(curricula.curricula().at(0).name, "Paper protocol");
 }
@@ -111,7 +111,7 @@ TEST_F(CurriculumRepositoryTest, AVersionNeverChanges) {
 
   for (const std::string table :
        {"curriculum_version", "curriculum_state", "module", "module_prerequisite", "mastery_rule",
-        "curriculum_arm", "curriculum_phase", "curriculum_scoring_point"}) {
+        "curriculum_arm", "curriculum_phase", "curriculum_occasion"}) {
     EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM " + table); }), DbFault::kAppendOnly) << table;
   }
 }

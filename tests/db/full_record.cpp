@@ -39,7 +39,7 @@ const std::map<std::string, Value> kRuled{{"kind", "virtual"},
 
 /// Tables that stay empty, or that the migrations fill.
 const std::set<std::string> kLeftAlone{"erasure_gate", "audit_entry",    "role",
-                                       "operation",    "role_operation", "scoring_point"};
+                                       "operation",    "role_operation", "occasion"};
 
 std::map<std::string, std::string> typesOf(Connection& connection, const std::string& table) {
   std::map<std::string, std::string> types;
@@ -190,7 +190,7 @@ void addCurriculum(Connection& connection, const std::string& prefix, bool demon
   arm.code = "A";
   arm.phases = {{prefix + " phase", PhaseKind::kVirtual, "first", 60, version.modules[0].id}};
   version.arms = {arm};
-  version.scoringPoints = {{"pre", 0}};
+  version.plannedOccasions = {{"pre", 0}};
   curricula.addVersion(version, "admin");
 }
 
@@ -223,7 +223,7 @@ void addTrialAndMark(Connection& connection, const FullRecord& record, const std
     StoredAssignment assignment{.id = prefix + " " + point};
     assignment.raterId = record.raterId;
     assignment.enrolmentId = prefix + " enrolment";
-    assignment.scoringPoint = point;
+    assignment.occasionCode = point;
     assignment.trialId = record.trialId;
     assignment.rubricRevisionId = prefix + " revision";
     assignment.caseLabel = point;

@@ -46,7 +46,7 @@ TrialChunk wholeChunk(std::int64_t index) {
   mark.enrolmentId =
       StudyRepository(connection).enrolments(StudyRepository(connection).cohorts().at(0).id).at(0).id;
   mark.raterId = people.raters().at(0).person.id;
-  mark.scoringPoint = "pre";
+  mark.occasionCode = "pre";
   mark.score_steps = 50;
   const std::int64_t versions = static_cast<std::int64_t>(
       RatingRepository(connection).history(mark.enrolmentId, mark.raterId, "pre").size());

@@ -20,7 +20,7 @@ std::vector<StoredTrainingMark> marksFor(SampleRecord& sample,
         mark.id = sample.ids.newUuid();
         mark.enrolmentId = enrolment.id;
         mark.raterId = chief.person.id;
-        mark.scoringPoint = "pre";
+        mark.occasionCode = "pre";
         mark.version = version;
         mark.amendReason = version == 1 ? "" : "again";
         mark.score_steps = 50;

@@ -87,7 +87,7 @@ class PersonDataTest : public DatabaseTest {
       mark.id = sample.ids.newUuid();
       mark.enrolmentId = sample.enrolments[i].id;
       mark.raterId = sample.chiefs[0].person.id;
-      mark.scoringPoint = "pre";
+      mark.occasionCode = "pre";
       mark.score_steps = 73;
       mark.comment = text + " did well";
       mark.submittedUtc_us = kSampleTime_us;
@@ -109,7 +109,7 @@ class PersonDataTest : public DatabaseTest {
       StoredAssignment assignment{.id = sample.ids.newUuid()};
       assignment.raterId = sample.chiefs[1].person.id;
       assignment.enrolmentId = sample.enrolments[i].id;
-      assignment.scoringPoint = "mid";
+      assignment.occasionCode = "mid";
       assignment.rubricRevisionId = "revision";
       assignment.caseLabel = std::to_string(i);
       sheets.assign(std::span(&assignment, 1));

@@ -165,7 +165,7 @@ TEST_F(QueryPlanTest, TheDeskOfARaterIsFoundByIndex) {
   expectNoWalk(plansOf(connection, [&] { (void)alignment.ofCase("e", "pre"); }));
 }
 
-TEST_F(QueryPlanTest, WhatTheOfficeOpensIsFoundByIndex) {
+TEST_F(QueryPlanTest, WhatTheAdministratorOpensIsFoundByIndex) {
   Connection connection = openWithSchema();
   CurriculumRepository curricula(connection);
   expectNoWalk(plansOf(connection, [&] { (void)curricula.draft("c"); }));

@@ -15,7 +15,7 @@ class RatingRepositoryTest : public DatabaseTest {
     mark.id = sample.ids.newUuid();
     mark.enrolmentId = sample.enrolments[trainee].id;
     mark.raterId = sample.chiefs[rater].person.id;
-    mark.scoringPoint = point;
+    mark.occasionCode = point;
     mark.score_steps = score_steps;
     mark.submittedUtc_us = kSampleTime_us;
     mark.demonstration = true;
@@ -40,13 +40,13 @@ TEST_F(RatingRepositoryTest, ReturnsMarksWithTheirPeopleByScoringPoint) {
 
   const std::vector<StoredTrainingMark> stored = ratings.marks(sample.cohort.id);
   ASSERT_EQ(stored.size(), 12U);
-  EXPECT_EQ(stored[0].scoringPoint, "pre");
+  EXPECT_EQ(stored[0].occasionCode, "pre");
   EXPECT_EQ(stored[0].traineeCode, "T-01");
   EXPECT_EQ(stored[0].raterCode, "C-01");
   EXPECT_EQ(stored[0].score_steps, 73);
   EXPECT_EQ(stored[0].scale.hi, 100);
   EXPECT_TRUE(stored[0].demonstration);
-  EXPECT_EQ(stored[9].scoringPoint, "post");
+  EXPECT_EQ(stored[9].occasionCode, "post");
   EXPECT_EQ(stored[9].comment, "steady hand");
 }
 

@@ -123,7 +123,7 @@ TEST_F(ReconnectTest, ACallerMaySubmitTheSameMarkAgainOverANewConnection) {
   mark.id = sample.ids.newUuid();
   mark.enrolmentId = sample.enrolments[0].id;
   mark.raterId = sample.chiefs[0].person.id;
-  mark.scoringPoint = "pre";
+  mark.occasionCode = "pre";
   mark.score_steps = 73;
   mark.submittedUtc_us = kSampleTime_us;
   {

@@ -82,7 +82,7 @@ TEST_F(RetentionRepositoryTest, TheLastMarkOfAnyEnrolmentIsAnActivity) {
     mark.id = sample.ids.newUuid();
     mark.enrolmentId = enrolment.id;
     mark.raterId = sample.chiefs[0].person.id;
-    mark.scoringPoint = point;
+    mark.occasionCode = point;
     mark.score_steps = 40;
     mark.submittedUtc_us = kSampleTime_us + day * kDay_us;
     marks.push_back(mark);

@@ -70,7 +70,7 @@ TrialHeader sampleHeader(const std::string& trialId, const std::string& traineeC
   TrialHeader header;
   header.trialId = trialId;
   header.traineeCode = traineeCode;
-  header.sceneId = "arm";
+  header.sceneId = "forearm";
   header.patternId = "pronation";
   header.organHash = "0a1b";
   header.parameterHash = "2c3d";

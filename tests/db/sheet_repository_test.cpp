@@ -30,7 +30,7 @@ class SheetRepositoryTest : public DatabaseTest {
           assignment.id = sample.ids.newUuid();
           assignment.raterId = sample.chiefs[rater].person.id;
           assignment.enrolmentId = sample.enrolments[trainee].id;
-          assignment.scoringPoint = "pre";
+          assignment.occasionCode = "pre";
           assignment.rubricRevisionId = rubric.id;
           assignment.caseLabel = std::to_string(trainee) + "F";
           assignment.position = -static_cast<std::int64_t>(trainee);

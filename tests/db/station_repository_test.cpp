@@ -28,7 +28,7 @@ TEST_F(StationRepositoryTest, ShowsWhichStationOwnsARunningTrial) {
   EXPECT_EQ(owner->station, "room 2");
   EXPECT_EQ(owner->userId, "u");
   EXPECT_EQ(owner->traineeCode, "T-01");
-  EXPECT_EQ(owner->sceneId, "arm");
+  EXPECT_EQ(owner->sceneId, "forearm");
   EXPECT_EQ(owner->phaseLabel, "virtual 0-20 min");
   EXPECT_EQ(owner->startedUtc_us, kSampleTime_us);
   EXPECT_FALSE(owner->ended);

@@ -150,7 +150,7 @@ TEST_F(TrialRepositoryTest, ListsTheNewestFirstAndFilters) {
   for (int i = 0; i < 4; ++i) {
     TrialHeader header = sampleHeader(sample.ids.newUuid(), i % 2 == 0 ? "T-01" : "T-02");
     header.startedUtc_us += i;
-    header.sceneId = i < 2 ? "arm" : "stomach";
+    header.sceneId = i < 2 ? "forearm" : "stomach";
     ids.push_back(header.trialId);
     TrialRepository trials(connection, {"s", sample.enrolments[static_cast<std::size_t>(i % 2)].id});
     record(trials, header, 1, i == 3);
@@ -163,7 +163,7 @@ TEST_F(TrialRepositoryTest, ListsTheNewestFirstAndFilters) {
   const std::vector<TrialListing> first = trials.list({.traineeCode = "T-01"});
   ASSERT_EQ(first.size(), 2U);
   EXPECT_EQ(first[0].trialId, ids[2]);
-  EXPECT_EQ(trials.list({.traineeCode = "T-01", .sceneId = "arm"}).at(0).trialId, ids[0]);
+  EXPECT_EQ(trials.list({.traineeCode = "T-01", .sceneId = "forearm"}).at(0).trialId, ids[0]);
   EXPECT_EQ(trials.list({.enrolmentId = sample.enrolments[1].id}).size(), 2U);
   EXPECT_EQ(trials.list({.limit = 1, .offset = 1}).at(0).trialId, ids[2]);
 }

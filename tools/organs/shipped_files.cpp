@@ -7,7 +7,7 @@
 
 #include "sim/base/angle.h"
 #include "sim/geometry/mesh/mesh_export.h"
-#include "tools/organs/arm.h"
+#include "tools/organs/forearm.h"
 #include "tools/organs/grasper.h"
 #include "tools/organs/stomach.h"
 
@@ -73,7 +73,7 @@ std::string markersJson(const Arm& arm) {
     markers += (markers.size() > 1 ? ",\n    " : "\n    ") + one.lines();
   }
   JsonObject json;
-  json.text("organ", "arm.ply").text("provenance", kProvenance).text("licence", kLicence);
+  json.text("organ", "forearm.ply").text("provenance", kProvenance).text("licence", kLicence);
   json.text(
       "frame",
       "LPS; axis along +z, elbow at z = 0, fingers up; thumb at +x, back of the hand at +y; angles about the "
@@ -113,10 +113,10 @@ std::vector<ShippedFile> shippedFiles() {
   const Grasper grasper = makeGrasper();
   const std::string grasperSize = "a usual 5 mm laparoscopic grasper";
   return {
-      {"organs/arm.ply",
+      {"organs/forearm.ply",
        ply(arm.surface, "right forearm and hand, straight, supinated",
            "a man's means of ANSUR II (2012); fingers after Chatzioglou 2024, Anat Cell Biol 57:172")},
-      {"organs/arm_markers.json", markersJson(arm)},
+      {"organs/forearm_markers.json", markersJson(arm)},
       {"organs/stomach.ply",
        ply(makeStomach().surface, "J-shaped stomach, moderately full",
            "centreline 267 mm, 0.71 l, section widths after the BodyParts3D stomach and MRI of "

@@ -14,7 +14,7 @@
 
 #include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/printed_cards.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/theme.h"

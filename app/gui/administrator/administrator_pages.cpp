@@ -37,7 +37,7 @@ ScreenEntry screen(const char* name, PageId page, std::function<void(Page&)> pre
 
 }  // namespace
 
-std::vector<PageEntry> officePages() {
+std::vector<PageEntry> administratorPages() {
   return {entry<RunDayPage>(PageId::kRunDay),         entry<RosterPage>(PageId::kRoster),
           entry<CurriculaPage>(PageId::kCurricula),   entry<CohortsPage>(PageId::kCohorts),
           entry<AllocationPage>(PageId::kAllocation), entry<ScoringPage>(PageId::kScoring),
@@ -48,7 +48,7 @@ std::vector<PageEntry> officePages() {
           entry<DevicesPage>(PageId::kDevices)};
 }
 
-std::vector<ScreenEntry> officeScreens() {
+std::vector<ScreenEntry> administratorScreens() {
   const auto shows = [](const char* id) {
     return [id](Page& page) {
       auto& results = dynamic_cast<ResultsPage&>(page);
@@ -66,28 +66,28 @@ std::vector<ScreenEntry> officeScreens() {
   };
   const auto report = [](Page& page) { dynamic_cast<ReportsPage&>(page).settle(); };
   return {
-      screen("office-run-day", PageId::kRunDay),
-      screen("office-roster", PageId::kRoster),
-      screen("office-curricula", PageId::kCurricula, fromTemplate),
-      screen("office-cohorts", PageId::kCohorts),
-      screen("office-allocation", PageId::kAllocation),
-      screen("office-scoring", PageId::kScoring),
-      screen("office-evaluation", PageId::kCampaigns),
-      screen("office-results-scores", PageId::kResults, shows("figure-22")),
-      screen("office-results-differences", PageId::kResults, shows("figure-differences")),
-      screen("office-results-boxes", PageId::kResults, shows("figure-19")),
-      screen("office-results-severity", PageId::kResults, shows("figure-severity")),
-      screen("office-reports", PageId::kReports, report),
-      screen("office-users", PageId::kUsers),
-      screen("office-audit", PageId::kAudit),
-      screen("office-care", PageId::kCare),
-      screen("office-restore", PageId::kRestore),
-      screen("office-move", PageId::kMove,
+      screen("administrator-run-day", PageId::kRunDay),
+      screen("administrator-roster", PageId::kRoster),
+      screen("administrator-curricula", PageId::kCurricula, fromTemplate),
+      screen("administrator-cohorts", PageId::kCohorts),
+      screen("administrator-allocation", PageId::kAllocation),
+      screen("administrator-scoring", PageId::kScoring),
+      screen("administrator-evaluation", PageId::kCampaigns),
+      screen("administrator-results-scores", PageId::kResults, shows("figure-22")),
+      screen("administrator-results-differences", PageId::kResults, shows("figure-differences")),
+      screen("administrator-results-boxes", PageId::kResults, shows("figure-19")),
+      screen("administrator-results-severity", PageId::kResults, shows("figure-severity")),
+      screen("administrator-reports", PageId::kReports, report),
+      screen("administrator-users", PageId::kUsers),
+      screen("administrator-audit", PageId::kAudit),
+      screen("administrator-maintenance", PageId::kCare),
+      screen("administrator-restore", PageId::kRestore),
+      screen("administrator-move", PageId::kMove,
              [](Page& page) {
                dynamic_cast<MovePage&>(page).setAddress(
                    {.host = "server.hospital.example", .database = "torsio", .user = "torsio"});
              }),
-      screen("office-devices", PageId::kDevices),
+      screen("administrator-devices", PageId::kDevices),
   };
 }
 

@@ -9,8 +9,8 @@ namespace torsio::gui {
 
 /// The pages of the administrator, allocator and statistician, in the order of the navigation; the first one
 /// is home.
-[[nodiscard]] std::vector<PageEntry> officePages();
+[[nodiscard]] std::vector<PageEntry> administratorPages();
 /// Their pictures for the user guide.
-[[nodiscard]] std::vector<ScreenEntry> officeScreens();
+[[nodiscard]] std::vector<ScreenEntry> administratorScreens();
 
 }  // namespace torsio::gui

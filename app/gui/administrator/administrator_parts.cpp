@@ -52,13 +52,13 @@ QLabel* fieldBeside(QBoxLayout* row, QWidget* field) {
   return label;
 }
 
-void fillCohorts(QComboBox* chooser, SessionContext& workplace) {
+void fillCohorts(QComboBox* chooser, SessionContext& session) {
   const std::string before = chosenId(chooser);
   const QSignalBlocker quiet(chooser);
   chooser->clear();
   chooser->setPlaceholderText(QCoreApplication::translate("Administration", "no cohort yet"));
   int first = -1;
-  for (const CohortRow& row : cohorts(workplace)) {
+  for (const CohortRow& row : cohorts(session)) {
     chooser->addItem(toQString(row.cohort.name), toQString(row.cohort.id));
     if (row.allocated > 0) {
       first = chooser->count() - 1;
@@ -70,13 +70,13 @@ void fillCohorts(QComboBox* chooser, SessionContext& workplace) {
   }
 }
 
-void fillCampaigns(QComboBox* chooser, SessionContext& workplace, const QString& none) {
+void fillCampaigns(QComboBox* chooser, SessionContext& session, const QString& none) {
   const std::string before = chosenId(chooser);
   const QSignalBlocker quiet(chooser);
   chooser->clear();
   chooser->addItem(none, QString());
   int first = 0;
-  for (const ReportableCampaign& campaign : reportableCampaigns(workplace)) {
+  for (const ReportableCampaign& campaign : reportableCampaigns(session)) {
     chooser->addItem(toQString(campaign.name), toQString(campaign.id));
     if (campaign.hasMarks) {
       first = chooser->count() - 1;

@@ -9,7 +9,7 @@
 #include <QLocale>
 #include <QString>
 
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 
 class QBoxLayout;
 class QComboBox;
@@ -39,9 +39,9 @@ QLabel* fieldBeside(QBoxLayout* row, QWidget* field);
 
 /// The cohorts of the record, newest last; keeps the choice when filled anew. Chosen first: the newest whose
 /// people are in groups, since there is something to see; else the newest.
-void fillCohorts(QComboBox* chooser, SessionContext& workplace);
+void fillCohorts(QComboBox* chooser, SessionContext& session);
 /// The evaluation campaigns and "none". Chosen first: the newest that somebody has scored in.
-void fillCampaigns(QComboBox* chooser, SessionContext& workplace, const QString& none);
+void fillCampaigns(QComboBox* chooser, SessionContext& session, const QString& none);
 /// Id of what is chosen; empty: nothing.
 [[nodiscard]] std::string chosenId(const QComboBox* chooser);
 void chooseId(QComboBox* chooser, const std::string& id);

@@ -16,10 +16,10 @@
 #include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/printed_cards.h"
 #include "app/gui/administrator/record_dialogs.h"
-#include "app/gui/administrator/study_words.h"
+#include "app/gui/administrator/study_labels.h"
 #include "app/gui/administrator/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/file_choice.h"
@@ -153,7 +153,7 @@ QWidget* AllocationPage::designForm() {
 
 void AllocationPage::enter(const QVariant& argument) {
   attempt(shell(), [&] {
-    fillCohorts(cohort_, shell().workplace());
+    fillCohorts(cohort_, shell().session());
     if (argument.isValid()) {
       chooseId(cohort_, argument.toString().toStdString());
     }
@@ -165,7 +165,7 @@ void AllocationPage::read() {
   attempt(shell(), [&] {
     const std::string cohort = chosenId(cohort_);
     designs_ =
-        cohort.empty() ? std::vector<AllocationDesignRow>{} : allocationDesigns(shell().workplace(), cohort);
+        cohort.empty() ? std::vector<AllocationDesignRow>{} : allocationDesigns(shell().session(), cohort);
     preview_.reset();
     showFields();
     showDesign();
@@ -212,7 +212,7 @@ void AllocationPage::showFields() {
 
 bool AllocationPage::preview() {
   return attempt(shell(), [&] {
-    preview_ = previewBalance(shell().workplace(), plan());
+    preview_ = previewBalance(shell().session(), plan());
     showBalance();
   });
 }
@@ -264,15 +264,15 @@ void AllocationPage::showDesign() {
                     row.stored.seed.empty() ? tr("sealed") : toQString(row.stored.seed));
     std::map<std::string, std::string> codes;
     std::map<std::string, std::string> groups;
-    for (const StoredEnrolment& enrolment : enrolments(shell().workplace(), chosenId(cohort_))) {
+    for (const StoredEnrolment& enrolment : enrolments(shell().session(), chosenId(cohort_))) {
       codes[enrolment.id] = enrolment.traineeCode;
     }
-    for (const CohortRow& cohort : cohorts(shell().workplace())) {
+    for (const CohortRow& cohort : cohorts(shell().session())) {
       for (const StoredGroup& group : cohort.groups) {
         groups[group.id] = group.code;
       }
     }
-    drawn_ = allocations(shell().workplace(), row.stored.id);
+    drawn_ = allocations(shell().session(), row.stored.id);
     for (const StoredAllocation& record : drawn_) {
       rows.push_back({toQString(record.id),
                       {{QString::number(record.sequence), static_cast<qlonglong>(record.sequence)},
@@ -296,7 +296,7 @@ void AllocationPage::showDesign() {
 
 bool AllocationPage::lock(const std::string& supersedeReason) {
   return attempt(shell(), [&] {
-    lockAllocation(shell().workplace(), plan(), supersedeReason);
+    lockAllocation(shell().session(), plan(), supersedeReason);
     read();
     shell().notify(tr("The design is locked and its seed is sealed"));
   });
@@ -323,7 +323,7 @@ void AllocationPage::askLock() {
 
 bool AllocationPage::allocateEverybody() {
   return attempt(shell(), [&] {
-    const std::size_t people = allocateAll(shell().workplace(), chosenId(cohort_));
+    const std::size_t people = allocateAll(shell().session(), chosenId(cohort_));
     read();
     shell().notify(tr("%n trainee(s) allocated", nullptr, static_cast<int>(people)));
   });
@@ -332,7 +332,7 @@ bool AllocationPage::allocateEverybody() {
 bool AllocationPage::moveByHand(const std::string& enrolmentId, const std::string& groupId,
                                 const std::string& reason) {
   return attempt(shell(), [&] {
-    overrideAllocation(shell().workplace(), chosenId(cohort_), enrolmentId, groupId, reason);
+    overrideAllocation(shell().session(), chosenId(cohort_), enrolmentId, groupId, reason);
     read();
     shell().notify(tr("Moved by hand; the drawn record stays beside it"));
   });
@@ -354,13 +354,13 @@ void AllocationPage::askMove() {
       }
     }
     QString code;
-    for (const StoredEnrolment& one : enrolments(shell().workplace(), chosenId(cohort_))) {
+    for (const StoredEnrolment& one : enrolments(shell().session(), chosenId(cohort_))) {
       if (one.id == enrolmentId) {
         code = toQString(one.traineeCode);
       }
     }
     std::vector<StoredGroup> groups;
-    for (const CohortRow& cohort : cohorts(shell().workplace())) {
+    for (const CohortRow& cohort : cohorts(shell().session())) {
       if (cohort.cohort.id == chosenId(cohort_)) {
         groups = cohort.groups;
       }
@@ -377,7 +377,7 @@ bool AllocationPage::reveal(const std::string& reason) {
     if (designs_.empty()) {
       return;
     }
-    revealSeed(shell().workplace(), designs_.back().stored.id, reason);
+    revealSeed(shell().session(), designs_.back().stored.id, reason);
     read();
   });
 }
@@ -393,8 +393,8 @@ void AllocationPage::askReveal() {
 
 bool AllocationPage::writeCards(const std::filesystem::path& file) {
   return attempt(shell(), [&] {
-    writeSealedCards(takeOutCards(shell().workplace(), chosenId(cohort_)),
-                     cohort_->currentText().toStdString(), file);
+    writeSealedCards(takeOutCards(shell().session(), chosenId(cohort_)), cohort_->currentText().toStdString(),
+                     file);
     shell().notify(tr("Written: %1").arg(toQString(file)));
   });
 }
@@ -409,7 +409,7 @@ void AllocationPage::askCards() {
 
 void AllocationPage::check() {
   attempt(shell(), [&] {
-    const AllocationCheck found = checkAllocation(shell().workplace(), designs_.back().stored.id);
+    const AllocationCheck found = checkAllocation(shell().session(), designs_.back().stored.id);
     QMessageBox::information(this, tr("Check of the draw"),
                              found.sound
                                  ? tr("The whole draw was repeated: every one of %1 records is as drawn, %2 "

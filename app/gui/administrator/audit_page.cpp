@@ -15,10 +15,10 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/access/audit_words.h"
+#include "app/access/audit_labels.h"
 #include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/page_heading.h"
 
@@ -135,16 +135,16 @@ void AuditPage::read() {
     const int days = days_->currentData().toInt();
     AuditFilter filter{.limit = most_ + 1};  // one more tells whether there are older ones
     if (days > 0) {
-      filter.fromUtc_us = shell().workplace().now_us() - days * kDay_us;
+      filter.fromUtc_us = shell().session().now_us() - days * kDay_us;
     }
-    entries_ = auditEntries(shell().workplace(), filter);
+    entries_ = auditEntries(shell().session(), filter);
     const bool older = std::ssize(entries_) > most_;
     if (older) {
       entries_.pop_back();
     }
-    all_ = older ? auditEntryCount(shell().workplace(), filter.fromUtc_us) : std::ssize(entries_);
+    all_ = older ? auditEntryCount(shell().session(), filter.fromUtc_us) : std::ssize(entries_);
     more_->setVisible(older);
-    logins_ = auditActors(shell().workplace());
+    logins_ = auditActors(shell().session());
     showContent();
   });
 }
@@ -204,7 +204,7 @@ void AuditPage::verify() {
   const auto findings = std::make_shared<std::vector<AuditFinding>>();
   shell().run(
       tr("Verifying the audit trail"),
-      [findings](SessionContext& workplace, const ProgressCallback&) { *findings = verifyAudit(workplace); },
+      [findings](SessionContext& session, const ProgressCallback&) { *findings = verifyAudit(session); },
       [this, findings] {
         findings_ = *findings;
         showVerdict();

@@ -9,7 +9,7 @@
 
 #include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/campaign_dialog.h"
-#include "app/gui/administrator/study_words.h"
+#include "app/gui/administrator/study_labels.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/page_heading.h"
@@ -46,7 +46,7 @@ void CampaignsPage::enter(const QVariant&) {
 
 void CampaignsPage::read() {
   attempt(shell(), [&] {
-    rows_ = torsio::campaigns(shell().workplace());
+    rows_ = torsio::campaigns(shell().session());
     showContent();
   });
 }
@@ -96,7 +96,7 @@ void CampaignsPage::showRaters() {
 
 bool CampaignsPage::add(const CampaignPlan& plan) {
   return attempt(shell(), [&] {
-    const std::string id = addCampaign(shell().workplace(), plan);
+    const std::string id = addCampaign(shell().session(), plan);
     read();
     table_->select(toQString(id));
   });
@@ -105,7 +105,7 @@ bool CampaignsPage::add(const CampaignPlan& plan) {
 void CampaignsPage::askNew() {
   attempt(shell(), [&] {
     std::vector<PersonRow> raters;
-    for (PersonRow& person : people(shell().workplace())) {
+    for (PersonRow& person : people(shell().session())) {
       if (person.rater && person.person.state == "active") {
         raters.push_back(std::move(person));
       }

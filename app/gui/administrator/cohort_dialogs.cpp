@@ -12,8 +12,8 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/administrator_parts.h"
-#include "app/gui/administrator/study_words.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/administrator/study_labels.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/theme.h"
 

@@ -11,7 +11,7 @@
 
 #include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/cohort_dialogs.h"
-#include "app/gui/administrator/study_words.h"
+#include "app/gui/administrator/study_labels.h"
 #include "app/gui/administrator/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
@@ -69,7 +69,7 @@ void CohortsPage::enter(const QVariant& argument) {
 
 void CohortsPage::read() {
   attempt(shell(), [&] {
-    rows_ = torsio::cohorts(shell().workplace());
+    rows_ = torsio::cohorts(shell().session());
     showContent();
   });
 }
@@ -103,7 +103,7 @@ const CohortRow* CohortsPage::current() const {
 
 void CohortsPage::showMembers() {
   const CohortRow* row = current();
-  SessionContext& workplace = shell().workplace();
+  SessionContext& session = shell().session();
   add_->setEnabled(shell().may(Operation::kStudySetup));
   enrol_->setEnabled(row != nullptr && shell().may(Operation::kStudyEnrol));
   follow_->setEnabled(row != nullptr && shell().may(Operation::kStudySetup));
@@ -112,7 +112,7 @@ void CohortsPage::showMembers() {
   membersTitle_->setText(row != nullptr ? tr("Trainees of %1").arg(toQString(row->cohort.name)) : QString());
   enrolments_.clear();
   if (row != nullptr) {
-    attempt(shell(), [&] { enrolments_ = enrolments(workplace, row->cohort.id); });
+    attempt(shell(), [&] { enrolments_ = enrolments(session, row->cohort.id); });
   }
   std::vector<Row> rows;
   for (const StoredEnrolment& enrolment : enrolments_) {
@@ -130,11 +130,11 @@ void CohortsPage::showMembers() {
 
 void CohortsPage::addNew() {
   attempt(shell(), [&] {
-    CohortDialog dialog(curricula(shell().workplace()), this);
+    CohortDialog dialog(curricula(shell().session()), this);
     if (dialog.exec() != QDialog::Accepted) {
       return;
     }
-    const std::string id = addCohort(shell().workplace(), dialog.cohort());
+    const std::string id = addCohort(shell().session(), dialog.cohort());
     read();
     table_->select(toQString(id));
   });
@@ -151,7 +151,7 @@ void CohortsPage::enrol() {
       there.insert(enrolment.traineeId);
     }
     std::vector<PersonRow> free;
-    for (PersonRow& person : people(shell().workplace())) {
+    for (PersonRow& person : people(shell().session())) {
       if (person.trainee && person.person.state == "active" && !there.contains(person.person.id) &&
           person.person.demonstration == row->cohort.demonstration) {
         free.push_back(std::move(person));
@@ -164,7 +164,7 @@ void CohortsPage::enrol() {
       return;
     }
     const std::string cohort = row->cohort.id;
-    enrolTrainees(shell().workplace(), cohort, dialog.chosen());
+    enrolTrainees(shell().session(), cohort, dialog.chosen());
     read();
     table_->select(toQString(cohort));
   });
@@ -176,7 +176,7 @@ void CohortsPage::follow() {
     return;
   }
   attempt(shell(), [&] {
-    const std::vector<CurriculumRow> all = curricula(shell().workplace());
+    const std::vector<CurriculumRow> all = curricula(shell().session());
     if (runningVersions(all).empty()) {
       QMessageBox::information(this, tr("Follow a curriculum"),
                                tr("No curriculum is running. Publish one under Curricula and begin it."));
@@ -187,7 +187,7 @@ void CohortsPage::follow() {
       return;
     }
     const std::string cohort = row->cohort.id;
-    assignCurriculum(shell().workplace(), cohort, *version);
+    assignCurriculum(shell().session(), cohort, *version);
     read();
     table_->select(toQString(cohort));
   });
@@ -210,7 +210,7 @@ void CohortsPage::changeState() {
     return;
   }
   attempt(shell(), [&] {
-    setEnrolmentState(shell().workplace(), row->cohort.id, id,
+    setEnrolmentState(shell().session(), row->cohort.id, id,
                       back ? EnrolmentState::kEnrolled : EnrolmentState::kWithdrawn, *reason);
     read();
   });

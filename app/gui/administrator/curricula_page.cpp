@@ -20,10 +20,10 @@
 
 #include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/curriculum_editor.h"
-#include "app/gui/administrator/study_words.h"
+#include "app/gui/administrator/study_labels.h"
 #include "app/gui/administrator/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
@@ -116,8 +116,8 @@ bool CurriculaPage::leave() {
 
 void CurriculaPage::read() {
   attempt(shell(), [&] {
-    rows_ = torsio::curricula(shell().workplace());
-    editor_->setOccasions(knownOccasions(shell().workplace()));
+    rows_ = torsio::curricula(shell().session());
+    editor_->setOccasions(knownOccasions(shell().session()));
     showContent();
   });
 }
@@ -165,9 +165,9 @@ void CurriculaPage::showDraft() {
   CurriculumDraft draft;
   const bool found = attempt(shell(), [&] {
     if (shell().may(Operation::kCurriculumEdit)) {
-      draft = curriculumDraft(shell().workplace(), row->curriculum.id);
+      draft = curriculumDraft(shell().session(), row->curriculum.id);
     } else if (!row->versions.empty()) {
-      draft.content = publishedContent(shell().workplace(), row->versions.back().id);
+      draft.content = publishedContent(shell().session(), row->versions.back().id);
     }
   });
   if (!found) {
@@ -219,7 +219,7 @@ void CurriculaPage::showChosenVersion() {
   }
   attempt(shell(), [&] {
     editor_->setContent(version == nullptr ? draft_.content
-                                           : publishedContent(shell().workplace(), version->id));
+                                           : publishedContent(shell().session(), version->id));
   });
   editor_->setReadOnly(version != nullptr || !shell().may(Operation::kCurriculumEdit));
   showButtons();
@@ -330,7 +330,7 @@ bool CurriculaPage::add(const std::string& name, const std::string& templateId) 
         description = known.description;
       }
     }
-    const std::string id = addCurriculum(shell().workplace(), name, description, content);
+    const std::string id = addCurriculum(shell().session(), name, description, content);
     read();
     table_->select(toQString(id));
   });
@@ -342,7 +342,7 @@ bool CurriculaPage::save() {
   }
   return attempt(shell(), [&] {
     draft_.content = editor_->content();
-    draft_.revision = saveCurriculumDraft(shell().workplace(), shownId_, draft_);
+    draft_.revision = saveCurriculumDraft(shell().session(), shownId_, draft_);
     dirty_ = false;
     read();
     shell().notify(tr("The draft is saved."));
@@ -358,9 +358,9 @@ bool CurriculaPage::publish(const std::string& note) {
     // A curriculum that was never saved as a draft is published from what stands in the editor.
     if (draft_.revision == 0) {
       draft_.content = editor_->content();
-      draft_.revision = saveCurriculumDraft(shell().workplace(), id, draft_);
+      draft_.revision = saveCurriculumDraft(shell().session(), id, draft_);
     }
-    publishCurriculum(shell().workplace(), id, note, shell().assets());
+    publishCurriculum(shell().session(), id, note, shell().assets());
     read();
     table_->select(toQString(id));
     shell().notify(tr("Published. Begin it, so that cohorts can follow it."));
@@ -374,7 +374,7 @@ bool CurriculaPage::begin() {
   }
   return attempt(shell(), [&] {
     const std::string id = shownId_;
-    runCurriculum(shell().workplace(), version->id);
+    runCurriculum(shell().session(), version->id);
     read();
     table_->select(toQString(id));
     shell().notify(tr("It runs: cohorts can follow it now."));
@@ -396,7 +396,7 @@ bool CurriculaPage::takeAsDraft() {
   }
   return attempt(shell(), [&] {
     draft_.content = content;
-    draft_.revision = saveCurriculumDraft(shell().workplace(), shownId_, draft_);
+    draft_.revision = saveCurriculumDraft(shell().session(), shownId_, draft_);
     dirty_ = false;
     versions_->setCurrentIndex(0);
     read();
@@ -445,8 +445,8 @@ void CurriculaPage::askOccasion() {
     return;
   }
   attempt(shell(), [&] {
-    const Occasion added = addOccasion(shell().workplace(), label.trimmed().toStdString());
-    editor_->setOccasions(knownOccasions(shell().workplace()));
+    const Occasion added = addOccasion(shell().session(), label.trimmed().toStdString());
+    editor_->setOccasions(knownOccasions(shell().session()));
     shell().notify(tr("Occasion added: %1").arg(occasionName(added)));
   });
 }
@@ -473,7 +473,7 @@ void CurriculaPage::askClose() {
     return;
   }
   attempt(shell(), [&] {
-    closeCurriculum(shell().workplace(), version->id, *reason);
+    closeCurriculum(shell().session(), version->id, *reason);
     read();
   });
 }

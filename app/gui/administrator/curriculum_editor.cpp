@@ -17,8 +17,8 @@
 #include "app/gui/administrator/curriculum_parts.h"
 #include "app/gui/administrator/exercise_editor.h"
 #include "app/gui/administrator/group_editor.h"
-#include "app/gui/administrator/study_words.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/administrator/study_labels.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/error.h"
@@ -30,21 +30,21 @@ namespace {
 constexpr double kUsualStep_min = 20.0;  // paper section 6: before, after 20 and after 40 minutes
 constexpr double kMostMinutes = 100'000.0;
 
-std::vector<StoredScoringPoint>::iterator pointOf(StoredCurriculumVersion& content, const std::string& code) {
-  return std::find_if(content.scoringPoints.begin(), content.scoringPoints.end(),
-                      [&](const StoredScoringPoint& point) { return point.code == code; });
+std::vector<PlannedOccasion>::iterator pointOf(StoredCurriculumVersion& content, const std::string& code) {
+  return std::find_if(content.plannedOccasions.begin(), content.plannedOccasions.end(),
+                      [&](const PlannedOccasion& point) { return point.code == code; });
 }
 
 /// Finds where an occasion belongs among those that are there: before all that come later in the study.
-std::vector<StoredScoringPoint>::iterator placeOf(StoredCurriculumVersion& content,
-                                                  const Occasions& occasions, std::size_t point) {
+std::vector<PlannedOccasion>::iterator placeOf(StoredCurriculumVersion& content, const Occasions& occasions,
+                                               std::size_t point) {
   for (std::size_t later = point + 1; later < occasions.size(); ++later) {
     const auto at = pointOf(content, occasions.at(later).code);
-    if (at != content.scoringPoints.end()) {
+    if (at != content.plannedOccasions.end()) {
       return at;
     }
   }
-  return content.scoringPoints.end();
+  return content.plannedOccasions.end();
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ void CurriculumEditor::fillPoints() {
   filling_ = true;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const auto point = pointOf(content_, occasions_.at(i).code);
-    const bool wanted = point != content_.scoringPoints.end();
+    const bool wanted = point != content_.plannedOccasions.end();
     points_[i].wanted->setChecked(wanted);
     points_[i].after->setEnabled(wanted);
     points_[i].after->setValue(wanted ? static_cast<double>(point->afterExposure_us) / kMicrosecondsOfMinute
@@ -154,13 +154,13 @@ void CurriculumEditor::takePoint(std::size_t point) {
   auto stored = pointOf(content_, code);
   row.after->setEnabled(row.wanted->isChecked());
   if (!row.wanted->isChecked()) {
-    if (stored != content_.scoringPoints.end()) {
-      content_.scoringPoints.erase(stored);
+    if (stored != content_.plannedOccasions.end()) {
+      content_.plannedOccasions.erase(stored);
     }
   } else {
-    if (stored == content_.scoringPoints.end()) {
+    if (stored == content_.plannedOccasions.end()) {
       stored =
-          content_.scoringPoints.insert(placeOf(content_, occasions_, point), StoredScoringPoint{code, 0});
+          content_.plannedOccasions.insert(placeOf(content_, occasions_, point), PlannedOccasion{code, 0});
     }
     stored->afterExposure_us = std::llround(row.after->value() * kMicrosecondsOfMinute);
   }

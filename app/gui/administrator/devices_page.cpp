@@ -12,7 +12,7 @@
 #include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/station_settings_card.h"
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
@@ -71,7 +71,7 @@ void DevicesPage::check() {
       [this, result] {
         result_ = *result;
         if (StationWriter* line = shell().line(); line != nullptr) {
-          line->showDevice(stationDevice(hapticReadiness(*result), shell().workplace().now_us()));
+          line->showDevice(stationDevice(hapticReadiness(*result), shell().session().now_us()));
         }
         showContent();
       });

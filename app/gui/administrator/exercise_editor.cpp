@@ -20,9 +20,9 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/administrator_parts.h"
-#include "app/gui/administrator/study_words.h"
+#include "app/gui/administrator/study_labels.h"
 #include "app/gui/base/asset_names.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/exercise_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
@@ -53,7 +53,7 @@ QString lineOf(const StoredModule& module) {
   return QStringLiteral("%1  %2").arg(toQString(module.code), toQString(Text(module.title)));
 }
 
-/// A scene or a pattern as people call it: "arm" is the forearm in every language.
+/// A scene or a pattern as people call it: "small_bowel" is "small bowel".
 QString placeName(const std::string& id) {
   return assetName(ExercisePanel::readable(id));
 }

@@ -127,11 +127,11 @@ void MaintenancePage::enter(const QVariant&) {
 void MaintenancePage::read() {
   attempt(shell(), [&] {
     if (shell().may(Operation::kPersonErase)) {
-      demonstration_ = demonstrationSize(shell().workplace());
+      demonstration_ = demonstrationSize(shell().session());
     }
     due_.clear();
     if (shell().may(Operation::kRetentionManage)) {
-      due_ = retentionQueue(shell().workplace());
+      due_ = retentionQueue(shell().session());
     }
     showRecord();
     std::vector<Row> rows;
@@ -153,7 +153,7 @@ void MaintenancePage::read() {
 }
 
 void MaintenancePage::showRecord() {
-  const std::string locator = shell().workplace().key().locator;
+  const std::string locator = shell().session().key().locator;
   QStringList lines;
   if (isFile(locator)) {
     const QFileInfo file(toQString(locator));
@@ -193,7 +193,7 @@ void MaintenancePage::showRecord() {
 }
 
 void MaintenancePage::showButtons() {
-  const bool file = isFile(shell().workplace().key().locator);
+  const bool file = isFile(shell().session().key().locator);
   backupButton_->setEnabled(file && shell().may(Operation::kDatabaseBackup));
   testButton_->setEnabled(shell().may(Operation::kDatabaseBackup));
   checkButton_->setEnabled(shell().may(Operation::kDatabaseBackup));
@@ -227,8 +227,8 @@ void MaintenancePage::backUp(const std::filesystem::path& file) {
   auto content = std::make_shared<BackupContent>();
   shell().run(
       tr("Backing up"),
-      [file, content](SessionContext& workplace, const ProgressCallback& progress) {
-        *content = backUpDatabase(workplace, file, progress);
+      [file, content](SessionContext& session, const ProgressCallback& progress) {
+        *content = backUpDatabase(session, file, progress);
       },
       [this, file, content] {
         backupText_->setText(tr("\u2713 Written and read back: %1 recordings, %2 marks.\n%3")
@@ -260,8 +260,8 @@ void MaintenancePage::checkRecord() {
   auto found = std::make_shared<DatabaseCheck>();
   shell().run(
       tr("Checking the database"),
-      [found](SessionContext& workplace, const ProgressCallback& progress) {
-        *found = checkDatabase(workplace, progress);
+      [found](SessionContext& session, const ProgressCallback& progress) {
+        *found = checkDatabase(session, progress);
       },
       [this, found] {
         check_ = *found;
@@ -271,7 +271,7 @@ void MaintenancePage::checkRecord() {
 
 bool MaintenancePage::removeDemonstration(const std::string& reason) {
   return attempt(shell(), [&] {
-    const DemonstrationSize gone = removeDemonstrationData(shell().workplace(), reason);
+    const DemonstrationSize gone = removeDemonstrationData(shell().session(), reason);
     read();
     shell().notify(tr("Removed: %1 simulated people, %2 recordings").arg(gone.people).arg(gone.trials));
   });
@@ -304,16 +304,15 @@ void MaintenancePage::askRemoveDemonstration() {
 
 void MaintenancePage::changeRules() {
   attempt(shell(), [&] {
-    const std::optional<RetentionRulesEdit> edit =
-        askRetentionRules(this, retentionRules(shell().workplace()));
+    const std::optional<RetentionRulesEdit> edit = askRetentionRules(this, retentionRules(shell().session()));
     if (!edit) {
       return;
     }
     for (const RetentionRule& rule : edit->set) {
-      setRetentionRule(shell().workplace(), rule.category, rule.keep_days, rule.basis);
+      setRetentionRule(shell().session(), rule.category, rule.keep_days, rule.basis);
     }
     for (const std::string& category : edit->removed) {
-      removeRetentionRule(shell().workplace(), category);
+      removeRetentionRule(shell().session(), category);
     }
     read();
   });
@@ -330,7 +329,7 @@ void MaintenancePage::keepLonger() {
     return;
   }
   attempt(shell(), [&] {
-    extendRecord(shell().workplace(), item->personId, shell().workplace().now_us() + kYear_us, *reason);
+    extendRecord(shell().session(), item->personId, shell().session().now_us() + kYear_us, *reason);
     read();
   });
 }
@@ -351,9 +350,9 @@ void MaintenancePage::lock() {
   }
   attempt(shell(), [&] {
     if (item->held) {
-      releaseRecord(shell().workplace(), item->personId, *reason);
+      releaseRecord(shell().session(), item->personId, *reason);
     } else {
-      lockRecord(shell().workplace(), item->personId, *reason);
+      lockRecord(shell().session(), item->personId, *reason);
     }
     read();
   });
@@ -366,7 +365,7 @@ void MaintenancePage::erase() {
   }
   attempt(shell(), [&] {
     const std::array<std::string, 1> who = {item->personId};
-    const RetentionOutcome tried = eraseDue(shell().workplace(), who, "dry run", true);
+    const RetentionOutcome tried = eraseDue(shell().session(), who, "dry run", true);
     const std::optional<std::string> reason =
         askReason(this, tr("Erase a record"),
                   tr("The identity of %1 and %2 recording(s) are erased for good. Marks stay without a "
@@ -376,7 +375,7 @@ void MaintenancePage::erase() {
     if (!reason) {
       return;
     }
-    static_cast<void>(eraseDue(shell().workplace(), who, *reason, false));
+    static_cast<void>(eraseDue(shell().session(), who, *reason, false));
     read();
   });
 }

@@ -177,8 +177,8 @@ void MovePage::testServer() {
   auto found = std::make_shared<ServerCheck>();
   shell().run(
       tr("Looking at the server"),
-      [typed = address(), found](SessionContext& workplace, const ProgressCallback&) {
-        *found = checkServer(workplace, typed);
+      [typed = address(), found](SessionContext& session, const ProgressCallback&) {
+        *found = checkServer(session, typed);
       },
       [this, found] {
         check_ = *found;
@@ -193,8 +193,8 @@ void MovePage::copyRecord() {
   auto report = std::make_shared<CopyReport>();
   shell().run(
       tr("Moving the record to the server"),
-      [typed = address(), report](SessionContext& workplace, const ProgressCallback& progress) {
-        *report = moveToServer(workplace, typed, progress);
+      [typed = address(), report](SessionContext& session, const ProgressCallback& progress) {
+        *report = moveToServer(session, typed, progress);
       },
       [this, report] {
         copied_ = *report;
@@ -209,8 +209,8 @@ void MovePage::switchStation() {
   auto locator = std::make_shared<std::string>();
   shell().run(
       tr("Turning this station to the server"),
-      [typed = address(), report = copied_, locator](SessionContext& workplace, const ProgressCallback&) {
-        *locator = report ? switchToServer(workplace, typed, *report) : joinServer(workplace, typed);
+      [typed = address(), report = copied_, locator](SessionContext& session, const ProgressCallback&) {
+        *locator = report ? switchToServer(session, typed, *report) : joinServer(session, typed);
       },
       [this, locator, where = toQString(check_->location)] {
         RecordChange change;

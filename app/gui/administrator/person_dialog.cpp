@@ -13,7 +13,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {

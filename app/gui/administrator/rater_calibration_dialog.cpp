@@ -128,7 +128,7 @@ void RaterCalibrationDialog::showScale() {
 
 void RaterCalibrationDialog::read() {
   const QLocale locale = this->locale();
-  const std::vector<ReferenceRow> runs = referenceRows(shell_.workplace());
+  const std::vector<ReferenceRow> runs = referenceRows(shell_.session());
   const auto given = std::count_if(runs.begin(), runs.end(),
                                    [](const ReferenceRow& run) { return run.withdrawnBecause.empty(); });
   state_->setText(given < kUsual ? tr("Every physician scores these runs before the first real case "
@@ -157,7 +157,7 @@ void RaterCalibrationDialog::read() {
   }
   present_->setRows(std::move(present));
   std::vector<Row> rows;
-  for (const ReferenceCandidate& one : referenceCandidates(shell_.workplace())) {
+  for (const ReferenceCandidate& one : referenceCandidates(shell_.session())) {
     rows.push_back({toQString(one.trialId),
                     {{orDash(one.traineeCode)},
                      {toQString(one.sceneId)},
@@ -177,8 +177,8 @@ void RaterCalibrationDialog::check() {
 
 void RaterCalibrationDialog::add() {
   attempt(shell_, [this] {
-    addReferenceRuns(shell_.workplace(), {{candidates_->currentId().toStdString(), revision().id,
-                                           mark_->value(), panel_->value(), false}});
+    addReferenceRuns(shell_.session(), {{candidates_->currentId().toStdString(), revision().id,
+                                         mark_->value(), panel_->value(), false}});
     read();
     shell_.notify(tr("The reference run is added to rater calibration"));
   });
@@ -194,7 +194,7 @@ void RaterCalibrationDialog::withdraw() {
     return;
   }
   attempt(shell_, [&] {
-    withdrawReferenceRun(shell_.workplace(), chosen.toStdString(), *reason);
+    withdrawReferenceRun(shell_.session(), chosen.toStdString(), *reason);
     read();
     shell_.notify(tr("The reference run is withdrawn"));
   });

@@ -10,7 +10,7 @@
 #include <QTextDocument>
 #include <QUrl>
 
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/theme.h"
 #include "app/report/chart_builder.h"
 

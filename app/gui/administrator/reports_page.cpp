@@ -105,9 +105,9 @@ ReportsPage::ReportsPage(ShellContext& shell)
 
 void ReportsPage::enter(const QVariant&) {
   attempt(shell(), [&] {
-    SessionContext& workplace = shell().workplace();
-    fillCohorts(cohort_, workplace);
-    fillCampaigns(campaign_, workplace, tr("none"));
+    SessionContext& session = shell().session();
+    fillCohorts(cohort_, session);
+    fillCampaigns(campaign_, session, tr("none"));
     fillFrozen();
     compute();
   });
@@ -123,7 +123,7 @@ void ReportsPage::fillFrozen() {
     if (cohort.empty()) {
       return;
     }
-    for (const FrozenRow& row : frozenData(shell().workplace(), cohort)) {
+    for (const FrozenRow& row : frozenData(shell().session(), cohort)) {
       frozen_->addItem(
           QStringLiteral("%1 (%2)").arg(toQString(row.name), shownTime(row.createdUtc_us, locale())),
           toQString(row.id));
@@ -156,9 +156,8 @@ void ReportsPage::compute() {
   auto model = std::make_shared<ReportModel>();
   shell().run(
       tr("Preparing the report"),
-      [wanted, inputs, model, digests = digests_](SessionContext& workplace,
-                                                  const ProgressCallback& progress) {
-        *inputs = reportInputs(workplace, wanted, *digests, progress);
+      [wanted, inputs, model, digests = digests_](SessionContext& session, const ProgressCallback& progress) {
+        *inputs = reportInputs(session, wanted, *digests, progress);
         *model = cohortReport(*inputs);
       },
       [this, inputs, model] {
@@ -222,7 +221,7 @@ bool ReportsPage::freeze(const std::string& name) {
     if (const std::string campaign = chosenId(campaign_); !campaign.empty()) {
       campaigns.push_back(campaign);
     }
-    const FrozenRow row = freezeData(shell().workplace(), chosenId(cohort_), name, campaigns);
+    const FrozenRow row = freezeData(shell().session(), chosenId(cohort_), name, campaigns);
     fillFrozen();
     chooseId(frozen_, row.id);
     shell().notify(tr("Frozen as \u201C%1\u201D").arg(toQString(row.name)));
@@ -263,7 +262,7 @@ bool ReportsPage::exportTo(ReportFormat format, const std::filesystem::path& fil
       shell(),
       [&] {
         const ReportExport done =
-            exportReport(shell().workplace(), request(), *inputs_, format, file, reportLanguage(), oneMore);
+            exportReport(shell().session(), request(), *inputs_, format, file, reportLanguage(), oneMore);
         shell().notify(tr("Written: %1").arg(toQString(done.file)));
       },
       tr("Cancelled; no file was written"));

@@ -138,8 +138,8 @@ void RestorePage::check() {
   auto plan = std::make_shared<RestorePlan>();
   shell().run(
       tr("Checking the backup"),
-      [file, plan](SessionContext& workplace, const ProgressCallback& progress) {
-        *plan = planRestore(workplace, file, progress);
+      [file, plan](SessionContext& session, const ProgressCallback& progress) {
+        *plan = planRestore(session, file, progress);
       },
       [this, plan] {
         plan_ = *plan;
@@ -155,8 +155,8 @@ void RestorePage::restore() {
   auto prepared = std::make_shared<std::shared_ptr<PreparedRestore>>();
   shell().run(
       tr("Restoring the backup"),
-      [plan = *plan_, prepared](SessionContext& workplace, const ProgressCallback& progress) {
-        *prepared = prepareRestore(workplace, plan, progress);
+      [plan = *plan_, prepared](SessionContext& session, const ProgressCallback& progress) {
+        *prepared = prepareRestore(session, plan, progress);
       },
       [this, prepared, name = QFileInfo(toQString(plan_->backup)).fileName()] {
         const QString kept = toQString((*prepared)->safety());

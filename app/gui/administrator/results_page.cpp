@@ -15,7 +15,7 @@
 #include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/base/figure_card.h"
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "assessment/report/cohort_report.h"
@@ -100,9 +100,9 @@ ResultsPage::ResultsPage(ShellContext& shell)
 
 void ResultsPage::enter(const QVariant& argument) {
   attempt(shell(), [&] {
-    SessionContext& workplace = shell().workplace();
-    fillCohorts(cohort_, workplace);
-    fillCampaigns(campaign_, workplace, tr("none"));
+    SessionContext& session = shell().session();
+    fillCohorts(cohort_, session);
+    fillCampaigns(campaign_, session, tr("none"));
     if (argument.isValid()) {
       chooseId(cohort_, argument.toString().toStdString());
     }
@@ -122,8 +122,8 @@ void ResultsPage::compute() {
   auto model = std::make_shared<ReportModel>();
   shell().run(
       tr("Computing results"),
-      [request, model, digests = digests_](SessionContext& workplace, const ProgressCallback& progress) {
-        *model = cohortReport(reportInputs(workplace, request, *digests, progress));
+      [request, model, digests = digests_](SessionContext& session, const ProgressCallback& progress) {
+        *model = cohortReport(reportInputs(session, request, *digests, progress));
       },
       [this, model] {
         model_ = model;

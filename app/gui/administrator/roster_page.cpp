@@ -12,10 +12,10 @@
 
 #include "app/gui/administrator/person_dialog.h"
 #include "app/gui/administrator/roster_wizard.h"
-#include "app/gui/administrator/study_words.h"
+#include "app/gui/administrator/study_labels.h"
 #include "app/gui/administrator/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/page_heading.h"
@@ -121,9 +121,9 @@ void RosterPage::read() {
   attempt(shell(), [&] {
     people_.clear();
     if (names_->isChecked()) {
-      people_ = namedPeople(shell().workplace());
+      people_ = namedPeople(shell().session());
     } else {
-      for (PersonRow& row : people(shell().workplace())) {
+      for (PersonRow& row : people(shell().session())) {
         people_.push_back({std::move(row), {}});
       }
     }
@@ -189,11 +189,11 @@ void RosterPage::import() {
 void RosterPage::add() {
   attempt(shell(), [&] {
     const std::optional<PersonEdit> edit =
-        askPerson(this, std::nullopt, ensureRaterClasses(shell().workplace()));
+        askPerson(this, std::nullopt, ensureRaterClasses(shell().session()));
     if (!edit) {
       return;
     }
-    const std::string id = addPerson(shell().workplace(), edit->entry);
+    const std::string id = addPerson(shell().session(), edit->entry);
     read();
     table_->select(toQString(id));
   });
@@ -206,11 +206,11 @@ void RosterPage::edit() {
   }
   attempt(shell(), [&] {
     const std::optional<PersonEdit> edit =
-        askPerson(this, personEntry(shell().workplace(), id), ensureRaterClasses(shell().workplace()));
+        askPerson(this, personEntry(shell().session(), id), ensureRaterClasses(shell().session()));
     if (!edit) {
       return;
     }
-    changePerson(shell().workplace(), id, edit->entry, edit->reason);
+    changePerson(shell().session(), id, edit->entry, edit->reason);
     read();
   });
 }
@@ -232,7 +232,7 @@ void RosterPage::switchState() {
     if (!reason) {
       return;
     }
-    setPersonState(shell().workplace(), id, active ? "left" : "active", *reason);
+    setPersonState(shell().session(), id, active ? "left" : "active", *reason);
     read();
   });
 }
@@ -266,9 +266,9 @@ void RosterPage::exportPerson(const std::filesystem::path& folder, const std::st
   const auto package = std::make_shared<PersonPackage>();
   shell().run(
       tr("Exporting a record"),
-      [id = person->row.person.id, folder, reason, package](SessionContext& workplace,
+      [id = person->row.person.id, folder, reason, package](SessionContext& session,
                                                             const ProgressCallback&) {
-        *package = exportPersonPackage(workplace, id, folder, reason);
+        *package = exportPersonPackage(session, id, folder, reason);
       },
       [this, package] {
         shell().notify(tr("%1 tables and %2 recordings written to %3")
@@ -292,7 +292,7 @@ void RosterPage::askErasePerson() {
     return;
   }
   attempt(shell(), [&] {
-    erasePersonRecord(shell().workplace(), person->row.person.id, *reason);
+    erasePersonRecord(shell().session(), person->row.person.id, *reason);
     read();
     shell().notify(tr("The record is erased"));
   });
@@ -309,8 +309,8 @@ void RosterPage::exportList() {
   const auto count = std::make_shared<std::size_t>(0);
   shell().run(
       tr("Exporting people"),
-      [file, withNames, count](SessionContext& workplace, const ProgressCallback&) {
-        *count = exportPeople(workplace, toPath(file), withNames);
+      [file, withNames, count](SessionContext& session, const ProgressCallback&) {
+        *count = exportPeople(session, toPath(file), withNames);
       },
       [this, file, count] { shell().notify(tr("%1 people written to %2").arg(*count).arg(file)); });
 }

@@ -18,7 +18,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
@@ -380,12 +380,12 @@ void RosterPreviewPage::initializePage() {
   shell_.run(
       tr("Looking at the roster"),
       [found, file = *import_.file, kind = import_.kind, columns = import_.columns](
-          SessionContext& workplace, const ProgressCallback& progress) {
+          SessionContext& session, const ProgressCallback& progress) {
         try {
-          RosterPreview preview = previewRoster(workplace, file, kind, columns, progress);
+          RosterPreview preview = previewRoster(session, file, kind, columns, progress);
           // Proves before the last button that the database would take it.
           if (preview.importable()) {
-            static_cast<void>(importRoster(workplace, file, kind, columns, preview.fingerprint,
+            static_cast<void>(importRoster(session, file, kind, columns, preview.fingerprint,
                                            RosterMode::kDryRun, progress));
           }
           found->preview = std::move(preview);
@@ -444,10 +444,10 @@ void RosterPreviewPage::commit(std::function<void()> done) {
   shell_.run(
       tr("Importing the roster"),
       [outcome, problem, file = *import_.file, kind = import_.kind, columns = import_.columns,
-       fingerprint = import_.preview->fingerprint](SessionContext& workplace,
+       fingerprint = import_.preview->fingerprint](SessionContext& session,
                                                    const ProgressCallback& progress) {
         try {
-          *outcome = importRoster(workplace, file, kind, columns, fingerprint, RosterMode::kCommit, progress);
+          *outcome = importRoster(session, file, kind, columns, fingerprint, RosterMode::kCommit, progress);
         } catch (const Error& error) {
           *problem = error;
         }

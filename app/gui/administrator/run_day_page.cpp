@@ -14,11 +14,11 @@
 
 #include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/run_day_dialogs.h"
-#include "app/gui/administrator/study_words.h"
+#include "app/gui/administrator/study_labels.h"
 #include "app/gui/administrator/user_dialogs.h"
 #include "app/gui/base/background.h"
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
@@ -86,7 +86,7 @@ RunDayPage::RunDayPage(ShellContext& shell)
 
 void RunDayPage::enter(const QVariant&) {
   attempt(shell(), [&] {
-    fillCohorts(cohort_, shell().workplace());
+    fillCohorts(cohort_, shell().session());
     read();
     clock_->start();
   });
@@ -103,7 +103,7 @@ void RunDayPage::read() {
   }
   const bool good = attempt(shell(), [&] {
     const std::string cohort = chosenId(cohort_);
-    board_ = cohort.empty() ? std::nullopt : std::optional(runDayBoard(shell().workplace(), cohort));
+    board_ = cohort.empty() ? std::nullopt : std::optional(runDayBoard(shell().session(), cohort));
     showContent();
   });
   if (!good) {
@@ -117,7 +117,7 @@ void RunDayPage::refresh() {
     return;
   }
   reader_->run(
-      [this, key = shell().workplace().key(), cohort]() -> Background::Finish {
+      [this, key = shell().session().key(), cohort]() -> Background::Finish {
         SessionContext own(key);
         return [this, cohort, board = runDayBoard(own, cohort)] {
           if (cohort != chosenId(cohort_)) {
@@ -309,7 +309,7 @@ void RunDayPage::swap() {
     return;
   }
   attempt(shell(), [&] {
-    swapTurns(shell().workplace(), chosenId(cohort_), id, wanted->enrolmentId, wanted->reason);
+    swapTurns(shell().session(), chosenId(cohort_), id, wanted->enrolmentId, wanted->reason);
     read();
     shell().notify(tr("Swapped; both deviations are noted."));
   });
@@ -347,8 +347,8 @@ void RunDayPage::logTime() {
   attempt(shell(), [&] {
     exposure->cohortId = chosenId(cohort_);
     exposure->enrolmentId = row->enrolmentId;
-    exposure->startedUtc_us = shell().workplace().now_us() - exposure->duration_us;
-    recordExposure(shell().workplace(), *exposure);
+    exposure->startedUtc_us = shell().session().now_us() - exposure->duration_us;
+    recordExposure(shell().session(), *exposure);
     read();
   });
 }
@@ -365,7 +365,7 @@ void RunDayPage::reportDeviation() {
     if (row != nullptr) {
       deviation->enrolmentId = row->enrolmentId;
     }
-    torsio::reportDeviation(shell().workplace(), *deviation);
+    torsio::reportDeviation(shell().session(), *deviation);
     read();
   });
 }
@@ -385,7 +385,7 @@ void RunDayPage::changeState() {
     return;
   }
   attempt(shell(), [&] {
-    setEnrolmentState(shell().workplace(), chosenId(cohort_), row->enrolmentId,
+    setEnrolmentState(shell().session(), chosenId(cohort_), row->enrolmentId,
                       back ? EnrolmentState::kEnrolled : EnrolmentState::kWithdrawn, *reason);
     read();
   });

@@ -15,8 +15,8 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/administrator_parts.h"
-#include "app/gui/administrator/study_words.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/administrator/study_labels.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/theme.h"
 
@@ -101,7 +101,7 @@ std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<Perso
   }
   for (const auto& [code, box] : points) {
     if (box->isChecked()) {
-      asked.scoringPoints.push_back(code);
+      asked.occasionCodes.push_back(code);
     }
   }
   return asked;

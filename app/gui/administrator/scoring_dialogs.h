@@ -15,7 +15,7 @@ namespace torsio::gui {
 
 struct RatersAsked {
   std::vector<std::string> raterIds{};
-  std::vector<std::string> scoringPoints{};
+  std::vector<std::string> occasionCodes{};
 };
 /// Who is asked, and at which occasions. Chosen already: those of `matrix` who have open sheets; nobody
 /// when nothing is open. Empty: given up.
@@ -32,7 +32,7 @@ struct SheetMoved {
                                                         const ScoringMatrix::Line& line);
 
 struct ReleaseChange {
-  std::string scoringPoint{};
+  std::string occasionCode{};
   bool release = true;  ///< false: taken back
   std::string reason{};
 };

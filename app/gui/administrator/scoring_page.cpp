@@ -10,7 +10,7 @@
 #include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/rater_calibration_dialog.h"
 #include "app/gui/administrator/scoring_dialogs.h"
-#include "app/gui/administrator/study_words.h"
+#include "app/gui/administrator/study_labels.h"
 #include "app/gui/administrator/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
@@ -88,7 +88,7 @@ ScoringPage::ScoringPage(ShellContext& shell)
 
 void ScoringPage::enter(const QVariant& argument) {
   attempt(shell(), [&] {
-    fillCohorts(cohort_, shell().workplace());
+    fillCohorts(cohort_, shell().session());
     if (argument.isValid()) {
       chooseId(cohort_, argument.toString().toStdString());
     }
@@ -103,10 +103,10 @@ void ScoringPage::read() {
     releases_.clear();
     thirds_.clear();
     if (!cohort.empty()) {
-      matrix_ = scoringMatrix(shell().workplace(), cohort);
-      thirds_ = thirdRequests(shell().workplace(), cohort);
+      matrix_ = scoringMatrix(shell().session(), cohort);
+      thirds_ = thirdRequests(shell().session(), cohort);
       if (shell().may(Operation::kMarkRelease)) {
-        releases_ = releaseStates(shell().workplace(), cohort);
+        releases_ = releaseStates(shell().session(), cohort);
       }
     }
     showContent();
@@ -162,13 +162,13 @@ void ScoringPage::showButtons() {
 }
 
 std::string ScoringPage::rubricRevision() {
-  std::vector<RubricRow> all = rubrics(shell().workplace());
+  std::vector<RubricRow> all = rubrics(shell().session());
   if (all.empty()) {
     const std::vector<RubricTemplate> templates = rubricTemplates(shell().assets());
     if (templates.empty()) {
       throw Error(ErrorCode::kBadData, "there is no rubric", "assets/rubrics", "Add a rubric first");
     }
-    return addRubric(shell().workplace(), templates.front().title, templates.front().revision);
+    return addRubric(shell().session(), templates.front().title, templates.front().revision);
   }
   return all.front().revisions.back().id;
 }
@@ -177,8 +177,8 @@ bool ScoringPage::revise(const std::filesystem::path& file, const std::string& n
   return attempt(shell(), [&] {
     static_cast<void>(rubricRevision());  // the shipped one, when there is none yet
     const RubricTemplate next = parseRubric(readFile(file), file.stem().string());
-    const RubricRow rubric = rubrics(shell().workplace()).front();
-    reviseRubric(shell().workplace(), rubric.id, next.revision, note);
+    const RubricRow rubric = rubrics(shell().session()).front();
+    reviseRubric(shell().session(), rubric.id, next.revision, note);
     shell().notify(tr("%1: revision %2 is used from now on")
                        .arg(toQString(rubric.name))
                        .arg(rubric.revisions.back().number + 1));
@@ -200,14 +200,14 @@ void ScoringPage::askRevision() {
 }
 
 bool ScoringPage::ask(const std::vector<std::string>& raterIds,
-                      const std::vector<std::string>& scoringPoints) {
+                      const std::vector<std::string>& occasionCodes) {
   return attempt(shell(), [&] {
     ScoringPlan plan;
     plan.cohortId = chosenId(cohort_);
     plan.raterIds = raterIds;
-    plan.scoringPoints = scoringPoints;
+    plan.occasionCodes = plannedOccasions;
     plan.rubricRevisionId = rubricRevision();
-    const ScoringPlanOutcome done = createAssignments(shell().workplace(), plan);
+    const ScoringPlanOutcome done = createAssignments(shell().session(), plan);
     read();
     shell().notify(tr("%n sheet(s) asked for", nullptr, static_cast<int>(done.created)));
   });
@@ -216,14 +216,14 @@ bool ScoringPage::ask(const std::vector<std::string>& raterIds,
 void ScoringPage::askRaters() {
   attempt(shell(), [&] {
     std::vector<PersonRow> raters;
-    for (PersonRow& person : people(shell().workplace())) {
+    for (PersonRow& person : people(shell().session())) {
       if (person.rater && person.person.state == "active") {
         raters.push_back(std::move(person));
       }
     }
     if (const std::optional<RatersAsked> asked =
             askRatersFor(this, raters, matrix_.value_or(ScoringMatrix{}))) {
-      ask(asked->raterIds, asked->scoringPoints);
+      ask(asked->raterIds, asked->occasionCodes);
     }
   });
 }
@@ -238,7 +238,7 @@ void ScoringPage::reassignSheet() {
     return;
   }
   attempt(shell(), [&] {
-    reassign(shell().workplace(), moved->assignmentId, moved->newRaterId, moved->reason);
+    reassign(shell().session(), moved->assignmentId, moved->newRaterId, moved->reason);
     read();
   });
 }
@@ -250,9 +250,9 @@ void ScoringPage::release() {
   }
   attempt(shell(), [&] {
     if (change->release) {
-      releaseMarks(shell().workplace(), chosenId(cohort_), change->scoringPoint, change->reason);
+      releaseMarks(shell().session(), chosenId(cohort_), change->occasionCode, change->reason);
     } else {
-      retractMarks(shell().workplace(), chosenId(cohort_), change->scoringPoint, change->reason);
+      retractMarks(shell().session(), chosenId(cohort_), change->occasionCode, change->reason);
     }
     read();
   });
@@ -267,7 +267,7 @@ void ScoringPage::assignThirdRater() {
     return;
   }
   attempt(shell(), [&] {
-    assignThird(shell().workplace(), chosenId(cohort_), chosen->assignmentId, chosen->raterId);
+    assignThird(shell().session(), chosenId(cohort_), chosen->assignmentId, chosen->raterId);
     read();
     shell().notify(tr("The adjudicator finds the case in their queue"));
   });
@@ -276,7 +276,7 @@ void ScoringPage::assignThirdRater() {
 void ScoringPage::showWarmUp() {
   attempt(shell(), [&] {
     static_cast<void>(rubricRevision());  // the first one comes from the shipped files
-    RaterCalibrationDialog dialog(shell(), rubrics(shell().workplace()), this);
+    RaterCalibrationDialog dialog(shell(), rubrics(shell().session()), this);
     dialog.exec();
   });
 }

@@ -67,20 +67,20 @@ void StationSettingsCard::keepInBounds() {
 
 void StationSettingsCard::read() {
   attempt(shell_, [this] {
-    name_->setText(toQString(centreSign(shell_.workplace().connection()).name));
-    const IdleLimits limits = centreIdleLimits(shell_.workplace().connection());
+    name_->setText(toQString(centreSign(shell_.session().connection()).name));
+    const IdleLimits limits = centreIdleLimits(shell_.session().connection());
     lock_->setValue(static_cast<int>(limits.lock_us / kMinute_us));
     keepInBounds();
     warn_->setValue(static_cast<int>(limits.warn_us / kMinute_us));
-    mouse_->setChecked(gradesWithMouse(shell_.workplace()));
+    mouse_->setChecked(gradesWithMouse(shell_.session()));
   });
 }
 
 void StationSettingsCard::keep() {
   attempt(shell_, [this] {
-    setCentreName(shell_.workplace(), name_->text().trimmed().toStdString());
-    setCentreIdleLimits(shell_.workplace(), warn_->value(), lock_->value());
-    setGradedWithMouse(shell_.workplace(), mouse_->isChecked());
+    setCentreName(shell_.session(), name_->text().trimmed().toStdString());
+    setCentreIdleLimits(shell_.session(), warn_->value(), lock_->value());
+    setGradedWithMouse(shell_.session(), mouse_->isChecked());
     shell_.notify(tr("Kept. It holds at every station from the next sign-in on"));
   });
 }

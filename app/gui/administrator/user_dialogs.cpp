@@ -20,7 +20,7 @@
 #include <QVBoxLayout>
 
 #include "app/access/first_run.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {

@@ -29,9 +29,9 @@ namespace {
 /// Everybody of the record, with names where the actor may see them.
 std::vector<PersonChoice> peopleToChoose(ShellContext& shell) {
   std::vector<PersonChoice> choices;
-  SessionContext& workplace = shell.workplace();
+  SessionContext& session = shell.session();
   if (shell.may(Operation::kPersonViewIdentity)) {
-    for (const NamedPersonRow& person : namedPeople(workplace)) {
+    for (const NamedPersonRow& person : namedPeople(session)) {
       const QString code = toQString(person.row.person.code);
       const QString name = toQString(person.identity.fullName);
       choices.push_back(
@@ -39,7 +39,7 @@ std::vector<PersonChoice> peopleToChoose(ShellContext& shell) {
     }
     return choices;
   }
-  for (const PersonRow& person : people(workplace)) {
+  for (const PersonRow& person : people(session)) {
     choices.push_back({person.person.id, toQString(person.person.code)});
   }
   return choices;
@@ -81,9 +81,9 @@ UsersPage::UsersPage(ShellContext& shell)
 
 void UsersPage::enter(const QVariant&) {
   attempt(shell(), [&] {
-    users_ = users(shell().workplace());
+    users_ = users(shell().session());
     personCodes_.clear();
-    for (const PersonRow& row : people(shell().workplace())) {
+    for (const PersonRow& row : people(shell().session())) {
       personCodes_[row.person.id] = row.person.code;
     }
     showContent();
@@ -150,14 +150,14 @@ void UsersPage::add() {
       return;
     }
     const auto id = std::make_shared<std::string>();
-    storeAndShow([user = *user, id](SessionContext& workplace) { *id = addUser(workplace, user); },
+    storeAndShow([user = *user, id](SessionContext& session) { *id = addUser(session, user); },
                  toQString(user->login), user->startPassword, id);
   });
 }
 
 void UsersPage::addForRoster() {
   attempt(shell(), [&] {
-    const std::vector<PersonRow> without = peopleWithoutAccount(shell().workplace());
+    const std::vector<PersonRow> without = peopleWithoutAccount(shell().session());
     if (without.empty()) {
       shell().notify(tr("Everybody of the roster has an account"));
       return;
@@ -173,11 +173,11 @@ void UsersPage::addForRoster() {
     const auto issued = std::make_shared<IssuedAccounts>();
     shell().run(
         tr("Making accounts"),
-        [issued, chosen = dialog.chosen(), cost = shell().workplace().passwordCost()](
-            SessionContext& workplace, const ProgressCallback& progress) {
-          workplace.setPasswordCost(cost);
+        [issued, chosen = dialog.chosen(), cost = shell().session().passwordCost()](
+            SessionContext& session, const ProgressCallback& progress) {
+          session.setPasswordCost(cost);
           try {
-            addAccounts(workplace, chosen, issued->made, progress);
+            addAccounts(session, chosen, issued->made, progress);
           } catch (...) {
             if (issued->made.empty()) {
               throw;
@@ -190,7 +190,7 @@ void UsersPage::addForRoster() {
             return;
           }
           page->enter({});
-          AccountsDialog(issued->made, centreSign(page->shell().workplace().connection()).name, page).exec();
+          AccountsDialog(issued->made, centreSign(page->shell().session().connection()).name, page).exec();
           if (!page.isNull() && issued->problem) {
             page->sayWhyNotAll(issued->problem);
           }
@@ -206,12 +206,12 @@ void UsersPage::sayWhyNotAll(const std::exception_ptr& problem) {
 void UsersPage::storeAndShow(const std::function<void(SessionContext&)>& store, const QString& login,
                              const std::string& password, const std::shared_ptr<std::string>& id) {
   // Sealing a password takes a second on purpose: not in the window's thread.
-  const PasswordCost cost = shell().workplace().passwordCost();
+  const PasswordCost cost = shell().session().passwordCost();
   shell().run(
       tr("Sealing the start password"),
-      [store, cost](SessionContext& workplace, const ProgressCallback&) {
-        workplace.setPasswordCost(cost);
-        store(workplace);
+      [store, cost](SessionContext& session, const ProgressCallback&) {
+        session.setPasswordCost(cost);
+        store(session);
       },
       [page = QPointer<UsersPage>(this), login, password, id] {
         if (page.isNull()) {
@@ -233,7 +233,7 @@ void UsersPage::changeRoles() {
     if (!change) {
       return;
     }
-    setUserRoles(shell().workplace(), user->id, change->roles, change->reason);
+    setUserRoles(shell().session(), user->id, change->roles, change->reason);
     shell().readRights();
     enter({});
   });
@@ -254,7 +254,7 @@ void UsersPage::newPassword() {
     const std::string password = randomStartPassword();
     const auto id = std::make_shared<std::string>(user->id);
     storeAndShow([id, password, reason = *reason](
-                     SessionContext& workplace) { resetPassword(workplace, *id, password, reason); },
+                     SessionContext& session) { resetPassword(session, *id, password, reason); },
                  login, password, id);
   });
 }
@@ -273,7 +273,7 @@ void UsersPage::switchActive() {
     if (!reason) {
       return;
     }
-    setUserActive(shell().workplace(), user->id, !user->active, *reason);
+    setUserActive(shell().session(), user->id, !user->active, *reason);
     enter({});
   });
 }

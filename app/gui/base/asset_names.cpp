@@ -9,7 +9,7 @@ namespace {
 
 /// The asset files are data and know one language; these lines make their names known to the translators.
 [[maybe_unused]] const char* const kNames[] = {
-    QT_TRANSLATE_NOOP("Assets", "Arm"),
+    QT_TRANSLATE_NOOP("Assets", "Forearm"),
     QT_TRANSLATE_NOOP("Assets", "Intestine"),
     QT_TRANSLATE_NOOP("Assets", "Stomach"),
     QT_TRANSLATE_NOOP("Assets", "Right forearm"),

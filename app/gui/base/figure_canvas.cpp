@@ -11,7 +11,7 @@
 #include <QMimeData>
 #include <QPainter>
 
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/report/chart_builder.h"
 #include "assessment/report/figure_table.h"
 

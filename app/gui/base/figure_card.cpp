@@ -12,7 +12,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/figure_canvas.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "assessment/report/figure_table.h"
 #include "assessment/report/provenance_line.h"

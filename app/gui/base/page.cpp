@@ -5,13 +5,13 @@
 #include <QStringList>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 
 namespace torsio::gui {
 
 Page::Page(ShellContext& shell, QWidget* parent) : QWidget(parent), shell_(shell) {
   QStringList roles;
-  for (const std::string& role : shell.workplace().actor().roles) {
+  for (const std::string& role : shell.session().actor().roles) {
     roles << toQString(role);
   }
   setProperty("role", roles.join(QLatin1Char('+')));

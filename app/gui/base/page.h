@@ -22,7 +22,7 @@ class ShellContext;
 struct Theme;
 
 /// One place of the navigation: a trainee's "Next step", a physician's "Queue", the office's "Roster". Pages
-/// hold no logic: they show what services of app/session give them, through ShellContext::workplace().
+/// hold no logic: they show what services of app give them, through ShellContext::session().
 /// Texts are set in retranslate(), colours that the style sheet does not give in applyTheme(); both are
 /// called after construction and whenever language or theme change.
 class Page : public QWidget {

@@ -6,7 +6,7 @@
 
 #include <QString>
 
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 
 namespace torsio::gui {
 

@@ -7,7 +7,7 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/recording/station_writer.h"
 
 namespace torsio::gui {
@@ -26,8 +26,8 @@ double guessedRemaining_s(double elapsed_s, double fraction) {
 
 }  // namespace
 
-ShellContext::ShellContext(SessionContext& workplace, std::filesystem::path assets, ThemeKind theme)
-    : workplace_(workplace), assets_(std::move(assets)), theme_(theme) {
+ShellContext::ShellContext(SessionContext& session, std::filesystem::path assets, ThemeKind theme)
+    : session_(session), assets_(std::move(assets)), theme_(theme) {
   workers_.setMaxThreadCount(1);  // one long job after another: they share disk and database
 }
 
@@ -37,14 +37,14 @@ ShellContext::~ShellContext() {
 }
 
 bool ShellContext::may(Operation operation) {
-  if (rightsOf_ != workplace_.actor().userId) {
+  if (rightsOf_ != session_.actor().userId) {
     readRights();
   }
   return rights_.contains(operation);
 }
 
 void ShellContext::readRights() {
-  const Actor& actor = workplace_.actor();
+  const Actor& actor = session_.actor();
   std::set<Operation> rights;
   // A guest is nobody: whoever sits down may practise, and nothing else.
   if (actor.practiceOnly && actor.userId.empty()) {
@@ -52,7 +52,7 @@ void ShellContext::readRights() {
   }
   for (std::size_t i = 0; i < kOperationCodes.size(); ++i) {
     const auto operation = static_cast<Operation>(i);
-    if (workplace_.may(operation)) {
+    if (session_.may(operation)) {
       rights.insert(operation);
     }
   }
@@ -93,7 +93,7 @@ void ShellContext::run(const QString& title, Work work, std::function<void()> do
       success();
     }
   };
-  workers_.start([this, key = workplace_.key(), work = std::move(work), done = std::move(done), finish] {
+  workers_.start([this, key = session_.key(), work = std::move(work), done = std::move(done), finish] {
     std::exception_ptr problem;
     try {
       SessionContext own(key);

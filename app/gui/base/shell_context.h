@@ -42,11 +42,11 @@ class ShellContext : public QObject {
   Q_OBJECT
 
  public:
-  /// `workplace` outlives the context.
-  ShellContext(SessionContext& workplace, std::filesystem::path assets, ThemeKind theme);
+  /// `session` outlives the context.
+  ShellContext(SessionContext& session, std::filesystem::path assets, ThemeKind theme);
   ~ShellContext() override;
 
-  [[nodiscard]] SessionContext& workplace() const noexcept { return workplace_; }
+  [[nodiscard]] SessionContext& session() const noexcept { return session_; }
   [[nodiscard]] const std::filesystem::path& assets() const noexcept { return assets_; }
   [[nodiscard]] ThemeKind themeKind() const noexcept { return theme_; }
   void setThemeKind(ThemeKind kind);
@@ -58,7 +58,7 @@ class ShellContext : public QObject {
   /// DbError.
   void readRights();
 
-  /// For what nobody waits for (signs of life, training time); null: the workplace writes at once. It
+  /// For what nobody waits for (signs of life, training time); null: the session writes at once. It
   /// outlives the context.
   [[nodiscard]] StationWriter* line() const noexcept { return line_; }
   void setLine(StationWriter* line) noexcept { line_ = line; }
@@ -75,7 +75,7 @@ class ShellContext : public QObject {
   void tell(const Problem& problem);
 
   /// Work that takes time, off the GUI thread, on a connection of its own for the same actor. `work` gets
-  /// a workplace and a callback that it calls with its progress (which throws Cancelled when the user gave
+  /// a session and a callback that it calls with its progress (which throws Cancelled when the user gave
   /// up, so that work unwinds and leaves no half file); `done` runs in the GUI thread after success. Title
   /// and progress are shown with time left and a cancel button. Failures are reported.
   using Work = std::function<void(SessionContext&, const ProgressCallback&)>;
@@ -101,7 +101,7 @@ class ShellContext : public QObject {
   void jobEnded();
 
  private:
-  SessionContext& workplace_;
+  SessionContext& session_;
   std::filesystem::path assets_;
   ThemeKind theme_;
   std::set<Operation> rights_;

@@ -16,7 +16,7 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/physician/replay_panel.h"
-#include "app/gui/physician/review_words.h"
+#include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/form.h"
@@ -157,10 +157,10 @@ void CasePage::enter(const QVariant& argument) {
   replay_->pause();
   replay_->show(nullptr);
   amending_ = false;
-  rules_ = viewingRules(shell().workplace());
-  opened_ = openSheet(shell().workplace(), id);
+  rules_ = viewingRules(shell().session());
+  opened_ = openSheet(shell().session(), id);
   watched_ = opened_.watched;
-  caseRemarks_ = caseRemarks(shell().workplace(), id);
+  caseRemarks_ = caseRemarks(shell().session(), id);
   sheet_->beginSheet(opened_.rubric, opened_.sheet);
   replay_->setSpeeds(rules_.speeds);
   sinceKey_.start();
@@ -227,7 +227,7 @@ void CasePage::save() {
   }
   sheet_->save(shell(), saved_, tr("Saved"), [this] {
     SheetEditor& editor = *sheet_->editor();
-    editor.saved(saveSheet(shell().workplace(), opened_.shown.assignmentId, editor.sheet(), watched_));
+    editor.saved(saveSheet(shell().session(), opened_.shown.assignmentId, editor.sheet(), watched_));
     opened_.state = SheetState::kDraft;
   });
 }
@@ -237,9 +237,9 @@ void CasePage::addBookmark(const QString& text) {
     return;
   }
   attempt(shell(), [&] {
-    addCaseRemark(shell().workplace(), opened_.shown.assignmentId,
+    addCaseRemark(shell().session(), opened_.shown.assignmentId,
                   {replay_->position_us(), text.toStdString()});
-    caseRemarks_ = caseRemarks(shell().workplace(), opened_.shown.assignmentId);
+    caseRemarks_ = caseRemarks(shell().session(), opened_.shown.assignmentId);
   });
   showRemarks();
 }
@@ -278,10 +278,10 @@ void CasePage::submit() {
   }
   attempt(shell(), [&] {
     noteWork();
-    submitSheet(shell().workplace(), opened_.shown.assignmentId, sheet_->editor()->sheet(), watched_);
+    submitSheet(shell().session(), opened_.shown.assignmentId, sheet_->editor()->sheet(), watched_);
     shell().notify(tr("Case %1 is submitted and sealed").arg(toQString(opened_.shown.label)));
     opened_.state = SheetState::kSubmitted;
-    const auto next = reviewQueue(shell().workplace()).next;
+    const auto next = reviewQueue(shell().session()).next;
     if (next) {
       shell().open(PageId::kCase, toQString(*next));
     } else {
@@ -298,7 +298,7 @@ void CasePage::startAmending() {
 
 void CasePage::finishAmending() {
   if (!attempt(shell(), [&] {
-        amendSheet(shell().workplace(), opened_.shown.assignmentId, sheet_->editor()->sheet(),
+        amendSheet(shell().session(), opened_.shown.assignmentId, sheet_->editor()->sheet(),
                    stripReason_->text().trimmed().toStdString());
         stripReason_->clear();
         shell().notify(tr("The new version is sealed; the one before is kept"));

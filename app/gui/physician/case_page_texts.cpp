@@ -8,10 +8,10 @@
 #include <QPushButton>
 #include <QToolButton>
 
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/physician/case_page.h"
 #include "app/gui/physician/replay_panel.h"
-#include "app/gui/physician/review_words.h"
+#include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/form.h"

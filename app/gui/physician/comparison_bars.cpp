@@ -7,8 +7,8 @@
 
 #include <QPainter>
 
-#include "app/gui/base/spoken.h"
-#include "app/gui/physician/review_words.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/physician/review_labels.h"
 
 namespace torsio::gui {
 

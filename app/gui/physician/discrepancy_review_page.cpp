@@ -14,7 +14,7 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/physician/comparison_bars.h"
-#include "app/gui/physician/review_words.h"
+#include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/data_table.h"
@@ -124,7 +124,7 @@ void DiscrepancyReviewPage::enter(const QVariant&) {
 }
 
 void DiscrepancyReviewPage::read() {
-  cases_ = alignmentCases(shell().workplace());
+  cases_ = alignmentCases(shell().session());
   showList();
 }
 
@@ -194,7 +194,7 @@ void DiscrepancyReviewPage::startMoving() {
     return;
   }
   attempt(shell(), [&] {
-    const OpenedSheet opened = openSheet(shell().workplace(), one->shown.assignmentId);
+    const OpenedSheet opened = openSheet(shell().session(), one->shown.assignmentId);
     sheet_->beginSheet(opened.rubric, opened.sheet);
     showCase();
     sheet_->takeFocus();
@@ -212,7 +212,7 @@ void DiscrepancyReviewPage::decide(const Action& action, const QString& said) {
     return;
   }
   if (!attempt(shell(), [&] {
-        action(shell().workplace(), one->shown.assignmentId, reason_->text().trimmed().toStdString());
+        action(shell().session(), one->shown.assignmentId, reason_->text().trimmed().toStdString());
         reason_->clear();
         stopMoving();
         read();

@@ -14,7 +14,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/physician/review_words.h"
+#include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/form.h"
@@ -101,7 +101,7 @@ void EvaluationPage::enter(const QVariant&) {
 }
 
 void EvaluationPage::read() {
-  forms_ = evaluationForms(shell().workplace());
+  forms_ = evaluationForms(shell().session());
   const QSignalBlocker quiet(campaigns_);
   campaigns_->clear();
   for (const EvaluationForm& one : forms_) {
@@ -138,7 +138,7 @@ void EvaluationPage::edited() {
       if (score == stored.scores[i]) {
         continue;
       }
-      saveEvaluationScore(shell().workplace(), form()->campaignId, stored.hiddenLabel, i, score);
+      saveEvaluationScore(shell().session(), form()->campaignId, stored.hiddenLabel, i, score);
       stored.scores[i] = score;
     }
   });
@@ -166,7 +166,7 @@ void EvaluationPage::submit() {
     return;
   }
   attempt(shell(), [&] {
-    submitEvaluation(shell().workplace(), form()->campaignId, one->hiddenLabel);
+    submitEvaluation(shell().session(), form()->campaignId, one->hiddenLabel);
     shell().notify(tr("Model %1 is submitted and sealed").arg(toQString(one->hiddenLabel)));
     read();
     openFirst();

@@ -12,7 +12,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/physician/review_words.h"
+#include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/card.h"
@@ -103,7 +103,7 @@ void LivePage::createClock(QVBoxLayout* column) {
 }
 
 void LivePage::enter(const QVariant&) {
-  keptAt_ = keptAt(shell().workplace());
+  keptAt_ = keptAt(shell().session());
   withOlder_ = false;
   retranslate();  // the heading says where things are kept
   readLines();
@@ -131,7 +131,7 @@ bool LivePage::leave() {
 }
 
 void LivePage::readLines() {
-  lines_ = liveLines(shell().workplace());
+  lines_ = liveLines(shell().session());
   showLines();
 }
 
@@ -180,7 +180,7 @@ void LivePage::showLines() {
 
 bool LivePage::isOlder(const QueueLine& line) const {
   return line.state == SheetState::kSubmitted &&
-         line.submittedUtc_us < shell().workplace().now_us() - kSitting_us;
+         line.submittedUtc_us < shell().session().now_us() - kSitting_us;
 }
 
 QString LivePage::savedText() const {
@@ -194,7 +194,7 @@ void LivePage::amend() {
 }
 
 void LivePage::openLine(const std::string& assignmentId) {
-  opened_ = openSheet(shell().workplace(), assignmentId);
+  opened_ = openSheet(shell().session(), assignmentId);
   sheet_->beginSheet(opened_.rubric, opened_.sheet);
   clocked_us_ = 0;
   said_->clear();
@@ -206,7 +206,7 @@ void LivePage::openLine(const std::string& assignmentId) {
 void LivePage::edited() {
   sheet_->save(shell(), said_, savedText(), [this] {
     SheetEditor& editor = *sheet_->editor();
-    editor.saved(saveSheet(shell().workplace(), opened_.shown.assignmentId, editor.sheet(), opened_.watched));
+    editor.saved(saveSheet(shell().session(), opened_.shown.assignmentId, editor.sheet(), opened_.watched));
     if (opened_.state != SheetState::kOpen) {
       return;
     }
@@ -269,7 +269,7 @@ void LivePage::submit() {
     return;
   }
   attempt(shell(), [&] {
-    submitSheet(shell().workplace(), opened_.shown.assignmentId, sheet_->editor()->sheet(), opened_.watched);
+    submitSheet(shell().session(), opened_.shown.assignmentId, sheet_->editor()->sheet(), opened_.watched);
     shell().notify(tr("Case %1 is submitted and sealed").arg(toQString(opened_.shown.label)));
     enter({});
   });

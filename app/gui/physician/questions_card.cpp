@@ -13,10 +13,10 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/debrief_plot.h"
 #include "app/gui/trainee/station_parts.h"
-#include "app/gui/trainee/station_words.h"
+#include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 
@@ -38,7 +38,7 @@ QuestionsCard::QuestionsCard(ShellContext& shell, QWidget* parent)
 }
 
 void QuestionsCard::read() {
-  questions_ = questionsToMe(shell_.workplace());
+  questions_ = questionsToMe(shell_.session());
   std::erase_if(questions_, [](const PhysicianQuestion& question) { return question.answered; });
   setVisible(!questions_.empty());
   fill();
@@ -52,7 +52,7 @@ void QuestionsCard::fill() {
     const PhysicianQuestion& question = questions_[i];
     auto* row = new QHBoxLayout;
     auto* words = sentence(this, false);
-    const QString waits = StationLabels::waited(shell_.workplace().now_us() - question.askedUtc_us);
+    const QString waits = StationLabels::waited(shell_.session().now_us() - question.askedUtc_us);
     words->setText(tr("%1, %2, at %3: waiting for %4")
                        .arg(toQString(question.trainee), toQString(question.moduleTitle),
                             StationLabels::seconds(question.at_s), waits));
@@ -120,7 +120,7 @@ void QuestionsCard::show(const PhysicianQuestion& question, const Debrief& run) 
     return;
   }
   attempt(shell_, [&] {
-    answerQuestion(shell_.workplace(), question.id, text->toPlainText().trimmed().toStdString());
+    answerQuestion(shell_.session(), question.id, text->toPlainText().trimmed().toStdString());
     shell_.notify(tr("The answer is with %1").arg(toQString(question.trainee)));
     read();
   });

@@ -16,7 +16,7 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/physician/questions_card.h"
-#include "app/gui/physician/review_words.h"
+#include "app/gui/physician/review_labels.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
@@ -102,7 +102,7 @@ void QueuePage::createDoors(QVBoxLayout* outer) {
 }
 
 void QueuePage::enter(const QVariant&) {
-  queue_ = reviewQueue(shell().workplace());
+  queue_ = reviewQueue(shell().session());
   questions_->read();
   showQueue();
   continue_->setFocus(Qt::OtherFocusReason);

@@ -14,9 +14,9 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/physician/replay_panel.h"
-#include "app/gui/physician/review_words.h"
+#include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/card.h"
@@ -95,7 +95,7 @@ RaterCalibrationPage::RaterCalibrationPage(ShellContext& shell, QWidget* parent)
 RaterCalibrationPage::~RaterCalibrationPage() = default;
 
 void RaterCalibrationPage::enter(const QVariant&) {
-  warmUp_ = warmUp(shell().workplace());
+  warmUp_ = warmUp(shell().session());
   std::size_t first = warmUp_.runs.empty() ? 0 : 1;
   for (const CalibrationRun& run : warmUp_.runs) {
     if (run.own_steps) {
@@ -220,8 +220,8 @@ void RaterCalibrationPage::compare() {
     return goNext();
   }
   attempt(shell(), [&] {
-    scoreReferenceRun(shell().workplace(), number_, *score);
-    warmUp_ = warmUp(shell().workplace());
+    scoreReferenceRun(shell().session(), number_, *score);
+    warmUp_ = warmUp(shell().session());
   });
   showRuns();
   showResult();

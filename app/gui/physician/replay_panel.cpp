@@ -12,7 +12,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/gui/physician/review_words.h"
+#include "app/gui/physician/review_labels.h"
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"

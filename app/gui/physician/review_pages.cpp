@@ -10,7 +10,7 @@
 #include "app/gui/physician/queue_page.h"
 #include "app/gui/physician/rater_calibration_page.h"
 #include "app/gui/physician/replay_panel.h"
-#include "app/gui/physician/review_words.h"
+#include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/severity_page.h"
 #include "app/gui/widgets/child.h"
 #include "app/review/review_queue.h"
@@ -25,8 +25,8 @@ std::function<Page*(ShellContext&)> maker() {
 }
 
 /// The case that "continue" would open.
-QVariant nextCase(SessionContext& workplace) {
-  const auto next = reviewQueue(workplace).next;
+QVariant nextCase(SessionContext& session) {
+  const auto next = reviewQueue(session).next;
   return next ? QVariant(toQString(*next)) : QVariant();
 }
 

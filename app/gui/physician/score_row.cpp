@@ -12,8 +12,8 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "app/gui/base/spoken.h"
-#include "app/gui/physician/review_words.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/form.h"
 

@@ -12,7 +12,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/physician/review_words.h"
+#include "app/gui/physician/review_labels.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
@@ -133,7 +133,7 @@ SeverityPage::SeverityPage(ShellContext& shell, QWidget* parent)
 }
 
 void SeverityPage::enter(const QVariant&) {
-  severity_ = ownSeverity(shell().workplace());
+  severity_ = ownSeverity(shell().session());
   showSeverity();
 }
 

@@ -8,8 +8,8 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "app/gui/base/spoken.h"
-#include "app/gui/physician/review_words.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/physician/review_labels.h"
 #include "app/gui/widgets/form.h"
 
 namespace torsio::gui {

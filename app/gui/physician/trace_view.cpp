@@ -9,7 +9,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "app/gui/physician/review_words.h"
+#include "app/gui/physician/review_labels.h"
 #include "sim/base/angle.h"
 
 namespace torsio::gui {

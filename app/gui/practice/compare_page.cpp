@@ -19,7 +19,7 @@
 
 #include "app/gui/base/asset_names.h"
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/exercise_panel.h"
 #include "app/gui/simulator/film_strip.h"
 #include "app/gui/widgets/card.h"

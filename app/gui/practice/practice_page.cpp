@@ -43,7 +43,7 @@ PracticePage::PracticePage(ShellContext& context, const StationDesk& desk, QWidg
   setup.theme = shell().themeKind();
   setup.remember = false;
   setup.embedded = true;
-  if (!shell().workplace().actor().practiceOnly) {
+  if (!shell().session().actor().practiceOnly) {
     setup.recording = recording();
   }
   if (const StationDesk::DeviceOpener open = desk.openDevice) {
@@ -60,7 +60,7 @@ PracticePage::PracticePage(ShellContext& context, const StationDesk& desk, QWidg
 PracticePage::~PracticePage() = default;
 
 TrialRecording PracticePage::recording() {
-  store_ = std::make_shared<TrialStore>(shell().workplace().key().locator);
+  store_ = std::make_shared<TrialStore>(shell().session().key().locator);
   TrialRecording recording;
   recording.open = [store = store_, own = own_](const RecordingSpec& spec) {
     own->insert(spec.trialId);

@@ -20,7 +20,7 @@
 
 #include "app/base/build_info.h"
 #include "app/gui/base/asset_names.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/simulator/exercise_panel.h"
 #include "app/gui/simulator/pointer_controls.h"

@@ -2,7 +2,7 @@
 // Pictures and film strips of what the window shows.
 #include <QLocale>
 
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/practice/simulator_window.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/picture.h"

@@ -27,13 +27,13 @@ std::vector<PageGroup> allPages() {
   training.push_back(comparePage());
   return {{[] { return named(QT_TRANSLATE_NOOP("Desk", "Training")); }, training},
           {[] { return named(QT_TRANSLATE_NOOP("Desk", "Review")); }, reviewPages()},
-          {[] { return named(QT_TRANSLATE_NOOP("Desk", "Administration")); }, officePages()}};
+          {[] { return named(QT_TRANSLATE_NOOP("Desk", "Administration")); }, administratorPages()}};
 }
 
 std::vector<ScreenEntry> allScreens() {
   std::vector<ScreenEntry> screens = stationScreens();
   for (const std::vector<ScreenEntry>& more :
-       {practiceScreens(), compareScreens(), reviewScreens(), officeScreens()}) {
+       {practiceScreens(), compareScreens(), reviewScreens(), administratorScreens()}) {
     screens.insert(screens.end(), more.begin(), more.end());
   }
   return screens;

@@ -128,37 +128,37 @@ class Cast {
  public:
   Cast(const std::string& locator, const std::filesystem::path& assets, const ProgressCallback& progress)
       : locator_(locator) {
-    SessionContext workplace(key());
-    workplace.setPasswordCost(PasswordCost::kInteractive);
+    SessionContext session(key());
+    session.setPasswordCost(PasswordCost::kInteractive);
     FirstRun first;
     first.centre = kCentre;
     first.login = kAdministrator;
     first.password = randomStartPassword();
     first.demonstration = true;
     const std::vector<StartAccount> accounts = performFirstRun(
-        workplace, first, [&](SessionContext& own) { return addDemonstration(own, assets, progress); });
-    actors_["administrator"] = workplace.actor();
+        session, first, [&](SessionContext& own) { return addDemonstration(own, assets, progress); });
+    actors_["administrator"] = session.actor();
     for (const StartAccount& account : accounts) {
       const SignInAnswer answer =
-          changeOwnPassword(workplace, account.login, account.startPassword, randomStartPassword());
+          changeOwnPassword(session, account.login, account.startPassword, randomStartPassword());
       actors_[account.role] = answer.actor;
     }
   }
 
-  [[nodiscard]] std::unique_ptr<SessionContext> workplaceOf(const QString& role) const {
+  [[nodiscard]] std::unique_ptr<SessionContext> sessionOf(const QString& role) const {
     const auto actor = actors_.find(role.toStdString());
     if (actor == actors_.end()) {
       throw Error(ErrorCode::kBadParameter, "nobody of the demonstration has this role", role.toStdString(),
                   "Use trainee, rater or administrator");
     }
-    auto workplace = std::make_unique<SessionContext>(key());
-    workplace->setActor(actor->second);
-    return workplace;
+    auto session = std::make_unique<SessionContext>(key());
+    session->setActor(actor->second);
+    return session;
   }
 
  private:
-  [[nodiscard]] WorkplaceKey key() const {
-    WorkplaceKey key;
+  [[nodiscard]] SessionKey key() const {
+    SessionKey key;
     key.locator = locator_;
     key.station = "Station 1";
     return key;
@@ -199,7 +199,7 @@ void takePanels(Photographer& photographer) {
 
 void takePage(Photographer& photographer, const Cast& cast, const std::filesystem::path& assets,
               const ScreenEntry& screen) {
-  const std::unique_ptr<SessionContext> workplace = cast.workplaceOf(screen.role);
+  const std::unique_ptr<SessionContext> session = cast.sessionOf(screen.role);
   photographer.take(screen.name, [&](ThemeKind kind, Language language) -> std::unique_ptr<QWidget> {
     DeskSetup setup;
     setup.assets = assets;
@@ -207,10 +207,10 @@ void takePage(Photographer& photographer, const Cast& cast, const std::filesyste
     setup.language = language;
     setup.theme = kind;
     setup.groups = allPages;
-    auto desk = std::make_unique<Desk>(*workplace, setup);
+    auto desk = std::make_unique<Desk>(*session, setup);
     desk->setAutoFillBackground(true);
     desk->show();
-    desk->open(screen.pageId, screen.argument ? screen.argument(*workplace) : QVariant());
+    desk->open(screen.pageId, screen.argument ? screen.argument(*session) : QVariant());
     desk->context().waitForJobs();
     settle(*desk);
     if (screen.prepare && desk->page() != nullptr) {

@@ -12,7 +12,7 @@
 
 #include "app/base/assets.h"
 #include "app/base/build_info.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/practice/simulator_window.h"
 #include "app/gui/program/all_pages.h"
 #include "app/gui/program/option_refusal.h"

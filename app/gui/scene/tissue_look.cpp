@@ -65,7 +65,7 @@ float patchNoise(const Vec3& p) {
 }  // namespace
 
 TissueLook tissueLook(std::string_view sceneId) {
-  if (sceneId.find("arm") != std::string_view::npos) {
+  if (sceneId.find("forearm") != std::string_view::npos) {
     return {.kind = TissueKind::kSkin,
             .colour = QColor(214, 168, 146),
             .roughness = 0.52F,

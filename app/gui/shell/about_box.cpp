@@ -6,7 +6,7 @@
 #include <QSysInfo>
 
 #include "app/base/build_info.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 
 namespace torsio::gui {
 

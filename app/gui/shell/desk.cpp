@@ -14,7 +14,7 @@
 #include <QVBoxLayout>
 
 #include "app/access/access_service.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/shell/job_panel.h"
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/shell/rail.h"
@@ -52,7 +52,7 @@ std::size_t homeGroup(const Actor& actor) {
   switch (homeOf(actor)) {
     case Home::kReview:
       return 1;
-    case Home::kOffice:
+    case Home::kAdministrator:
       return 2;
     case Home::kStation:
       break;
@@ -62,8 +62,8 @@ std::size_t homeGroup(const Actor& actor) {
 
 }  // namespace
 
-Desk::Desk(SessionContext& workplace, const DeskSetup& setup, QWidget* parent)
-    : QWidget(parent), context_(workplace, setup.assets, setup.theme), setup_(setup) {
+Desk::Desk(SessionContext& session, const DeskSetup& setup, QWidget* parent)
+    : QWidget(parent), context_(session, setup.assets, setup.theme), setup_(setup) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
@@ -96,7 +96,7 @@ bool Desk::allowed(PageId id) {
 
 void Desk::createRail(const std::vector<PageGroup>& groups) {
   std::vector<RailGroup> shown;
-  const std::size_t own = homeGroup(context_.workplace().actor());
+  const std::size_t own = homeGroup(context_.session().actor());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     RailGroup group{groups[g].title, {}};
     for (const PageEntry& entry : groups[g].pages) {
@@ -142,7 +142,7 @@ QWidget* Desk::createHeader() {
   title_->setProperty("heading", true);
   practiceSign_ = new QLabel(header);
   practiceSign_->setProperty("caution", true);
-  practiceSign_->setVisible(context_.workplace().actor().practiceOnly);
+  practiceSign_->setVisible(context_.session().actor().practiceOnly);
   centre_ = new QLabel(setup_.centre, header);
   centre_->setProperty("quiet", true);
   row->addWidget(title_);
@@ -320,7 +320,7 @@ void Desk::applyColours(ThemeKind kind) {
 }
 
 void Desk::retranslate() {
-  const Actor& actor = context_.workplace().actor();
+  const Actor& actor = context_.session().actor();
   language_->setToolTip(tr("Language"));
   language_->setAccessibleName(tr("Language"));
   theme_->setToolTip(tr("Light or dark colours"));

@@ -49,8 +49,8 @@ class Desk : public QWidget {
   Q_OBJECT
 
  public:
-  /// `workplace` outlives the desk.
-  Desk(SessionContext& workplace, const DeskSetup& setup, QWidget* parent = nullptr);
+  /// `session` outlives the desk.
+  Desk(SessionContext& session, const DeskSetup& setup, QWidget* parent = nullptr);
   ~Desk() override;
 
   [[nodiscard]] ShellContext& context() noexcept { return context_; }

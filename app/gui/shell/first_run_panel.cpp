@@ -16,8 +16,8 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/background.h"
-#include "app/gui/base/problem_words.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/problem_labels.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/shell/job_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"

@@ -13,7 +13,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/job_panel.h"
@@ -90,11 +90,11 @@ MainWindow::MainWindow(const ShellSetup& setup)
 
 MainWindow::~MainWindow() {
   qApp->removeEventFilter(this);
-  delete desk_;  // before the workplace that it works at
+  delete desk_;  // before the session that it works at
 }
 
-WorkplaceKey MainWindow::key() const {
-  WorkplaceKey key;
+SessionKey MainWindow::key() const {
+  SessionKey key;
   key.locator = setup_.locator.toStdString();
   key.station = setup_.station;
   return key;
@@ -190,13 +190,13 @@ void MainWindow::watchIdleness() {
   }
   if (state == IdleState::kWarning) {
     const std::int64_t left_s = (idle_.untilLock_us() + 999'999) / 1'000'000;
-    const bool ends = setup_.kiosk || workplace_->actor().practiceOnly;
+    const bool ends = setup_.kiosk || session_->actor().practiceOnly;
     idleWarning_->setText(
         ends ? tr("Nobody here? You will be signed out in %1 s. Press any key to stay").arg(left_s)
              : tr("Nobody here? The screen will be locked in %1 s. Press any key to stay").arg(left_s));
   } else if (state == IdleState::kLocked) {
     idle_.unlock();  // the lock panel is the lock; the guard counts anew once it is open
-    const bool ends = setup_.kiosk || workplace_->actor().practiceOnly;
+    const bool ends = setup_.kiosk || session_->actor().practiceOnly;
     if (ends) {
       signOutBeyondDialogs(tr("You were signed out because nobody was here"));
     } else {
@@ -233,7 +233,7 @@ void MainWindow::heartbeat() {
   if (!line_) {
     return;
   }
-  line_->signIn(workplace_->actor());
+  line_->signIn(session_->actor());
   showAnswers(line_->answers());
 }
 
@@ -258,30 +258,30 @@ void MainWindow::showAnswers(bool answers) {
 /// The connection of the pages was lost with the server.
 void MainWindow::reconnect() {
   try {
-    workplace_->reconnect();
+    session_->reconnect();
   } catch (...) {
     answered_ = false;  // away again; the next heartbeat that is answered tries anew
   }
 }
 
 void MainWindow::forgetActor() {
-  if (!workplace_ || workplace_->actor().userId.empty()) {
+  if (!session_ || session_->actor().userId.empty()) {
     return;
   }
   try {
     if (line_ && !line_->answers()) {
       line_->write([](SessionContext& own) { torsio::signOut(own); });
-      workplace_->setActor({});
+      session_->setActor({});
     } else {
-      torsio::signOut(*workplace_);
+      torsio::signOut(*session_);
     }
   } catch (...) {
-    workplace_->setActor({});  // the audit trail cannot be written; nobody stays signed in for that
+    session_->setActor({});  // the audit trail cannot be written; nobody stays signed in for that
   }
 }
 
 QString MainWindow::userId() const {
-  return workplace_ ? toQString(workplace_->actor().userId) : QString();
+  return session_ ? toQString(session_->actor().userId) : QString();
 }
 
 void MainWindow::retranslate() {

@@ -62,7 +62,7 @@ class MainWindow : public QWidget {
   /// Opens the database and shows the first screen.
   void start();
   [[nodiscard]] Desk* desk() noexcept { return desk_; }
-  [[nodiscard]] SessionContext* workplace() noexcept { return workplace_.get(); }
+  [[nodiscard]] SessionContext* session() noexcept { return session_.get(); }
   [[nodiscard]] Background& background() noexcept { return background_; }
   [[nodiscard]] LanguageSwitch& languageSwitch() noexcept { return language_; }
   /// "first run", "sign-in", "password", "desk", "lock", "trouble": for tests.
@@ -122,7 +122,7 @@ class MainWindow : public QWidget {
   void retranslate();
   void applyChoices(const QString& userId, bool station);
   [[nodiscard]] QString userId() const;
-  [[nodiscard]] WorkplaceKey key() const;
+  [[nodiscard]] SessionKey key() const;
 
   ShellSetup setup_;
   Preferences preferences_;
@@ -131,7 +131,7 @@ class MainWindow : public QWidget {
   MonotonicClock machineClock_;
   IdleGuard idle_;
   QTimer second_;
-  std::unique_ptr<SessionContext> workplace_;
+  std::unique_ptr<SessionContext> session_;
   std::unique_ptr<StationWriter> line_;
   bool answered_ = true;    // the database, at the last heartbeat
   bool settleDue_ = false;  // recordings may have gone to files meanwhile

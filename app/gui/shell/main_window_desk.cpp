@@ -9,7 +9,7 @@
 #include <QTimer>
 
 #include "app/access/settings_service.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/shell/about_box.h"
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/lock_panel.h"
@@ -24,7 +24,7 @@
 namespace torsio::gui {
 
 void MainWindow::tellKept() {
-  if (kept_.empty() || workplace_->actor().practiceOnly) {
+  if (kept_.empty() || session_->actor().practiceOnly) {
     return;
   }
   desk_->context().tell([kept = kept_] {
@@ -38,9 +38,9 @@ void MainWindow::tellKept() {
 void MainWindow::enterDesk() {
   leaveDesk();
   if (!setup_.idle) {
-    idle_.setLimits(centreIdleLimits(workplace_->connection()));
+    idle_.setLimits(centreIdleLimits(session_->connection()));
   }
-  const bool station = homeOf(workplace_->actor()) == Home::kStation;
+  const bool station = homeOf(session_->actor()) == Home::kStation;
   applyChoices(userId(), station);
   openDesk();
   tellKept();
@@ -54,7 +54,7 @@ void MainWindow::openDesk() {
   setup.theme = theme_;
   setup.kiosk = setup_.kiosk;
   setup.groups = setup_.groups;
-  desk_ = new Desk(*workplace_, setup, this);
+  desk_ = new Desk(*session_, setup, this);
   desk_->context().setLine(line_.get());
   stack_->addWidget(desk_);
   connect(desk_, &Desk::signOutWanted, this, [this] { signOut(); });
@@ -66,7 +66,7 @@ void MainWindow::openDesk() {
   connect(desk_, &Desk::aboutWanted, this, [this] { showAboutBox(this); });
   connect(desk_, &Desk::demonstrationRemovalWanted, this, &MainWindow::removeDemonstration);
   connect(desk_, &Desk::passwordChangeWanted, this, [this] {
-    password_->begin(toQString(workplace_->actor().login), {}, false);
+    password_->begin(toQString(session_->actor().login), {}, false);
     show(password_);
   });
   // Later, since the page that asks for it dies with the desk.
@@ -107,11 +107,11 @@ bool MainWindow::lock() {
   if (desk_ == nullptr || stack_->currentWidget() != desk_ || desk_->busy()) {
     return false;
   }
-  if (workplace_->actor().practiceOnly) {
+  if (session_->actor().practiceOnly) {
     return signOut();  // nothing to come back to
   }
   for (LockPanel* lock : {lock_, &dialogLock_->panel()}) {
-    lock->begin(toQString(workplace_->actor().login));
+    lock->begin(toQString(session_->actor().login));
   }
   show(lock_);
   dialogLock_->cover();
@@ -144,14 +144,14 @@ void MainWindow::choosePin() {
     return;
   }
   attempt(desk_->context(), [&] {
-    setOwnPin(*workplace_, pin.toStdString());
+    setOwnPin(*session_, pin.toStdString());
     desk_->context().notify(pin.isEmpty() ? tr("The PIN was removed") : tr("The PIN is in force"));
   });
 }
 
 void MainWindow::removeDemonstration() {
   attempt(desk_->context(), [&] {
-    const DemonstrationSize size = demonstrationSize(*workplace_);
+    const DemonstrationSize size = demonstrationSize(*session_);
     if (size.rows == 0) {
       desk_->context().notify(tr("There is no demonstration data"));
       return;

@@ -6,8 +6,8 @@
 
 #include "app/access/first_run.h"
 #include "app/demonstration/demonstration_accounts.h"
-#include "app/gui/base/problem_words.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/problem_labels.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/shell/credentials_dialog.h"
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/job_panel.h"
@@ -51,13 +51,13 @@ void MainWindow::leaveKiosk() {
 void MainWindow::openDatabase() {
   line_.reset();
   try {
-    workplace_ = std::make_unique<SessionContext>(key());
-    workplace_->setPasswordCost(setup_.passwordCost);
-    if (needsFirstRun(workplace_->connection())) {
+    session_ = std::make_unique<SessionContext>(key());
+    session_->setPasswordCost(setup_.passwordCost);
+    if (needsFirstRun(session_->connection())) {
       enterFirstRun();
       return;
     }
-    const CentreSign sign = centreSign(workplace_->connection());
+    const CentreSign sign = centreSign(session_->connection());
     centre_ = toQString(sign.name);
     if (!preferences_.language({})) {
       if (const auto language = languageOf(toQString(sign.language))) {
@@ -128,7 +128,7 @@ void MainWindow::changeRecord(const RecordChange& change) {
     line_->leave();
   }
   line_.reset();
-  workplace_.reset();  // nobody has the record open now
+  session_.reset();  // nobody has the record open now
   QString sentence = change.sentence;
   bool failed = false;
   try {
@@ -160,7 +160,7 @@ void MainWindow::setUp(const FirstRunChoice& choice) {
   }
   setup_.locator = choice.locator;
   line_.reset();
-  workplace_.reset();
+  session_.reset();
   setUpCancelled_->store(false);
   firstRun_->job().begin(tr("Setting up the centre"));
   background_.run(
@@ -174,8 +174,8 @@ void MainWindow::setUp(const FirstRunChoice& choice) {
             openDatabase();
           };
         }
-        const auto accounts = performFirstRun(own, choice.first, [this](SessionContext& workplace) {
-          return addDemonstration(workplace, setup_.assets, [this](const Progress& progress) {
+        const auto accounts = performFirstRun(own, choice.first, [this](SessionContext& session) {
+          return addDemonstration(session, setup_.assets, [this](const Progress& progress) {
             if (setUpCancelled_->load()) {
               throw Cancelled{};
             }
@@ -186,9 +186,9 @@ void MainWindow::setUp(const FirstRunChoice& choice) {
         });
         return [this, actor = own.actor(), choice, accounts] {
           firstRun_->job().end();
-          workplace_ = std::make_unique<SessionContext>(this->key());
-          workplace_->setPasswordCost(setup_.passwordCost);
-          workplace_->setActor(actor);
+          session_ = std::make_unique<SessionContext>(this->key());
+          session_->setPasswordCost(setup_.passwordCost);
+          session_->setActor(actor);
           startLine();
           centre_ = toQString(choice.first.centre);
           preferences_.setDatabase(choice.locator);
@@ -237,7 +237,7 @@ void MainWindow::tryPin(const QString& login, const QString& pin) {
 void MainWindow::took(const SignInAnswer& answer, const QString& login, const QString& password) {
   switch (answer.outcome) {
     case SignIn::kOk:
-      workplace_->setActor(answer.actor);
+      session_->setActor(answer.actor);
       enterDesk();
       break;
     case SignIn::kMustChange:
@@ -248,7 +248,7 @@ void MainWindow::took(const SignInAnswer& answer, const QString& login, const QS
       signIn_->say(tr("Name and password do not fit together. Please try again"), true);
       break;
     case SignIn::kWait:
-      signIn_->waitUntil(answer.waitUntilUtc_us, workplace_->now_us());
+      signIn_->waitUntil(answer.waitUntilUtc_us, session_->now_us());
       break;
     case SignIn::kDisabled:
       signIn_->say(tr("This account is switched off. Ask your administrator"), true);
@@ -259,7 +259,7 @@ void MainWindow::took(const SignInAnswer& answer, const QString& login, const QS
 void MainWindow::enterAsGuest() {
   Actor guest;
   guest.practiceOnly = true;
-  workplace_->setActor(guest);
+  session_->setActor(guest);
   enterDesk();
 }
 
@@ -290,15 +290,15 @@ void MainWindow::sayLocked(const QString& sentence) {
 
 void MainWindow::unlock(const QString& password) {
   background_.run(
-      [this, key = key(), login = workplace_->actor().login, password]() -> Background::Finish {
+      [this, key = key(), login = session_->actor().login, password]() -> Background::Finish {
         SessionContext own(key);
         const SignInAnswer answer = torsio::signIn(own, login, password.toStdString());
         return [this, answer] {
-          if (answer.outcome == SignIn::kOk && answer.actor.userId == workplace_->actor().userId) {
+          if (answer.outcome == SignIn::kOk && answer.actor.userId == session_->actor().userId) {
             dialogLock_->uncover();
             show(desk_);
           } else if (answer.outcome == SignIn::kWait) {
-            const std::int64_t left_s = (answer.waitUntilUtc_us - workplace_->now_us()) / 1'000'000 + 1;
+            const std::int64_t left_s = (answer.waitUntilUtc_us - session_->now_us()) / 1'000'000 + 1;
             sayLocked(tr("Too many wrong tries. Please wait %1 s").arg(left_s));
           } else {
             sayLocked(tr("That is not the password. Please try again"));

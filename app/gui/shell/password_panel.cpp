@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 
 #include "app/access/access_service.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/error.h"

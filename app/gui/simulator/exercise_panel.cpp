@@ -12,7 +12,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/asset_names.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/angle.h"

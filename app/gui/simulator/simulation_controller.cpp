@@ -6,7 +6,7 @@
 
 #include <QUuid>
 
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"

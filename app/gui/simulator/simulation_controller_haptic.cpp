@@ -2,7 +2,7 @@
 // Of SimulationController: the haptic device, and what happens without it.
 #include <utility>
 
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/simulation_controller.h"
 #include "sim/base/error.h"
 

@@ -9,9 +9,9 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
-#include "app/gui/trainee/station_words.h"
+#include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 
@@ -45,7 +45,7 @@ AskCard::AskCard(ShellContext& shell, QWidget* parent)
 
 void AskCard::setRun(const std::string& trialId) {
   trialId_ = trialId;
-  desk_ = trialId.empty() ? QuestionDesk{} : questionDesk(shell_.workplace(), trialId);
+  desk_ = trialId.empty() ? QuestionDesk{} : questionDesk(shell_.session(), trialId);
   whom_->clear();
   for (const AskablePhysician& physician : desk_.physicians) {
     whom_->addItem(toQString(physician.name), toQString(physician.raterId));
@@ -73,7 +73,7 @@ void AskCard::ask() {
   attempt(shell_, [&] {
     const double at_s = at_s_;
     const QString name = whom_->currentText();
-    askPhysician(shell_.workplace(), trialId_, at_s, whom_->currentData().toString().toStdString(),
+    askPhysician(shell_.session(), trialId_, at_s, whom_->currentData().toString().toStdString(),
                  text_->text().trimmed().toStdString());
     setRun(trialId_);
     shell_.notify(tr("Sent to %1: %2").arg(name, StationLabels::seconds(at_s)));
@@ -90,7 +90,7 @@ void AskCard::addQuestion(const OwnQuestion& question) {
                           .arg(moment, physician, StationLabels::when(question.answeredUtc_us))
                     : tr("%1  \u00b7  with %2, waiting for %3")
                           .arg(moment, physician,
-                               StationLabels::waited(shell_.workplace().now_us() - question.askedUtc_us)));
+                               StationLabels::waited(shell_.session().now_us() - question.askedUtc_us)));
   list_->addWidget(head);
   if (!question.text.empty()) {
     auto* text = plainLabel(this, "quiet");

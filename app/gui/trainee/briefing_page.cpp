@@ -11,11 +11,11 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/live_scene.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_parts.h"
-#include "app/gui/trainee/station_words.h"
+#include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/recording/expert_run.h"
@@ -104,7 +104,7 @@ void BriefingPage::enter(const QVariant& argument) {
     return;
   }
   attempt(shell(), [&] {
-    const NextSteps steps = nextSteps(shell().workplace(), shell().workplace().actor().personId);
+    const NextSteps steps = nextSteps(shell().session(), shell().session().actor().personId);
     step_ = stepOf(steps, desk_.moduleId);
     asked_ = false;
     SceneRequest request;

@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
@@ -78,7 +78,7 @@ void ConsentPage::retranslate() {
   decline_->setText(tr("&Not now"));
   attempt(shell(), [&] {
     readText();
-    const bool given = hasOwnConsent(shell().workplace(), kPurpose);
+    const bool given = hasOwnConsent(shell().session(), kPurpose);
     state_->setText(given ? tr("You have agreed before.") : tr("You have not agreed so far."));
     decline_->setText(given ? tr("&Withdraw") : tr("&Not now"));
   });
@@ -86,7 +86,7 @@ void ConsentPage::retranslate() {
 
 void ConsentPage::decide(bool granted) {
   attempt(shell(), [&] {
-    decideOwnConsent(shell().workplace(), kPurpose, granted, version_);
+    decideOwnConsent(shell().session(), kPurpose, granted, version_);
     if (!granted) {
       shell().notify(tr("Nothing will be recorded. Free practice stays open."));
     }

@@ -10,12 +10,12 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/ask_card.h"
 #include "app/gui/trainee/debrief_plot.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_parts.h"
-#include "app/gui/trainee/station_words.h"
+#include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
@@ -96,7 +96,7 @@ void DebriefPage::enter(const QVariant& argument) {
   attempt(shell(), [&] {
     std::string trialId = argument.toString().toStdString();
     if (trialId.empty()) {
-      const auto all = attemptsOf(shell().workplace(), shell().workplace().actor().personId);
+      const auto all = attemptsOf(shell().session(), shell().session().actor().personId);
       for (const Attempt& attempt : all) {
         if (attempt.ended) {
           trialId = attempt.trialId;
@@ -125,9 +125,9 @@ void DebriefPage::compute(const std::string& trialId) {
   fill();
   shell().run(
       tr("Looking at your run"),
-      [result, trialId, assets = shell().assets(), scene = desk_.lastScene](SessionContext& workplace,
+      [result, trialId, assets = shell().assets(), scene = desk_.lastScene](SessionContext& session,
                                                                             const ProgressCallback&) {
-        *result = torsio::debrief(workplace, trialId, assets, scene.get());
+        *result = torsio::debrief(session, trialId, assets, scene.get());
       },
       [this, result] {
         debrief_ = std::move(*result);
@@ -144,7 +144,7 @@ void DebriefPage::addBookmarkAt(double at_s) {
     return;
   }
   attempt(shell(), [&] {
-    addBookmark(shell().workplace(), debrief_.trialId, at_s, {});
+    addBookmark(shell().session(), debrief_.trialId, at_s, {});
     showBookmark(at_s);
     shell().notify(tr("Bookmark at %1").arg(StationLabels::seconds(at_s)));
   });

@@ -11,7 +11,7 @@
 #include <QPainterPath>
 #include <QWheelEvent>
 
-#include "app/gui/trainee/station_words.h"
+#include "app/gui/trainee/trainee_labels.h"
 #include "sim/base/angle.h"
 
 namespace torsio::gui {

@@ -9,10 +9,10 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_parts.h"
-#include "app/gui/trainee/station_words.h"
+#include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
@@ -70,7 +70,7 @@ DeviceCheckPage::DeviceCheckPage(ShellContext& context, StationDesk& desk, QWidg
   connect(mouse_, &QPushButton::clicked, this, [this] {
     desk_.openDevice = nullptr;
     // The board goes on telling of the device that is not fit.
-    desk_.readiness = pointerReadiness(gradesWithMouse(shell().workplace()));
+    desk_.readiness = pointerReadiness(gradesWithMouse(shell().session()));
     goOn(false);
   });
 }
@@ -82,7 +82,7 @@ void DeviceCheckPage::enter(const QVariant&) {
 void DeviceCheckPage::check() {
   desk_.readiness.reset();
   if (!desk_.probe) {
-    attempt(shell(), [&] { found(pointerReadiness(gradesWithMouse(shell().workplace()))); });
+    attempt(shell(), [&] { found(pointerReadiness(gradesWithMouse(shell().session()))); });
     fill();
     return;
   }
@@ -102,7 +102,7 @@ void DeviceCheckPage::check() {
 void DeviceCheckPage::found(const DeviceReadiness& readiness) {
   desk_.readiness = readiness;
   if (StationWriter* line = shell().line(); line != nullptr) {
-    line->showDevice(stationDevice(readiness, shell().workplace().now_us()));
+    line->showDevice(stationDevice(readiness, shell().session().now_us()));
   }
 }
 

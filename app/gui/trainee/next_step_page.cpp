@@ -10,10 +10,10 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_parts.h"
-#include "app/gui/trainee/station_words.h"
+#include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
@@ -71,10 +71,10 @@ NextStepPage::NextStepPage(ShellContext& context, StationDesk& desk, QWidget* pa
 
 void NextStepPage::enter(const QVariant&) {
   attempt(shell(), [&] {
-    for (RecoveredTrial& trial : recoverInterrupted(shell().workplace())) {
+    for (RecoveredTrial& trial : recoverInterrupted(shell().session())) {
       recovered_.push_back(std::move(trial));
     }
-    steps_ = nextSteps(shell().workplace(), shell().workplace().actor().personId);
+    steps_ = nextSteps(shell().session(), shell().session().actor().personId);
     fill();
     if (QPushButton* start = startButton()) {
       start->setFocus();

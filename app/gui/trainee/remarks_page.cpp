@@ -15,9 +15,9 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
-#include "app/gui/trainee/station_words.h"
+#include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
@@ -88,7 +88,7 @@ void RemarksPage::enter(const QVariant&) {
 }
 
 void RemarksPage::readAll() {
-  attempt(shell(), [&] { all_ = ownRemarks(shell().workplace()); });
+  attempt(shell(), [&] { all_ = ownRemarks(shell().session()); });
   retranslate();
 }
 
@@ -142,9 +142,9 @@ void RemarksPage::fillList() {
 void RemarksPage::answer(const std::string& remarkId, const QString& text) {
   attempt(shell(), [&] {
     if (text.isEmpty()) {
-      markRemarkRead(shell().workplace(), remarkId);
+      markRemarkRead(shell().session(), remarkId);
     } else {
-      replyToRemark(shell().workplace(), remarkId, text.toStdString());
+      replyToRemark(shell().session(), remarkId, text.toStdString());
     }
   });
   readAll();
@@ -222,7 +222,7 @@ void RemarksPage::fillMarks() {
     return;
   }
   ScoreGap gap;
-  if (!attempt(shell(), [&] { gap = scoreGap(shell().workplace(), trial->trialId); })) {
+  if (!attempt(shell(), [&] { gap = scoreGap(shell().session(), trial->trialId); })) {
     return;
   }
   auto* hint = plainLabel(marks_, "quiet");
@@ -281,7 +281,7 @@ void RemarksPage::fillMarks() {
       for (std::size_t i = 1; i < fields->size(); ++i) {
         sheet.push_back({(*fields)[i].first, (*fields)[i].second->value()});
       }
-      selfScore(shell().workplace(), id, fields->front().second->value(), sheet);
+      selfScore(shell().session(), id, fields->front().second->value(), sheet);
     });
     fillMarks();
   });

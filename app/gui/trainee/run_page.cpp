@@ -15,11 +15,11 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/live_scene.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_parts.h"
-#include "app/gui/trainee/station_words.h"
+#include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/angle_dial.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
@@ -63,7 +63,7 @@ RunPage::RunPage(ShellContext& context, StationDesk& desk, QWidget* parent)
   });
   connect(&scene_->controller(), &SimulationController::problemMet, &shell(), &ShellContext::tell);
   connect(&scene_->controller(), &SimulationController::deviceLost, this, [this] {
-    if (session_) {
+    if (runSession_) {
       withoutDevice([] { return TranslatedError{tr("The haptic device was lost"), {}, {}}; });
     }
   });
@@ -96,8 +96,8 @@ QWidget* RunPage::createNotice() {
   connect(goOn_, &QPushButton::clicked, this, [this] {
     if (waiting_) {
       cancelWaiting();
-    } else if (session_) {
-      follow(session_->resume());
+    } else if (runSession_) {
+      follow(runSession_->resume());
     }
   });
   return ground;
@@ -163,7 +163,7 @@ QWidget* RunPage::createPanel() {
   buttons->addWidget(rest_);
   buttons->addWidget(stop_);
   connect(rest_, &QPushButton::clicked, this, [this] {
-    if (!session_ || !session_->rest()) {
+    if (!runSession_ || !runSession_->rest()) {
       return;
     }
     endRecording(TrialOutcome::kCompleted);
@@ -174,12 +174,12 @@ QWidget* RunPage::createPanel() {
 }
 
 void RunPage::enter(const QVariant& argument) {
-  if (session_ || argument == kLater) {
+  if (runSession_ || argument == kLater) {
     return;
   }
   if (!attempt(shell(), [&] {
-        session_.emplace(
-            shell().workplace(),
+        runSession_.emplace(
+            shell().session(),
             RunRequest{desk_.moduleId, desk_.graded, desk_.readiness.value_or(DeviceReadiness{})},
             *desk_.clock, shell().line());
       })) {
@@ -188,22 +188,22 @@ void RunPage::enter(const QVariant& argument) {
   lastTrial_.clear();
   inFile_ = false;
   retranslate();
-  if (session_->run().phase().arm == TrainingSetting::kReal) {
+  if (runSession_->run().phase().arm == TrainingSetting::kReal) {
     begin();
     return;
   }
   waiting_ = true;
   SceneRequest request;
   request.assets = shell().assets();
-  request.id = session_->step().module.sceneId;
-  request.pattern = session_->step().module.patternId;
+  request.id = runSession_->step().module.sceneId;
+  request.pattern = runSession_->step().module.patternId;
   scene_->controller().load(request);
   showState();
 }
 
 /// The scene is there. The device of the first recording comes before the clock: waiting is not training.
 void RunPage::begin() {
-  const bool real = session_->run().phase().arm == TrainingSetting::kReal;
+  const bool real = runSession_->run().phase().arm == TrainingSetting::kReal;
   if (!real && desk_.openDevice) {
     fetchDevice();
   } else {
@@ -214,19 +214,19 @@ void RunPage::begin() {
 void RunPage::start() {
   waiting_ = false;
   const bool begun = attempt(shell(), [this] {
-    session_->start();
+    runSession_->start();
     timer_.start();
-    follow(session_->advance());
+    follow(runSession_->advance());
   });
   if (!begun) {
-    session_.reset();
+    runSession_.reset();
     device_.reset();
   }
 }
 
 void RunPage::fetchDevice() {
   opening_.begin([open = desk_.openDevice, scene = scene_->controller().sharedScene(),
-                  target_rad = session_->module().targetAngle_rad] { return open(*scene, target_rad); },
+                  target_rad = runSession_->module().targetAngle_rad] { return open(*scene, target_rad); },
                  [this](std::unique_ptr<HapticDevice> device) {
                    device_ = std::move(device);
                    haveDevice();
@@ -243,7 +243,7 @@ void RunPage::haveDevice() {
     start();
     return;
   }
-  session_->hold();
+  runSession_->hold();
   tick();
 }
 
@@ -251,7 +251,7 @@ void RunPage::haveDevice() {
 void RunPage::cancelWaiting() {
   opening_.cancel();
   waiting_ = false;
-  session_.reset();
+  runSession_.reset();
   shell().open(PageId::kNextStep);
 }
 
@@ -260,14 +260,14 @@ void RunPage::record() {
     fetchDevice();
     return;
   }
-  const RecordingSpec recording = session_->newTrial();
+  const RecordingSpec recording = runSession_->newTrial();
   std::unique_ptr<HapticDevice> device = device_ ? *std::exchange(device_, std::nullopt) : nullptr;
   haptic_ = device != nullptr;
-  if (!scene_->controller().startTraining(recording, session_->sinkFor(recording), std::move(device))) {
+  if (!scene_->controller().startTraining(recording, runSession_->sinkFor(recording), std::move(device))) {
     return;
   }
   lastTrial_ = toQString(recording.trialId);
-  const StoredModule& module = session_->step().module;
+  const StoredModule& module = runSession_->step().module;
   dial_->setTarget(scene_->controller().target_rad(), module.tolerance_rad);
   torque_->setLimit(module.maxTorque_Nm.value_or(0.0));
   force_->setLimit(module.maxForce_N.value_or(0.0));
@@ -278,7 +278,7 @@ void RunPage::record() {
 void RunPage::withoutDevice(const Problem& why) {
   endRecording(TrialOutcome::kInterrupted);
   desk_.readiness.reset();  // the device is checked anew before the next graded run
-  if (!session_->graded()) {
+  if (!runSession_->graded()) {
     desk_.openDevice = nullptr;
     shell().notify(tr("%1. You go on with mouse and keyboard").arg(why().happened));
     if (waiting_) {
@@ -287,10 +287,10 @@ void RunPage::withoutDevice(const Problem& why) {
     return;
   }
   const bool begun = !waiting_;
-  session_->stop("the haptic device was lost");
+  runSession_->stop("the haptic device was lost");
   timer_.stop();
   waiting_ = false;
-  session_.reset();
+  runSession_.reset();
   shell().tell([why, begun] {
     const TranslatedError said = why();
     QStringList parts{said.happened};
@@ -311,15 +311,15 @@ void RunPage::withoutDevice(const Problem& why) {
 }
 
 void RunPage::tick() {
-  if (!session_ || waiting_) {
+  if (!runSession_ || waiting_) {
     return;
   }
   if (opening_.going()) {
-    session_->hold();
+    runSession_->hold();
     showState();
     return;
   }
-  attempt(shell(), [&] { follow(session_->advance()); });
+  attempt(shell(), [&] { follow(runSession_->advance()); });
 }
 
 void RunPage::follow(const std::vector<RunEvent>& events) {
@@ -342,7 +342,7 @@ void RunPage::follow(const std::vector<RunEvent>& events) {
         return;
       }
     }
-    const TrainingRun& run = session_->run();
+    const TrainingRun& run = runSession_->run();
     const bool recording = scene_->controller().mode() == SimulationController::Mode::kRecording;
     if (run.state() == RunState::kRunning && run.phase().arm == TrainingSetting::kVirtual && !recording) {
       record();
@@ -364,7 +364,7 @@ void RunPage::finish() {
   device_.reset();
   endRecording(TrialOutcome::kCompleted);
   desk_.lastScene = scene_->controller().sharedScene();
-  session_.reset();
+  runSession_.reset();
   if (StationWriter* line = shell().line(); line != nullptr) {
     static_cast<void>(line->settled(kLastWrites));
   }
@@ -382,21 +382,21 @@ void RunPage::finish() {
 }
 
 void RunPage::askToStop() {
-  if (!session_) {
+  if (!runSession_) {
     return;
   }
   QMessageBox question(this);
   question.setIcon(QMessageBox::NoIcon);
   question.setText(tr("End this run now?"));
-  question.setInformativeText(session_->graded() ? tr("What was recorded is kept, and the attempt counts.")
-                                                 : tr("What was recorded is kept."));
+  question.setInformativeText(runSession_->graded() ? tr("What was recorded is kept, and the attempt counts.")
+                                                    : tr("What was recorded is kept."));
   QPushButton* end = question.addButton(tr("&End the run"), QMessageBox::AcceptRole);
   question.addButton(tr("&Go on"), QMessageBox::RejectRole);
   question.exec();
-  if (question.clickedButton() != end || !session_) {
+  if (question.clickedButton() != end || !runSession_) {
     return;
   }
-  attempt(shell(), [&] { session_->stop("ended by the trainee"); });
+  attempt(shell(), [&] { runSession_->stop("ended by the trainee"); });
   finish();
 }
 
@@ -407,14 +407,15 @@ bool RunPage::leave() {
   }
   timer_.stop();
   opening_.cancel();
-  session_.reset();
+  runSession_.reset();
   waiting_ = false;
   scene_->controller().shutDown();
   return true;
 }
 
 bool RunPage::busy() const {
-  return session_ && !waiting_ && session_->run().state() != RunState::kReady && !session_->run().over();
+  return runSession_ && !waiting_ && runSession_->run().state() != RunState::kReady &&
+         !runSession_->run().over();
 }
 
 }  // namespace torsio::gui

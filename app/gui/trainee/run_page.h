@@ -47,7 +47,7 @@ class RunPage : public Page {
   [[nodiscard]] ShellContext& context() const noexcept { return shell(); }
   [[nodiscard]] StationDesk& desk() const noexcept { return desk_; }
   /// Null outside a run.
-  [[nodiscard]] RunSession* session() noexcept { return session_ ? &*session_ : nullptr; }
+  [[nodiscard]] RunSession* runSession() noexcept { return runSession_ ? &*runSession_ : nullptr; }
   /// Whether the run waits for its device, its clock standing still.
   [[nodiscard]] bool fetchesDevice() const noexcept { return opening_.going(); }
   /// One round of the clock; tests call it themselves.
@@ -75,7 +75,7 @@ class RunPage : public Page {
   [[nodiscard]] QString cue(const LiveState& state) const;
 
   const Theme* theme_;
-  std::optional<RunSession> session_;
+  std::optional<RunSession> runSession_;
   QString lastTrial_;
   bool waiting_ = false;  // for the scene and the device, before the clock starts
   std::optional<std::unique_ptr<HapticDevice>> device_;  // opened for the next recording; null: the pointer

@@ -8,10 +8,10 @@
 #include <QPushButton>
 #include <QStackedWidget>
 
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/live_scene.h"
 #include "app/gui/trainee/run_page.h"
-#include "app/gui/trainee/station_words.h"
+#include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/angle_dial.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"

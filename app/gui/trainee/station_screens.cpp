@@ -6,7 +6,7 @@
 #include "app/base/assets.h"
 #include "app/demonstration/demonstration_station.h"
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/briefing_page.h"
 #include "app/gui/trainee/debrief_page.h"
 #include "app/gui/trainee/debrief_plot.h"
@@ -28,9 +28,8 @@ constexpr double kPartOfTheWay = 0.7;
 constexpr double kHand_s = 60.0;
 constexpr double kExpertAt = 0.45;  // of the replay
 
-DemonstrationStation laidOut(SessionContext& workplace) {
-  return storeDemonstrationStation(workplace.connection(), workplace.ids(), assetsFolder(),
-                                   workplace.now_us());
+DemonstrationStation laidOut(SessionContext& session) {
+  return storeDemonstrationStation(session.connection(), session.ids(), assetsFolder(), session.now_us());
 }
 
 template <typename Condition>
@@ -42,19 +41,19 @@ void waitFor(const Condition& done) {
   }
 }
 
-QVariant nothing(SessionContext& workplace) {
-  static_cast<void>(laidOut(workplace));
+QVariant nothing(SessionContext& session) {
+  static_cast<void>(laidOut(session));
   return {};
 }
 
-QVariant later(SessionContext& workplace) {
-  static_cast<void>(laidOut(workplace));
+QVariant later(SessionContext& session) {
+  static_cast<void>(laidOut(session));
   return QStringLiteral("later");
 }
 
 /// What the trainee would have chosen before.
 void choose(ShellContext& shell, StationDesk& desk) {
-  const NextSteps steps = nextSteps(shell.workplace(), shell.workplace().actor().personId);
+  const NextSteps steps = nextSteps(shell.session(), shell.session().actor().personId);
   if (steps.next) {
     desk.moduleId = steps.modules[*steps.next].module.id;
   }
@@ -117,22 +116,21 @@ ScreenEntry screen(const char* name, PageId page, std::function<QVariant(Session
 }  // namespace
 
 std::vector<ScreenEntry> stationScreens() {
-  return {
-      screen("station-next-step", PageId::kNextStep, nothing),
-      screen("station-device-check", PageId::kDeviceCheck, nothing),
-      screen("station-consent", PageId::kConsent, nothing),
-      screen("station-briefing", PageId::kBriefing, later, showBriefing),
-      screen("station-run", PageId::kRun, later, showRun),
-      screen(
-          "station-debrief", PageId::kDebrief,
-          [](SessionContext& workplace) -> QVariant { return toQString(laidOut(workplace).newestTrialId); },
-          showFinding),
-      screen(
-          "station-trend", PageId::kTrend,
-          [](SessionContext& workplace) -> QVariant { return toQString(laidOut(workplace).firstModuleId); },
-          [](Page& page) { static_cast<TrendPage&>(page).chooseMetric("time.total"); }),
-      screen("station-remarks", PageId::kRemarks, nothing),
-      screen("station-transcript", PageId::kTranscript, nothing)};
+  return {screen("station-next-step", PageId::kNextStep, nothing),
+          screen("station-device-check", PageId::kDeviceCheck, nothing),
+          screen("station-consent", PageId::kConsent, nothing),
+          screen("station-briefing", PageId::kBriefing, later, showBriefing),
+          screen("station-run", PageId::kRun, later, showRun),
+          screen(
+              "station-debrief", PageId::kDebrief,
+              [](SessionContext& session) -> QVariant { return toQString(laidOut(session).newestTrialId); },
+              showFinding),
+          screen(
+              "station-trend", PageId::kTrend,
+              [](SessionContext& session) -> QVariant { return toQString(laidOut(session).firstModuleId); },
+              [](Page& page) { static_cast<TrendPage&>(page).chooseMetric("time.total"); }),
+          screen("station-remarks", PageId::kRemarks, nothing),
+          screen("station-transcript", PageId::kTranscript, nothing)};
 }
 
 }  // namespace torsio::gui

@@ -13,9 +13,9 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
-#include "app/gui/trainee/station_words.h"
+#include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
@@ -51,7 +51,7 @@ TranscriptPage::TranscriptPage(ShellContext& context, QWidget* parent) : Page(co
 
 void TranscriptPage::enter(const QVariant&) {
   attempt(shell(), [&] {
-    transcript_ = torsio::transcript(shell().workplace(), shell().workplace().actor().personId);
+    transcript_ = torsio::transcript(shell().session(), shell().session().actor().personId);
     read_ = true;
   });
   retranslate();

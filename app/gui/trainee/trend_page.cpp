@@ -10,9 +10,9 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
-#include "app/gui/trainee/station_words.h"
+#include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/trainee/trend_plot.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/data_table.h"
@@ -94,7 +94,7 @@ TrendPage::TrendPage(ShellContext& context, QWidget* parent) : Page(context, par
 
 void TrendPage::enter(const QVariant& argument) {
   attempt(shell(), [&] {
-    steps_ = nextSteps(shell().workplace(), shell().workplace().actor().personId);
+    steps_ = nextSteps(shell().session(), shell().session().actor().personId);
     const std::string wanted = argument.toString().toStdString();
     const auto has = [&](const std::string& id) {
       return std::any_of(steps_.modules.begin(), steps_.modules.end(),
@@ -122,7 +122,7 @@ void TrendPage::readTrend() {
   attempt(shell(), [&] {
     trend_ = {};
     if (!module_.empty()) {
-      trend_ = torsio::trend(shell().workplace(), steps_.personId, module_,
+      trend_ = torsio::trend(shell().session(), steps_.personId, module_,
                              metrics_->currentData().toString().toStdString());
     }
   });

@@ -57,7 +57,7 @@ std::string textHash(const std::string& text) {
 std::map<std::string, std::string> markHashes(Connection& connection, std::span<const std::string> ids) {
   std::map<std::string, FieldDigest> digests;
   const std::string marks =
-      "SELECT id, enrolment_id, rater_id, scoring_point, version, trial_id, score_steps, scale_lo_steps,"
+      "SELECT id, enrolment_id, rater_id, occasion, version, trial_id, score_steps, scale_lo_steps,"
       " scale_hi_steps, steps_per_point, not_assessable_reason, comment_hash, amend_reason, submitted_utc_us,"
       " demonstration, assignment_id FROM training_mark";
   forEachRow(connection, marks, "id", ids, "id", [&](RowReader& mark) {

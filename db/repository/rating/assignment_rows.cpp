@@ -17,7 +17,7 @@ std::vector<SheetRow> sheetRows(Connection& connection, std::string_view fromWhe
 
 std::string selectAssignments(std::string_view more) {
   std::string select =
-      "SELECT a.id, a.rater_id, a.enrolment_id, a.scoring_point, a.trial_id, a.rubric_revision_id,"
+      "SELECT a.id, a.rater_id, a.enrolment_id, a.occasion, a.trial_id, a.rubric_revision_id,"
       " a.case_label, a.position, a.due_utc_us, a.assigned_by, a.assigned_utc_us, a.demonstration";
   select.append(more).append(" FROM assignment a");
   return select;
@@ -27,7 +27,7 @@ StoredAssignment readAssignment(RowReader& row) {
   return {.id = row.text(),
           .raterId = row.text(),
           .enrolmentId = row.text(),
-          .scoringPoint = row.text(),
+          .occasionCode = row.text(),
           .trialId = row.text(),
           .rubricRevisionId = row.text(),
           .caseLabel = row.text(),

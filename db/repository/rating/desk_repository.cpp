@@ -19,15 +19,15 @@ bool DeskRepository::isWithdrawn(const std::string& assignmentId) const {
 }
 
 std::vector<CaseMark> DeskRepository::marksOfCase(const std::string& enrolmentId,
-                                                  const std::string& scoringPoint) const {
+                                                  const std::string& occasionCode) const {
   std::vector<CaseMark> marks = selectAll(
       connection_,
       "SELECT m.id, m.assignment_id, m.rater_id, m.version, m.score_steps, m.scale_lo_steps, "
       "m.scale_hi_steps,"
-      " m.steps_per_point FROM training_mark m WHERE m.enrolment_id = ? AND m.scoring_point = ?"
+      " m.steps_per_point FROM training_mark m WHERE m.enrolment_id = ? AND m.occasion = ?"
       " AND m.version = (SELECT MAX(n.version) FROM training_mark n WHERE n.enrolment_id = m.enrolment_id"
-      " AND n.rater_id = m.rater_id AND n.scoring_point = m.scoring_point) ORDER BY m.rater_id",
-      {enrolmentId, scoringPoint}, [](RowReader& row) {
+      " AND n.rater_id = m.rater_id AND n.occasion = m.occasion) ORDER BY m.rater_id",
+      {enrolmentId, occasionCode}, [](RowReader& row) {
         return CaseMark{row.text(),  row.text(),       row.text(),
                         row.int64(), row.maybeInt64(), {row.int64(), row.int64(), row.int64()},
                         {}};
@@ -46,10 +46,10 @@ std::vector<StoredAssignment> DeskRepository::committed(const std::string& rater
           " AND EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
           " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id)"
           " AND EXISTS (SELECT 1 FROM assignment b WHERE b.enrolment_id = a.enrolment_id"
-          "  AND b.scoring_point = a.scoring_point AND b.id <> a.id"
+          "  AND b.occasion = a.occasion AND b.id <> a.id"
           "  AND EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = b.id))"
           " AND NOT EXISTS (SELECT 1 FROM assignment b WHERE b.enrolment_id = a.enrolment_id"
-          "  AND b.scoring_point = a.scoring_point"
+          "  AND b.occasion = a.occasion"
           "  AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = b.id)"
           "  AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = b.id))"
           " ORDER BY a.position, a.case_label",

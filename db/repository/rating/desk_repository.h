@@ -68,7 +68,7 @@ class DeskRepository {
   [[nodiscard]] bool isWithdrawn(const std::string& assignmentId) const;
   /// Everybody's newest mark about one trainee at one scoring point, ordered by rater.
   [[nodiscard]] std::vector<CaseMark> marksOfCase(const std::string& enrolmentId,
-                                                  const std::string& scoringPoint) const;
+                                                  const std::string& occasionCode) const;
   /// The rater's assignments about cases on which everybody has committed and more than one was asked, in the
   /// rater's own order.
   [[nodiscard]] std::vector<StoredAssignment> committed(const std::string& raterId) const;

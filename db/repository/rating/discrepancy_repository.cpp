@@ -50,14 +50,14 @@ std::optional<DiscrepancyDecision> DiscrepancyRepository::latest(const std::stri
 }
 
 std::vector<DiscrepancyDecision> DiscrepancyRepository::ofCase(const std::string& enrolmentId,
-                                                               const std::string& scoringPoint) const {
+                                                               const std::string& occasionCode) const {
   return selectAll(
       connection_,
       kDecisions +
-          " JOIN assignment a ON a.id = d.assignment_id WHERE a.enrolment_id = ? AND a.scoring_point = ?"
+          " JOIN assignment a ON a.id = d.assignment_id WHERE a.enrolment_id = ? AND a.occasion = ?"
           " AND NOT EXISTS (SELECT 1 FROM alignment_decision n WHERE n.assignment_id = d.assignment_id"
           " AND n.sequence > d.sequence) ORDER BY a.position, d.assignment_id",
-      {enrolmentId, scoringPoint}, decisionOf);
+      {enrolmentId, occasionCode}, decisionOf);
 }
 
 std::vector<DiscrepancyDecision> DiscrepancyRepository::ofCohort(const std::string& cohortId) const {

@@ -37,7 +37,7 @@ class DiscrepancyRepository {
   [[nodiscard]] std::optional<DiscrepancyDecision> latest(const std::string& assignmentId) const;
   /// The newest of every assignment about one trainee at one scoring point.
   [[nodiscard]] std::vector<DiscrepancyDecision> ofCase(const std::string& enrolmentId,
-                                                        const std::string& scoringPoint) const;
+                                                        const std::string& occasionCode) const;
   /// The newest of every assignment of a cohort, oldest first.
   [[nodiscard]] std::vector<DiscrepancyDecision> ofCohort(const std::string& cohortId) const;
 

@@ -14,19 +14,19 @@ namespace torsio {
 namespace {
 
 const std::string kMarks =
-    "SELECT m.id, m.enrolment_id, m.rater_id, m.scoring_point, m.version, m.trial_id, m.score_steps,"
+    "SELECT m.id, m.enrolment_id, m.rater_id, m.occasion, m.version, m.trial_id, m.score_steps,"
     " m.scale_lo_steps, m.scale_hi_steps, m.steps_per_point, m.not_assessable_reason, m.comment,"
     " m.assignment_id, m.amend_reason, m.submitted_utc_us, m.demonstration, t.code, r.code, g.code,"
     " e.number_in_group"
     " FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id JOIN person t ON t.id = e.trainee_id"
-    " JOIN person r ON r.id = m.rater_id JOIN scoring_point s ON s.code = m.scoring_point"
+    " JOIN person r ON r.id = m.rater_id JOIN occasion s ON s.code = m.occasion"
     " LEFT JOIN training_group g ON g.id = e.group_id";
 
 StoredTrainingMark markOf(RowReader& row) {
   return {.id = row.text(),
           .enrolmentId = row.text(),
           .raterId = row.text(),
-          .scoringPoint = row.text(),
+          .occasionCode = row.text(),
           .version = row.int64(),
           .trialId = row.text(),
           .score_steps = row.maybeInt64(),
@@ -47,8 +47,8 @@ StoredTrainingMark markOf(RowReader& row) {
 std::vector<StoredTrainingResult> traineeResults(Connection& connection, const std::string& runId) {
   return selectAll(
       connection,
-      "SELECT enrolment_id, scoring_point, mean, variance, rater_count, missing_count, flags"
-      " FROM training_result WHERE run_id = ? ORDER BY enrolment_id, scoring_point",
+      "SELECT enrolment_id, occasion, mean, variance, rater_count, missing_count, flags"
+      " FROM training_result WHERE run_id = ? ORDER BY enrolment_id, occasion",
       {runId}, [](RowReader& row) {
         return StoredTrainingResult{
             row.text(), row.text(), row.real(), row.real(), row.int64(), row.int64(), splitFlags(row.text())};
@@ -56,14 +56,13 @@ std::vector<StoredTrainingResult> traineeResults(Connection& connection, const s
 }
 
 std::vector<StoredGroupResult> groupResults(Connection& connection, const std::string& runId) {
-  return selectAll(
-      connection,
-      "SELECT group_id, scoring_point, trainee_count, mean, variance_n, variance_n_minus_1, flags"
-      " FROM training_group_result WHERE run_id = ? ORDER BY group_id, scoring_point",
-      {runId}, [](RowReader& row) {
-        return StoredGroupResult{row.text(), row.text(),      row.int64(),           row.real(),
-                                 row.real(), row.maybeReal(), splitFlags(row.text())};
-      });
+  return selectAll(connection,
+                   "SELECT group_id, occasion, trainee_count, mean, variance_n, variance_n_minus_1, flags"
+                   " FROM training_group_result WHERE run_id = ? ORDER BY group_id, occasion",
+                   {runId}, [](RowReader& row) {
+                     return StoredGroupResult{row.text(), row.text(),      row.int64(),           row.real(),
+                                              row.real(), row.maybeReal(), splitFlags(row.text())};
+                   });
 }
 
 /// Of a mark that is stored already: refuses another one under its id. When it was submitted does not count,
@@ -74,7 +73,7 @@ void requireSameMark(Connection& connection, const StoredTrainingMark& mark) {
       {{"id", mark.id, Kind::kKey},
        {"enrolment_id", mark.enrolmentId},
        {"rater_id", mark.raterId},
-       {"scoring_point", mark.scoringPoint},
+       {"occasion", mark.occasionCode},
        {"version", mark.version},
        {"trial_id", textOrNull(mark.trialId)},
        {"score_steps", mark.score_steps},
@@ -127,13 +126,13 @@ void RatingRepository::submit(std::span<const StoredTrainingMark> marks) {
   }
   Statement insert = connection_.prepare(
       insertInto("training_mark",
-                 "id, enrolment_id, rater_id, scoring_point, version, trial_id, score_steps,"
+                 "id, enrolment_id, rater_id, occasion, version, trial_id, score_steps,"
                  " scale_lo_steps, scale_hi_steps, steps_per_point, not_assessable_reason, comment,"
                  " amend_reason, submitted_utc_us, demonstration, assignment_id, comment_hash"));
   Statement insertRow = connection_.prepare(
       insertInto("training_mark_row", "mark_id, revision_id, row_code, score_steps, not_assessable_reason"));
   for (const StoredTrainingMark& mark : added) {
-    insert.execute({mark.id, mark.enrolmentId, mark.raterId, mark.scoringPoint, mark.version,
+    insert.execute({mark.id, mark.enrolmentId, mark.raterId, mark.occasionCode, mark.version,
                     textOrNull(mark.trialId), mark.score_steps, mark.scale.lo, mark.scale.hi,
                     mark.scale.stepsPerPoint, textOrNull(mark.notAssessableReason), textOrNull(mark.comment),
                     textOrNull(mark.amendReason), mark.submittedUtc_us, mark.demonstration,
@@ -172,18 +171,18 @@ std::vector<StoredTrainingMark> RatingRepository::marks(const std::string& cohor
       kMarks +
           " WHERE e.cohort_id = ? AND NOT EXISTS (SELECT 1 FROM training_mark n"
           "  WHERE n.enrolment_id = m.enrolment_id AND n.rater_id = m.rater_id"
-          "  AND n.scoring_point = m.scoring_point AND n.version > m.version)"
+          "  AND n.occasion = m.occasion AND n.version > m.version)"
           " ORDER BY s.position, COALESCE(g.number, 0), COALESCE(e.number_in_group, 0), t.code, r.code",
       {cohortId}, markOf);
 }
 
 std::vector<StoredTrainingMark> RatingRepository::history(const std::string& enrolmentId,
                                                           const std::string& raterId,
-                                                          const std::string& scoringPoint) const {
+                                                          const std::string& occasionCode) const {
   return selectAll(
       connection_,
-      kMarks + " WHERE m.enrolment_id = ? AND m.rater_id = ? AND m.scoring_point = ? ORDER BY m.version",
-      {enrolmentId, raterId, scoringPoint}, markOf);
+      kMarks + " WHERE m.enrolment_id = ? AND m.rater_id = ? AND m.occasion = ? ORDER BY m.version",
+      {enrolmentId, raterId, occasionCode}, markOf);
 }
 
 void RatingRepository::storeRun(const std::string& cohortId, const StoredTrainingRun& run) {
@@ -191,17 +190,17 @@ void RatingRepository::storeRun(const std::string& cohortId, const StoredTrainin
   insertRun(connection_, RunOwner::kCohort, cohortId, run.run);
   Statement trainee = connection_.prepare(
       insertInto("training_result",
-                 "run_id, enrolment_id, scoring_point, mean, variance, rater_count, missing_count, flags"));
+                 "run_id, enrolment_id, occasion, mean, variance, rater_count, missing_count, flags"));
   for (const StoredTrainingResult& result : run.trainees) {
-    trainee.execute({run.run.id, result.enrolmentId, result.scoringPoint, result.mean, result.variance,
+    trainee.execute({run.run.id, result.enrolmentId, result.occasionCode, result.mean, result.variance,
                      result.raterCount, result.missingCount, joinFlags(result.flags)});
   }
   Statement group = connection_.prepare(
       insertInto("training_group_result",
-                 "run_id, group_id, scoring_point, trainee_count, mean, variance_n, variance_n_minus_1,"
+                 "run_id, group_id, occasion, trainee_count, mean, variance_n, variance_n_minus_1,"
                  " flags"));
   for (const StoredGroupResult& result : run.groups) {
-    group.execute({run.run.id, result.groupId, result.scoringPoint, result.traineeCount, result.mean,
+    group.execute({run.run.id, result.groupId, result.occasionCode, result.traineeCount, result.mean,
                    result.varianceN, result.varianceNMinus1, joinFlags(result.flags)});
   }
   transaction.commit();

@@ -29,7 +29,7 @@ struct StoredTrainingMark {
   std::string id{};
   std::string enrolmentId{};
   std::string raterId{};
-  std::string scoringPoint{};  ///< "pre", "mid", "post"
+  std::string occasionCode{};  ///< "pre", "mid", "post"
   std::int64_t version = 1;
   std::string trialId{};                      ///< the recording that was judged; empty: live, on the real arm
   std::optional<std::int64_t> score_steps{};  ///< empty: not assessable, with a reason
@@ -50,7 +50,7 @@ struct StoredTrainingMark {
 /// A trainee's score at one scoring point: mean over the raters.
 struct StoredTrainingResult {
   std::string enrolmentId{};
-  std::string scoringPoint{};
+  std::string occasionCode{};
   double mean = 0.0;
   double variance = 0.0;  ///< between the raters, divisor n
   std::int64_t raterCount = 0;
@@ -61,7 +61,7 @@ struct StoredTrainingResult {
 /// A group at one scoring point (paper Fig. 23), with both divisors.
 struct StoredGroupResult {
   std::string groupId{};
-  std::string scoringPoint{};
+  std::string occasionCode{};
   std::int64_t traineeCount = 0;
   double mean = 0.0;
   double varianceN = 0.0;
@@ -92,7 +92,7 @@ class RatingRepository {
   /// All versions of one mark, oldest first.
   [[nodiscard]] std::vector<StoredTrainingMark> history(const std::string& enrolmentId,
                                                         const std::string& raterId,
-                                                        const std::string& scoringPoint) const;
+                                                        const std::string& occasionCode) const;
 
   void storeRun(const std::string& cohortId, const StoredTrainingRun& run);
   [[nodiscard]] std::optional<StoredTrainingRun> latestRun(const std::string& cohortId) const;

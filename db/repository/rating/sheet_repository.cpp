@@ -180,10 +180,10 @@ void SheetRepository::assign(std::span<const StoredAssignment> assignments) {
   Transaction transaction(connection_);
   Statement insert = connection_.prepare(
       insertInto("assignment",
-                 "id, rater_id, enrolment_id, scoring_point, trial_id, rubric_revision_id, case_label,"
+                 "id, rater_id, enrolment_id, occasion, trial_id, rubric_revision_id, case_label,"
                  " position, due_utc_us, assigned_by, assigned_utc_us, demonstration"));
   for (const StoredAssignment& part : assignments) {
-    insert.execute({part.id, part.raterId, part.enrolmentId, part.scoringPoint, textOrNull(part.trialId),
+    insert.execute({part.id, part.raterId, part.enrolmentId, part.occasionCode, textOrNull(part.trialId),
                     part.rubricRevisionId, part.caseLabel, part.position, part.dueUtc_us, part.assignedBy,
                     part.assignedUtc_us, part.demonstration});
   }
@@ -194,7 +194,7 @@ std::vector<AssignmentStatus> SheetRepository::assignments(const std::string& co
   return selectAll(
       connection_,
       selectStatus() +
-          " JOIN enrolment e ON e.id = a.enrolment_id JOIN scoring_point s ON s.code = a.scoring_point"
+          " JOIN enrolment e ON e.id = a.enrolment_id JOIN occasion s ON s.code = a.occasion"
           " JOIN person p ON p.id = e.trainee_id JOIN person r ON r.id = a.rater_id WHERE e.cohort_id = ?"
           " ORDER BY s.position, p.code, r.code",
       {cohortId}, statusOf);
@@ -308,7 +308,7 @@ void SheetRepository::submit(const std::string& assignmentId, const std::string&
   mark.id = markId;
   mark.enrolmentId = assignment.enrolmentId;
   mark.raterId = assignment.raterId;
-  mark.scoringPoint = assignment.scoringPoint;
+  mark.occasionCode = assignment.occasionCode;
   mark.assignmentId = assignmentId;
   mark.trialId = assignment.trialId;
   mark.score_steps = sheet.overall_steps;
@@ -323,7 +323,7 @@ void SheetRepository::submit(const std::string& assignmentId, const std::string&
   } else if (!amendReason.empty()) {
     RatingRepository ratings(connection_);
     mark.version = static_cast<std::int64_t>(
-        1 + ratings.history(mark.enrolmentId, mark.raterId, mark.scoringPoint).size());
+        1 + ratings.history(mark.enrolmentId, mark.raterId, mark.occasionCode).size());
   }
   for (const SheetRow& row : sheet.rows) {
     mark.rows.push_back({rubric.id, row.code, row.score_steps, row.notAssessableReason});
@@ -350,12 +350,12 @@ std::optional<Sheet> SheetRepository::submitted(const std::string& assignmentId)
   return sheet;
 }
 
-bool SheetRepository::allSubmitted(const std::string& enrolmentId, const std::string& scoringPoint) const {
+bool SheetRepository::allSubmitted(const std::string& enrolmentId, const std::string& occasionCode) const {
   return selectFirst(connection_,
-                     "SELECT count(*) FROM assignment a WHERE a.enrolment_id = ? AND a.scoring_point = ?"
+                     "SELECT count(*) FROM assignment a WHERE a.enrolment_id = ? AND a.occasion = ?"
                      " AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
                      " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id)",
-                     {enrolmentId, scoringPoint}, readInt64)
+                     {enrolmentId, occasionCode}, readInt64)
              .value_or(1) == 0;
 }
 
@@ -369,22 +369,22 @@ std::int64_t SheetRepository::openAssignments(const std::string& cohortId) const
       .value_or(0);
 }
 
-void SheetRepository::setReleased(const std::string& cohortId, const std::string& scoringPoint, bool released,
+void SheetRepository::setReleased(const std::string& cohortId, const std::string& occasionCode, bool released,
                                   const std::string& reason, const std::string& decidedBy,
                                   std::int64_t utc_us) {
   connection_.execute(
-      "INSERT INTO mark_release (cohort_id, scoring_point, sequence, released, reason, decided_by, "
+      "INSERT INTO mark_release (cohort_id, occasion, sequence, released, reason, decided_by, "
       "decided_utc_us)"
       " VALUES (?, ?, (SELECT COALESCE(MAX(r.sequence), 0) + 1 FROM mark_release r WHERE r.cohort_id = ?"
-      " AND r.scoring_point = ?), ?, ?, ?, ?)",
-      {cohortId, scoringPoint, cohortId, scoringPoint, released, reason, decidedBy, utc_us});
+      " AND r.occasion = ?), ?, ?, ?, ?)",
+      {cohortId, occasionCode, cohortId, occasionCode, released, reason, decidedBy, utc_us});
 }
 
-bool SheetRepository::isReleased(const std::string& cohortId, const std::string& scoringPoint) const {
+bool SheetRepository::isReleased(const std::string& cohortId, const std::string& occasionCode) const {
   return selectFirst(connection_,
-                     "SELECT released FROM mark_release WHERE cohort_id = ? AND scoring_point = ?"
+                     "SELECT released FROM mark_release WHERE cohort_id = ? AND occasion = ?"
                      " ORDER BY sequence DESC LIMIT 1",
-                     {cohortId, scoringPoint}, readBoolean)
+                     {cohortId, occasionCode}, readBoolean)
       .value_or(false);
 }
 

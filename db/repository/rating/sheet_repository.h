@@ -44,7 +44,7 @@ struct StoredAssignment {
   std::string id{};
   std::string raterId{};
   std::string enrolmentId{};
-  std::string scoringPoint{};
+  std::string occasionCode{};
   std::string trialId{};  ///< empty: live, on the real arm
   std::string rubricRevisionId{};
   std::string caseLabel{};    ///< all that the rater sees: "7F"
@@ -140,14 +140,14 @@ class SheetRepository {
 
   /// Whether every rater who is asked about this case has submitted: until then each sees only their own
   /// sheet.
-  [[nodiscard]] bool allSubmitted(const std::string& enrolmentId, const std::string& scoringPoint) const;
+  [[nodiscard]] bool allSubmitted(const std::string& enrolmentId, const std::string& occasionCode) const;
 
   /// Sheets of a cohort that somebody is asked for and has not submitted.
   [[nodiscard]] std::int64_t openAssignments(const std::string& cohortId) const;
 
-  void setReleased(const std::string& cohortId, const std::string& scoringPoint, bool released,
+  void setReleased(const std::string& cohortId, const std::string& occasionCode, bool released,
                    const std::string& reason, const std::string& decidedBy, std::int64_t utc_us);
-  [[nodiscard]] bool isReleased(const std::string& cohortId, const std::string& scoringPoint) const;
+  [[nodiscard]] bool isReleased(const std::string& cohortId, const std::string& occasionCode) const;
 
  private:
   [[nodiscard]] SheetState stateOf(const std::string& assignmentId) const;

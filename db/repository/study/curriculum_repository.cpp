@@ -84,9 +84,9 @@ void insertArms(Connection& connection, const StoredCurriculumVersion& version) 
                      textOrNull(step.moduleId)});
     }
   }
-  Statement point = connection.prepare(
-      insertInto("curriculum_scoring_point", "version_id, scoring_point, after_exposure_us"));
-  for (const StoredScoringPoint& part : version.scoringPoints) {
+  Statement point =
+      connection.prepare(insertInto("curriculum_occasion", "version_id, occasion, after_exposure_us"));
+  for (const PlannedOccasion& part : version.plannedOccasions) {
     point.execute({version.id, part.code, part.afterExposure_us});
   }
 }
@@ -157,14 +157,13 @@ std::vector<StudyArm> armsOf(Connection& connection, const std::string& versionI
   return arms;
 }
 
-std::vector<StoredScoringPoint> scoringPointsOf(Connection& connection, const std::string& versionId) {
-  return selectAll(
-      connection,
-      "SELECT scoring_point, after_exposure_us FROM curriculum_scoring_point WHERE version_id = ?"
-      " ORDER BY after_exposure_us, scoring_point",
-      {versionId}, [](RowReader& row) {
-        return StoredScoringPoint{row.text(), row.int64()};
-      });
+std::vector<PlannedOccasion> plannedOccasionsOf(Connection& connection, const std::string& versionId) {
+  return selectAll(connection,
+                   "SELECT occasion, after_exposure_us FROM curriculum_occasion WHERE version_id = ?"
+                   " ORDER BY after_exposure_us, occasion",
+                   {versionId}, [](RowReader& row) {
+                     return PlannedOccasion{row.text(), row.int64()};
+                   });
 }
 
 }  // namespace
@@ -245,7 +244,7 @@ std::optional<StoredCurriculumVersion> CurriculumRepository::version(const std::
                                        .createdUtc_us = row.int64(),
                                        .modules = modulesOf(connection_, versionId),
                                        .arms = armsOf(connection_, versionId),
-                                       .scoringPoints = scoringPointsOf(connection_, versionId),
+                                       .plannedOccasions = plannedOccasionsOf(connection_, versionId),
                                        .state = stateOf(versionId)};
       });
 }

@@ -58,7 +58,7 @@ struct StudyArm {
   std::vector<StoredPhase> phases{};
 };
 
-struct StoredScoringPoint {
+struct PlannedOccasion {
   std::string code{};                 ///< "pre", "mid", "post"
   std::int64_t afterExposure_us = 0;  ///< 0: before training
 };
@@ -72,7 +72,7 @@ struct StoredCurriculumVersion {
   std::int64_t createdUtc_us = 0;
   std::vector<StoredModule> modules{};
   std::vector<StudyArm> arms{};
-  std::vector<StoredScoringPoint> scoringPoints{};
+  std::vector<PlannedOccasion> plannedOccasions{};
   std::string state{};  ///< filled when read: "draft", "running", "closed"
 };
 

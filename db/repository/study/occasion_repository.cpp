@@ -9,7 +9,7 @@
 namespace torsio {
 
 Occasions OccasionRepository::all() const {
-  return Occasions(selectAll(connection_, "SELECT code, label FROM scoring_point ORDER BY position, code", {},
+  return Occasions(selectAll(connection_, "SELECT code, label FROM occasion ORDER BY position, code", {},
                              [](RowReader& row) {
                                return Occasion{row.text(), row.text(), {}};
                              }));
@@ -17,17 +17,17 @@ Occasions OccasionRepository::all() const {
 
 void OccasionRepository::add(const Occasion& occasion) {
   connection_.execute(
-      "INSERT INTO scoring_point (code, label, position)"
-      " VALUES (?, ?, (SELECT COALESCE(MAX(s.position), 0) + 1 FROM scoring_point s))",
+      "INSERT INTO occasion (code, label, position)"
+      " VALUES (?, ?, (SELECT COALESCE(MAX(s.position), 0) + 1 FROM occasion s))",
       {occasion.code, occasion.label});
 }
 
 std::set<std::string> OccasionRepository::usedBy(const std::string& cohortId) const {
   const std::vector<std::string> codes =
       selectAll(connection_,
-                "SELECT m.scoring_point FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id"
+                "SELECT m.occasion FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id"
                 " WHERE e.cohort_id = ?"
-                " UNION SELECT a.scoring_point FROM assignment a JOIN enrolment e ON e.id = a.enrolment_id"
+                " UNION SELECT a.occasion FROM assignment a JOIN enrolment e ON e.id = a.enrolment_id"
                 " WHERE e.cohort_id = ?",
                 {cohortId, cohortId}, readText);
   return {codes.begin(), codes.end()};

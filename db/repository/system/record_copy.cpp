@@ -14,7 +14,7 @@ namespace torsio {
 namespace {
 
 /// Filled by the migrations themselves: rows here do not make a record a used one.
-constexpr std::array<std::string_view, 4> kSeeded{"scoring_point", "role", "operation", "role_operation"};
+constexpr std::array<std::string_view, 4> kSeeded{"occasion", "role", "operation", "role_operation"};
 constexpr std::int64_t kProgressEvery = 500;
 
 bool isSeeded(const std::string& table) {

@@ -17,7 +17,7 @@ struct StationState {
   std::string userId{};   ///< signed in there; empty: nobody
   std::string softwareVersion{};
   std::int64_t heartbeatUtc_us = 0;  ///< last sign of life
-  std::string deviceJson{};          ///< app/session/care/station_device.h; empty: no training station
+  std::string deviceJson{};          ///< app/devices/station_device.h; empty: no training station
   bool deviceHaptic = false;
   std::string deviceLight{};             ///< of the last check: "green", "amber", "red"; empty: not checked
   std::string deviceProblemJson{};       ///< empty: none

@@ -400,7 +400,7 @@ TEST_F(AssessmentCommands, AllocateRefusesDesignsThatBreakTheirRules) {
 TEST_F(AssessmentCommands, MetricsMeasureEveryTwistOfATrialFile) {
   SceneRequest request;
   request.assets = assetsFolder();
-  request.id = "arm";
+  request.id = "forearm";
   const Scene scene = loadScene(request);
   const fs::path file = folder_ / "trial.bin";
   TrialFileSink sink(file);

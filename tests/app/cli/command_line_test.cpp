@@ -131,9 +131,9 @@ TEST_F(BadInput, SectionsThatAreNoneAreRefused) {
 }
 
 TEST_F(BadInput, ParametersOutOfRangeNameTheLimit) {
-  expectRefused("twist --organ arm --ridges 2", ErrorCode::kBadParameter, "3");
-  expectRefused("twist --organ arm --sections 361", ErrorCode::kBadParameter, "360");
-  expectRefused("twist --organ arm --grasp 1.5", ErrorCode::kBadParameter, "1.5");
+  expectRefused("twist --organ forearm --ridges 2", ErrorCode::kBadParameter, "3");
+  expectRefused("twist --organ forearm --sections 361", ErrorCode::kBadParameter, "360");
+  expectRefused("twist --organ forearm --grasp 1.5", ErrorCode::kBadParameter, "1.5");
 }
 
 TEST(CommandLine, SaysItsVersionAndHelpsOnStandardOutput) {

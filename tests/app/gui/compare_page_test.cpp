@@ -8,7 +8,7 @@
 #include <QRegularExpression>
 #include <gtest/gtest.h>
 
-#include "tests/app/gui/office_desk.h"
+#include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {
 namespace {

@@ -18,7 +18,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
-#include "tests/app/gui/office_desk.h"
+#include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {
 namespace {
@@ -32,16 +32,16 @@ using testing::type;
 constexpr const char* kEverything = R"({
   "format": "torsio curriculum 1",
   "modules": [
-    {"code": "A1", "title": "Pronate", "scene": "arm", "pattern": "pronation", "exercise": "twist to target",
+    {"code": "A1", "title": "Pronate", "scene": "forearm", "pattern": "pronation", "exercise": "twist to target",
      "mode": "practice", "target_deg": -61.234567, "tolerance_deg": 4.321987, "hold_s": 1.234567,
      "max_force_n": 3.333333, "max_torque_nm": 0.1234567, "attempt_limit": 12, "requires": [],
      "mastery": [
        {"metric": "force.peak", "comparison": "at_most", "threshold": 2.718281828, "unit": "N", "consecutive": 2},
        {"metric": "twist.bias", "comparison": "at_least", "threshold": -0.000123, "unit": "rad", "consecutive": 1},
        {"metric": "twist.on_target", "comparison": "at_least", "threshold": 0.66666667, "unit": "1", "consecutive": 3}]},
-    {"code": "A2", "title": "Hold", "scene": "arm", "pattern": "supination", "exercise": "hold",
+    {"code": "A2", "title": "Hold", "scene": "forearm", "pattern": "supination", "exercise": "hold",
      "mode": "graded", "target_deg": 45, "tolerance_deg": 5, "hold_s": 0, "requires": [], "mastery": []},
-    {"code": "A3", "title": "Follow", "scene": "arm", "pattern": "pronation", "exercise": "follow",
+    {"code": "A3", "title": "Follow", "scene": "forearm", "pattern": "pronation", "exercise": "follow",
      "mode": "graded", "target_deg": -30, "tolerance_deg": 5, "hold_s": 2, "requires": ["A1", "A2"],
      "mastery": [
        {"metric": "time.total", "comparison": "at_most", "threshold": 90.55555, "unit": "s", "consecutive": 1}]}
@@ -54,12 +54,12 @@ constexpr const char* kEverything = R"({
     {"code": "G2", "label": "Real arm only", "rest_min": 0, "rest_splittable": false, "phases": [
       {"kind": "real", "label": "arm", "minutes": 39.845678}]}
   ],
-  "scoring_points": [{"code": "pre", "after_min": 0}, {"code": "post", "after_min": 39.845678}]
+  "occasions": [{"code": "pre", "after_min": 0}, {"code": "post", "after_min": 39.845678}]
 })";
 
 std::string addEverything(Office& office) {
   office.centre.as("administrator");
-  return addCurriculum(office.centre.workplace(), "Everything", "", parseCurriculum(kEverything, "test"));
+  return addCurriculum(office.centre.session(), "Everything", "", parseCurriculum(kEverything, "test"));
 }
 
 /// The field that a screen reader calls so.
@@ -101,7 +101,7 @@ Field* cell(QTableWidget* table, int row, int column) {
 TEST(CurriculumEditor, SavesWhatWasNotTouchedExactlyAsItWas) {
   Office office;
   const std::string id = addEverything(office);
-  const std::string before = curriculumJson(curriculumDraft(office.centre.workplace(), id).content);
+  const std::string before = curriculumJson(curriculumDraft(office.centre.session(), id).content);
   auto page = office.open<CurriculaPage>("administrator");
   EXPECT_TRUE(child<CurriculumEditor>(*page, "editor").problems().empty());
 
@@ -109,7 +109,7 @@ TEST(CurriculumEditor, SavesWhatWasNotTouchedExactlyAsItWas) {
   page->retranslate();
   ASSERT_TRUE(page->save());
 
-  const CurriculumDraft after = curriculumDraft(office.centre.workplace(), id);
+  const CurriculumDraft after = curriculumDraft(office.centre.session(), id);
   EXPECT_EQ(after.revision, 2);
   EXPECT_EQ(curriculumJson(after.content), before);
 }
@@ -117,7 +117,7 @@ TEST(CurriculumEditor, SavesWhatWasNotTouchedExactlyAsItWas) {
 TEST(CurriculumEditor, ChangesOnlyTheFieldThatWasTyped) {
   Office office;
   const std::string id = addEverything(office);
-  StoredCurriculumVersion expected = curriculumDraft(office.centre.workplace(), id).content;
+  StoredCurriculumVersion expected = curriculumDraft(office.centre.session(), id).content;
   auto page = office.open<CurriculaPage>("administrator");
 
   auto* title = named<QLineEdit>(*page, "Title");
@@ -126,7 +126,7 @@ TEST(CurriculumEditor, ChangesOnlyTheFieldThatWasTyped) {
   ASSERT_TRUE(page->save());
 
   expected.modules[0].title = "Pronate gently";
-  EXPECT_EQ(curriculumJson(curriculumDraft(office.centre.workplace(), id).content), curriculumJson(expected));
+  EXPECT_EQ(curriculumJson(curriculumDraft(office.centre.session(), id).content), curriculumJson(expected));
 }
 
 TEST(CurriculumEditor, PublishedVersionsComeBackThroughTheEditorTheSame) {
@@ -135,19 +135,19 @@ TEST(CurriculumEditor, PublishedVersionsComeBackThroughTheEditorTheSame) {
   auto page = office.open<CurriculaPage>("administrator");
   ASSERT_TRUE(page->publish("first"));
   ASSERT_TRUE(page->begin());
-  const std::string first = curricula(office.centre.workplace()).front().versions.front().id;
+  const std::string first = curricula(office.centre.session()).front().versions.front().id;
 
   page->showVersion(first);
   browse(*page);
   ASSERT_TRUE(page->takeAsDraft());  // nothing is asked: the draft is the same
   ASSERT_TRUE(page->publish("second"));
 
-  const auto versions = curricula(office.centre.workplace()).front().versions;
+  const auto versions = curricula(office.centre.session()).front().versions;
   ASSERT_EQ(versions.size(), 2U);
   EXPECT_EQ(versions[0].state, "running");  // superseded, not erased
-  EXPECT_EQ(curriculumJson(publishedContent(office.centre.workplace(), versions[0].id)),
-            curriculumJson(publishedContent(office.centre.workplace(), versions[1].id)));
-  EXPECT_EQ(curriculumJson(publishedContent(office.centre.workplace(), versions[0].id)),
+  EXPECT_EQ(curriculumJson(publishedContent(office.centre.session(), versions[0].id)),
+            curriculumJson(publishedContent(office.centre.session(), versions[1].id)));
+  EXPECT_EQ(curriculumJson(publishedContent(office.centre.session(), versions[0].id)),
             curriculumJson(parseCurriculum(kEverything, "test")));
 }
 
@@ -173,7 +173,7 @@ TEST(CurriculumEditor, SetsSeveralRulesPrerequisitesAndLimits) {
   after->item(0)->setCheckState(Qt::Checked);
   ASSERT_TRUE(page->save());
 
-  const StoredModule stored = curriculumDraft(office.centre.workplace(), id).content.modules[1];
+  const StoredModule stored = curriculumDraft(office.centre.session(), id).content.modules[1];
   ASSERT_EQ(stored.mastery.size(), 2U);
   EXPECT_EQ(stored.mastery[1].metric, "force.peak");
   EXPECT_EQ(stored.mastery[1].comparison, "at_least");
@@ -203,7 +203,7 @@ TEST(CurriculumEditor, MovesRenamesAndKeepsReferencesWhole) {
   EXPECT_EQ(code->text(), QStringLiteral("F1"));
   ASSERT_TRUE(page->save());
 
-  const StoredCurriculumVersion stored = curriculumDraft(office.centre.workplace(), id).content;
+  const StoredCurriculumVersion stored = curriculumDraft(office.centre.session(), id).content;
   EXPECT_EQ(stored.modules[1].code, "F1");
   EXPECT_EQ(stored.modules[2].code, "A2");
   EXPECT_EQ(stored.arms[0].phases[1].moduleId, "F1");
@@ -230,14 +230,14 @@ TEST(CurriculumEditor, SetsGroupsPhasesRestAndScoringPoints) {
   }
   ASSERT_TRUE(page->save());
 
-  const StoredCurriculumVersion stored = curriculumDraft(office.centre.workplace(), id).content;
+  const StoredCurriculumVersion stored = curriculumDraft(office.centre.session(), id).content;
   EXPECT_EQ(stored.arms[1].restAllowance_us, 600'000'000);
   ASSERT_EQ(stored.arms[1].phases.size(), 2U);
   EXPECT_EQ(stored.arms[1].phases[0].moduleId, "A2");
   EXPECT_EQ(stored.arms[1].phases[0].duration_us, 900'000'000);
-  ASSERT_EQ(stored.scoringPoints.size(), 3U);
-  EXPECT_EQ(stored.scoringPoints[1].code, "mid");
-  EXPECT_EQ(stored.scoringPoints[1].afterExposure_us, 1'200'000'000);  // 20 min, as in the paper
+  ASSERT_EQ(stored.plannedOccasions.size(), 3U);
+  EXPECT_EQ(stored.plannedOccasions[1].code, "mid");
+  EXPECT_EQ(stored.plannedOccasions[1].afterExposure_us, 1'200'000'000);  // 20 min, as in the paper
 }
 
 TEST(CurriculaPage, SaysOfEveryStateWhatMayBeChanged) {

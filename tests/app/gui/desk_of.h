@@ -10,12 +10,12 @@
 #include <QTest>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/physician/case_page.h"
 #include "app/gui/physician/replay_panel.h"
 #include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/widgets/child.h"
-#include "tests/app/session/review_centre.h"
+#include "tests/app/support/review_centre.h"
 
 namespace torsio::gui {
 
@@ -28,8 +28,8 @@ inline const SheetEditor* editorOf(const QWidget& page) {
 class DeskOf {
  public:
   DeskOf(torsio::testing::ReviewCentre& centre, std::size_t index)
-      : workplace_(centre.physician(index)),
-        shell_(*workplace_, std::filesystem::path(TORSIO_SOURCE_DIR) / "assets", ThemeKind::kLight) {
+      : session_(centre.physician(index)),
+        shell_(*session_, std::filesystem::path(TORSIO_SOURCE_DIR) / "assets", ThemeKind::kLight) {
     QObject::connect(&shell_, &ShellContext::pageWanted,
                      [this](PageId id, const QVariant& argument) { wanted_.emplace_back(id, argument); });
     QObject::connect(&shell_, &ShellContext::failed,
@@ -82,7 +82,7 @@ class DeskOf {
   /// Gone without leave(), save or anything else: a crash as far as the page knows.
   void drop() { page_.reset(); }
 
-  [[nodiscard]] SessionContext& workplace() { return *workplace_; }
+  [[nodiscard]] SessionContext& session() { return *session_; }
   [[nodiscard]] ShellContext& shell() { return shell_; }
   [[nodiscard]] Page& page() { return *page_; }
   [[nodiscard]] const QStringList& failures() const { return failures_; }
@@ -90,7 +90,7 @@ class DeskOf {
   [[nodiscard]] std::vector<std::pair<PageId, QVariant>>& wanted() { return wanted_; }
 
  private:
-  std::unique_ptr<SessionContext> workplace_;
+  std::unique_ptr<SessionContext> session_;
   ShellContext shell_;
   std::unique_ptr<Page> page_;
   std::vector<std::pair<PageId, QVariant>> wanted_;

@@ -24,7 +24,7 @@
 
 #include "app/gui/administrator/report_preview.h"
 #include "app/gui/base/language.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/program/screenshots.h"
 #include "app/report/typeface.h"
 #include "tests/support/service_texts.h"

@@ -20,7 +20,7 @@
 #include "app/gui/widgets/theme.h"
 #include "app/training/questions.h"
 #include "db/repository/people/people_repository.h"
-#include "tests/app/session/training_centre.h"
+#include "tests/app/support/training_centre.h"
 
 namespace torsio::gui {
 namespace {
@@ -47,7 +47,7 @@ class QuestionCards : public ::testing::Test {
     shell_.reset();
     centre_.become(who);
     said_.clear();
-    shell_.emplace(centre_.workplace(), assetsFolder(), ThemeKind::kLight);
+    shell_.emplace(centre_.session(), assetsFolder(), ThemeKind::kLight);
     QObject::connect(&*shell_, &ShellContext::noticed, [this](const QString& text) { said_ << text; });
     QObject::connect(&*shell_, &ShellContext::failed, [this](const QString& text) { said_ << text; });
     return *shell_;
@@ -103,7 +103,7 @@ TEST_F(QuestionCards, TheCardIsHiddenWhereNobodyMayBeAsked) {
 }
 
 TEST_F(QuestionCards, ThePhysicianAnswersAndTheTraineeReadsItAtItsMoment) {
-  askPhysician(centre_.workplace(), trial_, 3.5, chief_, "too fast?");
+  askPhysician(centre_.session(), trial_, 3.5, chief_, "too fast?");
   centre_.passTime_us(90 * kMinute_us);
   {
     ShellContext& shell = shellOf("chief");
@@ -156,7 +156,7 @@ TEST_F(QuestionCards, ThePhysicianAnswersAndTheTraineeReadsItAtItsMoment) {
 
 TEST_F(QuestionCards, ALongQueueShowsTheThreeThatWaitLongest) {
   for (const char* text : {"one", "two", "three", "four"}) {
-    askPhysician(centre_.workplace(), trial_, 2.0, chief_, text);
+    askPhysician(centre_.session(), trial_, 2.0, chief_, text);
     centre_.passTime_us(kMinute_us);
   }
   QuestionsCard card(shellOf("chief"));

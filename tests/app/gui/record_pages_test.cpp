@@ -15,7 +15,7 @@
 #include "app/gui/administrator/maintenance_page.h"
 #include "app/gui/administrator/roster_page.h"
 #include "app/gui/administrator/scoring_page.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/maintenance/retention.h"
@@ -23,7 +23,7 @@
 #include "app/study/cohort_service.h"
 #include "app/study/occasion_service.h"
 #include "app/study/rubric_service.h"
-#include "tests/app/gui/office_desk.h"
+#include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {
 namespace {
@@ -56,7 +56,7 @@ TEST(MaintenancePage, SetsAndTakesAwayRulesForKeepingRecords) {
 
   named(*page, "retentionRules").click();
 
-  const std::vector<RetentionRule> rules = retentionRules(office.centre.workplace());
+  const std::vector<RetentionRule> rules = retentionRules(office.centre.session());
   ASSERT_EQ(rules.size(), 1U);
   EXPECT_EQ(rules.front().category, kRetainTrainee);
   EXPECT_EQ(rules.front().keep_days, 1'825);
@@ -116,9 +116,9 @@ TEST(AllocationPage, MovesATraineeByHandBesideTheDrawnRecord) {
   Office office;
   const std::vector<std::string> trainees = office.centre.addTrainees(3);
   const std::string version = office.centre.runPaperCurriculum();
-  SessionContext& workplace = office.centre.as("administrator");
-  const std::string cohort = addCohort(workplace, {.name = "Study", .curriculumVersionId = version});
-  enrolTrainees(workplace, cohort, trainees);
+  SessionContext& session = office.centre.as("administrator");
+  const std::string cohort = addCohort(session, {.name = "Study", .curriculumVersionId = version});
+  enrolTrainees(session, cohort, trainees);
   AllocationPlan plan;
   plan.cohortId = cohort;
   const std::string design = lockAllocation(office.centre.as("allocator"), plan).stored.id;

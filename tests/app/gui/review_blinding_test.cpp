@@ -9,7 +9,7 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/physician/discrepancy_review_page.h"
 #include "app/gui/physician/evaluation_page.h"
 #include "app/gui/physician/live_page.h"
@@ -22,7 +22,7 @@
 #include "app/review/rater_calibration.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "tests/app/gui/desk_of.h"
-#include "tests/app/gui/visible_words.h"
+#include "tests/app/gui/visible_texts.h"
 
 namespace torsio::gui {
 namespace {
@@ -164,7 +164,7 @@ TEST(Blinding, NothingThatCanBeReadTellsWhoWhichGroupOrWhen) {
   }
   Gathering gathering;
   DeskOf desk(centre, 0);
-  ASSERT_FALSE(alignmentCases(desk.workplace()).empty());
+  ASSERT_FALSE(alignmentCases(desk.session()).empty());
 
   for (const PageEntry& entry : reviewPages()) {
     gathering.add({pageTitle(entry.id), pageText(entry.id)});

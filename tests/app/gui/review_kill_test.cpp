@@ -9,7 +9,7 @@
 #include <QProcess>
 #include <gtest/gtest.h>
 
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/child.h"
 #include "app/report/typeface.h"

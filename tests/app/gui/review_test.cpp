@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/physician/case_page.h"
 #include "app/gui/physician/discrepancy_review_page.h"
 #include "app/gui/physician/evaluation_page.h"
@@ -35,8 +35,8 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/record/sample_codec.h"
 #include "tests/app/gui/desk_of.h"
-#include "tests/app/gui/visible_words.h"
-#include "tests/app/session/review_centre.h"
+#include "tests/app/gui/visible_texts.h"
+#include "tests/app/support/review_centre.h"
 
 namespace torsio::gui {
 namespace {
@@ -47,7 +47,7 @@ using torsio::testing::reviewSheet;
 /// Alignment and severity, as physician `index` sees them: no mark of anybody else.
 void expectNothingOfOthers(ReviewCentre& centre, std::size_t index) {
   DeskOf desk(centre, index);
-  EXPECT_TRUE(alignmentCases(desk.workplace()).empty());
+  EXPECT_TRUE(alignmentCases(desk.session()).empty());
   auto& alignment = desk.open<DiscrepancyReviewPage>();
   EXPECT_TRUE(paintedWordsOf(alignment).join(u' ').contains(QStringLiteral("No disagreement waits for you")));
   for (const DataTable* table : alignment.findChildren<DataTable*>()) {
@@ -143,7 +143,7 @@ TEST(CasePage, UndoesToTheFirstMarkAndRedoes) {
   desk.press(Qt::Key_Y, Qt::ControlModifier);
   EXPECT_EQ(editorOf(page)->answer("time").score_steps, 80);
   // What was undone is undone on the disk too.
-  const OpenedSheet stored = openSheet(desk.workplace(), centre.cases(0).front());
+  const OpenedSheet stored = openSheet(desk.session(), centre.cases(0).front());
   EXPECT_EQ(SheetEditor(stored.rubric, stored.sheet).answer("time").score_steps, 80);
 }
 
@@ -159,7 +159,7 @@ TEST(CasePage, KeysAreSilentWhileTyping) {
   EXPECT_EQ(editorOf(page)->sheet().comment, "b 7 jkl, n.");
   EXPECT_FALSE(editorOf(page)->answer("time").given());
   EXPECT_FALSE(child<ReplayPanel>(page, "replay").playing());
-  EXPECT_TRUE(caseRemarks(desk.workplace(), centre.cases(0).front()).empty());
+  EXPECT_TRUE(caseRemarks(desk.session(), centre.cases(0).front()).empty());
 }
 
 TEST(CasePage, NotAssessableTakesAReason) {
@@ -182,7 +182,7 @@ TEST(CasePage, SubmitsOnlyWhatIsCompleteAndWatched) {
   DeskOf desk(centre, 0);
   auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
   child<ReplayPanel>(page, "replay").setRealTime(false);
-  const auto state = [&] { return openSheet(desk.workplace(), centre.cases(0).front()).state; };
+  const auto state = [&] { return openSheet(desk.session(), centre.cases(0).front()).state; };
   desk.press(Qt::Key_7);
   for (int i = 0; i < 3; ++i) {
     desk.press(Qt::Key_Return, Qt::ControlModifier);
@@ -224,7 +224,7 @@ TEST(CasePage, BookmarksRemarksAndSteps) {
   desk.type(QStringLiteral("second grip slips"));
   desk.press(Qt::Key_Return);
 
-  const std::vector<CaseRemark> remarks = caseRemarks(desk.workplace(), centre.cases(0).front());
+  const std::vector<CaseRemark> remarks = caseRemarks(desk.session(), centre.cases(0).front());
 
   ASSERT_EQ(remarks.size(), 2U);
   EXPECT_EQ(remarks[0].time_us, 40'000);
@@ -249,15 +249,15 @@ TEST(CasePage, AmendingNeedsAReasonAndKeepsBothVersions) {
   desk.press(Qt::Key_9);
   desk.press(Qt::Key_Return, Qt::ControlModifier);
   EXPECT_EQ(desk.failures().size(), 1);  // no reason yet
-  EXPECT_EQ(sheetVersions(desk.workplace(), id).size(), 1U);
+  EXPECT_EQ(sheetVersions(desk.session(), id).size(), 1U);
 
   desk.type(QStringLiteral("looked again"));
   desk.press(Qt::Key_Return, Qt::ControlModifier);
 
-  const std::vector<SheetVersion> versions = sheetVersions(desk.workplace(), id);
+  const std::vector<SheetVersion> versions = sheetVersions(desk.session(), id);
   ASSERT_EQ(versions.size(), 2U);
   EXPECT_EQ(versions[1].amendReason, "looked again");
-  const OpenedSheet sealed = openSheet(desk.workplace(), id);
+  const OpenedSheet sealed = openSheet(desk.session(), id);
   EXPECT_EQ(SheetEditor(sealed.rubric, sealed.sheet).answer("time").score_steps, 90);
 }
 
@@ -380,10 +380,10 @@ TEST(LivePage, ScoresInRunningOrderWithTargetsForFingers) {
   }
 
   const std::vector<std::string> live = centre.cases(0, true);
-  EXPECT_EQ(openSheet(desk.workplace(), live[0]).sheet.overall_steps, 50);
-  EXPECT_EQ(openSheet(desk.workplace(), live[1]).sheet.overall_steps, 60);
-  EXPECT_EQ(openSheet(desk.workplace(), live[1]).state, SheetState::kSubmitted);
-  EXPECT_EQ(openSheet(desk.workplace(), live[2]).state, SheetState::kOpen);
+  EXPECT_EQ(openSheet(desk.session(), live[0]).sheet.overall_steps, 50);
+  EXPECT_EQ(openSheet(desk.session(), live[1]).sheet.overall_steps, 60);
+  EXPECT_EQ(openSheet(desk.session(), live[1]).state, SheetState::kSubmitted);
+  EXPECT_EQ(openSheet(desk.session(), live[2]).state, SheetState::kOpen);
 }
 
 TEST(RaterCalibrationPage, ShowsTheOwnOffsetAfterTheMark) {
@@ -398,7 +398,7 @@ TEST(RaterCalibrationPage, ShowsTheOwnOffsetAfterTheMark) {
   desk.press(Qt::Key_Return, Qt::ControlModifier);
 
   EXPECT_TRUE(wordsOf(page).join(u' ').contains(QStringLiteral("Panel of 5")));
-  EXPECT_DOUBLE_EQ(*warmUp(desk.workplace()).runs[0].offset_points, 2.0);
+  EXPECT_DOUBLE_EQ(*warmUp(desk.session()).runs[0].offset_points, 2.0);
 }
 
 TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
@@ -412,7 +412,7 @@ TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
               3 + 5 * static_cast<int>(rater));
   }
   DeskOf desk(centre, 0);
-  ASSERT_EQ(alignmentCases(desk.workplace()).size(), 1U);
+  ASSERT_EQ(alignmentCases(desk.session()).size(), 1U);
   auto& page = desk.open<DiscrepancyReviewPage>();
   const auto button = [&page](const char* part) {
     for (QPushButton* one : page.findChildren<QPushButton*>()) {
@@ -437,9 +437,9 @@ TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
   desk.type(QStringLiteral("missed the second grip"));
   button("Seal")->click();
 
-  EXPECT_EQ(sheetVersions(desk.workplace(), centre.caseAbout(0, 0)).size(), 2U);
-  ASSERT_EQ(alignmentCases(desk.workplace()).size(), 1U);  // two rows still lie apart
-  EXPECT_EQ(alignmentCases(desk.workplace())[0].decision, "move");
+  EXPECT_EQ(sheetVersions(desk.session(), centre.caseAbout(0, 0)).size(), 2U);
+  ASSERT_EQ(alignmentCases(desk.session()).size(), 1U);  // two rows still lie apart
+  EXPECT_EQ(alignmentCases(desk.session())[0].decision, "move");
 }
 
 TEST(EvaluationPage, FillsNineIndicesByKeysAndKeepsTheDraft) {
@@ -470,7 +470,7 @@ TEST(EvaluationPage, FillsNineIndicesByKeysAndKeepsTheDraft) {
   }
   DeskOf desk(centre, 0);
   desk.open<EvaluationPage>();
-  EXPECT_EQ(evaluationForms(desk.workplace())[0].models[0].scores[5], 99);
+  EXPECT_EQ(evaluationForms(desk.session())[0].models[0].scores[5], 99);
   for (int i = 0; i < 6; ++i) {
     desk.press(Qt::Key_Down);
   }
@@ -481,7 +481,7 @@ TEST(EvaluationPage, FillsNineIndicesByKeysAndKeepsTheDraft) {
   desk.press(Qt::Key_Return, Qt::ControlModifier);
   desk.press(Qt::Key_Return, Qt::ControlModifier);
 
-  const EvaluationForm form = evaluationForms(desk.workplace())[0];
+  const EvaluationForm form = evaluationForms(desk.session())[0];
   EXPECT_TRUE(form.models[0].submitted);
   EXPECT_EQ(form.models[0].hiddenLabel, "M");
   EXPECT_FALSE(form.models[1].submitted);

@@ -12,11 +12,11 @@
 #include <QRadioButton>
 
 #include "app/gui/administrator/roster_page.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/people/people_service.h"
 #include "sim/base/file_io.h"
-#include "tests/app/gui/office_desk.h"
+#include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {
 namespace {
@@ -56,7 +56,7 @@ class RosterWizardTest : public ::testing::Test {
   }
   DataTable& lines() { return *wizard->currentPage()->findChild<DataTable*>(); }
   QAbstractButton& import() { return *wizard->button(QWizard::FinishButton); }
-  std::size_t known() { return torsio::people(office.centre.workplace()).size(); }
+  std::size_t known() { return torsio::people(office.centre.session()).size(); }
 
   Office office;
   std::unique_ptr<RosterWizard> wizard;
@@ -80,7 +80,7 @@ TEST_F(RosterWizardTest, ImportsFromTheFileToTheLastButtonWithTheColumnsChosenBy
   EXPECT_EQ(wizard->result(), QDialog::Accepted);
   ASSERT_TRUE(wizard->outcome().has_value());
   EXPECT_EQ(wizard->outcome()->added, 3U);
-  const auto named = namedPeople(office.centre.workplace());
+  const auto named = namedPeople(office.centre.session());
   ASSERT_EQ(named.size(), 3U);
   for (const NamedPersonRow& one : named) {
     EXPECT_EQ(one.row.person.sex, one.identity.externalId == "S-1" ? "female" : "male");

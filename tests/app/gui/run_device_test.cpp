@@ -80,14 +80,14 @@ TEST(RunDevice, AGradedRunThatLosesItsDeviceEndsWithoutForceAndCostsNoAttempt) {
   unplug(station, *wire);
 
   EXPECT_EQ(norm(wire->lastForce_N), 0.0);
-  EXPECT_EQ(station.run().session(), nullptr);
+  EXPECT_EQ(station.run().runSession(), nullptr);
   EXPECT_FALSE(station.run().busy());
   ASSERT_EQ(station.problems.size(), 1);
   EXPECT_EQ(station.problems[0], QStringLiteral("The haptic device was lost: the graded run has ended"));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("No run goes on")));
   EXPECT_EQ(outcomes(centre), std::vector<TrialOutcome>{TrialOutcome::kInterrupted});
   EXPECT_FALSE(station.desk().readiness.has_value());  // to be checked anew
-  const NextSteps steps = nextSteps(centre.workplace(), centre.person());
+  const NextSteps steps = nextSteps(centre.session(), centre.person());
   EXPECT_EQ(stepOf(steps, centre.module("first")).attempts, 0);
 }
 
@@ -187,7 +187,7 @@ TEST(RunDevice, AGradedRunDoesNotBeginWithADeviceThatCannotBeOpened) {
 
   EXPECT_EQ(station.problems[0],
             QStringLiteral("The haptic device is not ready: the graded run did not begin"));
-  EXPECT_EQ(station.run().session(), nullptr);
+  EXPECT_EQ(station.run().runSession(), nullptr);
   EXPECT_TRUE(outcomes(centre).empty());
   EXPECT_FALSE(station.desk().readiness.has_value());
 }

@@ -64,7 +64,7 @@ TEST(ShearMap, GrowsInProportionToASmallAngle) {
 TEST(OrganMarkers, TheArmCarriesTheTenPointsOfThePaper) {
   SceneRequest request;
   request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = "arm";
+  request.id = "forearm";
   const LoadedScene loaded = loadSceneForView(request);
 
   ASSERT_EQ(loaded.view.markers.size(), 10U);

@@ -138,7 +138,7 @@ TEST(TissueSkin, IsOpaqueVariedTheSameEachTimeAndAnotherForAnotherTissue) {
     ASSERT_GE(skin.rgba[i], skin.rgba[i + 2]);  // tissue is never blue
   }
   EXPECT_GT(greens.size(), 40U);
-  EXPECT_NE(skin.rgba, paintSkin(bar, tissueLook("arm")).rgba);
+  EXPECT_NE(skin.rgba, paintSkin(bar, tissueLook("forearm")).rgba);
 }
 
 TEST(OrganGeometry, PlacesAtRestStayWhileTheTissueMoves) {

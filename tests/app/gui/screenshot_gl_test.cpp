@@ -99,7 +99,7 @@ TEST_F(Screenshot, ShowsALitOrganInTheMiddleAndATwistThatCanBeSeen) {
 
 TEST_F(Screenshot, TheGhostOfTheTargetPoseAndTheMarkersComeOnlyWhenAsked) {
   const QStringList options{
-      QStringLiteral("--organ"),      QStringLiteral("arm"),     QStringLiteral("--quality"),
+      QStringLiteral("--organ"),      QStringLiteral("forearm"), QStringLiteral("--quality"),
       QStringLiteral("fast"),         QStringLiteral("--size"),  QStringLiteral("640x480"),
       QStringLiteral("--scene-only"), QStringLiteral("--angle"), QStringLiteral("0")};
 
@@ -116,7 +116,7 @@ TEST_F(Screenshot, TheGhostOfTheTargetPoseAndTheMarkersComeOnlyWhenAsked) {
 }
 
 TEST_F(Screenshot, DrawsTissueWithShadersOfItsOwnAtTheFineLevel) {
-  for (const char* organ : {"stomach", "arm", "intestine"}) {
+  for (const char* organ : {"stomach", "forearm", "intestine"}) {
     const QStringList options{QStringLiteral("--organ"),      QLatin1String(organ),
                               QStringLiteral("--size"),       QStringLiteral("640x480"),
                               QStringLiteral("--scene-only"), QStringLiteral("--quality")};
@@ -183,9 +183,9 @@ TEST_F(Screenshot, AFilmStripShowsTheOrganMoreAndMoreTwisted) {
 }
 
 TEST_F(Screenshot, ShowsTheWholeWindowWithItsReadouts) {
-  const QImage window = shot(
-      QStringLiteral("window.png"),
-      {QStringLiteral("--organ"), QStringLiteral("arm"), QStringLiteral("--theme"), QStringLiteral("dark")});
+  const QImage window =
+      shot(QStringLiteral("window.png"), {QStringLiteral("--organ"), QStringLiteral("forearm"),
+                                          QStringLiteral("--theme"), QStringLiteral("dark")});
 
   EXPECT_EQ(window.size(), QSize(1280, 800));
   EXPECT_GT(colours(window, window.rect()), 5000U);

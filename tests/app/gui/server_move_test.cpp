@@ -6,7 +6,7 @@
 #include "app/gui/administrator/move_page.h"
 #include "app/gui/widgets/child.h"
 #include "db/migrations/migrations.h"
-#include "tests/app/gui/care_window.h"
+#include "tests/app/gui/maintenance_window.h"
 
 namespace torsio::gui {
 namespace {
@@ -66,7 +66,7 @@ class ServerMove : public CarePages {
   /// Gives up when all rows are on the server and are being compared.
   void giveUpWhileComparing() {
     for (int i = 0; i < 600; ++i) {  // progress is told every 500 rows
-      window_->workplace()->connection().execute(
+      window_->session()->connection().execute(
           "INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)",
           {std::string("s").append(std::to_string(i)), "", 1});
     }
@@ -75,7 +75,7 @@ class ServerMove : public CarePages {
         throw Error(ErrorCode::kUsage, "given up", "", "");
       }
     };
-    EXPECT_THROW((void)moveToServer(*window_->workplace(), address_, giveUp, in("unstored")), Error);
+    EXPECT_THROW((void)moveToServer(*window_->session(), address_, giveUp, in("unstored")), Error);
   }
 
   std::string server_;
@@ -102,8 +102,8 @@ TEST_F(ServerMove, TheRecordIsCopiedComparedAndTheStationTurnsToTheServer) {
 
   EXPECT_TRUE(says(QStringLiteral("This station now works with the record at postgresql://127.0.0.1")));
   signIn();
-  EXPECT_EQ(window_->workplace()->key().locator, lastingLocator(address_));
-  EXPECT_EQ(window_->workplace()->key().locator.find(address_.password), std::string::npos);
+  EXPECT_EQ(window_->session()->key().locator, lastingLocator(address_));
+  EXPECT_EQ(window_->session()->key().locator.find(address_.password), std::string::npos);
   EXPECT_EQ(people(typedLocator(address_)), 2);
   EXPECT_TRUE(contains(trail(typedLocator(address_)), "database.switch"));
   EXPECT_TRUE(contains(trail(record()), "database.move"));
@@ -125,7 +125,7 @@ TEST_F(ServerMove, AUsedDatabaseIsNoTargetButAStationMayJoinIt) {
                   .contains(QStringLiteral("There is a record in this database already")));
   EXPECT_FALSE(child<QPushButton>(page, "copyButton").isVisible());
   click(child<QPushButton>(page, "switchButton"));
-  QTRY_COMPARE_WITH_TIMEOUT(window_->workplace()->key().locator, lastingLocator(address_), 5'000);
+  QTRY_COMPARE_WITH_TIMEOUT(window_->session()->key().locator, lastingLocator(address_), 5'000);
   window_->background().wait();
 
   EXPECT_TRUE(contains(trail(typedLocator(address_)), "database.join"));
@@ -139,7 +139,7 @@ TEST_F(ServerMove, WhatIsWrittenAfterTheCopyForbidsTheSwitch) {
   page.setAddress(address_);
   click(child<QPushButton>(page, "testButton"));
   click(child<QPushButton>(page, "copyButton"));
-  addPerson(*window_->workplace(), person());
+  addPerson(*window_->session(), person());
 
   click(child<QPushButton>(page, "switchButton"));
 

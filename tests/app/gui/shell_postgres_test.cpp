@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "app/access/first_run.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/shell/main_window.h"
 #include "tests/db/test_database.h"
 
@@ -112,16 +112,16 @@ TEST_F(FirstRunOnServer, MakesTheCentreOnTheServerAndSignsItsAdministratorIn) {
   window_->background().wait();
 
   ASSERT_EQ(window_->screen(), QStringLiteral("desk")) << address_.toStdString();
-  EXPECT_EQ(window_->workplace()->connection().engine(), Engine::kPostgresql);
-  EXPECT_EQ(centreSign(window_->workplace()->connection()).name, "City hospital");
+  EXPECT_EQ(window_->session()->connection().engine(), Engine::kPostgresql);
+  EXPECT_EQ(centreSign(window_->session()->connection()).name, "City hospital");
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "unused.sqlite-wal"));
   ASSERT_TRUE(window_->line()->settled(std::chrono::seconds(20)));
-  EXPECT_EQ(numberFrom(window_->workplace()->connection(), "SELECT count(*) FROM station_state"), 1);
+  EXPECT_EQ(numberFrom(window_->session()->connection(), "SELECT count(*) FROM station_state"), 1);
 }
 
 TEST_F(FirstRunOnServer, SaysThatACentreIsThereAlreadyAndLetsItsPeopleSignIn) {
   {
-    SessionContext office(WorkplaceKey{locator(), "other", {}});
+    SessionContext office(SessionKey{locator(), "other", {}});
     office.setPasswordCost(PasswordCost::kTest);
     setUpCentre(office, {.centre = "Old hospital", .login = "chief", .password = kPassword});
   }

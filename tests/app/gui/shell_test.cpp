@@ -21,7 +21,7 @@
 #include "app/access/settings_service.h"
 #include "app/base/build_info.h"
 #include "app/gui/base/language.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/shell/about_box.h"
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/job_panel.h"
@@ -134,7 +134,7 @@ class Shell : public ::testing::Test {
 
   /// A centre with an administrator and a trainee who has a start password, nobody signed in.
   void openFoundedCentre(ShellSetup with) {
-    WorkplaceKey key;
+    SessionKey key;
     key.locator = with.locator.toStdString();
     key.station = "test";
     SessionContext office(key);
@@ -160,7 +160,7 @@ class Shell : public ::testing::Test {
   BarePage& page() { return static_cast<BarePage&>(*window_->desk()->page()); }
 };
 
-TEST_F(Shell, TheFirstRunMakesACentreAndLeadsItsAdministratorToTheOffice) {
+TEST_F(Shell, TheFirstRunMakesACentreAndLeadsItsAdministratorToTheFirstPage) {
   open(setup());
   ASSERT_EQ(window_->screen(), QStringLiteral("first run"));
 
@@ -420,7 +420,7 @@ TEST_F(Shell, AGuestPractisesAndReachesNothingElse) {
   ASSERT_EQ(window_->screen(), QStringLiteral("desk"));
   EXPECT_EQ(window_->desk()->pageIds(), std::vector<PageId>{PageId::kPractice});
   EXPECT_TRUE(says(*window_, QStringLiteral("nothing is recorded")));
-  EXPECT_FALSE(window_->workplace()->may(Operation::kTrialRecordOwn));
+  EXPECT_FALSE(window_->session()->may(Operation::kTrialRecordOwn));
 }
 
 TEST_F(Shell, AGuestWhoLeavesIsSignedOutNotLocked) {
@@ -534,7 +534,7 @@ TEST_F(Shell, ARecordingThatCannotBeStoredIsSaidBeforeTheSignInAndToWhoeverSigns
 
 TEST_F(Shell, AnOpenStationGivesSignsOfLifeUntilItIsClosed) {
   openFoundedCentre(setup());
-  StationRepository stations(window_->workplace()->connection());
+  StationRepository stations(window_->session()->connection());
   ASSERT_TRUE(window_->line()->settled(kLong));
   ASSERT_TRUE(stations.find("test").has_value());
   EXPECT_EQ(stations.find("test")->userId, "");
@@ -542,7 +542,7 @@ TEST_F(Shell, AnOpenStationGivesSignsOfLifeUntilItIsClosed) {
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   window_->heartbeat();
   ASSERT_TRUE(window_->line()->settled(kLong));
-  EXPECT_EQ(stations.find("test")->userId, window_->workplace()->actor().userId);
+  EXPECT_EQ(stations.find("test")->userId, window_->session()->actor().userId);
   ASSERT_TRUE(window_->close());
 
   EXPECT_FALSE(stations.find("test").has_value());
@@ -600,7 +600,7 @@ TEST_F(Shell, TheKioskEndsWithTheNameAndPasswordOfAnAdministratorOnly) {
 
 TEST_F(Shell, OneChoiceInTheMenuRemovesTheDemonstration) {
   openFoundedCentre(setup());
-  Connection& connection = window_->workplace()->connection();
+  Connection& connection = window_->session()->connection();
   StoredTrainee simulated;
   simulated.person = {.id = "simulated", .code = "T-99", .demonstration = true};
   StoredTrainee real;
@@ -636,7 +636,7 @@ TEST_F(Shell, OneChoiceInTheMenuRemovesTheDemonstration) {
 TEST_F(Shell, TheCentreSaysWhenAnEmptyPlaceIsLocked) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
-  setCentreIdleLimits(*window_->workplace(), 10, 12);
+  setCentreIdleLimits(*window_->session(), 10, 12);
   window_->signOut();
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   window_->watchIdleness();

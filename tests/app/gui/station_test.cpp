@@ -19,14 +19,14 @@
 #include "app/gui/trainee/debrief_plot.h"
 #include "app/gui/trainee/run_page.h"
 #include "app/gui/trainee/station_desk.h"
-#include "app/gui/trainee/station_words.h"
+#include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/trainee/transcript_page.h"
 #include "app/gui/trainee/trend_page.h"
 #include "app/gui/widgets/theme.h"
 #include "app/recording/station_writer.h"
 #include "db/repository/trial/station_repository.h"
 #include "tests/app/gui/trainee_station.h"
-#include "tests/app/session/training_centre.h"
+#include "tests/app/support/training_centre.h"
 
 namespace torsio::gui {
 namespace {
@@ -39,7 +39,7 @@ using torsio::testing::TrainingCentre;
 TEST(Station, WhatTheDeviceCheckFoundStandsOnTheBoardOfTheDay) {
   TrainingCentre centre;
   Station station(centre);
-  StationWriter line({centre.locator(), "station 1", centre.workplace().actor()});
+  StationWriter line({centre.locator(), "station 1", centre.session().actor()});
   station.shell().setLine(&line);
   station.light = Light::kRed;
 
@@ -50,7 +50,7 @@ TEST(Station, WhatTheDeviceCheckFoundStandsOnTheBoardOfTheDay) {
   EXPECT_EQ(shown.device.str(), "Scripted hand");
   EXPECT_EQ(shown.light, Light::kRed);
   EXPECT_EQ(shown.problem.str(), "scripted");
-  EXPECT_EQ(shown.checkedUtc_us, centre.workplace().now_us());
+  EXPECT_EQ(shown.checkedUtc_us, centre.session().now_us());
   station.shell().setLine(nullptr);
 }
 
@@ -79,7 +79,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
 
   ASSERT_EQ(station.pageId, PageId::kRun);
   ASSERT_TRUE(soon([&] { return station.run().busy(); }));
-  EXPECT_TRUE(station.run().session()->graded());
+  EXPECT_TRUE(station.run().runSession()->graded());
   EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("00:40"));
   EXPECT_FALSE(station.find<QLabel>("cue")->isVisibleTo(station.page.get()));  // no help in a graded run
   EXPECT_FALSE(station.page->leave());
@@ -115,7 +115,7 @@ TEST(StationPages, NothingIsRecordedBeforeTheTraineeAgrees) {
   station.press("agree");
 
   EXPECT_EQ(station.pageId, PageId::kDeviceCheck);
-  EXPECT_TRUE(hasOwnConsent(centre.workplace(), "training_record"));
+  EXPECT_TRUE(hasOwnConsent(centre.session(), "training_record"));
 }
 
 TEST(StationPages, AmberAllowsPracticeOnlyAndRedNothing) {
@@ -153,21 +153,21 @@ TEST(StationPages, RestStopsTheClockAndTheRealArmFollowsByItself) {
   EXPECT_TRUE(station.find<QLabel>("cue")->isVisibleTo(station.page.get()));  // practice helps
 
   station.press("rest");
-  EXPECT_EQ(station.run().session()->run().state(), RunState::kResting);
+  EXPECT_EQ(station.run().runSession()->run().state(), RunState::kResting);
   station.train(10 * kSecond_us);
   EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("00:40"));
   station.press("goOn");
   EXPECT_FALSE(station.find<QPushButton>("rest")->isEnabled());  // one rest, not to be split
   station.train(40 * kSecond_us);
-  EXPECT_EQ(station.run().session()->run().state(), RunState::kHandOver);
+  EXPECT_EQ(station.run().runSession()->run().state(), RunState::kHandOver);
   station.press("goOn");
   EXPECT_TRUE(station.allText().contains(QStringLiteral("Train on the real arm")));
   station.train(2 * kMinute_us);
 
   EXPECT_EQ(station.pageId, PageId::kDebrief);
-  const NextSteps steps = nextSteps(centre.workplace(), centre.person());
+  const NextSteps steps = nextSteps(centre.session(), centre.person());
   EXPECT_TRUE(steps.allPhasesDone);
-  EXPECT_EQ(attemptsOf(centre.workplace(), centre.person()).size(), 2U);  // the rest cut the recording in two
+  EXPECT_EQ(attemptsOf(centre.session(), centre.person()).size(), 2U);  // the rest cut the recording in two
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
@@ -203,7 +203,7 @@ TEST(StationPages, ARunThatWasCutOffIsShownAsInterrupted) {
     station.open(PageId::kRun);
     ASSERT_TRUE(soon([&] { return station.run().busy(); }));
     station.train(5 * kSecond_us);
-    // Everything goes without a word, as when the power fails; tests/app/session kills a real program.
+    // Everything goes without a word, as when the power fails; tests/app/training kills a real program.
   }
   centre.passTime_us(utcNow_us() - torsio::testing::kCentreTime_us + kMinute_us);
   Station station(centre);
@@ -212,13 +212,13 @@ TEST(StationPages, ARunThatWasCutOffIsShownAsInterrupted) {
 
   EXPECT_TRUE(station.allText().contains(QStringLiteral("was interrupted")))
       << station.allText().toStdString();
-  EXPECT_EQ(nextSteps(centre.workplace(), centre.person()).interrupted.size(), 1U);
+  EXPECT_EQ(nextSteps(centre.session(), centre.person()).interrupted.size(), 1U);
 }
 
 TEST(StationPages, AWeaknessLeadsToItsSeconds) {
   TrainingCentre centre;
   const std::string trial = centre.attempt("first", "practice", 0.1, 30.0);
-  const Debrief told = torsio::debrief(centre.workplace(), trial, {}, &torsio::testing::trainingBar());
+  const Debrief told = torsio::debrief(centre.session(), trial, {}, &torsio::testing::trainingBar());
   ASSERT_FALSE(told.weaknesses.empty());
   DebriefPlot plot;
   plot.setDebrief(told);

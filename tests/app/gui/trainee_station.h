@@ -21,7 +21,7 @@
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 #include "tests/app/gui/bar_view.h"
-#include "tests/app/session/training_centre.h"
+#include "tests/app/support/training_centre.h"
 
 namespace torsio::gui {
 
@@ -52,7 +52,7 @@ inline ScriptedHandOptions practised(const Scene& scene, double target_rad) {
 class Station {
  public:
   explicit Station(torsio::testing::TrainingCentre& centre)
-      : centre_(centre), shell_(centre.workplace(), assetsFolder(), ThemeKind::kLight) {
+      : centre_(centre), shell_(centre.session(), assetsFolder(), ThemeKind::kLight) {
     StationDesk& desk = *desk_;
     desk.loader = testing::loadBar;
     desk.realTime = false;

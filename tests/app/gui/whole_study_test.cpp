@@ -28,7 +28,7 @@
 #include "app/gui/administrator/scoring_page.h"
 #include "app/gui/base/figure_canvas.h"
 #include "app/gui/base/figure_card.h"
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/people/people_service.h"
@@ -41,7 +41,7 @@
 #include "db/repository/trial/station_repository.h"
 #include "sim/base/file_io.h"
 #include "tests/app/cli/program.h"
-#include "tests/app/gui/office_desk.h"
+#include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {
 namespace {
@@ -50,8 +50,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::answer;
 using testing::Office;
-using testing::OfficeCentre;
 using testing::press;
+using testing::StudyCentre;
 using testing::type;
 
 constexpr std::uint64_t kMarkSeed = 5;
@@ -186,7 +186,7 @@ void askTheTen(Office& office, const std::string& cohortId, const std::vector<st
 }
 
 void runTheDay(Office& office, const std::string& cohortId) {
-  const std::int64_t now_us = office.centre.workplace().now_us();
+  const std::int64_t now_us = office.centre.session().now_us();
   StationState room{.station = "room 2", .heartbeatUtc_us = now_us};
   DeviceReadiness unfit{.device = Text("Touch"), .haptic = true};
   unfit.findings = {{"connected", Light::kRed, Text("no device answers"), ""}};
@@ -215,7 +215,7 @@ void runTheDay(Office& office, const std::string& cohortId) {
     dialog.accept();
   });
   press(*page, QStringLiteral("Swap turns"));
-  EXPECT_EQ(deviations(office.centre.workplace(), cohortId).size(), 2U);
+  EXPECT_EQ(deviations(office.centre.session(), cohortId).size(), 2U);
 
   office.centre.passTime_us(60'000'000);
   page->refreshAndWait();
@@ -226,7 +226,7 @@ void runTheDay(Office& office, const std::string& cohortId) {
   EXPECT_TRUE(page->leave());
 }
 
-std::vector<std::string> raterCodes(OfficeCentre& centre, bool evaluators) {
+std::vector<std::string> raterCodes(StudyCentre& centre, bool evaluators) {
   std::vector<std::string> codes;
   for (const NamedPersonRow& person : namedPeople(centre.as("administrator"))) {
     if (person.row.rater && (person.identity.externalId[0] == 'E') == evaluators) {
@@ -269,7 +269,7 @@ Crowd crowdOf(Office& office, const std::string& cohortId, const std::vector<std
   }
   crowd.people.raterClasses.resize(3);
   const std::vector<std::string> classes{"intern", "deputy_chief", "chief"};
-  for (const CampaignRow::Rater& rater : campaigns(office.centre.workplace()).front().raters) {
+  for (const CampaignRow::Rater& rater : campaigns(office.centre.session()).front().raters) {
     crowd.people
         .raterClasses[static_cast<std::size_t>(std::find(classes.begin(), classes.end(), rater.classCode) -
                                                classes.begin())]
@@ -294,19 +294,19 @@ void submitSheets(Office& office, const std::string& cohortId, const Crowd& crow
     const StoredAssignment& one = status.assignment;
     Sheet sheet;
     sheet.overall_steps = marks.at(
-        {crowd.codeOf.at(one.enrolmentId), codeOfRater.at(one.raterId), occasions.at(one.scoringPoint)});
+        {crowd.codeOf.at(one.enrolmentId), codeOfRater.at(one.raterId), occasions.at(one.occasionCode)});
     const StoredRubricRevision rubric = sheets.revision(one.rubricRevisionId).value();
     for (const StoredRubricRow& row : rubric.rows) {
       sheet.rows.push_back({row.code, row.scale.lo, ""});
     }
-    sheets.submit(one.id, office.centre.workplace().ids().newUuid(), sheet, "",
-                  office.centre.workplace().now_us());
+    sheets.submit(one.id, office.centre.session().ids().newUuid(), sheet, "",
+                  office.centre.session().now_us());
   }
 }
 
 /// 40 raters, three models, nine indices.
 void submitEvaluationMarks(Office& office, const Crowd& crowd) {
-  const StoredCampaign campaign = campaigns(office.centre.workplace()).front().campaign;
+  const StoredCampaign campaign = campaigns(office.centre.session()).front().campaign;
   std::vector<std::string> models;
   for (const StoredModel& model : campaign.models) {
     models.push_back(model.code);
@@ -317,12 +317,12 @@ void submitEvaluationMarks(Office& office, const Crowd& crowd) {
     if (!rating.steps) {
       continue;
     }
-    marks.push_back({.id = office.centre.workplace().ids().newUuid(),
+    marks.push_back({.id = office.centre.session().ids().newUuid(),
                      .raterId = crowd.idOf.at(rating.rater),
                      .modelCode = rating.model,
                      .indexNumber = static_cast<std::int64_t>(rating.index + 1),
                      .score_steps = *rating.steps,
-                     .submittedUtc_us = office.centre.workplace().now_us()});
+                     .submittedUtc_us = office.centre.session().now_us()});
   }
   EXPECT_EQ(marks.size(), kEvaluators * 3 * 9);
   EvaluationRepository(office.centre.connection()).submit(campaign.id, marks);

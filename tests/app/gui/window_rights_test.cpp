@@ -7,7 +7,7 @@
 #include "app/gui/base/page_id.h"
 #include "app/gui/program/all_pages.h"
 #include "sim/base/error.h"
-#include "tests/app/gui/office_desk.h"
+#include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {
 namespace {
@@ -16,14 +16,14 @@ using testing::Office;
 
 TEST(RightsOfTheWindow, StayAsTheyWereReadWhileServicesAskAnew) {
   Office office;
-  SessionContext& workplace = office.centre.as("administrator");
+  SessionContext& session = office.centre.as("administrator");
   ASSERT_TRUE(office.shell().may(Operation::kUserManage));
 
   office.centre.connection().execute("DELETE FROM role_operation WHERE operation_code = ?",
                                      {std::string(operationCode(Operation::kUserManage))});
 
   EXPECT_TRUE(office.shell().may(Operation::kUserManage));
-  EXPECT_THROW(workplace.require(Operation::kUserManage), Error);
+  EXPECT_THROW(session.require(Operation::kUserManage), Error);
   office.shell().readRights();
   EXPECT_FALSE(office.shell().may(Operation::kUserManage));
 }

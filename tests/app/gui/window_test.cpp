@@ -12,7 +12,7 @@
 #include <QToolButton>
 #include <gtest/gtest.h>
 
-#include "app/gui/base/spoken.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/practice/simulator_window.h"
 #include "app/gui/program/screenshot.h"
 #include "app/gui/simulator/exercise_panel.h"
@@ -67,12 +67,12 @@ TEST_F(Window, OffersEveryShippedOrgan) {
     return box->accessibleName() == QStringLiteral("Organ");
   });
   ASSERT_NE(organ, boxes.end());
-  EXPECT_GE((*organ)->findData(QStringLiteral("arm")), 0);
+  EXPECT_GE((*organ)->findData(QStringLiteral("forearm")), 0);
   EXPECT_GE((*organ)->findData(QStringLiteral("stomach")), 0);
 }
 
 TEST_F(Window, NamesAMeshOfTheUsersInsteadOfTheOrganItStandsInFor) {
-  SceneRequest request = testing::requestFor("arm");
+  SceneRequest request = testing::requestFor("forearm");
   request.organFile = "mine.obj";
   LoadedScene loaded = testing::loadBar(request);
   window_.controller().adopt(request, loaded);
@@ -83,9 +83,10 @@ TEST_F(Window, NamesAMeshOfTheUsersInsteadOfTheOrganItStandsInFor) {
   });
   EXPECT_EQ((*organ)->currentText(), QStringLiteral("Straight bar"));
   const int items = (*organ)->count();
-  window_.controller().adopt(testing::requestFor("arm"), testing::loadBar(testing::requestFor("arm")));
+  window_.controller().adopt(testing::requestFor("forearm"),
+                             testing::loadBar(testing::requestFor("forearm")));
   EXPECT_EQ((*organ)->count(), items - 1);
-  EXPECT_EQ((*organ)->currentData().toString(), QStringLiteral("arm"));
+  EXPECT_EQ((*organ)->currentData().toString(), QStringLiteral("forearm"));
 }
 
 TEST_F(Window, EverythingThatTakesTheKeyboardHasANameForScreenReaders) {

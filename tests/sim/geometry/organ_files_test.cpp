@@ -104,14 +104,14 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         // Sources: docs of the assets. Forearm 262 mm and hand 193 mm with bent fingers; forearm and hand of
         // a man hold 1.3 to 2 litres. Stomach: checked box 166 x 99 x 189 mm, 711 ml.
-        OrganCase{"arm.ply", 1300, 2000, 446, 15000, 20000},
+        OrganCase{"forearm.ply", 1300, 2000, 446, 15000, 20000},
         OrganCase{"stomach.ply", 690, 730, 189, 9000, 11000},
         OrganCase{"intestine.ply", 90, 115, 190, 5000, 9000}),
     [](const auto& test) { return fs::path(test.param.file).stem().string(); });
 
 TEST(ArmMarkers, LieOnTheSkinAtTheirAngles) {
-  const auto json = nlohmann::json::parse(readFile(kAssets / "organs" / "arm_markers.json"));
-  const CollisionMesh skin(importMesh(kAssets / "organs" / "arm.ply"));
+  const auto json = nlohmann::json::parse(readFile(kAssets / "organs" / "forearm_markers.json"));
+  const CollisionMesh skin(importMesh(kAssets / "organs" / "forearm.ply"));
 
   ASSERT_EQ(json.at("markers").size(), 10U);
   int number = 0;
@@ -126,7 +126,7 @@ TEST(ArmMarkers, LieOnTheSkinAtTheirAngles) {
 }
 
 TEST(ArmMarkers, AreThoseOfARightHand) {
-  const auto json = nlohmann::json::parse(readFile(kAssets / "organs" / "arm_markers.json"));
+  const auto json = nlohmann::json::parse(readFile(kAssets / "organs" / "forearm_markers.json"));
   const auto marker = [&json](std::size_t number) {
     return pointMm(json.at("markers").at(number - 1).at("position_mm"));
   };
@@ -142,7 +142,7 @@ TEST(ArmMarkers, AreThoseOfARightHand) {
 }
 
 TEST(ArmFile, HasTheGirthsOfAMan) {
-  const TriangleMesh mesh = importMesh(kAssets / "organs" / "arm.ply");
+  const TriangleMesh mesh = importMesh(kAssets / "organs" / "forearm.ply");
   const CollisionMesh skin(mesh);
   const auto widthAt = [&skin](double z_m, const Vec3& direction) {
     double inside = 0.0;

@@ -274,11 +274,12 @@ TEST_P(ShippedOrgan, IsCutWithoutDelay) {
   EXPECT_EQ(lattice.patches(), 24 * 36);
 }
 
-INSTANTIATE_TEST_SUITE_P(Assets, ShippedOrgan, ::testing::Values("arm.ply", "stomach.ply", "intestine.ply"),
+INSTANTIATE_TEST_SUITE_P(Assets, ShippedOrgan,
+                         ::testing::Values("forearm.ply", "stomach.ply", "intestine.ply"),
                          [](const auto& file) { return std::filesystem::path(file.param).stem().string(); });
 
 TEST(CurvedLattice, EndsBeforeTheThumbOfAnArm) {
-  const TriangleMesh arm = importMesh(std::filesystem::path(TORSIO_SOURCE_DIR) / "assets/organs/arm.ply");
+  const TriangleMesh arm = importMesh(std::filesystem::path(TORSIO_SOURCE_DIR) / "assets/organs/forearm.ply");
 
   const SectionLattice lattice(arm, {});
 

@@ -22,7 +22,7 @@ TrialHeader someHeader() {
   TrialHeader header;
   header.trialId = "6f1c0e52-0001";
   header.traineeCode = "T-07";
-  header.sceneId = "arm";
+  header.sceneId = "forearm";
   header.drive = TwistDrive::kRoll;
   header.targetAngle_rad = 1.5;
   header.deviceLimits.maxForce_N = 7.5;

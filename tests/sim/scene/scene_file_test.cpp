@@ -32,8 +32,8 @@ class SceneFile : public ::testing::Test {
     fs::remove_all(assets_);
     fs::create_directories(assets_ / "scenes");
     fs::create_directories(assets_ / "instruments");
-    for (const char* name :
-         {"scenes/arm.json", "scenes/stomach.json", "scenes/materials.json", "instruments/grasper.json"}) {
+    for (const char* name : {"scenes/forearm.json", "scenes/stomach.json", "scenes/materials.json",
+                             "instruments/grasper.json"}) {
       fs::copy_file(kAssets / name, assets_ / name);
     }
   }
@@ -162,11 +162,11 @@ TEST_F(SceneFile, SaysWhereTheTextIsNoJson) {
 
 TEST_F(SceneFile, ChecksMaterialsAsStrictly) {
   change("scenes/materials.json", [](Json& j) { j[0]["shear_modulus_pa"] = 1e6; });
-  EXPECT_THAT(refusal("arm").what(), AllOf(HasSubstr("material 1"), HasSubstr("'shear_modulus_pa'")));
+  EXPECT_THAT(refusal("forearm").what(), AllOf(HasSubstr("material 1"), HasSubstr("'shear_modulus_pa'")));
   change("scenes/materials.json", [](Json& j) { j[0] = {{"id", "x"}}; });
-  EXPECT_THAT(refusal("arm").what(), AllOf(HasSubstr("material 1"), HasSubstr("'title'")));
+  EXPECT_THAT(refusal("forearm").what(), AllOf(HasSubstr("material 1"), HasSubstr("'title'")));
   writeFileAtomically(assets_ / "scenes/materials.json", "{}");
-  EXPECT_THAT(refusal("arm").what(), HasSubstr("must be a list"));
+  EXPECT_THAT(refusal("forearm").what(), HasSubstr("must be a list"));
 }
 
 TEST_F(SceneFile, RefusesAFolderWithoutScenes) {

@@ -119,7 +119,7 @@ TEST(Scene, SwingsTheGreaterCurvatureForwardInAnOrganoAxialTwist) {
 }
 
 TEST(Scene, TurnsTheArmBothWays) {
-  const Scene scene = loadScene(shipped("arm"));
+  const Scene scene = loadScene(shipped("forearm"));
 
   ASSERT_EQ(scene.patterns.size(), 2U);
   EXPECT_EQ(scene.patterns[0].id, "pronation");
@@ -132,9 +132,9 @@ TEST(Scene, TurnsTheArmBothWays) {
 }
 
 TEST(Scene, SaysWhatDecidesItsAnswersInOneStableText) {
-  const Scene scene = loadScene(shipped("arm"));
+  const Scene scene = loadScene(shipped("forearm"));
 
-  // Fields of assets/scenes/arm.json and materials.json, in the order of scene_parameters.cpp.
+  // Fields of assets/scenes/forearm.json and materials.json, in the order of scene_parameters.cpp.
   EXPECT_EQ(scene.parametersJson,
             R"({"format":1,"formulation":"saint-venant","ridges":36,"sections":25,"organ":"scene",)"
             R"("organ_unit_m":0.001,"lattice":{"mode":"straight-axis","spacing":"angle",)"
@@ -145,12 +145,12 @@ TEST(Scene, SaysWhatDecidesItsAnswersInOneStableText) {
             R"("grip_reach_m":0.004},"pattern":{"id":"pronation","ends":"clamped-free",)"
             R"("force_limit_n":3.3,"torque_limit_nm":0.3},"operations":[]})");
   EXPECT_EQ(scene.parameterHash.size(), 64U);
-  EXPECT_EQ(scene.parameterHash, loadScene(shipped("arm")).parameterHash);
+  EXPECT_EQ(scene.parameterHash, loadScene(shipped("forearm")).parameterHash);
 }
 
 TEST(Scene, ChangesItsParameterHashWithEveryWish) {
   std::set<std::string> hashes;
-  SceneRequest request = shipped("arm");
+  SceneRequest request = shipped("forearm");
   hashes.insert(loadScene(request).parameterHash);
   request.ridges = 12;
   hashes.insert(loadScene(request).parameterHash);
@@ -169,7 +169,7 @@ TEST(Scene, ChangesItsParameterHashWithEveryWish) {
 }
 
 TEST(Scene, EverythingOfTheInstrumentDecidesTheParameters) {
-  SceneDescription description = readSceneFile(kAssets, "arm");
+  SceneDescription description = readSceneFile(kAssets, "forearm");
   const TwistPattern pattern = description.patterns.at(0).pattern;
   const auto textWith = [&](auto&& edit) {
     SceneDescription changed = description;
@@ -190,7 +190,7 @@ TEST(Scene, EverythingOfTheInstrumentDecidesTheParameters) {
 }
 
 TEST(Scene, IsRebuiltFromItsParameters) {
-  for (const std::string id : {"arm", "stomach"}) {
+  for (const std::string id : {"forearm", "stomach"}) {
     SceneRequest request = shipped(id);
     request.ridges = 18;
     request.sections = 13;
@@ -244,7 +244,7 @@ TEST(Scene, NamesTheScenesThereAreWhenAskedForAnother) {
 }
 
 TEST(Scene, NamesThePatternsThereAreWhenAskedForAnother) {
-  const Error error = refusal(shipped("arm", "flexion"));
+  const Error error = refusal(shipped("forearm", "flexion"));
 
   EXPECT_EQ(error.code(), ErrorCode::kBadParameter);
   EXPECT_THAT(error.what(), HasSubstr("'flexion'"));
@@ -252,7 +252,7 @@ TEST(Scene, NamesThePatternsThereAreWhenAskedForAnother) {
 }
 
 TEST(Scene, NamesTheMaterialsThereAreWhenAskedForAnother) {
-  SceneRequest request = shipped("arm");
+  SceneRequest request = shipped("forearm");
   request.material = "steel";
 
   const Error error = refusal(request);
@@ -263,7 +263,7 @@ TEST(Scene, NamesTheMaterialsThereAreWhenAskedForAnother) {
 }
 
 TEST(Scene, RefusesCountsThatTheLatticeCannotHave) {
-  SceneRequest request = shipped("arm");
+  SceneRequest request = shipped("forearm");
   request.ridges = 2;
   EXPECT_EQ(refusal(request).code(), ErrorCode::kBadParameter);
   EXPECT_THAT(refusal(request).what(), HasSubstr("cannot bound an area"));
@@ -346,7 +346,7 @@ TEST(UsersOrgan, NeedsBothEndsOrNone) {
 }
 
 TEST(UsersOrgan, IsRefusedWhenItIsMissingOrOpen) {
-  SceneRequest request = shipped("arm");
+  SceneRequest request = shipped("forearm");
   request.organFile = "/nowhere/organ.obj";
   EXPECT_EQ(refusal(request).code(), ErrorCode::kFileMissing);
 

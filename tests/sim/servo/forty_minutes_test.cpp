@@ -58,7 +58,7 @@ class CountingSink final : public TrialSink {
 TEST(ServoLoop, LosesNoSampleInFortyMinutesOnAManualClock) {
   SceneRequest request;
   request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = "arm";
+  request.id = "forearm";
   const Scene scene = loadScene(request);
   ScriptedHand hand({.seed = 5,
                      .task = handTask(scene),

@@ -77,7 +77,7 @@ TEST(ShippedScenes, LetASkilledHandDoEveryPattern) {
 TEST(ShippedScenes, ReplayBitForBitWithAModelThatWasBuiltAnew) {
   Trial trial;
   {
-    const Scene scene = shipped("arm");
+    const Scene scene = shipped("forearm");
     ScriptedHandOptions options = skilledHand(scene);
     options.duration_s = 12.0;
     ScriptedHand hand(options);
@@ -99,7 +99,7 @@ TEST(ShippedScenes, ReplayBitForBitWithAModelThatWasBuiltAnew) {
     trial = sink.trial();
   }
 
-  const Scene again = shipped("arm");
+  const Scene again = shipped("forearm");
 
   EXPECT_TRUE(replayTrial(again, trial).identical());
 }

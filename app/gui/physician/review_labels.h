@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <QString>
+
+#include "app/gui/base/translated_text.h"
+#include "app/review/case_sheet.h"
+
+namespace torsio::gui {
+
+/// "3:05": minutes and seconds.
+[[nodiscard]] QString clockTime(std::int64_t time_us);
+/// "7.5" in the reader's notation, without needless decimals.
+[[nodiscard]] QString pointsText(double points);
+[[nodiscard]] QString scoreText(std::int64_t score_steps, const ScoreScale& scale);
+/// "+0.8", "-0.5", "0.0".
+[[nodiscard]] QString signedText(double points);
+/// A day as the reader writes it.
+[[nodiscard]] QString dayText(std::int64_t utc_us);
+
+/// For Page::keys(): what scores a sheet, and what moves a recording.
+[[nodiscard]] std::vector<std::pair<QString, QString>> sheetKeys();
+[[nodiscard]] std::vector<std::pair<QString, QString>> replayKeys();
+
+}  // namespace torsio::gui

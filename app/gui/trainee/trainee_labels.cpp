@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/trainee/trainee_labels.h"
+
+#include <array>
+#include <cmath>
+
+#include <QDateTime>
+#include <QLocale>
+#include <QStringList>
+
+#include "app/gui/base/translated_text.h"
+#include "sim/base/angle.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr double kClearlyBetter = 0.15;  // of the logarithm: about a sixth
+
+struct MetricLabels {
+  const char* id;
+  const char* name;
+  const char* unit;  ///< shown; empty: a mere number
+  double scale;      ///< SI to shown
+  int decimals;
+};
+constexpr std::array<MetricLabels, 20> kMetrics{{
+    {"twist.on_target", QT_TRANSLATE_NOOP("StationLabels", "Twists on target"), "%", 100.0, 0},
+    {"twist.targets_reached", QT_TRANSLATE_NOOP("StationLabels", "Targets reached"), "", 1.0, 0},
+    {"time.total", QT_TRANSLATE_NOOP("StationLabels", "Time of a twist"), "s", 1.0, 1},
+    {"twist.time_to_target", QT_TRANSLATE_NOOP("StationLabels", "Time to target"), "s", 1.0, 1},
+    {"twist.settling", QT_TRANSLATE_NOOP("StationLabels", "Settling time"), "s", 1.0, 1},
+    {"twist.overshoot", QT_TRANSLATE_NOOP("StationLabels", "Overshoot"), "\u00b0", kDegreesPerRadian, 1},
+    {"twist.hold_steadiness", QT_TRANSLATE_NOOP("StationLabels", "Steadiness of the hold"), "\u00b0",
+     kDegreesPerRadian, 2},
+    {"twist.sparc", QT_TRANSLATE_NOOP("StationLabels", "Smoothness"), "", 1.0, 2},
+    {"twist.ldlj", QT_TRANSLATE_NOOP("StationLabels", "Smoothness (jerk)"), "", 1.0, 1},
+    {"twist.economy", QT_TRANSLATE_NOOP("StationLabels", "Economy of turning"), "%", 100.0, 0},
+    {"twist.peaks", QT_TRANSLATE_NOOP("StationLabels", "Sub-movements"), "", 1.0, 0},
+    {"twist.path", QT_TRANSLATE_NOOP("StationLabels", "Angular path"), "\u00b0", kDegreesPerRadian, 0},
+    {"twist.rmse", QT_TRANSLATE_NOOP("StationLabels", "Tracking error"), "\u00b0", kDegreesPerRadian, 1},
+    {"twist.excursions", QT_TRANSLATE_NOOP("StationLabels", "Excursions"), "", 1.0, 0},
+    {"tip.path", QT_TRANSLATE_NOOP("StationLabels", "Path of the tip"), "mm", 1000.0, 0},
+    {"force.peak", QT_TRANSLATE_NOOP("StationLabels", "Peak force"), "N", 1.0, 2},
+    {"force.mean", QT_TRANSLATE_NOOP("StationLabels", "Mean force"), "N", 1.0, 2},
+    {"force.violations", QT_TRANSLATE_NOOP("StationLabels", "Force violations"), "", 1.0, 0},
+    {"torque.peak", QT_TRANSLATE_NOOP("StationLabels", "Peak torque"), "N m", 1.0, 3},
+    {"torque.release_rate", QT_TRANSLATE_NOOP("StationLabels", "Abruptness of release"), "N m/s", 1.0, 2},
+}};
+
+const MetricLabels* wordsOf(const std::string& id) {
+  for (const MetricLabels& words : kMetrics) {
+    if (id == words.id) {
+      return &words;
+    }
+  }
+  return nullptr;
+}
+
+QString number(double value, int decimals) {
+  QString text = QLocale().toString(value, 'f', decimals);
+  return text.replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+}  // namespace
+
+QString StationLabels::metric(const std::string& id) {
+  const MetricLabels* words = wordsOf(id);
+  return words != nullptr ? tr(words->name) : toQString(metricTitle(id));
+}
+
+double StationLabels::inDisplayUnit(const std::string& metric, double value) {
+  const MetricLabels* words = wordsOf(metric);
+  return words != nullptr ? value * words->scale : value;
+}
+
+QString StationLabels::unitOf(const std::string& metric) {
+  const MetricLabels* words = wordsOf(metric);
+  return words != nullptr ? QString::fromUtf8(words->unit) : QString();
+}
+
+QString StationLabels::quantity(const std::string& metric, double value) {
+  const MetricLabels* words = wordsOf(metric);
+  if (words == nullptr) {
+    return number(value, 2);
+  }
+  const QString figure = number(value * words->scale, words->decimals);
+  const QString unit = QString::fromUtf8(words->unit);
+  if (unit.isEmpty()) {
+    return figure;
+  }
+  return unit == QStringLiteral("\u00b0") ? figure + unit : tr("%1 %2", "value and unit").arg(figure, unit);
+}
+
+QString StationLabels::clock(std::int64_t left_us) {
+  const std::int64_t seconds = (std::max<std::int64_t>(0, left_us) + 999'999) / 1'000'000;
+  return QStringLiteral("%1:%2")
+      .arg(seconds / 60, 2, 10, QLatin1Char('0'))
+      .arg(seconds % 60, 2, 10, QLatin1Char('0'));
+}
+
+QString StationLabels::seconds(double at_s) {
+  const int minutes = static_cast<int>(at_s / 60.0);
+  return QStringLiteral("%1:%2").arg(minutes).arg(at_s - 60.0 * minutes, 4, 'f', 1, QLatin1Char('0'));
+}
+
+QString StationLabels::minutes(std::int64_t span_us) {
+  if (span_us < 60'000'000) {
+    return tr("%1 s").arg((span_us + 999'999) / 1'000'000);
+  }
+  return tr("%1 min").arg((span_us + 59'999'999) / 60'000'000);
+}
+
+QString StationLabels::waited(std::int64_t span_us) {
+  const std::int64_t minutes = span_us / 60'000'000;
+  if (minutes < 1) {
+    return tr("a moment");
+  }
+  if (minutes < 60) {
+    return tr("%1 min").arg(minutes);
+  }
+  if (minutes < 48 * 60) {
+    return tr("%1 h").arg(minutes / 60);
+  }
+  return tr("%1 days").arg(minutes / (24 * 60));
+}
+
+QString StationLabels::when(std::int64_t utc_us) {
+  return QLocale().toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
+}
+
+QString StationLabels::state(StepState state) {
+  switch (state) {
+    case StepState::kLocked:
+      return tr("Locked");
+    case StepState::kOpen:
+      return tr("Open");
+    case StepState::kMastered:
+      return tr("Mastered");
+    case StepState::kUsedUp:
+      return tr("No attempt left");
+  }
+  return {};
+}
+
+QString StationLabels::why(const ModuleStep& step) {
+  if (step.state == StepState::kLocked) {
+    QStringList titles;
+    for (const std::string& title : step.missing) {
+      titles << toQString(title);
+    }
+    return tr("First master: %1").arg(titles.join(tr(", ", "between titles")));
+  }
+  if (step.state == StepState::kUsedUp) {
+    return tr("Ask an administrator for another attempt.");
+  }
+  QStringList parts;
+  for (const RuleProgress& progress : step.rules) {
+    parts << rule(progress);
+  }
+  return parts.join(QLatin1Char('\n'));
+}
+
+QString StationLabels::rule(const RuleProgress& progress) {
+  const QString threshold = quantity(progress.rule.metric, progress.rule.threshold);
+  const QString name = metric(progress.rule.metric);
+  const bool atMost = progress.rule.comparison == "at_most";
+  const QString goal = atMost && progress.rule.threshold == 0.0 ? tr("%1: none").arg(name)
+                       : atMost                                 ? tr("%1: at most %2").arg(name, threshold)
+                                                                : tr("%1: at least %2").arg(name, threshold);
+  if (progress.rule.consecutive <= 1) {
+    return goal;
+  }
+  if (progress.met) {
+    return tr("%1, in %2 runs in a row").arg(goal).arg(progress.rule.consecutive);
+  }
+  return tr("%1, in %2 runs in a row (%3 so far)")
+      .arg(goal)
+      .arg(progress.rule.consecutive)
+      .arg(progress.streak);
+}
+
+QString StationLabels::lastResult(const ModuleStep& step) {
+  if (!step.last) {
+    return tr("Not tried yet");
+  }
+  const Attempt& last = *step.last;
+  if (last.interrupted) {
+    return tr("Last time: interrupted after %1 s").arg(last.duration_s, 0, 'f', 0);
+  }
+  return tr("Last time: %1 of %2 twists on target").arg(last.onTarget).arg(last.twists);
+}
+
+QString StationLabels::unlocks(const ModuleStep& step) {
+  if (step.unlocks.empty()) {
+    return {};
+  }
+  QStringList titles;
+  for (const std::string& title : step.unlocks) {
+    titles << toQString(title);
+  }
+  return tr("Unlocks: %1").arg(titles.join(tr(", ", "between titles")));
+}
+
+QString StationLabels::check(const TargetCheck& check, std::size_t twists) {
+  switch (check.kind) {
+    case TargetCheck::Kind::kAngle:
+      return tr("Twists let go on target: %1 of %2, wanted %3")
+          .arg(check.value.value_or(0.0), 0, 'f', 0)
+          .arg(twists)
+          .arg(check.wanted, 0, 'f', 0);
+    case TargetCheck::Kind::kHold:
+      return check.value ? tr("Shortest hold on target: %1 s, wanted %2 s")
+                               .arg(*check.value, 0, 'f', 1)
+                               .arg(check.wanted, 0, 'f', 1)
+                         : tr("Hold on target: none, wanted %1 s").arg(check.wanted, 0, 'f', 1);
+    case TargetCheck::Kind::kForce:
+      return check.value ? tr("Peak force: %1 N, limit %2 N")
+                               .arg(*check.value, 0, 'f', 2)
+                               .arg(check.wanted, 0, 'f', 2)
+                         : tr("Peak force: not measured, limit %1 N").arg(check.wanted, 0, 'f', 2);
+    case TargetCheck::Kind::kTorque:
+      return check.value ? tr("Peak torque: %1 N m, limit %2 N m")
+                               .arg(*check.value, 0, 'f', 3)
+                               .arg(check.wanted, 0, 'f', 3)
+                         : tr("Peak torque: not measured, limit %1 N m").arg(check.wanted, 0, 'f', 3);
+    case TargetCheck::Kind::kMastery:
+      break;
+  }
+  const QString name = metric(check.metric);
+  const QString wanted = quantity(check.metric, check.wanted);
+  const QString value = check.value ? quantity(check.metric, *check.value) : tr("not measured");
+  const QString sentence = check.atLeast ? tr("%1: %2, at least %3").arg(name, value, wanted)
+                                         : tr("%1: %2, at most %3").arg(name, value, wanted);
+  if (check.consecutive <= 1) {
+    return sentence;
+  }
+  return tr("%1 (%2 in a row, %3 needed)").arg(sentence).arg(check.streak).arg(check.consecutive);
+}
+
+QString StationLabels::finding(const DebriefFinding& finding, bool strength) {
+  const QString name = metric(finding.metric);
+  const QString own = quantity(finding.metric, finding.value);
+  const QString expert = quantity(finding.metric, finding.expert);
+  if (strength && finding.merit > kClearlyBetter) {
+    return tr("%1: %2, better than the expert (%3)").arg(name, own, expert);
+  }
+  if (strength && finding.merit >= 0.0) {
+    return tr("%1: %2, as good as the expert (%3)").arg(name, own, expert);
+  }
+  if (strength) {
+    return tr("%1: %2, close to the expert (%3)").arg(name, own, expert);
+  }
+  return tr("%1: %2, the expert had %3").arg(name, own, expert);
+}
+
+QString StationLabels::advice(const std::string& id) {
+  if (id == "twist.time_to_target") {
+    return tr("Turn in one decided movement instead of feeling your way.");
+  }
+  if (id == "twist.settling") {
+    return tr("Slow down before the target, then stay.");
+  }
+  if (id == "twist.overshoot") {
+    return tr("Begin to slow down ten degrees before the target.");
+  }
+  if (id == "twist.hold_steadiness") {
+    return tr("Rest your forearm while you hold.");
+  }
+  if (id == "twist.sparc") {
+    return tr("Let speed rise and fall once, without stops.");
+  }
+  if (id == "twist.economy") {
+    return tr("Avoid turning back and forth.");
+  }
+  if (id == "twist.peaks") {
+    return tr("One push instead of many small ones.");
+  }
+  if (id == "force.peak") {
+    return tr("Press less while you turn; the grip holds the tissue.");
+  }
+  if (id == "torque.release_rate") {
+    return tr("Turn back a little before you open the jaw.");
+  }
+  return {};
+}
+
+QString StationLabels::level(SkillLevel level, std::size_t runsMissing) {
+  switch (level) {
+    case SkillLevel::kNotShown:
+      return runsMissing == 1 ? tr("One more run until a level is shown")
+                              : tr("%1 more runs until a level is shown").arg(runsMissing);
+    case SkillLevel::kLearning:
+      return tr("Learning");
+    case SkillLevel::kSteady:
+      return tr("Steady");
+    case SkillLevel::kWatch:
+      return tr("Watch");
+    case SkillLevel::kRelapsed:
+      return tr("Relapsed");
+  }
+  return {};
+}
+
+QString StationLabels::levelMeaning(SkillLevel level) {
+  switch (level) {
+    case SkillLevel::kNotShown:
+      return tr("Fewer than three runs show nothing but chance.");
+    case SkillLevel::kLearning:
+      return tr("Not yet shown to be reliable. About five good runs in a row show it.");
+    case SkillLevel::kSteady:
+      return tr("Reliable, and staying so.");
+    case SkillLevel::kWatch:
+      return tr("Reliable before; the last runs raise a doubt. One more good run or two settles it.");
+    case SkillLevel::kRelapsed:
+      return tr("Reliable before, not now. Practise until the level is steady again.");
+  }
+  return {};
+}
+
+QString StationLabels::readiness(const ReadinessFinding& finding) {
+  if (finding.code == "connected") {
+    return tr("Connected");
+  }
+  if (finding.code == "docked") {
+    return tr("Stylus docked");
+  }
+  if (finding.code == "calibrated") {
+    return tr("Calibrated");
+  }
+  if (finding.code == "force") {
+    return tr("Force");
+  }
+  if (finding.code == "rate") {
+    return tr("Update rate");
+  }
+  if (finding.code == "seat") {
+    return tr("Hand and seat");
+  }
+  return toQString(finding.code);
+}
+
+QString StationLabels::light(Light light) {
+  switch (light) {
+    case Light::kGreen:
+      return tr("Ready");
+    case Light::kAmber:
+      return tr("Practice only");
+    case Light::kRed:
+      return tr("Not ready");
+  }
+  return {};
+}
+
+}  // namespace torsio::gui

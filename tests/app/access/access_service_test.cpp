@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/access/access_service.h"
+
+#include <gtest/gtest.h>
+
+#include "app/access/first_run.h"
+#include "app/access/settings_service.h"
+#include "db/repository/base/audit_repository.h"
+#include "sim/base/error.h"
+#include "tests/app/support/study_centre.h"
+
+namespace torsio {
+namespace {
+
+using testing::kStudyPassword;
+using testing::StudyCentre;
+
+constexpr const char* kStart = "a first word to begin";
+constexpr const char* kOwn = "own words, long enough";
+
+std::string trailText(Connection& connection) {
+  std::string text;
+  for (const AuditEntry& entry : AuditRepository(connection).entries()) {
+    text += entry.actor + entry.action + entry.objectId + entry.oldJson + entry.newJson + entry.reason + "\n";
+  }
+  return text;
+}
+
+TEST(AccessService, FailedSignInIsAuditedWithoutWhatWasTyped) {
+  StudyCentre centre;
+
+  EXPECT_EQ(signIn(centre.as(""), "rater", "my secret by mistake").outcome, SignIn::kWrong);
+  EXPECT_EQ(signIn(centre.as(""), "password typed as login", "x").outcome, SignIn::kWrong);
+
+  EXPECT_EQ(centre.audited("user.sign_in_failed"), 2);
+  const std::string trail = trailText(centre.connection());
+  EXPECT_EQ(trail.find("secret"), std::string::npos);
+  EXPECT_EQ(trail.find("typed as login"), std::string::npos);
+}
+
+TEST(AccessService, StartPasswordOpensNothingBeforeItWasChanged) {
+  StudyCentre centre;
+  addUser(centre.as("administrator"), {.login = "new", .roles = {"statistician"}, .startPassword = kStart});
+
+  SessionContext& session = centre.as("");
+  const SignInAnswer first = signIn(session, "new", kStart);
+
+  EXPECT_EQ(first.outcome, SignIn::kMustChange);
+  EXPECT_TRUE(session.actor().userId.empty());
+  EXPECT_FALSE(session.may(Operation::kPersonViewCoded));
+  EXPECT_THROW(changeOwnPassword(session, "new", kStart, kStart), Error);
+  EXPECT_EQ(changeOwnPassword(session, "new", kStart, kOwn).outcome, SignIn::kOk);
+  EXPECT_TRUE(session.may(Operation::kPersonViewCoded));
+}
+
+TEST(AccessService, UnlocksWithTheSecretOfTheSameUserOnly) {
+  StudyCentre centre;
+  SessionContext& session = centre.as("rater");
+
+  EXPECT_EQ(unlock(session, "somebody else's words").outcome, SignIn::kWrong);
+  EXPECT_EQ(unlock(session, kStudyPassword).outcome, SignIn::kOk);
+
+  EXPECT_EQ(session.actor().login, "rater");
+  EXPECT_EQ(centre.audited("user.unlock"), 1);
+  EXPECT_THROW((void)unlock(centre.as(""), kStudyPassword), Error);
+}
+
+TEST(AccessService, PinOpensPracticeAndCannotChangeItself) {
+  StudyCentre centre;
+  setOwnPin(centre.as("trainee"), "4711");
+
+  SessionContext& session = centre.as("");
+  const SignInAnswer answer = signInForPractice(session, "trainee", "4711");
+
+  EXPECT_EQ(answer.outcome, SignIn::kOk);
+  EXPECT_TRUE(session.may(Operation::kPractice));
+  EXPECT_FALSE(session.may(Operation::kTrialRecordOwn));
+  EXPECT_THROW(setOwnPin(session, "4712"), Error);
+  EXPECT_EQ(unlock(session, "4711").outcome, SignIn::kOk);
+}
+
+TEST(AccessService, LastAdministratorStays) {
+  StudyCentre centre;
+  SessionContext& session = centre.as("administrator");
+  const std::string self = session.actor().userId;
+
+  EXPECT_THROW(setUserActive(session, self, false, "leaves"), Error);
+  EXPECT_THROW(setUserRoles(session, self, {"rater"}, "changes"), Error);
+}
+
+TEST(SettingsService, TheCentreCanBeRenamedAndTheTrailKeepsBothNames) {
+  StudyCentre centre;
+  setCentreName(centre.as("administrator"), "Skills laboratory");
+  setCentreName(centre.session(), "Skills centre North");
+  setCentreName(centre.session(), "Skills centre North");
+
+  EXPECT_EQ(centreSign(centre.connection()).name, "Skills centre North");
+  EXPECT_EQ(centre.audited("centre.rename"), 2);
+  EXPECT_NE(trailText(centre.connection()).find("Skills laboratory"), std::string::npos);
+  EXPECT_THROW(setCentreName(centre.session(), ""), Error);
+}
+
+TEST(AccessService, ARightThatWasTakenAwayIsGoneAtOnce) {
+  StudyCentre centre;
+  const std::string rater = centre.as("rater").actor().userId;
+  setUserActive(centre.as("administrator"), rater, false, "left the centre");
+
+  EXPECT_FALSE(centre.as("rater").may(Operation::kPractice));
+  EXPECT_EQ(centre.audited("user.disable"), 1);
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/access/permission_calls.h"
+
+#include <string>
+
+#include "app/access/access_service.h"
+#include "app/access/audit_service.h"
+#include "app/access/settings_service.h"
+#include "app/maintenance/database_maintenance.h"
+#include "app/maintenance/demonstration_removal.h"
+#include "app/maintenance/others_at_work.h"
+#include "app/maintenance/person_package.h"
+#include "app/maintenance/record_restore.h"
+#include "app/maintenance/retention.h"
+#include "app/maintenance/server_move.h"
+#include "app/people/consent_service.h"
+#include "app/people/people_service.h"
+#include "app/people/roster_accounts.h"
+#include "app/people/roster_import.h"
+#include "app/recording/trial_digests.h"
+#include "app/reporting/report_data.h"
+#include "app/reporting/report_export.h"
+#include "app/review/adjudicator.h"
+#include "app/review/blinded_case.h"
+#include "app/review/case_remarks.h"
+#include "app/review/case_sheet.h"
+#include "app/review/discrepancy_review.h"
+#include "app/review/evaluation_form.h"
+#include "app/review/own_severity.h"
+#include "app/review/rater_calibration.h"
+#include "app/review/review_queue.h"
+#include "app/study/allocation_service.h"
+#include "app/study/campaign_service.h"
+#include "app/study/coded_records.h"
+#include "app/study/cohort_service.h"
+#include "app/study/curriculum_service.h"
+#include "app/study/frozen_data.h"
+#include "app/study/occasion_service.h"
+#include "app/study/rubric_service.h"
+#include "app/study/run_day.h"
+#include "app/study/scoring_plan.h"
+#include "app/training/attempts.h"
+#include "app/training/debrief.h"
+#include "app/training/next_steps.h"
+#include "app/training/questions.h"
+#include "app/training/remarks.h"
+#include "app/training/run_session.h"
+#include "app/training/transcript.h"
+#include "app/training/trend.h"
+#include "sim/base/clock.h"
+
+namespace torsio::testing {
+
+namespace {
+using O = Operation;
+using Path = const std::filesystem::path&;
+
+void takeOut(SessionContext& session, ReportIdentity identity, Path folder) {
+  CohortInputs inputs;
+  inputs.identity = identity;
+  exportReport(session, {.cohortId = kNoSuch, .identity = identity}, inputs, ReportFormat::kCsv,
+               folder / (std::string(identityCode(identity)) + " report.csv"));
+}
+
+}  // namespace
+
+std::vector<ServiceCall> administratorCalls() {
+  return {
+      {O::kPractice, "setOwnPin", [](SessionContext& w, Path) { setOwnPin(w, "1"); }},
+      {O::kPersonViewCoded, "people", [](SessionContext& w, Path) { (void)people(w); }},
+      {O::kPersonViewIdentity, "namedPeople", [](SessionContext& w, Path) { (void)namedPeople(w); }},
+      {O::kPersonEdit, "addPerson", [](SessionContext& w, Path) { (void)addPerson(w, {}); }},
+      {O::kPersonEdit, "changePerson", [](SessionContext& w, Path) { changePerson(w, kNoSuch, {}, ""); }},
+      {O::kPersonEdit, "setPersonState",
+       [](SessionContext& w, Path) { setPersonState(w, kNoSuch, "left", ""); }},
+      {O::kPersonEdit, "importRoster",
+       [](SessionContext& w, Path) {
+         (void)importRoster(w, {}, RosterKind::kTrainees, {}, "", RosterMode::kDryRun);
+       }},
+      {O::kPersonExport, "exportPersonPackage",
+       [](SessionContext& w, Path folder) {
+         (void)exportPersonPackage(w, kNoSuch, folder / "package", "asked");
+       }},
+      {O::kPersonErase, "erasePersonRecord",
+       [](SessionContext& w, Path) { erasePersonRecord(w, kNoSuch, ""); }},
+      {O::kConsentRecord, "recordConsent",
+       [](SessionContext& w, Path) { recordConsent(w, kNoSuch, "nothing", true, "1"); }},
+      {O::kReportExportCoded, "exportPeople, coded",
+       [](SessionContext& w, Path folder) { (void)exportPeople(w, folder / "coded.csv", false); }},
+      {O::kReportExportNamed, "exportPeople, named",
+       [](SessionContext& w, Path folder) { (void)exportPeople(w, folder / "named.csv", true); }},
+      {O::kUserManage, "users", [](SessionContext& w, Path) { (void)users(w); }},
+      {O::kUserManage, "addUser", [](SessionContext& w, Path) { (void)addUser(w, {}); }},
+      {O::kUserManage, "peopleWithoutAccount",
+       [](SessionContext& w, Path) { (void)peopleWithoutAccount(w); }},
+      {O::kUserManage, "addAccounts",
+       [](SessionContext& w, Path) {
+         std::vector<StartAccount> made;
+         addAccounts(w, {}, made);
+       }},
+      {O::kUserManage, "setUserActive",
+       [](SessionContext& w, Path) { setUserActive(w, kNoSuch, false, ""); }},
+      {O::kUserManage, "resetPassword",
+       [](SessionContext& w, Path) { resetPassword(w, kNoSuch, "short", ""); }},
+      {O::kAuditView, "auditEntries", [](SessionContext& w, Path) { (void)auditEntries(w); }},
+      {O::kAuditView, "auditEntryCount", [](SessionContext& w, Path) { (void)auditEntryCount(w, 0); }},
+      {O::kAuditView, "verifyAudit", [](SessionContext& w, Path) { (void)verifyAudit(w); }},
+      {O::kDatabaseBackup, "checkDatabase", [](SessionContext& w, Path) { (void)checkDatabase(w); }},
+      {O::kDatabaseRestore, "othersAtWork", [](SessionContext& w, Path) { (void)othersAtWork(w); }},
+      {O::kDatabaseRestore, "requireNobodyAtWork", [](SessionContext& w, Path) { requireNobodyAtWork(w); }},
+      {O::kDatabaseRestore, "planRestore",
+       [](SessionContext& w, Path folder) { (void)planRestore(w, folder / kNoSuch); }},
+      {O::kDatabaseRestore, "prepareRestore",
+       [](SessionContext& w, Path folder) { (void)prepareRestore(w, {.backup = folder / kNoSuch}); }},
+      {O::kDatabaseRestore, "checkServer", [](SessionContext& w, Path) { (void)checkServer(w, {}); }},
+      {O::kDatabaseRestore, "moveToServer",
+       [](SessionContext& w, Path folder) { (void)moveToServer(w, {}, {}, folder); }},
+      {O::kDatabaseRestore, "joinServer",
+       [](SessionContext& w, Path folder) { (void)joinServer(w, {}, folder); }},
+      {O::kDatabaseRestore, "switchToServer",
+       [](SessionContext& w, Path) { (void)switchToServer(w, {}, {}); }},
+      {O::kRetentionManage, "retentionQueue", [](SessionContext& w, Path) { (void)retentionQueue(w); }},
+      {O::kRetentionManage, "lockRecord", [](SessionContext& w, Path) { lockRecord(w, kNoSuch, ""); }},
+      {O::kSettingsEdit, "setCentreSetting", [](SessionContext& w, Path) { setCentreSetting(w, "", ""); }},
+      {O::kSettingsEdit, "setCentreName", [](SessionContext& w, Path) { setCentreName(w, ""); }},
+      {O::kSettingsEdit, "setCentreIdleLimits",
+       [](SessionContext& w, Path) { setCentreIdleLimits(w, 0, 0); }},
+      {O::kSettingsEdit, "setGradedWithMouse", [](SessionContext& w, Path) { setGradedWithMouse(w, false); }},
+      {O::kUserManage, "setUserRoles", [](SessionContext& w, Path) { setUserRoles(w, kNoSuch, {}, ""); }},
+      {O::kAuditView, "auditActors", [](SessionContext& w, Path) { (void)auditActors(w); }},
+      {O::kPersonViewCoded, "consentHistory",
+       [](SessionContext& w, Path) { (void)consentHistory(w, kNoSuch); }},
+      {O::kPersonViewCoded, "raterClasses", [](SessionContext& w, Path) { (void)raterClasses(w); }},
+      {O::kPersonEdit, "personEntry", [](SessionContext& w, Path) { (void)personEntry(w, kNoSuch); }},
+      {O::kPersonEdit, "ensureRaterClasses", [](SessionContext& w, Path) { ensureRaterClasses(w); }},
+      {O::kPersonEdit, "previewRoster",
+       [](SessionContext& w, Path) { (void)previewRoster(w, {}, RosterKind::kTrainees, {}); }},
+      {O::kDatabaseBackup, "backUpDatabase",
+       [](SessionContext& w, Path folder) { backUpDatabase(w, folder / "backup.sqlite"); }},
+      {O::kPersonErase, "demonstrationSize", [](SessionContext& w, Path) { (void)demonstrationSize(w); }},
+      {O::kPersonErase, "removeDemonstrationData",
+       [](SessionContext& w, Path) { removeDemonstrationData(w, "why"); }},
+      {O::kPersonErase, "eraseDue", [](SessionContext& w, Path) { (void)eraseDue(w, {}, "why", false); }},
+      {O::kRetentionManage, "eraseDue, on trial",
+       [](SessionContext& w, Path) { (void)eraseDue(w, {}, "", true); }},
+      {O::kRetentionManage, "retentionRules", [](SessionContext& w, Path) { (void)retentionRules(w); }},
+      {O::kRetentionManage, "removeRetentionRule",
+       [](SessionContext& w, Path) { removeRetentionRule(w, kNoSuch); }},
+      {O::kRetentionManage, "setRetentionRule",
+       [](SessionContext& w, Path) { setRetentionRule(w, kNoSuch, 30, "law"); }},
+      {O::kRetentionManage, "extendRecord",
+       [](SessionContext& w, Path) { extendRecord(w, kNoSuch, 0, "why"); }},
+      {O::kRetentionManage, "releaseRecord", [](SessionContext& w, Path) { releaseRecord(w, kNoSuch, ""); }},
+  };
+}
+
+std::vector<ServiceCall> studyCalls() {
+  return {
+      {O::kTrialViewCoded, "codedTrials", [](SessionContext& w, Path) { (void)codedTrials(w); }},
+      {O::kMarkViewCoded, "codedMarks", [](SessionContext& w, Path) { (void)codedMarks(w, kNoSuch); }},
+      {O::kMarkRelease, "releaseStates", [](SessionContext& w, Path) { (void)releaseStates(w, kNoSuch); }},
+      {O::kMarkRelease, "releaseMarks", [](SessionContext& w, Path) { releaseMarks(w, kNoSuch, "never"); }},
+      {O::kMarkRelease, "retractMarks",
+       [](SessionContext& w, Path) { retractMarks(w, kNoSuch, "pre", "why"); }},
+      {O::kEvaluationSetup, "campaigns", [](SessionContext& w, Path) { (void)campaigns(w); }},
+      {O::kEvaluationSetup, "addCampaign", [](SessionContext& w, Path) { (void)addCampaign(w, {}); }},
+      {O::kPersonViewCoded, "cohorts", [](SessionContext& w, Path) { (void)cohorts(w); }},
+      {O::kPersonViewCoded, "curricula", [](SessionContext& w, Path) { (void)curricula(w); }},
+      {O::kPersonViewCoded, "publishedContent",
+       [](SessionContext& w, Path) { (void)publishedContent(w, kNoSuch); }},
+      {O::kCurriculumEdit, "addCurriculum", [](SessionContext& w, Path) { (void)addCurriculum(w, "", ""); }},
+      {O::kPersonViewCoded, "knownOccasions", [](SessionContext& w, Path) { (void)knownOccasions(w); }},
+      {O::kCurriculumEdit, "addOccasion", [](SessionContext& w, Path) { (void)addOccasion(w, ""); }},
+      {O::kCurriculumEdit, "publishCurriculum",
+       [](SessionContext& w, Path) { (void)publishCurriculum(w, kNoSuch, "", {}); }},
+      {O::kCurriculumEdit, "runCurriculum", [](SessionContext& w, Path) { runCurriculum(w, kNoSuch); }},
+      {O::kCurriculumEdit, "addRubric", [](SessionContext& w, Path) { (void)addRubric(w, "", {}); }},
+      {O::kStudySetup, "addCohort", [](SessionContext& w, Path) { (void)addCohort(w, {}); }},
+      {O::kStudySetup, "assignCurriculum",
+       [](SessionContext& w, Path) { assignCurriculum(w, kNoSuch, kNoSuch); }},
+      {O::kStudySetup, "createAssignments", [](SessionContext& w, Path) { (void)createAssignments(w, {}); }},
+      {O::kStudySetup, "scoringMatrix", [](SessionContext& w, Path) { (void)scoringMatrix(w, kNoSuch); }},
+      {O::kStudySetup, "reassign",
+       [](SessionContext& w, Path) { (void)reassign(w, kNoSuch, kNoSuch, "why"); }},
+      {O::kStudySetup, "reportDeviation", [](SessionContext& w, Path) { (void)reportDeviation(w, {}); }},
+      {O::kAllocationRun, "takeOutCards", [](SessionContext& w, Path) { (void)takeOutCards(w, kNoSuch); }},
+      {O::kStudySetup, "swapTurns",
+       [](SessionContext& w, Path) { swapTurns(w, kNoSuch, kNoSuch, "other", ""); }},
+      {O::kStudySetup, "runDayBoard", [](SessionContext& w, Path) { (void)runDayBoard(w, kNoSuch); }},
+      {O::kStudyEnrol, "enrolTrainees", [](SessionContext& w, Path) { (void)enrolTrainees(w, kNoSuch, {}); }},
+      {O::kStudyEnrol, "setEnrolmentState",
+       [](SessionContext& w, Path) {
+         setEnrolmentState(w, kNoSuch, kNoSuch, EnrolmentState::kCompleted, "");
+       }},
+      {O::kAllocationRun, "previewBalance", [](SessionContext& w, Path) { (void)previewBalance(w, {}); }},
+      {O::kAllocationRun, "lockAllocation", [](SessionContext& w, Path) { (void)lockAllocation(w, {}); }},
+      {O::kAllocationRun, "allocateOne",
+       [](SessionContext& w, Path) { (void)allocateOne(w, kNoSuch, kNoSuch); }},
+      {O::kAllocationRun, "allocateAll", [](SessionContext& w, Path) { (void)allocateAll(w, kNoSuch); }},
+      {O::kAllocationRun, "overrideAllocation",
+       [](SessionContext& w, Path) { (void)overrideAllocation(w, kNoSuch, kNoSuch, kNoSuch, "why"); }},
+      {O::kAllocationView, "allocationDesigns",
+       [](SessionContext& w, Path) { (void)allocationDesigns(w, kNoSuch); }},
+      {O::kAllocationView, "checkAllocation",
+       [](SessionContext& w, Path) { (void)checkAllocation(w, kNoSuch); }},
+      {O::kAllocationReveal, "revealSeed", [](SessionContext& w, Path) { (void)revealSeed(w, kNoSuch); }},
+      {O::kResultsCompute, "freezeData", [](SessionContext& w, Path) { (void)freezeData(w, kNoSuch, ""); }},
+      {O::kResultsCompute, "frozenData", [](SessionContext& w, Path) { (void)frozenData(w, kNoSuch); }},
+      {O::kAllocationView, "allocations", [](SessionContext& w, Path) { (void)allocations(w, kNoSuch); }},
+      {O::kPersonViewCoded, "enrolments", [](SessionContext& w, Path) { (void)enrolments(w, kNoSuch); }},
+      {O::kPersonViewCoded, "deviations", [](SessionContext& w, Path) { (void)deviations(w, kNoSuch); }},
+      {O::kPersonViewCoded, "rubrics", [](SessionContext& w, Path) { (void)rubrics(w); }},
+      {O::kCurriculumEdit, "curriculumDraft",
+       [](SessionContext& w, Path) { (void)curriculumDraft(w, kNoSuch); }},
+      {O::kCurriculumEdit, "saveCurriculumDraft",
+       [](SessionContext& w, Path) { saveCurriculumDraft(w, kNoSuch, {}); }},
+      {O::kCurriculumEdit, "closeCurriculum",
+       [](SessionContext& w, Path) { closeCurriculum(w, kNoSuch, "why"); }},
+      {O::kCurriculumEdit, "reviseRubric",
+       [](SessionContext& w, Path) { (void)reviseRubric(w, kNoSuch, {}, "why"); }},
+      {O::kResultsCompute, "compareWithFrozen",
+       [](SessionContext& w, Path) { (void)compareWithFrozen(w, kNoSuch); }},
+  };
+}
+
+std::vector<ServiceCall> reportingCalls() {
+  return {
+      {O::kResultsCompute, "reportableCampaigns",
+       [](SessionContext& w, Path) { (void)reportableCampaigns(w); }},
+      {O::kResultsCompute, "ofCohort",
+       [](SessionContext& w, Path folder) { (void)TrialDigests(folder).ofCohort(w, kNoSuch); }},
+      {O::kResultsCompute, "reportInputs",
+       [](SessionContext& w, Path folder) {
+         TrialDigests digests(folder);
+         (void)reportInputs(w, {.cohortId = kNoSuch}, digests);
+       }},
+      {O::kReportExportCoded, "exportReport, coded",
+       [](SessionContext& w, Path folder) { takeOut(w, ReportIdentity::kCoded, folder); }},
+      {O::kReportExportNamed, "exportReport, named",
+       [](SessionContext& w, Path folder) { takeOut(w, ReportIdentity::kNamed, folder); }},
+      {O::kReportExportCoded, "exportReport, aggregated",
+       [](SessionContext& w, Path folder) { takeOut(w, ReportIdentity::kAggregated, folder); }},
+  };
+}
+
+std::vector<ServiceCall> reviewCalls() {
+  return {
+      {O::kTrialViewAssigned, "loadBlindedRecording",
+       [](SessionContext& w, Path) { (void)loadBlindedRecording(w, kNoSuch); }},
+      {O::kMarkSubmit, "reviewQueue", [](SessionContext& w, Path) { (void)reviewQueue(w); }},
+      {O::kMarkSubmit, "openSheet", [](SessionContext& w, Path) { (void)openSheet(w, kNoSuch); }},
+      {O::kMarkSubmit, "submitSheet", [](SessionContext& w, Path) { submitSheet(w, kNoSuch, {}, {}); }},
+      {O::kMarkSubmit, "amendSheet", [](SessionContext& w, Path) { amendSheet(w, kNoSuch, {}, "because"); }},
+      {O::kMarkSubmit, "alignmentCases", [](SessionContext& w, Path) { (void)alignmentCases(w); }},
+      {O::kEvaluationSubmit, "evaluationForms", [](SessionContext& w, Path) { (void)evaluationForms(w); }},
+      {O::kEvaluationSubmit, "submitEvaluation",
+       [](SessionContext& w, Path) { submitEvaluation(w, kNoSuch, "X"); }},
+      {O::kMarkSubmit, "keepMark", [](SessionContext& w, Path) { keepMark(w, kNoSuch, ""); }},
+      {O::kMarkSubmit, "moveMark", [](SessionContext& w, Path) { moveMark(w, kNoSuch, {}, "why"); }},
+      {O::kMarkSubmit, "askForThird", [](SessionContext& w, Path) { askForThird(w, kNoSuch, "why"); }},
+      {O::kMarkSubmit, "addCaseRemark", [](SessionContext& w, Path) { addCaseRemark(w, kNoSuch, {}); }},
+      {O::kMarkSubmit, "saveSheet", [](SessionContext& w, Path) { saveSheet(w, kNoSuch, {}, {}); }},
+      {O::kMarkSubmit, "blindedCase", [](SessionContext& w, Path) { (void)blindedCase(w, kNoSuch); }},
+      {O::kMarkSubmit, "caseRemarks", [](SessionContext& w, Path) { (void)caseRemarks(w, kNoSuch); }},
+      {O::kMarkSubmit, "sheetVersions", [](SessionContext& w, Path) { (void)sheetVersions(w, kNoSuch); }},
+      {O::kMarkSubmit, "keptAt", [](SessionContext& w, Path) { (void)keptAt(w); }},
+      {O::kMarkSubmit, "viewingRules", [](SessionContext& w, Path) { (void)viewingRules(w); }},
+      {O::kMarkSubmit, "ownSeverity", [](SessionContext& w, Path) { (void)ownSeverity(w); }},
+      {O::kMarkSubmit, "liveLines", [](SessionContext& w, Path) { (void)liveLines(w); }},
+      {O::kMarkSubmit, "warmUp", [](SessionContext& w, Path) { (void)warmUp(w); }},
+      {O::kMarkSubmit, "scoreReferenceRun", [](SessionContext& w, Path) { scoreReferenceRun(w, 1, 50); }},
+      {O::kTrialViewAssigned, "loadReferenceRun",
+       [](SessionContext& w, Path) { (void)loadReferenceRun(w, 1); }},
+      {O::kStudySetup, "addReferenceRuns", [](SessionContext& w, Path) { addReferenceRuns(w, {}); }},
+      {O::kStudySetup, "referenceCandidates", [](SessionContext& w, Path) { (void)referenceCandidates(w); }},
+      {O::kStudySetup, "withdrawReferenceRun",
+       [](SessionContext& w, Path) { withdrawReferenceRun(w, kNoSuch, "why"); }},
+      {O::kStudySetup, "referenceRows", [](SessionContext& w, Path) { (void)referenceRows(w); }},
+      {O::kStudySetup, "thirdRequests", [](SessionContext& w, Path) { (void)thirdRequests(w, kNoSuch); }},
+      {O::kStudySetup, "assignThird",
+       [](SessionContext& w, Path) { (void)assignThird(w, kNoSuch, kNoSuch, kNoSuch); }},
+      {O::kEvaluationSubmit, "saveEvaluationScore",
+       [](SessionContext& w, Path) { saveEvaluationScore(w, kNoSuch, "X", 0, 50); }},
+  };
+}
+
+std::vector<ServiceCall> trainingCalls() {
+  return {
+      {O::kTrialRecordOwn, "recoverInterrupted",
+       [](SessionContext& w, Path) { (void)recoverInterrupted(w); }},
+      {O::kTrialViewOwn, "attemptsOf", [](SessionContext& w, Path) { (void)attemptsOf(w, kNoSuch); }},
+      {O::kTrialViewOwn, "attemptOf", [](SessionContext& w, Path) { (void)attemptOf(w, kNoSuch); }},
+      {O::kMarkViewOwn, "scoreGap", [](SessionContext& w, Path) { (void)scoreGap(w, kNoSuch); }},
+      {O::kTrialViewOwn, "debrief",
+       [](SessionContext& w, Path folder) { (void)debrief(w, kNoSuch, folder); }},
+      {O::kTrialViewOwn, "addBookmark",
+       [](SessionContext& w, Path) { addBookmark(w, kNoSuch, 1.0, "here"); }},
+      {O::kTrialViewOwn, "nextSteps", [](SessionContext& w, Path) { (void)nextSteps(w, kNoSuch); }},
+      {O::kTrialViewOwn, "transcript", [](SessionContext& w, Path) { (void)transcript(w, kNoSuch); }},
+      {O::kTrialViewOwn, "trend", [](SessionContext& w, Path) { (void)trend(w, kNoSuch, kNoSuch); }},
+      {O::kTrialViewOwn, "ownRemarks", [](SessionContext& w, Path) { (void)ownRemarks(w); }},
+      {O::kTrialViewOwn, "unreadRemarks", [](SessionContext& w, Path) { (void)unreadRemarks(w); }},
+      {O::kTrialViewOwn, "markRemarkRead", [](SessionContext& w, Path) { markRemarkRead(w, kNoSuch); }},
+      {O::kTrialViewOwn, "replyToRemark", [](SessionContext& w, Path) { replyToRemark(w, kNoSuch, "yes"); }},
+      {O::kTrialViewOwn, "selfScore", [](SessionContext& w, Path) { selfScore(w, kNoSuch, 7.0, {}); }},
+      {O::kTrialViewOwn, "questionDesk", [](SessionContext& w, Path) { (void)questionDesk(w, kNoSuch); }},
+      {O::kTrialViewOwn, "askPhysician",
+       [](SessionContext& w, Path) { (void)askPhysician(w, kNoSuch, 1.0, kNoSuch, "why?"); }},
+      {O::kTrialViewAssigned, "questionsToMe", [](SessionContext& w, Path) { (void)questionsToMe(w); }},
+      {O::kTrialViewAssigned, "questionedRun",
+       [](SessionContext& w, Path) { (void)questionedRun(w, kNoSuch); }},
+      {O::kTrialViewAssigned, "answerQuestion",
+       [](SessionContext& w, Path) { answerQuestion(w, kNoSuch, "so"); }},
+      {O::kTrialViewOwn, "hasOwnConsent", [](SessionContext& w, Path) { (void)hasOwnConsent(w, kNoSuch); }},
+      {O::kTrialRecordOwn, "decideOwnConsent",
+       [](SessionContext& w, Path) { decideOwnConsent(w, kNoSuch, true, "1"); }},
+      {O::kPractice, "gradesWithMouse", [](SessionContext& w, Path) { (void)gradesWithMouse(w); }},
+      {O::kTrialRecordOwn, "RunSession",
+       [](SessionContext& w, Path) {
+         const ManualClock clock;
+         const RunSession runSession(w, {}, clock);
+       }},
+  };
+}
+
+}  // namespace torsio::testing

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "app/access/session_context.h"
+
+namespace torsio::testing {
+
+/// One service function and the operation that it must ask for. Its arguments name nothing that exists:
+/// whoever may do it gets an empty answer or is told that there is no such thing, and nothing that matters
+/// changes. `name`: the function, behind a comma what is special about this call.
+struct ServiceCall {
+  Operation operation;
+  const char* name;
+  std::function<void(SessionContext&, const std::filesystem::path& folder)> run;
+};
+
+/// Id of nothing.
+inline constexpr const char* kNoSuch = "none";
+
+[[nodiscard]] std::vector<ServiceCall> administratorCalls();  ///< access, people, care
+[[nodiscard]] std::vector<ServiceCall> studyCalls();          ///< study
+[[nodiscard]] std::vector<ServiceCall> reportingCalls();      ///< reporting
+[[nodiscard]] std::vector<ServiceCall> reviewCalls();         ///< review
+[[nodiscard]] std::vector<ServiceCall> trainingCalls();       ///< training
+
+}  // namespace torsio::testing

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every role x every operation, asked by really calling the services: who has no row in role_operation is
+// refused.
+#include <filesystem>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "app/access/access_service.h"
+#include "app/reporting/report_data.h"
+#include "app/study/allocation_service.h"
+#include "app/study/coded_records.h"
+#include "app/study/cohort_service.h"
+#include "app/study/curriculum_service.h"
+#include "app/study/frozen_data.h"
+#include "app/study/run_day.h"
+#include "app/study/scoring_plan.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+#include "tests/app/access/permission_calls.h"
+#include "tests/app/support/study_centre.h"
+
+namespace torsio {
+namespace {
+
+using namespace testing;
+
+const std::vector<ServiceCall>& calls() {
+  static const std::vector<ServiceCall> kCalls = [] {
+    std::vector<ServiceCall> all;
+    for (const auto& some :
+         {administratorCalls(), studyCalls(), reportingCalls(), reviewCalls(), trainingCalls()}) {
+      all.insert(all.end(), some.begin(), some.end());
+    }
+    return all;
+  }();
+  return kCalls;
+}
+
+/// Whether the matrix refused: not that there is no such thing, nor that it belongs to somebody else.
+bool refused(const ServiceCall& call, SessionContext& session, const std::filesystem::path& folder) {
+  try {
+    call.run(session, folder);
+  } catch (const Error& error) {
+    return error.code() == ErrorCode::kPermission && error.where() == operationCode(call.operation) &&
+           error.happened() != "this belongs to somebody else";
+  }
+  return false;
+}
+
+TEST(PermissionMatrix, EveryOperationIsAskedForByAServiceThatIsCalledHere) {
+  StudyCentre centre;
+  std::set<std::string> covered;
+  for (const ServiceCall& call : calls()) {
+    covered.emplace(operationCode(call.operation));
+  }
+
+  for (const std::string& operation : AccessRepository(centre.connection()).operations()) {
+    EXPECT_TRUE(covered.contains(operation)) << operation;
+  }
+  EXPECT_EQ(covered.size(), kOperationCodes.size());
+}
+
+/// Service functions that are open by design, or whose rule is tested by itself.
+const std::set<std::string> kWithoutARow{"setUpCentre", "performFirstRun",
+                                         "addDemonstration",  // before there is any user
+                                         "signIn", "signInForPractice", "changeOwnPassword", "unlock",
+                                         "signOut",        // ask for the secret
+                                         "settleStation",  // the station itself, at its start
+                                         // Parts of other services, given the operation.
+                                         "ownAssignment", "ownRecord", "ownTrial", "keepBookmark",
+                                         // One of two operations: tested below.
+                                         "recordExposure", "curriculumVersion"};
+
+TEST(PermissionMatrix, EveryServiceFunctionIsCalledHere) {
+  std::set<std::string> called = kWithoutARow;
+  for (const ServiceCall& call : calls()) {
+    const std::string name = call.name;
+    called.insert(name.substr(0, name.find(',')));
+  }
+  const std::regex declaration(R"((\w+)\(SessionContext& session\b)");
+
+  std::size_t found = 0;
+  const std::filesystem::path app = std::filesystem::path(TORSIO_SOURCE_DIR) / "app";
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(app)) {
+    if (entry.path().extension() != ".h" || entry.path().string().find("/gui/") != std::string::npos) {
+      continue;
+    }
+    const std::string text = readFile(entry.path());
+    for (std::sregex_iterator at(text.begin(), text.end(), declaration), end; at != end; ++at) {
+      if ((*at)[1] == "StationHeartbeat") {
+        continue;  // writes what the station shows of itself
+      }
+      EXPECT_TRUE(called.contains((*at)[1])) << (*at)[1] << " in " << entry.path();
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 130U);
+}
+
+TEST(PermissionMatrix, ACurriculumIsReadByWhoeverPractisesOrSeesPeople) {
+  StudyCentre centre;
+  AccessRepository access(centre.connection());
+  const auto allowed = access.permissions();
+  for (const std::string& role : access.roles()) {
+    const bool may = allowed.contains({role, "practice"}) || allowed.contains({role, "person.view_coded"});
+    const ServiceCall read{Operation::kPersonViewCoded, "curriculumVersion",
+                           [](SessionContext& w, const std::filesystem::path&) {
+                             static_cast<void>(curriculumVersion(w, kNoSuch));
+                           }};
+    EXPECT_EQ(refused(read, centre.as(role), centre.folder()), !may) << role;
+    EXPECT_TRUE(refused(read, centre.as(""), centre.folder()));
+  }
+}
+
+TEST(PermissionMatrix, EveryRoleMayExactlyWhatTheDatabaseSays) {
+  StudyCentre centre;
+  AccessRepository access(centre.connection());
+  const auto allowed = access.permissions();
+
+  for (const std::string& role : access.roles()) {
+    for (const ServiceCall& call : calls()) {
+      const bool may = allowed.contains({role, std::string(operationCode(call.operation))});
+      EXPECT_EQ(refused(call, centre.as(role), centre.folder()), !may)
+          << role << " calls " << call.name << " (" << operationCode(call.operation) << ")";
+    }
+  }
+}
+
+/// One trainee who was scored by one chief; the other chief, if asked, still has the sheet to submit.
+struct ScoredCase {
+  StudyCentre centre;
+  ReportRequest request;
+  std::string rubric;
+
+  explicit ScoredCase(std::size_t chiefs) {
+    const auto raters = centre.addChiefs(chiefs);
+    rubric = centre.addPaperRubric();
+    request.cohortId =
+        addCohort(centre.session(), {.name = "Study", .curriculumVersionId = centre.runPaperCurriculum()});
+    enrolTrainees(centre.session(), request.cohortId, centre.addTrainees(3));
+    AllocationPlan plan;
+    plan.cohortId = request.cohortId;
+    lockAllocation(centre.as("allocator"), plan);
+    allocateAll(centre.session(), request.cohortId);
+    createAssignments(centre.as("administrator"), {.cohortId = request.cohortId,
+                                                   .plannedOccasions = {"pre"},
+                                                   .raterIds = raters,
+                                                   .rubricRevisionId = rubric,
+                                                   .seed = 3});
+    submit(raters.front());
+  }
+  void submit(const std::string& raterId) {
+    SheetRepository sheets(centre.connection());
+    const StoredRubricRevision revision = sheets.revision(rubric).value();
+    for (const StoredAssignment& one : sheets.assignmentsOf(raterId)) {
+      Sheet sheet{.overall_steps = 70};
+      for (const StoredRubricRow& row : revision.rows) {
+        sheet.rows.push_back({row.code, 70, ""});
+      }
+      sheets.submit(one.id, centre.session().ids().newUuid(), sheet, "", centre.session().now_us());
+    }
+  }
+  bool sees(const std::string& role) {
+    TrialDigests digests(centre.assets());
+    return reportInputs(centre.as(role), request, digests).singleMarks;
+  }
+  void freeze() { request.frozenId = freezeData(centre.as("administrator"), request.cohortId, "frozen").id; }
+};
+
+TEST(PermissionMatrix, AnAdministratorsReportHasSingleMarksOnlyWhenNothingCanBeInfluencedAnyMore) {
+  ScoredCase scored(1);
+  EXPECT_TRUE(scored.sees("statistician"));
+  EXPECT_FALSE(scored.sees("administrator"));  // not frozen
+
+  scored.freeze();
+  EXPECT_TRUE(scored.sees("administrator"));
+  EXPECT_THROW((void)codedMarks(scored.centre.as("administrator"), scored.request.cohortId), Error);
+  scored.request.identity = ReportIdentity::kNamed;
+  EXPECT_FALSE(scored.sees("administrator"));  // with names
+  scored.request.identity = ReportIdentity::kCoded;
+  reportDeviation(scored.centre.as("administrator"),
+                  {.cohortId = scored.request.cohortId, .kind = "late", .description = "by ten minutes"});
+  EXPECT_FALSE(scored.sees("administrator"));  // no longer what was frozen
+}
+
+TEST(PermissionMatrix, AnAdministratorsReportHasNoSingleMarksWhileARaterStillHasToSubmit) {
+  ScoredCase scored(2);
+
+  scored.freeze();
+
+  EXPECT_FALSE(scored.sees("administrator"));
+  EXPECT_TRUE(scored.sees("statistician"));
+}
+
+TEST(PermissionMatrix, ARefusedCallLeavesTheRecordAsItIs) {
+  StudyCentre centre;
+  AccessRepository access(centre.connection());
+  const auto allowed = access.permissions();
+  const auto before = centre.rowCounts();
+
+  for (const std::string& role : access.roles()) {
+    for (const ServiceCall& call : calls()) {
+      if (allowed.contains({role, std::string(operationCode(call.operation))})) {
+        continue;
+      }
+      (void)refused(call, centre.as(role), centre.folder());
+      ASSERT_EQ(centre.rowCounts(), before) << role << " calls " << call.name;
+    }
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(centre.folder())) {
+    EXPECT_TRUE(entry.path().filename().string().starts_with("administrator.sqlite")) << entry.path();
+  }
+}
+
+TEST(PermissionMatrix, NobodyUnknownDisabledAndPracticeOnlyUsersAreRefusedEverything) {
+  StudyCentre centre;
+  const std::string administrator = centre.as("administrator").actor().userId;
+  const std::string allocator = centre.as("allocator").actor().userId;
+  setUserActive(centre.as("administrator"), allocator, false, "left");
+  const Actor nobody;
+  const Actor unknown{"00000000-0000-4000-8000-000000000000", "ghost", "", {"administrator"}, false};
+  const Actor disabled{allocator, "allocator", "", {"allocator"}, false};
+  const Actor practiceOnly{administrator, "administrator", "", {"administrator"}, true};
+  const auto before = centre.rowCounts();
+
+  for (const Actor& actor : {nobody, unknown, disabled, practiceOnly}) {
+    for (const ServiceCall& call : calls()) {
+      if (actor.practiceOnly && call.operation == Operation::kPractice) {
+        continue;  // all that a PIN opens
+      }
+      SessionContext& session = centre.session();
+      session.setActor(actor);
+      EXPECT_TRUE(refused(call, session, centre.folder())) << actor.login << " calls " << call.name;
+    }
+  }
+  EXPECT_EQ(centre.rowCounts(), before);
+}
+
+TEST(PermissionMatrix, ClaimedRolesDoNotCount) {
+  StudyCentre centre;
+  Actor actor = centre.as("trainee").actor();
+  actor.roles = {"administrator", "allocator"};
+  centre.session().setActor(actor);
+
+  EXPECT_THROW((void)users(centre.session()), Error);
+  EXPECT_THROW((void)previewBalance(centre.session(), {}), Error);
+}
+
+TEST(PermissionMatrix, TimeOfOthersIsLoggedByTheAdministratorOnly) {
+  StudyCentre centre;
+  const std::string person = centre.addTrainees(2).front();
+  const std::string cohort = addCohort(centre.session(), {.name = "C", .groups = {{"G1", "one"}}});
+  const std::string enrolment = enrolTrainees(centre.session(), cohort, {person}).front();
+  const NewExposure minute{cohort, enrolment, "", "virtual", 0, 60'000'000};
+
+  recordExposure(centre.as("administrator"), minute);
+  EXPECT_THROW(recordExposure(centre.as("trainee"), minute), Error);  // a trainee, but another one
+  Actor self = centre.as("trainee").actor();
+  self.personId = person;
+  centre.session().setActor(self);
+  recordExposure(centre.session(), minute);
+  EXPECT_THROW(recordExposure(centre.as("rater"), minute), Error);
+  EXPECT_EQ(centre.audited("exposure.record"), 2);
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lists of the office that may be long: what is shown, what the search finds, what is kept for later.
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+
+#include "app/gui/administrator/audit_page.h"
+#include "app/gui/administrator/maintenance_page.h"
+#include "app/gui/widgets/child.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/maintenance/retention.h"
+#include "app/people/people_service.h"
+#include "tests/app/gui/administrator_desk.h"
+
+namespace torsio::gui {
+namespace {
+
+using testing::Office;
+
+constexpr int kWhat = 4;
+constexpr int kCode = 7;
+
+int rowOf(const QTableView& view, int column, const QString& text) {
+  for (int row = 0; row < view.model()->rowCount(); ++row) {
+    if (view.model()->index(row, column).data().toString() == text) {
+      return row;
+    }
+  }
+  return -1;
+}
+
+TEST(AuditPage, TellsWhatWasDoneInWordsAndFindsItByItsCodeToo) {
+  Office office;
+  office.centre.as("administrator");
+  addPerson(office.centre.session(), {.fullName = "Li Na"});
+  setRetentionRule(office.centre.session(), kRetainTrainee, 30, "contract");
+  auto page = office.open<AuditPage>("administrator");
+  auto& table = *page->findChild<DataTable*>();
+  const int all = table.visibleRows();
+  ASSERT_GE(all, 2);
+  const int added = rowOf(table.view(), kWhat, QStringLiteral("Person entered"));
+  ASSERT_GE(added, 0);
+  EXPECT_EQ(table.view().model()->index(added, kWhat).data(Qt::ToolTipRole).toString(),
+            QStringLiteral("person.add"));
+  EXPECT_TRUE(table.view().isColumnHidden(kCode));
+  EXPECT_FALSE(table.asText().contains(QStringLiteral("person.add")));
+
+  QTest::keyClicks(&table.filter(), QStringLiteral("retention.rule"));
+
+  ASSERT_EQ(table.visibleRows(), 1);
+  table.view().selectRow(0);
+  const QString entry = page->findChild<QPlainTextEdit*>()->toPlainText();
+  EXPECT_TRUE(entry.contains(QStringLiteral("Rule for keeping records changed (retention.rule)")))
+      << entry.toStdString();
+  EXPECT_TRUE(entry.contains(QStringLiteral("rule for keeping records (retention_rule)")));
+  table.filter().setText(QStringLiteral("person entered"));
+  EXPECT_EQ(table.visibleRows(), 1);
+  table.setColumnHidden(kCode, false);
+  EXPECT_TRUE(table.asText().contains(QStringLiteral("person.add")));
+}
+
+TEST(AuditPage, ShowsTheNewestThousandAndSaysHowManyThereAre) {
+  Office office;
+  office.centre.as("administrator");
+  const AuditEntry one{.atUtc_us = office.centre.session().now_us(), .actor = "u", .action = "person.add"};
+  AuditRepository audit(office.centre.connection());
+  audit.append(std::vector<AuditEntry>(2'500, one));
+  const std::int64_t newest = audit.length();
+  auto page = office.open<AuditPage>("administrator");
+  auto& table = *page->findChild<DataTable*>();
+  auto& more = *page->findChild<QToolButton*>(QStringLiteral("more"));
+  const auto total = static_cast<qlonglong>(audit.length());
+  EXPECT_EQ(table.visibleRows(), 1'000);
+  EXPECT_EQ(table.view().model()->index(0, 0).data().toString(),
+            page->locale().toString(static_cast<qlonglong>(newest)));
+  EXPECT_TRUE(more.text().contains(page->locale().toString(total))) << more.text().toStdString();
+
+  more.click();
+  EXPECT_EQ(table.visibleRows(), 2'000);
+  more.click();
+
+  EXPECT_EQ(table.visibleRows(), static_cast<int>(total));
+  EXPECT_TRUE(more.isHidden());
+}
+
+TEST(MaintenancePage, SortsTheQueueByTimeThoughTimesArePutIntoWordsOnlyWhenLookedAt) {
+  Office office;
+  office.centre.as("administrator");
+  setRetentionRule(office.centre.session(), kRetainTrainee, 1, "contract");
+  constexpr std::int64_t kDay_us = 86'400'000'000;
+  for (int i = 0; i < 12; ++i) {
+    addPerson(office.centre.session(), {.fullName = "Li Na"});
+    office.centre.passTime_us(kDay_us);
+  }
+  office.centre.passTime_us(kDay_us);
+  auto page = office.open<MaintenancePage>("administrator");
+  QTableView& view = child<DataTable>(*page, "queue").view();
+  ASSERT_EQ(child<DataTable>(*page, "queue").visibleRows(), 12);
+  constexpr int kDueSince = 4;
+
+  view.sortByColumn(kDueSince, Qt::DescendingOrder);
+
+  // The person who was entered last has the highest code.
+  EXPECT_GT(view.model()->index(0, 0).data().toString(), view.model()->index(11, 0).data().toString());
+  const QString when = view.model()->index(0, kDueSince).data().toString();
+  EXPECT_FALSE(when.isEmpty());
+  child<DataTable>(*page, "queue").filter().setText(when);
+  EXPECT_GE(child<DataTable>(*page, "queue").visibleRows(), 1);
+}
+
+}  // namespace
+}  // namespace torsio::gui

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Restoring a backup through the program's window, as an administrator does it.
+#include <fstream>
+
+#include "app/gui/administrator/move_page.h"
+#include "app/gui/administrator/restore_page.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/child.h"
+#include "db/repository/system/audit_verification.h"
+#include "tests/app/gui/maintenance_window.h"
+
+namespace torsio::gui {
+namespace {
+
+TEST_F(CarePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) {
+  carePage().backUp(in("backup.sqlite"));
+  context().waitForJobs();
+  addPerson(*window_->session(), person());
+  auto& page = openBy<RestorePage>("Restore");
+  EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isVisible());
+
+  child<QLineEdit>(page, "file").setText(toQString(in("backup.sqlite")));
+  click(child<QPushButton>(page, "checkButton"));
+  ASSERT_TRUE(child<QLabel>(page, "lossText").isVisible());
+  EXPECT_TRUE(
+      child<QLabel>(page, "lossText").text().contains(QStringLiteral("0 recordings, 0 marks and 1 people")));
+  EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isEnabled());
+  child<QLineEdit>(page, "word").setText(QStringLiteral("yes"));
+  EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isEnabled());
+  child<QLineEdit>(page, "word").clear();
+  QTest::keyClicks(&child<QLineEdit>(page, "word"), QStringLiteral("RESTORE"));
+  click(child<QPushButton>(page, "restoreButton"));
+  QTRY_COMPARE_WITH_TIMEOUT(window_->screen(), QStringLiteral("sign-in"), 5'000);
+  window_->background().wait();
+
+  EXPECT_TRUE(says(QStringLiteral("The record was restored from backup.sqlite")));
+  EXPECT_EQ(people(record()), 2);
+  EXPECT_TRUE(contains(trail(record()), "database.restore"));
+  std::string safety;
+  for (const auto& entry : fs::directory_iterator(folder_.path().toStdString())) {
+    if (entry.path().filename().string().starts_with("torsio-before-restore-")) {
+      safety = entry.path().string();
+    }
+  }
+  ASSERT_FALSE(safety.empty());
+  EXPECT_EQ(people(safety), 3);
+  EXPECT_TRUE(contains(trail(safety), "database.restore_begin"));
+  {
+    Connection restored = openDatabase(record(), OpenMode::kReadOnly);
+    EXPECT_TRUE(verifyAuditTrail(restored).empty());
+  }
+  signIn();
+}
+
+TEST_F(CarePages, ARestoreIsRefusedWhileAnotherStationIsConnected) {
+  carePage().backUp(in("backup.sqlite"));
+  context().waitForJobs();
+  showsOtherStation();
+  auto& page = openBy<RestorePage>("Restore");
+
+  child<QLineEdit>(page, "file").setText(toQString(in("backup.sqlite")));
+  click(child<QPushButton>(page, "checkButton"));
+
+  ASSERT_EQ(failures_.size(), 1);
+  EXPECT_EQ(failures_.front(), QStringLiteral("The station room 2 is connected"));
+  EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isVisible());
+}
+
+TEST_F(CarePages, ACancelledRestoreLeavesTheRecordAndNoHalfFile) {
+  carePage().backUp(in("backup.sqlite"));
+  context().waitForJobs();
+  const int before = filesBeside();
+  auto& page = openBy<RestorePage>("Restore");
+  child<QLineEdit>(page, "file").setText(toQString(in("backup.sqlite")));
+  click(child<QPushButton>(page, "checkButton"));
+  child<QLineEdit>(page, "word").setText(QStringLiteral("RESTORE"));
+
+  QTest::mouseClick(&child<QPushButton>(page, "restoreButton"), Qt::LeftButton);
+  context().cancelJobs();
+  context().waitForJobs();
+
+  EXPECT_EQ(window_->screen(), QStringLiteral("desk"));
+  EXPECT_EQ(filesBeside(), before);
+  EXPECT_EQ(people(record()), 2);
+}
+
+TEST_F(CarePages, ABackupThatIsNoneIsRefusedInPlainWords) {
+  std::ofstream(in("backup.sqlite")) << "not a database at all, only some words in a file";
+  auto& page = openBy<RestorePage>("Restore");
+
+  child<QLineEdit>(page, "file").setText(toQString(in("backup.sqlite")));
+  click(child<QPushButton>(page, "checkButton"));
+
+  EXPECT_EQ(failures_.size(), 1);
+  EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isVisible());
+}
+
+TEST_F(CarePages, AServerThatDoesNotAnswerIsSaidAndNothingIsOffered) {
+  auto& page = openBy<MovePage>("Move to PostgreSQL");
+  EXPECT_FALSE(child<QPushButton>(page, "testButton").isEnabled());
+
+  page.setAddress({.host = "127.0.0.1", .port = 1, .database = "torsio", .user = "torsio"});
+  click(child<QPushButton>(page, "testButton"));
+
+  EXPECT_EQ(failures_.size(), 1);
+  EXPECT_FALSE(child<QPushButton>(page, "copyButton").isVisible());
+}
+
+}  // namespace
+}  // namespace torsio::gui

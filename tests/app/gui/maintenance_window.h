@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include "app/gui/administrator/administrator_pages.h"
+#include "app/gui/administrator/maintenance_page.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/shell/main_window.h"
+#include "app/people/people_service.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/trial/station_repository.h"
+
+namespace torsio::gui {
+
+namespace fs = std::filesystem;
+
+inline constexpr const char* kAdminPassword = "a short sentence for the lab";
+
+/// The program's window with the pages of the office, an administrator at work, and a record of two people.
+class CarePages : public ::testing::Test {
+ protected:
+  QTemporaryDir folder_;
+  ManualClock clock_;
+  std::unique_ptr<MainWindow> window_;
+  QStringList failures_;
+
+  [[nodiscard]] fs::path in(const char* name) const { return toPath(folder_.path()) / name; }
+  [[nodiscard]] std::string record() const { return in("torsio.sqlite").string(); }
+
+  void SetUp() override {
+    {
+      SessionKey key;
+      key.locator = record();
+      key.station = "test";
+      SessionContext office(key);
+      office.setPasswordCost(PasswordCost::kTest);
+      FirstRun first;
+      first.centre = "City hospital";
+      first.login = "admin";
+      first.password = kAdminPassword;
+      setUpCentre(office, first);
+      ASSERT_EQ(torsio::signIn(office, "admin", kAdminPassword).outcome, SignIn::kOk);
+      addPerson(office, person());
+      addPerson(office, person());
+    }
+    ShellSetup setup;
+    setup.assets = fs::path(TORSIO_SOURCE_DIR) / "assets";
+    setup.station = "test";
+    setup.locator = toQString(record());
+    setup.groups = [] {
+      return std::vector<PageGroup>{{[] { return QStringLiteral("Administration"); }, administratorPages()}};
+    };
+    setup.remember = false;
+    setup.clock = &clock_;
+    setup.unstored = in("unstored");
+    setup.passwordCost = PasswordCost::kTest;
+    window_ = std::make_unique<MainWindow>(setup);
+    window_->QWidget::show();
+    window_->start();
+    window_->background().wait();
+    signIn();
+  }
+
+  static PersonEntry person() {
+    PersonEntry entry;
+    entry.fullName = "Li Na";
+    return entry;
+  }
+
+  void signIn() {
+    ASSERT_EQ(window_->screen(), QStringLiteral("sign-in"));
+    const auto named = [this](const char* name) -> QLineEdit* {
+      for (QLineEdit* field : window_->findChildren<QLineEdit*>()) {
+        if (field->accessibleName() == QLatin1String(name) && field->isVisible()) {
+          return field;
+        }
+      }
+      return nullptr;
+    };
+    named("Sign-in name")->setText(QStringLiteral("admin"));
+    named("Password")->setText(QString::fromLatin1(kAdminPassword));
+    QTest::keyClick(named("Password"), Qt::Key_Return);
+    window_->background().wait();
+    ASSERT_EQ(window_->screen(), QStringLiteral("desk"));
+    QObject::connect(&context(), &ShellContext::failed, window_.get(),
+                     [this](const QString& happened) { failures_ << happened; });
+  }
+
+  ShellContext& context() { return window_->desk()->context(); }
+
+  /// Goes there by the button of the care page.
+  template <typename Made>
+  Made& openBy(const char* button) {
+    window_->desk()->open(PageId::kCare);
+    press(*window_->desk()->page(), button);
+    return dynamic_cast<Made&>(*window_->desk()->page());
+  }
+
+  MaintenancePage& carePage() {
+    window_->desk()->open(PageId::kCare);
+    return dynamic_cast<MaintenancePage&>(*window_->desk()->page());
+  }
+
+  void press(QWidget& in, const char* text) {
+    for (QPushButton* found : in.findChildren<QPushButton*>()) {
+      QString plain = found->text();
+      if (plain.remove(QLatin1Char('&')).remove(QChar(0x2026)) != QLatin1String(text)) {
+        continue;
+      }
+      ASSERT_TRUE(found->isEnabled()) << text;
+      QTest::mouseClick(found, Qt::LeftButton);
+      return;
+    }
+    ADD_FAILURE() << "no button " << text;
+  }
+
+  void click(QPushButton& button) {
+    ASSERT_TRUE(button.isVisible() && button.isEnabled()) << button.text().toStdString();
+    QTest::mouseClick(&button, Qt::LeftButton);
+    context().waitForJobs();
+  }
+
+  bool says(const QString& part) {
+    for (const QLabel* label : window_->findChildren<QLabel*>()) {
+      if (label->isVisible() && label->text().contains(part)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  std::vector<std::string> trail(const std::string& locator) {
+    Connection connection = openDatabase(locator, OpenMode::kReadOnly);
+    std::vector<std::string> actions;
+    for (const AuditEntry& entry : AuditRepository(connection).entries()) {
+      actions.push_back(entry.action);
+    }
+    return actions;
+  }
+
+  static std::int64_t people(const std::string& locator) {
+    Connection connection = openDatabase(locator, OpenMode::kReadOnly);
+    Statement row = connection.prepare("SELECT count(*) FROM trainee");
+    row.execute();
+    std::int64_t count = 0;
+    while (row.step()) {
+      count = row.int64(0);
+    }
+    return count;
+  }
+
+  void showsOtherStation() {
+    StationState other{.station = "room 2", .heartbeatUtc_us = window_->session()->now_us()};
+    StationRepository(window_->session()->connection()).heartbeat(other);
+  }
+
+  [[nodiscard]] int filesBeside() const {
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator(folder_.path().toStdString())) {
+      static_cast<void>(entry);
+      ++count;
+    }
+    return count;
+  }
+};
+
+inline bool contains(const std::vector<std::string>& actions, const std::string& action) {
+  return std::find(actions.begin(), actions.end(), action) != actions.end();
+}
+
+}  // namespace torsio::gui

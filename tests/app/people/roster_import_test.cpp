@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/people/roster_import.h"
+
+#include <gtest/gtest.h>
+
+#include "app/people/people_service.h"
+#include "db/repository/base/audit_repository.h"
+#include "sim/base/error.h"
+#include "tests/app/support/study_centre.h"
+
+namespace torsio {
+namespace {
+
+using testing::StudyCentre;
+
+RosterOutcome commitRoster(SessionContext& session, const std::string& text,
+                           RosterKind kind = RosterKind::kTrainees, RosterMode mode = RosterMode::kCommit) {
+  const RosterFile file = parseRoster(text, "roster.csv");
+  const RosterColumns columns = suggestColumns(file, kind);
+  const RosterPreview preview = previewRoster(session, file, kind, columns);
+  return importRoster(session, file, kind, columns, preview.fingerprint, mode);
+}
+
+RosterPreview look(SessionContext& session, const std::string& text,
+                   RosterKind kind = RosterKind::kTrainees) {
+  const RosterFile file = parseRoster(text, "roster.csv");
+  return previewRoster(session, file, kind, suggestColumns(file, kind));
+}
+
+TEST(RosterFile, ReadsCommaSemicolonAndTabWithAndWithoutByteOrderMark) {
+  for (const char separator : {',', ';', '\t'}) {
+    for (const char* mark : {"", "\xEF\xBB\xBF"}) {
+      const std::string s(1, separator);
+      const RosterFile file =
+          parseRoster(mark + ("Staff ID" + s + "Name\r\nS-1" + s + "\"Smith, Ann\"\r\n"), "roster.csv");
+      EXPECT_EQ(file.separator, separator);
+      ASSERT_EQ(file.rows.size(), 1U);
+      EXPECT_EQ(file.header, (std::vector<std::string>{"Staff ID", "Name"}));
+      EXPECT_EQ(file.rows[0].values, (std::vector<std::string>{"S-1", "Smith, Ann"}));
+    }
+  }
+}
+
+TEST(RosterFile, RefusesLatin1WithAPlainSentence) {
+  try {
+    (void)parseRoster("id,name\nS-1,M\xFCller\n", "roster.csv");
+    FAIL() << "Latin-1 was taken";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.happened(), "the text is not UTF-8");
+    EXPECT_EQ(error.where(), "roster.csv, line 2");
+    EXPECT_EQ(error.remedy(), "Save the table as UTF-8 CSV");
+  }
+}
+
+TEST(RosterFile, SuggestsColumnsFromEnglishAndChineseHeaders) {
+  const RosterFile english = parseRoster("E-Mail,Gender,Full Name,Student No.\nx,y,z,1\n", "a.csv");
+  const RosterFile chinese = parseRoster("姓名,学号,性别\n王,1,女\n", "b.csv");
+
+  const RosterColumns first = suggestColumns(english, RosterKind::kTrainees);
+  const RosterColumns second = suggestColumns(chinese, RosterKind::kTrainees);
+
+  EXPECT_EQ(first[static_cast<std::size_t>(RosterField::kEmail)], 0U);
+  EXPECT_EQ(first[static_cast<std::size_t>(RosterField::kExternalId)], 3U);
+  EXPECT_EQ(second[static_cast<std::size_t>(RosterField::kFullName)], 0U);
+  EXPECT_EQ(second[static_cast<std::size_t>(RosterField::kExternalId)], 1U);
+  EXPECT_FALSE(second[static_cast<std::size_t>(RosterField::kEmail)].has_value());
+}
+
+TEST(RosterFile, ItsOwnTemplateIsUnderstood) {
+  for (const RosterKind kind : {RosterKind::kTrainees, RosterKind::kRaters}) {
+    const RosterFile file = parseRoster(rosterTemplate(kind), "template.csv");
+    const RosterColumns columns = suggestColumns(file, kind);
+    for (const RosterField field : rosterFields(kind)) {
+      EXPECT_TRUE(columns[static_cast<std::size_t>(field)].has_value()) << rosterFieldCode(field);
+    }
+  }
+}
+
+TEST(RosterImport, GivesEveryLineItsStatusAndSaysWhatToMend) {
+  StudyCentre centre;
+  SessionContext& session = centre.as("administrator");
+  commitRoster(session, "id,name,sex,level,email\nS-1,Ann,f,graduate,ann@x.org\nS-2,Bob,m,graduate,\n");
+
+  const RosterPreview preview = look(session,
+                                     "id,name,sex,level,email\n"
+                                     "S-1,Ann,F,graduate,ann@x.org\n"  // as it is
+                                     "S-2,Bob,m,doctoral student,\n"   // level differs
+                                     "S-3,Cid,,,ann@x.org\n"           // new, with a known address
+                                     "S-4,Dan,purple,,\n"              // sex not understood
+                                     ",Eve,,,\n"                       // no number
+                                     "S-3,Cid again,,,\n"              // number twice
+                                     "S-5,Fay,f\n");                   // too few values
+
+  ASSERT_EQ(preview.rows.size(), 7U);
+  EXPECT_EQ(preview.rows[0].status, RosterStatus::kSame);
+  EXPECT_EQ(preview.rows[1].status, RosterStatus::kChanges);
+  ASSERT_EQ(preview.rows[1].changes.size(), 1U);
+  EXPECT_EQ(preview.rows[1].changes[0].from, "graduate");
+  EXPECT_EQ(preview.rows[1].changes[0].to, "doctoral student");
+  EXPECT_EQ(preview.rows[2].status, RosterStatus::kNew);
+  EXPECT_NE(preview.rows[2].hint.str().find("the e-mail address belongs to"), std::string::npos);
+  EXPECT_EQ(preview.rows[3].problem, "\"purple\" is not understood as sex");
+  EXPECT_EQ(preview.rows[4].problem, "the external_id is missing");
+  EXPECT_EQ(preview.rows[5].problem, "the number S-3 stands on line 4 already");
+  EXPECT_EQ(preview.rows[6].problem, "the line has 3 values, the header 5");
+  for (std::size_t i = 3; i < 7; ++i) {
+    EXPECT_FALSE(preview.rows[i].remedy.empty()) << i;
+  }
+  EXPECT_EQ(preview.errors, 4U);
+  EXPECT_FALSE(preview.importable());
+}
+
+TEST(RosterImport, ImportsAllOrNothing) {
+  StudyCentre centre;
+  SessionContext& session = centre.as("administrator");
+  const auto before = centre.rowCounts();
+
+  EXPECT_THROW(commitRoster(session, "id,name,age\nS-1,Ann,24\nS-2,Bob,old\n"), Error);
+
+  EXPECT_EQ(centre.rowCounts(), before);
+}
+
+TEST(RosterImport, DryRunDoesItAllAndTakesItBack) {
+  StudyCentre centre;
+  SessionContext& session = centre.as("administrator");
+  const auto before = centre.rowCounts();
+
+  const RosterOutcome outcome =
+      commitRoster(session, "id,name\nS-1,Ann\nS-2,Bob\n", RosterKind::kTrainees, RosterMode::kDryRun);
+
+  EXPECT_EQ(outcome.added, 2U);
+  EXPECT_EQ(centre.rowCounts(), before);
+}
+
+TEST(RosterImport, GivesPseudonymsAndKeepsNamesOutOfTheTrail) {
+  StudyCentre centre;
+  SessionContext& session = centre.as("administrator");
+
+  const RosterOutcome outcome = commitRoster(session, "id,name,sex\nS-1,Ann Onymous,f\nS-2,Bob Onymous,m\n");
+
+  EXPECT_EQ(outcome.newCodes, (std::vector<std::string>{"T-01", "T-02"}));
+  EXPECT_EQ(centre.audited("person.add"), 2);
+  EXPECT_EQ(centre.audited("roster.import"), 1);
+  for (const AuditEntry& entry : AuditRepository(centre.connection()).entries()) {
+    EXPECT_EQ((entry.oldJson + entry.newJson + entry.reason).find("Onymous"), std::string::npos);
+  }
+  for (const PersonRow& row : people(session)) {
+    EXPECT_TRUE(row.trainee);
+  }
+  EXPECT_EQ(namedPeople(session).size(), 2U);
+}
+
+TEST(RosterImport, BlankCellsKeepWhatIsKnown) {
+  StudyCentre centre;
+  SessionContext& session = centre.as("administrator");
+  commitRoster(session, "id,name,sex,level\nS-1,Ann,f,graduate\n");
+
+  commitRoster(session, "id,name,sex,level\nS-1,Ann B.,,\nS-2,Bob,,\n");
+
+  const NamedPersonRow ann = namedPeople(session).at(0);
+  EXPECT_EQ(ann.identity.fullName, "Ann B.");
+  EXPECT_EQ(ann.row.person.sex, "female");
+  EXPECT_EQ(ann.row.person.level, "graduate");
+}
+
+TEST(RosterImport, RefusesWhenTheRecordChangedSinceThePreview) {
+  StudyCentre centre;
+  SessionContext& session = centre.as("administrator");
+  const RosterFile file = parseRoster("id,name\nS-1,Ann\n", "roster.csv");
+  const RosterColumns columns = suggestColumns(file, RosterKind::kTrainees);
+  const RosterPreview preview = previewRoster(session, file, RosterKind::kTrainees, columns);
+  addPerson(session, {.fullName = "Ann", .externalId = "S-1"});
+
+  EXPECT_THROW(
+      importRoster(session, file, RosterKind::kTrainees, columns, preview.fingerprint, RosterMode::kCommit),
+      Error);
+}
+
+TEST(RosterImport, ReadsRatersWithTheirClass) {
+  StudyCentre centre;
+  SessionContext& session = centre.as("administrator");
+
+  const RosterOutcome outcome = commitRoster(
+      session, "staff id;name;class\nC-1;Lee;chief physician\nC-2;Wang;主任医师\nC-3;Ruiz;deputy_chief\n",
+      RosterKind::kRaters);
+
+  EXPECT_EQ(outcome.newCodes, (std::vector<std::string>{"R-01", "R-02", "R-03"}));
+  std::map<std::string, std::size_t> classes;
+  for (const PersonRow& row : people(session)) {
+    ++classes[row.raterClass];
+  }
+  EXPECT_EQ(classes["chief"], 2U);
+  EXPECT_EQ(classes["deputy_chief"], 1U);
+  EXPECT_EQ(look(session, "staff id,name,class\nC-9,Xu,professor\n", RosterKind::kRaters).errors, 1U);
+}
+
+TEST(RosterImport, ThousandLinesTakeNoTimeWorthMentioning) {
+  StudyCentre centre;
+  std::string text = "id,name,level\n";
+  for (int i = 0; i < 1000; ++i) {
+    text += "S-" + std::to_string(i) + ",Person " + std::to_string(i) + ",graduate\n";
+  }
+
+  const RosterOutcome outcome = commitRoster(centre.as("administrator"), text);
+
+  EXPECT_EQ(outcome.added, 1000U);
+  EXPECT_EQ(outcome.newCodes.back(), "T-1000");
+}
+
+}  // namespace
+}  // namespace torsio

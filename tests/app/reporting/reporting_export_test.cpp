@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a report is made from, who may take it out, and what is kept about it.
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/people/people_service.h"
+#include "app/reporting/report_export.h"
+#include "app/study/allocation_service.h"
+#include "app/study/campaign_service.h"
+#include "app/study/cohort_service.h"
+#include "app/study/frozen_data.h"
+#include "assessment/metrics/metric_cards.h"
+#include "assessment/report/cohort_report.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/base/digest.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+#include "sim/record/sample_codec.h"
+#include "tests/app/support/study_centre.h"
+
+namespace torsio {
+namespace {
+
+using testing::StudyCentre;
+
+/// Six trainees in three groups, nobody marked yet.
+struct SmallStudy {
+  StudyCentre centre;
+  ReportRequest request;
+  TrialDigests digests{centre.assets()};
+
+  SmallStudy() {
+    const std::vector<std::string> trainees = centre.addTrainees(6);
+    const std::string version = centre.runPaperCurriculum();
+    request.cohortId = addCohort(centre.session(), {.name = "Study", .curriculumVersionId = version});
+    enrolTrainees(centre.session(), request.cohortId, trainees);
+    AllocationPlan plan;
+    plan.cohortId = request.cohortId;
+    lockAllocation(centre.as("allocator"), plan);
+    allocateAll(centre.session(), request.cohortId);
+  }
+};
+
+TEST(ReportInputs, AreForThoseWhoMayComputeResults) {
+  SmallStudy study;
+  for (const char* role : {"trainee", "rater", "allocator", ""}) {
+    EXPECT_THROW((void)reportInputs(study.centre.as(role), study.request, study.digests), Error) << role;
+  }
+
+  const CohortInputs inputs = reportInputs(study.centre.as("administrator"), study.request, study.digests);
+
+  EXPECT_EQ(inputs.trainees.size(), 6U);
+  EXPECT_TRUE(inputs.allocation.sealed);
+  EXPECT_FALSE(inputs.singleMarks);  // the role matrix keeps marks from the administrator
+  EXPECT_EQ(inputs.occasions.at(1), "after 20 min");
+  EXPECT_TRUE(reportInputs(study.centre.as("statistician"), study.request, study.digests).singleMarks);
+}
+
+TEST(ReportInputs, NameTraineesOnlyForWhoMaySeeNames) {
+  SmallStudy study;
+  study.request.identity = ReportIdentity::kNamed;
+
+  EXPECT_THROW((void)reportInputs(study.centre.as("statistician"), study.request, study.digests), Error);
+  const CohortInputs inputs = reportInputs(study.centre.as("administrator"), study.request, study.digests);
+
+  for (const CohortTrainee& trainee : inputs.trainees) {
+    EXPECT_NE(trainee.code.find(" Trainee "), std::string::npos) << trainee.code;
+  }
+}
+
+TEST(ReportInputs, SayWhetherTheRecordIsStillWhatWasFrozen) {
+  SmallStudy study;
+  SessionContext& session = study.centre.as("administrator");
+  study.request.frozenId = freezeData(session, study.request.cohortId, "first").id;
+  const std::optional<CohortFreeze> frozen = reportInputs(session, study.request, study.digests).freeze;
+  ASSERT_TRUE(frozen);
+  EXPECT_TRUE(frozen->unchanged);
+  EXPECT_EQ(frozen->frozenBy, "administrator");
+
+  reportDeviation(session,
+                  {.cohortId = study.request.cohortId, .kind = "late", .description = "by ten minutes"});
+
+  const CohortInputs inputs = reportInputs(session, study.request, study.digests);
+  EXPECT_FALSE(inputs.freeze->unchanged);
+  EXPECT_EQ(inputs.deviations.at(0).description, "by ten minutes");
+}
+
+TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
+  SmallStudy study;
+  SessionContext& session = study.centre.as("administrator");
+  CampaignPlan plan;
+  plan.name = "Spring";
+  plan.instrument = paperEvaluationInstrument();
+  plan.models = {{"PM", "proposed"}, {"FEM", "finite elements"}};
+  for (const char* raterClass : {"intern", "deputy_chief", "chief"}) {
+    plan.raterIds.push_back(addPerson(
+        session,
+        {.fullName = "Rater", .externalId = raterClass, .trainee = false, .raterClass = raterClass}));
+  }
+  study.request.campaignId = addCampaign(session, plan);
+  const auto submit = [&](const std::string& raterId, const std::string& model) {
+    std::vector<StoredEvaluationMark> marks;
+    for (std::int64_t index = 1; index <= 9; ++index) {
+      marks.push_back({.id = session.ids().newUuid(),
+                       .raterId = raterId,
+                       .modelCode = model,
+                       .indexNumber = index,
+                       .score_steps = 70,
+                       .submittedUtc_us = testing::kStudyTime_us});
+    }
+    EvaluationRepository(study.centre.connection()).submit(study.request.campaignId, marks);
+  };
+  submit(plan.raterIds[0], "PM");
+  submit(plan.raterIds[0], "FEM");
+  submit(plan.raterIds[2], "PM");  // the chief has not scored FEM
+
+  const CohortInputs inputs = reportInputs(session, study.request, study.digests);
+
+  ASSERT_TRUE(inputs.unfinishedEvaluation);
+  EXPECT_EQ(inputs.unfinishedEvaluation->marks, 27);
+  EXPECT_EQ(inputs.unfinishedEvaluation->classesMissing,
+            (std::vector<std::string>{"deputy chief physician", "chief physician"}));
+  const ReportModel report = cohortReport(inputs);
+  const auto section = std::find_if(
+      report.sections.begin(), report.sections.end(),
+      [](const ReportSection& candidate) { return candidate.title == Text("Evaluation of the models"); });
+  ASSERT_NE(section, report.sections.end());
+  EXPECT_NE(section->paragraphs.at(0).str().find("27 marks are in so far"), std::string::npos);
+
+  for (const std::string& rater : {plan.raterIds[1], plan.raterIds[2]}) {
+    for (const char* model : {"PM", "FEM"}) {
+      if (rater != plan.raterIds[2] || model != std::string("PM")) {
+        submit(rater, model);
+      }
+    }
+  }
+  const CohortInputs finished = reportInputs(session, study.request, study.digests);
+  EXPECT_FALSE(finished.unfinishedEvaluation);
+  ASSERT_EQ(finished.evaluations.size(), 2U);
+  EXPECT_DOUBLE_EQ(finished.evaluations.front().n27, 7.0);
+}
+
+/// A recording of one twist that was let go after `ticks` hundredths of a radian.
+void record(SmallStudy& study, const std::string& trialId, std::size_t ticks) {
+  std::vector<Sample> samples(300);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].tick = static_cast<std::int64_t>(i);
+    const bool twisting = i >= 50 && i < 50 + ticks;
+    samples[i].phase = twisting ? ExercisePhase::kTwisting : ExercisePhase::kContact;
+    samples[i].response.angle_rad = twisting ? 0.01 * static_cast<double>(i - 50) : 0.0;
+    samples[i].response.torque_Nm = twisting ? 0.3 : 0.0;
+  }
+  const StoredEnrolment enrolment =
+      StudyRepository(study.centre.connection()).enrolments(study.request.cohortId).at(0);
+  TrialHeader header;
+  header.trialId = trialId;
+  header.traineeCode = enrolment.traineeCode;
+  header.sceneId = "forearm";
+  header.patternId = "pronation";
+  header.phaseLabel = "virtual";
+  header.parametersJson = "{}";
+  header.targetAngle_rad = 1.0;
+  header.startedUtc_us = testing::kStudyTime_us;
+  TrialRepository trials(study.centre.connection(), {.station = "room 1", .enrolmentId = enrolment.id});
+  trials.begin(header);
+  const TrialChunk chunk = encodeChunk(0, samples);
+  trials.append(chunk);
+  TrialSummary summary;
+  summary.samples = chunk.samples;
+  summary.lateTicks = 3;
+  summary.contentHash = "hash of " + trialId;
+  trials.finish(summary);
+}
+
+std::vector<std::pair<double, bool>> pairs(const std::vector<TwistAttempt>& attempts) {
+  std::vector<std::pair<double, bool>> out;
+  for (const TwistAttempt& attempt : attempts) {
+    out.emplace_back(attempt.error_deg, attempt.onTarget);
+  }
+  return out;
+}
+
+TEST(TrialDigests, AreMeasuredOnceAndAreTheSameToTheLastBitAfterwards) {
+  SmallStudy study;
+  record(study, "first", 100);
+  record(study, "second", 70);
+  SessionContext& session = study.centre.as("statistician");
+
+  const std::vector<TrialSummaryRow> measured = study.digests.ofCohort(session, study.request.cohortId);
+  TrialDigests later(study.centre.assets());
+  const std::vector<TrialSummaryRow> kept = later.ofCohort(session, study.request.cohortId);
+
+  EXPECT_EQ(study.digests.measured(), 2U);
+  EXPECT_EQ(later.measured(), 0U);
+  ASSERT_EQ(kept.size(), 2U);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    EXPECT_EQ(kept[i].trialId, measured[i].trialId);
+    EXPECT_EQ(kept[i].trainee, measured[i].trainee);
+    EXPECT_EQ(kept[i].phase, measured[i].phase);
+    EXPECT_EQ(kept[i].model, measured[i].model);
+    EXPECT_EQ(kept[i].minutes, measured[i].minutes);
+    EXPECT_EQ(kept[i].samples, measured[i].samples);
+    EXPECT_EQ(kept[i].twists, 1);
+    EXPECT_EQ(kept[i].twistsOnTarget, measured[i].twistsOnTarget);
+    EXPECT_EQ(kept[i].meanAbsoluteError_deg, measured[i].meanAbsoluteError_deg);
+    EXPECT_EQ(kept[i].peakTorque_Nm, measured[i].peakTorque_Nm);
+    EXPECT_EQ(kept[i].peakForce_N, measured[i].peakForce_N);
+    EXPECT_EQ(kept[i].lateTicks, 3);
+    EXPECT_EQ(kept[i].contentHash, measured[i].contentHash);
+    EXPECT_EQ(pairs(kept[i].attempts), pairs(measured[i].attempts));
+  }
+}
+
+TEST(TrialDigests, OfAnotherFormulaAreLeftWhereTheyAreAndMeasuredAnew) {
+  SmallStudy study;
+  record(study, "first", 100);
+  StoredTrialDigest older{
+      .trialId = "first", .formulaVersion = kMetricsVersion - 1, .contentHash = "hash of first"};
+  DigestRepository(study.centre.connection()).add({&older, 1});
+
+  const auto digests = study.digests.ofCohort(study.centre.as("statistician"), study.request.cohortId);
+
+  EXPECT_EQ(study.digests.measured(), 1U);
+  EXPECT_EQ(digests.at(0).twists, 1);
+  EXPECT_EQ(DigestRepository(study.centre.connection())
+                .ofCohort(study.request.cohortId, kMetricsVersion - 1)
+                .size(),
+            1U);
+}
+
+TEST(TrialDigests, ComeBackToTheLastBitWithTheirRules) {
+  SmallStudy study;
+  record(study, "first", 100);
+  DigestRepository repository(study.centre.connection());
+  StoredTrialDigest free;
+  free.trialId = "first";
+  free.formulaVersion = kMetricsVersion;
+  free.tolerance_rad = 0.1;
+  free.contentHash = "hash of first";
+  free.attempts = {{1.0 / 3.0, true}, {20.0, false}};
+  free.measures = {{"force.peak", 0.1 + 0.2}, {"twist.sparc", -1.4}};
+  StoredTrialDigest limited = free;
+  limited.forceLimit_N = 0.0;  // a limit of nothing is not the same as none
+  limited.torqueLimit_Nm = 0.5;
+  const std::vector<StoredTrialDigest> both{free, limited};
+
+  repository.add(both);
+  repository.add(both);
+
+  EXPECT_THAT(repository.ofTrial("first", kMetricsVersion), ::testing::UnorderedElementsAreArray(both));
+}
+
+TEST(TrialDigests, OfARecordingWithOtherContentAreNotBelieved) {
+  SmallStudy study;
+  record(study, "first", 100);
+  StoredTrialDigest other{.trialId = "first", .formulaVersion = kMetricsVersion, .contentHash = "of another"};
+  other.tolerance_rad = 1.0;
+  DigestRepository(study.centre.connection()).add({&other, 1});
+
+  (void)study.digests.ofCohort(study.centre.as("statistician"), study.request.cohortId);
+
+  EXPECT_EQ(study.digests.measured(), 1U);
+}
+
+TEST(ReportExport, KeepsWhoTookOutWhatWithTheHashOfTheFileAndNoName) {
+  SmallStudy study;
+  SessionContext& session = study.centre.as("administrator");
+  study.request.identity = ReportIdentity::kNamed;
+  const CohortInputs inputs = reportInputs(session, study.request, study.digests);
+  const std::filesystem::path file = study.centre.folder() / "named.csv";
+
+  EXPECT_THROW(exportReport(study.centre.as("statistician"), study.request, inputs, ReportFormat::kCsv, file),
+               Error);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  const ReportExport done =
+      exportReport(study.centre.as("administrator"), study.request, inputs, ReportFormat::kCsv, file);
+
+  Digest digest;
+  digest.update(readFile(file));
+  EXPECT_EQ(done.contentHash, digest.hex());
+  const AuditEntry entry = AuditRepository(study.centre.connection()).entries({.limit = 1}).at(0);
+  EXPECT_EQ(entry.action, "report.export_named");
+  EXPECT_NE(entry.newJson.find(done.contentHash), std::string::npos);
+  EXPECT_EQ(entry.newJson.find("Trainee"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A study of four occasions, from the curriculum through the scoring plan to report and export.
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "app/recording/trial_digests.h"
+#include "app/reporting/report_data.h"
+#include "app/scoring/cohort_occasions.h"
+#include "app/study/allocation_service.h"
+#include "app/study/cohort_service.h"
+#include "app/study/curriculum_service.h"
+#include "app/study/occasion_service.h"
+#include "app/study/scoring_plan.h"
+#include "assessment/report/cohort_csv.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/occasion_repository.h"
+#include "sim/base/error.h"
+#include "tests/app/support/study_centre.h"
+
+namespace torsio {
+namespace {
+
+using testing::StudyCentre;
+
+constexpr std::int64_t kMinute_us = 60'000'000;
+
+/// The paper's protocol with 20 minutes more in every arm and a fourth occasion after them.
+StoredCurriculumVersion longerPaperProtocol(StudyCentre& centre, const Occasion& fourth) {
+  const auto templates = curriculumTemplates(centre.assets());
+  const auto paper = std::find_if(templates.begin(), templates.end(),
+                                  [](const CurriculumTemplate& one) { return one.id == "paper-three-arms"; });
+  StoredCurriculumVersion content = paper->content;
+  for (StudyArm& arm : content.arms) {
+    arm.phases.back().duration_us += 20 * kMinute_us;
+  }
+  content.plannedOccasions.push_back({fourth.code, 60 * kMinute_us});
+  return content;
+}
+
+/// Three trainees, two chiefs, a cohort that follows the longer protocol.
+struct StudyOfFour {
+  StudyCentre centre;
+  Occasion fourth;
+  std::vector<std::string> chiefs;
+  std::string rubric;
+  std::string cohortId;
+
+  StudyOfFour() {
+    const std::vector<std::string> trainees = centre.addTrainees(3);
+    chiefs = centre.addChiefs(2);
+    rubric = centre.addPaperRubric();
+    SessionContext& office = centre.as("administrator");
+    fourth = addOccasion(office, "after another 20 minutes");
+    const std::string curriculum = addCurriculum(office, "Longer", "", longerPaperProtocol(centre, fourth));
+    const std::string version = publishCurriculum(office, curriculum, "", centre.assets());
+    runCurriculum(office, version);
+    cohortId = addCohort(office, {.name = "Four", .curriculumVersionId = version});
+    enrolTrainees(office, cohortId, trainees);
+    AllocationPlan plan;
+    plan.cohortId = cohortId;
+    lockAllocation(centre.as("allocator"), plan);
+    allocateAll(centre.as("allocator"), cohortId);
+  }
+  /// Fills in and submits every sheet: 5, 6, 7 and 8 points at the four occasions.
+  void submitAll() {
+    SheetRepository sheets(centre.connection());
+    const StoredRubricRevision revision = sheets.revision(rubric).value();
+    const Occasions occasions = occasionsOfCohort(centre.connection(), cohortId);
+    for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
+      const std::size_t at = occasions.positionOf(status.assignment.occasionCode).value();
+      const std::int64_t steps = 50 + 10 * static_cast<std::int64_t>(at);
+      Sheet sheet{.overall_steps = steps};
+      for (const StoredRubricRow& row : revision.rows) {
+        sheet.rows.push_back({row.code, steps, ""});
+      }
+      sheets.submit(status.assignment.id, centre.session().ids().newUuid(), sheet, "",
+                    centre.session().now_us());
+    }
+  }
+};
+
+TEST(Occasions, AFourthOneGoesThroughPlanReleaseReportAndExport) {
+  StudyOfFour study;
+  SessionContext& office = study.centre.as("administrator");
+
+  const ScoringPlanOutcome asked =
+      createAssignments(office, {.cohortId = study.cohortId,
+                                 .plannedOccasions = {"pre", "mid", "post", study.fourth.code},
+                                 .raterIds = study.chiefs,
+                                 .rubricRevisionId = study.rubric,
+                                 .seed = 3});
+  study.submitAll();
+  const ScoringMatrix matrix = scoringMatrix(office, study.cohortId);
+  const std::vector<ReleaseState> releases = releaseStates(office, study.cohortId);
+  releaseMarks(office, study.cohortId, study.fourth.code);
+  TrialDigests digests(study.centre.assets());
+  const CohortInputs inputs =
+      reportInputs(study.centre.as("statistician"), {.cohortId = study.cohortId}, digests);
+  std::set<std::string> exported;
+  for (const CohortCsvRow& row : cohortCsvRows(inputs)) {
+    exported.insert(row.occasion);
+  }
+
+  EXPECT_EQ(asked.created, 4U * 3U * 2U);  // occasions, trainees, chiefs
+  ASSERT_EQ(matrix.lines.size(), 12U);
+  EXPECT_EQ(matrix.lines.back().occasion.label, "after another 20 minutes");
+  ASSERT_EQ(releases.size(), 4U);
+  EXPECT_EQ(releases.back().occasion.code, study.fourth.code);
+  EXPECT_EQ(releases.back().sheets, 6U);
+  EXPECT_TRUE(SheetRepository(study.centre.connection()).isReleased(study.cohortId, study.fourth.code));
+  EXPECT_EQ(inputs.occasions, (std::vector<Text>{"before", "after 20 min", "after 40 min", "after 60 min"}));
+  ASSERT_EQ(inputs.scores.size(), 12U);
+  for (const TraineeScore& score : inputs.scores) {
+    EXPECT_DOUBLE_EQ(score.score, 5.0 + static_cast<double>(score.occasion));
+  }
+  EXPECT_TRUE(exported.contains("after 60 min"));
+}
+
+TEST(Occasions, OfAnotherStudyAreNotAskedForInThePapersProtocol) {
+  StudyCentre centre;
+  centre.addTrainees(1);
+  const std::string version = centre.runPaperCurriculum();
+  SessionContext& office = centre.as("administrator");
+  const std::string cohort = addCohort(office, {.name = "Paper", .curriculumVersionId = version});
+
+  addOccasion(office, "six months later");
+
+  EXPECT_EQ(knownOccasions(office).size(), 4U);
+  EXPECT_EQ(occasionsOfCohort(centre.connection(), cohort).size(), 3U);
+  EXPECT_EQ(releaseStates(office, cohort).size(), 3U);
+}
+
+TEST(Occasions, NeedANameOfTheirOwnAndAreAudited) {
+  StudyCentre centre;
+  SessionContext& office = centre.as("administrator");
+
+  const Occasion added = addOccasion(office, "six months later");
+
+  EXPECT_EQ(added.code, "occasion-4");
+  EXPECT_EQ(centre.audited("occasion.add"), 1);
+  EXPECT_THROW(addOccasion(office, "six months later"), Error);
+  EXPECT_THROW(addOccasion(office, ""), Error);
+  EXPECT_EQ(addOccasion(office, "a year later").code, "occasion-5");
+}
+
+TEST(Occasions, OfACurriculumMustBeKnownToTheRecord) {
+  StudyCentre centre;
+  const Occasions known = OccasionRepository(centre.connection()).all();
+  const StoredCurriculumVersion content = longerPaperProtocol(centre, {"never heard of", "", {}});
+
+  const std::vector<CurriculumProblem> problems = curriculumProblems(content, centre.assets(), known);
+
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems.front().where, Text("occasion \"%1\"", "never heard of"));
+}
+
+}  // namespace
+}  // namespace torsio

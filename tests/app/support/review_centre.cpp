@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/support/review_centre.h"
+
+#include <cmath>
+#include <utility>
+
+#include "app/base/build_info.h"
+#include "app/recording/pipeline.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/trial_repository.h"
+#include "tests/sim/servo/bar_scene.h"
+
+namespace torsio::testing {
+
+namespace {
+
+constexpr const char* kPassword = "a long enough password";
+constexpr const char* kPhase = "virtual 20-40 min";
+constexpr const char* kGroupLabel = "40 min virtual";
+const char* const kSurnames[] = {"Zhangwei", "Limeihua",  "Oyelaran", "Brunnhuber", "Castellanos",
+                                 "Dubrovin", "Einarsson", "Fujimori", "Goldstein",  "Haverkamp"};
+
+const Scene& bar() {
+  static const Scene kBar = barScene();
+  return kBar;
+}
+
+Actor actorIn(Connection& connection, const std::string& login) {
+  Actor actor;
+  for (const StoredUser& user : AccessRepository(connection).users()) {
+    if (user.login == login) {
+      actor = {user.id, user.login, user.personId, user.roles, false};
+    }
+  }
+  return actor;
+}
+
+std::string physicianLogin(std::size_t index) {
+  return "physician" + std::to_string(index);
+}
+
+}  // namespace
+
+ReviewCentre::ReviewCentre(const Setup& setup) {
+  folder_ = std::filesystem::temp_directory_path() / ("torsio-" + SystemIdSource().newUuid());
+  std::filesystem::create_directories(folder_);
+  ids_ = std::make_unique<SeededIdSource>(20251121);
+  open();
+  fill(setup);
+}
+
+ReviewCentre::ReviewCentre(const std::filesystem::path& folder)
+    : folder_(folder), owner_(false), ids_(std::make_unique<SystemIdSource>()) {
+  open();
+}
+
+ReviewCentre::~ReviewCentre() {
+  connection_.reset();
+  std::error_code ignored;
+  if (owner_) {
+    std::filesystem::remove_all(folder_, ignored);
+  }
+}
+
+void ReviewCentre::open() {
+  MigrationOptions migration;
+  migration.softwareVersion = softwareVersion();
+  migration.now_us = kReviewTime_us;
+  connection_ = std::make_unique<Connection>(openRecord(locator(), OpenMode::kCreate, migration));
+}
+
+void ReviewCentre::fill(const Setup& setup) {
+  Transaction transaction(*connection_);
+  addPeople(setup);
+  addTrials(setup);
+  addAssignments(setup);
+  transaction.commit();
+}
+
+void ReviewCentre::addPeople(const Setup& setup) {
+  PeopleRepository people(*connection_);
+  AccessRepository access(*connection_, PasswordCost::kTest);
+  people.addRaterClasses(std::vector<StoredRaterClass>{{"chief", "chief physicians", 1}});
+  StudyRepository study(*connection_);
+  const StoredCohort cohort{ids_->newUuid(), "Autumn intake", "", kReviewTime_us, false, {}};
+  const StoredGroup group{ids_->newUuid(), cohort.id, 1, "G1", kGroupLabel, {}};
+  study.addCohort(cohort, std::span(&group, 1));
+  for (int i = 0; i < setup.trainees; ++i) {
+    StoredTrainee trainee;
+    trainee.person.id = ids_->newUuid();
+    trainee.person.code = "TR-4" + std::to_string(100 + i);
+    trainee.person.createdUtc_us = kReviewTime_us;
+    people.addTrainees(std::span(&trainee, 1));
+    const StoredIdentity identity{trainee.person.id, kSurnames[i % 10],
+                                  std::string(kSurnames[i % 10]) + "@example.org",
+                                  "staff-" + std::to_string(7000 + i)};
+    people.addIdentities(std::span(&identity, 1));
+    StoredEnrolment enrolment;
+    enrolment.id = ids_->newUuid();
+    enrolment.cohortId = cohort.id;
+    enrolment.traineeId = trainee.person.id;
+    enrolment.enrolledUtc_us = kReviewTime_us;
+    study.enrol(std::span(&enrolment, 1));
+    enrolmentIds_.push_back(enrolment.id);
+    traineeCodes_.push_back(trainee.person.code);
+  }
+  for (int i = 0; i < setup.raters; ++i) {
+    StoredRater rater;
+    rater.person.id = ids_->newUuid();
+    rater.person.code = "CH-" + std::to_string(100 + i);
+    rater.person.createdUtc_us = kReviewTime_us;
+    rater.classCode = "chief";
+    people.addRaters(std::span(&rater, 1));
+    access.addUser({.id = ids_->newUuid(),
+                    .login = physicianLogin(static_cast<std::size_t>(i)),
+                    .personId = rater.person.id,
+                    .roles = {"rater"}},
+                   kPassword);
+  }
+  access.addUser({.id = ids_->newUuid(), .login = "office", .roles = {"administrator"}}, kPassword);
+}
+
+void ReviewCentre::addTrials(const Setup& setup) {
+  const Scene& scene = setup.scene != nullptr ? *setup.scene : bar();
+  for (std::size_t i = 0; i < enrolmentIds_.size(); ++i) {
+    ScriptedTrial trial;
+    trial.recording = {.trialId = ids_->newUuid(),
+                       .traineeCode = traineeCodes_[i],
+                       .phaseLabel = kPhase,
+                       .startedUtc_us = kReviewTime_us,
+                       .context = {.station = "station-7", .enrolmentId = enrolmentIds_[i]}};
+    trial.personSeed = 40 + i;
+    trial.trialSeed = 40 + i;
+    trial.duration_s = setup.trial_s;
+    TrialRepository repository(*connection_, trial.recording.context);
+    recordScriptedTrial(scene, trial, repository);
+    trialIds_.push_back(trial.recording.trialId);
+  }
+}
+
+void ReviewCentre::addAssignments(const Setup& setup) {
+  SheetRepository sheets(*connection_);
+  const std::string rubric = ids_->newUuid();
+  sheets.addRubric(rubric, "Twist", kReviewTime_us, false);
+  StoredRubricRevision revision{.id = ids_->newUuid(), .rubricId = rubric};
+  revision.overall = {10, 100, 10};
+  revision.rows = {
+      {"time", "Training time", {10, 100, 10}, {{10, "very slow"}, {100, "as an expert"}}},
+      {"accuracy", "Operational accuracy", {10, 100, 10}, {{10, "misses"}, {100, "holds the angle"}}}};
+  revision.createdBy = "office";
+  revision.createdUtc_us = kReviewTime_us;
+  sheets.addRevision(revision);
+  rubricId_ = revision.id;
+  std::vector<StoredAssignment> assignments;
+  const std::size_t trainees = enrolmentIds_.size();
+  for (std::size_t rater = 0; rater < static_cast<std::size_t>(setup.raters); ++rater) {
+    for (std::size_t k = 0; k < (setup.live ? 2 : 1) * trainees; ++k) {
+      const bool live = k >= trainees;
+      const std::size_t trainee = live ? k - trainees : (k + rater) % trainees;
+      StoredAssignment one;
+      one.id = ids_->newUuid();
+      one.raterId = raterId(rater);
+      one.enrolmentId = enrolmentIds_[trainee];
+      one.occasionCode = live ? "post" : "mid";
+      one.trialId = live ? std::string() : trialIds_[trainee];
+      one.rubricRevisionId = rubricId_;
+      one.caseLabel = std::to_string(k + 2) + std::string(1, "CFHKMPRTWX"[rater % 10]);
+      one.position = static_cast<std::int64_t>(k);
+      one.dueUtc_us = kReviewTime_us + 3 * kReviewDay_us;
+      one.assignedBy = "office";
+      one.assignedUtc_us = kReviewTime_us;
+      assignments.push_back(one);
+    }
+  }
+  sheets.assign(assignments);
+}
+
+std::unique_ptr<SessionContext> ReviewCentre::physician(std::size_t index) {
+  return std::make_unique<SessionContext>(
+      *connection_, *ids_, SessionKey{locator(), "desk-1", actorIn(*connection_, physicianLogin(index))},
+      [this] { return now_us_; });
+}
+
+std::unique_ptr<SessionContext> ReviewCentre::administrator() {
+  return std::make_unique<SessionContext>(*connection_, *ids_,
+                                          SessionKey{locator(), "office-1", actorIn(*connection_, "office")},
+                                          [this] { return now_us_; });
+}
+
+std::string ReviewCentre::raterId(std::size_t index) {
+  return actorIn(*connection_, physicianLogin(index)).personId;
+}
+
+std::vector<std::string> ReviewCentre::cases(std::size_t index, bool live) {
+  std::vector<std::string> ids;
+  for (const QueueEntry& entry : SheetRepository(*connection_).queue(raterId(index))) {
+    if (entry.trialId.empty() == live) {
+      ids.push_back(entry.assignmentId);
+    }
+  }
+  return ids;
+}
+
+std::string ReviewCentre::caseAbout(std::size_t index, std::size_t trainee) {
+  DeskRepository desk(*connection_);
+  for (const std::string& id : cases(index)) {
+    if (desk.assignment(id)->trialId == trialIds_.at(trainee)) {
+      return id;
+    }
+  }
+  return {};
+}
+
+std::vector<std::string> ReviewCentre::secrets() {
+  std::vector<std::string> found{kPhase,         kGroupLabel, "Autumn intake", "20-40",
+                                 "after 20 min", "station-7", "staff-70"};
+  for (const StoredTrainee& trainee : PeopleRepository(*connection_).trainees()) {
+    found.push_back(trainee.person.code);
+    found.push_back(trainee.person.id);
+    if (const auto identity = PeopleRepository(*connection_).identity(trainee.person.id)) {
+      found.push_back(identity->fullName);
+    }
+  }
+  for (const TrialListing& trial : TrialRepository(*connection_).list()) {
+    found.push_back(trial.trialId);
+    found.push_back(trial.trialId.substr(0, 8));
+    if (trial.summary) {
+      found.push_back(trial.summary->contentHash.substr(0, 8));
+    }
+  }
+  for (const std::string& id : enrolmentIds_) {
+    found.push_back(id);
+  }
+  return found;
+}
+
+Sheet reviewSheet(double time, double accuracy, double overall) {
+  const auto steps = [](double points) { return static_cast<std::int64_t>(std::lround(points * 10.0)); };
+  Sheet sheet;
+  sheet.overall_steps = steps(overall);
+  sheet.rows = {{"time", steps(time), ""}, {"accuracy", steps(accuracy), ""}};
+  return sheet;
+}
+
+}  // namespace torsio::testing

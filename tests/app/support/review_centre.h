@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/access/session_context.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "sim/scene/scene.h"
+
+namespace torsio::testing {
+
+inline constexpr std::int64_t kReviewTime_us = 1'763'712'000'000'000;  // 2025-11-21 08:00 UTC
+inline constexpr std::int64_t kReviewDay_us = 86'400'000'000;
+
+/// A centre whose physicians score, in an SQLite file of its own: named trainees in named groups, each with a
+/// recording of the training at the point "mid" and a live case at "post"; the rubric has rows "time" and
+/// "accuracy" (1 to 10 in tenths) and an overall mark.
+class ReviewCentre {
+ public:
+  struct Setup {
+    int raters = 2;
+    int trainees = 2;
+    double trial_s = 2.0;
+    bool live = false;  ///< also the live cases
+    /// Of the recordings; empty: the bar of the servo tests (which no file describes).
+    const Scene* scene = nullptr;
+  };
+  explicit ReviewCentre(const Setup& setup);
+  /// Another program's view of a centre that exists already, in `folder`.
+  explicit ReviewCentre(const std::filesystem::path& folder);
+  ~ReviewCentre();
+  ReviewCentre(const ReviewCentre&) = delete;
+  ReviewCentre& operator=(const ReviewCentre&) = delete;
+
+  /// Physician `index` (0 ..) signed in; a session of its own on the shared connection.
+  [[nodiscard]] std::unique_ptr<SessionContext> physician(std::size_t index);
+  [[nodiscard]] std::unique_ptr<SessionContext> administrator();
+  [[nodiscard]] Connection& connection() { return *connection_; }
+  [[nodiscard]] std::string locator() const { return (folder_ / "centre.sqlite").string(); }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  /// Assignments of physician `index` in their own order: recorded or live ones.
+  [[nodiscard]] std::vector<std::string> cases(std::size_t index, bool live = false);
+  /// The assignment of physician `index` about trainee `trainee`.
+  [[nodiscard]] std::string caseAbout(std::size_t index, std::size_t trainee);
+  [[nodiscard]] const std::vector<std::string>& trialIds() const { return trialIds_; }
+  [[nodiscard]] const std::string& rubricRevisionId() const { return rubricId_; }
+  [[nodiscard]] std::string raterId(std::size_t index);
+  /// Everything that a rater must not meet: names, pseudonyms, groups, stages, phases, trial ids.
+  [[nodiscard]] std::vector<std::string> secrets();
+  void passTime_us(std::int64_t span_us) { now_us_ += span_us; }
+  [[nodiscard]] std::int64_t now_us() const { return now_us_; }
+
+ private:
+  void open();
+  void fill(const Setup& setup);
+  void addPeople(const Setup& setup);
+  void addTrials(const Setup& setup);
+  void addAssignments(const Setup& setup);
+
+  std::filesystem::path folder_;
+  bool owner_ = true;
+  std::int64_t now_us_ = kReviewTime_us;
+  std::unique_ptr<Connection> connection_;
+  std::unique_ptr<IdSource> ids_;
+  std::vector<std::string> enrolmentIds_;
+  std::vector<std::string> traineeCodes_;
+  std::vector<std::string> trialIds_;
+  std::string rubricId_;
+};
+
+/// A sheet of the centre's rubric: both rows and the overall mark, points.
+[[nodiscard]] Sheet reviewSheet(double time, double accuracy, double overall);
+
+}  // namespace torsio::testing

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/support/training_centre.h"
+
+#include <utility>
+
+#include "app/base/build_info.h"
+#include "app/recording/recorded_run.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/base/angle.h"
+#include "sim/base/tick_period.h"
+#include "sim/device/virtual/scripted_hand.h"
+#include "sim/servo/hand_task.h"
+#include "tests/sim/servo/bar_scene.h"
+
+namespace torsio::testing {
+
+namespace {
+
+constexpr const char* kPassword = "a long enough password";
+
+StoredModule moduleOf(const std::string& id, const std::string& code, const std::string& mode,
+                      std::int64_t inARow, const TrainingCentre::Setup& setup) {
+  StoredModule module;
+  module.id = id;
+  module.code = code;
+  module.title = "Quarter turn, " + code;
+  module.sceneId = setup.sceneId;
+  module.patternId = setup.patternId;
+  module.exerciseKind = "twist to target";
+  module.mode = fromStoredText<AttemptMode>(mode).value();
+  module.targetAngle_rad = trainingBar().pattern.targetAngle_rad;
+  module.tolerance_rad = radians(5.0);
+  module.maxForce_N = 4.0;  // the scripted hand presses until the device saturates at 3.3 N
+  module.mastery.push_back(
+      {.metric = "twist.on_target", .threshold = 0.5, .unit = "1", .consecutive = inARow});
+  return module;
+}
+
+}  // namespace
+
+const Scene& trainingBar() {
+  static const Scene kBar = barScene();
+  return kBar;
+}
+
+DeviceReadiness deviceWith(Light light) {
+  DeviceReadiness readiness;
+  readiness.device = "Scripted hand";
+  readiness.findings.push_back({"connected", light, "scripted", ""});
+  return readiness;
+}
+
+TrainingCentre::TrainingCentre(const Setup& setup) {
+  folder_ = std::filesystem::temp_directory_path() / ("torsio-" + SystemIdSource().newUuid());
+  std::filesystem::create_directories(folder_);
+  ids_ = std::make_unique<SeededIdSource>(20251121);
+  open();
+  fill(setup);
+  become("T-01");
+}
+
+TrainingCentre::TrainingCentre(const std::filesystem::path& folder) : folder_(folder), owner_(false) {
+  ids_ = std::make_unique<SystemIdSource>();
+  open();
+}
+
+TrainingCentre::~TrainingCentre() {
+  session_.reset();
+  connection_.reset();
+  std::error_code ignored;
+  if (owner_) {
+    std::filesystem::remove_all(folder_, ignored);
+  }
+}
+
+void TrainingCentre::open() {
+  MigrationOptions options;
+  options.softwareVersion = softwareVersion();
+  options.now_us = now_us_;
+  connection_ = std::make_unique<Connection>(openRecord(locator(), OpenMode::kCreate, options));
+  session_ = std::make_unique<SessionContext>(*connection_, *ids_, SessionKey{locator(), "station 1", {}},
+                                              [this] { return now_us_; });
+}
+
+void TrainingCentre::fill(const Setup& setup) {
+  PeopleRepository people(*connection_);
+  AccessRepository access(*connection_, PasswordCost::kTest);
+  StudyRepository studies(*connection_);
+  studies.setCentre({ids_->newUuid(), "Skills laboratory", now_us_, false});
+  const StoredRaterClass chiefs{"chief", "chief physician", 1};
+  people.addRaterClasses({&chiefs, 1});
+  std::vector<StoredTrainee> trainees;
+  for (const char* code : {"T-01", "T-02"}) {
+    StoredTrainee trainee;
+    trainee.person.id = ids_->newUuid();
+    trainee.person.code = code;
+    trainee.person.createdUtc_us = now_us_;
+    trainees.push_back(trainee);
+  }
+  people.addTrainees(trainees);
+  StoredRater chief;
+  chief.person.id = ids_->newUuid();
+  chief.person.code = "R-01";
+  chief.person.createdUtc_us = now_us_;
+  chief.classCode = "chief";
+  people.addRaters({&chief, 1});
+  const auto addUser = [&](const std::string& login, const std::string& personId, const std::string& role) {
+    const std::string id = ids_->newUuid();
+    access.addUser(
+        {.id = id, .login = login, .personId = personId, .createdUtc_us = now_us_, .roles = {role}},
+        kPassword);
+    access.setPassword(id, access.sealPassword(login, kPassword), false);
+  };
+  addUser("T-01", trainees[0].person.id, "trainee");
+  addUser("T-02", trainees[1].person.id, "trainee");
+  addUser("chief", chief.person.id, "rater");
+
+  StoredCurriculumVersion version;
+  version.id = ids_->newUuid();
+  version.curriculumId = ids_->newUuid();
+  version.createdUtc_us = now_us_;
+  version.modules.push_back(moduleOf(ids_->newUuid(), "first", "practice", 2, setup));
+  version.modules.push_back(moduleOf(ids_->newUuid(), "second", "graded", 1, setup));
+  version.modules.push_back(moduleOf(ids_->newUuid(), "third", "graded", 1, setup));
+  version.modules[1].requires_ = {version.modules[0].id};
+  version.modules[1].attemptLimit = 3;
+  version.modules[2].requires_ = {version.modules[1].id};
+  StudyArm arm;
+  arm.id = ids_->newUuid();
+  arm.code = "G1";
+  arm.label = "virtual, then real arm";
+  arm.restAllowance_us = setup.restAllowance_us;
+  arm.restSplittable = setup.restSplittable;
+  for (StoredPhase phase : setup.phases) {
+    phase.id = ids_->newUuid();
+    arm.phases.push_back(phase);
+  }
+  version.arms.push_back(arm);
+  CurriculumRepository curricula(*connection_);
+  curricula.addCurriculum({version.curriculumId, "Twist basics", "", now_us_, false});
+  curricula.addVersion(version, "office");
+  curricula.moveTo(version.id, "running", "office", now_us_);
+
+  const std::string cohortId = ids_->newUuid();
+  const StoredGroup group{ids_->newUuid(), cohortId, 1, "G1", arm.label};
+  studies.addCohort({cohortId, "Autumn course", "", now_us_, false}, {&group, 1});
+  curricula.assign(cohortId, version.id);
+  std::vector<StoredEnrolment> enrolments;
+  for (std::size_t i = 0; i < trainees.size(); ++i) {
+    StoredEnrolment enrolment;
+    enrolment.id = ids_->newUuid();
+    enrolment.cohortId = cohortId;
+    enrolment.traineeId = trainees[i].person.id;
+    enrolment.enrolledUtc_us = now_us_;
+    if (!setup.phases.empty()) {
+      enrolment.groupId = group.id;
+      enrolment.numberInGroup = static_cast<std::int64_t>(i) + 1;
+    }
+    enrolments.push_back(enrolment);
+    if (setup.consent) {
+      people.recordConsent({.personId = trainees[i].person.id,
+                            .purpose = "training_record",
+                            .granted = true,
+                            .textVersion = "1",
+                            .decidedUtc_us = now_us_,
+                            .recordedBy = "office"});
+    }
+  }
+  studies.enrol(enrolments);
+}
+
+void TrainingCentre::become(const std::string& who) {
+  for (const StoredUser& user : AccessRepository(*connection_, PasswordCost::kTest).users()) {
+    if (user.login == who) {
+      session_->setActor({user.id, user.login, user.personId, user.roles, false});
+    }
+  }
+}
+
+StoredCohort TrainingCentre::cohort() {
+  return StudyRepository(*connection_).cohorts().front();
+}
+
+std::string TrainingCentre::enrolment(const std::string& traineeCode) {
+  for (const StoredEnrolment& enrolment : StudyRepository(*connection_).enrolments(cohort().id)) {
+    if (enrolment.traineeCode == traineeCode) {
+      return enrolment.id;
+    }
+  }
+  return {};
+}
+
+std::string TrainingCentre::module(const std::string& code) {
+  const auto version = CurriculumRepository(*connection_).version(cohort().curriculumVersionId);
+  for (const StoredModule& module : version->modules) {
+    if (module.code == code) {
+      return module.id;
+    }
+  }
+  return {};
+}
+
+std::string TrainingCentre::attempt(const std::string& moduleCode, const std::string& mode, double skill,
+                                    double duration_s, const std::string& phaseId) {
+  const Scene& scene = trainingBar();
+  ScriptedHandOptions hand;
+  hand.task = handTask(scene);
+  hand.profile = {.initialSkill = skill, .finalSkill = skill, .learningTime_min = 1.0};
+  hand.duration_s = duration_s;
+  hand.seed = static_cast<std::uint64_t>(now_us_);
+  const RecordingSpec recording{.trialId = ids_->newUuid(),
+                                .traineeCode = session_->actor().login,
+                                .startedUtc_us = now_us_,
+                                .context = {.station = "station 1",
+                                            .enrolmentId = enrolment(session_->actor().login),
+                                            .moduleId = module(moduleCode),
+                                            .phaseId = phaseId,
+                                            .attemptMode = fromStoredText<AttemptMode>(mode)}};
+  RecordedRun run(borrowed(scene), std::make_unique<ScriptedHand>(hand), recording,
+                  std::make_shared<TrialRepository>(*connection_, recording.context));
+  run.step(ticksIn(duration_s));
+  static_cast<void>(run.finish(TrialOutcome::kCompleted));
+  now_us_ += ticksIn(duration_s) * kTickPeriod_us + kMinute_us;
+  return recording.trialId;
+}
+
+}  // namespace torsio::testing

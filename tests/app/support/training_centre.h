@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/access/session_context.h"
+#include "app/devices/device_readiness.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "sim/scene/scene.h"
+
+namespace torsio::testing {
+
+inline constexpr std::int64_t kSecond_us = 1'000'000;
+inline constexpr std::int64_t kMinute_us = 60 * kSecond_us;
+inline constexpr std::int64_t kCentreTime_us = 1'763'712'000'000'000;  // 2025-11-21 08:00 UTC
+
+/// A small centre in an SQLite file of its own: trainees T-01 and T-02 with users, one chief, one cohort that
+/// follows a running curriculum of three modules on the bar of the servo tests.
+///
+/// | module | mode     | needs | mastered by                       | attempts |
+/// |--------|----------|-------|-----------------------------------|----------|
+/// | first  | practice | -     | half the twists on target, twice  | any      |
+/// | second | graded   | first | half the twists on target, once   | 3        |
+/// | third  | graded   | second| half the twists on target, once   | any      |
+class TrainingCentre {
+ public:
+  struct Setup {
+    /// Phases of the one arm of the study; empty: the cohort has no arm, modules at any time.
+    std::vector<StoredPhase> phases{};
+    std::int64_t restAllowance_us = 0;
+    bool restSplittable = false;
+    bool consent = true;
+    std::string sceneId = "bar";
+    std::string patternId = "quarter";
+  };
+  TrainingCentre() : TrainingCentre(Setup{}) {}
+  explicit TrainingCentre(const Setup& setup);
+  /// Another program's view of a centre that exists already, in `folder`.
+  explicit TrainingCentre(const std::filesystem::path& folder);
+  ~TrainingCentre();
+  TrainingCentre(const TrainingCentre&) = delete;
+  TrainingCentre& operator=(const TrainingCentre&) = delete;
+
+  [[nodiscard]] SessionContext& session() { return *session_; }
+  [[nodiscard]] Connection& connection() { return *connection_; }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  [[nodiscard]] std::string locator() const { return (folder_ / "centre.sqlite").string(); }
+  [[nodiscard]] std::string person() { return session_->actor().personId; }
+  /// Id of "first", "second", "third".
+  [[nodiscard]] std::string module(const std::string& code);
+  /// Signs "T-01", "T-02" or "chief" in.
+  void become(const std::string& who);
+  void passTime_us(std::int64_t span_us) { now_us_ += span_us; }
+  [[nodiscard]] StoredCohort cohort();
+  [[nodiscard]] std::string enrolment(const std::string& traineeCode = "T-01");
+
+  /// A finished attempt of the signed-in trainee by a scripted hand: 0 a beginner .. 1 an expert.
+  std::string attempt(const std::string& moduleCode, const std::string& mode, double skill,
+                      double duration_s = 12.0, const std::string& phaseId = {});
+
+ private:
+  void open();
+  void fill(const Setup& setup);
+  std::filesystem::path folder_;
+  bool owner_ = true;
+  std::int64_t now_us_ = kCentreTime_us;
+  std::unique_ptr<IdSource> ids_;
+  std::unique_ptr<Connection> connection_;
+  std::unique_ptr<SessionContext> session_;
+};
+
+/// The bar of the servo tests, made once: target 90 degrees.
+[[nodiscard]] const Scene& trainingBar();
+
+/// A device with one finding of this light.
+[[nodiscard]] DeviceReadiness deviceWith(Light light);
+
+}  // namespace torsio::testing
