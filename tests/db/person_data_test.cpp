@@ -70,7 +70,7 @@ class PersonDataTest : public DatabaseTest {
       const std::string person = sample.trainees[i].person.id;
       const std::string text = i == 0 ? kMarker : "somebody else";
       PeopleRepository people(connection);
-      people.addIdentities(std::vector<StoredIdentity>{{person, text, text + "@example.org", text}});
+      people.setIdentity({person, text, text + "@example.org", text});
       people.recordConsent({person, "video", true, "1", kSampleTime_us, "admin", true});
       AccessRepository(connection, PasswordCost::kTest)
           .addUser({.id = sample.ids.newUuid(), .login = text, .personId = person, .roles = {"trainee"}},

@@ -24,6 +24,7 @@
 #include "sim/base/file_io.h"
 #include "tests/app/access/permission_calls.h"
 #include "tests/app/support/study_centre.h"
+#include "tests/support/stored_rows.h"
 
 namespace torsio {
 namespace {
@@ -60,7 +61,7 @@ TEST(PermissionMatrix, EveryOperationIsAskedForByAServiceThatIsCalledHere) {
     covered.emplace(operationCode(call.operation));
   }
 
-  for (const std::string& operation : AccessRepository(centre.connection()).operations()) {
+  for (const std::string& operation : storedOperations(centre.connection())) {
     EXPECT_TRUE(covered.contains(operation)) << operation;
   }
   EXPECT_EQ(covered.size(), kOperationCodes.size());
@@ -105,9 +106,8 @@ TEST(PermissionMatrix, EveryServiceFunctionIsCalledHere) {
 
 TEST(PermissionMatrix, ACurriculumIsReadByWhoeverPractisesOrSeesPeople) {
   StudyCentre centre;
-  AccessRepository access(centre.connection());
-  const auto allowed = access.permissions();
-  for (const std::string& role : access.roles()) {
+  const auto allowed = storedPermissions(centre.connection());
+  for (const std::string& role : storedRoles(centre.connection())) {
     const bool may = allowed.contains({role, "practice"}) || allowed.contains({role, "person.view_coded"});
     const ServiceCall read{Operation::kPersonViewCoded, "curriculumVersion",
                            [](SessionContext& w, const std::filesystem::path&) {
@@ -120,10 +120,9 @@ TEST(PermissionMatrix, ACurriculumIsReadByWhoeverPractisesOrSeesPeople) {
 
 TEST(PermissionMatrix, EveryRoleMayExactlyWhatTheDatabaseSays) {
   StudyCentre centre;
-  AccessRepository access(centre.connection());
-  const auto allowed = access.permissions();
+  const auto allowed = storedPermissions(centre.connection());
 
-  for (const std::string& role : access.roles()) {
+  for (const std::string& role : storedRoles(centre.connection())) {
     for (const ServiceCall& call : calls()) {
       const bool may = allowed.contains({role, std::string(operationCode(call.operation))});
       EXPECT_EQ(refused(call, centre.as(role), centre.folder()), !may)
@@ -200,11 +199,10 @@ TEST(PermissionMatrix, AnAdministratorsReportHasNoSingleMarksWhileARaterStillHas
 
 TEST(PermissionMatrix, ARefusedCallLeavesTheRecordAsItIs) {
   StudyCentre centre;
-  AccessRepository access(centre.connection());
-  const auto allowed = access.permissions();
+  const auto allowed = storedPermissions(centre.connection());
   const auto before = centre.rowCounts();
 
-  for (const std::string& role : access.roles()) {
+  for (const std::string& role : storedRoles(centre.connection())) {
     for (const ServiceCall& call : calls()) {
       if (allowed.contains({role, std::string(operationCode(call.operation))})) {
         continue;
