@@ -42,13 +42,6 @@ Vec3 indentationAt(const ContactPatch& patch, const Vec3& point_m) noexcept {
   return patch.normal * (-patch.depth_m * share);
 }
 
-double membraneTension_N_per_m(const ContactPatch& patch, double surface_N_per_m) noexcept {
-  if (!(patch.toolRadius_m > 0.0) || !(patch.radius_m > patch.toolRadius_m)) {
-    return 0.0;
-  }
-  return surface_N_per_m * portableLog(patch.radius_m / patch.toolRadius_m) / (2.0 * kPi);
-}
-
 bool indentSurface(const LiveState& state, std::span<float> xyz, int stride, double unit_m) noexcept {
   if (!anyPresses(state) || stride < 3) {
     return false;
@@ -62,16 +55,6 @@ bool indentSurface(const LiveState& state, std::span<float> xyz, int stride, dou
     xyz[at] += static_cast<float>(moved.x);
     xyz[at + 1] += static_cast<float>(moved.y);
     xyz[at + 2] += static_cast<float>(moved.z);
-  }
-  return true;
-}
-
-bool indentSurface(const LiveState& state, std::span<Vec3> vertices_m) noexcept {
-  if (!anyPresses(state)) {
-    return false;
-  }
-  for (Vec3& v : vertices_m) {
-    v += total(state, v);
   }
   return true;
 }
