@@ -3508,10 +3508,6 @@
         <translation>的结构版本比此程序旧</translation>
     </message>
     <message>
-        <source>has an unknown exercise &quot;%1&quot;</source>
-        <translation>的任务“%1”无法识别</translation>
-    </message>
-    <message>
         <source>has an unknown scene &quot;%1&quot;</source>
         <translation>的场景“%1”无法识别</translation>
     </message>
@@ -8360,18 +8356,6 @@
         <translation>真实手臂</translation>
     </message>
     <message>
-        <source>twist to a target angle</source>
-        <translation>扭转到目标角度</translation>
-    </message>
-    <message>
-        <source>hold the angle</source>
-        <translation>保持角度</translation>
-    </message>
-    <message>
-        <source>follow a moving angle</source>
-        <translation>跟随变化的角度</translation>
-    </message>
-    <message>
         <source>share of twists on target</source>
         <translation>达标扭转比例</translation>
     </message>
@@ -10814,10 +10798,6 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Twist</source>
         <translation>扭转</translation>
-    </message>
-    <message>
-        <source>Task</source>
-        <translation>任务</translation>
     </message>
     <message>
         <source>Counts as</source>

@@ -75,7 +75,6 @@ class ExerciseEditor : public QWidget {
   QLineEdit* title_;
   QComboBox* scene_;
   QComboBox* pattern_;
-  QComboBox* kind_;
   QComboBox* mode_;
   QDoubleSpinBox* target_;
   QDoubleSpinBox* tolerance_;

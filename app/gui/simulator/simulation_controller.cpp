@@ -332,6 +332,7 @@ void SimulationController::startRecording() {
       .trialId = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString(),
       .targetAngle_rad = target_rad_,
       .startedUtc_us = utcNow_us(),
+      .context = stationContext(),
   };
   std::unique_ptr<TrialSink> sink;
   if (!attempt([&] { sink = recording_.open ? recording_.open(recording) : nullptr; })) {

@@ -11,7 +11,7 @@
 #include "app/base/build_info.h"
 #include "app/recording/recording_host.h"
 #include "app/recording/station_heartbeat.h"
-#include "app/recording/trial_store.h"
+#include "app/recording/unstored_trials.h"
 #include "app/training/run_session.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/audit_verification.h"
@@ -310,12 +310,11 @@ TEST_F(StationStartTest, EveryRecordingSaysOnWhichMachineItWasMade) {
   EXPECT_FALSE(spec.context.host.name.empty());
   EXPECT_FALSE(spec.context.host.os.empty());
   EXPECT_FALSE(spec.context.host.cpu.empty());
-  TrialStore store(centre_.locator());
   TrialHeader practice = headerOf(spec);
   practice.trialId = SystemIdSource().newUuid();
   practice.traineeCode.clear();
 
-  store.newSink()->begin(practice);
+  recordingSink(centre_.locator(), stationContext())->begin(practice);
 
   const std::optional<TrialContext> context = TrialRepository(centre_.connection()).context(practice.trialId);
   EXPECT_EQ(context->host, thisHost());
