@@ -345,11 +345,6 @@ std::vector<StoredRaterClass> ensureRaterClasses(SessionContext& session) {
   return classes;
 }
 
-std::vector<StoredRaterClass> raterClasses(SessionContext& session) {
-  session.require(Operation::kPersonViewCoded);
-  return PeopleRepository(session.connection()).raterClasses();
-}
-
 std::size_t exportPeople(SessionContext& session, const std::filesystem::path& file, bool withNames) {
   session.require(withNames ? Operation::kReportExportNamed : Operation::kReportExportCoded);
   constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";

@@ -42,19 +42,12 @@ Vec3 indentationAt(const ContactPatch& patch, const Vec3& point_m) noexcept {
   return patch.normal * (-patch.depth_m * share);
 }
 
-bool indentSurface(const LiveState& state, std::span<float> xyz, int stride, double unit_m) noexcept {
-  if (!anyPresses(state) || stride < 3) {
+bool indentSurface(const LiveState& state, std::span<Vec3> vertices_m) noexcept {
+  if (!anyPresses(state)) {
     return false;
   }
-  for (std::size_t at = 0; at + 2 < xyz.size(); at += static_cast<std::size_t>(stride)) {
-    const Vec3 point_m = Vec3{xyz[at], xyz[at + 1], xyz[at + 2]} * unit_m;
-    const Vec3 moved = total(state, point_m) / unit_m;
-    if (moved == Vec3{}) {
-      continue;
-    }
-    xyz[at] += static_cast<float>(moved.x);
-    xyz[at + 1] += static_cast<float>(moved.y);
-    xyz[at + 2] += static_cast<float>(moved.z);
+  for (Vec3& v : vertices_m) {
+    v += total(state, v);
   }
   return true;
 }

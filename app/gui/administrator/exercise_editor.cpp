@@ -189,10 +189,6 @@ QStringList ExerciseEditor::lines() const {
   return lines;
 }
 
-void ExerciseEditor::fill() {
-  select(std::max(0, list_->row()));
-}
-
 void ExerciseEditor::select(int row) {
   list_->setLines(lines(), row);
   showContent();
@@ -206,8 +202,8 @@ void ExerciseEditor::showContent() {
   const bool change = module != nullptr && !readOnly_;
   addRule_->setEnabled(change);
   for (QWidget* field :
-       std::initializer_list<QWidget*>{title_, code_.field(), scene_, pattern_, mode_, target_,
-                                       tolerance_, hold_, force_, torque_, attempts_, after_, mastery_}) {
+       std::initializer_list<QWidget*>{title_, code_.field(), scene_, pattern_, mode_, target_, tolerance_,
+                                       hold_, force_, torque_, attempts_, after_, mastery_}) {
     field->setEnabled(change);
   }
   if (module == nullptr) {

@@ -32,8 +32,6 @@ class ExerciseEditor : public QWidget {
   /// `content` outlives this.
   ExerciseEditor(std::filesystem::path assets, StoredCurriculumVersion& content, QWidget* parent = nullptr);
 
-  /// The content was replaced, or the language changed.
-  void fill();
   void select(int row);
   /// Everything can be looked at and nothing changed.
   void setReadOnly(bool readOnly);

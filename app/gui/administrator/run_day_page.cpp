@@ -133,11 +133,6 @@ void RunDayPage::refresh() {
       });
 }
 
-void RunDayPage::refreshAndWait() {
-  refresh();
-  reader_->wait();
-}
-
 QString RunDayPage::nowText(const RunDayRow& row) const {
   if (row.state == EnrolmentState::kWithdrawn) {
     return tr("withdrew");

@@ -106,7 +106,13 @@ void MainWindow::createPanels() {
   signIn_ = new SignInPanel(this);
   password_ = new PasswordPanel(this);
   lock_ = new LockPanel(this);
-  for (QWidget* panel : std::initializer_list<QWidget*>{trouble_, firstRun_, signIn_, password_, lock_}) {
+  const std::initializer_list<std::pair<QWidget*, const char*>> panels{{trouble_, "trouble"},
+                                                                       {firstRun_, "first run"},
+                                                                       {signIn_, "sign-in"},
+                                                                       {password_, "password"},
+                                                                       {lock_, "lock"}};
+  for (const auto& [panel, name] : panels) {
+    panel->setObjectName(QLatin1String(name));
     stack_->addWidget(panel);
   }
   trouble_->setTheme(theme(theme_));
@@ -207,19 +213,6 @@ void MainWindow::watchIdleness() {
 
 void MainWindow::show(QWidget* panel) {
   stack_->setCurrentWidget(panel);
-}
-
-QString MainWindow::screen() const {
-  const QWidget* shown = stack_->currentWidget();
-  const std::pair<const QWidget*, const char*> names[] = {{trouble_, "trouble"}, {firstRun_, "first run"},
-                                                          {signIn_, "sign-in"},  {password_, "password"},
-                                                          {lock_, "lock"},       {desk_, "desk"}};
-  for (const auto& [panel, name] : names) {
-    if (panel == shown) {
-      return QLatin1String(name);
-    }
-  }
-  return {};
 }
 
 void MainWindow::start() {

@@ -65,8 +65,6 @@ class MainWindow : public QWidget {
   [[nodiscard]] SessionContext* session() noexcept { return session_.get(); }
   [[nodiscard]] Background& background() noexcept { return background_; }
   [[nodiscard]] LanguageSwitch& languageSwitch() noexcept { return language_; }
-  /// "first run", "sign-in", "password", "desk", "lock", "trouble": for tests.
-  [[nodiscard]] QString screen() const;
 
   /// Refused while the desk is busy or a page has something unfinished.
   bool signOut(const QString& reason = {});

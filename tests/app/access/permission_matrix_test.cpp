@@ -70,13 +70,13 @@ TEST(PermissionMatrix, EveryOperationIsAskedForByAServiceThatIsCalledHere) {
 /// Service functions that are open by design, or whose rule is tested by itself.
 const std::set<std::string> kWithoutARow{"setUpCentre", "performFirstRun",
                                          "addDemonstration",  // before there is any user
-                                         "signIn", "signInForPractice", "changeOwnPassword", "unlock",
+                                         "signIn", "signInForPractice", "changeOwnPassword",
                                          "signOut",        // ask for the secret
                                          "settleStation",  // the station itself, at its start
                                          // Parts of other services, given the operation.
                                          "ownAssignment", "ownRecord", "ownTrial", "keepBookmark",
                                          // One of two operations: tested below.
-                                         "recordExposure", "curriculumVersion"};
+                                         "recordExposure"};
 
 TEST(PermissionMatrix, EveryServiceFunctionIsCalledHere) {
   std::set<std::string> called = kWithoutARow;
@@ -102,20 +102,6 @@ TEST(PermissionMatrix, EveryServiceFunctionIsCalledHere) {
     }
   }
   EXPECT_GT(found, 130U);
-}
-
-TEST(PermissionMatrix, ACurriculumIsReadByWhoeverPractisesOrSeesPeople) {
-  StudyCentre centre;
-  const auto allowed = storedPermissions(centre.connection());
-  for (const std::string& role : storedRoles(centre.connection())) {
-    const bool may = allowed.contains({role, "practice"}) || allowed.contains({role, "person.view_coded"});
-    const ServiceCall read{Operation::kPersonViewCoded, "curriculumVersion",
-                           [](SessionContext& w, const std::filesystem::path&) {
-                             static_cast<void>(curriculumVersion(w, kNoSuch));
-                           }};
-    EXPECT_EQ(refused(read, centre.as(role), centre.folder()), !may) << role;
-    EXPECT_TRUE(refused(read, centre.as(""), centre.folder()));
-  }
 }
 
 TEST(PermissionMatrix, EveryRoleMayExactlyWhatTheDatabaseSays) {

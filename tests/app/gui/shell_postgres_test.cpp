@@ -16,6 +16,7 @@
 #include "app/access/first_run.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/main_window.h"
+#include "tests/app/gui/shown_screen.h"
 #include "tests/db/test_database.h"
 
 namespace torsio::gui {
@@ -102,7 +103,7 @@ class FirstRunOnServer : public DatabaseTest {
 };
 
 TEST_F(FirstRunOnServer, MakesTheCentreOnTheServerAndSignsItsAdministratorIn) {
-  ASSERT_EQ(window_->screen(), QStringLiteral("first run"));
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
   fillUntilTheDatabase();
   field("Address of the server")->setText(address_);
   press("Test the database");
@@ -111,7 +112,7 @@ TEST_F(FirstRunOnServer, MakesTheCentreOnTheServerAndSignsItsAdministratorIn) {
   press("Set up");
   window_->background().wait();
 
-  ASSERT_EQ(window_->screen(), QStringLiteral("desk")) << address_.toStdString();
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk")) << address_.toStdString();
   EXPECT_EQ(window_->session()->connection().engine(), Engine::kPostgresql);
   EXPECT_EQ(centreSign(window_->session()->connection()).name, "City hospital");
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "unused.sqlite-wal"));
@@ -134,7 +135,7 @@ TEST_F(FirstRunOnServer, SaysThatACentreIsThereAlreadyAndLetsItsPeopleSignIn) {
   window_->background().wait();
   window_->background().wait();  // recordings that wait in files are settled next
 
-  EXPECT_EQ(window_->screen(), QStringLiteral("sign-in"));
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
   EXPECT_TRUE(says("Old hospital"));
 }
 
@@ -147,7 +148,7 @@ TEST_F(FirstRunOnServer, AServerThatDoesNotAnswerIsSaidAndNothingIsWritten) {
   press("Set up");
   window_->background().wait();
 
-  EXPECT_EQ(window_->screen(), QStringLiteral("first run"));
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
   EXPECT_TRUE(says("cannot be reached"));
 }
 

@@ -218,9 +218,13 @@ void runTheDay(Office& office, const std::string& cohortId) {
   EXPECT_EQ(deviations(office.centre.session(), cohortId).size(), 2U);
 
   office.centre.passTime_us(60'000'000);
-  page->refreshAndWait();
-
-  EXPECT_TRUE(child<QLabel>(*page, "alerts").text().contains(QStringLiteral("room 2 does not answer")))
+  // The page reads itself anew every few seconds.
+  constexpr int kPatience_ms = 30'000;
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        return child<QLabel>(*page, "alerts").text().contains(QStringLiteral("room 2 does not answer"));
+      },
+      kPatience_ms))
       << child<QLabel>(*page, "alerts").text().toStdString();
   EXPECT_TRUE(child<DataTable>(*page, "table").totals().contains(QStringLiteral("Deviations 2")));
   EXPECT_TRUE(page->leave());

@@ -20,6 +20,7 @@
 #include "app/study/scoring_plan.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "sim/base/error.h"
 #include "tests/app/support/study_centre.h"
@@ -64,7 +65,8 @@ struct Study {
   [[nodiscard]] StudyArm armOf(const std::string& enrolmentId) {
     SessionContext& session = centre.as("administrator");
     const CohortRow cohort = cohorts(session).at(0);
-    const auto version = curriculumVersion(session, cohort.cohort.curriculumVersionId);
+    const auto version =
+        CurriculumRepository(session.connection()).version(cohort.cohort.curriculumVersionId);
     for (const StoredEnrolment& enrolment : enrolments(session, cohortId)) {
       if (enrolment.id != enrolmentId) {
         continue;
