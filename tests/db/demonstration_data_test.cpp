@@ -12,6 +12,7 @@
 #include "tests/db/full_record.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
+#include "tests/support/stored_rows.h"
 
 namespace torsio {
 namespace {
@@ -136,8 +137,8 @@ TEST_F(DemonstrationDataTest, AStationThatShowsASimulatedTrialShowsNone) {
 
   remove(connection);
 
-  EXPECT_EQ(StationRepository(connection).find("room 2")->trialId, "");
-  EXPECT_EQ(StationRepository(connection).find("room 2")->userId, "u");
+  EXPECT_EQ(stationOnBoard(connection, "room 2")->trialId, "");
+  EXPECT_EQ(stationOnBoard(connection, "room 2")->userId, "u");
 }
 
 TEST_F(DemonstrationDataTest, RefusesWhileARealRowUsesASimulatedOne) {

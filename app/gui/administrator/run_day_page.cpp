@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/administrator_parts.h"
+#include "app/gui/administrator/list_dialogs.h"
 #include "app/gui/administrator/run_day_dialogs.h"
 #include "app/gui/administrator/study_labels.h"
 #include "app/gui/administrator/user_dialogs.h"
@@ -51,6 +52,7 @@ RunDayPage::RunDayPage(ShellContext& shell)
       time_(listButton(table_)),
       swap_(listButton(table_)),
       deviation_(listButton(table_)),
+      deviations_(listButton(table_)),
       state_(listButton(table_)) {
   alerts_->setObjectName(QStringLiteral("alerts"));
   stations_->setObjectName(QStringLiteral("stations"));
@@ -80,6 +82,9 @@ RunDayPage::RunDayPage(ShellContext& shell)
   connect(table_, &DataTable::currentChanged, this, &RunDayPage::showButtons);
   connect(time_, &QPushButton::clicked, this, &RunDayPage::logTime);
   connect(deviation_, &QPushButton::clicked, this, &RunDayPage::reportDeviation);
+  connect(deviations_, &QPushButton::clicked, this, [this] {
+    attempt(this->shell(), [this] { showDeviations(this->shell(), chosenId(cohort_), this); });
+  });
   connect(state_, &QPushButton::clicked, this, &RunDayPage::changeState);
   retranslate();
 }
@@ -325,6 +330,7 @@ void RunDayPage::showButtons() {
   time_->setEnabled(row != nullptr);
   swap_->setEnabled(row != nullptr && row->state != EnrolmentState::kWithdrawn && board_->rows.size() > 1);
   deviation_->setEnabled(board_.has_value());
+  deviations_->setEnabled(board_.has_value());
   state_->setEnabled(row != nullptr);
   state_->setText(row != nullptr && row->state == EnrolmentState::kWithdrawn ? tr("&Back in\u2026")
                                                                              : tr("&Withdraw\u2026"));
@@ -404,6 +410,8 @@ void RunDayPage::retranslate() {
                          {tr("Device")},
                          {tr("Device check")}});
   deviation_->setText(tr("&Deviation\u2026"));
+  deviations_->setText(tr("&Noted\u2026"));
+  deviations_->setToolTip(tr("All deviations of this cohort"));
   table_->setColumns({{tr("Trainee")},
                       {tr("Group")},
                       {tr("Now at")},

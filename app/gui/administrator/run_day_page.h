@@ -62,6 +62,7 @@ class RunDayPage : public Page {
   QPushButton* time_;
   QPushButton* swap_;
   QPushButton* deviation_;
+  QPushButton* deviations_;
   QPushButton* state_;
 };
 

@@ -228,6 +228,14 @@ void MainWindow::heartbeat() {
   }
   line_->signIn(session_->actor());
   showAnswers(line_->answers());
+  if (const std::size_t refused = line_->refused(); refused != refusedTold_) {
+    refusedTold_ = refused;
+    if (refused > 0 && desk_ != nullptr) {
+      desk_->context().notify(
+          tr("The database refused %1 entries of this station for good. Please tell whoever looks after it")
+              .arg(refused));
+    }
+  }
 }
 
 void MainWindow::showAnswers(bool answers) {
@@ -238,6 +246,9 @@ void MainWindow::showAnswers(bool answers) {
                                       "computer and stored as soon as the database answers")
                                  : tr("The database does not answer. Torsio tries again by itself; what is "
                                       "stored is safe"));
+    if (const std::size_t waiting = line_ ? line_->waiting() : 0; waiting > 0) {
+      awayBanner_->setText(tr("%1. Waiting to be stored: %2").arg(awayBanner_->text()).arg(waiting));
+    }
     settleDue_ = true;
   } else if (!answered_) {
     reconnect();

@@ -131,6 +131,7 @@ class MainWindow : public QWidget {
   QTimer second_;
   std::unique_ptr<SessionContext> session_;
   std::unique_ptr<StationWriter> line_;
+  std::size_t refusedTold_ = 0;
   bool answered_ = true;    // the database, at the last heartbeat
   bool settleDue_ = false;  // recordings may have gone to files meanwhile
   std::vector<Text> kept_;  // recordings that could not be stored; told until somebody signs in

@@ -7,6 +7,7 @@
 #include <QUuid>
 
 #include "app/gui/base/translated_text.h"
+#include "app/recording/recording_host.h"
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"

@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "app/access/access_service.h"
+#include "app/reporting/coded_tables.h"
 #include "app/reporting/report_data.h"
 #include "app/study/allocation_service.h"
-#include "app/study/coded_records.h"
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/frozen_data.h"
@@ -165,7 +165,9 @@ TEST(PermissionMatrix, AnAdministratorsReportHasSingleMarksOnlyWhenNothingCanBeI
 
   scored.freeze();
   EXPECT_TRUE(scored.sees("administrator"));
-  EXPECT_THROW((void)codedMarks(scored.centre.as("administrator"), scored.request.cohortId), Error);
+  EXPECT_THROW(exportMarks(scored.centre.as("administrator"), scored.request.cohortId,
+                           scored.centre.folder() / "marks.csv"),
+               Error);
   scored.request.identity = ReportIdentity::kNamed;
   EXPECT_FALSE(scored.sees("administrator"));  // with names
   scored.request.identity = ReportIdentity::kCoded;
