@@ -34,6 +34,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "tests/app/gui/shown_screen.h"
+#include "tests/support/stored_rows.h"
 
 namespace torsio::gui {
 namespace {
@@ -537,18 +538,18 @@ TEST_F(Shell, ARecordingThatCannotBeStoredIsSaidBeforeTheSignInAndToWhoeverSigns
 
 TEST_F(Shell, AnOpenStationGivesSignsOfLifeUntilItIsClosed) {
   openFoundedCentre(setup());
-  StationRepository stations(window_->session()->connection());
+  Connection& connection = window_->session()->connection();
   ASSERT_TRUE(window_->line()->settled(kLong));
-  ASSERT_TRUE(stations.find("test").has_value());
-  EXPECT_EQ(stations.find("test")->userId, "");
+  ASSERT_TRUE(stationOnBoard(connection, "test").has_value());
+  EXPECT_EQ(stationOnBoard(connection, "test")->userId, "");
 
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   window_->heartbeat();
   ASSERT_TRUE(window_->line()->settled(kLong));
-  EXPECT_EQ(stations.find("test")->userId, window_->session()->actor().userId);
+  EXPECT_EQ(stationOnBoard(connection, "test")->userId, window_->session()->actor().userId);
   ASSERT_TRUE(window_->close());
 
-  EXPECT_FALSE(stations.find("test").has_value());
+  EXPECT_FALSE(stationOnBoard(connection, "test").has_value());
 }
 
 TEST_F(Shell, CancellingTheFirstRunLeavesNoCentre) {

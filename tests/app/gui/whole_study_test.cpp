@@ -48,8 +48,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using testing::answer;
 using testing::AdministratorDesk;
+using testing::answer;
 using testing::press;
 using testing::StudyCentre;
 using testing::type;
@@ -175,7 +175,8 @@ void drawGroups(AdministratorDesk& office, const std::string& cohortId) {
   EXPECT_EQ(office.centre.audited("allocation.cards"), 1);
 }
 
-void askTheTen(AdministratorDesk& office, const std::string& cohortId, const std::vector<std::string>& chiefs) {
+void askTheTen(AdministratorDesk& office, const std::string& cohortId,
+               const std::vector<std::string>& chiefs) {
   auto page = office.open<ScoringPage>("administrator", toQString(cohortId));
   answer([&](QDialog& dialog) {
     chooseCodes(dialog, chiefs);
@@ -216,6 +217,13 @@ void runTheDay(AdministratorDesk& office, const std::string& cohortId) {
   });
   press(*page, QStringLiteral("Swap turns"));
   EXPECT_EQ(deviations(office.centre.session(), cohortId).size(), 2U);
+  int listed = 0;
+  answer([&listed](QDialog& dialog) {
+    listed = child<DataTable>(dialog, "deviations").visibleRows();
+    dialog.reject();
+  });
+  press(*page, QStringLiteral("Noted"));
+  EXPECT_EQ(listed, 2);
 
   office.centre.passTime_us(60'000'000);
   // The page reads itself anew every few seconds.
@@ -257,7 +265,8 @@ struct Crowd {
   std::map<std::string, std::string> codeOf;  // of an enrolment
 };
 
-Crowd crowdOf(AdministratorDesk& office, const std::string& cohortId, const std::vector<std::string>& chiefs) {
+Crowd crowdOf(AdministratorDesk& office, const std::string& cohortId,
+              const std::vector<std::string>& chiefs) {
   Crowd crowd;
   crowd.people.groups.resize(3);
   crowd.people.raters = chiefs;
@@ -444,10 +453,14 @@ TEST(WholeStudy, IsOneStoryFromTheRosterToTheReportWithTheNumbersOfTheCommandLin
   ASSERT_TRUE(reports->exportTo(ReportFormat::kPdf, pdf));
   auto numbers = office.open<ReportsPage>("statistician");  // who may see single marks, under codes
   ASSERT_TRUE(numbers->exportTo(ReportFormat::kCsv, csv));
+  const fs::path tables = office.centre.folder() / "tables";
+  ASSERT_TRUE(numbers->exportTables(tables));
 
   EXPECT_EQ(readFile(pdf).substr(0, 5), "%PDF-");
   expectNumbersOfTheCommandLine(Numbers(csv), crowd, office.centre.folder());
   EXPECT_EQ(office.centre.audited("report.export_coded"), 2);
+  EXPECT_EQ(readFile(tables / "marks.csv").find("\xEF\xBB\xBFtrainee,rater,occasion,"), 0U);
+  EXPECT_EQ(readFile(tables / "recordings.csv").find("\xEF\xBB\xBFtrial,trainee,scene,"), 0U);
   EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
 }
 
