@@ -31,7 +31,7 @@ TEST_F(CarePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) {
   QTest::keyClicks(&child<QLineEdit>(page, "word"), QStringLiteral("RESTORE"));
   click(child<QPushButton>(page, "restoreButton"));
   QTRY_COMPARE_WITH_TIMEOUT(testing::screenOf(*window_), QStringLiteral("sign-in"), 5'000);
-  window_->background().wait();
+  testing::waitFor(window_->background());
 
   EXPECT_TRUE(says(QStringLiteral("The record was restored from backup.sqlite")));
   EXPECT_EQ(people(record()), 2);

@@ -70,7 +70,7 @@ class CarePages : public ::testing::Test {
     window_ = std::make_unique<MainWindow>(setup);
     window_->QWidget::show();
     window_->start();
-    window_->background().wait();
+    testing::waitFor(window_->background());
     signIn();
   }
 
@@ -93,7 +93,7 @@ class CarePages : public ::testing::Test {
     named("Sign-in name")->setText(QStringLiteral("admin"));
     named("Password")->setText(QString::fromLatin1(kAdminPassword));
     QTest::keyClick(named("Password"), Qt::Key_Return);
-    window_->background().wait();
+    testing::waitFor(window_->background());
     ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
     QObject::connect(&context(), &ShellContext::failed, window_.get(),
                      [this](const QString& happened) { failures_ << happened; });

@@ -98,7 +98,7 @@ TEST_F(ServerMove, TheRecordIsCopiedComparedAndTheStationTurnsToTheServer) {
   writePasswordFile();
   click(child<QPushButton>(page, "switchButton"));
   QTRY_COMPARE_WITH_TIMEOUT(testing::screenOf(*window_), QStringLiteral("sign-in"), 5'000);
-  window_->background().wait();
+  testing::waitFor(window_->background());
 
   EXPECT_TRUE(says(QStringLiteral("This station now works with the record at postgresql://127.0.0.1")));
   signIn();
@@ -126,7 +126,7 @@ TEST_F(ServerMove, AUsedDatabaseIsNoTargetButAStationMayJoinIt) {
   EXPECT_FALSE(child<QPushButton>(page, "copyButton").isVisible());
   click(child<QPushButton>(page, "switchButton"));
   QTRY_COMPARE_WITH_TIMEOUT(window_->session()->key().locator, lastingLocator(address_), 5'000);
-  window_->background().wait();
+  testing::waitFor(window_->background());
 
   EXPECT_TRUE(contains(trail(typedLocator(address_)), "database.join"));
   EXPECT_TRUE(contains(trail(record()), "database.join"));

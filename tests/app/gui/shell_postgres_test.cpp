@@ -110,7 +110,7 @@ TEST_F(FirstRunOnServer, MakesTheCentreOnTheServerAndSignsItsAdministratorIn) {
   EXPECT_TRUE(QTest::qWaitFor([this] { return says("The database answers and is empty"); }, 20'000));
   press("Next");
   press("Set up");
-  window_->background().wait();
+  testing::waitFor(window_->background());
 
   ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk")) << address_.toStdString();
   EXPECT_EQ(window_->session()->connection().engine(), Engine::kPostgresql);
@@ -132,8 +132,8 @@ TEST_F(FirstRunOnServer, SaysThatACentreIsThereAlreadyAndLetsItsPeopleSignIn) {
   EXPECT_TRUE(QTest::qWaitFor([this] { return says("A centre keeps its records there already"); }, 20'000));
   press("Next");
   press("Set up");
-  window_->background().wait();
-  window_->background().wait();  // recordings that wait in files are settled next
+  testing::waitFor(window_->background());
+  testing::waitFor(window_->background());  // recordings that wait in files are settled next
 
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
   EXPECT_TRUE(says("Old hospital"));
@@ -146,7 +146,7 @@ TEST_F(FirstRunOnServer, AServerThatDoesNotAnswerIsSaidAndNothingIsWritten) {
   field("Address of the server")->setText(nowhere.toString());
   press("Next");
   press("Set up");
-  window_->background().wait();
+  testing::waitFor(window_->background());
 
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
   EXPECT_TRUE(says("cannot be reached"));

@@ -131,7 +131,7 @@ class Shell : public ::testing::Test {
     window_ = std::make_unique<MainWindow>(with);
     window_->QWidget::show();
     window_->start();
-    window_->background().wait();  // recordings that wait in files are stored first
+    testing::waitFor(window_->background());  // recordings that wait in files are stored first
   }
 
   /// A centre with an administrator and a trainee who has a start password, nobody signed in.
@@ -156,7 +156,7 @@ class Shell : public ::testing::Test {
     named<QLineEdit>(*window_, QStringLiteral("Sign-in name"))->setText(login);
     named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(password);
     press(*window_, QStringLiteral("Sign in"));
-    window_->background().wait();
+    testing::waitFor(window_->background());
   }
 
   BarePage& page() { return static_cast<BarePage&>(*window_->desk()->page()); }
@@ -179,7 +179,7 @@ TEST_F(Shell, TheFirstRunMakesACentreAndLeadsItsAdministratorToTheFirstPage) {
   press(*window_, QStringLiteral("Next"));
   press(*window_, QStringLiteral("Next"));
   press(*window_, QStringLiteral("Set up"));
-  window_->background().wait();
+  testing::waitFor(window_->background());
 
   ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
   EXPECT_EQ(window_->desk()->pageId(), PageId::kUsers);
@@ -242,7 +242,7 @@ TEST_F(Shell, AfterTooManyTriesItSaysHowLongToWaitAndLetsNobodyTry) {
   }
   named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(QString::fromLatin1(kAdminPassword));
   press(*window_, QStringLiteral("Sign in"));
-  window_->background().wait();
+  testing::waitFor(window_->background());
 
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
   EXPECT_TRUE(says(*window_, QStringLiteral("Please wait")));
@@ -256,7 +256,7 @@ TEST_F(Shell, AStartPasswordMustBeChangedBeforeAnythingElse) {
   named<QLineEdit>(*window_, QStringLiteral("New password"))->setText(QString::fromLatin1(kOwnPassword));
   named<QLineEdit>(*window_, QStringLiteral("The same again"))->setText(QString::fromLatin1(kOwnPassword));
   press(*window_, QStringLiteral("Save password"));
-  window_->background().wait();
+  testing::waitFor(window_->background());
 
   ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
   EXPECT_EQ(window_->desk()->pageId(), PageId::kNextStep);
@@ -333,11 +333,11 @@ TEST_F(Shell, AnIdleDeskWarnsThenLocksAndOpensAsItWas) {
 
   named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(QStringLiteral("not this one at all"));
   press(*window_, QStringLiteral("Unlock"));
-  window_->background().wait();
+  testing::waitFor(window_->background());
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("lock"));
   named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(QString::fromLatin1(kAdminPassword));
   press(*window_, QStringLiteral("Unlock"));
-  window_->background().wait();
+  testing::waitFor(window_->background());
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
   EXPECT_EQ(window_->desk(), desk);
 }
@@ -368,7 +368,7 @@ TEST_F(Shell, TheLockCoversAnOpenDialogAndKeepsWhatWasTypedInIt) {
   EXPECT_TRUE(lock->isVisible());
   named<QLineEdit>(*lock, QStringLiteral("Password"))->setText(QString::fromLatin1(kAdminPassword));
   press(*lock, QStringLiteral("Unlock"));
-  window_->background().wait();
+  testing::waitFor(window_->background());
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
   EXPECT_FALSE(lock->isVisible());
   EXPECT_TRUE(dialog.isVisible());
@@ -563,7 +563,7 @@ TEST_F(Shell, CancellingTheFirstRunLeavesNoCentre) {
 
   Q_EMIT panel->chosen(choice);
   Q_EMIT panel->job().cancelled();
-  window_->background().wait();
+  testing::waitFor(window_->background());
 
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
   EXPECT_TRUE(says(*window_, QStringLiteral("nothing was set up")));
@@ -591,14 +591,14 @@ TEST_F(Shell, TheKioskEndsWithTheNameAndPasswordOfAnAdministratorOnly) {
 
   answerKiosk(QStringLiteral("admin"), QStringLiteral("not this one at all"));
   Q_EMIT signIn->leaveKioskWanted();
-  window_->background().wait();
+  testing::waitFor(window_->background());
   EXPECT_TRUE(window_->isVisible());
   EXPECT_TRUE(says(*window_, QStringLiteral("Only an administrator can end the kiosk")));
   EXPECT_FALSE(window_->close());
 
   answerKiosk(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   Q_EMIT signIn->leaveKioskWanted();
-  window_->background().wait();
+  testing::waitFor(window_->background());
   EXPECT_FALSE(window_->isVisible());
 }
 
@@ -695,7 +695,7 @@ TEST_F(Shell, ADatabaseThatHangsIsSaidCalmlyAndHoldsUpNobody) {
 
   gate->set(true);
   EXPECT_TRUE(QTest::qWaitFor([&] { return !tells("The database does not answer"); }, 20'000));
-  window_->background().wait();
+  testing::waitFor(window_->background());
   EXPECT_TRUE(window_->desk()->open(PageId::kAudit));
 }
 

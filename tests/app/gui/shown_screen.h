@@ -3,7 +3,10 @@
 
 #include <QStackedWidget>
 #include <QString>
+#include <QTest>
+#include <gtest/gtest.h>
 
+#include "app/gui/base/background.h"
 #include "app/gui/shell/main_window.h"
 
 namespace torsio::gui::testing {
@@ -13,6 +16,12 @@ namespace torsio::gui::testing {
 [[nodiscard]] inline QString screenOf(const MainWindow& window) {
   const auto* stack = window.findChild<QStackedWidget*>(QString(), Qt::FindDirectChildrenOnly);
   return stack == nullptr ? QString() : stack->currentWidget()->objectName();
+}
+
+/// Waits until work off the window's thread and what follows it are done.
+inline void waitFor(const Background& background) {
+  constexpr int kPatience_ms = 120'000;
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !background.working(); }, kPatience_ms));
 }
 
 }  // namespace torsio::gui::testing

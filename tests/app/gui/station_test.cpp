@@ -28,6 +28,7 @@
 #include "db/repository/trial/station_repository.h"
 #include "tests/app/gui/trainee_station.h"
 #include "tests/app/support/training_centre.h"
+#include "tests/support/stored_rows.h"
 
 namespace torsio::gui {
 namespace {
@@ -47,7 +48,7 @@ TEST(Station, WhatTheDeviceCheckFoundStandsOnTheBoardOfTheDay) {
   station.open(PageId::kDeviceCheck);
 
   ASSERT_TRUE(line.settled(std::chrono::milliseconds(kPatience_ms)));
-  const StationDevice shown = storedDevice(StationRepository(centre.connection()).find("station 1").value());
+  const StationDevice shown = storedDevice(torsio::stationOnBoard(centre.connection(), "station 1").value());
   EXPECT_EQ(shown.device.str(), "Scripted hand");
   EXPECT_EQ(shown.light, Light::kRed);
   EXPECT_EQ(shown.problem.str(), "scripted");

@@ -23,6 +23,7 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/support/study_centre.h"
 
