@@ -12,6 +12,7 @@
 #include <QMessageBox>
 #include <QRadioButton>
 #include <QTableView>
+#include <QTest>
 #include <nlohmann/json.hpp>
 
 #include "app/base/csv_table.h"
