@@ -1604,10 +1604,6 @@
         <translation>请选择其他人</translation>
     </message>
     <message>
-        <source>Choose somebody who waits; a change of group is an override with a reason</source>
-        <translation>请选择等待分组者；更改组别属于人工调整，须说明理由</translation>
-    </message>
-    <message>
         <source>Choose the backup again</source>
         <translation>请重新选择备份</translation>
     </message>
@@ -3490,10 +3486,6 @@
     <message>
         <source>haptic device</source>
         <translation>力反馈设备</translation>
-    </message>
-    <message>
-        <source>has a group already, has withdrawn or is not enrolled here</source>
-        <translation>已分组、已退出或未在此登记</translation>
     </message>
     <message>
         <source>has a pattern &quot;%1&quot; that the scene %2 lacks</source>
