@@ -12998,8 +12998,8 @@ MSM = 质点弹簧</translation>
         <translation>与窗口一致</translation>
     </message>
     <message>
-        <source>Co&amp;ded tables…</source>
-        <translation>编码表格(&amp;D)…</translation>
+        <source>Coded &amp;tables…</source>
+        <translation>编码表格(&amp;T)…</translation>
     </message>
     <message>
         <source>Recordings and single marks under their codes, as far as you may see them</source>
