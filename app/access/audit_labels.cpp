@@ -15,7 +15,6 @@ const Words& peopleLabels() {
       {"user.sign_in_practice", Text("Signed in to practise only")},
       {"user.sign_in_failed", Text("Sign-in failed")},
       {"user.sign_out", Text("Signed out")},
-      {"user.unlock", Text("Screen unlocked")},
       {"user.add", Text("User added")},
       {"user.set_roles", Text("Roles of a user changed")},
       {"user.enable", Text("User enabled")},

@@ -7624,10 +7624,6 @@
         <translation>收回评分任务</translation>
     </message>
     <message>
-        <source>Screen unlocked</source>
-        <translation>解锁屏幕</translation>
-    </message>
-    <message>
         <source>Sealed cards printed</source>
         <translation>打印密封卡片</translation>
     </message>
