@@ -56,7 +56,7 @@ void expectRefused(const std::string& arguments, ErrorCode code, const std::stri
   EXPECT_EQ(std::count(last.begin(), last.end(), '\n'), 1) << run.err;
 }
 
-class BadInput : public testing::Test {
+class BadInput : public ::testing::Test {
  protected:
   fs::path folder_ = emptyFolder("bad-input");
   [[nodiscard]] std::string demoWith(const std::string& organ) const {
