@@ -8,6 +8,7 @@
 #include "app/study/rubric_service.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/people/access_repository.h"
+#include "tests/support/stored_rows.h"
 
 namespace torsio::testing {
 
@@ -23,7 +24,7 @@ StudyCentre::StudyCentre() {
       [this] { return now_us_; });
   session_->setPasswordCost(PasswordCost::kTest);
   AccessRepository access(*connection_, PasswordCost::kTest);
-  for (const std::string& role : access.roles()) {
+  for (const std::string& role : storedRoles(*connection_)) {
     const std::string id = ids_.newUuid();
     access.addUser({.id = id, .login = role, .createdUtc_us = now_us_, .roles = {role}}, kStudyPassword);
     access.setPassword(id, access.sealPassword(role, kStudyPassword), false);
