@@ -582,7 +582,7 @@
     </message>
 </context>
 <context>
-    <name>RecordDialogs</name>
+    <name>RetentionDialog</name>
     <message>
         <source>trainee</source>
         <translation>学员</translation>
@@ -627,6 +627,9 @@
         <source>Keep these rules</source>
         <translation>保存这些规则</translation>
     </message>
+</context>
+<context>
+    <name>GroupMoveDialog</name>
     <message>
         <source>Move to another group</source>
         <translation>调整到其他组</translation>
@@ -8419,10 +8422,6 @@
         <translation>可担任的角色</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
         <source>Trainee</source>
         <translation>学员</translation>
     </message>
@@ -8497,6 +8496,13 @@
     <message>
         <source>Copied</source>
         <translation>已复制</translation>
+    </message>
+</context>
+<context>
+    <name>ReasonDialog</name>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>原因(&amp;R)</translation>
     </message>
 </context>
 <context>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The curriculum editor through its real widgets: nothing is lost, everything can be set, published versions
 // stay as they are.
-#include "app/gui/administrator/curriculum_editor.h"
+#include "app/gui/administrator/curriculum/curriculum_editor.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -13,7 +13,7 @@
 #include <QTableWidget>
 #include <QTest>
 
-#include "app/gui/administrator/curricula_page.h"
+#include "app/gui/administrator/curriculum/curricula_page.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/study/cohort_service.h"

@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/administrator/administrator_pages.h"
-#include "app/gui/administrator/maintenance_page.h"
+#include "app/gui/administrator/station/maintenance_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/main_window.h"
 #include "app/people/people_service.h"

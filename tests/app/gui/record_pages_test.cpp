@@ -10,11 +10,11 @@
 #include <QPushButton>
 #include <QSpinBox>
 
-#include "app/gui/administrator/allocation_page.h"
-#include "app/gui/administrator/curricula_page.h"
-#include "app/gui/administrator/maintenance_page.h"
-#include "app/gui/administrator/roster_page.h"
-#include "app/gui/administrator/scoring_page.h"
+#include "app/gui/administrator/curriculum/curricula_page.h"
+#include "app/gui/administrator/people/roster_page.h"
+#include "app/gui/administrator/scoring/scoring_page.h"
+#include "app/gui/administrator/station/maintenance_page.h"
+#include "app/gui/administrator/study/allocation_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "app/gui/administrator/move_page.h"
+#include "app/gui/administrator/station/move_page.h"
 #include "app/gui/widgets/child.h"
 #include "db/migrations/migrations.h"
 #include "tests/app/gui/maintenance_window.h"
