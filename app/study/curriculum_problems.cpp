@@ -228,7 +228,7 @@ class Examination {
       }
       longest_us = std::max(longest_us, total_us);
     }
-    std::int64_t before_us = -1;
+    std::int64_t before_us = 0;
     for (const Occasion& occasion : known_) {
       for (const PlannedOccasion& point : content_.plannedOccasions) {
         if (point.code != occasion.code) {
@@ -238,8 +238,8 @@ class Examination {
         if (!seen.insert(point.code).second) {
           add(where, "stands twice", "Keep one of the two");
         }
-        if (point.afterExposure_us <= before_us) {
-          add(where, "does not come after the one before", "Give each a later time than the last");
+        if (point.afterExposure_us < before_us) {
+          add(where, "comes before the one that it follows", "Give each the time of the last or a later one");
         }
         before_us = point.afterExposure_us;
         if (!content_.arms.empty() && point.afterExposure_us > longest_us) {

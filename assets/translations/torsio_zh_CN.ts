@@ -1959,8 +1959,8 @@
         <translation>请同时给出两端</translation>
     </message>
     <message>
-        <source>Give each a later time than the last</source>
-        <translation>请使每个时间都晚于前一个</translation>
+        <source>Give each the time of the last or a later one</source>
+        <translation>请使每个时间不早于前一个</translation>
     </message>
     <message>
         <source>Give each column a name of its own</source>
@@ -3407,8 +3407,8 @@
         <translation>设备“%1”</translation>
     </message>
     <message>
-        <source>does not come after the one before</source>
-        <translation>不晚于前一个</translation>
+        <source>comes before the one that it follows</source>
+        <translation>早于排在它前面的那个</translation>
     </message>
     <message>
         <source>does not finish, or needs far more time than is given</source>

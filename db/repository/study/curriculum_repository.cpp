@@ -159,8 +159,9 @@ std::vector<StudyArm> armsOf(Connection& connection, const std::string& versionI
 
 std::vector<PlannedOccasion> plannedOccasionsOf(Connection& connection, const std::string& versionId) {
   return selectAll(connection,
-                   "SELECT occasion, after_exposure_us FROM curriculum_occasion WHERE version_id = ?"
-                   " ORDER BY after_exposure_us, occasion",
+                   "SELECT p.occasion, p.after_exposure_us FROM curriculum_occasion p"
+                   " JOIN occasion o ON o.code = p.occasion WHERE p.version_id = ?"
+                   " ORDER BY p.after_exposure_us, o.position",
                    {versionId}, [](RowReader& row) {
                      return PlannedOccasion{row.text(), row.int64()};
                    });

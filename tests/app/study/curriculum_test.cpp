@@ -104,7 +104,7 @@ TEST(CurriculumContent, NamesEveryProblemWithItsPlaceAndRemedy) {
   broken.modules[4].mastery[0].metric = "beauty";
   broken.modules[5].mastery[0].unit = "kg";
   broken.arms.push_back({"", "G1", "", 0, false, {{"", PhaseKind::kVirtual, "", 0, "Z9"}}});
-  broken.plannedOccasions = {{"mid", 5}, {"pre", 5}, {"later", 1}};
+  broken.plannedOccasions = {{"mid", 4}, {"pre", 5}, {"later", 1}};
 
   const auto problems =
       curriculumProblems(broken, centre.assets(), OccasionRepository(centre.connection()).all());
@@ -117,7 +117,7 @@ TEST(CurriculumContent, NamesEveryProblemWithItsPlaceAndRemedy) {
   EXPECT_TRUE(mentions(problems, "mastery beauty", "measured by nothing"));
   EXPECT_TRUE(mentions(problems, "module S1", "given in \"kg\""));
   EXPECT_TRUE(mentions(problems, "arm G1, phase 1", "takes no time"));
-  EXPECT_TRUE(mentions(problems, "occasion mid", "does not come after"));
+  EXPECT_TRUE(mentions(problems, "occasion mid", "comes before"));
   EXPECT_TRUE(mentions(problems, "occasion \"later\"", "not known"));
 }
 
