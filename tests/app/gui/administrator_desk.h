@@ -24,7 +24,7 @@ namespace torsio::gui::testing {
 using torsio::testing::StudyCentre;
 
 /// A centre with the surroundings of its pages; what a page reports as failed is kept.
-class AdministratorPages {
+class AdministratorDesk {
  public:
   AdministratorDesk() : shell_(centre.session(), centre.assets(), ThemeKind::kLight) {
     QSettings().clear();
