@@ -713,6 +713,14 @@
         <source>%1: %2 → %3</source>
         <translation>%1：%2 → %3</translation>
     </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
+    </message>
 </context>
 <context>
     <name>RunDay</name>
@@ -10866,30 +10874,6 @@ MSM = 质点弹簧</translation>
         <translation>%1（该练习已不存在）</translation>
     </message>
     <message>
-        <source>at least</source>
-        <translation>不低于</translation>
-    </message>
-    <message>
-        <source>at most</source>
-        <translation>不超过</translation>
-    </message>
-    <message>
-        <source>What rule %1 is about</source>
-        <translation>标准 %1 的指标</translation>
-    </message>
-    <message>
-        <source>Direction of rule %1</source>
-        <translation>标准 %1 的方向</translation>
-    </message>
-    <message>
-        <source>Threshold of rule %1</source>
-        <translation>标准 %1 的阈值</translation>
-    </message>
-    <message>
-        <source>Attempts in a row of rule %1</source>
-        <translation>标准 %1 的连续次数</translation>
-    </message>
-    <message>
         <source>An exercise needs a code; it keeps %1.</source>
         <translation>练习需要代码；保留 %1。</translation>
     </message>
@@ -10916,6 +10900,33 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Exercises, in their order</source>
         <translation>练习（按顺序）</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::MasteryTable</name>
+    <message>
+        <source>at least</source>
+        <translation>不低于</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>不超过</translation>
+    </message>
+    <message>
+        <source>What rule %1 is about</source>
+        <translation>标准 %1 的指标</translation>
+    </message>
+    <message>
+        <source>Direction of rule %1</source>
+        <translation>标准 %1 的方向</translation>
+    </message>
+    <message>
+        <source>Threshold of rule %1</source>
+        <translation>标准 %1 的阈值</translation>
+    </message>
+    <message>
+        <source>Attempts in a row of rule %1</source>
+        <translation>标准 %1 的连续次数</translation>
     </message>
     <message>
         <source>Rules of mastery</source>
@@ -13523,18 +13534,6 @@ MSM = 质点弹簧</translation>
 </context>
 <context>
     <name>torsio::gui::RosterWizard</name>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1.</source>
-        <translation>%1。</translation>
-    </message>
-    <message>
-        <source>%1. %2.</source>
-        <translation>%1。%2。</translation>
-    </message>
     <message>
         <source>Import a roster</source>
         <translation>导入名单</translation>

@@ -33,7 +33,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kListWidth = 280;
+constexpr int kListWidth = 236;
 
 }  // namespace
 

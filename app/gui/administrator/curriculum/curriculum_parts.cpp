@@ -23,6 +23,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kRowHeight = 5 * kSpace;
+constexpr int kFieldWidth = 9 * kSpace;
 
 }  // namespace
 
@@ -31,6 +32,7 @@ QDoubleSpinBox* numberField(double least, double most, int decimals, QWidget* pa
   field->setRange(least, most);
   field->setDecimals(decimals);
   field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  field->setMinimumWidth(kFieldWidth);  // not that of the largest number it would take
   return field;
 }
 
@@ -53,6 +55,17 @@ void prepareFieldTable(QTableWidget* table) {
   table->setSelectionBehavior(QAbstractItemView::SelectRows);
   table->setSelectionMode(QAbstractItemView::SingleSelection);
   table->setEditTriggers(QAbstractItemView::AllEditTriggers);
+}
+
+void setFieldRows(QTableWidget* table, int rows) {
+  for (int row = 0; row < table->rowCount(); ++row) {
+    for (int column = 0; column < table->columnCount(); ++column) {
+      if (QWidget* before = table->cellWidget(row, column)) {
+        before->hide();  // it goes a moment later
+      }
+    }
+  }
+  table->setRowCount(rows);
 }
 
 void fitRows(QTableWidget* table, int leastRows) {
@@ -117,12 +130,19 @@ void FormTexts::row(QFormLayout* form, std::initializer_list<std::pair<QWidget*,
   form->addRow(first, box);
 }
 
-void FormTexts::title(QFormLayout* form, const char* source) {
+void FormTexts::title(QFormLayout* form, const char* source, QLayout* beside) {
   QLabel* label = add(nullptr, source);
   label->setObjectName(QStringLiteral("cardTitle"));
   label->setContentsMargins(0, kSpace, 0, 0);
   label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-  form->addRow(label);
+  if (beside == nullptr) {
+    form->addRow(label);
+    return;
+  }
+  auto* row = new QHBoxLayout;
+  row->addWidget(label, 1);
+  row->addLayout(beside);
+  form->addRow(row);
 }
 
 void FormTexts::retranslate(const char* context) {

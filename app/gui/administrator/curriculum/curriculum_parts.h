@@ -13,6 +13,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
+class QLayout;
 class QPushButton;
 class QTableWidget;
 class QWidget;
@@ -29,8 +30,11 @@ inline constexpr double kMicrosecondsOfSecond = 1e6;
 
 /// Buttons in a row, as narrow as their texts.
 [[nodiscard]] QBoxLayout* buttonRow(std::initializer_list<QPushButton*> buttons);
-/// A table of few rows whose cells are fields; grows with its rows up to `mostRows`.
+/// Makes a table one of few rows whose cells are fields.
 void prepareFieldTable(QTableWidget* table);
+/// Hides the fields of a table and gives it so many rows, whose fields the caller sets anew.
+void setFieldRows(QTableWidget* table, int rows);
+/// Makes a table of fields as high as its rows, at least `leastRows` of them.
 void fitRows(QTableWidget* table, int leastRows);
 
 /// Chooses the entry with this data; one that is not among them is added, so that nothing is ever changed by
@@ -52,8 +56,8 @@ class FormTexts {
   void row(QFormLayout* form, QWidget* field, const char* source);
   /// A row of several fields, each after its own label but the first.
   void row(QFormLayout* form, std::initializer_list<std::pair<QWidget*, const char*>> fields);
-  /// A title over a part of the form.
-  void title(QFormLayout* form, const char* source);
+  /// Puts a title over a part of the form; `beside`: what stands at its right, such as buttons.
+  void title(QFormLayout* form, const char* source, QLayout* beside = nullptr);
   void retranslate(const char* context);
 
  private:

@@ -10,17 +10,15 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QPushButton>
 #include <QSpinBox>
-#include <QTableWidget>
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/administrator/curriculum/mastery_table.h"
 #include "app/gui/base/asset_names.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/exercise_panel.h"
@@ -37,9 +35,6 @@ namespace {
 constexpr double kFirstTarget_deg = 60.0;
 constexpr double kFirstTolerance_deg = 5.0;
 constexpr int kMostAttempts = 1'000'000;
-constexpr int kFewRows = 2;
-
-enum RuleColumn { kMetric, kDirection, kThreshold, kInARow };
 
 std::vector<std::string> codesOf(const StoredCurriculumVersion& content) {
   std::vector<std::string> codes;
@@ -77,12 +72,9 @@ ExerciseEditor::ExerciseEditor(std::filesystem::path assets, StoredCurriculumVer
       torque_(numberField(0.0, 1e6, 3)),
       attempts_(new QSpinBox),
       after_(new QListWidget),
-      mastery_(new QTableWidget(0, 4)),
-      addRule_(new QPushButton),
-      removeRule_(new QPushButton) {
+      mastery_(new MasteryTable) {
   after_->setObjectName(QStringLiteral("prerequisites"));
   after_->setProperty("checkable", true);  // the look: a check mark stands at the item's very edge
-  mastery_->setObjectName(QStringLiteral("mastery"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   list_ = new OrderedList(QStringLiteral("exercises"), form(), this);
@@ -113,17 +105,14 @@ QWidget* ExerciseEditor::form() {
   torque_->setSuffix(QStringLiteral(" N m"));
   attempts_->setRange(0, kMostAttempts);
   attempts_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  attempts_->setMinimumWidth(tolerance_->minimumWidth());
+  for (QComboBox* choice : {scene_, pattern_, kind_, mode_}) {
+    choice->setMinimumWidth(2 * tolerance_->minimumWidth());
+  }
   texts_.title(form, QT_TR_NOOP("Opens only after these are mastered"));
   form->addRow(after_);
-  texts_.title(form, QT_TR_NOOP("Mastered when all of these are reached"));
-  prepareFieldTable(mastery_);
-  mastery_->horizontalHeader()->setSectionResizeMode(kMetric, QHeaderView::Stretch);
-  mastery_->setColumnWidth(kDirection, 15 * kSpace);
-  for (const int column : {kThreshold, kInARow}) {
-    mastery_->setColumnWidth(column, 10 * kSpace);
-  }
+  texts_.title(form, QT_TR_NOOP("Mastered when all of these are reached"), mastery_->buttons());
   form->addRow(mastery_);
-  form->addRow(buttonRow({addRule_, removeRule_}));
   return fields;
 }
 
@@ -175,8 +164,8 @@ void ExerciseEditor::connectLists() {
   connect(list_, &OrderedList::removeWanted, this, &ExerciseEditor::remove);
   connect(list_, &OrderedList::moveWanted, this, &ExerciseEditor::move);
   connect(after_, &QListWidget::itemChanged, this, &ExerciseEditor::takePrerequisite);
-  connect(addRule_, &QPushButton::clicked, this, &ExerciseEditor::addRule);
-  connect(removeRule_, &QPushButton::clicked, this, &ExerciseEditor::removeRule);
+  connect(mastery_, &MasteryTable::edited, this,
+          [this] { take([this](StoredModule& module) { module.mastery = mastery_->rules(); }); });
 }
 
 StoredModule* ExerciseEditor::exercise() {
@@ -206,15 +195,15 @@ void ExerciseEditor::showContent() {
   }
   const StoredModule* module = exercise();
   const bool change = module != nullptr && !readOnly_;
-  addRule_->setEnabled(change);
+  mastery_->setEditable(change);
   for (QWidget* field :
        std::initializer_list<QWidget*>{title_, code_.field(), scene_, pattern_, kind_, mode_, target_,
-                                       tolerance_, hold_, force_, torque_, attempts_, after_, mastery_}) {
+                                       tolerance_, hold_, force_, torque_, attempts_, after_}) {
     field->setEnabled(change);
   }
   if (module == nullptr) {
     code_.show({});
-    removeRule_->setEnabled(false);
+    mastery_->setRules({});
     return;
   }
   filling_ = true;
@@ -228,7 +217,7 @@ void ExerciseEditor::showContent() {
   torque_->setValue(module->maxTorque_Nm.value_or(0.0));
   attempts_->setValue(static_cast<int>(module->attemptLimit.value_or(0)));
   showPrerequisites(*module);
-  showMastery(*module);
+  mastery_->setRules(module->mastery);
   filling_ = false;
 }
 
@@ -282,73 +271,6 @@ void ExerciseEditor::showPrerequisites(const StoredModule& module) {
   after_->setMinimumHeight(rows * std::max(after_->sizeHintForRow(0), 3 * kSpace) + 2 * kSpace);
 }
 
-void ExerciseEditor::showMastery(const StoredModule& module) {
-  for (int row = 0; row < mastery_->rowCount(); ++row) {
-    for (int column = 0; column < mastery_->columnCount(); ++column) {
-      if (QWidget* before = mastery_->cellWidget(row, column)) {
-        before->hide();  // it goes a moment later
-      }
-    }
-  }
-  mastery_->setRowCount(static_cast<int>(module.mastery.size()));
-  for (int row = 0; row < mastery_->rowCount(); ++row) {
-    addMasteryRow(row, module.mastery[static_cast<std::size_t>(row)]);
-  }
-  fitRows(mastery_, kFewRows);
-  removeRule_->setEnabled(!readOnly_ && !module.mastery.empty());
-}
-
-void ExerciseEditor::addMasteryRow(int row, const StoredMasteryRule& rule) {
-  auto* metric = new QComboBox;
-  for (const auto& [id, name] : masteryMetrics()) {
-    metric->addItem(name, toQString(id));
-  }
-  chooseOrAdd(metric, rule.metric);
-  auto* direction = new QComboBox;
-  direction->addItem(tr("at least"), QStringLiteral("at_least"));
-  direction->addItem(tr("at most"), QStringLiteral("at_most"));
-  chooseOrAdd(direction, rule.comparison);
-  QDoubleSpinBox* threshold = numberField(-1e9, 1e9, 4);
-  threshold->setValue(rule.threshold);
-  auto* inARow = new QSpinBox;
-  inARow->setRange(1, kMostAttempts);
-  inARow->setValue(static_cast<int>(rule.consecutive));
-  inARow->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  mastery_->setCellWidget(row, kMetric, metric);
-  mastery_->setCellWidget(row, kDirection, direction);
-  mastery_->setCellWidget(row, kThreshold, threshold);
-  mastery_->setCellWidget(row, kInARow, inARow);
-  metric->setAccessibleName(tr("What rule %1 is about").arg(row + 1));
-  direction->setAccessibleName(tr("Direction of rule %1").arg(row + 1));
-  threshold->setAccessibleName(tr("Threshold of rule %1").arg(row + 1));
-  inARow->setAccessibleName(tr("Attempts in a row of rule %1").arg(row + 1));
-  connect(metric, &QComboBox::activated, this, [this, metric] {
-    takeRule(metric, [metric](StoredMasteryRule& changed) {
-      if (changed.metric == chosenId(metric)) {
-        return;
-      }
-      changed.metric = chosenId(metric);
-      changed.comparison = metricBetter(changed.metric);
-      changed.unit = metricUnit(changed.metric);
-    });
-    if (const StoredModule* module = exercise()) {
-      filling_ = true;
-      showMastery(*module);
-      filling_ = false;
-    }
-  });
-  connect(direction, &QComboBox::activated, this, [this, direction] {
-    takeRule(direction,
-             [direction](StoredMasteryRule& changed) { changed.comparison = chosenId(direction); });
-  });
-  connect(threshold, &QDoubleSpinBox::valueChanged, this, [this, threshold](double value) {
-    takeRule(threshold, [value](StoredMasteryRule& changed) { changed.threshold = value; });
-  });
-  connect(inARow, &QSpinBox::valueChanged, this, [this, inARow](int value) {
-    takeRule(inARow, [value](StoredMasteryRule& changed) { changed.consecutive = value; });
-  });
-}
-
 void ExerciseEditor::take(const std::function<void(StoredModule&)>& change) {
   StoredModule* module = exercise();
   if (filling_ || module == nullptr) {
@@ -357,15 +279,6 @@ void ExerciseEditor::take(const std::function<void(StoredModule&)>& change) {
   change(*module);
   list_->setCurrentLine(lineOf(*module));
   Q_EMIT edited();
-}
-
-void ExerciseEditor::takeRule(const QWidget* cell, const std::function<void(StoredMasteryRule&)>& change) {
-  const int row = rowOf(mastery_, cell);
-  take([&](StoredModule& module) {
-    if (row >= 0 && row < std::ssize(module.mastery)) {
-      change(module.mastery[static_cast<std::size_t>(row)]);
-    }
-  });
 }
 
 void ExerciseEditor::takeCode() {
@@ -438,59 +351,18 @@ void ExerciseEditor::add() {
 }
 
 void ExerciseEditor::remove() {
-  const int row = list_->row();
-  if (row < 0) {
-    return;
-  }
-  content_.modules.erase(content_.modules.begin() + row);
-  select(row);
-  Q_EMIT edited();
+  showOrder(list_->removeChosen(content_.modules));
 }
 
 void ExerciseEditor::move(int by) {
-  const int row = list_->row();
-  const int to = moved(content_.modules, row, by);
-  if (to == row) {
-    return;
-  }
-  select(to);
-  Q_EMIT edited();
+  showOrder(list_->moveChosen(content_.modules, by));
 }
 
-void ExerciseEditor::addRule() {
-  take([](StoredModule& module) {
-    StoredMasteryRule rule;
-    for (const auto& metric : masteryMetrics()) {
-      const bool used =
-          std::any_of(module.mastery.begin(), module.mastery.end(),
-                      [&](const StoredMasteryRule& known) { return known.metric == metric.first; });
-      if (used) {
-        continue;
-      }
-      rule.metric = metric.first;
-      break;
-    }
-    if (rule.metric.empty()) {
-      return;  // every metric has its rule
-    }
-    rule.comparison = metricBetter(rule.metric);
-    rule.unit = metricUnit(rule.metric);
-    module.mastery.push_back(rule);
-  });
-  showContent();
-  if (mastery_->rowCount() > 0) {
-    mastery_->cellWidget(mastery_->rowCount() - 1, kMetric)->setFocus();
+void ExerciseEditor::showOrder(std::optional<int> row) {
+  if (row) {
+    select(*row);
+    Q_EMIT edited();
   }
-}
-
-void ExerciseEditor::removeRule() {
-  const int row = mastery_->currentRow() >= 0 ? mastery_->currentRow() : mastery_->rowCount() - 1;
-  take([row](StoredModule& module) {
-    if (row >= 0 && row < std::ssize(module.mastery)) {
-      module.mastery.erase(module.mastery.begin() + row);
-    }
-  });
-  showContent();
 }
 
 void ExerciseEditor::setReadOnly(bool readOnly) {
@@ -511,10 +383,7 @@ void ExerciseEditor::retranslate() {
   list_->retranslate();
   list_->setListName(tr("Exercises, in their order"));
   after_->setAccessibleName(tr("Opens only after these are mastered"));
-  mastery_->setAccessibleName(tr("Rules of mastery"));
-  addRule_->setText(tr("Add rule"));
-  removeRule_->setText(tr("Remove rule"));
-  mastery_->setHorizontalHeaderLabels({tr("Metric"), tr("is"), tr("Threshold"), tr("In a row")});
+  mastery_->retranslate();
   showContent();
 }
 

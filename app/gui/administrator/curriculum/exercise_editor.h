@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include <QWidget>
@@ -17,11 +18,11 @@ class QLabel;
 class QLineEdit;
 class QListWidget;
 class QListWidgetItem;
-class QPushButton;
 class QSpinBox;
-class QTableWidget;
 
 namespace torsio::gui {
+
+class MasteryTable;
 
 /// The exercises of a curriculum, in their order: what is twisted and how far, limits, which exercises must
 /// be mastered first and when this one is. A field writes only what it shows: opening changes nothing.
@@ -49,18 +50,14 @@ class ExerciseEditor : public QWidget {
   void showContent();
   void showPlaces(const StoredModule& module);
   void showPrerequisites(const StoredModule& module);
-  void showMastery(const StoredModule& module);
-  void addMasteryRow(int row, const StoredMasteryRule& rule);
   void take(const std::function<void(StoredModule&)>& change);
-  void takeRule(const QWidget* cell, const std::function<void(StoredMasteryRule&)>& change);
   void takeCode();
   void takeScene();
   void takePrerequisite(const QListWidgetItem* item);
   void add();
   void remove();
   void move(int by);
-  void addRule();
-  void removeRule();
+  void showOrder(std::optional<int> row);
   [[nodiscard]] StoredModule* exercise();
   [[nodiscard]] QStringList lines() const;
 
@@ -84,9 +81,7 @@ class ExerciseEditor : public QWidget {
   QDoubleSpinBox* torque_;
   QSpinBox* attempts_;
   QListWidget* after_;
-  QTableWidget* mastery_;
-  QPushButton* addRule_;
-  QPushButton* removeRule_;
+  MasteryTable* mastery_;
 };
 
 }  // namespace torsio::gui

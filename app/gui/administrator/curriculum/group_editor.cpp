@@ -165,14 +165,7 @@ void GroupEditor::showContent() {
 
 void GroupEditor::showPhases(const StudyArm& arm, int current) {
   filling_ = true;
-  for (int row = 0; row < phases_->rowCount(); ++row) {
-    for (int column = 0; column < phases_->columnCount(); ++column) {
-      if (QWidget* before = phases_->cellWidget(row, column)) {
-        before->hide();  // it goes a moment later
-      }
-    }
-  }
-  phases_->setRowCount(static_cast<int>(arm.phases.size()));
+  setFieldRows(phases_, static_cast<int>(arm.phases.size()));
   for (int row = 0; row < phases_->rowCount(); ++row) {
     addPhaseRow(row, arm.phases[static_cast<std::size_t>(row)]);
   }
@@ -296,23 +289,18 @@ void GroupEditor::add() {
 }
 
 void GroupEditor::remove() {
-  const int row = list_->row();
-  if (row < 0) {
-    return;
-  }
-  content_.arms.erase(content_.arms.begin() + row);
-  select(row);
-  Q_EMIT edited();
+  showOrder(list_->removeChosen(content_.arms));
 }
 
 void GroupEditor::move(int by) {
-  const int row = list_->row();
-  const int to = moved(content_.arms, row, by);
-  if (to == row) {
-    return;
+  showOrder(list_->moveChosen(content_.arms, by));
+}
+
+void GroupEditor::showOrder(std::optional<int> row) {
+  if (row) {
+    select(*row);
+    Q_EMIT edited();
   }
-  select(to);
-  Q_EMIT edited();
 }
 
 void GroupEditor::addPhase() {

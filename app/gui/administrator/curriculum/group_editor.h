@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include <QWidget>
@@ -51,6 +52,7 @@ class GroupEditor : public QWidget {
   void add();
   void remove();
   void move(int by);
+  void showOrder(std::optional<int> row);
   void addPhase();
   void removePhase();
   void movePhase(int by);

@@ -54,6 +54,7 @@ OrderedList::OrderedList(const QString& name, QWidget* form, QWidget* parent)
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidget(form);
   auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(2 * kSpace);
   row->addLayout(left, 1);
   row->addWidget(scroll, 3);

@@ -55,6 +55,22 @@ class OrderedList : public QWidget {
     const int at = row();
     return at >= 0 && at < std::ssize(things) ? &things[static_cast<std::size_t>(at)] : nullptr;
   }
+  /// Takes the chosen element out of the things that the lines stand for. Gives the row to choose then;
+  /// empty: nothing is chosen.
+  template <typename T>
+  std::optional<int> removeChosen(std::vector<T>& things) const {
+    if (chosenOf(things) == nullptr) {
+      return std::nullopt;
+    }
+    things.erase(things.begin() + row());
+    return row();
+  }
+  /// Moves the chosen element up (-1) or down (+1). Gives the row where it is then; empty: it stays.
+  template <typename T>
+  std::optional<int> moveChosen(std::vector<T>& things, int by) const {
+    const int to = moved(things, row(), by);
+    return to == row() ? std::nullopt : std::optional(to);
+  }
 
  Q_SIGNALS:
   void chosen();

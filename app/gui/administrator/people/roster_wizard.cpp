@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -17,6 +16,7 @@
 #include <QRadioButton>
 #include <QVBoxLayout>
 
+#include "app/gui/administrator/people/roster_labels.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
@@ -32,75 +32,6 @@ namespace {
 
 constexpr std::size_t kSampleRows = 5;
 constexpr int kWhole = 1000;  // of the progress bar
-
-struct RosterTexts {
-  Q_DECLARE_TR_FUNCTIONS(RosterTexts)
-
- public:
-  static QString field(RosterField field) {
-    switch (field) {
-      case RosterField::kExternalId:
-        return tr("Staff or student number");
-      case RosterField::kFullName:
-        return tr("Full name");
-      case RosterField::kEmail:
-        return tr("E-mail");
-      case RosterField::kSex:
-        return tr("Sex");
-      case RosterField::kLevel:
-        return tr("Level");
-      case RosterField::kExperience:
-        return tr("Experience");
-      case RosterField::kAge:
-        return tr("Age");
-      case RosterField::kHandedness:
-        return tr("Handedness");
-      case RosterField::kRaterClass:
-        return tr("Class of rater");
-    }
-    return {};
-  }
-
-  static QString status(RosterStatus status) {
-    switch (status) {
-      case RosterStatus::kNew:
-        return tr("+ new");
-      case RosterStatus::kSame:
-        return tr("= as it is");
-      case RosterStatus::kChanges:
-        return tr("\u2192 changes");
-      case RosterStatus::kError:
-        return tr("! error");
-    }
-    return {};
-  }
-
-  /// What the user should read about one line.
-  static QString note(const RosterRow& row) {
-    QStringList parts;
-    if (!row.problem.empty()) {
-      parts << tr("%1. %2.").arg(toQString(row.problem), toQString(row.remedy));
-    }
-    for (const RosterChange& change : row.changes) {
-      parts << tr("%1: %2 \u2192 %3")
-                   .arg(field(change.field),
-                        change.from.empty() ? QStringLiteral("\u2013") : toQString(change.from),
-                        toQString(change.to));
-    }
-    if (!row.hint.empty()) {
-      parts << toQString(row.hint);
-    }
-    return parts.join(QStringLiteral("; "));
-  }
-};
-
-QString problemText(const Error& error) {
-  const TranslatedError said = translated(error);
-  const QString what =
-      said.details.isEmpty() ? said.happened : RosterWizard::tr("%1 (%2)").arg(said.happened, said.details);
-  return (said.remedy.isEmpty() ? RosterWizard::tr("%1.").arg(what)
-                                : RosterWizard::tr("%1. %2.").arg(what, said.remedy));
-}
 
 }  // namespace
 
@@ -197,7 +128,7 @@ void RosterFilePage::sayColumns() {
   QStringList needed;
   QStringList other;
   for (const RosterField field : rosterFields(kind)) {
-    (isRequired(field, kind) ? needed : other) << RosterTexts::field(field);
+    (isRequired(field, kind) ? needed : other) << rosterFieldName(field);
   }
   columns_->setText(
       tr("Needed columns: %1. Further columns, as far as you have them: %2. Their order and their "
@@ -216,7 +147,7 @@ bool RosterFilePage::validatePage() {
     import_.columns = suggestColumns(*import_.file, import_.kind);
     return true;
   } catch (const Error& error) {
-    problem_->setText(problemText(error));
+    problem_->setText(rosterProblem(error));
     return false;
   }
 }
@@ -239,7 +170,7 @@ void RosterFilePage::saveTemplate() {
                         rosterTemplate(raters_->isChecked() ? RosterKind::kRaters : RosterKind::kTrainees));
     problem_->clear();
   } catch (const Error& error) {
-    problem_->setText(problemText(error));
+    problem_->setText(rosterProblem(error));
   }
 }
 
@@ -275,7 +206,7 @@ void RosterColumnsPage::initializePage() {
     }
     const auto& suggested = import_.columns[static_cast<std::size_t>(field)];
     choice->setCurrentIndex(suggested ? static_cast<int>(*suggested) + 1 : 0);
-    const QString name = RosterTexts::field(field);
+    const QString name = rosterFieldName(field);
     auto* label = new QLabel(isRequired(field, import_.kind) ? tr("%1 *").arg(name) : name, this);
     label->setBuddy(choice);
     choice->setAccessibleName(name);
@@ -398,7 +329,7 @@ void RosterPreviewPage::initializePage() {
           return;
         }
         if (found->problem) {
-          page->showProblem(problemText(*found->problem));
+          page->showProblem(rosterProblem(*found->problem));
           return;
         }
         page->import_.preview = std::move(found->preview);
@@ -425,10 +356,10 @@ void RosterPreviewPage::showPreview() {
       return toQString(row.values[static_cast<std::size_t>(field)]);
     };
     const auto line = static_cast<qulonglong>(row.line);
-    const QString note = RosterTexts::note(row);
+    const QString note = rosterNote(row);
     rows.push_back({QString::number(line),
                     {{QString::number(line), line},
-                     {RosterTexts::status(row.status), static_cast<int>(row.status)},
+                     {rosterStatusName(row.status), static_cast<int>(row.status)},
                      {value(RosterField::kExternalId)},
                      {value(RosterField::kFullName)},
                      {note, {}, note}}});
@@ -457,7 +388,7 @@ void RosterPreviewPage::commit(std::function<void()> done) {
           return;
         }
         if (*problem) {
-          page->showProblem(problemText(**problem));
+          page->showProblem(rosterProblem(**problem));
           return;
         }
         page->import_.outcome = std::move(*outcome);
