@@ -10147,58 +10147,6 @@ MSM = 质点弹簧</translation>
         <translation>第 %1 版（%2）</translation>
     </message>
     <message>
-        <source>%1: changed, not saved. The draft is also saved when you leave.</source>
-        <translation>%1：已更改，未保存。离开时草稿也会保存。</translation>
-    </message>
-    <message>
-        <source>Everything may be changed; nobody is touched until it is published as version %1.</source>
-        <translation>一切均可更改；在发布为第 %1 版之前不影响任何人。</translation>
-    </message>
-    <message>
-        <source>Saved %1. %2</source>
-        <translation>已于 %1 保存。%2</translation>
-    </message>
-    <message>
-        <source>%1 The newest version is %2: %3.</source>
-        <translation>%1 最新版本为第 %2 版：%3。</translation>
-    </message>
-    <message>
-        <source>No cohort follows it.</source>
-        <translation>没有批次采用。</translation>
-    </message>
-    <message>
-        <source>Followed by: %1.</source>
-        <translation>采用的批次：%1。</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>、</translation>
-    </message>
-    <message>
-        <source>Published on %1 and never changes. Begin it, so that cohorts can follow it.</source>
-        <translation>已于 %1 发布，不再改变。启用后批次才能采用。</translation>
-    </message>
-    <message>
-        <source>Published on %1, running: cohorts can choose it. It never changes; to change anything, edit the draft and publish the next version.</source>
-        <translation>已于 %1 发布，进行中：批次可以选用。它不再改变；如需更改，请编辑草稿并发布下一版。</translation>
-    </message>
-    <message>
-        <source>Published on %1, closed: no further cohort can choose it; who follows it goes on. It is kept as it was.</source>
-        <translation>已于 %1 发布，已关闭：不再有新批次可选用；已采用的继续进行。内容保持原样。</translation>
-    </message>
-    <message>
-        <source>%1 Note: %2.</source>
-        <translation>%1 说明：%2。</translation>
-    </message>
-    <message>
-        <source>%1 Superseded by version %2.</source>
-        <translation>%1 已被第 %2 版取代。</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>The draft is saved.</source>
         <translation>草稿已保存。</translation>
     </message>
@@ -10309,6 +10257,65 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Occasion added: %1</source>
         <translation>已添加评分时点：%1</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>创建</translation>
+    </message>
+</context>
+<context>
+    <name>CurriculumState</name>
+    <message>
+        <source>%1: changed, not saved. The draft is also saved when you leave.</source>
+        <translation>%1：已更改，未保存。离开时草稿也会保存。</translation>
+    </message>
+    <message>
+        <source>Everything may be changed; nobody is touched until it is published as version %1.</source>
+        <translation>一切均可更改；在发布为第 %1 版之前不影响任何人。</translation>
+    </message>
+    <message>
+        <source>Saved %1. %2</source>
+        <translation>已于 %1 保存。%2</translation>
+    </message>
+    <message>
+        <source>%1 The newest version is %2: %3.</source>
+        <translation>%1 最新版本为第 %2 版：%3。</translation>
+    </message>
+    <message>
+        <source>No cohort follows it.</source>
+        <translation>没有批次采用。</translation>
+    </message>
+    <message>
+        <source>Followed by: %1.</source>
+        <translation>采用的批次：%1。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Published on %1 and never changes. Begin it, so that cohorts can follow it.</source>
+        <translation>已于 %1 发布，不再改变。启用后批次才能采用。</translation>
+    </message>
+    <message>
+        <source>Published on %1, running: cohorts can choose it. It never changes; to change anything, edit the draft and publish the next version.</source>
+        <translation>已于 %1 发布，进行中：批次可以选用。它不再改变；如需更改，请编辑草稿并发布下一版。</translation>
+    </message>
+    <message>
+        <source>Published on %1, closed: no further cohort can choose it; who follows it goes on. It is kept as it was.</source>
+        <translation>已于 %1 发布，已关闭：不再有新批次可选用；已采用的继续进行。内容保持原样。</translation>
+    </message>
+    <message>
+        <source>%1 Note: %2.</source>
+        <translation>%1 说明：%2。</translation>
+    </message>
+    <message>
+        <source>%1 Superseded by version %2.</source>
+        <translation>%1 已被第 %2 版取代。</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
     </message>
 </context>
 <context>

@@ -46,6 +46,7 @@ ScoreRow::ScoreRow(std::string code, const QString& label, const ScoreScale& sca
       reason_(new QLineEdit(this)) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
+  strip_->setObjectName(QStringLiteral("scale"));
   strip_->setAttribute(Qt::WA_TransparentForMouseEvents);
   strip_->setFixedHeight(shape_ == RowShape::kLarge ? kTouch_px : kLeastCell_px);
   strip_->setMinimumWidth(cellCount() * (kLeastCell_px + kCellGap));

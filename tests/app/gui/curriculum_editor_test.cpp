@@ -3,12 +3,15 @@
 // stay as they are.
 #include "app/gui/administrator/curriculum/curriculum_editor.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSpinBox>
 #include <QTableWidget>
 #include <QTest>
@@ -23,8 +26,8 @@
 namespace torsio::gui {
 namespace {
 
-using testing::answer;
 using testing::AdministratorDesk;
+using testing::answer;
 using testing::press;
 using testing::type;
 
@@ -112,6 +115,26 @@ TEST(CurriculumEditor, SavesWhatWasNotTouchedExactlyAsItWas) {
   const CurriculumDraft after = curriculumDraft(office.centre.session(), id);
   EXPECT_EQ(after.revision, 2);
   EXPECT_EQ(curriculumJson(after.content), before);
+}
+
+TEST(CurriculumEditor, FitsASmallScreenWithoutScrollingItsForms) {
+  AdministratorDesk office;
+  addEverything(office);
+  auto page = office.open<CurriculaPage>("administrator");
+
+  page->resize(1162, 716);  // what a 1366 x 768 screen leaves beside navigation and header
+  page->show();
+  QApplication::processEvents();
+
+  auto& editor = child<CurriculumEditor>(*page, "editor");
+  for (int tab = 0; tab < editor.count(); ++tab) {
+    editor.setCurrentIndex(tab);
+    QApplication::processEvents();
+    for (const QScrollArea* area : editor.currentWidget()->findChildren<QScrollArea*>()) {
+      EXPECT_EQ(area->horizontalScrollBar()->maximum(), 0) << "tab " << tab;
+      EXPECT_EQ(area->verticalScrollBar()->maximum(), 0) << "tab " << tab;
+    }
+  }
 }
 
 TEST(CurriculumEditor, ChangesOnlyTheFieldThatWasTyped) {

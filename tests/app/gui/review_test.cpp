@@ -401,6 +401,22 @@ TEST(RaterCalibrationPage, ShowsTheOwnOffsetAfterTheMark) {
   EXPECT_DOUBLE_EQ(*warmUp(desk.session()).runs[0].offset_points, 2.0);
 }
 
+TEST(RaterCalibrationPage, HasScoreButtonsThatAFingerOrAMouseHits) {
+  constexpr int kLeast_px = 32;
+  constexpr int kButtons = 10;  // the paper's scale from 1 to 10
+  ReviewCentre centre(ReviewCentre::Setup{});
+  addReferenceRuns(*centre.administrator(),
+                   {{centre.trialIds()[0], centre.rubricRevisionId(), 6.0, 5, false}});
+  DeskOf desk(centre, 0);
+
+  auto& page = desk.open<RaterCalibrationPage>();
+  QApplication::processEvents();
+
+  const auto& scale = child<QWidget>(page, "scale");
+  EXPECT_GE(scale.width(), kButtons * kLeast_px);
+  EXPECT_GE(scale.height(), kLeast_px);
+}
+
 TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
   ReviewCentre::Setup setup;
   setup.trainees = 1;

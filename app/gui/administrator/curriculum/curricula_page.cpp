@@ -6,8 +6,6 @@
 #include <utility>
 
 #include <QComboBox>
-#include <QDialog>
-#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QInputDialog>
@@ -22,6 +20,7 @@
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/curriculum/curriculum_editor.h"
+#include "app/gui/administrator/curriculum/curriculum_state.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
@@ -268,56 +267,8 @@ void CurriculaPage::sayState() {
     return;
   }
   const CurriculumVersionRow* version = shownVersion();
-  state_->setText(version == nullptr ? draftText(*row) : versionText(*row, *version));
-}
-
-QString CurriculaPage::draftText(const CurriculumRow& row) const {
-  if (dirty_) {
-    return tr("%1: changed, not saved. The draft is also saved when you leave.")
-        .arg(toQString(row.curriculum.name));
-  }
-  QString next = tr("Everything may be changed; nobody is touched until it is published as version %1.")
-                     .arg(row.versions.size() + 1);
-  if (row.hasDraft) {
-    next = tr("Saved %1. %2").arg(shownTime(row.draftChangedUtc_us, locale()), next);
-  }
-  if (row.versions.empty()) {
-    return next;
-  }
-  const CurriculumVersionRow& newest = row.versions.back();
-  return tr("%1 The newest version is %2: %3.")
-      .arg(next)
-      .arg(newest.number)
-      .arg(versionStateName(newest.state));
-}
-
-QString CurriculaPage::versionText(const CurriculumRow& row, const CurriculumVersionRow& version) const {
-  QStringList followers;
-  for (const std::string& cohort : version.cohorts) {
-    followers << toQString(cohort);
-  }
-  const QString who = followers.isEmpty() ? tr("No cohort follows it.")
-                                          : tr("Followed by: %1.").arg(followers.join(tr(", ")));
-  QString words;
-  if (version.state == "draft") {
-    words = tr("Published on %1 and never changes. Begin it, so that cohorts can follow it.");
-  } else if (version.state == "running") {
-    words =
-        tr("Published on %1, running: cohorts can choose it. It never changes; to change anything, edit the "
-           "draft and publish the next version.");
-  } else {
-    words =
-        tr("Published on %1, closed: no further cohort can choose it; who follows it goes on. It is kept as "
-           "it was.");
-  }
-  words = words.arg(shownTime(version.createdUtc_us, locale()));
-  if (!version.note.empty()) {
-    words = tr("%1 Note: %2.").arg(words, toQString(version.note));
-  }
-  if (version.number < row.versions.back().number) {
-    words = tr("%1 Superseded by version %2.").arg(words).arg(row.versions.back().number);
-  }
-  return tr("%1 %2").arg(words, who);
+  state_->setText(version == nullptr ? draftText(*row, dirty_, locale())
+                                     : versionText(*row, *version, locale()));
 }
 
 bool CurriculaPage::add(const std::string& name, const std::string& templateId) {
@@ -406,8 +357,7 @@ bool CurriculaPage::takeAsDraft() {
 
 void CurriculaPage::askNew() {
   attempt(shell(), [&] {
-    QDialog dialog(this);
-    dialog.setWindowTitle(tr("New curriculum"));
+    QuestionDialog dialog(this, tr("New curriculum"));
     auto* name = new QLineEdit(&dialog);
     auto* from = new QComboBox(&dialog);
     for (const CurriculumTemplate& known : curriculumTemplates(shell().assets())) {
@@ -415,19 +365,14 @@ void CurriculaPage::askNew() {
     }
     from->addItem(tr("nothing in it yet"), QString());
     chooseId(from, "paper-three-arms");
-    auto* form = new QFormLayout(&dialog);
-    form->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+    auto* form = new QFormLayout;
     form->addRow(tr("&Name"), name);
     form->addRow(tr("&Begin with"), from);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, &dialog);
-    buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
-    form->addRow(buttons);
-    name->setMinimumWidth(340);
-    connect(name, &QLineEdit::textChanged, &dialog, [buttons](const QString& text) {
-      buttons->button(QDialogButtonBox::Ok)->setEnabled(!text.trimmed().isEmpty());
-    });
-    connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    dialog.column()->addLayout(form);
+    QPushButton* create = dialog.finish(tr("Create"));
+    create->setEnabled(false);
+    connect(name, &QLineEdit::textChanged, create,
+            [create](const QString& text) { create->setEnabled(!text.trimmed().isEmpty()); });
     if (dialog.exec() == QDialog::Accepted) {
       add(name->text().trimmed().toStdString(), chosenId(from));
     }

@@ -47,8 +47,6 @@ class CurriculaPage : public Page {
   void fillVersions();
   void showButtons();
   void sayState();
-  [[nodiscard]] QString draftText(const CurriculumRow& row) const;
-  [[nodiscard]] QString versionText(const CurriculumRow& row, const CurriculumVersionRow& version) const;
   void askNew();
   void askOccasion();
   void askPublish();
