@@ -10351,8 +10351,8 @@ MSM = 质点弹簧</translation>
         <translation>评分时点</translation>
     </message>
     <message>
-        <source>When the raters score everybody, counted in minutes of training (rest does not count). The paper scores before, after 20 and after 40 minutes.</source>
-        <translation>评分者何时为所有人评分，以训练分钟数计（休息不计）。论文在训练前、20 分钟后和 40 分钟后评分。</translation>
+        <source>When the raters score everybody, counted in minutes of training (rest does not count). The paper scores before, after 20 and after 40 minutes. A follow-up, weeks after the training, has the minutes of the occasion before it.</source>
+        <translation>评分者何时为所有人评分，以训练分钟数计（休息不计）。论文在训练前、20 分钟后和 40 分钟后评分。训练结束数周后的随访，沿用前一个时点的分钟数。</translation>
     </message>
     <message>
         <source>after </source>

@@ -47,6 +47,19 @@ std::vector<PlannedOccasion>::iterator placeOf(StoredCurriculumVersion& content,
   return content.plannedOccasions.end();
 }
 
+/// Gives how long the longest arm trains; without arms more than anybody does.
+double longestTraining_min(const StoredCurriculumVersion& content) {
+  double longest_min = content.arms.empty() ? kMostMinutes : 0.0;
+  for (const StudyArm& arm : content.arms) {
+    double arm_min = 0.0;
+    for (const StoredPhase& phase : arm.phases) {
+      arm_min += static_cast<double>(phase.duration_us) / kMicrosecondsOfMinute;
+    }
+    longest_min = std::max(longest_min, arm_min);
+  }
+  return longest_min;
+}
+
 }  // namespace
 
 CurriculumEditor::CurriculumEditor(std::filesystem::path assets, QWidget* parent)
@@ -134,13 +147,14 @@ void CurriculumEditor::setReadOnly(bool readOnly) {
 
 void CurriculumEditor::fillPoints() {
   filling_ = true;
+  const double longest_min = longestTraining_min(content_);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const auto point = pointOf(content_, occasions_.at(i).code);
     const bool wanted = point != content_.plannedOccasions.end();
     points_[i].wanted->setChecked(wanted);
     points_[i].after->setEnabled(wanted);
     points_[i].after->setValue(wanted ? static_cast<double>(point->afterExposure_us) / kMicrosecondsOfMinute
-                                      : kUsualStep_min * static_cast<double>(i));
+                                      : std::min(longest_min, kUsualStep_min * static_cast<double>(i)));
   }
   filling_ = false;
 }
@@ -192,7 +206,8 @@ void CurriculumEditor::retranslate() {
   setTabText(2, tr("Occasions"));
   pointsText_->setText(
       tr("When the raters score everybody, counted in minutes of training (rest does not "
-         "count). The paper scores before, after 20 and after 40 minutes."));
+         "count). The paper scores before, after 20 and after 40 minutes. A follow-up, weeks after the "
+         "training, has the minutes of the occasion before it."));
   addOccasion_->setText(tr("Add an &occasion\u2026"));
   namePoints();
   exercises_->retranslate();

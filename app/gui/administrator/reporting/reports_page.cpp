@@ -66,11 +66,11 @@ ReportsPage::ReportsPage(ShellContext& shell)
   grid->addWidget(freeze_, 1, 3);
   identityLabel_ = gridField(grid, 4, identity_);
   languageLabel_ = gridField(grid, 5, language_);
-  for (const int wide : {0, 1, 2, 4}) {
-    grid->setColumnStretch(wide, 1);
+  for (const auto& [column, share] : {std::pair(0, 3), std::pair(1, 3), std::pair(2, 2), std::pair(4, 1)}) {
+    grid->setColumnStretch(column, share);  // names of cohorts and campaigns are long
   }
   for (QComboBox* box : {cohort_, campaign_, frozen_, identity_}) {
-    box->setMinimumContentsLength(14);
+    box->setMinimumContentsLength(10);
   }
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
