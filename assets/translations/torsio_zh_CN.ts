@@ -284,7 +284,7 @@
     </message>
 </context>
 <context>
-    <name>Office</name>
+    <name>Administration</name>
     <message>
         <source>no cohort yet</source>
         <translation>尚无批次</translation>
