@@ -265,24 +265,6 @@ std::vector<StoredAllocation> allocations(SessionContext& session, const std::st
   return StudyRepository(session.connection()).allocations(designId);
 }
 
-StoredAllocation allocateOne(SessionContext& session, const std::string& cohortId,
-                             const std::string& enrolmentId) {
-  session.require(Operation::kAllocationRun);
-  Transaction transaction(session.connection());
-  const DrawField field = readDrawField(session, cohortId);
-  const std::vector<StoredEnrolment> waiting = field.waiting();
-  const auto enrolment = std::find_if(waiting.begin(), waiting.end(),
-                                      [&](const StoredEnrolment& e) { return e.id == enrolmentId; });
-  if (enrolment == waiting.end()) {
-    refuse("has a group already, has withdrawn or is not enrolled here", enrolmentId,
-           "Choose somebody who waits; a change of group is an override with a reason");
-  }
-  OpenDraw open = openDraw(session, field);
-  StoredAllocation record = draw(session, field, open, *enrolment);
-  transaction.commit();
-  return record;
-}
-
 std::size_t allocateAll(SessionContext& session, const std::string& cohortId) {
   session.require(Operation::kAllocationRun);
   Transaction transaction(session.connection());

@@ -99,10 +99,6 @@ class Examination {
       add(where, "has no title", "Say in a few words what is practised");
     }
     checkScene(module, where);
-    const std::vector<std::string>& kinds = exerciseKinds();
-    if (std::find(kinds.begin(), kinds.end(), module.exerciseKind) == kinds.end()) {
-      add(where, Text("has an unknown exercise \"%1\"", module.exerciseKind), "Choose one from the list");
-    }
     if (module.targetAngle_rad == 0.0) {
       add(where, "has a target of 0 degrees", "Enter how far to twist");
     }
@@ -263,11 +259,6 @@ class Examination {
 };
 
 }  // namespace
-
-const std::vector<std::string>& exerciseKinds() {
-  static const std::vector<std::string> kKinds{"twist to target", "hold", "follow"};
-  return kKinds;
-}
 
 std::vector<CurriculumProblem> curriculumProblems(const StoredCurriculumVersion& content,
                                                   const std::filesystem::path& assets,

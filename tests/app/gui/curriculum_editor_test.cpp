@@ -35,16 +35,16 @@ using testing::type;
 constexpr const char* kEverything = R"({
   "format": "torsio curriculum 1",
   "modules": [
-    {"code": "A1", "title": "Pronate", "scene": "forearm", "pattern": "pronation", "exercise": "twist to target",
+    {"code": "A1", "title": "Pronate", "scene": "forearm", "pattern": "pronation",
      "mode": "practice", "target_deg": -61.234567, "tolerance_deg": 4.321987, "hold_s": 1.234567,
      "max_force_n": 3.333333, "max_torque_nm": 0.1234567, "attempt_limit": 12, "requires": [],
      "mastery": [
        {"metric": "force.peak", "comparison": "at_most", "threshold": 2.718281828, "unit": "N", "consecutive": 2},
        {"metric": "twist.bias", "comparison": "at_least", "threshold": -0.000123, "unit": "rad", "consecutive": 1},
        {"metric": "twist.on_target", "comparison": "at_least", "threshold": 0.66666667, "unit": "1", "consecutive": 3}]},
-    {"code": "A2", "title": "Hold", "scene": "forearm", "pattern": "supination", "exercise": "hold",
+    {"code": "A2", "title": "Hold", "scene": "forearm", "pattern": "supination",
      "mode": "graded", "target_deg": 45, "tolerance_deg": 5, "hold_s": 0, "requires": [], "mastery": []},
-    {"code": "A3", "title": "Follow", "scene": "forearm", "pattern": "pronation", "exercise": "follow",
+    {"code": "A3", "title": "Follow", "scene": "forearm", "pattern": "pronation",
      "mode": "graded", "target_deg": -30, "tolerance_deg": 5, "hold_s": 2, "requires": ["A1", "A2"],
      "mastery": [
        {"metric": "time.total", "comparison": "at_most", "threshold": 90.55555, "unit": "s", "consecutive": 1}]}

@@ -7,6 +7,7 @@
 #include "app/study/curriculum_service.h"
 #include "app/study/rubric_service.h"
 #include "db/connection/db_error.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/support/study_centre.h"
@@ -137,7 +138,7 @@ TEST(CurriculumService, DraftBecomesAVersionThatRunsAndCloses) {
   const std::string id = addCurriculum(session, "Twists", "", shipped(centre, "first-steps"));
   const std::string version = publishCurriculum(session, id, "first", centre.assets());
 
-  const auto stored = curriculumVersion(session, version);
+  const auto stored = CurriculumRepository(session.connection()).version(version);
   ASSERT_TRUE(stored);
   EXPECT_EQ(stored->state, "draft");
   EXPECT_EQ(stored->modules.size(), 9U);

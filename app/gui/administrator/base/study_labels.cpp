@@ -124,14 +124,6 @@ QString phaseKindName(PhaseKind kind) {
   return named(kNames, std::string(storedText(kind)));
 }
 
-QString exerciseKindName(const std::string& code) {
-  static const std::pair<const char*, const char*> kNames[] = {
-      {"twist to target", QT_TRANSLATE_NOOP("Study", "twist to a target angle")},
-      {"hold", QT_TRANSLATE_NOOP("Study", "hold the angle")},
-      {"follow", QT_TRANSLATE_NOOP("Study", "follow a moving angle")}};
-  return named(kNames, code);
-}
-
 std::vector<std::pair<std::string, QString>> masteryMetrics() {
   static const std::pair<const char*, const char*> kNames[] = {
       {kOnTargetMetric, QT_TRANSLATE_NOOP("Study", "share of twists on target")},

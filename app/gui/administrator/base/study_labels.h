@@ -28,7 +28,6 @@ namespace torsio::gui {
 [[nodiscard]] QString sheetStateName(SheetState state);
 [[nodiscard]] QString versionStateName(const std::string& code);
 [[nodiscard]] QString phaseKindName(PhaseKind kind);
-[[nodiscard]] QString exerciseKindName(const std::string& code);
 
 /// What a mastery rule may be about: id and name.
 [[nodiscard]] std::vector<std::pair<std::string, QString>> masteryMetrics();

@@ -63,7 +63,6 @@ ExerciseEditor::ExerciseEditor(std::filesystem::path assets, StoredCurriculumVer
       title_(new QLineEdit),
       scene_(new QComboBox),
       pattern_(new QComboBox),
-      kind_(new QComboBox),
       mode_(new QComboBox),
       target_(numberField(-3600.0, 3600.0, 1)),
       tolerance_(numberField(0.0, 3600.0, 1)),
@@ -91,7 +90,7 @@ QWidget* ExerciseEditor::form() {
   texts_.row(form, {{title_, QT_TR_NOOP("Title")}, {code_.field(), QT_TR_NOOP("Code")}});
   form->addRow(QString(), code_.problem());
   texts_.row(form, {{scene_, QT_TR_NOOP("Organ")}, {pattern_, QT_TR_NOOP("Twist")}});
-  texts_.row(form, {{kind_, QT_TR_NOOP("Task")}, {mode_, QT_TR_NOOP("Counts as")}});
+  texts_.row(form, mode_, QT_TR_NOOP("Counts as"));
   texts_.row(form, {{target_, QT_TR_NOOP("Target angle")},
                     {tolerance_, QT_TR_NOOP("Tolerance")},
                     {hold_, QT_TR_NOOP("Hold for")}});
@@ -127,7 +126,6 @@ void ExerciseEditor::connectFields() {
             [=, this] { take([=](StoredModule& module) { module.*field = chosenId(box); }); });
   };
   choice(pattern_, &StoredModule::patternId);
-  choice(kind_, &StoredModule::exerciseKind);
   connect(mode_, &QComboBox::activated, this, [this] {
     take([this](StoredModule& module) {
       module.mode = fromStoredText<AttemptMode>(chosenId(mode_)).value_or(module.mode);
@@ -180,10 +178,6 @@ QStringList ExerciseEditor::lines() const {
   return lines;
 }
 
-void ExerciseEditor::fill() {
-  select(std::max(0, list_->row()));
-}
-
 void ExerciseEditor::select(int row) {
   list_->setLines(lines(), row);
   showContent();
@@ -197,7 +191,7 @@ void ExerciseEditor::showContent() {
   const bool change = module != nullptr && !readOnly_;
   mastery_->setEditable(change);
   for (QWidget* field :
-       std::initializer_list<QWidget*>{title_, code_.field(), scene_, pattern_, kind_, mode_, target_,
+       std::initializer_list<QWidget*>{title_, code_.field(), scene_, pattern_, mode_, target_,
                                        tolerance_, hold_, force_, torque_, attempts_, after_}) {
     field->setEnabled(change);
   }
@@ -236,11 +230,6 @@ void ExerciseEditor::showPlaces(const StoredModule& module) {
     // The scene belongs to another installation: its own pattern is offered alone, the check says the rest.
   }
   chooseOrAdd(pattern_, module.patternId);
-  kind_->clear();
-  for (const std::string& kind : exerciseKinds()) {
-    kind_->addItem(exerciseKindName(kind), toQString(kind));
-  }
-  chooseOrAdd(kind_, module.exerciseKind);
   chooseOrAdd(mode_, std::string(storedText(module.mode)));
 }
 
@@ -339,7 +328,6 @@ void ExerciseEditor::add() {
   if (module.sceneId.empty()) {
     module.sceneId = sceneIds(assets_).front();
     module.patternId = patternIds(assets_, module.sceneId).front();
-    module.exerciseKind = exerciseKinds().front();
     module.targetAngle_rad = radians(kFirstTarget_deg);
     module.tolerance_rad = radians(kFirstTolerance_deg);
   }

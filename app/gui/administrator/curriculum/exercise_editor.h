@@ -33,8 +33,6 @@ class ExerciseEditor : public QWidget {
   /// `content` outlives this.
   ExerciseEditor(std::filesystem::path assets, StoredCurriculumVersion& content, QWidget* parent = nullptr);
 
-  /// The content was replaced, or the language changed.
-  void fill();
   void select(int row);
   /// Everything can be looked at and nothing changed.
   void setReadOnly(bool readOnly);
@@ -72,7 +70,6 @@ class ExerciseEditor : public QWidget {
   QLineEdit* title_;
   QComboBox* scene_;
   QComboBox* pattern_;
-  QComboBox* kind_;
   QComboBox* mode_;
   QDoubleSpinBox* target_;
   QDoubleSpinBox* tolerance_;

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/gui/administrator/base/list_dialogs.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/people/person_dialog.h"
@@ -49,14 +50,17 @@ RosterPage::RosterPage(ShellContext& shell)
       edit_(nullptr),
       state_(nullptr),
       export_(nullptr),
+      consents_(nullptr),
       package_(nullptr),
       erase_(nullptr) {
   table_->addTool(names_);
   edit_ = listButton(table_);
   state_ = listButton(table_);
   export_ = listButton(table_);
+  consents_ = listButton(table_);
   package_ = listButton(table_);
   erase_ = listButton(table_);
+  consents_->setObjectName(QStringLiteral("consents"));
   package_->setObjectName(QStringLiteral("exportPerson"));
   erase_->setObjectName(QStringLiteral("erasePerson"));
   import_->setProperty("primary", true);
@@ -73,6 +77,12 @@ RosterPage::RosterPage(ShellContext& shell)
   connect(edit_, &QPushButton::clicked, this, &RosterPage::edit);
   connect(state_, &QPushButton::clicked, this, &RosterPage::switchState);
   connect(export_, &QPushButton::clicked, this, &RosterPage::exportList);
+  connect(consents_, &QPushButton::clicked, this, [this] {
+    if (const NamedPersonRow* person = current(); person != nullptr) {
+      ConsentDialog(this->shell(), person->row.person.id, toQString(person->row.person.code), this).exec();
+      read();
+    }
+  });
   connect(package_, &QPushButton::clicked, this, &RosterPage::askExportPerson);
   connect(erase_, &QPushButton::clicked, this, &RosterPage::askErasePerson);
   connect(names_, &QCheckBox::toggled, this, &RosterPage::read);
@@ -100,6 +110,7 @@ void RosterPage::retranslate() {
   names_->setText(tr("Show na&mes"));
   edit_->setText(tr("&Change\u2026"));
   export_->setText(tr("&Export\u2026"));
+  consents_->setText(tr("C&onsents\u2026"));
   package_->setText(tr("Export this person\u2019s recor&d\u2026"));
   package_->setToolTip(tr("Everything the record holds about one person, for themselves"));
   erase_->setText(tr("Erase on re&quest\u2026"));
@@ -170,6 +181,7 @@ void RosterPage::showButtons() {
                                    [&id](const NamedPersonRow& named) { return named.row.person.id == id; });
   edit_->setEnabled(person != people_.end());
   state_->setEnabled(person != people_.end());
+  consents_->setEnabled(person != people_.end());
   package_->setEnabled(person != people_.end());
   erase_->setEnabled(person != people_.end());
   const bool left = person != people_.end() && person->row.person.state != "active";

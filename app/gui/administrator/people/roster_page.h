@@ -51,6 +51,7 @@ class RosterPage : public Page {
   QPushButton* edit_;
   QPushButton* state_;
   QPushButton* export_;
+  QPushButton* consents_;
   QPushButton* package_;
   QPushButton* erase_;
 };

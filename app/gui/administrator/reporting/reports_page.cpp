@@ -19,8 +19,10 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/report/wording.h"
+#include "app/reporting/coded_tables.h"
 #include "app/study/frozen_data.h"
 #include "assessment/report/cohort_report.h"
+#include "sim/base/file_io.h"
 
 namespace torsio::gui {
 
@@ -42,6 +44,7 @@ ReportsPage::ReportsPage(ShellContext& shell)
       heading_(new PageHeading(this)),
       pdf_(new QPushButton(this)),
       csv_(new QPushButton(this)),
+      tables_(new QPushButton(this)),
       cohort_(new QComboBox(this)),
       campaign_(new QComboBox(this)),
       frozen_(new QComboBox(this)),
@@ -55,6 +58,9 @@ ReportsPage::ReportsPage(ShellContext& shell)
   language_->setObjectName(QStringLiteral("language"));
   identity_->setObjectName(QStringLiteral("identity"));
   pdf_->setProperty("primary", true);
+  tables_->setObjectName(QStringLiteral("codedTables"));
+  tables_->setVisible(shell.may(Operation::kTrialViewCoded) || shell.may(Operation::kMarkViewCoded));
+  heading_->addAction(tables_);
   heading_->addAction(csv_);
   heading_->addAction(pdf_);
   auto* grid = new QGridLayout;
@@ -88,6 +94,7 @@ ReportsPage::ReportsPage(ShellContext& shell)
   connect(language_, &QComboBox::currentIndexChanged, this, &ReportsPage::showReport);
   connect(freeze_, &QPushButton::clicked, this, &ReportsPage::askFreeze);
   connect(pdf_, &QPushButton::clicked, this, [this] { askExport(ReportFormat::kPdf); });
+  connect(tables_, &QPushButton::clicked, this, &ReportsPage::askTables);
   connect(csv_, &QPushButton::clicked, this, [this] { askExport(ReportFormat::kCsv); });
   const QSignalBlocker quietLanguage(language_);
   language_->addItem(QString(), QString());  // that of the window
@@ -190,6 +197,7 @@ void ReportsPage::showButtons() {
   pdf_->setEnabled(ready);
   csv_->setEnabled(ready);
   freeze_->setEnabled(cohort_->count() > 0);
+  tables_->setEnabled(cohort_->count() > 0);
   QString words;
   if (ready && inputs_->identity == ReportIdentity::kNamed) {
     words = tr("This report will name the trainees. That you took it out is kept in the audit trail.");
@@ -242,6 +250,34 @@ void ReportsPage::askExport(ReportFormat format) {
   }
 }
 
+void ReportsPage::askTables() {
+  const QString folder = askFileToSave(this, tr("New folder for the tables"),
+                                       tr("tables-%1").arg(cohort_->currentText()), tr("Folder (*)"));
+  if (!folder.isEmpty()) {
+    exportTables(toPath(folder));
+  }
+}
+
+bool ReportsPage::exportTables(const std::filesystem::path& folder) {
+  return attempt(shell(), [&] {
+    ensureFolder(folder);
+    SessionContext& session = shell().session();
+    const std::string cohort = chosenId(cohort_);
+    std::size_t recordings = 0;
+    std::size_t marks = 0;
+    if (shell().may(Operation::kTrialViewCoded)) {
+      recordings = exportRecordings(session, cohort, folder / "recordings.csv");
+    }
+    if (shell().may(Operation::kMarkViewCoded)) {
+      marks = exportMarks(session, cohort, folder / "marks.csv");
+    }
+    shell().notify(tr("%1 recordings and %2 marks written to %3")
+                       .arg(recordings)
+                       .arg(marks)
+                       .arg(toQString(folder.string())));
+  });
+}
+
 bool ReportsPage::exportTo(ReportFormat format, const std::filesystem::path& file) {
   if (!inputs_) {
     return false;
@@ -273,6 +309,8 @@ void ReportsPage::retranslate() {
                      tr("Choose a cohort, freeze its data, look through the report, and write it."));
   pdf_->setText(tr("Save &PDF\u2026"));
   csv_->setText(tr("Save &numbers (CSV)\u2026"));
+  tables_->setText(tr("Co&ded tables\u2026"));
+  tables_->setToolTip(tr("Recordings and single marks under their codes, as far as you may see them"));
   cohortLabel_->setText(tr("&Cohort"));
   campaignLabel_->setText(tr("&Evaluation of models"));
   frozenLabel_->setText(tr("&Data"));

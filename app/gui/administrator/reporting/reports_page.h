@@ -30,6 +30,9 @@ class ReportsPage : public Page {
   bool freeze(const std::string& name);
   /// Writes the file. False: it was given up or went wrong, which has been said.
   bool exportTo(ReportFormat format, const std::filesystem::path& file);
+  /// Writes recordings and single marks of the chosen cohort under their codes into a new folder, as far as
+  /// the user may see them. False: it went wrong, which has been said.
+  bool exportTables(const std::filesystem::path& folder);
 
   /// Waits until the report is prepared: pictures and tests.
   void settle();
@@ -42,6 +45,7 @@ class ReportsPage : public Page {
   void showReport();
   void askFreeze();
   void askExport(ReportFormat format);
+  void askTables();
   void showButtons();
   [[nodiscard]] ReportRequest request() const;
   /// Chosen, or that of the window.
@@ -54,6 +58,7 @@ class ReportsPage : public Page {
   PageHeading* heading_;
   QPushButton* pdf_;
   QPushButton* csv_;
+  QPushButton* tables_;
   QLabel* cohortLabel_;
   QComboBox* cohort_;
   QLabel* campaignLabel_;

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/list_dialogs.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/study/run_day_dialogs.h"
@@ -51,6 +52,7 @@ RunDayPage::RunDayPage(ShellContext& shell)
       time_(listButton(table_)),
       swap_(listButton(table_)),
       deviation_(listButton(table_)),
+      deviations_(listButton(table_)),
       state_(listButton(table_)) {
   alerts_->setObjectName(QStringLiteral("alerts"));
   stations_->setObjectName(QStringLiteral("stations"));
@@ -80,6 +82,9 @@ RunDayPage::RunDayPage(ShellContext& shell)
   connect(table_, &DataTable::currentChanged, this, &RunDayPage::showButtons);
   connect(time_, &QPushButton::clicked, this, &RunDayPage::logTime);
   connect(deviation_, &QPushButton::clicked, this, &RunDayPage::reportDeviation);
+  connect(deviations_, &QPushButton::clicked, this, [this] {
+    attempt(this->shell(), [this] { showDeviations(this->shell(), chosenId(cohort_), this); });
+  });
   connect(state_, &QPushButton::clicked, this, &RunDayPage::changeState);
   retranslate();
 }
@@ -131,11 +136,6 @@ void RunDayPage::refresh() {
         clock_->stop();  // one message, not one every few seconds
         shell().report(problem);
       });
-}
-
-void RunDayPage::refreshAndWait() {
-  refresh();
-  reader_->wait();
 }
 
 QString RunDayPage::nowText(const RunDayRow& row) const {
@@ -330,6 +330,7 @@ void RunDayPage::showButtons() {
   time_->setEnabled(row != nullptr);
   swap_->setEnabled(row != nullptr && row->state != EnrolmentState::kWithdrawn && board_->rows.size() > 1);
   deviation_->setEnabled(board_.has_value());
+  deviations_->setEnabled(board_.has_value());
   state_->setEnabled(row != nullptr);
   state_->setText(row != nullptr && row->state == EnrolmentState::kWithdrawn ? tr("&Back in\u2026")
                                                                              : tr("&Withdraw\u2026"));
@@ -409,6 +410,8 @@ void RunDayPage::retranslate() {
                          {tr("Device")},
                          {tr("Device check")}});
   deviation_->setText(tr("&Deviation\u2026"));
+  deviations_->setText(tr("&Noted\u2026"));
+  deviations_->setToolTip(tr("All deviations of this cohort"));
   table_->setColumns({{tr("Trainee")},
                       {tr("Group")},
                       {tr("Now at")},

@@ -30,9 +30,6 @@ class RunDayPage : public Page {
   bool leave() override;
   void retranslate() override;
 
-  /// Reads anew now and waits for it: tests.
-  void refreshAndWait();
-
  private:
   void read();
   /// Reads anew away from the window's thread, as the clock asks.
@@ -65,6 +62,7 @@ class RunDayPage : public Page {
   QPushButton* time_;
   QPushButton* swap_;
   QPushButton* deviation_;
+  QPushButton* deviations_;
   QPushButton* state_;
 };
 

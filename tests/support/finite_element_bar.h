@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "sim/tissue/reference/finite_element_bar_mesh.h"
 #include "sim/tissue/section/polygon.h"
+#include "tests/support/finite_element_bar_mesh.h"
 
 namespace torsio {
 
