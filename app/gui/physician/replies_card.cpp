@@ -26,7 +26,6 @@ constexpr std::size_t kShown = 3;
 
 RepliesCard::RepliesCard(ShellContext& shell, QWidget* parent)
     : Card(QString(), parent), shell_(shell), list_(new QVBoxLayout) {
-  setObjectName(QStringLiteral("replies"));
   list_->setSpacing(kSpace / 2);
   content()->addLayout(list_);
   hide();
