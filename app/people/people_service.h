@@ -12,6 +12,10 @@
 
 namespace torsio {
 
+/// Ages that are believed; outside, a slip of the pen is assumed.
+inline constexpr std::int64_t kYoungest_years = 14;
+inline constexpr std::int64_t kOldest_years = 100;
+
 /// One person as lists show it: under a code, never under a name.
 struct PersonRow {
   StoredPerson person{};

@@ -4,15 +4,13 @@
 #include <charconv>
 #include <optional>
 
+#include "app/people/people_service.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
 
 namespace torsio {
 
 namespace {
-
-constexpr std::int64_t kYoungest_years = 14;
-constexpr std::int64_t kOldest_years = 100;
 
 std::string lower(std::string text) {
   for (char& c : text) {

@@ -11,6 +11,7 @@
 #include "app/gui/scene/tissue_palette.h"
 #include "app/gui/scene/vessels.h"
 #include "app/gui/scene/view_frame.h"
+#include "sim/base/angle.h"
 
 namespace torsio::gui {
 
@@ -19,7 +20,6 @@ namespace {
 constexpr double kPixel_m = 0.00030;  // a fine vessel is two pixels wide
 constexpr int kMostPixels = 1'600'000;
 constexpr double kCell_m = 0.004;
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr std::uint32_t kNobody = 0xFFFFFFFFU;
 
 float centre(std::size_t pixel) {

@@ -191,8 +191,8 @@ void ExerciseEditor::showContent() {
   const bool change = module != nullptr && !readOnly_;
   mastery_->setEditable(change);
   for (QWidget* field :
-       std::initializer_list<QWidget*>{title_, code_.field(), scene_, pattern_, mode_, target_,
-                                       tolerance_, hold_, force_, torque_, attempts_, after_}) {
+       std::initializer_list<QWidget*>{title_, code_.field(), scene_, pattern_, mode_, target_, tolerance_,
+                                       hold_, force_, torque_, attempts_, after_}) {
     field->setEnabled(change);
   }
   if (module == nullptr) {
