@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "assessment/study/station_state.h"
+
 namespace torsio {
 
 namespace {

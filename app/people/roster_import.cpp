@@ -11,6 +11,8 @@
 
 #include "app/people/people_service.h"
 #include "app/people/person_codes.h"
+#include "assessment/people/person.h"
+#include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/base/contracts.h"
 #include "sim/base/digest.h"
@@ -82,7 +84,7 @@ struct KnownPeople {
   std::map<std::string, Known> byNumber;
   std::map<std::string, std::string> codeByEmail;  ///< lower-case address
   std::map<std::string, std::string> numberByEmail;
-  std::vector<StoredRaterClass> classes;
+  std::vector<SeniorityClass> classes;
 };
 
 KnownPeople readKnown(SessionContext& session) {
@@ -200,13 +202,13 @@ void understandAge(RosterRow& row) {
        Text("Write a whole number from %1 to %2, or leave the cell empty", kYoungest_years, kOldest_years));
 }
 
-void understandClass(RosterRow& row, const std::vector<StoredRaterClass>& classes) {
+void understandClass(RosterRow& row, const std::vector<SeniorityClass>& classes) {
   std::map<std::string, std::string> meanings{{"实习医生", "intern"},
                                               {"副主任医师", "deputy_chief"},
                                               {"主任医师", "chief"},
                                               {"deputy chief", "deputy_chief"}};
   std::string choices;
-  for (const StoredRaterClass& known : classes) {
+  for (const SeniorityClass& known : classes) {
     meanings[lower(known.code)] = known.code;
     meanings[lower(known.label)] = known.code;
     choices += (choices.empty() ? "" : ", ") + known.code;
@@ -378,7 +380,7 @@ void requireRosterRights(const SessionContext& session) {
   session.require(Operation::kPersonViewIdentity);
 }
 
-nlohmann::json addedJson(const StoredPerson& person, const std::string& part) {
+nlohmann::json addedJson(const Person& person, const std::string& part) {
   return {{"code", person.code},
           {"part", part},
           {"sex", person.sex},
@@ -407,18 +409,18 @@ std::vector<std::string> addNew(SessionContext& session, const RosterPreview& pr
         setValue(entry, field, row->values[at(field)]);
       }
     }
-    StoredPerson person{.id = id,
-                        .code = codes.next(trainees ? kTraineePrefix : kRaterPrefix),
-                        .sex = entry.sex,
-                        .level = entry.level,
-                        .experience = entry.experience,
-                        .age_years = entry.age_years,
-                        .createdUtc_us = session.now_us()};
+    Person person{.id = id,
+                  .code = codes.next(trainees ? kTraineePrefix : kRaterPrefix),
+                  .sex = entry.sex,
+                  .level = entry.level,
+                  .experience = entry.experience,
+                  .age_years = entry.age_years,
+                  .createdUtc_us = session.now_us()};
     if (trainees) {
-      repository.addTrainees(std::vector<StoredTrainee>{{person, entry.handedness}});
+      repository.addTrainees(std::vector<Trainee>{{person, entry.handedness}});
     }
     if (!trainees) {
-      repository.addRaters(std::vector<StoredRater>{{person, entry.raterClass}});
+      repository.addRaters(std::vector<Rater>{{person, entry.raterClass}});
     }
     repository.setIdentity({id, entry.fullName, entry.email, entry.externalId});
     session.note({.action = "person.add",

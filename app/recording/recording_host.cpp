@@ -13,6 +13,7 @@
 #include <QtGlobal>
 
 #include "app/access/session_context.h"
+#include "assessment/attempt/trial_listing.h"
 
 namespace torsio {
 

@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "db/repository/trial/trial_repository.h"
+#include "assessment/attempt/trial_listing.h"
 
 namespace torsio {
+
+class Connection;
 
 /// The database of this station when none is named: torsio.sqlite in the user's data folder, which is made
 /// when missing. Needs a QCoreApplication (its name decides the folder). Throws Error{kFileUnwritable}.
@@ -19,6 +21,7 @@ class TrialStore {
  public:
   /// Opens or makes the database and brings its schema up to date. Throws Error, DbError.
   explicit TrialStore(std::string locator);
+  ~TrialStore();
 
   /// Where a recording of free practice goes (recordingSink of care/unstored_trials.h): nobody's trial.
   [[nodiscard]] std::unique_ptr<TrialSink> newSink() const;
@@ -26,11 +29,11 @@ class TrialStore {
   [[nodiscard]] std::vector<TrialListing> list();
   [[nodiscard]] Trial load(const std::string& trialId);
   /// Where it is, for people; never a password.
-  [[nodiscard]] const std::string& location() const noexcept { return connection_.location(); }
+  [[nodiscard]] const std::string& location() const noexcept;
 
  private:
   std::string locator_;
-  Connection connection_;
+  std::unique_ptr<Connection> connection_;
 };
 
 }  // namespace torsio

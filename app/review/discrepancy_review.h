@@ -7,6 +7,7 @@
 
 #include "app/access/session_context.h"
 #include "app/review/blinded_case.h"
+#include "assessment/rating/sheet.h"
 
 namespace torsio {
 

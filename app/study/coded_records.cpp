@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/study/coded_records.h"
 
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/rating/mark.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/trial/trial_repository.h"
+
 namespace torsio {
 
 std::vector<TrialListing> codedTrials(SessionContext& session, const TrialFilter& filter) {
@@ -8,7 +13,7 @@ std::vector<TrialListing> codedTrials(SessionContext& session, const TrialFilter
   return TrialRepository(session.connection()).list(filter);
 }
 
-std::vector<StoredTrainingMark> codedMarks(SessionContext& session, const std::string& cohortId) {
+std::vector<SubmittedMark> codedMarks(SessionContext& session, const std::string& cohortId) {
   session.require(Operation::kMarkViewCoded);
   return RatingRepository(session.connection()).marks(cohortId);
 }

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "db/repository/rating/rating_repository.h"
-#include "db/repository/trial/trial_repository.h"
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/rating/mark.h"
 
 namespace torsio {
 
@@ -14,7 +14,6 @@ namespace torsio {
 [[nodiscard]] std::vector<TrialListing> codedTrials(SessionContext& session, const TrialFilter& filter = {});
 
 /// Every newest mark of a cohort under the codes of trainee and rater. kMarkViewCoded.
-[[nodiscard]] std::vector<StoredTrainingMark> codedMarks(SessionContext& session,
-                                                         const std::string& cohortId);
+[[nodiscard]] std::vector<SubmittedMark> codedMarks(SessionContext& session, const std::string& cohortId);
 
 }  // namespace torsio

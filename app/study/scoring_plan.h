@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/access/session_context.h"
+#include "assessment/people/person.h"
 #include "assessment/study/occasion.h"
-#include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
 

@@ -10,6 +10,8 @@
 #include <QSqlQuery>
 #include <QVariant>
 
+#include "db/connection/db_error.h"
+#include "db/connection/locator.h"
 #include "sim/base/contracts.h"
 
 namespace torsio {

@@ -21,6 +21,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/page_heading.h"
+#include "assessment/people/audit_entry.h"
 
 namespace torsio::gui {
 

@@ -21,6 +21,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "assessment/study/curriculum.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
@@ -30,13 +31,13 @@ namespace {
 constexpr double kUsualStep_min = 20.0;  // paper section 6: before, after 20 and after 40 minutes
 constexpr double kMostMinutes = 100'000.0;
 
-std::vector<PlannedOccasion>::iterator pointOf(StoredCurriculumVersion& content, const std::string& code) {
+std::vector<PlannedOccasion>::iterator pointOf(CurriculumVersion& content, const std::string& code) {
   return std::find_if(content.plannedOccasions.begin(), content.plannedOccasions.end(),
                       [&](const PlannedOccasion& point) { return point.code == code; });
 }
 
 /// Finds where an occasion belongs among those that are there: before all that come later in the study.
-std::vector<PlannedOccasion>::iterator placeOf(StoredCurriculumVersion& content, const Occasions& occasions,
+std::vector<PlannedOccasion>::iterator placeOf(CurriculumVersion& content, const Occasions& occasions,
                                                std::size_t point) {
   for (std::size_t later = point + 1; later < occasions.size(); ++later) {
     const auto at = pointOf(content, occasions.at(later).code);
@@ -118,7 +119,7 @@ void CurriculumEditor::setOccasions(Occasions occasions) {
   judge();
 }
 
-void CurriculumEditor::setContent(const StoredCurriculumVersion& content) {
+void CurriculumEditor::setContent(const CurriculumVersion& content) {
   content_ = content;
   exercises_->select(0);
   groups_->select(0);

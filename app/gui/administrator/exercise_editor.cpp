@@ -26,6 +26,7 @@
 #include "app/gui/simulator/exercise_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "assessment/study/curriculum.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/scene/scene.h"
@@ -41,15 +42,15 @@ constexpr int kFewRows = 2;
 
 enum RuleColumn { kMetric, kDirection, kThreshold, kInARow };
 
-std::vector<std::string> codesOf(const StoredCurriculumVersion& content) {
+std::vector<std::string> codesOf(const CurriculumVersion& content) {
   std::vector<std::string> codes;
-  for (const StoredModule& module : content.modules) {
+  for (const TrainingModule& module : content.modules) {
     codes.push_back(module.code);
   }
   return codes;
 }
 
-QString lineOf(const StoredModule& module) {
+QString lineOf(const TrainingModule& module) {
   return QStringLiteral("%1  %2").arg(toQString(module.code), toQString(Text(module.title)));
 }
 
@@ -60,8 +61,7 @@ QString placeName(const std::string& id) {
 
 }  // namespace
 
-ExerciseEditor::ExerciseEditor(std::filesystem::path assets, StoredCurriculumVersion& content,
-                               QWidget* parent)
+ExerciseEditor::ExerciseEditor(std::filesystem::path assets, CurriculumVersion& content, QWidget* parent)
     : QWidget(parent),
       assets_(std::move(assets)),
       content_(content),
@@ -130,40 +130,41 @@ QWidget* ExerciseEditor::form() {
 void ExerciseEditor::connectFields() {
   connect(code_.field(), &QLineEdit::editingFinished, this, &ExerciseEditor::takeCode);
   connect(title_, &QLineEdit::textEdited, this, [this](const QString& text) {
-    take([&](StoredModule& module) { module.title = text.trimmed().toStdString(); });
+    take([&](TrainingModule& module) { module.title = text.trimmed().toStdString(); });
   });
   connect(scene_, &QComboBox::activated, this, &ExerciseEditor::takeScene);
-  const auto choice = [this](QComboBox* box, std::string StoredModule::*field) {
+  const auto choice = [this](QComboBox* box, std::string TrainingModule::*field) {
     connect(box, &QComboBox::activated, this,
-            [=, this] { take([=](StoredModule& module) { module.*field = chosenId(box); }); });
+            [=, this] { take([=](TrainingModule& module) { module.*field = chosenId(box); }); });
   };
-  choice(pattern_, &StoredModule::patternId);
-  choice(kind_, &StoredModule::exerciseKind);
+  choice(pattern_, &TrainingModule::patternId);
+  choice(kind_, &TrainingModule::exerciseKind);
   connect(mode_, &QComboBox::activated, this, [this] {
-    take([this](StoredModule& module) {
+    take([this](TrainingModule& module) {
       module.mode = fromStoredText<AttemptMode>(chosenId(mode_)).value_or(module.mode);
     });
   });
-  const auto angle = [this](QDoubleSpinBox* box, double StoredModule::*field) {
-    connect(box, &QDoubleSpinBox::valueChanged, this,
-            [=, this](double value) { take([=](StoredModule& module) { module.*field = radians(value); }); });
-  };
-  angle(target_, &StoredModule::targetAngle_rad);
-  angle(tolerance_, &StoredModule::tolerance_rad);
-  connect(hold_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    take([=](StoredModule& module) { module.hold_us = std::llround(value * kMicrosecondsOfSecond); });
-  });
-  const auto limit = [this](QDoubleSpinBox* box, std::optional<double> StoredModule::*field) {
+  const auto angle = [this](QDoubleSpinBox* box, double TrainingModule::*field) {
     connect(box, &QDoubleSpinBox::valueChanged, this, [=, this](double value) {
-      take([=](StoredModule& module) {
+      take([=](TrainingModule& module) { module.*field = radians(value); });
+    });
+  };
+  angle(target_, &TrainingModule::targetAngle_rad);
+  angle(tolerance_, &TrainingModule::tolerance_rad);
+  connect(hold_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    take([=](TrainingModule& module) { module.hold_us = std::llround(value * kMicrosecondsOfSecond); });
+  });
+  const auto limit = [this](QDoubleSpinBox* box, std::optional<double> TrainingModule::*field) {
+    connect(box, &QDoubleSpinBox::valueChanged, this, [=, this](double value) {
+      take([=](TrainingModule& module) {
         module.*field = value > 0.0 ? std::optional<double>(value) : std::nullopt;
       });
     });
   };
-  limit(force_, &StoredModule::maxForce_N);
-  limit(torque_, &StoredModule::maxTorque_Nm);
+  limit(force_, &TrainingModule::maxForce_N);
+  limit(torque_, &TrainingModule::maxTorque_Nm);
   connect(attempts_, &QSpinBox::valueChanged, this, [this](int value) {
-    take([=](StoredModule& module) {
+    take([=](TrainingModule& module) {
       module.attemptLimit = value > 0 ? std::optional<std::int64_t>(value) : std::nullopt;
     });
   });
@@ -179,13 +180,13 @@ void ExerciseEditor::connectLists() {
   connect(removeRule_, &QPushButton::clicked, this, &ExerciseEditor::removeRule);
 }
 
-StoredModule* ExerciseEditor::exercise() {
+TrainingModule* ExerciseEditor::exercise() {
   return list_->chosenOf(content_.modules);
 }
 
 QStringList ExerciseEditor::lines() const {
   QStringList lines;
-  for (const StoredModule& module : content_.modules) {
+  for (const TrainingModule& module : content_.modules) {
     lines << lineOf(module);
   }
   return lines;
@@ -204,7 +205,7 @@ void ExerciseEditor::showContent() {
   if (filling_) {
     return;
   }
-  const StoredModule* module = exercise();
+  const TrainingModule* module = exercise();
   const bool change = module != nullptr && !readOnly_;
   addRule_->setEnabled(change);
   for (QWidget* field :
@@ -232,7 +233,7 @@ void ExerciseEditor::showContent() {
   filling_ = false;
 }
 
-void ExerciseEditor::showPlaces(const StoredModule& module) {
+void ExerciseEditor::showPlaces(const TrainingModule& module) {
   scene_->clear();
   for (const std::string& id : sceneIds(assets_)) {
     scene_->addItem(placeName(id), toQString(id));
@@ -255,7 +256,7 @@ void ExerciseEditor::showPlaces(const StoredModule& module) {
   chooseOrAdd(mode_, std::string(storedText(module.mode)));
 }
 
-void ExerciseEditor::showPrerequisites(const StoredModule& module) {
+void ExerciseEditor::showPrerequisites(const TrainingModule& module) {
   after_->clear();
   const auto offer = [this](const QString& text, const std::string& code, bool required) {
     auto* item = new QListWidgetItem(text, after_);
@@ -264,7 +265,7 @@ void ExerciseEditor::showPrerequisites(const StoredModule& module) {
     item->setCheckState(required ? Qt::Checked : Qt::Unchecked);
   };
   const std::vector<std::string>& required = module.requires_;
-  for (const StoredModule& other : content_.modules) {
+  for (const TrainingModule& other : content_.modules) {
     if (&other != &module) {
       offer(lineOf(other), other.code,
             std::find(required.begin(), required.end(), other.code) != required.end());
@@ -282,7 +283,7 @@ void ExerciseEditor::showPrerequisites(const StoredModule& module) {
   after_->setMinimumHeight(rows * std::max(after_->sizeHintForRow(0), 3 * kSpace) + 2 * kSpace);
 }
 
-void ExerciseEditor::showMastery(const StoredModule& module) {
+void ExerciseEditor::showMastery(const TrainingModule& module) {
   for (int row = 0; row < mastery_->rowCount(); ++row) {
     for (int column = 0; column < mastery_->columnCount(); ++column) {
       if (QWidget* before = mastery_->cellWidget(row, column)) {
@@ -298,7 +299,7 @@ void ExerciseEditor::showMastery(const StoredModule& module) {
   removeRule_->setEnabled(!readOnly_ && !module.mastery.empty());
 }
 
-void ExerciseEditor::addMasteryRow(int row, const StoredMasteryRule& rule) {
+void ExerciseEditor::addMasteryRow(int row, const MasteryCriterion& rule) {
   auto* metric = new QComboBox;
   for (const auto& [id, name] : masteryMetrics()) {
     metric->addItem(name, toQString(id));
@@ -323,7 +324,7 @@ void ExerciseEditor::addMasteryRow(int row, const StoredMasteryRule& rule) {
   threshold->setAccessibleName(tr("Threshold of rule %1").arg(row + 1));
   inARow->setAccessibleName(tr("Attempts in a row of rule %1").arg(row + 1));
   connect(metric, &QComboBox::activated, this, [this, metric] {
-    takeRule(metric, [metric](StoredMasteryRule& changed) {
+    takeRule(metric, [metric](MasteryCriterion& changed) {
       if (changed.metric == chosenId(metric)) {
         return;
       }
@@ -331,26 +332,25 @@ void ExerciseEditor::addMasteryRow(int row, const StoredMasteryRule& rule) {
       changed.comparison = metricBetter(changed.metric);
       changed.unit = metricUnit(changed.metric);
     });
-    if (const StoredModule* module = exercise()) {
+    if (const TrainingModule* module = exercise()) {
       filling_ = true;
       showMastery(*module);
       filling_ = false;
     }
   });
   connect(direction, &QComboBox::activated, this, [this, direction] {
-    takeRule(direction,
-             [direction](StoredMasteryRule& changed) { changed.comparison = chosenId(direction); });
+    takeRule(direction, [direction](MasteryCriterion& changed) { changed.comparison = chosenId(direction); });
   });
   connect(threshold, &QDoubleSpinBox::valueChanged, this, [this, threshold](double value) {
-    takeRule(threshold, [value](StoredMasteryRule& changed) { changed.threshold = value; });
+    takeRule(threshold, [value](MasteryCriterion& changed) { changed.threshold = value; });
   });
   connect(inARow, &QSpinBox::valueChanged, this, [this, inARow](int value) {
-    takeRule(inARow, [value](StoredMasteryRule& changed) { changed.consecutive = value; });
+    takeRule(inARow, [value](MasteryCriterion& changed) { changed.consecutive = value; });
   });
 }
 
-void ExerciseEditor::take(const std::function<void(StoredModule&)>& change) {
-  StoredModule* module = exercise();
+void ExerciseEditor::take(const std::function<void(TrainingModule&)>& change) {
+  TrainingModule* module = exercise();
   if (filling_ || module == nullptr) {
     return;
   }
@@ -359,9 +359,9 @@ void ExerciseEditor::take(const std::function<void(StoredModule&)>& change) {
   Q_EMIT edited();
 }
 
-void ExerciseEditor::takeRule(const QWidget* cell, const std::function<void(StoredMasteryRule&)>& change) {
+void ExerciseEditor::takeRule(const QWidget* cell, const std::function<void(MasteryCriterion&)>& change) {
   const int row = rowOf(mastery_, cell);
-  take([&](StoredModule& module) {
+  take([&](TrainingModule& module) {
     if (row >= 0 && row < std::ssize(module.mastery)) {
       change(module.mastery[static_cast<std::size_t>(row)]);
     }
@@ -369,7 +369,7 @@ void ExerciseEditor::takeRule(const QWidget* cell, const std::function<void(Stor
 }
 
 void ExerciseEditor::takeCode() {
-  const StoredModule* current = exercise();
+  const TrainingModule* current = exercise();
   if (filling_ || current == nullptr) {
     return;
   }
@@ -380,21 +380,21 @@ void ExerciseEditor::takeCode() {
   if (!code) {
     return;
   }
-  for (StoredModule& module : content_.modules) {
+  for (TrainingModule& module : content_.modules) {
     std::replace(module.requires_.begin(), module.requires_.end(), before, *code);
   }
   for (StudyArm& arm : content_.arms) {
-    for (StoredPhase& phase : arm.phases) {
+    for (TrainingPhase& phase : arm.phases) {
       if (phase.moduleId == before) {
         phase.moduleId = *code;
       }
     }
   }
-  take([&](StoredModule& module) { module.code = module.id = *code; });
+  take([&](TrainingModule& module) { module.code = module.id = *code; });
 }
 
 void ExerciseEditor::takeScene() {
-  take([this](StoredModule& module) {
+  take([this](TrainingModule& module) {
     if (module.sceneId == chosenId(scene_)) {
       return;
     }
@@ -408,7 +408,7 @@ void ExerciseEditor::takeScene() {
 void ExerciseEditor::takePrerequisite(const QListWidgetItem* item) {
   const std::string code = item->data(Qt::UserRole).toString().toStdString();
   const bool wanted = item->checkState() == Qt::Checked;
-  take([&](StoredModule& module) {
+  take([&](TrainingModule& module) {
     std::erase(module.requires_, code);
     if (wanted) {
       module.requires_.push_back(code);
@@ -418,7 +418,7 @@ void ExerciseEditor::takePrerequisite(const QListWidgetItem* item) {
 
 void ExerciseEditor::add() {
   // The next exercise is most often like the one before it, but harder.
-  StoredModule module = exercise() != nullptr ? *exercise() : StoredModule{};
+  TrainingModule module = exercise() != nullptr ? *exercise() : TrainingModule{};
   module.code = freeCode("V", codesOf(content_));
   module.id = module.code;
   module.title = tr("New exercise").toStdString();
@@ -458,12 +458,12 @@ void ExerciseEditor::move(int by) {
 }
 
 void ExerciseEditor::addRule() {
-  take([](StoredModule& module) {
-    StoredMasteryRule rule;
+  take([](TrainingModule& module) {
+    MasteryCriterion rule;
     for (const auto& metric : masteryMetrics()) {
       const bool used =
           std::any_of(module.mastery.begin(), module.mastery.end(),
-                      [&](const StoredMasteryRule& known) { return known.metric == metric.first; });
+                      [&](const MasteryCriterion& known) { return known.metric == metric.first; });
       if (used) {
         continue;
       }
@@ -485,7 +485,7 @@ void ExerciseEditor::addRule() {
 
 void ExerciseEditor::removeRule() {
   const int row = mastery_->currentRow() >= 0 ? mastery_->currentRow() : mastery_->rowCount() - 1;
-  take([row](StoredModule& module) {
+  take([row](TrainingModule& module) {
     if (row >= 0 && row < std::ssize(module.mastery)) {
       module.mastery.erase(module.mastery.begin() + row);
     }

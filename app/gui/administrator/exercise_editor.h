@@ -10,6 +10,7 @@
 #include "app/gui/administrator/curriculum_parts.h"
 #include "app/gui/administrator/ordered_list.h"
 #include "app/study/curriculum_content.h"
+#include "assessment/study/curriculum.h"
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -30,7 +31,7 @@ class ExerciseEditor : public QWidget {
 
  public:
   /// `content` outlives this.
-  ExerciseEditor(std::filesystem::path assets, StoredCurriculumVersion& content, QWidget* parent = nullptr);
+  ExerciseEditor(std::filesystem::path assets, CurriculumVersion& content, QWidget* parent = nullptr);
 
   /// The content was replaced, or the language changed.
   void fill();
@@ -47,12 +48,12 @@ class ExerciseEditor : public QWidget {
   void connectFields();
   void connectLists();
   void showContent();
-  void showPlaces(const StoredModule& module);
-  void showPrerequisites(const StoredModule& module);
-  void showMastery(const StoredModule& module);
-  void addMasteryRow(int row, const StoredMasteryRule& rule);
-  void take(const std::function<void(StoredModule&)>& change);
-  void takeRule(const QWidget* cell, const std::function<void(StoredMasteryRule&)>& change);
+  void showPlaces(const TrainingModule& module);
+  void showPrerequisites(const TrainingModule& module);
+  void showMastery(const TrainingModule& module);
+  void addMasteryRow(int row, const MasteryCriterion& rule);
+  void take(const std::function<void(TrainingModule&)>& change);
+  void takeRule(const QWidget* cell, const std::function<void(MasteryCriterion&)>& change);
   void takeCode();
   void takeScene();
   void takePrerequisite(const QListWidgetItem* item);
@@ -61,11 +62,11 @@ class ExerciseEditor : public QWidget {
   void move(int by);
   void addRule();
   void removeRule();
-  [[nodiscard]] StoredModule* exercise();
+  [[nodiscard]] TrainingModule* exercise();
   [[nodiscard]] QStringList lines() const;
 
   std::filesystem::path assets_;
-  StoredCurriculumVersion& content_;
+  CurriculumVersion& content_;
   bool filling_ = false;
   bool readOnly_ = false;
   FormTexts texts_;

@@ -24,6 +24,7 @@
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "assessment/people/retention.h"
 
 namespace torsio::gui {
 

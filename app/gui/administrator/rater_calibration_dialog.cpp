@@ -23,6 +23,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/theme.h"
+#include "assessment/rating/rubric.h"
 
 namespace torsio::gui {
 
@@ -115,7 +116,7 @@ void RaterCalibrationDialog::createForm() {
   column->addLayout(buttons);
 }
 
-const StoredRubricRevision& RaterCalibrationDialog::revision() const {
+const RubricRevision& RaterCalibrationDialog::revision() const {
   return rubrics_.at(static_cast<std::size_t>(std::max(rubric_->currentIndex(), 0))).revisions.back();
 }
 

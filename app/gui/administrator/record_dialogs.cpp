@@ -20,6 +20,8 @@
 #include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "assessment/people/retention.h"
+#include "assessment/study/cohort.h"
 
 namespace torsio::gui {
 
@@ -167,14 +169,14 @@ std::optional<RetentionRulesEdit> askRetentionRules(QWidget* parent,
 }
 
 std::optional<GroupMove> askGroupMove(QWidget* parent, const QString& traineeCode,
-                                      const std::vector<StoredGroup>& groups) {
+                                      const std::vector<StudyGroup>& groups) {
   Asked asked(parent, RecordDialogs::tr("Move to another group"),
               RecordDialogs::tr("%1 was put into a group by the draw. A move by hand stands beside the drawn "
                                 "record for good, with its reason, and weakens the study.")
                   .arg(traineeCode));
   auto* group = new QComboBox(&asked.dialog);
   group->setObjectName(QStringLiteral("group"));
-  for (const StoredGroup& one : groups) {
+  for (const StudyGroup& one : groups) {
     group->addItem(toQString(one.code), toQString(one.id));
   }
   auto* reason = new QLineEdit(&asked.dialog);

@@ -19,6 +19,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/theme.h"
+#include "assessment/people/person.h"
 
 namespace torsio::gui {
 

@@ -11,6 +11,7 @@
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/widgets/child.h"
 #include "app/recording/trial_store.h"
+#include "assessment/attempt/trial_listing.h"
 #include "sim/base/tick_period.h"
 
 namespace torsio::gui {

@@ -3,14 +3,9 @@
 
 #include <string>
 
-namespace torsio {
+#include "assessment/people/account.h"
 
-/// How much time and memory one guess costs (Argon2id of libsodium).
-enum class PasswordCost {
-  kTest,         ///< the least that the library allows: tests only
-  kInteractive,  ///< 64 MiB, about 70 ms
-  kModerate,     ///< 256 MiB, about 0.4 s
-};
+namespace torsio {
 
 /// Length counts, composition does not: no digit or capital is asked for, none is forbidden.
 inline constexpr int kShortestPassword = 15;   ///< characters, not bytes

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "assessment/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "sim/base/error.h"

@@ -6,6 +6,7 @@
 #include <map>
 #include <string_view>
 
+#include "assessment/people/retention.h"
 #include "db/connection/row_reader.h"
 #include "sim/base/error.h"
 

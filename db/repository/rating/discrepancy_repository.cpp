@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/rating/discrepancy_repository.h"
 
+#include "assessment/people/audit_entry.h"
+#include "assessment/rating/mark.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/trial/station_repository.h"
 
+#include "assessment/study/station_state.h"
 #include "db/connection/row_reader.h"
 
 namespace torsio {

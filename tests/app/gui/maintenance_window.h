@@ -19,6 +19,10 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/main_window.h"
 #include "app/people/people_service.h"
+#include "assessment/people/account.h"
+#include "assessment/people/audit_entry.h"
+#include "assessment/study/station_state.h"
+#include "db/connection/connection.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/trial/station_repository.h"
 

@@ -9,6 +9,8 @@
 #include "app/demonstration/demonstration_people.h"
 #include "app/people/people_service.h"
 #include "app/study/cohort_service.h"
+#include "assessment/study/allocation_entry.h"
+#include "assessment/study/cohort.h"
 #include "sim/base/error.h"
 #include "tests/app/support/study_centre.h"
 
@@ -43,7 +45,7 @@ struct Study {
   }
   [[nodiscard]] std::map<std::string, std::size_t> groupSizes() {
     std::map<std::string, std::size_t> sizes;
-    for (const StoredEnrolment& enrolment : enrolments(centre.as("allocator"), cohortId)) {
+    for (const Enrolment& enrolment : enrolments(centre.as("allocator"), cohortId)) {
       ++sizes[enrolment.groupCode];
     }
     return sizes;
@@ -85,10 +87,10 @@ TEST(AllocationService, OneByOneGivesWhatAllAtOnceGives) {
         allocateOne(allocator, study.cohortId, id);
       }
     }
-    std::vector<StoredEnrolment> list = enrolments(allocator, study.cohortId);
+    std::vector<Enrolment> list = enrolments(allocator, study.cohortId);
     std::sort(list.begin(), list.end(),
               [](const auto& a, const auto& b) { return a.traineeCode < b.traineeCode; });
-    for (const StoredEnrolment& enrolment : list) {
+    for (const Enrolment& enrolment : list) {
       groups[together ? 0 : 1].push_back(enrolment.groupCode);
     }
   }
@@ -104,11 +106,11 @@ TEST(AllocationService, PaperSizedPermutationFollowsThePublishedVector) {
   allocateAll(allocator, study.cohortId);
 
   std::map<std::string, std::string> groupOf;
-  for (const StoredEnrolment& e : enrolments(allocator, study.cohortId)) {
+  for (const Enrolment& e : enrolments(allocator, study.cohortId)) {
     groupOf[e.id] = e.groupCode.substr(1);
   }
   std::string arms;
-  for (const StoredAllocation& record : allocations(allocator, design.stored.id)) {
+  for (const AllocationEntry& record : allocations(allocator, design.stored.id)) {
     arms += groupOf[record.enrolmentId];
   }
 
@@ -168,10 +170,10 @@ TEST(AllocationService, OverrideIsARecordBesideTheDrawnOne) {
   Study study(6);
   SessionContext& allocator = study.centre.as("allocator");
   const AllocationDesignRow design = lockAllocation(allocator, study.plan(AllocationMethod::kPermutedBlocks));
-  const StoredAllocation drawn = allocateOne(allocator, study.cohortId, study.enrolmentIds[0]);
+  const AllocationEntry drawn = allocateOne(allocator, study.cohortId, study.enrolmentIds[0]);
   std::string other;
   const CohortRow cohort = cohorts(allocator).at(0);
-  for (const StoredGroup& group : cohort.groups) {
+  for (const StudyGroup& group : cohort.groups) {
     if (group.id != drawn.groupId) {
       other = group.id;
     }
@@ -185,7 +187,7 @@ TEST(AllocationService, OverrideIsARecordBesideTheDrawnOne) {
   EXPECT_TRUE(check.sound) << check.finding;
   EXPECT_EQ(check.overrides, 1U);
   EXPECT_EQ(check.records, 7U);
-  for (const StoredEnrolment& enrolment : enrolments(allocator, study.cohortId)) {
+  for (const Enrolment& enrolment : enrolments(allocator, study.cohortId)) {
     if (enrolment.id == drawn.enrolmentId) {
       EXPECT_EQ(enrolment.groupId, other);
     }
@@ -197,7 +199,7 @@ TEST(AllocationService, CheckFindsAGroupThatWasChangedBehindItsBack) {
   SessionContext& allocator = study.centre.as("allocator");
   const AllocationDesignRow design = lockAllocation(allocator, study.plan(AllocationMethod::kPermutedBlocks));
   allocateAll(allocator, study.cohortId);
-  const std::vector<StoredEnrolment> list = enrolments(allocator, study.cohortId);
+  const std::vector<Enrolment> list = enrolments(allocator, study.cohortId);
 
   study.centre.connection().execute("UPDATE enrolment SET group_id = ?, number_in_group = 99 WHERE id = ?",
                                     {list.back().groupId, list.front().id});

@@ -15,7 +15,11 @@
 #include "app/study/curriculum_service.h"
 #include "app/study/occasion_service.h"
 #include "app/study/scoring_plan.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
 #include "assessment/report/cohort_csv.h"
+#include "assessment/study/curriculum.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "sim/base/error.h"
@@ -29,11 +33,11 @@ using testing::StudyCentre;
 constexpr std::int64_t kMinute_us = 60'000'000;
 
 /// The paper's protocol with 20 minutes more in every arm and a fourth occasion after them.
-StoredCurriculumVersion longerPaperProtocol(StudyCentre& centre, const Occasion& fourth) {
+CurriculumVersion longerPaperProtocol(StudyCentre& centre, const Occasion& fourth) {
   const auto templates = curriculumTemplates(centre.assets());
   const auto paper = std::find_if(templates.begin(), templates.end(),
                                   [](const CurriculumTemplate& one) { return one.id == "paper-three-arms"; });
-  StoredCurriculumVersion content = paper->content;
+  CurriculumVersion content = paper->content;
   for (StudyArm& arm : content.arms) {
     arm.phases.back().duration_us += 20 * kMinute_us;
   }
@@ -68,13 +72,13 @@ struct StudyOfFour {
   /// Fills in and submits every sheet: 5, 6, 7 and 8 points at the four occasions.
   void submitAll() {
     SheetRepository sheets(centre.connection());
-    const StoredRubricRevision revision = sheets.revision(rubric).value();
+    const RubricRevision revision = sheets.revision(rubric).value();
     const Occasions occasions = occasionsOfCohort(centre.connection(), cohortId);
     for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
       const std::size_t at = occasions.positionOf(status.assignment.occasionCode).value();
       const std::int64_t steps = 50 + 10 * static_cast<std::int64_t>(at);
       Sheet sheet{.overall_steps = steps};
-      for (const StoredRubricRow& row : revision.rows) {
+      for (const RubricLine& row : revision.rows) {
         sheet.rows.push_back({row.code, steps, ""});
       }
       sheets.submit(status.assignment.id, centre.session().ids().newUuid(), sheet, "",
@@ -150,7 +154,7 @@ TEST(Occasions, NeedANameOfTheirOwnAndAreAudited) {
 TEST(Occasions, OfACurriculumMustBeKnownToTheRecord) {
   StudyCentre centre;
   const Occasions known = OccasionRepository(centre.connection()).all();
-  const StoredCurriculumVersion content = longerPaperProtocol(centre, {"never heard of", "", {}});
+  const CurriculumVersion content = longerPaperProtocol(centre, {"never heard of", "", {}});
 
   const std::vector<CurriculumProblem> problems = curriculumProblems(content, centre.assets(), known);
 
