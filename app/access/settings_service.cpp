@@ -8,6 +8,7 @@
 
 #include "assessment/study/cohort.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"

@@ -13,6 +13,7 @@
 #include "assessment/people/consent.h"
 #include "assessment/people/person.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"

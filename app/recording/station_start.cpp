@@ -13,6 +13,7 @@
 #include "assessment/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"

@@ -18,6 +18,7 @@
 #include "assessment/rating/mark.h"
 #include "assessment/study/cohort.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/discrepancy_repository.h"
 #include "db/repository/rating/sheet_repository.h"

@@ -5,6 +5,7 @@
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/remark.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"

@@ -14,6 +14,7 @@
 #include "assessment/rating/rubric.h"
 #include "assessment/rating/sheet.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/sheet_repository.h"

@@ -5,6 +5,7 @@
 
 #include "assessment/rating/campaign.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "sim/base/error.h"

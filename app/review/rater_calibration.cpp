@@ -9,6 +9,7 @@
 #include "assessment/rating/reference_run.h"
 #include "assessment/rating/rubric.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/trial/remark_repository.h"

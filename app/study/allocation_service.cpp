@@ -17,6 +17,7 @@
 #include "assessment/study/allocation_entry.h"
 #include "assessment/study/cohort.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"

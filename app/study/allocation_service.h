@@ -10,6 +10,7 @@
 #include "app/access/session_context.h"
 #include "assessment/study/allocation.h"
 #include "assessment/study/allocation_entry.h"
+#include "sim/base/text.h"
 
 namespace torsio {
 

@@ -15,6 +15,7 @@
 #include "assessment/people/person.h"
 #include "assessment/rating/campaign.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "sim/base/error.h"

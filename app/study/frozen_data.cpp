@@ -15,6 +15,7 @@
 #include "assessment/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/field_digest.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/base/seals.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/rating/evaluation_repository.h"

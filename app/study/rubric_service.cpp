@@ -10,6 +10,7 @@
 #include "app/base/refusal.h"
 #include "assessment/rating/rubric.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"

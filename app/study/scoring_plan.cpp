@@ -17,6 +17,7 @@
 #include "assessment/rating/assignment.h"
 #include "assessment/study/cohort.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/occasion_repository.h"

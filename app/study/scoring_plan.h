@@ -8,6 +8,7 @@
 
 #include "app/access/session_context.h"
 #include "assessment/people/person.h"
+#include "assessment/rating/sheet_state.h"
 #include "assessment/study/occasion.h"
 
 namespace torsio {

@@ -11,6 +11,7 @@
 #include "assessment/people/person.h"
 #include "assessment/rating/remark.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/trial/question_repository.h"

@@ -16,6 +16,7 @@
 #include "assessment/rating/sheet.h"
 #include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/trial/question_repository.h"

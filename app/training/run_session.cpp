@@ -13,6 +13,7 @@
 #include "assessment/study/cohort.h"
 #include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"

@@ -8,7 +8,6 @@
 #include <string>
 #include <string_view>
 
-#include "db/connection/connection_state.h"
 #include "db/connection/db_error.h"
 #include "db/connection/locator.h"
 #include "db/connection/value.h"

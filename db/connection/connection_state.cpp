@@ -10,8 +10,6 @@
 #include <QSqlQuery>
 #include <QVariant>
 
-#include "db/connection/db_error.h"
-#include "db/connection/locator.h"
 #include "sim/base/contracts.h"
 
 namespace torsio {

@@ -8,8 +8,6 @@
 #include <thread>
 
 #include "db/connection/connection.h"
-#include "db/connection/db_error.h"
-#include "db/connection/locator.h"
 
 class QSqlDatabase;
 class QSqlError;

@@ -6,7 +6,6 @@
 #include <QString>
 
 #include "db/connection/connection_state.h"
-#include "db/connection/db_error.h"
 
 namespace torsio {
 

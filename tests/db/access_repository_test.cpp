@@ -4,6 +4,7 @@
 #include <map>
 
 #include "assessment/people/account.h"
+#include "assessment/people/password_rule.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/password.h"
 #include "sim/base/error.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "assessment/people/account.h"
+#include "assessment/people/password_rule.h"
 #include "db/connection/row_reader.h"
 #include "sim/base/error.h"
 

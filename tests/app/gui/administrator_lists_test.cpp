@@ -22,7 +22,7 @@
 namespace torsio::gui {
 namespace {
 
-using testing::Office;
+using testing::AdministratorDesk;
 
 constexpr int kWhat = 4;
 constexpr int kCode = 7;
@@ -37,7 +37,7 @@ int rowOf(const QTableView& view, int column, const QString& text) {
 }
 
 TEST(AuditPage, TellsWhatWasDoneInWordsAndFindsItByItsCodeToo) {
-  Office office;
+  AdministratorDesk office;
   office.centre.as("administrator");
   addPerson(office.centre.session(), {.fullName = "Li Na"});
   setRetentionRule(office.centre.session(), kRetainTrainee, 30, "contract");
@@ -67,7 +67,7 @@ TEST(AuditPage, TellsWhatWasDoneInWordsAndFindsItByItsCodeToo) {
 }
 
 TEST(AuditPage, ShowsTheNewestThousandAndSaysHowManyThereAre) {
-  Office office;
+  AdministratorDesk office;
   office.centre.as("administrator");
   const AuditEntry one{.atUtc_us = office.centre.session().now_us(), .actor = "u", .action = "person.add"};
   AuditRepository audit(office.centre.connection());
@@ -91,7 +91,7 @@ TEST(AuditPage, ShowsTheNewestThousandAndSaysHowManyThereAre) {
 }
 
 TEST(MaintenancePage, SortsTheQueueByTimeThoughTimesArePutIntoWordsOnlyWhenLookedAt) {
-  Office office;
+  AdministratorDesk office;
   office.centre.as("administrator");
   setRetentionRule(office.centre.session(), kRetainTrainee, 1, "contract");
   constexpr std::int64_t kDay_us = 86'400'000'000;
