@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "assessment/people/account.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
@@ -159,25 +158,6 @@ SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login
   session.note({.action = "user.change_password", .objectKind = "app_user", .objectId = old.userId});
   transaction.commit();
   return signedIn;
-}
-
-SignInAnswer unlock(SessionContext& session, const std::string& secret) {
-  const Actor& actor = session.actor();
-  if (actor.userId.empty()) {
-    throw Error(ErrorCode::kPermission, "nobody is signed in", "lock", "Sign in first");
-  }
-  AccessRepository access = repository(session);
-  const SignInResult result = actor.practiceOnly
-                                  ? access.signInForPractice(actor.login, secret, session.now_us())
-                                  : access.signIn(actor.login, secret, session.now_us());
-  SignInAnswer unlocked{result.outcome, {}, result.waitUntilUtc_us};
-  if (result.outcome == SignIn::kOk || result.outcome == SignIn::kMustChange) {
-    unlocked.actor = actor;
-    session.note({.action = "user.unlock", .objectKind = "app_user", .objectId = actor.userId});
-  } else {
-    noteFailure(session, actor.login, result.outcome, actor.practiceOnly ? "pin" : "password");
-  }
-  return unlocked;
 }
 
 void signOut(SessionContext& session) {

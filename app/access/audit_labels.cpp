@@ -31,6 +31,8 @@ const Words& peopleLabels() {
       {"person.export", Text("Everything about a person exported")},
       {"people.export_named", Text("List of people exported with names")},
       {"people.export_coded", Text("List of people exported under codes")},
+      {"trial.export_coded", Text("List of recordings exported under codes")},
+      {"mark.export_coded", Text("Single marks exported under codes")},
       {"roster.import", Text("Roster imported")},
       {"rater_class.add", Text("Classes of raters set up")},
       {"consent.grant", Text("Consent recorded")},

@@ -2,7 +2,6 @@
 #include "app/access/audit_service.h"
 
 #include "assessment/people/account.h"
-#include "assessment/people/audit_entry.h"
 #include "assessment/people/person.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/access_repository.h"

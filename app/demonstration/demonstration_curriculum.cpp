@@ -8,7 +8,6 @@
 
 #include "app/study/curriculum_content.h"
 #include "assessment/study/cohort.h"
-#include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/study/curriculum_repository.h"

@@ -11,7 +11,6 @@
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/campaign.h"
 #include "assessment/rating/reference_run.h"
-#include "assessment/rating/rubric.h"
 #include "assessment/rating/sheet.h"
 #include "assessment/study/cohort.h"
 #include "db/connection/connection.h"

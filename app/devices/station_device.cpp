@@ -8,8 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "assessment/study/station_state.h"
-
 namespace torsio {
 
 namespace {

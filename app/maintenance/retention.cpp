@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "assessment/people/retention.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/people/retention_repository.h"

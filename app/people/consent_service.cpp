@@ -6,7 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "assessment/people/consent.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"

@@ -8,10 +8,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/base/csv_table.h"
 #include "app/base/refusal.h"
 #include "app/people/person_codes.h"
 #include "assessment/people/consent.h"
-#include "assessment/people/person.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
@@ -147,36 +147,6 @@ nlohmann::json changedIdentity(const Identity& before, const PersonEntry& after)
     fields.push_back("external_id");
   }
   return fields;
-}
-
-/// RFC 4180; a cell that a spreadsheet would take for a formula gets an apostrophe in front.
-std::string csvCell(std::string text) {
-  if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos) {
-    std::string harmless(1, '\'');
-    harmless += text;
-    text = std::move(harmless);
-  }
-  if (text.find_first_of("\",;\r\n") == std::string::npos) {
-    return text;
-  }
-  std::string quoted(1, '"');
-  for (const char c : text) {
-    quoted.append(c == '"' ? 2 : 1, c);
-  }
-  quoted += '"';
-  return quoted;
-}
-
-std::string csvLine(const std::vector<std::string>& cells) {
-  std::string line;
-  for (const std::string& cell : cells) {
-    if (&cell != &cells.front()) {
-      line += ',';
-    }
-    line += csvCell(cell);
-  }
-  line += "\r\n";
-  return line;
 }
 
 std::vector<std::string> codedCells(const PersonRow& row) {
@@ -347,11 +317,6 @@ std::vector<SeniorityClass> ensureRaterClasses(SessionContext& session) {
       {.action = "rater_class.add", .objectKind = "rater_class", .objectId = "intern deputy_chief chief"});
   transaction.commit();
   return classes;
-}
-
-std::vector<SeniorityClass> raterClasses(SessionContext& session) {
-  session.require(Operation::kPersonViewCoded);
-  return PeopleRepository(session.connection()).raterClasses();
 }
 
 std::size_t exportPeople(SessionContext& session, const std::filesystem::path& file, bool withNames) {

@@ -63,8 +63,6 @@ void setPersonState(SessionContext& session, const std::string& personId, const 
 [[nodiscard]] std::vector<SeniorityClass> paperRaterClasses();
 /// Classes of raters in their order; the three of the paper are made when there are none. kPersonEdit.
 std::vector<SeniorityClass> ensureRaterClasses(SessionContext& session);
-/// Without making any. kPersonViewCoded.
-[[nodiscard]] std::vector<SeniorityClass> raterClasses(SessionContext& session);
 
 /// Writes the list as CSV (UTF-8 with byte order mark, so that spreadsheets read it right). Coded:
 /// kReportExportCoded. With names: kReportExportNamed; that the names were taken out is audited, with the

@@ -5,8 +5,6 @@
 #include <optional>
 
 #include "app/base/assets.h"
-#include "assessment/attempt/trial_digest.h"
-#include "assessment/attempt/trial_listing.h"
 #include "assessment/metrics/metric_cards.h"
 #include "db/connection/connection.h"
 #include "db/repository/trial/digest_repository.h"

@@ -13,7 +13,6 @@
 #include <QtGlobal>
 
 #include "app/access/session_context.h"
-#include "assessment/attempt/trial_listing.h"
 
 namespace torsio {
 
@@ -82,6 +81,10 @@ RecordingHost thisHost(const fs::path& root) {
                 " " + QSysInfo::kernelVersion().toStdString(),
           .cpu = processor(root),
           .gpu = graphicsCard(root)};
+}
+
+TrialContext stationContext() {
+  return {.station = stationName(), .host = thisHost()};
 }
 
 }  // namespace torsio

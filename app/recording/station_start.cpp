@@ -9,7 +9,6 @@
 
 #include "app/base/assets.h"
 #include "app/recording/kept_digests.h"
-#include "assessment/attempt/trial_listing.h"
 #include "assessment/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"

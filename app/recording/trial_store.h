@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "assessment/attempt/trial_listing.h"
+#include "sim/record/trial.h"
 
 namespace torsio {
 
@@ -15,16 +15,12 @@ class Connection;
 /// when missing. Needs a QCoreApplication (its name decides the folder). Throws Error{kFileUnwritable}.
 [[nodiscard]] std::string defaultDatabase();
 
-/// Recorded trials of one database, for the window. Belongs to the thread that made it; the sinks it gives
-/// out may be used in another.
+/// Recorded trials of one database, for the window. Belongs to the thread that made it.
 class TrialStore {
  public:
   /// Opens or makes the database and brings its schema up to date. Throws Error, DbError.
-  explicit TrialStore(std::string locator);
-  ~TrialStore();
+  explicit TrialStore(const std::string& locator);
 
-  /// Where a recording of free practice goes (recordingSink of care/unstored_trials.h): nobody's trial.
-  [[nodiscard]] std::unique_ptr<TrialSink> newSink() const;
   /// Newest first, finished or not.
   [[nodiscard]] std::vector<TrialListing> list();
   [[nodiscard]] Trial load(const std::string& trialId);
@@ -32,7 +28,6 @@ class TrialStore {
   [[nodiscard]] const std::string& location() const noexcept;
 
  private:
-  std::string locator_;
   std::unique_ptr<Connection> connection_;
 };
 

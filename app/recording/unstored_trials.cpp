@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/recording/timed_sink.h"
-#include "assessment/attempt/trial_listing.h"
 #include "db/connection/locator.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"

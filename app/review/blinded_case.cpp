@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/review/blinded_case.h"
 
-#include "assessment/rating/assignment.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/trial/trial_repository.h"

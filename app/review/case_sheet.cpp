@@ -11,8 +11,6 @@
 #include "app/review/sheet_editor.h"
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/mark.h"
-#include "assessment/rating/rubric.h"
-#include "assessment/rating/sheet.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/desk_repository.h"

@@ -11,7 +11,6 @@
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/mark.h"
 #include "assessment/rating/rubric.h"
-#include "assessment/rating/sheet.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/discrepancy_repository.h"

@@ -7,7 +7,6 @@
 
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/rating/reference_run.h"
-#include "assessment/rating/rubric.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/desk_repository.h"

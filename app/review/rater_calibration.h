@@ -9,6 +9,7 @@
 #include "app/access/session_context.h"
 #include "app/review/blinded_case.h"
 #include "assessment/rating/rubric.h"
+#include "assessment/scoring/instrument.h"
 
 namespace torsio {
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "assessment/rating/rubric.h"
-#include "assessment/rating/sheet.h"
 #include "sim/base/contracts.h"
 
 namespace torsio {

@@ -7,8 +7,6 @@
 #include <optional>
 #include <string_view>
 
-#include "assessment/rating/sheet.h"
-
 namespace torsio {
 
 namespace {

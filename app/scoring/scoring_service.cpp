@@ -9,7 +9,6 @@
 
 #include "app/base/build_info.h"
 #include "app/scoring/cohort_occasions.h"
-#include "assessment/rating/campaign.h"
 #include "assessment/rating/mark.h"
 #include "assessment/study/cohort.h"
 #include "db/connection/connection.h"

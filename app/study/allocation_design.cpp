@@ -8,8 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/refusal.h"
-#include "assessment/people/person.h"
-#include "assessment/study/allocation_entry.h"
 #include "sim/base/error.h"
 
 namespace torsio {

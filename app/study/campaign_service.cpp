@@ -12,8 +12,6 @@
 
 #include "app/base/refusal.h"
 #include "app/study/drawn_seed.h"
-#include "assessment/people/person.h"
-#include "assessment/rating/campaign.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"

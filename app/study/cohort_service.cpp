@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/refusal.h"
-#include "assessment/study/cohort.h"
 #include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"

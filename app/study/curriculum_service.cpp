@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "assessment/study/cohort.h"
-#include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/study/curriculum_repository.h"
@@ -125,13 +124,6 @@ CurriculumVersion publishedContent(SessionContext& session, const std::string& v
     throw Error(ErrorCode::kBadData, "there is no such version", versionId, "Choose one from the list");
   }
   return withCodes(*std::move(version));
-}
-
-std::optional<CurriculumVersion> curriculumVersion(SessionContext& session, const std::string& versionId) {
-  if (!session.may(Operation::kPractice)) {
-    session.require(Operation::kPersonViewCoded);
-  }
-  return CurriculumRepository(session.connection()).version(versionId);
 }
 
 std::string addCurriculum(SessionContext& session, const std::string& name, const std::string& description,

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/refusal.h"
-#include "assessment/rating/rubric.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/sheet_repository.h"

@@ -7,7 +7,6 @@
 #include "app/training/trainee_record.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/metrics/metric_cards.h"
-#include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/trial/trial_repository.h"
 

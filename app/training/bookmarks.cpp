@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "assessment/attempt/trial_listing.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/trial/remark_repository.h"
 #include "sim/base/error.h"

@@ -8,7 +8,6 @@
 #include "app/training/remarks.h"
 #include "app/training/trainee_record.h"
 #include "assessment/study/cohort.h"
-#include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"

@@ -11,7 +11,6 @@
 #include "app/training/trainee_record.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/study/cohort.h"
-#include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
@@ -241,10 +240,6 @@ RecordingSpec RunSession::newTrial() {
   trials_.push_back(recording.trialId);
   show(recording.trialId);
   return recording;
-}
-
-std::unique_ptr<TrialSink> RunSession::sinkFor(const RecordingSpec& recording) const {
-  return recordingSink(session_.key().locator, recording.context);
 }
 
 std::vector<RecoveredTrial> recoverInterrupted(SessionContext& session, const std::filesystem::path& folder) {

@@ -3,10 +3,7 @@
 
 #include <algorithm>
 
-#include "assessment/attempt/trial_listing.h"
 #include "assessment/people/person.h"
-#include "assessment/study/cohort.h"
-#include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"

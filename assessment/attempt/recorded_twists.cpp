@@ -83,10 +83,6 @@ std::vector<double> targetsInForce(const TrialHeader& header, std::span<const Sa
   return targets;
 }
 
-std::vector<RecordedTwist> recordedTwists(const TrialHeader& header, std::span<const Sample> samples) {
-  return recordedTwists(samples, sampleTimes(header, samples).us, targetsInForce(header, samples));
-}
-
 std::vector<RecordedTwist> recordedTwists(std::span<const Sample> samples,
                                           std::span<const std::int64_t> times_us,
                                           std::span<const double> targets_rad) {

@@ -92,19 +92,12 @@ std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Stud
       if (!row[r]) {
         continue;
       }
-      double sum = 0.0;
-      std::int64_t others = 0;
-      for (std::size_t k = 0; k < row.size(); ++k) {
-        if (k != r && row[k]) {
-          sum += *row[k];
-          ++others;
-        }
-      }
-      if (others == 0) {
+      const std::optional<double> others = meanOfOthers(row, r);
+      if (!others) {
         continue;
       }
       own.push_back(*row[r]);
-      panel.push_back(sum / static_cast<double>(others));
+      panel.push_back(*others);
       series.x.push_back(0.5 * (own.back() + panel.back()));
       series.y.emplace_back(own.back() - panel.back());
     }

@@ -4,7 +4,6 @@
 #include "assessment/people/person.h"
 #include "assessment/rating/mark.h"
 #include "assessment/study/cohort.h"
-#include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/study/study_repository.h"

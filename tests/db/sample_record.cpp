@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/db/sample_record.h"
 
-#include "assessment/people/person.h"
-#include "assessment/study/cohort.h"
 #include "sim/base/random.h"
 
 namespace torsio {

@@ -317,7 +317,6 @@ TEST_F(TrialRepositoryTest, KeepsForWhatAndOnWhichMachineATrialWasRecorded) {
   TrainingModule module;
   module.id = "m";
   module.code = "M1";
-  module.exerciseKind = "twist";
   module.mode = AttemptMode::kGraded;
   module.tolerance_rad = 0.1;
   version.modules = {module};

@@ -9,8 +9,6 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/form.h"
-#include "assessment/rating/rubric.h"
-#include "assessment/rating/sheet.h"
 
 namespace torsio::gui {
 
@@ -52,6 +50,14 @@ void SheetEditorPanel::undo() {
 
 void SheetEditorPanel::redo() {
   if (editor_ == nullptr || readOnly() || !editor_->redo()) {
+    return;
+  }
+  refresh();
+  Q_EMIT edited();
+}
+
+void SheetEditorPanel::clearAll() {
+  if (editor_ == nullptr || readOnly() || !editor_->clearAll()) {
     return;
   }
   refresh();

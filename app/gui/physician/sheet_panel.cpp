@@ -11,7 +11,6 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/widgets/form.h"
-#include "assessment/rating/rubric.h"
 
 namespace torsio::gui {
 
@@ -79,9 +78,9 @@ void SheetPanel::setEditor(SheetEditor* editor) {
   build();
 }
 
-void SheetPanel::setScoresOnly() {
+void SheetPanel::setScoresOnly(RowShape shape) {
   scoresOnly_ = true;
-  shape_ = RowShape::kCompact;
+  shape_ = shape;
   commentLabel_->hide();
   comment_->hide();
 }

@@ -6,7 +6,6 @@
 
 #include <sodium.h>
 
-#include "assessment/people/account.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
 

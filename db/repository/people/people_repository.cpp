@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/people/people_repository.h"
 
-#include "assessment/people/consent.h"
-#include "assessment/people/person.h"
 #include "db/connection/row_reader.h"
 
 namespace torsio {
@@ -152,17 +150,6 @@ std::optional<Trainee> PeopleRepository::findTrainee(const std::string& code) co
 
 std::optional<Rater> PeopleRepository::findRater(const std::string& code) const {
   return selectFirst(connection_, kRaters + " WHERE p.code = ?", {code}, raterOf);
-}
-
-void PeopleRepository::addIdentities(std::span<const Identity> identities) {
-  Transaction transaction(connection_);
-  Statement insert =
-      connection_.prepare(insertInto("person_identity", "person_id, full_name, email, external_id"));
-  for (const Identity& identity : identities) {
-    insert.execute(
-        {identity.personId, identity.fullName, textOrNull(identity.email), textOrNull(identity.externalId)});
-  }
-  transaction.commit();
 }
 
 std::optional<Identity> PeopleRepository::identity(const std::string& personId) const {

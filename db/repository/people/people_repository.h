@@ -45,7 +45,6 @@ class PeopleRepository {
   [[nodiscard]] std::optional<Trainee> findTrainee(const std::string& code) const;
   [[nodiscard]] std::optional<Rater> findRater(const std::string& code) const;
 
-  void addIdentities(std::span<const Identity> identities);
   [[nodiscard]] std::optional<Identity> identity(const std::string& personId) const;
 
   /// Adds the identity, or replaces the one that is there.

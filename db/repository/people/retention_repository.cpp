@@ -6,7 +6,6 @@
 #include <map>
 #include <string_view>
 
-#include "assessment/people/retention.h"
 #include "db/connection/row_reader.h"
 #include "sim/base/error.h"
 
@@ -134,11 +133,6 @@ void RetentionRepository::addHold(const RetentionHold& hold) {
       " ?, ?, ?, ?, ?)",
       {hold.personId, hold.personId, hold.kind, hold.untilUtc_us, hold.reason, hold.decidedBy,
        hold.decidedUtc_us});
-}
-
-std::vector<RetentionHold> RetentionRepository::holds(const std::string& personId) const {
-  return selectAll(connection_, std::string(kHolds) + " WHERE person_id = ? ORDER BY sequence", {personId},
-                   holdOf);
 }
 
 std::vector<RetentionItem> RetentionRepository::due(std::int64_t utc_us) const {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/rating/assignment_rows.h"
 
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/sheet.h"
 #include "db/connection/connection.h"
 
 namespace torsio {

@@ -2,7 +2,6 @@
 #include "db/repository/rating/discrepancy_repository.h"
 
 #include "assessment/people/audit_entry.h"
-#include "assessment/rating/mark.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 
@@ -49,17 +48,6 @@ std::vector<DiscrepancyDecision> DiscrepancyRepository::history(const std::strin
 std::optional<DiscrepancyDecision> DiscrepancyRepository::latest(const std::string& assignmentId) const {
   const std::vector<DiscrepancyDecision> all = history(assignmentId);
   return all.empty() ? std::nullopt : std::optional(all.back());
-}
-
-std::vector<DiscrepancyDecision> DiscrepancyRepository::ofCase(const std::string& enrolmentId,
-                                                               const std::string& occasionCode) const {
-  return selectAll(
-      connection_,
-      kDecisions +
-          " JOIN assignment a ON a.id = d.assignment_id WHERE a.enrolment_id = ? AND a.occasion = ?"
-          " AND NOT EXISTS (SELECT 1 FROM alignment_decision n WHERE n.assignment_id = d.assignment_id"
-          " AND n.sequence > d.sequence) ORDER BY a.position, d.assignment_id",
-      {enrolmentId, occasionCode}, decisionOf);
 }
 
 std::vector<DiscrepancyDecision> DiscrepancyRepository::ofCohort(const std::string& cohortId) const {

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "assessment/people/audit_entry.h"
-#include "assessment/rating/campaign.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
@@ -105,39 +104,6 @@ ScoreScale scaleOf(Connection& connection, const std::string& campaignId) {
     return campaign->instrument.scale;
   }
   throw Error(ErrorCode::kBadData, "no such evaluation campaign", campaignId, "Choose an existing one");
-}
-
-std::vector<EvaluationResultRow> resultsOf(Connection& connection, const std::string& runId) {
-  return selectAll(
-      connection,
-      "SELECT model_code, index_number, weighted_mean, variance, rater_count, missing_count, lowest, highest,"
-      " plain_mean, population_variance, sample_variance, standard_error, flags FROM evaluation_result"
-      " WHERE run_id = ? ORDER BY model_code, index_number",
-      {runId}, [](RowReader& row) {
-        return EvaluationResultRow{row.text(),
-                                   row.int64(),
-                                   row.real(),
-                                   row.real(),
-                                   row.int64(),
-                                   row.int64(),
-                                   row.real(),
-                                   row.real(),
-                                   row.real(),
-                                   row.real(),
-                                   row.maybeReal(),
-                                   row.maybeReal(),
-                                   splitFlags(row.text())};
-      });
-}
-
-std::vector<CompositeRow> compositesOf(Connection& connection, const std::string& runId) {
-  return selectAll(
-      connection,
-      "SELECT model_code, composite, standard_error, flags FROM composite_result WHERE run_id = ?"
-      " ORDER BY model_code",
-      {runId}, [](RowReader& row) {
-        return CompositeRow{row.text(), row.real(), row.maybeReal(), splitFlags(row.text())};
-      });
 }
 
 /// Whether a mark is there already; refuses another one under its id.
@@ -297,14 +263,6 @@ void EvaluationRepository::storeRun(const std::string& campaignId, const Evaluat
     composite.execute({run.run.id, row.modelCode, row.composite, row.standardError, joinFlags(row.flags)});
   }
   transaction.commit();
-}
-
-std::optional<EvaluationRunRows> EvaluationRepository::latestRun(const std::string& campaignId) const {
-  const std::optional<AssessmentRun> run = findLatestRun(connection_, RunOwner::kCampaign, campaignId);
-  if (!run) {
-    return std::nullopt;
-  }
-  return EvaluationRunRows{*run, resultsOf(connection_, run->id), compositesOf(connection_, run->id)};
 }
 
 }  // namespace torsio

@@ -69,7 +69,6 @@ class EvaluationRepository {
   [[nodiscard]] bool hasMarks(const std::string& campaignId) const;
 
   void storeRun(const std::string& campaignId, const EvaluationRunRows& run);
-  [[nodiscard]] std::optional<EvaluationRunRows> latestRun(const std::string& campaignId) const;
 
  private:
   Connection& connection_;

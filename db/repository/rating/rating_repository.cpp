@@ -5,7 +5,6 @@
 #include <array>
 
 #include "assessment/people/audit_entry.h"
-#include "assessment/rating/mark.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
@@ -44,27 +43,6 @@ SubmittedMark markOf(RowReader& row) {
           .raterCode = row.text(),
           .groupCode = row.text(),
           .numberInGroup = row.int64()};
-}
-
-std::vector<TrainingResultRow> traineeResults(Connection& connection, const std::string& runId) {
-  return selectAll(
-      connection,
-      "SELECT enrolment_id, occasion, mean, variance, rater_count, missing_count, flags"
-      " FROM training_result WHERE run_id = ? ORDER BY enrolment_id, occasion",
-      {runId}, [](RowReader& row) {
-        return TrainingResultRow{
-            row.text(), row.text(), row.real(), row.real(), row.int64(), row.int64(), splitFlags(row.text())};
-      });
-}
-
-std::vector<GroupResultRow> groupResults(Connection& connection, const std::string& runId) {
-  return selectAll(connection,
-                   "SELECT group_id, occasion, trainee_count, mean, variance_n, variance_n_minus_1, flags"
-                   " FROM training_group_result WHERE run_id = ? ORDER BY group_id, occasion",
-                   {runId}, [](RowReader& row) {
-                     return GroupResultRow{row.text(), row.text(),      row.int64(),           row.real(),
-                                           row.real(), row.maybeReal(), splitFlags(row.text())};
-                   });
 }
 
 /// Of a mark that is stored already: refuses another one under its id. When it was submitted does not count,
@@ -206,14 +184,6 @@ void RatingRepository::storeRun(const std::string& cohortId, const TrainingRunRo
                    result.varianceN, result.varianceNMinus1, joinFlags(result.flags)});
   }
   transaction.commit();
-}
-
-std::optional<TrainingRunRows> RatingRepository::latestRun(const std::string& cohortId) const {
-  const std::optional<AssessmentRun> run = findLatestRun(connection_, RunOwner::kCohort, cohortId);
-  if (!run) {
-    return std::nullopt;
-  }
-  return TrainingRunRows{*run, traineeResults(connection_, run->id), groupResults(connection_, run->id)};
 }
 
 }  // namespace torsio

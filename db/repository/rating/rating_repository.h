@@ -62,7 +62,6 @@ class RatingRepository {
                                                    const std::string& occasionCode) const;
 
   void storeRun(const std::string& cohortId, const TrainingRunRows& run);
-  [[nodiscard]] std::optional<TrainingRunRows> latestRun(const std::string& cohortId) const;
 
  private:
   Connection& connection_;

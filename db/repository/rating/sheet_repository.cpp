@@ -3,10 +3,7 @@
 
 #include <algorithm>
 
-#include "assessment/rating/assignment.h"
 #include "assessment/rating/mark.h"
-#include "assessment/rating/rubric.h"
-#include "assessment/rating/sheet.h"
 #include "assessment/rating/sheet_check.h"
 #include "db/connection/db_error.h"
 #include "db/connection/row_reader.h"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 
-#include "assessment/study/curriculum.h"
 #include "db/connection/db_error.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/stored_term.h"
@@ -48,14 +47,13 @@ void checkPrerequisites(const CurriculumVersion& version) {
 void insertModules(Connection& connection, const CurriculumVersion& version) {
   Statement insert = connection.prepare(
       insertInto("module",
-                 "id, version_id, position, code, title, scene_id, pattern_id, exercise_kind, mode,"
+                 "id, version_id, position, code, title, scene_id, pattern_id, mode,"
                  " target_angle_rad, tolerance_rad, hold_us, max_force_n, max_torque_nm, attempt_limit"));
   std::int64_t position = 0;
   for (const TrainingModule& module : version.modules) {
     insert.execute({module.id, version.id, ++position, module.code, module.title, module.sceneId,
-                    module.patternId, module.exerciseKind, storedText(module.mode), module.targetAngle_rad,
-                    module.tolerance_rad, module.hold_us, module.maxForce_N, module.maxTorque_Nm,
-                    module.attemptLimit});
+                    module.patternId, storedText(module.mode), module.targetAngle_rad, module.tolerance_rad,
+                    module.hold_us, module.maxForce_N, module.maxTorque_Nm, module.attemptLimit});
   }
   Statement prerequisite =
       connection.prepare(insertInto("module_prerequisite", "module_id, requires_module_id"));
@@ -99,7 +97,6 @@ TrainingModule moduleOf(RowReader& row) {
           .title = row.text(),
           .sceneId = row.text(),
           .patternId = row.text(),
-          .exerciseKind = row.text(),
           .mode = readTerm<AttemptMode>(row, "mode"),
           .targetAngle_rad = row.real(),
           .tolerance_rad = row.real(),
@@ -116,12 +113,12 @@ MasteryCriterion masteryRuleOf(RowReader& row) {
 }
 
 std::vector<TrainingModule> modulesOf(Connection& connection, const std::string& versionId) {
-  std::vector<TrainingModule> modules = selectAll(
-      connection,
-      "SELECT id, code, title, scene_id, pattern_id, exercise_kind, mode, target_angle_rad, tolerance_rad,"
-      " hold_us, max_force_n, max_torque_nm, attempt_limit FROM module WHERE version_id = ?"
-      " ORDER BY position",
-      {versionId}, moduleOf);
+  std::vector<TrainingModule> modules =
+      selectAll(connection,
+                "SELECT id, code, title, scene_id, pattern_id, mode, target_angle_rad, tolerance_rad,"
+                " hold_us, max_force_n, max_torque_nm, attempt_limit FROM module WHERE version_id = ?"
+                " ORDER BY position",
+                {versionId}, moduleOf);
   Statement prerequisites = connection.prepare(
       "SELECT p.requires_module_id FROM module_prerequisite p JOIN module r ON r.id = p.requires_module_id"
       " WHERE p.module_id = ? ORDER BY r.position");
@@ -161,8 +158,9 @@ std::vector<StudyArm> armsOf(Connection& connection, const std::string& versionI
 
 std::vector<PlannedOccasion> plannedOccasionsOf(Connection& connection, const std::string& versionId) {
   return selectAll(connection,
-                   "SELECT occasion, after_exposure_us FROM curriculum_occasion WHERE version_id = ?"
-                   " ORDER BY after_exposure_us, occasion",
+                   "SELECT p.occasion, p.after_exposure_us FROM curriculum_occasion p"
+                   " JOIN occasion o ON o.code = p.occasion WHERE p.version_id = ?"
+                   " ORDER BY p.after_exposure_us, o.position",
                    {versionId}, [](RowReader& row) {
                      return PlannedOccasion{row.text(), row.int64()};
                    });

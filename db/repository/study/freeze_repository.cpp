@@ -4,7 +4,6 @@
 #include <array>
 
 #include "assessment/people/audit_entry.h"
-#include "assessment/study/cohort.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"

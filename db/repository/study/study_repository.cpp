@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/study/study_repository.h"
 
-#include "assessment/study/allocation_entry.h"
-#include "assessment/study/cohort.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/field_digest.h"
 #include "db/repository/base/stored_term.h"

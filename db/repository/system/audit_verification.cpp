@@ -4,7 +4,6 @@
 #include <map>
 #include <set>
 
-#include "assessment/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/seals.h"

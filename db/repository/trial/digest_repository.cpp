@@ -4,7 +4,6 @@
 #include <bit>
 #include <limits>
 
-#include "assessment/attempt/trial_digest.h"
 #include "db/connection/row_reader.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "assessment/rating/remark.h"
 #include "db/connection/row_reader.h"
 
 namespace torsio {

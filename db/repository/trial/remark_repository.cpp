@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "assessment/rating/reference_run.h"
-#include "assessment/rating/remark.h"
-#include "assessment/rating/self_score.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/insert_idempotent.h"
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <utility>
 
-#include "assessment/attempt/trial_listing.h"
 #include "assessment/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"

@@ -340,39 +340,4 @@ KrigingTable::KrigingTable(const Kriging1d& kriging, std::span<const double> que
   }
 }
 
-double KrigingTable::estimate(int query, std::span<const double> values) const noexcept {
-  const std::span<const double> weights = row(query);
-  const double* z = values.data() + first_[at(query)];
-  double sum = 0.0;
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    sum += weights[i] * z[i];
-  }
-  return sum;
-}
-
-void KrigingTable::estimate(std::span<const double> values, std::span<double> out) const {
-  TORSIO_EXPECTS(out.size() == first_.size());
-  for (int q = 0; q < size(); ++q) {
-    out[at(q)] = estimate(q, values);
-  }
-}
-
-std::array<double, 3> krigeComponents(const KrigingTable& table, int query,
-                                      const RidgeDisplacement& ridge) noexcept {
-  return {table.estimate(query, ridge.dx), table.estimate(query, ridge.dy), table.estimate(query, ridge.dz)};
-}
-
-std::array<double, 3> krigeComponents(const Kriging1d& kriging, double query,
-                                      const RidgeDisplacement& ridge) {
-  const KrigingWeights w = kriging.weights(query);
-  std::array<double, 3> out{};
-  for (std::size_t i = 0; i < w.lambda.size(); ++i) {
-    const std::size_t sample = at(w.first) + i;
-    out[0] += w.lambda[i] * ridge.dx[sample];
-    out[1] += w.lambda[i] * ridge.dy[sample];
-    out[2] += w.lambda[i] * ridge.dz[sample];
-  }
-  return out;
-}
-
 }  // namespace torsio

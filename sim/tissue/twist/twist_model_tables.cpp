@@ -176,9 +176,9 @@ HermiteTable TableMaker::bendingCompliance() const {
 }
 
 void TableMaker::makeOperations() {
-  tables_.definitions = options_.operations;
-  if (tables_.definitions.empty()) {
-    tables_.definitions.push_back({});
+  std::vector<TwistOperation> definitions = options_.operations;
+  if (definitions.empty()) {
+    definitions.push_back({});
   }
   OperationBase base;
   base.axis = &lattice_.centreline();
@@ -191,8 +191,8 @@ void TableMaker::makeOperations() {
   base.paperAngles = tables_.linear;
   bool straightBefore = false;
   tables_.needsArc = false;
-  for (std::size_t k = 0; k < tables_.definitions.size(); ++k) {
-    tables_.operations.emplace_back(tables_.definitions[k], static_cast<int>(k), base);
+  for (std::size_t k = 0; k < definitions.size(); ++k) {
+    tables_.operations.emplace_back(definitions[k], static_cast<int>(k), base);
     const PreparedOperation& op = tables_.operations.back();
     if (std::abs(op.ratio()) > std::abs(tables_.operations[tables_.leading].ratio())) {
       tables_.leading = k;

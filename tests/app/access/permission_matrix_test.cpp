@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "app/access/access_service.h"
+#include "app/reporting/coded_tables.h"
 #include "app/reporting/report_data.h"
 #include "app/study/allocation_service.h"
-#include "app/study/coded_records.h"
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/frozen_data.h"
@@ -27,6 +27,7 @@
 #include "sim/base/file_io.h"
 #include "tests/app/access/permission_calls.h"
 #include "tests/app/support/study_centre.h"
+#include "tests/support/stored_rows.h"
 
 namespace torsio {
 namespace {
@@ -63,7 +64,7 @@ TEST(PermissionMatrix, EveryOperationIsAskedForByAServiceThatIsCalledHere) {
     covered.emplace(operationCode(call.operation));
   }
 
-  for (const std::string& operation : AccessRepository(centre.connection()).operations()) {
+  for (const std::string& operation : storedOperations(centre.connection())) {
     EXPECT_TRUE(covered.contains(operation)) << operation;
   }
   EXPECT_EQ(covered.size(), kOperationCodes.size());
@@ -72,13 +73,13 @@ TEST(PermissionMatrix, EveryOperationIsAskedForByAServiceThatIsCalledHere) {
 /// Service functions that are open by design, or whose rule is tested by itself.
 const std::set<std::string> kWithoutARow{"setUpCentre", "performFirstRun",
                                          "addDemonstration",  // before there is any user
-                                         "signIn", "signInForPractice", "changeOwnPassword", "unlock",
+                                         "signIn", "signInForPractice", "changeOwnPassword",
                                          "signOut",        // ask for the secret
                                          "settleStation",  // the station itself, at its start
                                          // Parts of other services, given the operation.
                                          "ownAssignment", "ownRecord", "ownTrial", "keepBookmark",
                                          // One of two operations: tested below.
-                                         "recordExposure", "curriculumVersion"};
+                                         "recordExposure"};
 
 TEST(PermissionMatrix, EveryServiceFunctionIsCalledHere) {
   std::set<std::string> called = kWithoutARow;
@@ -106,27 +107,11 @@ TEST(PermissionMatrix, EveryServiceFunctionIsCalledHere) {
   EXPECT_GT(found, 130U);
 }
 
-TEST(PermissionMatrix, ACurriculumIsReadByWhoeverPractisesOrSeesPeople) {
-  StudyCentre centre;
-  AccessRepository access(centre.connection());
-  const auto allowed = access.permissions();
-  for (const std::string& role : access.roles()) {
-    const bool may = allowed.contains({role, "practice"}) || allowed.contains({role, "person.view_coded"});
-    const ServiceCall read{Operation::kPersonViewCoded, "curriculumVersion",
-                           [](SessionContext& w, const std::filesystem::path&) {
-                             static_cast<void>(curriculumVersion(w, kNoSuch));
-                           }};
-    EXPECT_EQ(refused(read, centre.as(role), centre.folder()), !may) << role;
-    EXPECT_TRUE(refused(read, centre.as(""), centre.folder()));
-  }
-}
-
 TEST(PermissionMatrix, EveryRoleMayExactlyWhatTheDatabaseSays) {
   StudyCentre centre;
-  AccessRepository access(centre.connection());
-  const auto allowed = access.permissions();
+  const auto allowed = storedPermissions(centre.connection());
 
-  for (const std::string& role : access.roles()) {
+  for (const std::string& role : storedRoles(centre.connection())) {
     for (const ServiceCall& call : calls()) {
       const bool may = allowed.contains({role, std::string(operationCode(call.operation))});
       EXPECT_EQ(refused(call, centre.as(role), centre.folder()), !may)
@@ -183,7 +168,9 @@ TEST(PermissionMatrix, AnAdministratorsReportHasSingleMarksOnlyWhenNothingCanBeI
 
   scored.freeze();
   EXPECT_TRUE(scored.sees("administrator"));
-  EXPECT_THROW((void)codedMarks(scored.centre.as("administrator"), scored.request.cohortId), Error);
+  EXPECT_THROW(exportMarks(scored.centre.as("administrator"), scored.request.cohortId,
+                           scored.centre.folder() / "marks.csv"),
+               Error);
   scored.request.identity = ReportIdentity::kNamed;
   EXPECT_FALSE(scored.sees("administrator"));  // with names
   scored.request.identity = ReportIdentity::kCoded;
@@ -203,11 +190,10 @@ TEST(PermissionMatrix, AnAdministratorsReportHasNoSingleMarksWhileARaterStillHas
 
 TEST(PermissionMatrix, ARefusedCallLeavesTheRecordAsItIs) {
   StudyCentre centre;
-  AccessRepository access(centre.connection());
-  const auto allowed = access.permissions();
+  const auto allowed = storedPermissions(centre.connection());
   const auto before = centre.rowCounts();
 
-  for (const std::string& role : access.roles()) {
+  for (const std::string& role : storedRoles(centre.connection())) {
     for (const ServiceCall& call : calls()) {
       if (allowed.contains({role, std::string(operationCode(call.operation))})) {
         continue;

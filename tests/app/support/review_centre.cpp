@@ -11,11 +11,8 @@
 #include "assessment/people/person.h"
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/rubric.h"
-#include "assessment/rating/sheet.h"
 #include "assessment/study/cohort.h"
-#include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/desk_repository.h"
@@ -107,7 +104,7 @@ void ReviewCentre::addPeople(const Setup& setup) {
     const Identity identity{trainee.person.id, kSurnames[i % 10],
                             std::string(kSurnames[i % 10]) + "@example.org",
                             "staff-" + std::to_string(7000 + i)};
-    people.addIdentities(std::span(&identity, 1));
+    people.setIdentity(identity);
     Enrolment enrolment;
     enrolment.id = ids_->newUuid();
     enrolment.cohortId = cohort.id;

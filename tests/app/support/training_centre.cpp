@@ -7,11 +7,7 @@
 #include "app/recording/recorded_run.h"
 #include "assessment/people/account.h"
 #include "assessment/people/person.h"
-#include "assessment/study/cohort.h"
-#include "assessment/study/curriculum.h"
-#include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/trial/trial_repository.h"
@@ -35,7 +31,6 @@ TrainingModule moduleOf(const std::string& id, const std::string& code, const st
   module.title = "Quarter turn, " + code;
   module.sceneId = setup.sceneId;
   module.patternId = setup.patternId;
-  module.exerciseKind = "twist to target";
   module.mode = fromStoredText<AttemptMode>(mode).value();
   module.targetAngle_rad = trainingBar().pattern.targetAngle_rad;
   module.tolerance_rad = radians(5.0);
