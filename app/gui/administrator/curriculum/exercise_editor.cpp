@@ -104,7 +104,7 @@ QWidget* ExerciseEditor::form() {
   attempts_->setRange(0, kMostAttempts);
   attempts_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   attempts_->setMinimumWidth(tolerance_->minimumWidth());
-  for (QComboBox* choice : {scene_, pattern_, kind_, mode_}) {
+  for (QComboBox* choice : {scene_, pattern_, mode_}) {
     choice->setMinimumWidth(2 * tolerance_->minimumWidth());
   }
   texts_.title(form, QT_TR_NOOP("Opens only after these are mastered"));
