@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ class TrialStore {
  public:
   /// Opens or makes the database and brings its schema up to date. Throws Error, DbError.
   explicit TrialStore(const std::string& locator);
+  ~TrialStore();
 
   /// Newest first, finished or not.
   [[nodiscard]] std::vector<TrialListing> list();
