@@ -5,6 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/people/access_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
@@ -19,8 +22,8 @@ AccessRepository repository(SessionContext& session) {
   return AccessRepository(session.connection(), session.passwordCost());
 }
 
-StoredUser userOf(SessionContext& session, const std::string& userId) {
-  for (const StoredUser& user : repository(session).users()) {
+UserAccount userOf(SessionContext& session, const std::string& userId) {
+  for (const UserAccount& user : repository(session).users()) {
     if (user.id == userId) {
       return user;
     }
@@ -28,14 +31,14 @@ StoredUser userOf(SessionContext& session, const std::string& userId) {
   throw Error(ErrorCode::kBadParameter, "there is no such user", userId, "Choose one from the list");
 }
 
-bool isActiveAdministrator(const StoredUser& user) {
+bool isActiveAdministrator(const UserAccount& user) {
   return user.active && std::find(user.roles.begin(), user.roles.end(), kAdministrator) != user.roles.end();
 }
 
 /// Somebody must be left who can let others in.
 void keepAnAdministrator(SessionContext& session, const std::string& withoutUser) {
-  const std::vector<StoredUser> all = repository(session).users();
-  const bool remains = std::any_of(all.begin(), all.end(), [&](const StoredUser& user) {
+  const std::vector<UserAccount> all = repository(session).users();
+  const bool remains = std::any_of(all.begin(), all.end(), [&](const UserAccount& user) {
     return user.id != withoutUser && isActiveAdministrator(user);
   });
   if (remains) {
@@ -59,7 +62,7 @@ const char* failureName(SignIn outcome) {
 /// A failure, without what was typed: an unknown login may be a password in the wrong field.
 void noteFailure(SessionContext& session, const std::string& login, SignIn outcome, const char* with) {
   std::string userId;
-  for (const StoredUser& user : repository(session).users()) {
+  for (const UserAccount& user : repository(session).users()) {
     if (user.login == login) {
       userId = user.id;
     }
@@ -77,7 +80,7 @@ SignInAnswer answer(SessionContext& session, const std::string& login, const Sig
     noteFailure(session, login, result.outcome, practiceOnly ? "pin" : "password");
     return answer;
   }
-  const StoredUser user = userOf(session, result.userId);
+  const UserAccount user = userOf(session, result.userId);
   answer.actor = {user.id, user.login, user.personId, user.roles, practiceOnly};
   if (result.outcome == SignIn::kOk) {
     session.setActor(answer.actor);
@@ -183,7 +186,7 @@ std::string addUser(SessionContext& session, const NewUser& user) {
   return id;
 }
 
-std::vector<StoredUser> users(SessionContext& session) {
+std::vector<UserAccount> users(SessionContext& session) {
   session.require(Operation::kUserManage);
   return repository(session).users();
 }
@@ -192,7 +195,7 @@ void setUserRoles(SessionContext& session, const std::string& userId, const std:
                   const std::string& reason) {
   session.require(Operation::kUserManage);
   Transaction transaction(session.connection());
-  const StoredUser before = userOf(session, userId);
+  const UserAccount before = userOf(session, userId);
   const bool keepsRole = std::find(roles.begin(), roles.end(), kAdministrator) != roles.end();
   if (isActiveAdministrator(before) && !keepsRole) {
     keepAnAdministrator(session, userId);

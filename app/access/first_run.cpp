@@ -6,6 +6,8 @@
 #include <QRandomGenerator>
 
 #include "app/base/build_info.h"
+#include "assessment/people/account.h"
+#include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"

@@ -8,8 +8,10 @@
 #include <QSysInfo>
 
 #include "app/base/build_info.h"
+#include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"

@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "app/access/operation.h"
-#include "db/connection/connection.h"
-#include "db/repository/base/id_source.h"
-#include "db/repository/people/password.h"
+#include "assessment/people/account.h"
 
 namespace torsio {
+
+class Connection;
+class IdSource;
 
 /// Somebody who has signed in (access_service.h is the only place that makes one from a password).
 struct Actor {

@@ -6,6 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
@@ -65,11 +68,11 @@ void setCentreName(SessionContext& session, const std::string& name) {
   }
   Transaction transaction(session.connection());
   StudyRepository studies(session.connection());
-  const std::optional<StoredCentre> before = studies.centre();
+  const std::optional<Centre> before = studies.centre();
   if (before && before->name == name) {
     return;
   }
-  StoredCentre centre = before.value_or(StoredCentre{.id = session.ids().newUuid()});
+  Centre centre = before.value_or(Centre{.id = session.ids().newUuid()});
   centre.name = name;
   centre.demonstration = false;
   if (!before) {

@@ -7,6 +7,7 @@
 #include "app/demonstration/demonstration.h"
 #include "app/demonstration/demonstration_desk.h"
 #include "app/demonstration/demonstration_station.h"
+#include "assessment/people/person.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/base/contracts.h"
 
@@ -44,7 +45,7 @@ DemonstrationUsers fillWithPeople(SessionContext& session, const std::filesystem
 }
 
 StartAccount account(SessionContext& session, const std::string& login, const std::string& role,
-                     const StoredPerson& person) {
+                     const Person& person) {
   StartAccount made{login, role, person.code, randomStartPassword()};
   addUser(session, {.login = login,
                     .personId = person.id,
@@ -56,12 +57,12 @@ StartAccount account(SessionContext& session, const std::string& login, const st
 
 std::vector<StartAccount> accountsOf(SessionContext& session, const DemonstrationUsers& users) {
   PeopleRepository people(session.connection());
-  const std::vector<StoredTrainee> trainees = people.trainees();
-  const std::vector<StoredRater> raters = people.raters();
-  const auto trainee = std::find_if(trainees.begin(), trainees.end(), [&](const StoredTrainee& candidate) {
+  const std::vector<Trainee> trainees = people.trainees();
+  const std::vector<Rater> raters = people.raters();
+  const auto trainee = std::find_if(trainees.begin(), trainees.end(), [&](const Trainee& candidate) {
     return candidate.person.id == users.traineeId;
   });
-  const auto rater = std::find_if(raters.begin(), raters.end(), [&](const StoredRater& candidate) {
+  const auto rater = std::find_if(raters.begin(), raters.end(), [&](const Rater& candidate) {
     return candidate.person.id == users.raterId;
   });
   TORSIO_EXPECTS(trainee != trainees.end() && rater != raters.end());

@@ -7,6 +7,8 @@
 
 #include <QTemporaryDir>
 
+#include "db/connection/connection.h"
+#include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/audit_verification.h"

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "db/connection/connection.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/digest.h"

@@ -12,6 +12,7 @@
 #include "app/base/build_info.h"
 #include "app/maintenance/database_maintenance.h"
 #include "app/maintenance/others_at_work.h"
+#include "db/connection/connection.h"
 #include "db/migrations/backup.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/people/person_data.h"

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "db/connection/connection.h"
 #include "db/repository/people/person_data.h"
+#include "db/repository/people/retention_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 

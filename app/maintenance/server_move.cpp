@@ -6,6 +6,8 @@
 
 #include "app/maintenance/database_copy.h"
 #include "app/maintenance/others_at_work.h"
+#include "db/connection/connection.h"
+#include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
 #include "sim/base/error.h"

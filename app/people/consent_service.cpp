@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "db/connection/connection.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 
@@ -43,7 +45,7 @@ std::vector<ConsentText> consentTexts(const std::filesystem::path& assets, const
   return texts;
 }
 
-std::vector<StoredConsent> consentHistory(SessionContext& session, const std::string& personId) {
+std::vector<ConsentDecision> consentHistory(SessionContext& session, const std::string& personId) {
   session.require(Operation::kPersonViewCoded);
   return PeopleRepository(session.connection()).consents(personId);
 }

@@ -9,6 +9,10 @@
 
 #include "app/people/person_codes.h"
 #include "app/people/roster_rows.h"
+#include "assessment/people/person.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 
@@ -118,7 +122,7 @@ void requireRosterRights(const SessionContext& session) {
   session.require(Operation::kPersonViewIdentity);
 }
 
-nlohmann::json addedJson(const StoredPerson& person, const std::string& part) {
+nlohmann::json addedJson(const Person& person, const std::string& part) {
   return {{"code", person.code},
           {"part", part},
           {"sex", person.sex},
@@ -147,18 +151,18 @@ std::vector<std::string> addNew(SessionContext& session, const RosterPreview& pr
         setValue(entry, field, row->values[rosterIndex(field)]);
       }
     }
-    StoredPerson person{.id = id,
-                        .code = codes.next(trainees ? kTraineePrefix : kRaterPrefix),
-                        .sex = entry.sex,
-                        .level = entry.level,
-                        .experience = entry.experience,
-                        .age_years = entry.age_years,
-                        .createdUtc_us = session.now_us()};
+    Person person{.id = id,
+                  .code = codes.next(trainees ? kTraineePrefix : kRaterPrefix),
+                  .sex = entry.sex,
+                  .level = entry.level,
+                  .experience = entry.experience,
+                  .age_years = entry.age_years,
+                  .createdUtc_us = session.now_us()};
     if (trainees) {
-      repository.addTrainees(std::vector<StoredTrainee>{{person, entry.handedness}});
+      repository.addTrainees(std::vector<Trainee>{{person, entry.handedness}});
     }
     if (!trainees) {
-      repository.addRaters(std::vector<StoredRater>{{person, entry.raterClass}});
+      repository.addRaters(std::vector<Rater>{{person, entry.raterClass}});
     }
     repository.setIdentity({id, entry.fullName, entry.email, entry.externalId});
     session.note({.action = "person.add",

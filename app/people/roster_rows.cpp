@@ -4,6 +4,7 @@
 #include <charconv>
 #include <optional>
 
+#include "db/repository/people/people_repository.h"
 #include "app/people/people_service.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
@@ -85,13 +86,13 @@ void understandAge(RosterRow& row) {
       Text("Write a whole number from %1 to %2, or leave the cell empty", kYoungest_years, kOldest_years));
 }
 
-void understandClass(RosterRow& row, const std::vector<StoredRaterClass>& classes) {
+void understandClass(RosterRow& row, const std::vector<SeniorityClass>& classes) {
   std::map<std::string, std::string> meanings{{"实习医生", "intern"},
                                               {"副主任医师", "deputy_chief"},
                                               {"主任医师", "chief"},
                                               {"deputy chief", "deputy_chief"}};
   std::string choices;
-  for (const StoredRaterClass& known : classes) {
+  for (const SeniorityClass& known : classes) {
     meanings[lower(known.code)] = known.code;
     meanings[lower(known.label)] = known.code;
     choices += (choices.empty() ? "" : ", ") + known.code;

@@ -8,7 +8,7 @@
 
 #include "app/people/people_service.h"
 #include "app/people/roster_import.h"
-#include "db/repository/people/people_repository.h"
+#include "assessment/people/person.h"
 
 namespace torsio {
 
@@ -30,7 +30,7 @@ struct KnownPeople {
   std::map<std::string, Known> byNumber;
   std::map<std::string, std::string> codeByEmail;  ///< lower-case address
   std::map<std::string, std::string> numberByEmail;
-  std::vector<StoredRaterClass> classes;
+  std::vector<SeniorityClass> classes;
 };
 
 /// Reads the people of the record with their names; the session may see them.

@@ -9,7 +9,12 @@
 
 #include "app/base/assets.h"
 #include "app/recording/kept_digests.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/study/study_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/tick_period.h"
 
@@ -20,9 +25,9 @@ namespace {
 // The clock of a run and the recording differ by less than this.
 constexpr std::int64_t kAgreesWithin_us = 500'000;
 
-std::optional<StoredEnrolment> enrolmentOf(StudyRepository& studies, const std::string& id) {
-  for (const StoredCohort& cohort : studies.cohorts()) {
-    for (const StoredEnrolment& enrolment : studies.enrolments(cohort.id)) {
+std::optional<Enrolment> enrolmentOf(StudyRepository& studies, const std::string& id) {
+  for (const Cohort& cohort : studies.cohorts()) {
+    for (const Enrolment& enrolment : studies.enrolments(cohort.id)) {
       if (enrolment.id == id) {
         return enrolment;
       }
@@ -37,12 +42,12 @@ std::int64_t logMissing_us(SessionContext& session, const TrialListing& trial) {
     return 0;
   }
   StudyRepository studies(session.connection());
-  const std::optional<StoredEnrolment> enrolment = enrolmentOf(studies, trial.enrolmentId);
+  const std::optional<Enrolment> enrolment = enrolmentOf(studies, trial.enrolmentId);
   if (!enrolment) {
     return 0;
   }
   std::int64_t logged_us = 0;
-  for (const StoredExposure& exposure : studies.exposures(enrolment->cohortId)) {
+  for (const Exposure& exposure : studies.exposures(enrolment->cohortId)) {
     const bool same = exposure.enrolmentId == trial.enrolmentId && exposure.phaseId == trial.phaseId &&
                       exposure.kind == "virtual" &&
                       exposure.startedUtc_us >= trial.startedUtc_us - kAgreesWithin_us;
@@ -54,14 +59,14 @@ std::int64_t logMissing_us(SessionContext& session, const TrialListing& trial) {
   if (missing_us < kAgreesWithin_us) {
     return 0;
   }
-  const StoredExposure found{.id = session.ids().newUuid(),
-                             .enrolmentId = trial.enrolmentId,
-                             .phaseId = trial.phaseId,
-                             .kind = "virtual",
-                             .startedUtc_us = trial.startedUtc_us + logged_us,
-                             .duration_us = missing_us,
-                             .recordedBy = session.actor().userId.empty() ? "torsio" : session.actor().userId,
-                             .demonstration = trial.demonstration};
+  const Exposure found{.id = session.ids().newUuid(),
+                       .enrolmentId = trial.enrolmentId,
+                       .phaseId = trial.phaseId,
+                       .kind = "virtual",
+                       .startedUtc_us = trial.startedUtc_us + logged_us,
+                       .duration_us = missing_us,
+                       .recordedBy = session.actor().userId.empty() ? "torsio" : session.actor().userId,
+                       .demonstration = trial.demonstration};
   studies.addExposures({&found, 1});
   return missing_us;
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "db/repository/trial/trial_repository.h"
+#include "assessment/attempt/trial_listing.h"
 #include "sim/base/text.h"
 #include "sim/record/trial.h"
 

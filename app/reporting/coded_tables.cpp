@@ -6,7 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/csv_table.h"
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/rating/mark.h"
 #include "assessment/report/number_format.h"
+#include "assessment/study/cohort.h"
 #include "assessment/study/protocol_terms.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -57,7 +60,7 @@ std::size_t exportRecordings(SessionContext& session, const std::string& cohortI
   std::vector<Cells> lines{{"trial", "trainee", "scene", "pattern", "phase", "mode", "station", "started_utc",
                             "duration_s", "end"}};
   TrialRepository repository(session.connection());
-  for (const StoredEnrolment& enrolment : StudyRepository(session.connection()).enrolments(cohortId)) {
+  for (const Enrolment& enrolment : StudyRepository(session.connection()).enrolments(cohortId)) {
     const std::vector<TrialListing> newestFirst =
         repository.list({.enrolmentId = enrolment.id, .limit = kAllTrials});
     for (auto trial = newestFirst.rbegin(); trial != newestFirst.rend(); ++trial) {
@@ -76,7 +79,7 @@ std::size_t exportMarks(SessionContext& session, const std::string& cohortId,
   session.require(Operation::kMarkViewCoded);
   std::vector<Cells> lines{
       {"trainee", "rater", "occasion", "version", "score", "not_assessable", "trial", "submitted_utc"}};
-  for (const StoredTrainingMark& mark : RatingRepository(session.connection()).marks(cohortId)) {
+  for (const SubmittedMark& mark : RatingRepository(session.connection()).marks(cohortId)) {
     lines.push_back(
         {mark.traineeCode, mark.raterCode, mark.occasionCode, std::to_string(mark.version),
          mark.score_steps ? formatExact(pointsFromSteps(*mark.score_steps, mark.scale)) : std::string(),

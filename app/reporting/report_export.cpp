@@ -6,6 +6,7 @@
 #include "app/report/pdf_report.h"
 #include "assessment/report/cohort_csv.h"
 #include "assessment/report/cohort_report.h"
+#include "db/connection/connection.h"
 #include "sim/base/contracts.h"
 #include "sim/base/digest.h"
 #include "sim/base/file_io.h"

@@ -12,6 +12,12 @@
 
 #include "app/study/case_order.h"
 #include "app/study/drawn_seed.h"
+#include "assessment/people/person.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/mark.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/discrepancy_repository.h"
 #include "db/repository/rating/sheet_repository.h"
@@ -28,7 +34,7 @@ constexpr const char* kThird = "third";
 
 using CaseKey = std::pair<std::string, std::string>;  // enrolment, code of the occasion
 
-CaseKey keyOf(const StoredAssignment& one) {
+CaseKey keyOf(const Assignment& one) {
   return {one.enrolmentId, one.occasionCode};
 }
 
@@ -75,7 +81,7 @@ std::map<CaseKey, CaseSheets> openCases(Connection& connection, const std::strin
   return cases;
 }
 
-const StoredAssignment& assignmentOf(const CaseSheets& sheets, const std::string& id) {
+const Assignment& assignmentOf(const CaseSheets& sheets, const std::string& id) {
   return std::find_if(sheets.sheets.begin(), sheets.sheets.end(),
                       [&id](const AssignmentStatus& status) { return status.assignment.id == id; })
       ->assignment;
@@ -85,7 +91,7 @@ const StoredAssignment& assignmentOf(const CaseSheets& sheets, const std::string
 std::map<std::string, Adjudicator> activeRaters(Connection& connection) {
   std::map<std::string, Adjudicator> raters;
   SheetRepository sheets(connection);
-  for (const StoredRater& rater : PeopleRepository(connection).raters()) {
+  for (const Rater& rater : PeopleRepository(connection).raters()) {
     if (rater.person.state != "active") {
       continue;
     }
@@ -131,16 +137,16 @@ std::vector<ThirdRequest> thirdRequests(SessionContext& session, const std::stri
   }
   const Occasions occasions = OccasionRepository(connection).all();
   std::map<std::string, std::string> trainees;
-  for (const StoredEnrolment& enrolment : StudyRepository(connection).enrolments(cohortId)) {
+  for (const Enrolment& enrolment : StudyRepository(connection).enrolments(cohortId)) {
     trainees[enrolment.id] = enrolment.traineeCode;
   }
   std::map<std::string, std::string> codes;
-  for (const StoredRater& rater : PeopleRepository(connection).raters()) {
+  for (const Rater& rater : PeopleRepository(connection).raters()) {
     codes[rater.person.id] = rater.person.code;
   }
   const std::map<std::string, Adjudicator> raters = activeRaters(connection);
   for (const auto& [key, sheets] : cases) {
-    const StoredAssignment& first = assignmentOf(sheets, sheets.asked.front().assignmentId);
+    const Assignment& first = assignmentOf(sheets, sheets.asked.front().assignmentId);
     ThirdRequest request;
     request.assignmentId = first.id;
     request.traineeCode = trainees[key.first];
@@ -172,7 +178,7 @@ std::string assignThird(SessionContext& session, const std::string& cohortId, co
   if (!asked) {
     refuse("nobody has asked for an adjudicator here", assignmentId, "Read the list again");
   }
-  const StoredAssignment& before = asked->assignment;
+  const Assignment& before = asked->assignment;
   const std::map<CaseKey, CaseSheets> cases = openCases(session.connection(), cohortId);
   const auto found = cases.find(keyOf(before));
   if (found == cases.end()) {
@@ -182,10 +188,10 @@ std::string assignThird(SessionContext& session, const std::string& cohortId, co
   if (std::none_of(free.begin(), free.end(), [&](const Adjudicator& rater) { return rater.id == raterId; })) {
     refuse("this rater cannot be asked about this case", assignmentId, "Choose one from the list");
   }
-  StoredAssignment next = before;
+  Assignment next = before;
   std::set<std::string> labels;
   next.position = 0;
-  for (const StoredAssignment& other : sheets.assignmentsOf(raterId)) {
+  for (const Assignment& other : sheets.assignmentsOf(raterId)) {
     labels.insert(other.caseLabel);
     next.position = std::max(next.position, other.position);
   }

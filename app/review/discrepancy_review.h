@@ -7,6 +7,8 @@
 
 #include "app/access/session_context.h"
 #include "app/review/blinded_case.h"
+#include "assessment/rating/sheet.h"
+#include "assessment/scoring/instrument.h"
 
 namespace torsio {
 

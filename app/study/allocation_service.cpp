@@ -12,6 +12,11 @@
 #include "app/study/allocation_design.h"
 #include "app/study/draw_field.h"
 #include "app/study/drawn_seed.h"
+#include "assessment/people/person.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/refusal.h"
 
@@ -21,9 +26,9 @@ namespace {
 
 constexpr std::size_t kTries = 200;
 
-std::vector<StoredAllocation> drawnOf(const std::vector<StoredAllocation>& records) {
-  std::vector<StoredAllocation> drawn;
-  for (const StoredAllocation& record : records) {
+std::vector<AllocationEntry> drawnOf(const std::vector<AllocationEntry>& records) {
+  std::vector<AllocationEntry> drawn;
+  for (const AllocationEntry& record : records) {
     if (record.overrideReason.empty()) {
       drawn.push_back(record);
     }
@@ -42,16 +47,16 @@ std::uint64_t seedFrom(const std::string& text, const std::string& designId) {
 
 /// The design that counts, with its generator where the last draw left it.
 struct OpenDraw {
-  StoredAllocationDesign stored;
+  LockedDesign stored;
   AllocationDesign design;
-  std::vector<StoredAllocation> records;
+  std::vector<AllocationEntry> records;
   Allocator allocator;
   std::map<std::string, std::int64_t> highestNumber;  ///< in use, by group
 };
 
 std::map<std::string, std::string> codesOf(StudyRepository& study, const std::string& cohortId) {
   std::map<std::string, std::string> codes;
-  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
     codes[enrolment.id] = enrolment.traineeCode;
   }
   return codes;
@@ -59,25 +64,25 @@ std::map<std::string, std::string> codesOf(StudyRepository& study, const std::st
 
 OpenDraw openDraw(SessionContext& session, const DrawField& field) {
   StudyRepository study(session.connection());
-  const std::vector<StoredAllocationDesign> designs = study.designs(field.cohort.id);
+  const std::vector<LockedDesign> designs = study.designs(field.cohort.id);
   if (designs.empty()) {
     refuse("no allocation design is locked", field.cohort.name, "Lock one first");
   }
-  const StoredAllocationDesign& stored = designs.back();
-  std::vector<StoredAllocation> records = study.allocations(stored.id);
-  const std::vector<StoredAllocation> drawn = drawnOf(records);
+  const LockedDesign& stored = designs.back();
+  std::vector<AllocationEntry> records = study.allocations(stored.id);
+  const std::vector<AllocationEntry> drawn = drawnOf(records);
   AllocationDesign design = designFromStored(stored, field.groupCodes(), drawn.size());
   OpenDraw open{stored,
                 design,
                 std::move(records),
                 Allocator(design, seedFrom(study.sealedSeed(stored.id), stored.id)),
                 {}};
-  for (const StoredEnrolment& enrolment : study.enrolments(field.cohort.id)) {
+  for (const Enrolment& enrolment : study.enrolments(field.cohort.id)) {
     std::int64_t& highest = open.highestNumber[enrolment.groupId];
     highest = std::max(highest, enrolment.numberInGroup);
   }
   const std::map<std::string, std::string> codes = codesOf(study, field.cohort.id);
-  for (const StoredAllocation& record : drawn) {
+  for (const AllocationEntry& record : drawn) {
     const AllocationRecord again =
         open.allocator.assign(personFromRecord(design, codes.at(record.enrolmentId), record.covariatesJson));
     if (static_cast<std::int64_t>(again.drawsAfter) != record.drawAfter) {
@@ -88,13 +93,13 @@ OpenDraw openDraw(SessionContext& session, const DrawField& field) {
   return open;
 }
 
-StoredAllocation draw(SessionContext& session, const DrawField& field, OpenDraw& open,
-                      const StoredEnrolment& enrolment) {
+AllocationEntry draw(SessionContext& session, const DrawField& field, OpenDraw& open,
+                     const Enrolment& enrolment) {
   StudyRepository study(session.connection());
   const AllocationPerson person = personForDraw(open.design, field.trainees.at(enrolment.traineeId));
   const AllocationRecord drawn = open.allocator.assign(person);
-  const StoredGroup& group = field.groups.at(drawn.arm);
-  StoredAllocation record;
+  const StudyGroup& group = field.groups.at(drawn.arm);
+  AllocationEntry record;
   record.id = session.ids().newUuid();
   record.designId = open.stored.id;
   record.sequence = static_cast<std::int64_t>(open.records.size() + 1);
@@ -120,16 +125,16 @@ StoredAllocation draw(SessionContext& session, const DrawField& field, OpenDraw&
   return record;
 }
 
-AllocationDesignRow rowOf(StudyRepository& study, const StoredAllocationDesign& stored,
+AllocationDesignRow rowOf(StudyRepository& study, const LockedDesign& stored,
                           const std::vector<std::string>& groups) {
-  const std::vector<StoredAllocation> records = study.allocations(stored.id);
+  const std::vector<AllocationEntry> records = study.allocations(stored.id);
   const std::size_t drawn = drawnOf(records).size();
   return {stored, designFromStored(stored, groups, drawn), records.size(), records.size() - drawn};
 }
 
 /// Adds one trial allocation to the statistics of a preview.
 void addTry(BalancePreview& preview, const Allocation& tried, const DrawField& field,
-            const std::vector<StoredEnrolment>& people) {
+            const std::vector<Enrolment>& people) {
   const auto difference = [](const std::vector<std::size_t>& counts) {
     const auto [low, high] = std::minmax_element(counts.begin(), counts.end());
     return *high - *low;
@@ -142,7 +147,7 @@ void addTry(BalancePreview& preview, const Allocation& tried, const DrawField& f
   for (BalancePreview::Level& level : preview.levels) {
     std::vector<std::size_t> counts(preview.groups.size(), 0);
     for (const AllocationRecord& record : tried.records) {
-      const StoredTrainee& trainee = field.trainees.at(people.at(record.position).traineeId);
+      const Trainee& trainee = field.trainees.at(people.at(record.position).traineeId);
       if (factorValue(trainee, level.factor) == level.level) {
         ++counts.at(record.arm);
       }
@@ -167,10 +172,10 @@ BalancePreview previewBalance(SessionContext& session, const AllocationPlan& pla
   DrawField field = readDrawField(session, plan.cohortId);
   BalancePreview preview;
   preview.groups = field.groupCodes();
-  std::vector<StoredEnrolment> people = field.waiting();
+  std::vector<Enrolment> people = field.waiting();
   preview.people = people.size();
-  for (const StoredEnrolment& enrolment : people) {
-    const StoredTrainee& trainee = field.trainees.at(enrolment.traineeId);
+  for (const Enrolment& enrolment : people) {
+    const Trainee& trainee = field.trainees.at(enrolment.traineeId);
     const bool complete =
         std::none_of(plan.factors.begin(), plan.factors.end(),
                      [&](const std::string& name) { return factorValue(trainee, name).empty(); });
@@ -184,7 +189,7 @@ BalancePreview previewBalance(SessionContext& session, const AllocationPlan& pla
   const AllocationDesign design = designOf(field, plan);
   for (const std::string& name : allocationFactorNames()) {
     for (const std::string& level : factorOf(field, name).levels) {
-      const auto count = std::count_if(people.begin(), people.end(), [&](const StoredEnrolment& enrolment) {
+      const auto count = std::count_if(people.begin(), people.end(), [&](const Enrolment& enrolment) {
         return factorValue(field.trainees.at(enrolment.traineeId), name) == level;
       });
       preview.levels.push_back({name, level, static_cast<std::size_t>(count),
@@ -192,7 +197,7 @@ BalancePreview previewBalance(SessionContext& session, const AllocationPlan& pla
     }
   }
   std::vector<AllocationPerson> persons;
-  for (const StoredEnrolment& enrolment : people) {
+  for (const Enrolment& enrolment : people) {
     persons.push_back(personForDraw(design, field.trainees.at(enrolment.traineeId)));
   }
   preview.tries = kTries;
@@ -208,7 +213,7 @@ AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan
   Transaction transaction(session.connection());
   const DrawField field = readDrawField(session, plan.cohortId);
   StudyRepository study(session.connection());
-  const std::vector<StoredAllocationDesign> before = study.designs(plan.cohortId);
+  const std::vector<LockedDesign> before = study.designs(plan.cohortId);
   if (!before.empty() && !study.allocations(before.back().id).empty() && supersedeReason.empty()) {
     refuse("allocation has begun with another design", field.cohort.name,
            "Give a reason; whoever has a group keeps it");
@@ -218,7 +223,7 @@ AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan
   }
   const AllocationDesign design = designOf(field, plan);
   const std::uint64_t seed = plan.seed ? *plan.seed : drawSeed(session.ids());
-  StoredAllocationDesign stored;
+  LockedDesign stored;
   stored.id = session.ids().newUuid();
   stored.cohortId = plan.cohortId;
   stored.algorithm = allocationMethodName(design.method);
@@ -250,17 +255,17 @@ std::vector<AllocationDesignRow> allocationDesigns(SessionContext& session, cons
   session.require(Operation::kAllocationView);
   StudyRepository study(session.connection());
   std::vector<std::string> groups;
-  for (const StoredGroup& group : study.groups(cohortId)) {
+  for (const StudyGroup& group : study.groups(cohortId)) {
     groups.push_back(group.code);
   }
   std::vector<AllocationDesignRow> rows;
-  for (const StoredAllocationDesign& stored : study.designs(cohortId)) {
+  for (const LockedDesign& stored : study.designs(cohortId)) {
     rows.push_back(rowOf(study, stored, groups));
   }
   return rows;
 }
 
-std::vector<StoredAllocation> allocations(SessionContext& session, const std::string& designId) {
+std::vector<AllocationEntry> allocations(SessionContext& session, const std::string& designId) {
   session.require(Operation::kAllocationView);
   return StudyRepository(session.connection()).allocations(designId);
 }
@@ -270,20 +275,20 @@ std::size_t allocateAll(SessionContext& session, const std::string& cohortId) {
   Transaction transaction(session.connection());
   const DrawField field = readDrawField(session, cohortId);
   OpenDraw open = openDraw(session, field);
-  const std::vector<StoredEnrolment> waiting = field.waiting();
+  const std::vector<Enrolment> waiting = field.waiting();
   if (waiting.empty()) {
     refuse("nobody waits for a group", field.cohort.name, "Enrol trainees first");
   }
-  for (const StoredEnrolment& enrolment : waiting) {
+  for (const Enrolment& enrolment : waiting) {
     draw(session, field, open, enrolment);
   }
   transaction.commit();
   return waiting.size();
 }
 
-StoredAllocation overrideAllocation(SessionContext& session, const std::string& cohortId,
-                                    const std::string& enrolmentId, const std::string& groupId,
-                                    const std::string& reason) {
+AllocationEntry overrideAllocation(SessionContext& session, const std::string& cohortId,
+                                   const std::string& enrolmentId, const std::string& groupId,
+                                   const std::string& reason) {
   session.require(Operation::kAllocationRun);
   if (reason.empty()) {
     refuse("an override needs a reason", enrolmentId, "Say in a few words why");
@@ -292,12 +297,12 @@ StoredAllocation overrideAllocation(SessionContext& session, const std::string& 
   const DrawField field = readDrawField(session, cohortId);
   OpenDraw open = openDraw(session, field);
   const auto last = std::find_if(open.records.rbegin(), open.records.rend(),
-                                 [&](const StoredAllocation& r) { return r.enrolmentId == enrolmentId; });
+                                 [&](const AllocationEntry& r) { return r.enrolmentId == enrolmentId; });
   if (last == open.records.rend()) {
     refuse("was not allocated by this design", enrolmentId, "Draw the group first");
   }
   const auto group = std::find_if(field.groups.begin(), field.groups.end(),
-                                  [&](const StoredGroup& g) { return g.id == groupId; });
+                                  [&](const StudyGroup& g) { return g.id == groupId; });
   if (group == field.groups.end()) {
     refuse("there is no such group", groupId, "Choose one of the cohort");
   }
@@ -305,7 +310,7 @@ StoredAllocation overrideAllocation(SessionContext& session, const std::string& 
     refuse("is in this group already", group->code, "Choose another group");
   }
   StudyRepository study(session.connection());
-  StoredAllocation record = *last;
+  AllocationEntry record = *last;
   record.id = session.ids().newUuid();
   record.sequence = static_cast<std::int64_t>(open.records.size() + 1);
   record.groupId = groupId;
@@ -333,8 +338,8 @@ std::string revealSeed(SessionContext& session, const std::string& designId, con
   if (seed.empty()) {
     refuse("there is no such design", designId, "Choose one from the list");
   }
-  for (const StoredCohort& cohort : study.cohorts()) {
-    const std::vector<StoredAllocationDesign> designs = study.designs(cohort.id);
+  for (const Cohort& cohort : study.cohorts()) {
+    const std::vector<LockedDesign> designs = study.designs(cohort.id);
     if (designs.empty() || designs.back().id != designId || !reason.empty()) {
       continue;
     }
@@ -361,19 +366,19 @@ AllocationCheck checkAllocation(SessionContext& session, const std::string& desi
     check.finding = finding;
     return check;
   };
-  for (const StoredCohort& cohort : study.cohorts()) {
+  for (const Cohort& cohort : study.cohorts()) {
     std::vector<std::string> groupCodes;
     std::map<std::string, std::string> groupIds;
-    for (const StoredGroup& group : study.groups(cohort.id)) {
+    for (const StudyGroup& group : study.groups(cohort.id)) {
       groupCodes.push_back(group.code);
       groupIds[group.code] = group.id;
     }
-    for (const StoredAllocationDesign& stored : study.designs(cohort.id)) {
+    for (const LockedDesign& stored : study.designs(cohort.id)) {
       if (stored.id != designId) {
         continue;
       }
-      const std::vector<StoredAllocation> records = study.allocations(designId);
-      const std::vector<StoredAllocation> drawn = drawnOf(records);
+      const std::vector<AllocationEntry> records = study.allocations(designId);
+      const std::vector<AllocationEntry> drawn = drawnOf(records);
       check.records = records.size();
       check.overrides = records.size() - drawn.size();
       if (const auto broken = study.firstBrokenAllocation(designId)) {
@@ -389,7 +394,7 @@ AllocationCheck checkAllocation(SessionContext& session, const std::string& desi
         return check;
       }
       Allocator allocator(design, seed);
-      for (const StoredAllocation& record : drawn) {
+      for (const AllocationEntry& record : drawn) {
         const AllocationRecord again =
             allocator.assign(personFromRecord(design, codes.at(record.enrolmentId), record.covariatesJson));
         if (groupIds[design.arms.at(again.arm)] != record.groupId ||
@@ -398,10 +403,10 @@ AllocationCheck checkAllocation(SessionContext& session, const std::string& desi
         }
       }
       std::map<std::string, std::string> lastGroup;
-      for (const StoredAllocation& record : records) {
+      for (const AllocationEntry& record : records) {
         lastGroup[record.enrolmentId] = record.groupId;
       }
-      for (const StoredEnrolment& enrolment : study.enrolments(cohort.id)) {
+      for (const Enrolment& enrolment : study.enrolments(cohort.id)) {
         const auto last = lastGroup.find(enrolment.id);
         if (last != lastGroup.end() && last->second != enrolment.groupId) {
           return wrong(Text("%1 is in a group that no record tells of", enrolment.traineeCode));
@@ -417,18 +422,18 @@ std::vector<SealedCard> takeOutCards(SessionContext& session, const std::string&
   session.require(Operation::kAllocationRun);
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
-  const std::vector<StoredAllocationDesign> designs = study.designs(cohortId);
+  const std::vector<LockedDesign> designs = study.designs(cohortId);
   std::map<std::string, std::string> codes;
-  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
     codes[enrolment.id] = enrolment.traineeCode;
   }
-  std::map<std::string, StoredGroup> groups;
-  for (const StoredGroup& group : study.groups(cohortId)) {
+  std::map<std::string, StudyGroup> groups;
+  for (const StudyGroup& group : study.groups(cohortId)) {
     groups[group.id] = group;
   }
   std::vector<SealedCard> cards;
   if (!designs.empty()) {
-    for (const StoredAllocation& record : study.allocations(designs.back().id)) {
+    for (const AllocationEntry& record : study.allocations(designs.back().id)) {
       cards.push_back({record.sequence, codes[record.enrolmentId], groups[record.groupId].code,
                        groups[record.groupId].label});
     }

@@ -6,8 +6,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "assessment/study/curriculum.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/refusal.h"
 
@@ -15,9 +19,8 @@ namespace torsio {
 
 namespace {
 
-StoredEnrolment enrolmentOf(StudyRepository& study, const std::string& cohortId,
-                            const std::string& enrolmentId) {
-  for (StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+Enrolment enrolmentOf(StudyRepository& study, const std::string& cohortId, const std::string& enrolmentId) {
+  for (Enrolment& enrolment : study.enrolments(cohortId)) {
     if (enrolment.id == enrolmentId) {
       return enrolment;
     }
@@ -47,13 +50,13 @@ void checkNewCohort(const NewCohort& cohort) {
 }
 
 /// What a phase id means, within the arm of an enrolment.
-const StoredPhase* phaseOf(const StudyArm& arm, const std::string& phaseId) {
+const TrainingPhase* phaseOf(const StudyArm& arm, const std::string& phaseId) {
   const auto found = std::find_if(arm.phases.begin(), arm.phases.end(),
-                                  [&](const StoredPhase& phase) { return phase.id == phaseId; });
+                                  [&](const TrainingPhase& phase) { return phase.id == phaseId; });
   return found == arm.phases.end() ? nullptr : &*found;
 }
 
-void checkPhase(SessionContext& session, const StoredCohort& cohort, const StoredEnrolment& enrolment,
+void checkPhase(SessionContext& session, const Cohort& cohort, const Enrolment& enrolment,
                 const NewExposure& exposure) {
   if (exposure.phaseId.empty()) {
     return;
@@ -64,7 +67,7 @@ void checkPhase(SessionContext& session, const StoredCohort& cohort, const Store
   }
   StudyRepository study(session.connection());
   std::string armId;
-  for (const StoredGroup& group : study.groups(cohort.id)) {
+  for (const StudyGroup& group : study.groups(cohort.id)) {
     if (group.id == enrolment.groupId) {
       armId = group.armId;
     }
@@ -73,7 +76,7 @@ void checkPhase(SessionContext& session, const StoredCohort& cohort, const Store
     if (arm.id != armId) {
       continue;
     }
-    const StoredPhase* phase = phaseOf(arm, exposure.phaseId);
+    const TrainingPhase* phase = phaseOf(arm, exposure.phaseId);
     if (phase == nullptr) {
       break;
     }
@@ -95,10 +98,10 @@ std::vector<CohortRow> cohorts(SessionContext& session) {
   StudyRepository study(session.connection());
   CurriculumRepository curricula(session.connection());
   std::vector<CohortRow> rows;
-  for (StoredCohort& cohort : study.cohorts()) {
+  for (Cohort& cohort : study.cohorts()) {
     CohortRow row;
     row.groups = study.groups(cohort.id);
-    for (const StoredEnrolment& enrolment : study.enrolments(cohort.id)) {
+    for (const Enrolment& enrolment : study.enrolments(cohort.id)) {
       if (enrolment.state == EnrolmentState::kWithdrawn) {
         ++row.withdrawn;
         continue;
@@ -110,7 +113,7 @@ std::vector<CohortRow> cohorts(SessionContext& session) {
     }
     if (const auto version = curricula.version(cohort.curriculumVersionId)) {
       row.curriculumNumber = version->number;
-      for (const StoredCurriculum& curriculum : curricula.curricula()) {
+      for (const Curriculum& curriculum : curricula.curricula()) {
         if (curriculum.id == version->curriculumId) {
           row.curriculumName = curriculum.name;
         }
@@ -122,20 +125,20 @@ std::vector<CohortRow> cohorts(SessionContext& session) {
   return rows;
 }
 
-std::vector<StoredEnrolment> enrolments(SessionContext& session, const std::string& cohortId) {
+std::vector<Enrolment> enrolments(SessionContext& session, const std::string& cohortId) {
   session.require(Operation::kPersonViewCoded);
-  std::vector<StoredEnrolment> list = StudyRepository(session.connection()).enrolments(cohortId);
+  std::vector<Enrolment> list = StudyRepository(session.connection()).enrolments(cohortId);
   if (session.may(Operation::kAllocationView)) {
     return list;
   }
-  for (StoredEnrolment& enrolment : list) {
+  for (Enrolment& enrolment : list) {
     enrolment.groupId.clear();
     enrolment.groupCode.clear();
     enrolment.numberInGroup = 0;
   }
   // The order tells the groups, too.
   std::sort(list.begin(), list.end(),
-            [](const StoredEnrolment& a, const StoredEnrolment& b) { return a.traineeCode < b.traineeCode; });
+            [](const Enrolment& a, const Enrolment& b) { return a.traineeCode < b.traineeCode; });
   return list;
 }
 
@@ -155,7 +158,7 @@ std::string addCohort(SessionContext& session, const NewCohort& cohort) {
       names.push_back({arm.code, arm.label});
     }
   }
-  std::vector<StoredGroup> groups;
+  std::vector<StudyGroup> groups;
   for (const NewGroup& group : names) {
     groups.push_back(
         {session.ids().newUuid(), id, static_cast<std::int64_t>(groups.size() + 1), group.code, group.label});
@@ -163,7 +166,7 @@ std::string addCohort(SessionContext& session, const NewCohort& cohort) {
   StudyRepository(session.connection())
       .addCohort({id, cohort.name, cohort.description, session.now_us(), cohort.demonstration}, groups);
   nlohmann::json now{{"groups", nlohmann::json::array()}, {"curriculum_version", cohort.curriculumVersionId}};
-  for (const StoredGroup& group : groups) {
+  for (const StudyGroup& group : groups) {
     now["groups"].push_back(group.code);
   }
   if (!cohort.curriculumVersionId.empty()) {
@@ -178,7 +181,7 @@ void assignCurriculum(SessionContext& session, const std::string& cohortId, cons
   session.require(Operation::kStudySetup);
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
-  const StoredCohort before = study.cohort(cohortId);
+  const Cohort before = study.cohort(cohortId);
   if (!study.exposures(cohortId).empty()) {
     refuse("training has begun: the curriculum of this cohort stays", before.name,
            "Make another cohort for the other curriculum");
@@ -200,13 +203,13 @@ std::vector<std::string> enrolTrainees(SessionContext& session, const std::strin
   }
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
-  const StoredCohort cohort = study.cohort(cohortId);
+  const Cohort cohort = study.cohort(cohortId);
   std::set<std::string> enrolled;
-  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
     enrolled.insert(enrolment.traineeId);
   }
   PeopleRepository people(session.connection());
-  std::vector<StoredEnrolment> records;
+  std::vector<Enrolment> records;
   std::vector<std::string> ids;
   for (const std::string& traineeId : traineeIds) {
     const auto person = people.find(traineeId);
@@ -240,7 +243,7 @@ void setEnrolmentState(SessionContext& session, const std::string& cohortId, con
   }
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
-  const StoredEnrolment before = enrolmentOf(study, cohortId, enrolmentId);
+  const Enrolment before = enrolmentOf(study, cohortId, enrolmentId);
   study.setEnrolmentState(enrolmentId, state);
   session.note({.action = "enrolment.set_state",
                 .objectKind = "enrolment",
@@ -268,7 +271,7 @@ std::string reportDeviation(SessionContext& session, const NewDeviation& deviati
   }
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
-  const StoredCohort cohort = study.cohort(deviation.cohortId);
+  const Cohort cohort = study.cohort(deviation.cohortId);
   if (!deviation.enrolmentId.empty()) {
     (void)enrolmentOf(study, cohort.id, deviation.enrolmentId);
   }
@@ -289,7 +292,7 @@ std::string reportDeviation(SessionContext& session, const NewDeviation& deviati
   return id;
 }
 
-std::vector<StoredDeviation> deviations(SessionContext& session, const std::string& cohortId) {
+std::vector<ProtocolDeviation> deviations(SessionContext& session, const std::string& cohortId) {
   session.require(Operation::kPersonViewCoded);
   return StudyRepository(session.connection()).deviations(cohortId);
 }
@@ -306,8 +309,8 @@ std::string recordExposure(SessionContext& session, const NewExposure& exposure)
   }
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
-  const StoredCohort cohort = study.cohort(exposure.cohortId);
-  const StoredEnrolment enrolment = enrolmentOf(study, exposure.cohortId, exposure.enrolmentId);
+  const Cohort cohort = study.cohort(exposure.cohortId);
+  const Enrolment enrolment = enrolmentOf(study, exposure.cohortId, exposure.enrolmentId);
   if (!session.may(Operation::kStudySetup)) {
     session.requireOwn(Operation::kTrialRecordOwn, enrolment.traineeId);
   }
@@ -315,9 +318,9 @@ std::string recordExposure(SessionContext& session, const NewExposure& exposure)
     refuse("has withdrawn from the study", enrolment.traineeCode, "Nothing is recorded any more");
   }
   checkPhase(session, cohort, enrolment, exposure);
-  StoredExposure stored{session.ids().newUuid(), exposure.enrolmentId,   exposure.phaseId,
-                        exposure.kind,           exposure.startedUtc_us, exposure.duration_us,
-                        session.actor().userId,  enrolment.demonstration};
+  Exposure stored{session.ids().newUuid(), exposure.enrolmentId,   exposure.phaseId,
+                  exposure.kind,           exposure.startedUtc_us, exposure.duration_us,
+                  session.actor().userId,  enrolment.demonstration};
   study.addExposures(std::span(&stored, 1));
   session.note({.action = "exposure.record",
                 .objectKind = "exposure",

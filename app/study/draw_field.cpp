@@ -6,26 +6,28 @@
 #include <utility>
 
 #include "app/study/allocation_design.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/study_repository.h"
 
 namespace torsio {
 
 std::vector<std::string> DrawField::groupCodes() const {
   std::vector<std::string> codes;
-  for (const StoredGroup& group : groups) {
+  for (const StudyGroup& group : groups) {
     codes.push_back(group.code);
   }
   return codes;
 }
 
-std::vector<StoredEnrolment> DrawField::waiting() const {
-  std::vector<StoredEnrolment> list;
-  for (const StoredEnrolment& enrolment : enrolments) {
+std::vector<Enrolment> DrawField::waiting() const {
+  std::vector<Enrolment> list;
+  for (const Enrolment& enrolment : enrolments) {
     if (enrolment.groupId.empty()) {
       list.push_back(enrolment);
     }
   }
   std::sort(list.begin(), list.end(),
-            [](const StoredEnrolment& a, const StoredEnrolment& b) { return a.traineeCode < b.traineeCode; });
+            [](const Enrolment& a, const Enrolment& b) { return a.traineeCode < b.traineeCode; });
   return list;
 }
 
@@ -35,9 +37,8 @@ DrawField readDrawField(SessionContext& session, const std::string& cohortId) {
   field.cohort = study.cohort(cohortId);
   field.groups = study.groups(cohortId);
   field.enrolments = study.enrolments(cohortId);
-  std::erase_if(field.enrolments,
-                [](const StoredEnrolment& e) { return e.state == EnrolmentState::kWithdrawn; });
-  for (StoredTrainee& trainee : PeopleRepository(session.connection()).trainees()) {
+  std::erase_if(field.enrolments, [](const Enrolment& e) { return e.state == EnrolmentState::kWithdrawn; });
+  for (Trainee& trainee : PeopleRepository(session.connection()).trainees()) {
     field.trainees[trainee.person.id] = std::move(trainee);
   }
   return field;
@@ -45,7 +46,7 @@ DrawField readDrawField(SessionContext& session, const std::string& cohortId) {
 
 AllocationFactor factorOf(const DrawField& field, const std::string& name) {
   std::set<std::string> levels;
-  for (const StoredEnrolment& enrolment : field.waiting()) {
+  for (const Enrolment& enrolment : field.waiting()) {
     const std::string level = factorValue(field.trainees.at(enrolment.traineeId), name);
     if (!level.empty()) {
       levels.insert(level);
@@ -69,7 +70,7 @@ AllocationDesign designOf(const DrawField& field, const AllocationPlan& plan) {
   validateDesign(design);
   if (plan.method == AllocationMethod::kStratifiedBlocks && plan.everybodyEnrolled) {
     std::vector<AllocationPerson> persons;
-    for (const StoredEnrolment& enrolment : field.waiting()) {
+    for (const Enrolment& enrolment : field.waiting()) {
       persons.push_back(personForDraw(design, field.trainees.at(enrolment.traineeId)));
     }
     // Any seed: only the strata are counted here.

@@ -6,21 +6,22 @@
 #include <vector>
 
 #include "app/study/allocation_service.h"
-#include "db/repository/people/people_repository.h"
+#include "assessment/people/person.h"
+#include "assessment/study/cohort.h"
 
 namespace torsio {
 
 /// A cohort as the draw sees it.
 struct DrawField {
-  StoredCohort cohort;
-  std::vector<StoredGroup> groups;
-  std::vector<StoredEnrolment> enrolments;        ///< not withdrawn
-  std::map<std::string, StoredTrainee> trainees;  ///< by id
+  Cohort cohort;
+  std::vector<StudyGroup> groups;
+  std::vector<Enrolment> enrolments;        ///< not withdrawn
+  std::map<std::string, Trainee> trainees;  ///< by id
 
   /// Gives the codes of the groups, in their order.
   [[nodiscard]] std::vector<std::string> groupCodes() const;
   /// Gives who is enrolled without a group, in the order of codes.
-  [[nodiscard]] std::vector<StoredEnrolment> waiting() const;
+  [[nodiscard]] std::vector<Enrolment> waiting() const;
 };
 
 /// Reads a cohort for the draw. Throws Error{kBadData} when there is no such cohort.

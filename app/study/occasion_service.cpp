@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "db/connection/connection.h"
 #include "db/repository/study/occasion_repository.h"
 #include "sim/base/error.h"
 

@@ -8,7 +8,12 @@
 #include "app/devices/station_device.h"
 #include "app/scoring/cohort_occasions.h"
 #include "app/study/cohort_service.h"
+#include "assessment/rating/assignment.h"
+#include "db/connection/connection.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/station_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -36,7 +41,7 @@ void countRest(const StudyArm& arm, std::int64_t duration_us, PhaseProgress& pro
       arm.restSplittable ? std::max<std::int64_t>(0, arm.restAllowance_us - progress.restUsed_us) : 0;
 }
 
-void fillTraining(RunDayRow& row, const StudyArm& arm, const std::vector<StoredExposure>& exposures) {
+void fillTraining(RunDayRow& row, const StudyArm& arm, const std::vector<Exposure>& exposures) {
   row.armLabel = arm.label;
   row.restAllowance_us = arm.restAllowance_us;
   row.progress = phaseProgress(arm, exposures);
@@ -77,18 +82,18 @@ Occasion occasionDue(const Occasions& occasions, std::int64_t trained_us, const 
 
 }  // namespace
 
-PhaseProgress phaseProgress(const StudyArm& arm, std::span<const StoredExposure> exposures) {
+PhaseProgress phaseProgress(const StudyArm& arm, std::span<const Exposure> exposures) {
   PhaseProgress progress;
   progress.restLeft_us = arm.restAllowance_us;
   std::vector<std::int64_t> spent_us(arm.phases.size(), 0);
   std::map<std::string, std::int64_t> unnamed_us;
-  for (const StoredExposure& exposure : exposures) {
+  for (const Exposure& exposure : exposures) {
     if (exposure.kind == "rest") {
       countRest(arm, exposure.duration_us, progress);
       continue;
     }
     (exposure.kind == "virtual" ? progress.virtual_us : progress.real_us) += exposure.duration_us;
-    const auto phase = std::find_if(arm.phases.begin(), arm.phases.end(), [&](const StoredPhase& p) {
+    const auto phase = std::find_if(arm.phases.begin(), arm.phases.end(), [&](const TrainingPhase& p) {
       return !exposure.phaseId.empty() && p.id == exposure.phaseId;
     });
     if (phase == arm.phases.end()) {
@@ -118,7 +123,7 @@ namespace {
 
 /// What is known of a cohort, by enrolment.
 struct Today {
-  std::map<std::string, std::vector<StoredExposure>> exposures;
+  std::map<std::string, std::vector<Exposure>> exposures;
   std::map<std::string, RunningTrial> running;
   std::map<std::string, std::size_t> deviations;
   SheetCounts sheets;
@@ -127,13 +132,13 @@ struct Today {
 Today readToday(SessionContext& session, const std::string& cohortId) {
   StudyRepository study(session.connection());
   Today today;
-  for (StoredExposure& exposure : study.exposures(cohortId)) {
+  for (Exposure& exposure : study.exposures(cohortId)) {
     today.exposures[exposure.enrolmentId].push_back(std::move(exposure));
   }
   for (RunningTrial& trial : study.runningTrials(cohortId)) {
     today.running.emplace(trial.enrolmentId, std::move(trial));
   }
-  for (const StoredDeviation& deviation : study.deviations(cohortId)) {
+  for (const ProtocolDeviation& deviation : study.deviations(cohortId)) {
     ++today.deviations[deviation.enrolmentId];
   }
   for (const AssignmentStatus& status : SheetRepository(session.connection()).assignments(cohortId)) {
@@ -152,12 +157,12 @@ RunDayBoard runDayBoard(SessionContext& session, const std::string& cohortId) {
   RunDayBoard board;
   board.asOfUtc_us = session.now_us();
   board.stations = StationRepository(session.connection()).board();
-  const StoredCohort cohort = study.cohort(cohortId);
+  const Cohort cohort = study.cohort(cohortId);
   board.cohortName = cohort.name;
   const Occasions occasions = occasionsOfCohort(session.connection(), cohortId);
   const auto version = CurriculumRepository(session.connection()).version(cohort.curriculumVersionId);
   std::map<std::string, const StudyArm*> armOfGroup;
-  for (const StoredGroup& group : study.groups(cohortId)) {
+  for (const StudyGroup& group : study.groups(cohortId)) {
     if (!version) {
       break;
     }
@@ -168,7 +173,7 @@ RunDayBoard runDayBoard(SessionContext& session, const std::string& cohortId) {
     }
   }
   Today today = readToday(session, cohortId);
-  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
     RunDayRow row;
     row.enrolmentId = enrolment.id;
     row.traineeId = enrolment.traineeId;
@@ -253,7 +258,7 @@ void swapTurns(SessionContext& session, const std::string& cohortId, const std::
   }
   Transaction transaction(session.connection());
   std::map<std::string, std::string> codes;
-  for (const StoredEnrolment& enrolment : StudyRepository(session.connection()).enrolments(cohortId)) {
+  for (const Enrolment& enrolment : StudyRepository(session.connection()).enrolments(cohortId)) {
     codes[enrolment.id] = enrolment.traineeCode;
   }
   for (const std::string& id : {enrolmentId, otherEnrolmentId}) {

@@ -9,7 +9,12 @@
 #include "app/recording/recording_host.h"
 #include "app/study/cohort_service.h"
 #include "app/training/trainee_record.h"
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/tick_period.h"
@@ -160,7 +165,7 @@ void RunSession::hold() {
   heartbeat();
 }
 
-const StoredModule& RunSession::module() const {
+const TrainingModule& RunSession::module() const {
   const RunPhase& phase = run_.phase();
   return phase.moduleId.empty() ? step_.module : stepOf(steps_, phase.moduleId).module;
 }
@@ -195,15 +200,15 @@ void RunSession::stop(const std::string& reason) {
   const AuditNote note{
       .action = "run.stop", .objectKind = "enrolment", .objectId = steps_.enrolmentId, .reason = reason};
   if (early && !run_.phase().phaseId.empty()) {
-    const StoredDeviation deviation{.id = session_.ids().newUuid(),
-                                    .cohortId = steps_.cohortId,
-                                    .enrolmentId = steps_.enrolmentId,
-                                    .kind = "phase cut short",
-                                    .description = reason,
-                                    .happenedUtc_us = session_.now_us(),
-                                    .reportedBy = session_.actor().userId,
-                                    .reportedUtc_us = session_.now_us(),
-                                    .demonstration = steps_.demonstration};
+    const ProtocolDeviation deviation{.id = session_.ids().newUuid(),
+                                      .cohortId = steps_.cohortId,
+                                      .enrolmentId = steps_.enrolmentId,
+                                      .kind = "phase cut short",
+                                      .description = reason,
+                                      .happenedUtc_us = session_.now_us(),
+                                      .reportedBy = session_.actor().userId,
+                                      .reportedUtc_us = session_.now_us(),
+                                      .demonstration = steps_.demonstration};
     write([deviation, note](SessionContext& own) {
       Transaction transaction(own.connection());
       StudyRepository(own.connection()).addDeviation(deviation);
@@ -219,7 +224,7 @@ void RunSession::stop(const std::string& reason) {
 
 RecordingSpec RunSession::newTrial() {
   const RunPhase& phase = run_.phase();
-  const StoredModule& practised = module();
+  const TrainingModule& practised = module();
   RecordingSpec recording{.trialId = session_.ids().newUuid(),
                           .traineeCode = steps_.traineeCode,
                           .phaseLabel = phase.label,

@@ -4,6 +4,8 @@
 #include <array>
 #include <system_error>
 
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/migrations/migrations.h"
 #include "sim/base/contracts.h"
 #include "sim/base/file_io.h"

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/people/audit_entry.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/discrepancy_repository.h"
 #include "db/repository/rating/sheet_repository.h"
@@ -14,10 +20,10 @@ class AlignmentRepositoryTest : public DatabaseTest {
   static std::string assignmentIn(Connection& connection, SampleRecord& sample) {
     SheetRepository sheets(connection);
     sheets.addRubric("rubric", "Twist", kSampleTime_us, true);
-    StoredRubricRevision revision{.id = "revision", .rubricId = "rubric"};
+    RubricRevision revision{.id = "revision", .rubricId = "rubric"};
     revision.overall = {10, 100, 10};
     sheets.addRevision(revision);
-    StoredAssignment assignment{.id = sample.ids.newUuid()};
+    Assignment assignment{.id = sample.ids.newUuid()};
     assignment.raterId = sample.chiefs[0].person.id;
     assignment.enrolmentId = sample.enrolments[0].id;
     assignment.occasionCode = "mid";
@@ -66,21 +72,21 @@ TEST_F(FreezeRepositoryTest, AFrozenDataSetIsFoundByItsNameAndNeverChanges) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   FreezeRepository freezes(connection, "room 1");
-  const StoredFreeze freeze{sample.ids.newUuid(), sample.cohort.id, "Autumn, final", "0a1b",
-                            R"({"marks":12})",    "admin",          kSampleTime_us,  true};
+  const DataFreeze freeze{sample.ids.newUuid(), sample.cohort.id, "Autumn, final", "0a1b",
+                          R"({"marks":12})",    "admin",          kSampleTime_us,  true};
 
   freezes.add(freeze);
   freezes.add(freeze);
 
   ASSERT_EQ(freezes.list(sample.cohort.id).size(), 1U);
-  const StoredFreeze found = freezes.findByName("Autumn, final").value();
+  const DataFreeze found = freezes.findByName("Autumn, final").value();
   EXPECT_EQ(found.id, freeze.id);
   EXPECT_EQ(found.contentHash, "0a1b");
   EXPECT_EQ(found.manifestJson, R"({"marks":12})");
   EXPECT_EQ(found.createdUtc_us, kSampleTime_us);
   EXPECT_FALSE(freezes.findByName("Spring").has_value());
   EXPECT_EQ(AuditRepository(connection).entries().size(), 1U);
-  StoredFreeze other = freeze;
+  DataFreeze other = freeze;
   other.contentHash = "ffff";
   EXPECT_EQ(faultFrom([&] { freezes.add(other); }), DbFault::kUnique);
   other.id = sample.ids.newUuid();

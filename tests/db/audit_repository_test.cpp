@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/base/audit_repository.h"
 
+#include "assessment/people/audit_entry.h"
+#include "assessment/rating/mark.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/trial/trial_repository.h"
@@ -39,7 +43,7 @@ class AuditRepositoryTest : public DatabaseTest {
   }
 
   static std::string recordMark(Connection& connection, SampleRecord& sample) {
-    StoredTrainingMark mark;
+    SubmittedMark mark;
     mark.id = sample.ids.newUuid();
     mark.enrolmentId = sample.enrolments[0].id;
     mark.raterId = sample.chiefs[0].person.id;

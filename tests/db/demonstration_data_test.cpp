@@ -3,6 +3,9 @@
 
 #include <map>
 
+#include "assessment/people/audit_entry.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/system/audit_verification.h"

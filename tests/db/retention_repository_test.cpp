@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/people/retention_repository.h"
 
+#include "assessment/people/person.h"
+#include "assessment/people/retention.h"
+#include "assessment/rating/mark.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "tests/db/sample_record.h"
@@ -19,7 +26,7 @@ class RetentionRepositoryTest : public DatabaseTest {
   /// A real trainee "R-<n>", entered on the sample day.
   static std::string addTrainee(Connection& connection, const std::string& code,
                                 const std::string& state = "active") {
-    StoredTrainee trainee;
+    Trainee trainee;
     trainee.person = {.id = "id of " + code, .code = code, .state = state, .createdUtc_us = kSampleTime_us};
     PeopleRepository(connection).addTrainees(std::span(&trainee, 1));
     return trainee.person.id;
@@ -71,14 +78,14 @@ TEST_F(RetentionRepositoryTest, TheLastMarkOfAnyEnrolmentIsAnActivity) {
   retention.setRule({kRetainTrainee, 30, "contract", 1});
   addTrainee(connection, "R-1");
   addTrainee(connection, "R-2");
-  const StoredEnrolment enrolment{.id = "enrolment",
-                                  .cohortId = sample.cohort.id,
-                                  .traineeId = "id of R-1",
-                                  .enrolledUtc_us = kSampleTime_us};
+  const Enrolment enrolment{.id = "enrolment",
+                            .cohortId = sample.cohort.id,
+                            .traineeId = "id of R-1",
+                            .enrolledUtc_us = kSampleTime_us};
   StudyRepository(connection).enrol(std::span(&enrolment, 1));
-  std::vector<StoredTrainingMark> marks;
+  std::vector<SubmittedMark> marks;
   for (const auto& [point, day] : {std::pair("pre", 5), std::pair("post", 20), std::pair("mid", 10)}) {
-    StoredTrainingMark mark;
+    SubmittedMark mark;
     mark.id = sample.ids.newUuid();
     mark.enrolmentId = enrolment.id;
     mark.raterId = sample.chiefs[0].person.id;

@@ -21,6 +21,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/review/case_sheet.h"
+#include "assessment/rating/sheet.h"
 
 namespace torsio::gui {
 

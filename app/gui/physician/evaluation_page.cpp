@@ -18,14 +18,16 @@
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
 
 namespace torsio::gui {
 
 namespace {
 
 /// The indices as rows, so that the same panel and the same keys serve.
-StoredRubricRevision rubricOf(const EvaluationForm& form) {
-  StoredRubricRevision rubric;
+RubricRevision rubricOf(const EvaluationForm& form) {
+  RubricRevision rubric;
   rubric.overall = form.scale;
   for (std::size_t i = 0; i < form.indices.size(); ++i) {
     rubric.rows.push_back({std::to_string(i + 1), form.indices[i], form.scale, {}});

@@ -21,6 +21,8 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
 
 namespace torsio::gui {
 
@@ -29,7 +31,7 @@ namespace {
 constexpr double kNear_points = 0.5;  // a step of the buttons' keys
 
 /// The overall mark alone: that is what a panel has agreed on.
-StoredRubricRevision overallOnly(StoredRubricRevision rubric) {
+RubricRevision overallOnly(RubricRevision rubric) {
   rubric.rows.clear();
   return rubric;
 }
@@ -233,9 +235,9 @@ void RaterCalibrationPage::goNext() {
 
 QString RaterCalibrationPage::anchorText() const {
   QStringList lines;
-  for (const StoredRubricRow& row : warmUp_.rubric.rows) {
+  for (const RubricLine& row : warmUp_.rubric.rows) {
     QStringList points;
-    for (const StoredAnchor& anchor : row.anchors) {
+    for (const RubricAnchor& anchor : row.anchors) {
       points << tr("%1: %2").arg(scoreText(anchor.score_steps, row.scale), toQString(Text(anchor.meaning)));
     }
     if (!points.isEmpty()) {

@@ -16,6 +16,7 @@
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/form.h"
+#include "assessment/rating/rubric.h"
 
 namespace torsio::gui {
 
@@ -31,7 +32,7 @@ constexpr double kCorner = 4.0;
 }  // namespace
 
 ScoreRow::ScoreRow(std::string code, const QString& label, const ScoreScale& scale,
-                   std::vector<StoredAnchor> anchors, RowShape shape, QWidget* parent)
+                   std::vector<RubricAnchor> anchors, RowShape shape, QWidget* parent)
     : QWidget(parent),
       code_(std::move(code)),
       label_(label),
@@ -164,7 +165,7 @@ void ScoreRow::showAnchor() {
     return;
   }
   QStringList all;
-  for (const StoredAnchor& anchor : anchors_) {
+  for (const RubricAnchor& anchor : anchors_) {
     all << tr("%1: %2").arg(scoreText(anchor.score_steps, scale_), toQString(Text(anchor.meaning)));
   }
   // Where the rater is, every anchor; elsewhere the one that was met.

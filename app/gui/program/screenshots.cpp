@@ -25,6 +25,7 @@
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/widgets/picture.h"
 #include "app/report/typeface.h"
+#include "assessment/people/account.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 

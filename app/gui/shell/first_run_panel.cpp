@@ -21,6 +21,7 @@
 #include "app/gui/shell/job_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "assessment/people/password_rule.h"
 
 namespace torsio::gui {
 

@@ -18,6 +18,7 @@
 #include "app/gui/shell/trouble_panel.h"
 #include "app/recording/station_start.h"
 #include "app/recording/station_writer.h"
+#include "assessment/people/account.h"
 
 namespace torsio::gui {
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "assessment/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/person_rules.h"

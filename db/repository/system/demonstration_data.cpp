@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "assessment/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/seals.h"

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "assessment/people/audit_entry.h"
+#include "db/connection/connection.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/audit_verification.h"

@@ -18,6 +18,9 @@
 #include "app/study/frozen_data.h"
 #include "app/study/run_day.h"
 #include "app/study/scoring_plan.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/base/error.h"
@@ -142,10 +145,10 @@ struct ScoredCase {
   }
   void submit(const std::string& raterId) {
     SheetRepository sheets(centre.connection());
-    const StoredRubricRevision revision = sheets.revision(rubric).value();
-    for (const StoredAssignment& one : sheets.assignmentsOf(raterId)) {
+    const RubricRevision revision = sheets.revision(rubric).value();
+    for (const Assignment& one : sheets.assignmentsOf(raterId)) {
       Sheet sheet{.overall_steps = 70};
-      for (const StoredRubricRow& row : revision.rows) {
+      for (const RubricLine& row : revision.rows) {
         sheet.rows.push_back({row.code, 70, ""});
       }
       sheets.submit(one.id, centre.session().ids().newUuid(), sheet, "", centre.session().now_us());

@@ -14,6 +14,9 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/maintenance/retention.h"
 #include "app/people/people_service.h"
+#include "assessment/people/audit_entry.h"
+#include "assessment/people/retention.h"
+#include "db/repository/base/audit_repository.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {

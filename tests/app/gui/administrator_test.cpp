@@ -51,8 +51,14 @@
 #include "app/report/wording.h"
 #include "app/reporting/report_export.h"
 #include "app/study/curriculum_service.h"
+#include "assessment/people/account.h"
+#include "assessment/people/audit_entry.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
 #include "assessment/report/cohort_report.h"
 #include "assessment/report/figure_table.h"
+#include "assessment/study/cohort.h"
 #include "assessment/study/demonstration_marks.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/sheet_repository.h"
@@ -112,7 +118,7 @@ void submitSimulatedMarks(StudyCentre& centre, const std::string& cohortId) {
   DemonstrationPeople people;
   people.groups.resize(3);
   std::map<std::string, std::string> codeOf;
-  for (const StoredEnrolment& enrolment : enrolments(centre.as("allocator"), cohortId)) {
+  for (const Enrolment& enrolment : enrolments(centre.as("allocator"), cohortId)) {
     people.groups.at(static_cast<std::size_t>(enrolment.groupCode.back() - '1'))
         .push_back(enrolment.traineeCode);
     codeOf[enrolment.id] = enrolment.traineeCode;
@@ -131,12 +137,12 @@ void submitSimulatedMarks(StudyCentre& centre, const std::string& cohortId) {
   }
   const std::map<std::string, std::size_t> occasions{{"pre", 0}, {"mid", 1}, {"post", 2}};
   for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
-    const StoredAssignment& one = status.assignment;
+    const Assignment& one = status.assignment;
     Sheet sheet;
     sheet.overall_steps =
         marks.at({codeOf.at(one.enrolmentId), raterCode.at(one.raterId), occasions.at(one.occasionCode)});
-    const StoredRubricRevision rubric = sheets.revision(one.rubricRevisionId).value();
-    for (const StoredRubricRow& row : rubric.rows) {
+    const RubricRevision rubric = sheets.revision(one.rubricRevisionId).value();
+    for (const RubricLine& row : rubric.rows) {
       sheet.rows.push_back({row.code, row.scale.lo, ""});
     }
     sheets.submit(one.id, centre.session().ids().newUuid(), sheet, "", centre.session().now_us());

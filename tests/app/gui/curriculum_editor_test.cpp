@@ -21,6 +21,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
+#include "assessment/study/curriculum.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {
@@ -140,7 +141,7 @@ TEST(CurriculumEditor, FitsASmallScreenWithoutScrollingItsForms) {
 TEST(CurriculumEditor, ChangesOnlyTheFieldThatWasTyped) {
   AdministratorDesk office;
   const std::string id = addEverything(office);
-  StoredCurriculumVersion expected = curriculumDraft(office.centre.session(), id).content;
+  CurriculumVersion expected = curriculumDraft(office.centre.session(), id).content;
   auto page = office.open<CurriculaPage>("administrator");
 
   auto* title = named<QLineEdit>(*page, "Title");
@@ -196,7 +197,7 @@ TEST(CurriculumEditor, SetsSeveralRulesPrerequisitesAndLimits) {
   after->item(0)->setCheckState(Qt::Checked);
   ASSERT_TRUE(page->save());
 
-  const StoredModule stored = curriculumDraft(office.centre.session(), id).content.modules[1];
+  const TrainingModule stored = curriculumDraft(office.centre.session(), id).content.modules[1];
   ASSERT_EQ(stored.mastery.size(), 2U);
   EXPECT_EQ(stored.mastery[1].metric, "force.peak");
   EXPECT_EQ(stored.mastery[1].comparison, "at_least");
@@ -226,7 +227,7 @@ TEST(CurriculumEditor, MovesRenamesAndKeepsReferencesWhole) {
   EXPECT_EQ(code->text(), QStringLiteral("F1"));
   ASSERT_TRUE(page->save());
 
-  const StoredCurriculumVersion stored = curriculumDraft(office.centre.session(), id).content;
+  const CurriculumVersion stored = curriculumDraft(office.centre.session(), id).content;
   EXPECT_EQ(stored.modules[1].code, "F1");
   EXPECT_EQ(stored.modules[2].code, "A2");
   EXPECT_EQ(stored.arms[0].phases[1].moduleId, "F1");
@@ -253,7 +254,7 @@ TEST(CurriculumEditor, SetsGroupsPhasesRestAndScoringPoints) {
   }
   ASSERT_TRUE(page->save());
 
-  const StoredCurriculumVersion stored = curriculumDraft(office.centre.session(), id).content;
+  const CurriculumVersion stored = curriculumDraft(office.centre.session(), id).content;
   EXPECT_EQ(stored.arms[1].restAllowance_us, 600'000'000);
   ASSERT_EQ(stored.arms[1].phases.size(), 2U);
   EXPECT_EQ(stored.arms[1].phases[0].moduleId, "A2");

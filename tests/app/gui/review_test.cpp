@@ -32,6 +32,7 @@
 #include "app/review/discrepancy_review.h"
 #include "app/review/evaluation_form.h"
 #include "app/review/rater_calibration.h"
+#include "assessment/rating/campaign.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/record/sample_codec.h"
@@ -482,7 +483,7 @@ TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
 
 TEST(EvaluationPage, FillsNineIndicesByKeysAndKeepsTheDraft) {
   ReviewCentre centre(ReviewCentre::Setup{});
-  StoredCampaign campaign;
+  Campaign campaign;
   campaign.id = "campaign";
   campaign.name = "Three models";
   campaign.instrument = paperInstrument();

@@ -5,6 +5,8 @@
 
 #include "app/gui/administrator/station/move_page.h"
 #include "app/gui/widgets/child.h"
+#include "db/connection/connection.h"
+#include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
 #include "tests/app/gui/maintenance_window.h"
 

@@ -14,8 +14,11 @@
 #include "app/review/own_severity.h"
 #include "app/review/rater_calibration.h"
 #include "app/review/review_queue.h"
+#include "assessment/rating/campaign.h"
+#include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
@@ -262,7 +265,7 @@ TEST(RaterCalibration, TakesAWithdrawnRunNeitherBackNorOutTwice) {
 
 TEST(EvaluationForm, HidesTheModelsAndKeepsTheOwnOrder) {
   ReviewCentre centre(ReviewCentre::Setup{});
-  StoredCampaign campaign;
+  Campaign campaign;
   campaign.id = "campaign";
   campaign.name = "Three models";
   campaign.instrument = paperInstrument();
@@ -300,7 +303,7 @@ TEST(ReviewDesk, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
   const auto desk = centre.physician(0);
   const auto office = centre.administrator();
   const std::string own = centre.caseAbout(0, 0);
-  StoredCampaign campaign{.id = "campaign", .name = "One model", .instrument = paperInstrument()};
+  Campaign campaign{.id = "campaign", .name = "One model", .instrument = paperInstrument()};
   campaign.instrument.classes = {{"chief", "chief physicians", 1000}};
   campaign.models = {{"PM", "proposed model", "K", 1}};
   campaign.raters = {{centre.raterId(0), "chief", "PM"}};

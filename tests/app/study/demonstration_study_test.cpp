@@ -10,6 +10,7 @@
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/run_day.h"
+#include "assessment/attempt/trial_listing.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/trial/trial_repository.h"

@@ -16,7 +16,11 @@
 #include "app/study/occasion_service.h"
 #include "app/study/run_day.h"
 #include "app/study/scoring_plan.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
 #include "assessment/report/cohort_csv.h"
+#include "assessment/study/curriculum.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
@@ -32,12 +36,12 @@ using testing::StudyCentre;
 constexpr std::int64_t kMinute_us = 60'000'000;
 
 /// The paper's protocol with so much more training in every arm and a fourth occasion after it.
-StoredCurriculumVersion longerPaperProtocol(StudyCentre& centre, const Occasion& fourth,
-                                            std::int64_t longer_us = 20 * kMinute_us) {
+CurriculumVersion longerPaperProtocol(StudyCentre& centre, const Occasion& fourth,
+                                      std::int64_t longer_us = 20 * kMinute_us) {
   const auto templates = curriculumTemplates(centre.assets());
   const auto paper = std::find_if(templates.begin(), templates.end(),
                                   [](const CurriculumTemplate& one) { return one.id == "paper-three-arms"; });
-  StoredCurriculumVersion content = paper->content;
+  CurriculumVersion content = paper->content;
   for (StudyArm& arm : content.arms) {
     arm.phases.back().duration_us += longer_us;
   }
@@ -84,7 +88,7 @@ struct StudyOfFour {
   /// Fills in and submits the sheets of an occasion, or of all: 5, 6, 7 and 8 points at the four occasions.
   void submitAll(const std::string& occasionCode = {}) {
     SheetRepository sheets(centre.connection());
-    const StoredRubricRevision revision = sheets.revision(rubric).value();
+    const RubricRevision revision = sheets.revision(rubric).value();
     const Occasions occasions = occasionsOfCohort(centre.connection(), cohortId);
     for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
       if (!occasionCode.empty() && status.assignment.occasionCode != occasionCode) {
@@ -93,7 +97,7 @@ struct StudyOfFour {
       const std::size_t at = occasions.positionOf(status.assignment.occasionCode).value();
       const std::int64_t steps = 50 + 10 * static_cast<std::int64_t>(at);
       Sheet sheet{.overall_steps = steps};
-      for (const StoredRubricRow& row : revision.rows) {
+      for (const RubricLine& row : revision.rows) {
         sheet.rows.push_back({row.code, steps, ""});
       }
       sheets.submit(status.assignment.id, centre.session().ids().newUuid(), sheet, "",
@@ -217,7 +221,7 @@ TEST(Occasions, NeedANameOfTheirOwnAndAreAudited) {
 TEST(Occasions, OfACurriculumMustBeKnownToTheRecord) {
   StudyCentre centre;
   const Occasions known = OccasionRepository(centre.connection()).all();
-  const StoredCurriculumVersion content = longerPaperProtocol(centre, {"never heard of", "", {}});
+  const CurriculumVersion content = longerPaperProtocol(centre, {"never heard of", "", {}});
 
   const std::vector<CurriculumProblem> problems = curriculumProblems(content, centre.assets(), known);
 

@@ -22,6 +22,8 @@
 #include "app/gui/widgets/theme.h"
 #include "app/people/consent_service.h"
 #include "app/study/cohort_service.h"
+#include "assessment/people/consent.h"
+#include "assessment/study/cohort.h"
 
 namespace torsio::gui {
 
@@ -108,10 +110,10 @@ QString ConsentDialog::titleOf(const std::string& purpose) const {
 
 void ConsentDialog::read() {
   attempt(shell_, [&] {
-    std::vector<StoredConsent> all = consentHistory(shell_.session(), personId_);
+    std::vector<ConsentDecision> all = consentHistory(shell_.session(), personId_);
     std::reverse(all.begin(), all.end());
     std::vector<Row> rows;
-    for (const StoredConsent& one : all) {
+    for (const ConsentDecision& one : all) {
       rows.push_back({QString::number(rows.size()),
                       {timeCell(one.decidedUtc_us),
                        {titleOf(one.purpose)},
@@ -133,11 +135,11 @@ void ConsentDialog::record(bool granted) {
 
 void showDeviations(ShellContext& shell, const std::string& cohortId, QWidget* parent) {
   std::map<std::string, std::string> codes;
-  for (const StoredEnrolment& enrolment : enrolments(shell.session(), cohortId)) {
+  for (const Enrolment& enrolment : enrolments(shell.session(), cohortId)) {
     codes[enrolment.id] = enrolment.traineeCode;
   }
   std::vector<Row> rows;
-  for (const StoredDeviation& one : deviations(shell.session(), cohortId)) {
+  for (const ProtocolDeviation& one : deviations(shell.session(), cohortId)) {
     rows.push_back(
         {toQString(one.id),
          {timeCell(one.happenedUtc_us),

@@ -5,8 +5,6 @@
 
 #include <QDialog>
 
-#include "db/repository/people/people_repository.h"
-
 class QComboBox;
 class QLabel;
 class QPushButton;

@@ -9,6 +9,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/training/attempts.h"
 #include "assessment/metrics/metric_cards.h"
+#include "assessment/rating/sheet_state.h"
 
 namespace torsio::gui {
 

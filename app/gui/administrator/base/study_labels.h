@@ -8,6 +8,7 @@
 #include <QString>
 
 #include "app/study/scoring_plan.h"
+#include "assessment/rating/sheet_state.h"
 #include "assessment/study/allocation.h"
 #include "assessment/study/occasion.h"
 #include "assessment/study/protocol_terms.h"

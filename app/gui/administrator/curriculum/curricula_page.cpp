@@ -27,6 +27,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/study/occasion_service.h"
+#include "assessment/study/curriculum.h"
 
 namespace torsio::gui {
 
@@ -273,7 +274,7 @@ void CurriculaPage::sayState() {
 
 bool CurriculaPage::add(const std::string& name, const std::string& templateId) {
   return attempt(shell(), [&] {
-    std::optional<StoredCurriculumVersion> content;
+    std::optional<CurriculumVersion> content;
     std::string description;
     for (const CurriculumTemplate& known : curriculumTemplates(shell().assets())) {
       if (known.id == templateId) {
@@ -337,7 +338,7 @@ bool CurriculaPage::takeAsDraft() {
   if (version == nullptr) {
     return false;
   }
-  const StoredCurriculumVersion content = editor_->content();
+  const CurriculumVersion content = editor_->content();
   if (curriculumJson(content) != curriculumJson(draft_.content) &&
       QMessageBox::question(this, tr("Edit as draft"),
                             tr("The draft differs from version %1. Put this version in its place? Published "

@@ -30,13 +30,13 @@ namespace {
 constexpr double kUsualStep_min = 20.0;  // paper section 6: before, after 20 and after 40 minutes
 constexpr double kMostMinutes = 100'000.0;
 
-std::vector<PlannedOccasion>::iterator pointOf(StoredCurriculumVersion& content, const std::string& code) {
+std::vector<PlannedOccasion>::iterator pointOf(CurriculumVersion& content, const std::string& code) {
   return std::find_if(content.plannedOccasions.begin(), content.plannedOccasions.end(),
                       [&](const PlannedOccasion& point) { return point.code == code; });
 }
 
 /// Finds where an occasion belongs among those that are there: before all that come later in the study.
-std::vector<PlannedOccasion>::iterator placeOf(StoredCurriculumVersion& content, const Occasions& occasions,
+std::vector<PlannedOccasion>::iterator placeOf(CurriculumVersion& content, const Occasions& occasions,
                                                std::size_t point) {
   for (std::size_t later = point + 1; later < occasions.size(); ++later) {
     const auto at = pointOf(content, occasions.at(later).code);
@@ -48,11 +48,11 @@ std::vector<PlannedOccasion>::iterator placeOf(StoredCurriculumVersion& content,
 }
 
 /// Gives how long the longest arm trains; without arms more than anybody does.
-double longestTraining_min(const StoredCurriculumVersion& content) {
+double longestTraining_min(const CurriculumVersion& content) {
   double longest_min = content.arms.empty() ? kMostMinutes : 0.0;
   for (const StudyArm& arm : content.arms) {
     double arm_min = 0.0;
-    for (const StoredPhase& phase : arm.phases) {
+    for (const TrainingPhase& phase : arm.phases) {
       arm_min += static_cast<double>(phase.duration_us) / kMicrosecondsOfMinute;
     }
     longest_min = std::max(longest_min, arm_min);
@@ -131,7 +131,7 @@ void CurriculumEditor::setOccasions(Occasions occasions) {
   judge();
 }
 
-void CurriculumEditor::setContent(const StoredCurriculumVersion& content) {
+void CurriculumEditor::setContent(const CurriculumVersion& content) {
   content_ = content;
   exercises_->select(0);
   groups_->select(0);

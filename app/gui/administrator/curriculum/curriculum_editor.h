@@ -7,6 +7,7 @@
 #include <QTabWidget>
 
 #include "app/study/curriculum_content.h"
+#include "assessment/study/curriculum.h"
 
 class QCheckBox;
 class QDoubleSpinBox;
@@ -31,8 +32,8 @@ class CurriculumEditor : public QTabWidget {
 
   /// Offers these occasions; call it before setContent().
   void setOccasions(Occasions occasions);
-  void setContent(const StoredCurriculumVersion& content);
-  [[nodiscard]] const StoredCurriculumVersion& content() const noexcept { return content_; }
+  void setContent(const CurriculumVersion& content);
+  [[nodiscard]] const CurriculumVersion& content() const noexcept { return content_; }
   [[nodiscard]] const std::vector<CurriculumProblem>& problems() const noexcept { return problems_; }
   void setReadOnly(bool readOnly);
   void retranslate();
@@ -58,7 +59,7 @@ class CurriculumEditor : public QTabWidget {
 
   std::filesystem::path assets_;
   Occasions occasions_;
-  StoredCurriculumVersion content_;
+  CurriculumVersion content_;
   std::vector<CurriculumProblem> problems_;
   bool filling_ = false;
 

@@ -36,15 +36,15 @@ constexpr double kFirstTarget_deg = 60.0;
 constexpr double kFirstTolerance_deg = 5.0;
 constexpr int kMostAttempts = 1'000'000;
 
-std::vector<std::string> codesOf(const StoredCurriculumVersion& content) {
+std::vector<std::string> codesOf(const CurriculumVersion& content) {
   std::vector<std::string> codes;
-  for (const StoredModule& module : content.modules) {
+  for (const TrainingModule& module : content.modules) {
     codes.push_back(module.code);
   }
   return codes;
 }
 
-QString lineOf(const StoredModule& module) {
+QString lineOf(const TrainingModule& module) {
   return QStringLiteral("%1  %2").arg(toQString(module.code), toQString(Text(module.title)));
 }
 
@@ -55,8 +55,7 @@ QString placeName(const std::string& id) {
 
 }  // namespace
 
-ExerciseEditor::ExerciseEditor(std::filesystem::path assets, StoredCurriculumVersion& content,
-                               QWidget* parent)
+ExerciseEditor::ExerciseEditor(std::filesystem::path assets, CurriculumVersion& content, QWidget* parent)
     : QWidget(parent),
       assets_(std::move(assets)),
       content_(content),
@@ -105,7 +104,7 @@ QWidget* ExerciseEditor::form() {
   attempts_->setRange(0, kMostAttempts);
   attempts_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   attempts_->setMinimumWidth(tolerance_->minimumWidth());
-  for (QComboBox* choice : {scene_, pattern_, kind_, mode_}) {
+  for (QComboBox* choice : {scene_, pattern_, mode_}) {
     choice->setMinimumWidth(2 * tolerance_->minimumWidth());
   }
   texts_.title(form, QT_TR_NOOP("Opens only after these are mastered"));
@@ -118,39 +117,40 @@ QWidget* ExerciseEditor::form() {
 void ExerciseEditor::connectFields() {
   connect(code_.field(), &QLineEdit::editingFinished, this, &ExerciseEditor::takeCode);
   connect(title_, &QLineEdit::textEdited, this, [this](const QString& text) {
-    take([&](StoredModule& module) { module.title = text.trimmed().toStdString(); });
+    take([&](TrainingModule& module) { module.title = text.trimmed().toStdString(); });
   });
   connect(scene_, &QComboBox::activated, this, &ExerciseEditor::takeScene);
-  const auto choice = [this](QComboBox* box, std::string StoredModule::*field) {
+  const auto choice = [this](QComboBox* box, std::string TrainingModule::*field) {
     connect(box, &QComboBox::activated, this,
-            [=, this] { take([=](StoredModule& module) { module.*field = chosenId(box); }); });
+            [=, this] { take([=](TrainingModule& module) { module.*field = chosenId(box); }); });
   };
-  choice(pattern_, &StoredModule::patternId);
+  choice(pattern_, &TrainingModule::patternId);
   connect(mode_, &QComboBox::activated, this, [this] {
-    take([this](StoredModule& module) {
+    take([this](TrainingModule& module) {
       module.mode = fromStoredText<AttemptMode>(chosenId(mode_)).value_or(module.mode);
     });
   });
-  const auto angle = [this](QDoubleSpinBox* box, double StoredModule::*field) {
-    connect(box, &QDoubleSpinBox::valueChanged, this,
-            [=, this](double value) { take([=](StoredModule& module) { module.*field = radians(value); }); });
-  };
-  angle(target_, &StoredModule::targetAngle_rad);
-  angle(tolerance_, &StoredModule::tolerance_rad);
-  connect(hold_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    take([=](StoredModule& module) { module.hold_us = std::llround(value * kMicrosecondsOfSecond); });
-  });
-  const auto limit = [this](QDoubleSpinBox* box, std::optional<double> StoredModule::*field) {
+  const auto angle = [this](QDoubleSpinBox* box, double TrainingModule::*field) {
     connect(box, &QDoubleSpinBox::valueChanged, this, [=, this](double value) {
-      take([=](StoredModule& module) {
+      take([=](TrainingModule& module) { module.*field = radians(value); });
+    });
+  };
+  angle(target_, &TrainingModule::targetAngle_rad);
+  angle(tolerance_, &TrainingModule::tolerance_rad);
+  connect(hold_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    take([=](TrainingModule& module) { module.hold_us = std::llround(value * kMicrosecondsOfSecond); });
+  });
+  const auto limit = [this](QDoubleSpinBox* box, std::optional<double> TrainingModule::*field) {
+    connect(box, &QDoubleSpinBox::valueChanged, this, [=, this](double value) {
+      take([=](TrainingModule& module) {
         module.*field = value > 0.0 ? std::optional<double>(value) : std::nullopt;
       });
     });
   };
-  limit(force_, &StoredModule::maxForce_N);
-  limit(torque_, &StoredModule::maxTorque_Nm);
+  limit(force_, &TrainingModule::maxForce_N);
+  limit(torque_, &TrainingModule::maxTorque_Nm);
   connect(attempts_, &QSpinBox::valueChanged, this, [this](int value) {
-    take([=](StoredModule& module) {
+    take([=](TrainingModule& module) {
       module.attemptLimit = value > 0 ? std::optional<std::int64_t>(value) : std::nullopt;
     });
   });
@@ -163,16 +163,16 @@ void ExerciseEditor::connectLists() {
   connect(list_, &OrderedList::moveWanted, this, &ExerciseEditor::move);
   connect(after_, &QListWidget::itemChanged, this, &ExerciseEditor::takePrerequisite);
   connect(mastery_, &MasteryTable::edited, this,
-          [this] { take([this](StoredModule& module) { module.mastery = mastery_->rules(); }); });
+          [this] { take([this](TrainingModule& module) { module.mastery = mastery_->rules(); }); });
 }
 
-StoredModule* ExerciseEditor::exercise() {
+TrainingModule* ExerciseEditor::exercise() {
   return list_->chosenOf(content_.modules);
 }
 
 QStringList ExerciseEditor::lines() const {
   QStringList lines;
-  for (const StoredModule& module : content_.modules) {
+  for (const TrainingModule& module : content_.modules) {
     lines << lineOf(module);
   }
   return lines;
@@ -187,7 +187,7 @@ void ExerciseEditor::showContent() {
   if (filling_) {
     return;
   }
-  const StoredModule* module = exercise();
+  const TrainingModule* module = exercise();
   const bool change = module != nullptr && !readOnly_;
   mastery_->setEditable(change);
   for (QWidget* field :
@@ -215,7 +215,7 @@ void ExerciseEditor::showContent() {
   filling_ = false;
 }
 
-void ExerciseEditor::showPlaces(const StoredModule& module) {
+void ExerciseEditor::showPlaces(const TrainingModule& module) {
   scene_->clear();
   for (const std::string& id : sceneIds(assets_)) {
     scene_->addItem(placeName(id), toQString(id));
@@ -233,7 +233,7 @@ void ExerciseEditor::showPlaces(const StoredModule& module) {
   chooseOrAdd(mode_, std::string(storedText(module.mode)));
 }
 
-void ExerciseEditor::showPrerequisites(const StoredModule& module) {
+void ExerciseEditor::showPrerequisites(const TrainingModule& module) {
   after_->clear();
   const auto offer = [this](const QString& text, const std::string& code, bool required) {
     auto* item = new QListWidgetItem(text, after_);
@@ -242,7 +242,7 @@ void ExerciseEditor::showPrerequisites(const StoredModule& module) {
     item->setCheckState(required ? Qt::Checked : Qt::Unchecked);
   };
   const std::vector<std::string>& required = module.requires_;
-  for (const StoredModule& other : content_.modules) {
+  for (const TrainingModule& other : content_.modules) {
     if (&other != &module) {
       offer(lineOf(other), other.code,
             std::find(required.begin(), required.end(), other.code) != required.end());
@@ -260,8 +260,8 @@ void ExerciseEditor::showPrerequisites(const StoredModule& module) {
   after_->setMinimumHeight(rows * std::max(after_->sizeHintForRow(0), 3 * kSpace) + 2 * kSpace);
 }
 
-void ExerciseEditor::take(const std::function<void(StoredModule&)>& change) {
-  StoredModule* module = exercise();
+void ExerciseEditor::take(const std::function<void(TrainingModule&)>& change) {
+  TrainingModule* module = exercise();
   if (filling_ || module == nullptr) {
     return;
   }
@@ -271,7 +271,7 @@ void ExerciseEditor::take(const std::function<void(StoredModule&)>& change) {
 }
 
 void ExerciseEditor::takeCode() {
-  const StoredModule* current = exercise();
+  const TrainingModule* current = exercise();
   if (filling_ || current == nullptr) {
     return;
   }
@@ -282,21 +282,21 @@ void ExerciseEditor::takeCode() {
   if (!code) {
     return;
   }
-  for (StoredModule& module : content_.modules) {
+  for (TrainingModule& module : content_.modules) {
     std::replace(module.requires_.begin(), module.requires_.end(), before, *code);
   }
   for (StudyArm& arm : content_.arms) {
-    for (StoredPhase& phase : arm.phases) {
+    for (TrainingPhase& phase : arm.phases) {
       if (phase.moduleId == before) {
         phase.moduleId = *code;
       }
     }
   }
-  take([&](StoredModule& module) { module.code = module.id = *code; });
+  take([&](TrainingModule& module) { module.code = module.id = *code; });
 }
 
 void ExerciseEditor::takeScene() {
-  take([this](StoredModule& module) {
+  take([this](TrainingModule& module) {
     if (module.sceneId == chosenId(scene_)) {
       return;
     }
@@ -310,7 +310,7 @@ void ExerciseEditor::takeScene() {
 void ExerciseEditor::takePrerequisite(const QListWidgetItem* item) {
   const std::string code = item->data(Qt::UserRole).toString().toStdString();
   const bool wanted = item->checkState() == Qt::Checked;
-  take([&](StoredModule& module) {
+  take([&](TrainingModule& module) {
     std::erase(module.requires_, code);
     if (wanted) {
       module.requires_.push_back(code);
@@ -320,7 +320,7 @@ void ExerciseEditor::takePrerequisite(const QListWidgetItem* item) {
 
 void ExerciseEditor::add() {
   // The next exercise is most often like the one before it, but harder.
-  StoredModule module = exercise() != nullptr ? *exercise() : StoredModule{};
+  TrainingModule module = exercise() != nullptr ? *exercise() : TrainingModule{};
   module.code = freeCode("V", codesOf(content_));
   module.id = module.code;
   module.title = tr("New exercise").toStdString();

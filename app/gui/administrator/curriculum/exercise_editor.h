@@ -11,6 +11,7 @@
 #include "app/gui/administrator/curriculum/curriculum_parts.h"
 #include "app/gui/administrator/curriculum/ordered_list.h"
 #include "app/study/curriculum_content.h"
+#include "assessment/study/curriculum.h"
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -31,7 +32,7 @@ class ExerciseEditor : public QWidget {
 
  public:
   /// `content` outlives this.
-  ExerciseEditor(std::filesystem::path assets, StoredCurriculumVersion& content, QWidget* parent = nullptr);
+  ExerciseEditor(std::filesystem::path assets, CurriculumVersion& content, QWidget* parent = nullptr);
 
   void select(int row);
   /// Everything can be looked at and nothing changed.
@@ -46,9 +47,9 @@ class ExerciseEditor : public QWidget {
   void connectFields();
   void connectLists();
   void showContent();
-  void showPlaces(const StoredModule& module);
-  void showPrerequisites(const StoredModule& module);
-  void take(const std::function<void(StoredModule&)>& change);
+  void showPlaces(const TrainingModule& module);
+  void showPrerequisites(const TrainingModule& module);
+  void take(const std::function<void(TrainingModule&)>& change);
   void takeCode();
   void takeScene();
   void takePrerequisite(const QListWidgetItem* item);
@@ -56,11 +57,11 @@ class ExerciseEditor : public QWidget {
   void remove();
   void move(int by);
   void showOrder(std::optional<int> row);
-  [[nodiscard]] StoredModule* exercise();
+  [[nodiscard]] TrainingModule* exercise();
   [[nodiscard]] QStringList lines() const;
 
   std::filesystem::path assets_;
-  StoredCurriculumVersion& content_;
+  CurriculumVersion& content_;
   bool filling_ = false;
   bool readOnly_ = false;
   FormTexts texts_;

@@ -35,7 +35,7 @@ constexpr int kFewRows = 2;
 
 enum PhaseColumn { kWhere, kName, kMinutes, kExercise };
 
-std::vector<std::string> codesOf(const StoredCurriculumVersion& content) {
+std::vector<std::string> codesOf(const CurriculumVersion& content) {
   std::vector<std::string> codes;
   for (const StudyArm& arm : content.arms) {
     codes.push_back(arm.code);
@@ -53,7 +53,7 @@ double minutes(std::int64_t time_us) {
 
 }  // namespace
 
-GroupEditor::GroupEditor(StoredCurriculumVersion& content, QWidget* parent)
+GroupEditor::GroupEditor(CurriculumVersion& content, QWidget* parent)
     : QWidget(parent),
       content_(content),
       label_(new QLineEdit),
@@ -180,7 +180,7 @@ void GroupEditor::showPhases(const StudyArm& arm, int current) {
   showTotals(arm);
 }
 
-void GroupEditor::addPhaseRow(int row, const StoredPhase& phase) {
+void GroupEditor::addPhaseRow(int row, const TrainingPhase& phase) {
   auto* where = new QComboBox;
   for (const Term<PhaseKind>& term : kPhaseKinds) {
     where->addItem(phaseKindName(term.value), toQString(std::string(term.stored)));
@@ -191,7 +191,7 @@ void GroupEditor::addPhaseRow(int row, const StoredPhase& phase) {
   time->setValue(minutes(phase.duration_us));
   auto* module = new QComboBox;
   module->addItem(tr("any exercise"), QString());
-  for (const StoredModule& known : content_.modules) {
+  for (const TrainingModule& known : content_.modules) {
     module->addItem(QStringLiteral("%1  %2").arg(toQString(known.code), toQString(Text(known.title))),
                     toQString(known.code));
   }
@@ -206,7 +206,7 @@ void GroupEditor::addPhaseRow(int row, const StoredPhase& phase) {
   time->setAccessibleName(tr("Minutes of phase %1").arg(row + 1));
   module->setAccessibleName(tr("Exercise of phase %1").arg(row + 1));
   connect(where, &QComboBox::activated, this, [this, where, module] {
-    takePhase(where, [&](StoredPhase& changed) {
+    takePhase(where, [&](TrainingPhase& changed) {
       changed.kind = fromStoredText<PhaseKind>(chosenId(where)).value_or(changed.kind);
       if (changed.kind == PhaseKind::kReal) {
         changed.moduleId.clear();  // exercises belong to the simulator
@@ -216,22 +216,22 @@ void GroupEditor::addPhaseRow(int row, const StoredPhase& phase) {
     });
   });
   connect(name, &QLineEdit::textEdited, this, [this, name](const QString& text) {
-    takePhase(name, [&](StoredPhase& changed) { changed.label = text.trimmed().toStdString(); });
+    takePhase(name, [&](TrainingPhase& changed) { changed.label = text.trimmed().toStdString(); });
   });
   connect(time, &QDoubleSpinBox::valueChanged, this, [this, time](double value) {
-    takePhase(time, [=](StoredPhase& changed) {
+    takePhase(time, [=](TrainingPhase& changed) {
       changed.duration_us = std::llround(value * kMicrosecondsOfMinute);
     });
   });
   connect(module, &QComboBox::activated, this, [this, module] {
-    takePhase(module, [&](StoredPhase& changed) { changed.moduleId = chosenId(module); });
+    takePhase(module, [&](TrainingPhase& changed) { changed.moduleId = chosenId(module); });
   });
 }
 
 void GroupEditor::showTotals(const StudyArm& arm) {
   std::int64_t virtual_us = 0;
   std::int64_t real_us = 0;
-  for (const StoredPhase& phase : arm.phases) {
+  for (const TrainingPhase& phase : arm.phases) {
     (phase.kind == PhaseKind::kReal ? real_us : virtual_us) += phase.duration_us;
   }
   totals_->setText(tr("In all %1 minutes of training: %2 on the simulator, %3 on the real arm. Rest does not "
@@ -252,7 +252,7 @@ void GroupEditor::take(const std::function<void(StudyArm&)>& change) {
   Q_EMIT edited();
 }
 
-void GroupEditor::takePhase(const QWidget* cell, const std::function<void(StoredPhase&)>& change) {
+void GroupEditor::takePhase(const QWidget* cell, const std::function<void(TrainingPhase&)>& change) {
   const int row = rowOf(phases_, cell);
   take([&](StudyArm& arm) {
     if (row >= 0 && row < std::ssize(arm.phases)) {
@@ -308,7 +308,7 @@ void GroupEditor::addPhase() {
   if (arm == nullptr) {
     return;
   }
-  StoredPhase phase;
+  TrainingPhase phase;
   phase.label = tr("New phase").toStdString();
   phase.duration_us = std::llround(kUsualPhase_min * kMicrosecondsOfMinute);
   arm->phases.push_back(phase);

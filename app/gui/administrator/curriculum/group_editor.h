@@ -10,6 +10,7 @@
 #include "app/gui/administrator/curriculum/curriculum_parts.h"
 #include "app/gui/administrator/curriculum/ordered_list.h"
 #include "app/study/curriculum_content.h"
+#include "assessment/study/curriculum.h"
 
 class QCheckBox;
 class QDoubleSpinBox;
@@ -28,7 +29,7 @@ class GroupEditor : public QWidget {
 
  public:
   /// `content` outlives this.
-  explicit GroupEditor(StoredCurriculumVersion& content, QWidget* parent = nullptr);
+  explicit GroupEditor(CurriculumVersion& content, QWidget* parent = nullptr);
 
   /// The content was replaced, or its exercises changed.
   void fill();
@@ -44,10 +45,10 @@ class GroupEditor : public QWidget {
   QWidget* form();
   void showContent();
   void showPhases(const StudyArm& arm, int current);
-  void addPhaseRow(int row, const StoredPhase& phase);
+  void addPhaseRow(int row, const TrainingPhase& phase);
   void showTotals(const StudyArm& arm);
   void take(const std::function<void(StudyArm&)>& change);
-  void takePhase(const QWidget* cell, const std::function<void(StoredPhase&)>& change);
+  void takePhase(const QWidget* cell, const std::function<void(TrainingPhase&)>& change);
   void takeCode();
   void add();
   void remove();
@@ -59,7 +60,7 @@ class GroupEditor : public QWidget {
   [[nodiscard]] StudyArm* group();
   [[nodiscard]] QStringList lines() const;
 
-  StoredCurriculumVersion& content_;
+  CurriculumVersion& content_;
   bool filling_ = false;
   bool readOnly_ = false;
   FormTexts texts_;

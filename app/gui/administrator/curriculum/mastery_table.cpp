@@ -44,7 +44,7 @@ QBoxLayout* MasteryTable::buttons() {
   return buttonRow({add_, remove_});
 }
 
-void MasteryTable::setRules(const std::vector<StoredMasteryRule>& rules) {
+void MasteryTable::setRules(const std::vector<MasteryCriterion>& rules) {
   rules_ = rules;
   fill();
 }
@@ -69,7 +69,7 @@ void MasteryTable::fill() {
   enableButtons();
 }
 
-void MasteryTable::addFields(int row, const StoredMasteryRule& rule) {
+void MasteryTable::addFields(int row, const MasteryCriterion& rule) {
   auto* metric = new QComboBox;
   for (const auto& [id, name] : masteryMetrics()) {
     metric->addItem(name, toQString(id));
@@ -92,13 +92,13 @@ void MasteryTable::addFields(int row, const StoredMasteryRule& rule) {
   nameFields(row);
   connect(metric, &QComboBox::activated, this, [this, metric] { takeMetric(metric, chosenId(metric)); });
   connect(direction, &QComboBox::activated, this, [this, direction] {
-    take(direction, [direction](StoredMasteryRule& changed) { changed.comparison = chosenId(direction); });
+    take(direction, [direction](MasteryCriterion& changed) { changed.comparison = chosenId(direction); });
   });
   connect(threshold, &QDoubleSpinBox::valueChanged, this, [this, threshold](double value) {
-    take(threshold, [value](StoredMasteryRule& changed) { changed.threshold = value; });
+    take(threshold, [value](MasteryCriterion& changed) { changed.threshold = value; });
   });
   connect(inARow, &QSpinBox::valueChanged, this, [this, inARow](int value) {
-    take(inARow, [value](StoredMasteryRule& changed) { changed.consecutive = value; });
+    take(inARow, [value](MasteryCriterion& changed) { changed.consecutive = value; });
   });
 }
 
@@ -109,7 +109,7 @@ void MasteryTable::nameFields(int row) {
   cellWidget(row, kInARow)->setAccessibleName(tr("Attempts in a row of rule %1").arg(row + 1));
 }
 
-void MasteryTable::take(const QWidget* cell, const std::function<void(StoredMasteryRule&)>& change) {
+void MasteryTable::take(const QWidget* cell, const std::function<void(MasteryCriterion&)>& change) {
   const int row = rowOf(this, cell);
   if (row < 0 || row >= std::ssize(rules_)) {
     return;
@@ -119,7 +119,7 @@ void MasteryTable::take(const QWidget* cell, const std::function<void(StoredMast
 }
 
 void MasteryTable::takeMetric(const QWidget* cell, const std::string& metric) {
-  take(cell, [&metric](StoredMasteryRule& changed) {
+  take(cell, [&metric](MasteryCriterion& changed) {
     if (changed.metric == metric) {
       return;
     }
@@ -133,11 +133,11 @@ void MasteryTable::takeMetric(const QWidget* cell, const std::string& metric) {
 void MasteryTable::addRule() {
   for (const auto& [id, name] : masteryMetrics()) {
     const bool used = std::any_of(rules_.begin(), rules_.end(),
-                                  [&id = id](const StoredMasteryRule& known) { return known.metric == id; });
+                                  [&id = id](const MasteryCriterion& known) { return known.metric == id; });
     if (used) {
       continue;
     }
-    StoredMasteryRule rule;
+    MasteryCriterion rule;
     rule.metric = id;
     rule.comparison = metricBetter(id);
     rule.unit = metricUnit(id);

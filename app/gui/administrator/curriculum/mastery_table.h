@@ -7,6 +7,7 @@
 #include <QTableWidget>
 
 #include "app/study/curriculum_content.h"
+#include "assessment/study/curriculum.h"
 
 class QBoxLayout;
 class QPushButton;
@@ -22,8 +23,8 @@ class MasteryTable : public QTableWidget {
   explicit MasteryTable(QWidget* parent = nullptr);
 
   /// Shows these rules in place of those before. Emits nothing.
-  void setRules(const std::vector<StoredMasteryRule>& rules);
-  [[nodiscard]] const std::vector<StoredMasteryRule>& rules() const noexcept { return rules_; }
+  void setRules(const std::vector<MasteryCriterion>& rules);
+  [[nodiscard]] const std::vector<MasteryCriterion>& rules() const noexcept { return rules_; }
   /// Lets rules be added, changed and removed, or not.
   void setEditable(bool editable);
   /// The buttons that add and remove a rule, in a row; the caller puts it somewhere, once.
@@ -35,15 +36,15 @@ class MasteryTable : public QTableWidget {
 
  private:
   void fill();
-  void addFields(int row, const StoredMasteryRule& rule);
+  void addFields(int row, const MasteryCriterion& rule);
   void nameFields(int row);
   void takeMetric(const QWidget* cell, const std::string& metric);
-  void take(const QWidget* cell, const std::function<void(StoredMasteryRule&)>& change);
+  void take(const QWidget* cell, const std::function<void(MasteryCriterion&)>& change);
   void addRule();
   void removeRule();
   void enableButtons();
 
-  std::vector<StoredMasteryRule> rules_;
+  std::vector<MasteryCriterion> rules_;
   bool editable_ = true;
   QPushButton* add_;
   QPushButton* remove_;

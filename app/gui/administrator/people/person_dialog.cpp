@@ -29,7 +29,7 @@ class PersonDialog : public QDialog {
 
  public:
   PersonDialog(QWidget* parent, const std::optional<PersonEntry>& present,
-               const std::vector<StoredRaterClass>& classes)
+               const std::vector<SeniorityClass>& classes)
       : QDialog(parent), change_(present.has_value()) {
     setWindowTitle(change_ ? tr("Change a person") : tr("New person"));
     setMinimumWidth(kDialogWidth);
@@ -62,7 +62,7 @@ class PersonDialog : public QDialog {
   }
 
  private:
-  void fill(const std::vector<StoredRaterClass>& classes) {
+  void fill(const std::vector<SeniorityClass>& classes) {
     for (const auto& [text, code] : {std::pair{tr("not known"), ""}, std::pair{tr("female"), "female"},
                                      std::pair{tr("male"), "male"}, std::pair{tr("other"), "other"}}) {
       sex_->addItem(text, QLatin1String(code));
@@ -72,7 +72,7 @@ class PersonDialog : public QDialog {
       handedness_->addItem(text, QLatin1String(code));
     }
     raterClass_->addItem(tr("does not score"), QString());
-    for (const StoredRaterClass& raterClass : classes) {
+    for (const SeniorityClass& raterClass : classes) {
       raterClass_->addItem(toQString(Text(raterClass.label)), toQString(raterClass.code));
     }
     age_->setRange(0, kOldestAge);
@@ -158,7 +158,7 @@ class PersonDialog : public QDialog {
 }  // namespace
 
 std::optional<PersonEdit> askPerson(QWidget* parent, const std::optional<PersonEntry>& present,
-                                    const std::vector<StoredRaterClass>& classes) {
+                                    const std::vector<SeniorityClass>& classes) {
   PersonDialog dialog(parent, present, classes);
   if (dialog.exec() != QDialog::Accepted) {
     return std::nullopt;

@@ -8,6 +8,7 @@
 #include <QString>
 
 #include "app/people/people_service.h"
+#include "assessment/people/person.h"
 
 class QWidget;
 
@@ -20,6 +21,6 @@ struct PersonEdit {
 
 /// Asks for everything about one person. `present`: the person to change; empty: a new one. Empty: given up.
 [[nodiscard]] std::optional<PersonEdit> askPerson(QWidget* parent, const std::optional<PersonEntry>& present,
-                                                  const std::vector<StoredRaterClass>& classes);
+                                                  const std::vector<SeniorityClass>& classes);
 
 }  // namespace torsio::gui

@@ -111,7 +111,7 @@ void UsersPage::retranslate() {
 
 void UsersPage::showContent() {
   std::vector<Row> rows;
-  for (const StoredUser& user : users_) {
+  for (const UserAccount& user : users_) {
     QStringList roles;
     for (const std::string& role : user.roles) {
       roles << roleName(role);
@@ -130,17 +130,17 @@ void UsersPage::showContent() {
 }
 
 void UsersPage::showButtons() {
-  const StoredUser* user = current();
+  const UserAccount* user = current();
   for (QPushButton* button : {roles_, password_, active_}) {
     button->setEnabled(user != nullptr);
   }
   active_->setText(user != nullptr && !user->active ? tr("&Enable") : tr("&Disable\u2026"));
 }
 
-const StoredUser* UsersPage::current() const {
+const UserAccount* UsersPage::current() const {
   const std::string id = table_->currentId().toStdString();
   const auto found =
-      std::find_if(users_.begin(), users_.end(), [&id](const StoredUser& user) { return user.id == id; });
+      std::find_if(users_.begin(), users_.end(), [&id](const UserAccount& user) { return user.id == id; });
   return found == users_.end() ? nullptr : &*found;
 }
 
@@ -225,7 +225,7 @@ void UsersPage::storeAndShow(const std::function<void(SessionContext&)>& store, 
 }
 
 void UsersPage::changeRoles() {
-  const StoredUser* user = current();
+  const UserAccount* user = current();
   if (user == nullptr) {
     return;
   }
@@ -241,7 +241,7 @@ void UsersPage::changeRoles() {
 }
 
 void UsersPage::newPassword() {
-  const StoredUser* user = current();
+  const UserAccount* user = current();
   if (user == nullptr) {
     return;
   }
@@ -261,7 +261,7 @@ void UsersPage::newPassword() {
 }
 
 void UsersPage::switchActive() {
-  const StoredUser* user = current();
+  const UserAccount* user = current();
   if (user == nullptr) {
     return;
   }

@@ -10,6 +10,7 @@
 
 #include "app/access/access_service.h"
 #include "app/gui/base/page.h"
+#include "assessment/people/account.h"
 
 class QPushButton;
 
@@ -31,7 +32,7 @@ class UsersPage : public Page {
  private:
   void showContent();
   void showButtons();
-  [[nodiscard]] const StoredUser* current() const;
+  [[nodiscard]] const UserAccount* current() const;
   void add();
   void addForRoster();
   void sayWhyNotAll(const std::exception_ptr& problem);
@@ -42,7 +43,7 @@ class UsersPage : public Page {
                     const std::string& password, const std::shared_ptr<std::string>& id);
   void switchActive();
 
-  std::vector<StoredUser> users_;
+  std::vector<UserAccount> users_;
   std::map<std::string, std::string> personCodes_;  // by id
   PageHeading* heading_;
   DataTable* table_;

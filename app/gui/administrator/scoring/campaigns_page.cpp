@@ -13,6 +13,8 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/page_heading.h"
+#include "assessment/people/person.h"
+#include "assessment/rating/campaign.h"
 
 namespace torsio::gui {
 
@@ -55,7 +57,7 @@ void CampaignsPage::showContent() {
   std::vector<Row> rows;
   for (const CampaignRow& row : rows_) {
     QStringList models;
-    for (const StoredModel& model : row.campaign.models) {
+    for (const CampaignModel& model : row.campaign.models) {
       models << tr("%1 (shown as %2)").arg(toQString(model.label), toQString(model.hiddenLabel));
     }
     rows.push_back({toQString(row.campaign.id),

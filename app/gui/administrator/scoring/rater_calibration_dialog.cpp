@@ -115,7 +115,7 @@ void RaterCalibrationDialog::createForm() {
   column->addLayout(buttons);
 }
 
-const StoredRubricRevision& RaterCalibrationDialog::revision() const {
+const RubricRevision& RaterCalibrationDialog::revision() const {
   return rubrics_.at(static_cast<std::size_t>(std::max(rubric_->currentIndex(), 0))).revisions.back();
 }
 

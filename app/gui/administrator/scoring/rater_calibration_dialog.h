@@ -9,6 +9,7 @@
 
 #include "app/review/rater_calibration.h"
 #include "app/study/rubric_service.h"
+#include "assessment/rating/rubric.h"
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -37,7 +38,7 @@ class RaterCalibrationDialog : public QDialog {
   void add();
   void withdraw();
   void showScale();
-  [[nodiscard]] const StoredRubricRevision& revision() const;
+  [[nodiscard]] const RubricRevision& revision() const;
 
   ShellContext& shell_;
   std::vector<RubricRow> rubrics_;

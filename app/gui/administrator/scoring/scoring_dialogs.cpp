@@ -17,6 +17,8 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/theme.h"
+#include "assessment/people/person.h"
+#include "assessment/rating/sheet_state.h"
 
 namespace torsio::gui {
 

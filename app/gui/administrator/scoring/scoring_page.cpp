@@ -18,6 +18,7 @@
 #include "app/gui/widgets/page_heading.h"
 #include "app/people/people_service.h"
 #include "app/study/rubric_service.h"
+#include "assessment/people/person.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 

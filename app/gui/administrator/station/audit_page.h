@@ -9,6 +9,7 @@
 
 #include "app/access/audit_service.h"
 #include "app/gui/base/page.h"
+#include "assessment/people/audit_entry.h"
 
 class QComboBox;
 class QLabel;

@@ -11,6 +11,7 @@
 #include "app/maintenance/database_maintenance.h"
 #include "app/maintenance/demonstration_removal.h"
 #include "app/maintenance/retention.h"
+#include "assessment/people/retention.h"
 
 class QLabel;
 class QProgressBar;

@@ -8,6 +8,7 @@
 #include <QString>
 
 #include "app/maintenance/retention.h"
+#include "assessment/people/retention.h"
 
 class QWidget;
 

@@ -26,6 +26,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/study/cohort_service.h"
+#include "assessment/study/cohort.h"
 
 namespace torsio::gui {
 
@@ -264,16 +265,16 @@ void AllocationPage::showDesign() {
                     row.stored.seed.empty() ? tr("sealed") : toQString(row.stored.seed));
     std::map<std::string, std::string> codes;
     std::map<std::string, std::string> groups;
-    for (const StoredEnrolment& enrolment : enrolments(shell().session(), chosenId(cohort_))) {
+    for (const Enrolment& enrolment : enrolments(shell().session(), chosenId(cohort_))) {
       codes[enrolment.id] = enrolment.traineeCode;
     }
     for (const CohortRow& cohort : cohorts(shell().session())) {
-      for (const StoredGroup& group : cohort.groups) {
+      for (const StudyGroup& group : cohort.groups) {
         groups[group.id] = group.code;
       }
     }
     drawn_ = allocations(shell().session(), row.stored.id);
-    for (const StoredAllocation& record : drawn_) {
+    for (const AllocationEntry& record : drawn_) {
       rows.push_back({toQString(record.id),
                       {{QString::number(record.sequence), static_cast<qlonglong>(record.sequence)},
                        {toQString(codes[record.enrolmentId])},
@@ -341,31 +342,31 @@ bool AllocationPage::moveByHand(const std::string& enrolmentId, const std::strin
 void AllocationPage::askMove() {
   const std::string id = records_->currentId().toStdString();
   const auto record =
-      std::find_if(drawn_.begin(), drawn_.end(), [&](const StoredAllocation& one) { return one.id == id; });
+      std::find_if(drawn_.begin(), drawn_.end(), [&](const AllocationEntry& one) { return one.id == id; });
   if (record == drawn_.end()) {
     return;
   }
   attempt(shell(), [&] {
     const std::string enrolmentId = record->enrolmentId;
     std::string present;  // where the newest record puts them
-    for (const StoredAllocation& one : drawn_) {
+    for (const AllocationEntry& one : drawn_) {
       if (one.enrolmentId == enrolmentId) {
         present = one.groupId;
       }
     }
     QString code;
-    for (const StoredEnrolment& one : enrolments(shell().session(), chosenId(cohort_))) {
+    for (const Enrolment& one : enrolments(shell().session(), chosenId(cohort_))) {
       if (one.id == enrolmentId) {
         code = toQString(one.traineeCode);
       }
     }
-    std::vector<StoredGroup> groups;
+    std::vector<StudyGroup> groups;
     for (const CohortRow& cohort : cohorts(shell().session())) {
       if (cohort.cohort.id == chosenId(cohort_)) {
         groups = cohort.groups;
       }
     }
-    std::erase_if(groups, [&](const StoredGroup& group) { return group.id == present; });
+    std::erase_if(groups, [&](const StudyGroup& group) { return group.id == present; });
     if (const std::optional<GroupMove> move = askGroupMove(this, code, groups)) {
       moveByHand(enrolmentId, move->groupId, move->reason);
     }

@@ -9,6 +9,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/study/allocation_service.h"
+#include "assessment/study/allocation_entry.h"
 
 class QCheckBox;
 class QComboBox;
@@ -57,7 +58,7 @@ class AllocationPage : public Page {
   void check();
 
   std::vector<AllocationDesignRow> designs_;
-  std::vector<StoredAllocation> drawn_;  // of the design that counts
+  std::vector<AllocationEntry> drawn_;  // of the design that counts
   std::optional<BalancePreview> preview_;
   std::map<std::string, QCheckBox*> factors_;
   PageHeading* heading_;

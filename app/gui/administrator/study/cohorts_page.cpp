@@ -116,7 +116,7 @@ void CohortsPage::showMembers() {
     attempt(shell(), [&] { enrolments_ = enrolments(session, row->cohort.id); });
   }
   std::vector<Row> rows;
-  for (const StoredEnrolment& enrolment : enrolments_) {
+  for (const Enrolment& enrolment : enrolments_) {
     rows.push_back(
         {toQString(enrolment.id),
          {{toQString(enrolment.traineeCode)},
@@ -148,7 +148,7 @@ void CohortsPage::enrol() {
   }
   attempt(shell(), [&] {
     std::set<std::string> there;
-    for (const StoredEnrolment& enrolment : enrolments_) {
+    for (const Enrolment& enrolment : enrolments_) {
       there.insert(enrolment.traineeId);
     }
     std::vector<PersonRow> free;
@@ -197,8 +197,8 @@ void CohortsPage::follow() {
 void CohortsPage::changeState() {
   const CohortRow* row = current();
   const std::string id = members_->currentId().toStdString();
-  const auto enrolment = std::find_if(enrolments_.begin(), enrolments_.end(),
-                                      [&](const StoredEnrolment& e) { return e.id == id; });
+  const auto enrolment =
+      std::find_if(enrolments_.begin(), enrolments_.end(), [&](const Enrolment& e) { return e.id == id; });
   if (row == nullptr || enrolment == enrolments_.end()) {
     return;
   }

@@ -5,6 +5,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/study/cohort_service.h"
+#include "assessment/study/cohort.h"
 
 class QLabel;
 class QPushButton;
@@ -35,7 +36,7 @@ class CohortsPage : public Page {
   [[nodiscard]] const CohortRow* current() const;
 
   std::vector<CohortRow> rows_;
-  std::vector<StoredEnrolment> enrolments_;
+  std::vector<Enrolment> enrolments_;
   PageHeading* heading_;
   QPushButton* add_;
   DataTable* table_;

@@ -22,7 +22,7 @@ struct GroupMoveDialog {
 }  // namespace
 
 std::optional<GroupMove> askGroupMove(QWidget* parent, const QString& traineeCode,
-                                      const std::vector<StoredGroup>& groups) {
+                                      const std::vector<StudyGroup>& groups) {
   QuestionDialog asked(
       parent, GroupMoveDialog::tr("Move to another group"),
       GroupMoveDialog::tr("%1 was put into a group by the draw. A move by hand stands beside the drawn "
@@ -30,7 +30,7 @@ std::optional<GroupMove> askGroupMove(QWidget* parent, const QString& traineeCod
           .arg(traineeCode));
   auto* group = new QComboBox(&asked);
   group->setObjectName(QStringLiteral("group"));
-  for (const StoredGroup& one : groups) {
+  for (const StudyGroup& one : groups) {
     group->addItem(toQString(one.code), toQString(one.id));
   }
   auto* reason = new QLineEdit(&asked);

@@ -8,6 +8,7 @@
 #include <QString>
 
 #include "app/study/cohort_service.h"
+#include "assessment/study/cohort.h"
 
 class QWidget;
 
@@ -20,6 +21,6 @@ struct GroupMove {
 };
 /// Asks where a trainee goes and why. `groups`: those that can be chosen. Empty: given up.
 [[nodiscard]] std::optional<GroupMove> askGroupMove(QWidget* parent, const QString& traineeCode,
-                                                    const std::vector<StoredGroup>& groups);
+                                                    const std::vector<StudyGroup>& groups);
 
 }  // namespace torsio::gui

@@ -24,6 +24,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/study/cohort_service.h"
+#include "assessment/study/station_state.h"
 
 namespace torsio::gui {
 
