@@ -64,8 +64,8 @@ void noteFailure(SessionContext& session, const std::string& login, SignIn outco
       userId = user.id;
     }
   }
-  session.note({.action = "user.sign_in_failed",
-                .objectKind = "app_user",
+  session.note({.action = AuditAction::kUserSignInFailed,
+                .objectKind = AuditObject::kAppUser,
                 .objectId = userId,
                 .newJson = nlohmann::json{{"outcome", failureName(outcome)}, {"with", with}}.dump()});
 }
@@ -81,8 +81,8 @@ SignInAnswer answer(SessionContext& session, const std::string& login, const Sig
   answer.actor = {user.id, user.login, user.personId, user.roles, practiceOnly};
   if (result.outcome == SignIn::kOk) {
     session.setActor(answer.actor);
-    session.note({.action = practiceOnly ? "user.sign_in_practice" : "user.sign_in",
-                  .objectKind = "app_user",
+    session.note({.action = practiceOnly ? AuditAction::kUserSignInPractice : AuditAction::kUserSignIn,
+                  .objectKind = AuditObject::kAppUser,
                   .objectId = user.id});
   }
   return answer;
@@ -121,8 +121,8 @@ void setUpCentre(SessionContext& session, const FirstRun& first) {
   access.addUser({.id = userId, .login = first.login, .createdUtc_us = now_us, .roles = {kAdministrator}},
                  password);
   access.setPassword(userId, password, false);
-  session.note({.action = "centre.set_up",
-                .objectKind = "app_user",
+  session.note({.action = AuditAction::kCentreSetUp,
+                .objectKind = AuditObject::kAppUser,
                 .objectId = userId,
                 .newJson = rolesJson({kAdministrator})});
   transaction.commit();
@@ -152,7 +152,9 @@ SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login
   Transaction transaction(session.connection());
   access.setPassword(old.userId, password, false);
   SignInAnswer signedIn = answer(session, login, {SignIn::kOk, old.userId}, false);
-  session.note({.action = "user.change_password", .objectKind = "app_user", .objectId = old.userId});
+  session.note({.action = AuditAction::kUserChangePassword,
+                .objectKind = AuditObject::kAppUser,
+                .objectId = old.userId});
   transaction.commit();
   return signedIn;
 }
@@ -169,7 +171,8 @@ SignInAnswer unlock(SessionContext& session, const std::string& secret) {
   SignInAnswer unlocked{result.outcome, {}, result.waitUntilUtc_us};
   if (result.outcome == SignIn::kOk || result.outcome == SignIn::kMustChange) {
     unlocked.actor = actor;
-    session.note({.action = "user.unlock", .objectKind = "app_user", .objectId = actor.userId});
+    session.note(
+        {.action = AuditAction::kUserUnlock, .objectKind = AuditObject::kAppUser, .objectId = actor.userId});
   } else {
     noteFailure(session, actor.login, result.outcome, actor.practiceOnly ? "pin" : "password");
   }
@@ -178,7 +181,9 @@ SignInAnswer unlock(SessionContext& session, const std::string& secret) {
 
 void signOut(SessionContext& session) {
   if (!session.actor().userId.empty()) {
-    session.note({.action = "user.sign_out", .objectKind = "app_user", .objectId = session.actor().userId});
+    session.note({.action = AuditAction::kUserSignOut,
+                  .objectKind = AuditObject::kAppUser,
+                  .objectId = session.actor().userId});
   }
   session.setActor({});
 }
@@ -196,8 +201,10 @@ std::string addUser(SessionContext& session, const NewUser& user) {
                   .demonstration = user.demonstration,
                   .roles = user.roles},
                  password);
-  session.note(
-      {.action = "user.add", .objectKind = "app_user", .objectId = id, .newJson = rolesJson(user.roles)});
+  session.note({.action = AuditAction::kUserAdd,
+                .objectKind = AuditObject::kAppUser,
+                .objectId = id,
+                .newJson = rolesJson(user.roles)});
   transaction.commit();
   return id;
 }
@@ -217,8 +224,8 @@ void setUserRoles(SessionContext& session, const std::string& userId, const std:
     keepAnAdministrator(session, userId);
   }
   repository(session).setRoles(userId, roles);
-  session.note({.action = "user.set_roles",
-                .objectKind = "app_user",
+  session.note({.action = AuditAction::kUserSetRoles,
+                .objectKind = AuditObject::kAppUser,
                 .objectId = userId,
                 .oldJson = rolesJson(before.roles),
                 .newJson = rolesJson(roles),
@@ -234,8 +241,8 @@ void setUserActive(SessionContext& session, const std::string& userId, bool acti
     keepAnAdministrator(session, userId);
   }
   repository(session).setActive(userId, active);
-  session.note({.action = active ? "user.enable" : "user.disable",
-                .objectKind = "app_user",
+  session.note({.action = active ? AuditAction::kUserEnable : AuditAction::kUserDisable,
+                .objectKind = AuditObject::kAppUser,
                 .objectId = userId,
                 .reason = reason});
   transaction.commit();
@@ -248,8 +255,10 @@ void resetPassword(SessionContext& session, const std::string& userId, const std
   const SealedSecret password = access.sealPassword(userOf(session, userId).login, startPassword);
   Transaction transaction(session.connection());
   access.setPassword(userId, password, true);
-  session.note(
-      {.action = "user.reset_password", .objectKind = "app_user", .objectId = userId, .reason = reason});
+  session.note({.action = AuditAction::kUserResetPassword,
+                .objectKind = AuditObject::kAppUser,
+                .objectId = userId,
+                .reason = reason});
   transaction.commit();
 }
 
@@ -263,8 +272,8 @@ void setOwnPin(SessionContext& session, const std::string& pin) {
   const SealedSecret sealed = access.sealPin(pin);
   Transaction transaction(session.connection());
   access.setPin(session.actor().userId, sealed);
-  session.note({.action = pin.empty() ? "user.remove_pin" : "user.set_pin",
-                .objectKind = "app_user",
+  session.note({.action = pin.empty() ? AuditAction::kUserRemovePin : AuditAction::kUserSetPin,
+                .objectKind = AuditObject::kAppUser,
                 .objectId = session.actor().userId});
   transaction.commit();
 }

@@ -10,6 +10,7 @@
 
 #include "app/access/operation.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/audit_terms.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/password.h"
 
@@ -39,8 +40,8 @@ struct SessionKey {
 
 /// What a change leaves in the audit trail. Ids and codes only, never a name.
 struct AuditNote {
-  std::string action{};      ///< "user.add", "roster.import" ...
-  std::string objectKind{};  ///< table of the object
+  AuditAction action;
+  AuditObject objectKind;
   std::string objectId{};
   std::string oldJson{};
   std::string newJson{};

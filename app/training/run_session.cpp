@@ -121,8 +121,8 @@ void RunSession::start() {
   run_.start();
   utcOffset_us_ = session_.now_us() - clock_->now_us();
   const nlohmann::json what{{"module", step_.module.id}, {"mode", storedText(mode())}};
-  write([note = AuditNote{.action = "run.start",
-                          .objectKind = "enrolment",
+  write([note = AuditNote{.action = AuditAction::kRunStart,
+                          .objectKind = AuditObject::kEnrolment,
                           .objectId = steps_.enrolmentId,
                           .newJson = what.dump()}](SessionContext& own) { own.note(note); });
   heartbeat();
@@ -192,8 +192,10 @@ void RunSession::stop(const std::string& reason) {
   const bool early = !run_.over();
   run_.stop();
   log(true);
-  const AuditNote note{
-      .action = "run.stop", .objectKind = "enrolment", .objectId = steps_.enrolmentId, .reason = reason};
+  const AuditNote note{.action = AuditAction::kRunStop,
+                       .objectKind = AuditObject::kEnrolment,
+                       .objectId = steps_.enrolmentId,
+                       .reason = reason};
   if (early && !run_.phase().phaseId.empty()) {
     const StoredDeviation deviation{.id = session_.ids().newUuid(),
                                     .cohortId = steps_.cohortId,
@@ -276,8 +278,10 @@ void decideOwnConsent(SessionContext& session, const std::string& purpose, bool 
                       .recordedBy = session.actor().userId,
                       .demonstration = record.demonstration});
   const nlohmann::json what{{"purpose", purpose}, {"granted", granted}, {"text", textVersion}};
-  session.note(
-      {.action = "consent.own", .objectKind = "person", .objectId = record.personId, .newJson = what.dump()});
+  session.note({.action = AuditAction::kConsentOwn,
+                .objectKind = AuditObject::kPerson,
+                .objectId = record.personId,
+                .newJson = what.dump()});
   transaction.commit();
 }
 

@@ -256,8 +256,8 @@ void CurriculaPage::showButtons() {
   save_->setEnabled(may && dirty_);
   publish_->setEnabled(may && editor_->problems().empty());
   take_->setEnabled(may);
-  begin_->setEnabled(may && version != nullptr && version->state == "draft");
-  close_->setEnabled(may && version != nullptr && version->state == "running");
+  begin_->setEnabled(may && version != nullptr && version->state == CurriculumState::kDraft);
+  close_->setEnabled(may && version != nullptr && version->state == CurriculumState::kRunning);
   sayState();
 }
 
@@ -299,9 +299,9 @@ QString CurriculaPage::versionText(const CurriculumRow& row, const CurriculumVer
   const QString who = followers.isEmpty() ? tr("No cohort follows it.")
                                           : tr("Followed by: %1.").arg(followers.join(tr(", ")));
   QString words;
-  if (version.state == "draft") {
+  if (version.state == CurriculumState::kDraft) {
     words = tr("Published on %1 and never changes. Begin it, so that cohorts can follow it.");
-  } else if (version.state == "running") {
+  } else if (version.state == CurriculumState::kRunning) {
     words =
         tr("Published on %1, running: cohorts can choose it. It never changes; to change anything, edit the "
            "draft and publish the next version.");

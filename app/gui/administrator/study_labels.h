@@ -26,7 +26,7 @@ namespace torsio::gui {
 [[nodiscard]] QString raterClassName(const std::string& code);
 [[nodiscard]] QString methodName(AllocationMethod method);
 [[nodiscard]] QString sheetStateName(SheetState state);
-[[nodiscard]] QString versionStateName(const std::string& code);
+[[nodiscard]] QString versionStateName(CurriculumState state);
 [[nodiscard]] QString phaseKindName(PhaseKind kind);
 [[nodiscard]] QString exerciseKindName(const std::string& code);
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "assessment/study/protocol_terms.h"
 #include "db/connection/connection.h"
 
 namespace torsio {
@@ -15,7 +16,7 @@ namespace torsio {
 struct DiscrepancyDecision {
   std::string assignmentId{};
   std::int64_t sequence = 0;  ///< given by add(): 1, 2, 3 ... of the assignment
-  std::string decision{};     ///< "keep", "move" (a new version of the mark follows), "third" (a third rater)
+  DiscrepancyChoice choice = DiscrepancyChoice::kKeep;
   std::string reason{};
   std::string decidedBy{};
   std::int64_t decidedUtc_us = 0;
@@ -29,8 +30,7 @@ class DiscrepancyRepository {
   explicit DiscrepancyRepository(Connection& connection, std::string station = {})
       : connection_(connection), station_(std::move(station)) {}
 
-  /// Returns the sequence number. Throws DbError: kForeignKey (no such assignment), kCheck (no such
-  /// decision).
+  /// Returns the sequence number. Throws DbError: kForeignKey (no such assignment).
   std::int64_t add(const DiscrepancyDecision& decision);
   /// Oldest first.
   [[nodiscard]] std::vector<DiscrepancyDecision> history(const std::string& assignmentId) const;

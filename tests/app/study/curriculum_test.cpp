@@ -139,7 +139,7 @@ TEST(CurriculumService, DraftBecomesAVersionThatRunsAndCloses) {
 
   const auto stored = curriculumVersion(session, version);
   ASSERT_TRUE(stored);
-  EXPECT_EQ(stored->state, "draft");
+  EXPECT_EQ(stored->state, CurriculumState::kDraft);
   EXPECT_EQ(stored->modules.size(), 9U);
   EXPECT_NE(stored->modules[0].id, stored->modules[0].code);
   EXPECT_EQ(stored->modules[1].requires_, std::vector<std::string>{stored->modules[0].id});
@@ -147,7 +147,7 @@ TEST(CurriculumService, DraftBecomesAVersionThatRunsAndCloses) {
   runCurriculum(session, version);
   closeCurriculum(session, version, "replaced");
 
-  EXPECT_EQ(curricula(session).at(0).versions.at(0).state, "closed");
+  EXPECT_EQ(curricula(session).at(0).versions.at(0).state, CurriculumState::kClosed);
   EXPECT_EQ(centre.audited("curriculum.publish"), 1);
   EXPECT_EQ(centre.audited("curriculum.running"), 1);
   EXPECT_EQ(centre.audited("curriculum.closed"), 1);
