@@ -205,7 +205,7 @@ bool ScoringPage::ask(const std::vector<std::string>& raterIds,
     ScoringPlan plan;
     plan.cohortId = chosenId(cohort_);
     plan.raterIds = raterIds;
-    plan.occasionCodes = plannedOccasions;
+    plan.occasionCodes = occasionCodes;
     plan.rubricRevisionId = rubricRevision();
     const ScoringPlanOutcome done = createAssignments(shell().session(), plan);
     read();

@@ -35,9 +35,9 @@ void RunPage::retranslate() {
   force_->setName(tr("Force"), tr("N"));
   stop_->setText(tr("&End the run"));
   dial_->retranslate();
-  if (session_) {
-    title_->setText(toQString(Text(session_->step().module.title)));
-    mode_->setText(session_->graded() ? tr("Graded run") : tr("Practice"));
+  if (runSession_) {
+    title_->setText(toQString(Text(runSession_->step().module.title)));
+    mode_->setText(runSession_->graded() ? tr("Graded run") : tr("Practice"));
   }
   showState();
 }
@@ -51,10 +51,10 @@ void RunPage::applyTheme(const Theme& theme) {
 }
 
 void RunPage::showState() {
-  const bool runs = session_.has_value() && !waiting_;
+  const bool runs = runSession_.has_value() && !waiting_;
   rest_->setVisible(runs);
   stop_->setEnabled(runs);
-  if (!session_) {
+  if (!runSession_) {
     countdown_->setText(StationLabels::clock(0));
     stage_->setCurrentIndex(1);
     noticeTitle_->setText(inFile_ ? tr("Your run is safe") : tr("No run goes on"));
@@ -67,7 +67,7 @@ void RunPage::showState() {
     rest_->hide();
     return;
   }
-  const TrainingRun& run = session_->run();
+  const TrainingRun& run = runSession_->run();
   const RunPhase& phase = run.phase();
   const bool real = phase.arm == TrainingSetting::kReal;
   countdown_->setText(StationLabels::clock(run.remainingInPhase_us()));
@@ -85,13 +85,13 @@ void RunPage::showState() {
                      : tr("&Rest (used up)"));
   angle_->setVisible(!real);
   load_->setVisible(!real);
-  cue_->setVisible(!real && !session_->graded());
+  cue_->setVisible(!real && !runSession_->graded());
   stage_->setCurrentIndex(showNotice() ? 1 : 0);
 }
 
 /// What stands in place of the organ; false: nothing does.
 bool RunPage::showNotice() {
-  const TrainingRun& run = session_->run();
+  const TrainingRun& run = runSession_->run();
   const RunPhase& phase = run.phase();
   const bool real = phase.arm == TrainingSetting::kReal;
   goOn_->setVisible(opening_.going() ? waiting_ : run.state() != RunState::kRunning);
@@ -128,7 +128,7 @@ bool RunPage::showNotice() {
 }
 
 QString RunPage::cue(const LiveState& state) const {
-  const StoredModule& module = session_->step().module;
+  const StoredModule& module = runSession_->step().module;
   const double target = module.targetAngle_rad;
   switch (state.phase) {
     case ExercisePhase::kTracking:
@@ -161,7 +161,7 @@ QString RunPage::cue(const LiveState& state) const {
 }
 
 void RunPage::showLive(const LiveState& state) {
-  if (!session_) {
+  if (!runSession_) {
     return;
   }
   dial_->setAngle(state.response.angle_rad);
@@ -169,7 +169,7 @@ void RunPage::showLive(const LiveState& state) {
   force_->setValue(norm(state.force_N));
   const bool over = torque_->overLimit() || force_->overLimit();
   warning_->setText(over ? tr("Above the limit: ease off") : QString());
-  if (!session_->graded()) {
+  if (!runSession_->graded()) {
     cue_->setText(cue(state));
   }
 }

@@ -149,7 +149,7 @@ struct ScoredCase {
     lockAllocation(centre.as("allocator"), plan);
     allocateAll(centre.session(), request.cohortId);
     createAssignments(centre.as("administrator"), {.cohortId = request.cohortId,
-                                                   .plannedOccasions = {"pre"},
+                                                   .occasionCodes = {"pre"},
                                                    .raterIds = raters,
                                                    .rubricRevisionId = rubric,
                                                    .seed = 3});

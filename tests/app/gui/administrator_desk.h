@@ -24,9 +24,9 @@ namespace torsio::gui::testing {
 using torsio::testing::StudyCentre;
 
 /// A centre with the surroundings of its pages; what a page reports as failed is kept.
-class AdministratorPages {
+class AdministratorDesk {
  public:
-  Office() : shell_(centre.session(), centre.assets(), ThemeKind::kLight) {
+  AdministratorDesk() : shell_(centre.session(), centre.assets(), ThemeKind::kLight) {
     QSettings().clear();
     QObject::connect(&shell_, &ShellContext::failed,
                      [this](const QString& happened, const QString& remedy, const QString& details) {

@@ -19,7 +19,7 @@
 namespace torsio::gui {
 namespace {
 
-using testing::Office;
+using testing::AdministratorDesk;
 
 constexpr int kWhat = 4;
 constexpr int kCode = 7;
@@ -34,7 +34,7 @@ int rowOf(const QTableView& view, int column, const QString& text) {
 }
 
 TEST(AuditPage, TellsWhatWasDoneInWordsAndFindsItByItsCodeToo) {
-  Office office;
+  AdministratorDesk office;
   office.centre.as("administrator");
   addPerson(office.centre.session(), {.fullName = "Li Na"});
   setRetentionRule(office.centre.session(), kRetainTrainee, 30, "contract");
@@ -64,7 +64,7 @@ TEST(AuditPage, TellsWhatWasDoneInWordsAndFindsItByItsCodeToo) {
 }
 
 TEST(AuditPage, ShowsTheNewestThousandAndSaysHowManyThereAre) {
-  Office office;
+  AdministratorDesk office;
   office.centre.as("administrator");
   const NewAuditEntry one{.atUtc_us = office.centre.session().now_us(),
                           .actor = "u",
@@ -92,7 +92,7 @@ TEST(AuditPage, ShowsTheNewestThousandAndSaysHowManyThereAre) {
 }
 
 TEST(MaintenancePage, SortsTheQueueByTimeThoughTimesArePutIntoWordsOnlyWhenLookedAt) {
-  Office office;
+  AdministratorDesk office;
   office.centre.as("administrator");
   setRetentionRule(office.centre.session(), kRetainTrainee, 1, "contract");
   constexpr std::int64_t kDay_us = 86'400'000'000;

@@ -65,7 +65,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::answer;
-using testing::Office;
+using testing::AdministratorDesk;
 using testing::press;
 using testing::StudyCentre;
 using testing::type;
@@ -86,7 +86,7 @@ fs::path rosterFile(const fs::path& folder, bool raters) {
 }
 
 /// Through the three steps of the wizard, the columns chosen by hand where the headers do not tell.
-std::size_t importFile(Office& office, const fs::path& file, RosterKind kind) {
+std::size_t importFile(AdministratorDesk& office, const fs::path& file, RosterKind kind) {
   office.centre.as("administrator");
   RosterImport import;
   import.kind = kind;
@@ -143,7 +143,7 @@ void submitSimulatedMarks(StudyCentre& centre, const std::string& cohortId) {
   }
 }
 
-void setUpCurriculum(Office& office) {
+void setUpCurriculum(AdministratorDesk& office) {
   auto page = office.open<CurriculaPage>("administrator");
   answer([](QDialog& dialog) { type(dialog, QStringLiteral("Twist skills 2026")); });
   press(*page, QStringLiteral("New curriculum"));
@@ -155,7 +155,7 @@ void setUpCurriculum(Office& office) {
   press(*page, QStringLiteral("Begin"));
 }
 
-std::string setUpCohort(Office& office) {
+std::string setUpCohort(AdministratorDesk& office) {
   auto page = office.open<CohortsPage>("administrator");
   answer([](QDialog& dialog) { type(dialog, QStringLiteral("Interns 2026")); });
   press(*page, QStringLiteral("New cohort"));
@@ -165,7 +165,7 @@ std::string setUpCohort(Office& office) {
   return child<DataTable>(*page, "cohorts").currentId().toStdString();
 }
 
-void allocateEverybody(Office& office, const std::string& cohortId, int people) {
+void allocateEverybody(AdministratorDesk& office, const std::string& cohortId, int people) {
   auto page = office.open<AllocationPage>("allocator", toQString(cohortId));
   press(*page, QStringLiteral("Preview balance"));
   EXPECT_GT(child<DataTable>(*page, "balance").visibleRows(), 0);
@@ -179,7 +179,7 @@ void allocateEverybody(Office& office, const std::string& cohortId, int people) 
   EXPECT_EQ(child<DataTable>(*page, "records").visibleRows(), people);
 }
 
-void askAllRaters(Office& office, const std::string& cohortId) {
+void askAllRaters(AdministratorDesk& office, const std::string& cohortId) {
   auto page = office.open<ScoringPage>("administrator", toQString(cohortId));
   answer([](QDialog& dialog) {
     auto& raters = *dialog.findChild<DataTable*>();
@@ -231,7 +231,7 @@ void expectReportInChinese(ReportsPage& reports, const fs::path& file) {
 }
 
 TEST(AdministratorPages, RunsAWholeStudyFromTheRosterToTheReport) {
-  Office office;
+  AdministratorDesk office;
 
   EXPECT_EQ(importFile(office, rosterFile(office.centre.folder(), false), RosterKind::kTrainees), 30U);
   EXPECT_EQ(importFile(office, rosterFile(office.centre.folder(), true), RosterKind::kRaters), 10U);
@@ -270,7 +270,7 @@ TEST(AdministratorPages, RunsAWholeStudyFromTheRosterToTheReport) {
 }
 
 TEST(AdministratorPages, EveryPageOpensOnAnEmptyRecordInBothThemes) {
-  Office office;
+  AdministratorDesk office;
   for (const PageEntry& entry : administratorPages()) {
     office.centre.as("administrator");
     if (!office.centre.session().may(factsOf(entry.id).needs)) {
@@ -290,7 +290,7 @@ TEST(AdministratorPages, EveryPageOpensOnAnEmptyRecordInBothThemes) {
 }
 
 TEST(AdministratorPages, NamedReportsNeedTheRightAndLeaveAnEntryOfTheirOwn) {
-  Office office;
+  AdministratorDesk office;
   office.centre.addTrainees(6);
   office.centre.runPaperCurriculum();
   auto cohorts = office.open<CohortsPage>("administrator");
@@ -388,7 +388,7 @@ TEST(FigureCanvas, CopiesPictureAndTableAndSaysItsValues) {
 }
 
 TEST(MaintenancePage, BacksUpTestsTheBackupAndChecksTheRecord) {
-  Office office;
+  AdministratorDesk office;
   office.centre.addTrainees(3);
   auto page = office.open<MaintenancePage>("administrator");
 
@@ -407,7 +407,7 @@ TEST(MaintenancePage, BacksUpTestsTheBackupAndChecksTheRecord) {
 }
 
 TEST(UsersPage, MakesTheAccountsOfTheWholeRosterAndTellsTheirPasswordsOnce) {
-  Office office;
+  AdministratorDesk office;
   office.centre.addTrainees(3);
   auto page = office.open<UsersPage>("administrator");
   const fs::path cards = office.centre.folder() / "cards.pdf";
@@ -448,7 +448,7 @@ TEST(UsersPage, MakesTheAccountsOfTheWholeRosterAndTellsTheirPasswordsOnce) {
 }
 
 TEST(AuditPage, ShowsTheNewestThousandAtOnceAndTheOthersOnRequest) {
-  Office office;
+  AdministratorDesk office;
   const NewAuditEntry one{.atUtc_us = office.centre.session().now_us(),
                           .actor = "u",
                           .station = "s",

@@ -26,7 +26,7 @@ std::vector<double> numbersOf(const ComparePage& page, const QString& word) {
 }
 
 TEST(ComparePage, AnswersOneTorqueWithTwoModelsAndTellsHowLongEachTook) {
-  testing::Office office;
+  testing::AdministratorDesk office;
   auto page = office.open<ComparePage>("trainee");
   ASSERT_TRUE(page->loaded());
 

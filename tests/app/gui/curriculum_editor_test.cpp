@@ -24,7 +24,7 @@ namespace torsio::gui {
 namespace {
 
 using testing::answer;
-using testing::Office;
+using testing::AdministratorDesk;
 using testing::press;
 using testing::type;
 
@@ -57,7 +57,7 @@ constexpr const char* kEverything = R"({
   "occasions": [{"code": "pre", "after_min": 0}, {"code": "post", "after_min": 39.845678}]
 })";
 
-std::string addEverything(Office& office) {
+std::string addEverything(AdministratorDesk& office) {
   office.centre.as("administrator");
   return addCurriculum(office.centre.session(), "Everything", "", parseCurriculum(kEverything, "test"));
 }
@@ -99,7 +99,7 @@ Field* cell(QTableWidget* table, int row, int column) {
 }
 
 TEST(CurriculumEditor, SavesWhatWasNotTouchedExactlyAsItWas) {
-  Office office;
+  AdministratorDesk office;
   const std::string id = addEverything(office);
   const std::string before = curriculumJson(curriculumDraft(office.centre.session(), id).content);
   auto page = office.open<CurriculaPage>("administrator");
@@ -115,7 +115,7 @@ TEST(CurriculumEditor, SavesWhatWasNotTouchedExactlyAsItWas) {
 }
 
 TEST(CurriculumEditor, ChangesOnlyTheFieldThatWasTyped) {
-  Office office;
+  AdministratorDesk office;
   const std::string id = addEverything(office);
   StoredCurriculumVersion expected = curriculumDraft(office.centre.session(), id).content;
   auto page = office.open<CurriculaPage>("administrator");
@@ -130,7 +130,7 @@ TEST(CurriculumEditor, ChangesOnlyTheFieldThatWasTyped) {
 }
 
 TEST(CurriculumEditor, PublishedVersionsComeBackThroughTheEditorTheSame) {
-  Office office;
+  AdministratorDesk office;
   const std::string id = addEverything(office);
   auto page = office.open<CurriculaPage>("administrator");
   ASSERT_TRUE(page->publish("first"));
@@ -152,7 +152,7 @@ TEST(CurriculumEditor, PublishedVersionsComeBackThroughTheEditorTheSame) {
 }
 
 TEST(CurriculumEditor, SetsSeveralRulesPrerequisitesAndLimits) {
-  Office office;
+  AdministratorDesk office;
   const std::string id = addEverything(office);
   auto page = office.open<CurriculaPage>("administrator");
   page->findChild<QListWidget*>(QStringLiteral("exercises"))->setCurrentRow(1);
@@ -188,7 +188,7 @@ TEST(CurriculumEditor, SetsSeveralRulesPrerequisitesAndLimits) {
 }
 
 TEST(CurriculumEditor, MovesRenamesAndKeepsReferencesWhole) {
-  Office office;
+  AdministratorDesk office;
   const std::string id = addEverything(office);
   auto page = office.open<CurriculaPage>("administrator");
   page->findChild<QListWidget*>(QStringLiteral("exercises"))->setCurrentRow(2);
@@ -211,7 +211,7 @@ TEST(CurriculumEditor, MovesRenamesAndKeepsReferencesWhole) {
 }
 
 TEST(CurriculumEditor, SetsGroupsPhasesRestAndScoringPoints) {
-  Office office;
+  AdministratorDesk office;
   const std::string id = addEverything(office);
   auto page = office.open<CurriculaPage>("administrator");
   page->findChild<QListWidget*>(QStringLiteral("groups"))->setCurrentRow(1);
@@ -241,7 +241,7 @@ TEST(CurriculumEditor, SetsGroupsPhasesRestAndScoringPoints) {
 }
 
 TEST(CurriculaPage, SaysOfEveryStateWhatMayBeChanged) {
-  Office office;
+  AdministratorDesk office;
   office.centre.addTrainees(3);
   addEverything(office);
   auto page = office.open<CurriculaPage>("administrator");

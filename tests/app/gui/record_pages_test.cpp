@@ -29,7 +29,7 @@ namespace torsio::gui {
 namespace {
 
 using testing::answer;
-using testing::Office;
+using testing::AdministratorDesk;
 
 QPushButton& named(QWidget& page, const char* name) {
   auto* found = page.findChild<QPushButton*>(QLatin1String(name));
@@ -43,7 +43,7 @@ void giveReason(QDialog& dialog) {
 }
 
 TEST(MaintenancePage, SetsAndTakesAwayRulesForKeepingRecords) {
-  Office office;
+  AdministratorDesk office;
   setRetentionRule(office.centre.as("administrator"), kRetainRater, 30, "contract");
   auto page = office.open<MaintenancePage>("administrator");
   answer([](QDialog& dialog) {
@@ -65,7 +65,7 @@ TEST(MaintenancePage, SetsAndTakesAwayRulesForKeepingRecords) {
 }
 
 TEST(MaintenancePage, KeepsTheRulesFromWhoeverMayNotManageThem) {
-  Office office;
+  AdministratorDesk office;
 
   auto page = office.open<MaintenancePage>("statistician");
 
@@ -73,7 +73,7 @@ TEST(MaintenancePage, KeepsTheRulesFromWhoeverMayNotManageThem) {
 }
 
 TEST(RosterPage, WritesEverythingAboutOnePersonIntoANewFolder) {
-  Office office;
+  AdministratorDesk office;
   const std::vector<std::string> trainees = office.centre.addTrainees(2);
   auto page = office.open<RosterPage>("administrator");
   page->findChild<DataTable*>()->select(toQString(trainees.front()));
@@ -88,7 +88,7 @@ TEST(RosterPage, WritesEverythingAboutOnePersonIntoANewFolder) {
 }
 
 TEST(RosterPage, ErasesOneRecordOnRequestWithAReason) {
-  Office office;
+  AdministratorDesk office;
   const std::vector<std::string> trainees = office.centre.addTrainees(2);
   auto page = office.open<RosterPage>("administrator");
   page->findChild<DataTable*>()->select(toQString(trainees.front()));
@@ -103,7 +103,7 @@ TEST(RosterPage, ErasesOneRecordOnRequestWithAReason) {
 }
 
 TEST(RosterPage, OffersNeitherToWhoeverMayNot) {
-  Office office;
+  AdministratorDesk office;
   office.centre.addTrainees(1);
 
   auto page = office.open<RosterPage>("statistician");
@@ -113,7 +113,7 @@ TEST(RosterPage, OffersNeitherToWhoeverMayNot) {
 }
 
 TEST(AllocationPage, MovesATraineeByHandBesideTheDrawnRecord) {
-  Office office;
+  AdministratorDesk office;
   const std::vector<std::string> trainees = office.centre.addTrainees(3);
   const std::string version = office.centre.runPaperCurriculum();
   SessionContext& session = office.centre.as("administrator");
@@ -143,7 +143,7 @@ TEST(AllocationPage, MovesATraineeByHandBesideTheDrawnRecord) {
 }
 
 TEST(ScoringPage, TakesTheNextRevisionOfTheSheetFromAFile) {
-  Office office;
+  AdministratorDesk office;
   office.centre.addPaperRubric();
   auto page = office.open<ScoringPage>("administrator");
 
@@ -157,7 +157,7 @@ TEST(ScoringPage, TakesTheNextRevisionOfTheSheetFromAFile) {
 }
 
 TEST(CurriculaPage, AddsAnOccasionThatTheEditorThenOffers) {
-  Office office;
+  AdministratorDesk office;
   office.centre.runPaperCurriculum();
   auto page = office.open<CurriculaPage>("administrator");
   answer([](QDialog& dialog) { testing::type(dialog, QStringLiteral("six months later")); });

@@ -22,7 +22,7 @@ namespace torsio::gui {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::Office;
+using testing::AdministratorDesk;
 
 /// The wizard on its first page, with this text in a file.
 class RosterWizardTest : public ::testing::Test {
@@ -58,7 +58,7 @@ class RosterWizardTest : public ::testing::Test {
   QAbstractButton& import() { return *wizard->button(QWizard::FinishButton); }
   std::size_t known() { return torsio::people(office.centre.session()).size(); }
 
-  Office office;
+  AdministratorDesk office;
   std::unique_ptr<RosterWizard> wizard;
 };
 

@@ -49,7 +49,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::answer;
-using testing::Office;
+using testing::AdministratorDesk;
 using testing::press;
 using testing::StudyCentre;
 using testing::type;
@@ -81,7 +81,7 @@ std::string ratersFile(const std::string& prefix, const std::vector<std::pair<st
 }
 
 /// Next, Next, Import.
-void importRoster(Office& office, const std::string& text, bool raters, std::size_t expected) {
+void importRoster(AdministratorDesk& office, const std::string& text, bool raters, std::size_t expected) {
   office.centre.as("administrator");
   const fs::path file = office.centre.folder() / "roster.csv";
   writeFileAtomically(file, text);
@@ -119,7 +119,7 @@ void chooseCodes(QDialog& dialog, const std::vector<std::string>& codes) {
   view.selectionModel()->select(chosen, QItemSelectionModel::Select);
 }
 
-void makeCurriculum(Office& office) {
+void makeCurriculum(AdministratorDesk& office) {
   auto page = office.open<CurriculaPage>("administrator");
   answer([](QDialog& dialog) { type(dialog, QStringLiteral("Twist skills 2026")); });
   press(*page, QStringLiteral("New curriculum"));
@@ -129,7 +129,7 @@ void makeCurriculum(Office& office) {
   press(*page, QStringLiteral("Begin"));
 }
 
-std::string makeCohort(Office& office) {
+std::string makeCohort(AdministratorDesk& office) {
   auto page = office.open<CohortsPage>("administrator");
   answer([](QDialog& dialog) { type(dialog, QStringLiteral("Interns 2026")); });
   press(*page, QStringLiteral("New cohort"));
@@ -139,7 +139,7 @@ std::string makeCohort(Office& office) {
   return child<DataTable>(*page, "cohorts").currentId().toStdString();
 }
 
-void drawGroups(Office& office, const std::string& cohortId) {
+void drawGroups(AdministratorDesk& office, const std::string& cohortId) {
   auto administrator = office.open<AllocationPage>("administrator", toQString(cohortId));
   EXPECT_FALSE(testing::button(*administrator, QStringLiteral("Lock design"))->isEnabled());
   auto page = office.open<AllocationPage>("allocator", toQString(cohortId));
@@ -175,7 +175,7 @@ void drawGroups(Office& office, const std::string& cohortId) {
   EXPECT_EQ(office.centre.audited("allocation.cards"), 1);
 }
 
-void askTheTen(Office& office, const std::string& cohortId, const std::vector<std::string>& chiefs) {
+void askTheTen(AdministratorDesk& office, const std::string& cohortId, const std::vector<std::string>& chiefs) {
   auto page = office.open<ScoringPage>("administrator", toQString(cohortId));
   answer([&](QDialog& dialog) {
     chooseCodes(dialog, chiefs);
@@ -185,7 +185,7 @@ void askTheTen(Office& office, const std::string& cohortId, const std::vector<st
   EXPECT_EQ(child<DataTable>(*page, "matrix").visibleRows(), 90);  // 30 trainees at three scoring points
 }
 
-void runTheDay(Office& office, const std::string& cohortId) {
+void runTheDay(AdministratorDesk& office, const std::string& cohortId) {
   const std::int64_t now_us = office.centre.session().now_us();
   StationState room{.station = "room 2", .heartbeatUtc_us = now_us};
   DeviceReadiness unfit{.device = Text("Touch"), .haptic = true};
@@ -236,7 +236,7 @@ std::vector<std::string> raterCodes(StudyCentre& centre, bool evaluators) {
   return codes;
 }
 
-void makeEvaluation(Office& office, const std::vector<std::string>& evaluators) {
+void makeEvaluation(AdministratorDesk& office, const std::vector<std::string>& evaluators) {
   auto page = office.open<CampaignsPage>("administrator");
   answer([&](QDialog& dialog) {
     chooseCodes(dialog, evaluators);
@@ -253,7 +253,7 @@ struct Crowd {
   std::map<std::string, std::string> codeOf;  // of an enrolment
 };
 
-Crowd crowdOf(Office& office, const std::string& cohortId, const std::vector<std::string>& chiefs) {
+Crowd crowdOf(AdministratorDesk& office, const std::string& cohortId, const std::vector<std::string>& chiefs) {
   Crowd crowd;
   crowd.people.groups.resize(3);
   crowd.people.raters = chiefs;
@@ -279,7 +279,7 @@ Crowd crowdOf(Office& office, const std::string& cohortId, const std::vector<std
 }
 
 /// Every open sheet of the cohort, filled in by the stated rule of the demonstration.
-void submitSheets(Office& office, const std::string& cohortId, const Crowd& crowd) {
+void submitSheets(AdministratorDesk& office, const std::string& cohortId, const Crowd& crowd) {
   SheetRepository sheets(office.centre.connection());
   std::map<std::string, std::string> codeOfRater;
   for (const auto& [code, id] : crowd.idOf) {
@@ -305,7 +305,7 @@ void submitSheets(Office& office, const std::string& cohortId, const Crowd& crow
 }
 
 /// 40 raters, three models, nine indices.
-void submitEvaluationMarks(Office& office, const Crowd& crowd) {
+void submitEvaluationMarks(AdministratorDesk& office, const Crowd& crowd) {
   const StoredCampaign campaign = campaigns(office.centre.session()).front().campaign;
   std::vector<std::string> models;
   for (const StoredModel& model : campaign.models) {
@@ -408,7 +408,7 @@ void expectNumbersOfTheCommandLine(const Numbers& report, const Crowd& crowd, co
 }
 
 TEST(WholeStudy, IsOneStoryFromTheRosterToTheReportWithTheNumbersOfTheCommandLine) {
-  Office office;
+  AdministratorDesk office;
   importRoster(office, internsFile(), false, kTrainees);
   importRoster(office, ratersFile("C-", {{"chief", 10}}), true, kChiefs);
   importRoster(office,

@@ -12,10 +12,10 @@
 namespace torsio::gui {
 namespace {
 
-using testing::Office;
+using testing::AdministratorDesk;
 
 TEST(RightsOfTheWindow, StayAsTheyWereReadWhileServicesAskAnew) {
-  Office office;
+  AdministratorDesk office;
   SessionContext& session = office.centre.as("administrator");
   ASSERT_TRUE(office.shell().may(Operation::kUserManage));
 
@@ -29,7 +29,7 @@ TEST(RightsOfTheWindow, StayAsTheyWereReadWhileServicesAskAnew) {
 }
 
 TEST(RightsOfTheWindow, AreThoseOfWhoeverHasSignedIn) {
-  Office office;
+  AdministratorDesk office;
   office.centre.as("administrator");
   ASSERT_TRUE(office.shell().may(Operation::kUserManage));
 

@@ -89,7 +89,7 @@ TEST(Occasions, AFourthOneGoesThroughPlanReleaseReportAndExport) {
 
   const ScoringPlanOutcome asked =
       createAssignments(office, {.cohortId = study.cohortId,
-                                 .plannedOccasions = {"pre", "mid", "post", study.fourth.code},
+                                 .occasionCodes = {"pre", "mid", "post", study.fourth.code},
                                  .raterIds = study.chiefs,
                                  .rubricRevisionId = study.rubric,
                                  .seed = 3});

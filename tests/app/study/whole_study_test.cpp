@@ -56,7 +56,7 @@ struct Study {
   }
   [[nodiscard]] ScoringPlan plan() const {
     return {.cohortId = cohortId,
-            .plannedOccasions = {"pre", "mid", "post"},
+            .occasionCodes = {"pre", "mid", "post"},
             .raterIds = chiefs,
             .rubricRevisionId = rubric,
             .seed = 3};
