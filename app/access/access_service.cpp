@@ -19,8 +19,13 @@ AccessRepository repository(SessionContext& session) {
   return AccessRepository(session.connection(), session.passwordCost());
 }
 
-StoredUser userOf(SessionContext& session, const std::string& userId) {
-  for (const StoredUser& user : repository(session).users()) {
+/// For whoever comes in: the secret that is typed is the right.
+AccessRepository entrance(SessionContext& session) {
+  return AccessRepository(session.connectionWithoutRight(), session.passwordCost());
+}
+
+StoredUser userOf(const AccessRepository& access, const std::string& userId) {
+  for (const StoredUser& user : access.users()) {
     if (user.id == userId) {
       return user;
     }
@@ -59,7 +64,7 @@ const char* failureName(SignIn outcome) {
 /// A failure, without what was typed: an unknown login may be a password in the wrong field.
 void noteFailure(SessionContext& session, const std::string& login, SignIn outcome, const char* with) {
   std::string userId;
-  for (const StoredUser& user : repository(session).users()) {
+  for (const StoredUser& user : entrance(session).users()) {
     if (user.login == login) {
       userId = user.id;
     }
@@ -77,7 +82,7 @@ SignInAnswer answer(SessionContext& session, const std::string& login, const Sig
     noteFailure(session, login, result.outcome, practiceOnly ? "pin" : "password");
     return answer;
   }
-  const StoredUser user = userOf(session, result.userId);
+  const StoredUser user = userOf(entrance(session), result.userId);
   answer.actor = {user.id, user.login, user.personId, user.roles, practiceOnly};
   if (result.outcome == SignIn::kOk) {
     session.setActor(answer.actor);
@@ -106,16 +111,17 @@ void setUpCentre(SessionContext& session, const FirstRun& first) {
   if (first.login.empty()) {
     throw Error(ErrorCode::kBadParameter, "the administrator has no sign-in name", "login", "Enter one");
   }
-  AccessRepository access = repository(session);
+  AccessRepository access = entrance(session);
   const SealedSecret password = access.sealPassword(first.login, first.password);
   const std::int64_t now_us = session.now_us();
-  Transaction transaction(session.connection());
-  if (!needsFirstRun(session.connection())) {
+  Transaction transaction(session.connectionWithoutRight());
+  if (!needsFirstRun(session.connectionWithoutRight())) {
     throw Error(ErrorCode::kPermission, "this database belongs to a centre already", "first run",
                 "Sign in, or choose another database");
   }
-  StudyRepository(session.connection()).setCentre({session.ids().newUuid(), first.centre, now_us, false});
-  SettingRepository settings(session.connection());
+  StudyRepository(session.connectionWithoutRight())
+      .setCentre({session.ids().newUuid(), first.centre, now_us, false});
+  SettingRepository settings(session.connectionWithoutRight());
   settings.set("language", first.language, now_us);
   const std::string userId = session.ids().newUuid();
   access.addUser({.id = userId, .login = first.login, .createdUtc_us = now_us, .roles = {kAdministrator}},
@@ -129,16 +135,16 @@ void setUpCentre(SessionContext& session, const FirstRun& first) {
 }
 
 SignInAnswer signIn(SessionContext& session, const std::string& login, const std::string& password) {
-  return answer(session, login, repository(session).signIn(login, password, session.now_us()), false);
+  return answer(session, login, entrance(session).signIn(login, password, session.now_us()), false);
 }
 
 SignInAnswer signInForPractice(SessionContext& session, const std::string& login, const std::string& pin) {
-  return answer(session, login, repository(session).signInForPractice(login, pin, session.now_us()), true);
+  return answer(session, login, entrance(session).signInForPractice(login, pin, session.now_us()), true);
 }
 
 SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login,
                                const std::string& oldPassword, const std::string& newPassword) {
-  AccessRepository access = repository(session);
+  AccessRepository access = entrance(session);
   const SignInResult old = access.signIn(login, oldPassword, session.now_us());
   if (old.outcome != SignIn::kOk && old.outcome != SignIn::kMustChange) {
     noteFailure(session, login, old.outcome, "password");
@@ -149,7 +155,7 @@ SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login
                 "Choose another one");
   }
   const SealedSecret password = access.sealPassword(login, newPassword);
-  Transaction transaction(session.connection());
+  Transaction transaction(session.connectionWithoutRight());
   access.setPassword(old.userId, password, false);
   SignInAnswer signedIn = answer(session, login, {SignIn::kOk, old.userId}, false);
   session.note({.action = AuditAction::kUserChangePassword,
@@ -164,7 +170,7 @@ SignInAnswer unlock(SessionContext& session, const std::string& secret) {
   if (actor.userId.empty()) {
     throw Error(ErrorCode::kPermission, "nobody is signed in", "lock", "Sign in first");
   }
-  AccessRepository access = repository(session);
+  AccessRepository access = entrance(session);
   const SignInResult result = actor.practiceOnly
                                   ? access.signInForPractice(actor.login, secret, session.now_us())
                                   : access.signIn(actor.login, secret, session.now_us());
@@ -218,7 +224,7 @@ void setUserRoles(SessionContext& session, const std::string& userId, const std:
                   const std::string& reason) {
   session.require(Operation::kUserManage);
   Transaction transaction(session.connection());
-  const StoredUser before = userOf(session, userId);
+  const StoredUser before = userOf(repository(session), userId);
   const bool keepsRole = std::find(roles.begin(), roles.end(), kAdministrator) != roles.end();
   if (isActiveAdministrator(before) && !keepsRole) {
     keepAnAdministrator(session, userId);
@@ -237,7 +243,7 @@ void setUserActive(SessionContext& session, const std::string& userId, bool acti
                    const std::string& reason) {
   session.require(Operation::kUserManage);
   Transaction transaction(session.connection());
-  if (!active && isActiveAdministrator(userOf(session, userId))) {
+  if (!active && isActiveAdministrator(userOf(repository(session), userId))) {
     keepAnAdministrator(session, userId);
   }
   repository(session).setActive(userId, active);
@@ -252,7 +258,7 @@ void resetPassword(SessionContext& session, const std::string& userId, const std
                    const std::string& reason) {
   session.require(Operation::kUserManage);
   AccessRepository access = repository(session);
-  const SealedSecret password = access.sealPassword(userOf(session, userId).login, startPassword);
+  const SealedSecret password = access.sealPassword(userOf(repository(session), userId).login, startPassword);
   Transaction transaction(session.connection());
   access.setPassword(userId, password, true);
   session.note({.action = AuditAction::kUserResetPassword,

@@ -36,7 +36,7 @@ std::int64_t logMissing_us(SessionContext& session, const TrialListing& trial) {
   if (trial.enrolmentId.empty()) {
     return 0;
   }
-  StudyRepository studies(session.connection());
+  StudyRepository studies(session.connectionWithoutRight());
   const std::optional<StoredEnrolment> enrolment = enrolmentOf(studies, trial.enrolmentId);
   if (!enrolment) {
     return 0;
@@ -101,12 +101,12 @@ void measureNow(SessionContext& session, const TrialListing& trial) {
     return;
   }
   ExerciseRules rules;
-  static_cast<void>(digestOf(session.connection(), trial, rules, session.now_us()));
+  static_cast<void>(digestOf(session.connectionWithoutRight(), trial, rules, session.now_us()));
 }
 
 SettledTrial store(SessionContext& session, const UnstoredTrial& waiting) {
-  Transaction transaction(session.connection());
-  TrialRepository trials(session.connection(), waiting.context);
+  Transaction transaction(session.connectionWithoutRight());
+  TrialRepository trials(session.connectionWithoutRight(), waiting.context);
   trials.import(waiting.trial);
   TrialListing listing = listingOf(trials, waiting.trial);
   measureNow(session, listing);
@@ -139,8 +139,8 @@ void importFiles(SessionContext& session, const std::filesystem::path& folder, S
 StationStart settleStation(SessionContext& session, const std::filesystem::path& folder) {
   StationStart start;
   importFiles(session, folder, start);
-  Transaction transaction(session.connection());
-  TrialRepository trials(session.connection());
+  Transaction transaction(session.connectionWithoutRight());
+  TrialRepository trials(session.connectionWithoutRight());
   for (TrialListing& trial : trials.closeInterrupted(session.station(), session.now_us() - kQuietTrial_us)) {
     measureNow(session, trial);
     start.trials.push_back(settled(session, std::move(trial), false));

@@ -298,9 +298,7 @@ std::vector<StoredDeviation> deviations(SessionContext& session, const std::stri
 }
 
 std::string recordExposure(SessionContext& session, const NewExposure& exposure) {
-  if (!session.may(Operation::kStudySetup)) {
-    session.require(Operation::kTrialRecordOwn);
-  }
+  session.requireEither(Operation::kStudySetup, Operation::kTrialRecordOwn);
   if (exposure.kind != "virtual" && exposure.kind != "real" && exposure.kind != "rest") {
     refuse("this is no kind of training time", exposure.kind, "Choose virtual, real or rest");
   }

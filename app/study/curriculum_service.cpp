@@ -138,9 +138,7 @@ StoredCurriculumVersion publishedContent(SessionContext& session, const std::str
 
 std::optional<StoredCurriculumVersion> curriculumVersion(SessionContext& session,
                                                          const std::string& versionId) {
-  if (!session.may(Operation::kPractice)) {
-    session.require(Operation::kPersonViewCoded);
-  }
+  session.requireEither(Operation::kPractice, Operation::kPersonViewCoded);
   return CurriculumRepository(session.connection()).version(versionId);
 }
 

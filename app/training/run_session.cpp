@@ -206,9 +206,10 @@ void RunSession::stop(const std::string& reason) {
                                     .reportedBy = session_.actor().userId,
                                     .reportedUtc_us = session_.now_us(),
                                     .demonstration = steps_.demonstration};
+    // The right was asked for when the run began.
     write([deviation, note](SessionContext& own) {
-      Transaction transaction(own.connection());
-      StudyRepository(own.connection()).addDeviation(deviation);
+      Transaction transaction(own.connectionWithoutRight());
+      StudyRepository(own.connectionWithoutRight()).addDeviation(deviation);
       own.note(note);
       transaction.commit();
     });

@@ -534,7 +534,7 @@ TEST_F(Shell, ARecordingThatCannotBeStoredIsSaidBeforeTheSignInAndToWhoeverSigns
 
 TEST_F(Shell, AnOpenStationGivesSignsOfLifeUntilItIsClosed) {
   openFoundedCentre(setup());
-  StationRepository stations(window_->session()->connection());
+  StationRepository stations(window_->session()->connectionWithoutRight());
   ASSERT_TRUE(window_->line()->settled(kLong));
   ASSERT_TRUE(stations.find("test").has_value());
   EXPECT_EQ(stations.find("test")->userId, "");
@@ -600,7 +600,7 @@ TEST_F(Shell, TheKioskEndsWithTheNameAndPasswordOfAnAdministratorOnly) {
 
 TEST_F(Shell, OneChoiceInTheMenuRemovesTheDemonstration) {
   openFoundedCentre(setup());
-  Connection& connection = window_->session()->connection();
+  Connection& connection = window_->session()->connectionWithoutRight();
   StoredTrainee simulated;
   simulated.person = {.id = "simulated", .code = "T-99", .demonstration = true};
   StoredTrainee real;
