@@ -165,26 +165,6 @@ SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login
   return signedIn;
 }
 
-SignInAnswer unlock(SessionContext& session, const std::string& secret) {
-  const Actor& actor = session.actor();
-  if (actor.userId.empty()) {
-    throw Error(ErrorCode::kPermission, "nobody is signed in", "lock", "Sign in first");
-  }
-  AccessRepository access = entrance(session);
-  const SignInResult result = actor.practiceOnly
-                                  ? access.signInForPractice(actor.login, secret, session.now_us())
-                                  : access.signIn(actor.login, secret, session.now_us());
-  SignInAnswer unlocked{result.outcome, {}, result.waitUntilUtc_us};
-  if (result.outcome == SignIn::kOk || result.outcome == SignIn::kMustChange) {
-    unlocked.actor = actor;
-    session.note(
-        {.action = AuditAction::kUserUnlock, .objectKind = AuditObject::kAppUser, .objectId = actor.userId});
-  } else {
-    noteFailure(session, actor.login, result.outcome, actor.practiceOnly ? "pin" : "password");
-  }
-  return unlocked;
-}
-
 void signOut(SessionContext& session) {
   if (!session.actor().userId.empty()) {
     session.note({.action = AuditAction::kUserSignOut,

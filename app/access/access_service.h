@@ -43,9 +43,6 @@ struct SignInAnswer {
 /// for a weak or unchanged password, {kPermission} when the old one is wrong.
 SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login,
                                const std::string& oldPassword, const std::string& newPassword);
-/// After an idle lock: the secret of the user who is signed in (the PIN for practice), nobody else's.
-/// Audited, failures too. Throws Error{kPermission} when nobody is signed in.
-[[nodiscard]] SignInAnswer unlock(SessionContext& session, const std::string& secret);
 void signOut(SessionContext& session);
 
 /// A user and a start password that must be changed at the first sign-in. kUserManage.

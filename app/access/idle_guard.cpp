@@ -56,12 +56,6 @@ std::int64_t IdleGuard::untilLock_us() noexcept {
   return state() == IdleState::kLocked ? 0 : limits_.lock_us - idle_us();
 }
 
-void IdleGuard::lock() noexcept {
-  if (!busy_) {
-    locked_ = true;
-  }
-}
-
 void IdleGuard::unlock() noexcept {
   locked_ = false;
   lastActivity_us_ = clock_.now_us();

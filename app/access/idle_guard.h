@@ -16,8 +16,7 @@ struct IdleLimits {
 enum class IdleState { kActive, kWarning, kLocked };
 
 /// Locks a place that somebody left, never one at which a run goes on. Only says when: the shell asks state()
-/// about once a second, shows the warning, covers the pages, and asks the same user's password
-/// (access_service.h: unlock). One thread.
+/// about once a second, shows the warning, covers the pages, and asks the same user's password. One thread.
 class IdleGuard {
  public:
   /// `clock` is monotonic and outlives the guard. Throws Error{kBadParameter} unless 0 < warn_us < lock_us.
@@ -36,8 +35,6 @@ class IdleGuard {
   /// Time left until the lock; 0 when locked, the whole limit while busy.
   [[nodiscard]] std::int64_t untilLock_us() noexcept;
 
-  /// At once, on the user's wish. Does nothing while a run goes on.
-  void lock() noexcept;
   /// After the password was right.
   void unlock() noexcept;
 

@@ -30,6 +30,10 @@ struct CsvRecord {
 [[nodiscard]] std::vector<CsvRecord> csvRecords(std::string_view text, const std::string& name,
                                                 char separator = ',');
 
+/// Returns one line of a table for people and programs: RFC 4180, ended by CRLF; a cell that a spreadsheet
+/// would take for a formula gets an apostrophe in front.
+[[nodiscard]] std::string csvLine(const std::vector<std::string>& cells);
+
 /// A table of comma-separated values that knows where each value stands, so that every refusal names file,
 /// line, value and rule. RFC 4180 with quotes; UTF-8, a byte order mark is skipped; LF or CRLF; empty lines
 /// are skipped; blanks round an unquoted value do not count. The header is required, its columns may come in

@@ -15,6 +15,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
 #include "assessment/scoring/evaluation.h"
+#include "assessment/scoring/evaluation_resampling.h"
 #include "sim/base/error.h"
 
 namespace torsio::cli {
@@ -31,6 +32,8 @@ struct EvaluateArguments {
   std::int64_t lowest = 0;
   std::int64_t highest = 10;
   std::int64_t stepsPerPoint = 10;
+  std::int64_t resamples = 0;
+  std::uint64_t seed = 1;
 };
 
 /// "0.15" or "name=0.15"; the name is empty when there is none.
@@ -295,8 +298,14 @@ void runEvaluate(const EvaluateArguments& arguments) {
   Json out;
   out["models"] = Json::array();
   try {
-    for (const ModelEvaluation& model : evaluate(instrument, ratings, policy)) {
-      out["models"].push_back(modelJson(model, instrument, reader));
+    for (const ModelRatings& marks : groupRatings(instrument, ratings)) {
+      Json model = modelJson(evaluateModel(instrument, marks, policy), instrument, reader);
+      if (arguments.resamples > 0) {
+        const ScoreRange range =
+            resampledScore(instrument, marks, {.resamples = arguments.resamples, .seed = arguments.seed});
+        model["N_interval"] = {range.lower, range.upper};
+      }
+      out["models"].push_back(std::move(model));
     }
   } catch (const Error& error) {
     throw Error(error.code(), error.happened(), table.name() + ", " + error.where(), error.remedy());
@@ -334,6 +343,12 @@ void addEvaluate(CLI::App& program) {
   command->add_option("--steps-per-point", arguments->stepsPerPoint, "10: scores in tenths")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  command
+      ->add_option("--resamples", arguments->resamples,
+                   "Panels drawn anew from the raters, for an interval of N; 0: none")
+      ->check(CLI::Range(0, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--seed", arguments->seed, "Seed of the drawing")->capture_default_str();
   command->callback([arguments] { runEvaluate(*arguments); });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "sim/base/error.h"
 #include "sim/tissue/section/outline_file.h"
 #include "sim/tissue/section/section_solver.h"
 
@@ -19,6 +22,7 @@ struct SectionArguments {
   std::string file;
   std::string method = "auto";
   std::vector<std::string> holes;
+  std::vector<std::array<double, 2>> points;
   bool json = false;
 };
 
@@ -32,6 +36,28 @@ SectionMethod methodOf(const std::string& name) {
   return SectionMethod::kAutomatic;
 }
 
+/// Membrane, warping and stress at the points that were asked for.
+nlohmann::ordered_json fieldAt(const SectionField& field, const std::vector<std::array<double, 2>>& points) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const std::array<double, 2>& point : points) {
+    const std::optional<SectionField::Value> value = field.at(point);
+    if (!value) {
+      throw Error(ErrorCode::kBadParameter,
+                  field.elements.empty() ? "boundary elements know no point inside"
+                                         : "the point lies outside the section",
+                  "--at " + std::to_string(point[0]) + "," + std::to_string(point[1]),
+                  field.elements.empty() ? "Use --method fem" : "Give a point in the material");
+    }
+    all.push_back({{"x", point[0]},
+                   {"y", point[1]},
+                   {"membrane", value->membrane},
+                   {"warping", value->warping},
+                   {"tau_xz", value->shear[0]},
+                   {"tau_yz", value->shear[1]}});
+  }
+  return all;
+}
+
 void runSection(const SectionArguments& arguments) {
   const auto outline = readOutline(arguments.file);
   std::vector<std::vector<std::array<double, 2>>> holes;
@@ -40,7 +66,8 @@ void runSection(const SectionArguments& arguments) {
   }
   SectionSolverOptions options;
   options.method = methodOf(arguments.method);
-  const SectionProperties section = solveSection(outline, options, holes);
+  SectionField field;
+  const SectionProperties section = SectionSolver(options).solve(outline, holes, &field);
   nlohmann::ordered_json result;
   result["area"] = section.area;
   result["centroid"] = section.centroid;
@@ -53,6 +80,9 @@ void runSection(const SectionArguments& arguments) {
   result["max_shear"] = section.maxShear;
   result["psi_min"] = section.warpingMin;
   result["psi_max"] = section.warpingMax;
+  if (!arguments.points.empty()) {
+    result["points"] = fieldAt(field, arguments.points);
+  }
   if (arguments.json) {
     std::cout << result.dump(2) << '\n';
     return;
@@ -70,6 +100,10 @@ void addSection(CLI::App& program) {
       "section", "Torsion properties of one cross-section by the membrane analogy (G = 1, unit twist rate)");
   command->add_option("FILE", arguments->file, "Outline: one x,y a line, any unit")->required();
   command->add_option("--hole", arguments->holes, "Outline of a hole; may be repeated");
+  command
+      ->add_option("--at", arguments->points,
+                   "Point x,y: membrane, warping and stress there; may be repeated")
+      ->delimiter(',');
   command->add_option("--method", arguments->method, "Solver: auto, fem or bem")
       ->check(CLI::IsMember({"auto", "fem", "bem"}));
   command->add_flag("--json", arguments->json, "Print JSON");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -38,7 +39,9 @@ nlohmann::ordered_json angleProfile(const TwistModel& model, const TwistState& s
   nlohmann::ordered_json profile = nlohmann::ordered_json::array();
   for (int j = 0; j < model.lattice().sections(); ++j) {
     const double arc_m = model.lattice().sectionArc_m(j);
-    profile.push_back({{"s_m", arc_m}, {"phi_rad", model.angleAt(arc_m, state)}});
+    profile.push_back({{"s_m", arc_m},
+                       {"phi_rad", model.angleAt(arc_m, state)},
+                       {"rate_rad_per_m", model.twistRateAt(arc_m, state)}});
   }
   return profile;
 }
@@ -68,11 +71,15 @@ void runTwist(const TwistArguments& arguments) {
   const double deform_ms = millisecondsSince(deforming);
   const TwistSummary summary = scene.model.summary(state);
   if (!arguments.out.empty()) {
-    writePly(arguments.out, twisted);
+    const std::filesystem::path out = arguments.out;
+    out.extension() == ".obj" ? writeObj(out, twisted) : writePly(out, twisted);
   }
 
   nlohmann::ordered_json result;
   result["organ"] = arguments.organ.organ;
+  if (scene.repairs.any()) {
+    result["repairs"] = scene.repairs.text();
+  }
   result["pattern"] = scene.pattern.id;
   result["formulation"] = scene.model.options().formulation == Formulation::kPaper ? "paper" : "saint-venant";
   result["ridges"] = scene.lattice().ridges();
@@ -82,6 +89,7 @@ void runTwist(const TwistArguments& arguments) {
   result["grasp_s_m"] = state.graspArc_m;
   result["angle_rad"] = angle_rad;
   result["torque_nm"] = summary.torque_Nm;
+  result["compliance_rad_per_nm"] = scene.model.graspCompliance(state.graspArc_m);
   result["max_displacement_m"] = summary.maxDisplacement_m;
   result["radius_change"] = summary.maxRadiusGrowth;
   result["det_f_min"] = summary.minDeterminant;
@@ -115,7 +123,8 @@ void addTwist(CLI::App& program) {
                       "Angle at the grasp in degrees; default: the pattern's target");
   command->add_option("--grasp", arguments->grasp,
                       "Where it is gripped, fraction of the length from the fixed end");
-  command->add_option("--out", arguments->out, "Write the twisted surface as PLY (millimetres)");
+  command->add_option("--out", arguments->out,
+                      "Write the twisted surface as PLY or OBJ, by its ending (millimetres)");
   command->add_flag("--json", arguments->json, "Print JSON with the angle at every section");
   command->callback([arguments] { runTwist(*arguments); });
 }

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/base/csv_table.h"
 #include "app/base/refusal.h"
 #include "app/people/person_codes.h"
 #include "sim/base/digest.h"
@@ -143,36 +144,6 @@ nlohmann::json changedIdentity(const StoredIdentity& before, const PersonEntry& 
     fields.push_back("external_id");
   }
   return fields;
-}
-
-/// RFC 4180; a cell that a spreadsheet would take for a formula gets an apostrophe in front.
-std::string csvCell(std::string text) {
-  if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos) {
-    std::string harmless(1, '\'');
-    harmless += text;
-    text = std::move(harmless);
-  }
-  if (text.find_first_of("\",;\r\n") == std::string::npos) {
-    return text;
-  }
-  std::string quoted(1, '"');
-  for (const char c : text) {
-    quoted.append(c == '"' ? 2 : 1, c);
-  }
-  quoted += '"';
-  return quoted;
-}
-
-std::string csvLine(const std::vector<std::string>& cells) {
-  std::string line;
-  for (const std::string& cell : cells) {
-    if (&cell != &cells.front()) {
-      line += ',';
-    }
-    line += csvCell(cell);
-  }
-  line += "\r\n";
-  return line;
 }
 
 std::vector<std::string> codedCells(const PersonRow& row) {
@@ -344,11 +315,6 @@ std::vector<StoredRaterClass> ensureRaterClasses(SessionContext& session) {
                 .objectId = "intern deputy_chief chief"});
   transaction.commit();
   return classes;
-}
-
-std::vector<StoredRaterClass> raterClasses(SessionContext& session) {
-  session.require(Operation::kPersonViewCoded);
-  return PeopleRepository(session.connection()).raterClasses();
 }
 
 std::size_t exportPeople(SessionContext& session, const std::filesystem::path& file, bool withNames) {

@@ -12,6 +12,10 @@
 
 namespace torsio {
 
+/// Ages that are believed; outside, a slip of the pen is assumed.
+inline constexpr std::int64_t kYoungest_years = 14;
+inline constexpr std::int64_t kOldest_years = 100;
+
 /// One person as lists show it: under a code, never under a name.
 struct PersonRow {
   StoredPerson person{};
@@ -63,8 +67,6 @@ void setPersonState(SessionContext& session, const std::string& personId, const 
 [[nodiscard]] std::vector<StoredRaterClass> paperRaterClasses();
 /// Classes of raters in their order; the three of the paper are made when there are none. kPersonEdit.
 std::vector<StoredRaterClass> ensureRaterClasses(SessionContext& session);
-/// Without making any. kPersonViewCoded.
-[[nodiscard]] std::vector<StoredRaterClass> raterClasses(SessionContext& session);
 
 /// Writes the list as CSV (UTF-8 with byte order mark, so that spreadsheets read it right). Coded:
 /// kReportExportCoded. With names: kReportExportNamed; that the names were taken out is audited, with the

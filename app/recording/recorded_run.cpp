@@ -80,11 +80,6 @@ void RecordedRun::step(std::int64_t ticks) {
   }
 }
 
-const ServoThread& RecordedRun::thread() const {
-  TORSIO_EXPECTS(thread_.has_value());
-  return *thread_;
-}
-
 RecordingResult RecordedRun::finish(TrialOutcome outcome) {
   TORSIO_EXPECTS(recorder_.has_value());
   if (thread_) {

@@ -83,4 +83,8 @@ RecordingHost thisHost(const fs::path& root) {
           .gpu = graphicsCard(root)};
 }
 
+TrialContext stationContext() {
+  return {.station = stationName(), .host = thisHost()};
+}
+
 }  // namespace torsio

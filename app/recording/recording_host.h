@@ -12,4 +12,7 @@ namespace torsio {
 /// Linux only). `root`: where the files of the system begin.
 [[nodiscard]] RecordingHost thisHost(const std::filesystem::path& root = "/");
 
+/// Returns the context of a recording of free practice: this station and this machine, nobody's training.
+[[nodiscard]] TrialContext stationContext();
+
 }  // namespace torsio

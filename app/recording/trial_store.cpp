@@ -2,13 +2,10 @@
 #include "app/recording/trial_store.h"
 
 #include <filesystem>
-#include <utility>
 
 #include <QStandardPaths>
 
 #include "app/access/session_context.h"
-#include "app/recording/recording_host.h"
-#include "app/recording/unstored_trials.h"
 #include "sim/base/file_io.h"
 
 namespace torsio {
@@ -20,12 +17,7 @@ std::string defaultDatabase() {
   return (folder / "torsio.sqlite").string();
 }
 
-TrialStore::TrialStore(std::string locator)
-    : locator_(std::move(locator)), connection_(openUpToDate(locator_)) {}
-
-std::unique_ptr<TrialSink> TrialStore::newSink() const {
-  return recordingSink(locator_, {.station = stationName(), .host = thisHost()});
-}
+TrialStore::TrialStore(const std::string& locator) : connection_(openUpToDate(locator)) {}
 
 std::vector<TrialListing> TrialStore::list() {
   return TrialRepository(connection_).list();

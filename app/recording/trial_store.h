@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,15 +12,12 @@ namespace torsio {
 /// when missing. Needs a QCoreApplication (its name decides the folder). Throws Error{kFileUnwritable}.
 [[nodiscard]] std::string defaultDatabase();
 
-/// Recorded trials of one database, for the window. Belongs to the thread that made it; the sinks it gives
-/// out may be used in another.
+/// Recorded trials of one database, for the window. Belongs to the thread that made it.
 class TrialStore {
  public:
   /// Opens or makes the database and brings its schema up to date. Throws Error, DbError.
-  explicit TrialStore(std::string locator);
+  explicit TrialStore(const std::string& locator);
 
-  /// Where a recording of free practice goes (recordingSink of care/unstored_trials.h): nobody's trial.
-  [[nodiscard]] std::unique_ptr<TrialSink> newSink() const;
   /// Newest first, finished or not.
   [[nodiscard]] std::vector<TrialListing> list();
   [[nodiscard]] Trial load(const std::string& trialId);
@@ -29,7 +25,6 @@ class TrialStore {
   [[nodiscard]] const std::string& location() const noexcept { return connection_.location(); }
 
  private:
-  std::string locator_;
   Connection connection_;
 };
 

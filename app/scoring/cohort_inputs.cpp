@@ -142,9 +142,7 @@ CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, c
                    });
 
   inputs.trainingScale = training.scale;
-  for (const Occasion& occasion : training.occasions) {
-    inputs.occasions.push_back(occasionText(occasion));
-  }
+  inputs.occasions = occasionTexts(training.occasions);
   inputs.scores = training.trainees;
   inputs.summaries = training.groups;
   inputs.trainingMarks = training.marks;

@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/base/refusal.h"
 #include "sim/base/error.h"
+#include "sim/base/refusal.h"
 
 namespace torsio {
 

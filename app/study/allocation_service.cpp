@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
-#include <set>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -12,8 +11,8 @@
 #include "app/base/build_info.h"
 #include "app/base/refusal.h"
 #include "app/study/allocation_design.h"
+#include "app/study/draw_field.h"
 #include "app/study/drawn_seed.h"
-#include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -21,85 +20,6 @@ namespace torsio {
 namespace {
 
 constexpr std::size_t kTries = 200;
-
-/// A cohort as the draw sees it.
-struct Field {
-  StoredCohort cohort;
-  std::vector<StoredGroup> groups;
-  std::vector<StoredEnrolment> enrolments;        ///< not withdrawn
-  std::map<std::string, StoredTrainee> trainees;  ///< by id
-
-  [[nodiscard]] std::vector<std::string> groupCodes() const {
-    std::vector<std::string> codes;
-    for (const StoredGroup& group : groups) {
-      codes.push_back(group.code);
-    }
-    return codes;
-  }
-  /// Enrolled without a group, in the order of codes.
-  [[nodiscard]] std::vector<StoredEnrolment> waiting() const {
-    std::vector<StoredEnrolment> list;
-    for (const StoredEnrolment& enrolment : enrolments) {
-      if (enrolment.groupId.empty()) {
-        list.push_back(enrolment);
-      }
-    }
-    std::sort(list.begin(), list.end(), [](const StoredEnrolment& a, const StoredEnrolment& b) {
-      return a.traineeCode < b.traineeCode;
-    });
-    return list;
-  }
-};
-
-Field readField(SessionContext& session, const std::string& cohortId) {
-  StudyRepository study(session.connection());
-  Field field;
-  field.cohort = study.cohort(cohortId);
-  field.groups = study.groups(cohortId);
-  field.enrolments = study.enrolments(cohortId);
-  std::erase_if(field.enrolments,
-                [](const StoredEnrolment& e) { return e.state == EnrolmentState::kWithdrawn; });
-  for (StoredTrainee& trainee : PeopleRepository(session.connection()).trainees()) {
-    field.trainees[trainee.person.id] = std::move(trainee);
-  }
-  return field;
-}
-
-/// The levels that a factor has among the people who wait.
-AllocationFactor factorOf(const Field& field, const std::string& name) {
-  std::set<std::string> levels;
-  for (const StoredEnrolment& enrolment : field.waiting()) {
-    const std::string level = factorValue(field.trainees.at(enrolment.traineeId), name);
-    if (!level.empty()) {
-      levels.insert(level);
-    }
-  }
-  return {name, {levels.begin(), levels.end()}};
-}
-
-AllocationDesign designOf(const Field& field, const AllocationPlan& plan) {
-  AllocationDesign design;
-  design.studyId = field.cohort.id;
-  design.method = plan.method;
-  design.arms = field.groupCodes();
-  design.participants = plan.method == AllocationMethod::kCompletePermutation ? field.waiting().size() : 0;
-  design.blockSizes = plan.blockSizes;
-  design.bestArm_tenths = plan.bestArm_tenths;
-  design.imbalance = plan.imbalance;
-  for (const std::string& name : plan.factors) {
-    design.factors.push_back(factorOf(field, name));
-  }
-  validateDesign(design);
-  if (plan.method == AllocationMethod::kStratifiedBlocks && plan.everybodyEnrolled) {
-    std::vector<AllocationPerson> persons;
-    for (const StoredEnrolment& enrolment : field.waiting()) {
-      persons.push_back(personForDraw(design, field.trainees.at(enrolment.traineeId)));
-    }
-    // Any seed: only the strata are counted here.
-    design.stratumTotals = allocate(design, 0, persons).design.stratumTotals;
-  }
-  return design;
-}
 
 std::vector<StoredAllocation> drawnOf(const std::vector<StoredAllocation>& records) {
   std::vector<StoredAllocation> drawn;
@@ -137,7 +57,7 @@ std::map<std::string, std::string> codesOf(StudyRepository& study, const std::st
   return codes;
 }
 
-OpenDraw openDraw(SessionContext& session, const Field& field) {
+OpenDraw openDraw(SessionContext& session, const DrawField& field) {
   StudyRepository study(session.connection());
   const std::vector<StoredAllocationDesign> designs = study.designs(field.cohort.id);
   if (designs.empty()) {
@@ -168,7 +88,7 @@ OpenDraw openDraw(SessionContext& session, const Field& field) {
   return open;
 }
 
-StoredAllocation draw(SessionContext& session, const Field& field, OpenDraw& open,
+StoredAllocation draw(SessionContext& session, const DrawField& field, OpenDraw& open,
                       const StoredEnrolment& enrolment) {
   StudyRepository study(session.connection());
   const AllocationPerson person = personForDraw(open.design, field.trainees.at(enrolment.traineeId));
@@ -208,7 +128,7 @@ AllocationDesignRow rowOf(StudyRepository& study, const StoredAllocationDesign& 
 }
 
 /// Adds one trial allocation to the statistics of a preview.
-void addTry(BalancePreview& preview, const Allocation& tried, const Field& field,
+void addTry(BalancePreview& preview, const Allocation& tried, const DrawField& field,
             const std::vector<StoredEnrolment>& people) {
   const auto difference = [](const std::vector<std::size_t>& counts) {
     const auto [low, high] = std::minmax_element(counts.begin(), counts.end());
@@ -244,7 +164,7 @@ const std::vector<std::string>& allocationFactorNames() {
 
 BalancePreview previewBalance(SessionContext& session, const AllocationPlan& plan) {
   session.require(Operation::kAllocationRun);
-  Field field = readField(session, plan.cohortId);
+  DrawField field = readDrawField(session, plan.cohortId);
   BalancePreview preview;
   preview.groups = field.groupCodes();
   std::vector<StoredEnrolment> people = field.waiting();
@@ -286,7 +206,7 @@ AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan
                                    const std::string& supersedeReason) {
   session.require(Operation::kAllocationRun);
   Transaction transaction(session.connection());
-  const Field field = readField(session, plan.cohortId);
+  const DrawField field = readDrawField(session, plan.cohortId);
   StudyRepository study(session.connection());
   const std::vector<StoredAllocationDesign> before = study.designs(plan.cohortId);
   if (!before.empty() && !study.allocations(before.back().id).empty() && supersedeReason.empty()) {
@@ -345,28 +265,10 @@ std::vector<StoredAllocation> allocations(SessionContext& session, const std::st
   return StudyRepository(session.connection()).allocations(designId);
 }
 
-StoredAllocation allocateOne(SessionContext& session, const std::string& cohortId,
-                             const std::string& enrolmentId) {
-  session.require(Operation::kAllocationRun);
-  Transaction transaction(session.connection());
-  const Field field = readField(session, cohortId);
-  const std::vector<StoredEnrolment> waiting = field.waiting();
-  const auto enrolment = std::find_if(waiting.begin(), waiting.end(),
-                                      [&](const StoredEnrolment& e) { return e.id == enrolmentId; });
-  if (enrolment == waiting.end()) {
-    refuse("has a group already, has withdrawn or is not enrolled here", enrolmentId,
-           "Choose somebody who waits; a change of group is an override with a reason");
-  }
-  OpenDraw open = openDraw(session, field);
-  StoredAllocation record = draw(session, field, open, *enrolment);
-  transaction.commit();
-  return record;
-}
-
 std::size_t allocateAll(SessionContext& session, const std::string& cohortId) {
   session.require(Operation::kAllocationRun);
   Transaction transaction(session.connection());
-  const Field field = readField(session, cohortId);
+  const DrawField field = readDrawField(session, cohortId);
   OpenDraw open = openDraw(session, field);
   const std::vector<StoredEnrolment> waiting = field.waiting();
   if (waiting.empty()) {
@@ -387,7 +289,7 @@ StoredAllocation overrideAllocation(SessionContext& session, const std::string& 
     refuse("an override needs a reason", enrolmentId, "Say in a few words why");
   }
   Transaction transaction(session.connection());
-  const Field field = readField(session, cohortId);
+  const DrawField field = readDrawField(session, cohortId);
   OpenDraw open = openDraw(session, field);
   const auto last = std::find_if(open.records.rbegin(), open.records.rend(),
                                  [&](const StoredAllocation& r) { return r.enrolmentId == enrolmentId; });
@@ -436,7 +338,7 @@ std::string revealSeed(SessionContext& session, const std::string& designId, con
     if (designs.empty() || designs.back().id != designId || !reason.empty()) {
       continue;
     }
-    if (const std::size_t waiting = readField(session, cohort.id).waiting().size(); waiting > 0) {
+    if (const std::size_t waiting = readDrawField(session, cohort.id).waiting().size(); waiting > 0) {
       refuse(Text("%1 people still wait for a group: the seed would tell them theirs", waiting), cohort.name,
              "Allocate them first, or give a reason");
     }

@@ -79,10 +79,6 @@ struct SealedCard {
 /// Who was put where, in order, overrides too. kAllocationView.
 [[nodiscard]] std::vector<StoredAllocation> allocations(SessionContext& session, const std::string& designId);
 
-/// Draws the group of one enrolment. Audited. kAllocationRun. Throws Error{kBadData}: no design, allocated
-/// already, a factor is not recorded, the list is used up.
-StoredAllocation allocateOne(SessionContext& session, const std::string& cohortId,
-                             const std::string& enrolmentId);
 /// Everybody who is enrolled and has no group, by code: all or none. Returns how many. The same.
 std::size_t allocateAll(SessionContext& session, const std::string& cohortId);
 /// Moves somebody to another group, as a new record with its reason beside the drawn one. Audited.

@@ -38,7 +38,6 @@ json moduleJson(const StoredModule& module) {
            {"title", module.title},
            {"scene", module.sceneId},
            {"pattern", module.patternId},
-           {"exercise", module.exerciseKind},
            {"mode", storedText(module.mode)},
            {"target_deg", writtenDegrees(module.targetAngle_rad)},
            {"tolerance_deg", writtenDegrees(module.tolerance_rad)},
@@ -146,7 +145,6 @@ StoredModule readModule(const json& source, const std::string& place) {
   module.title = fields.text("title", "");
   module.sceneId = fields.text("scene", "");
   module.patternId = fields.text("pattern", "");
-  module.exerciseKind = fields.text("exercise", "");
   module.mode = readTerm(fields, "mode", module.mode, Text("is neither practice nor graded"));
   module.targetAngle_rad = radians(fields.number("target_deg", -kMostDegrees, kMostDegrees, 0.0));
   module.tolerance_rad = radians(fields.number("tolerance_deg", 0.0, kMostDegrees, 0.0));

@@ -14,9 +14,6 @@ namespace torsio {
 // While a curriculum is being written, its StoredCurriculumVersion carries codes in place of ids: a module's
 // `id` is its code, `requires_` and StoredPhase::moduleId name codes. Publishing gives real ids.
 
-/// Exercises that a station can run.
-[[nodiscard]] const std::vector<std::string>& exerciseKinds();
-
 /// Something that keeps a draft from being published.
 struct CurriculumProblem {
   Text where{};  ///< "module V2", "arm G1, phase 2", "scoring point mid"

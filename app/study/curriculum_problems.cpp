@@ -99,10 +99,6 @@ class Examination {
       add(where, "has no title", "Say in a few words what is practised");
     }
     checkScene(module, where);
-    const std::vector<std::string>& kinds = exerciseKinds();
-    if (std::find(kinds.begin(), kinds.end(), module.exerciseKind) == kinds.end()) {
-      add(where, Text("has an unknown exercise \"%1\"", module.exerciseKind), "Choose one from the list");
-    }
     if (module.targetAngle_rad == 0.0) {
       add(where, "has a target of 0 degrees", "Enter how far to twist");
     }
@@ -228,7 +224,7 @@ class Examination {
       }
       longest_us = std::max(longest_us, total_us);
     }
-    std::int64_t before_us = -1;
+    std::int64_t before_us = 0;
     for (const Occasion& occasion : known_) {
       for (const PlannedOccasion& point : content_.plannedOccasions) {
         if (point.code != occasion.code) {
@@ -238,8 +234,8 @@ class Examination {
         if (!seen.insert(point.code).second) {
           add(where, "stands twice", "Keep one of the two");
         }
-        if (point.afterExposure_us <= before_us) {
-          add(where, "does not come after the one before", "Give each a later time than the last");
+        if (point.afterExposure_us < before_us) {
+          add(where, "comes before the one that it follows", "Give each the time of the last or a later one");
         }
         before_us = point.afterExposure_us;
         if (!content_.arms.empty() && point.afterExposure_us > longest_us) {
@@ -263,11 +259,6 @@ class Examination {
 };
 
 }  // namespace
-
-const std::vector<std::string>& exerciseKinds() {
-  static const std::vector<std::string> kKinds{"twist to target", "hold", "follow"};
-  return kKinds;
-}
 
 std::vector<CurriculumProblem> curriculumProblems(const StoredCurriculumVersion& content,
                                                   const std::filesystem::path& assets,

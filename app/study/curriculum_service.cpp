@@ -136,12 +136,6 @@ StoredCurriculumVersion publishedContent(SessionContext& session, const std::str
   return withCodes(*std::move(version));
 }
 
-std::optional<StoredCurriculumVersion> curriculumVersion(SessionContext& session,
-                                                         const std::string& versionId) {
-  session.requireEither(Operation::kPractice, Operation::kPersonViewCoded);
-  return CurriculumRepository(session.connection()).version(versionId);
-}
-
 std::string addCurriculum(SessionContext& session, const std::string& name, const std::string& description,
                           const std::optional<StoredCurriculumVersion>& content, bool demonstration) {
   session.require(Operation::kCurriculumEdit);

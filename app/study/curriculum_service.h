@@ -34,9 +34,6 @@ struct CurriculumRow {
 /// A published version with codes in place of ids: as it looks in the editor, and as a start of the next
 /// draft. kPersonViewCoded. Throws Error{kBadData} for an unknown id.
 [[nodiscard]] StoredCurriculumVersion publishedContent(SessionContext& session, const std::string& versionId);
-/// A published version with all its parts; empty: there is none. kPersonViewCoded or kPractice.
-[[nodiscard]] std::optional<StoredCurriculumVersion> curriculumVersion(SessionContext& session,
-                                                                       const std::string& versionId);
 
 /// A new curriculum with a first draft: empty, or from a template. Returns its id. kCurriculumEdit. Throws
 /// Error{kBadParameter} for an empty name, DbError{kUnique} when the name is taken.

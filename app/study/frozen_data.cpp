@@ -8,7 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/base/refusal.h"
 #include "db/repository/base/field_digest.h"
 #include "db/repository/base/seals.h"
 #include "db/repository/people/access_repository.h"
@@ -18,6 +17,7 @@
 #include "db/repository/study/study_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
+#include "sim/base/refusal.h"
 
 namespace torsio {
 
@@ -27,7 +27,7 @@ using nlohmann::json;
 using Hashes = std::map<std::string, std::string>;  ///< id of a row -> hash over it
 using Manifest = std::map<std::string, Hashes>;     ///< table -> rows
 
-constexpr const char* kFormat = "torsio frozen data 1";
+constexpr const char* kFrozenFormat = "torsio frozen data 1";
 constexpr std::size_t kShownDifferences = 20;
 
 std::string hashOf(const StoredEnrolment& row) {
@@ -133,7 +133,7 @@ Manifest manifestOf(SessionContext& session, const std::string& cohortId,
 }
 
 json manifestJson(const Manifest& manifest) {
-  return {{"format", kFormat}, {"rows", manifest}};
+  return {{"format", kFrozenFormat}, {"rows", manifest}};
 }
 
 std::string hashOfText(const std::string& text) {

@@ -36,8 +36,7 @@ void countRest(const StudyArm& arm, std::int64_t duration_us, PhaseProgress& pro
       arm.restSplittable ? std::max<std::int64_t>(0, arm.restAllowance_us - progress.restUsed_us) : 0;
 }
 
-void fillTraining(RunDayRow& row, const StudyArm& arm, const std::vector<StoredExposure>& exposures,
-                  const Occasions& occasions) {
+void fillTraining(RunDayRow& row, const StudyArm& arm, const std::vector<StoredExposure>& exposures) {
   row.armLabel = arm.label;
   row.restAllowance_us = arm.restAllowance_us;
   row.progress = phaseProgress(arm, exposures);
@@ -46,12 +45,34 @@ void fillTraining(RunDayRow& row, const StudyArm& arm, const std::vector<StoredE
     row.phaseLabel = arm.phases[row.progress.phase].label;
     row.phaseKind = storedText(arm.phases[row.progress.phase].kind);
   }
+}
+
+/// How many sheets of a trainee an occasion has.
+struct SheetCount {
+  std::size_t asked = 0;  ///< that were not withdrawn
+  std::size_t missing = 0;
+};
+/// By enrolment and code of the occasion.
+using SheetCounts = std::map<std::pair<std::string, std::string>, SheetCount>;
+
+/// Gives the newest occasion that this much training has reached. Of several after as much training, the
+/// first whose sheets are not all in: a follow-up is due when the occasion before it is done. No code: none.
+Occasion occasionDue(const Occasions& occasions, std::int64_t trained_us, const std::string& enrolmentId,
+                     const SheetCounts& sheets) {
+  Occasion due;
   for (const Occasion& occasion : occasions) {
-    if (occasion.afterExposure_us &&
-        row.progress.virtual_us + row.progress.real_us >= *occasion.afterExposure_us) {
-      row.occasionDue = occasion;
+    if (!occasion.afterExposure_us || trained_us < *occasion.afterExposure_us) {
+      continue;
     }
+    if (due.afterExposure_us == occasion.afterExposure_us) {
+      const auto count = sheets.find({enrolmentId, due.code});
+      if (count == sheets.end() || count->second.asked == 0 || count->second.missing > 0) {
+        continue;
+      }
+    }
+    due = occasion;
   }
+  return due;
 }
 
 }  // namespace
@@ -100,7 +121,7 @@ struct Today {
   std::map<std::string, std::vector<StoredExposure>> exposures;
   std::map<std::string, RunningTrial> running;
   std::map<std::string, std::size_t> deviations;
-  std::map<std::pair<std::string, std::string>, std::size_t> missing;  ///< and code of the occasion
+  SheetCounts sheets;
 };
 
 Today readToday(SessionContext& session, const std::string& cohortId) {
@@ -116,9 +137,9 @@ Today readToday(SessionContext& session, const std::string& cohortId) {
     ++today.deviations[deviation.enrolmentId];
   }
   for (const AssignmentStatus& status : SheetRepository(session.connection()).assignments(cohortId)) {
-    if (isOutstanding(status.state)) {
-      ++today.missing[{status.assignment.enrolmentId, status.assignment.occasionCode}];
-    }
+    SheetCount& count = today.sheets[{status.assignment.enrolmentId, status.assignment.occasionCode}];
+    count.asked += status.state == SheetState::kWithdrawn ? 0U : 1U;
+    count.missing += isOutstanding(status.state) ? 1U : 0U;
   }
   return today;
 }
@@ -156,8 +177,10 @@ RunDayBoard runDayBoard(SessionContext& session, const std::string& cohortId) {
     row.groupCode = enrolment.groupCode;
     row.deviations = today.deviations[enrolment.id];
     if (const auto arm = armOfGroup.find(enrolment.groupId); arm != armOfGroup.end()) {
-      fillTraining(row, *arm->second, today.exposures[enrolment.id], occasions);
-      row.sheetsMissing = today.missing[{enrolment.id, row.occasionDue.code}];
+      fillTraining(row, *arm->second, today.exposures[enrolment.id]);
+      row.occasionDue =
+          occasionDue(occasions, row.progress.virtual_us + row.progress.real_us, enrolment.id, today.sheets);
+      row.sheetsMissing = today.sheets[{enrolment.id, row.occasionDue.code}].missing;
     }
     if (const auto trial = today.running.find(enrolment.id); trial != today.running.end()) {
       row.runningTrialId = trial->second.trialId;

@@ -44,7 +44,8 @@ struct RunDayRow {
   PhaseProgress progress{};
   std::int64_t restAllowance_us = 0;
   bool done = false;              ///< all phases
-  Occasion occasionDue{};         ///< the newest one that the exposure has reached; no code: none
+  Occasion occasionDue{};         ///< the newest one that the exposure has reached; of
+                                  ///< several, the first that lacks sheets; no code: none
   std::size_t sheetsMissing = 0;  ///< of that occasion
   std::string runningTrialId{};   ///< empty: nothing runs
   std::string station{};          ///< where it runs

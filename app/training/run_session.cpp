@@ -240,10 +240,6 @@ RecordingSpec RunSession::newTrial() {
   return recording;
 }
 
-std::unique_ptr<TrialSink> RunSession::sinkFor(const RecordingSpec& recording) const {
-  return recordingSink(session_.key().locator, recording.context);
-}
-
 std::vector<RecoveredTrial> recoverInterrupted(SessionContext& session, const std::filesystem::path& folder) {
   const TraineeRecord record = ownRecord(session, Operation::kTrialRecordOwn);
   std::vector<RecoveredTrial> own;

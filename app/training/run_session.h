@@ -57,10 +57,8 @@ class RunSession {
   /// Given up; `reason` goes to the study's deviations when a phase was cut short.
   void stop(const std::string& reason);
 
-  /// Orders a new recording for the present phase. Virtual phases only.
+  /// Orders a new recording for the present phase, kept where recordingSink says. Virtual phases only.
   [[nodiscard]] RecordingSpec newTrial();
-  /// Where it is kept: recordingSink of care/unstored_trials.h, for the recorder's thread.
-  [[nodiscard]] std::unique_ptr<TrialSink> sinkFor(const RecordingSpec& recording) const;
   /// Ids of the recordings so far.
   [[nodiscard]] const std::vector<std::string>& trials() const noexcept { return trials_; }
 

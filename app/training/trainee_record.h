@@ -11,6 +11,9 @@
 
 namespace torsio {
 
+/// More trials than one trainee ever records: the limit where all of them are wanted.
+inline constexpr std::int64_t kAllTrials = 10'000;
+
 /// Where a trainee belongs: what the services of the station read first.
 struct TraineeRecord {
   std::string personId{};

@@ -12,6 +12,8 @@
 
 namespace torsio {
 
+inline constexpr double kMicrosecondsPerSecond = 1e6;
+
 /// A grip that at no moment turned the organ by this much was a touch, not a twist. The largest angle of the
 /// grip decides, not the one at letting go: who turns back to zero has twisted, and missed.
 inline constexpr double kSmallestTwist_rad = radians(2.0);
@@ -62,10 +64,8 @@ struct SampleTimes {
 [[nodiscard]] std::vector<double> targetsInForce(const TrialHeader& header, std::span<const Sample> samples);
 
 /// Finds the twists of a recording in their order, touches left out, those that were not completed included.
-/// This is the one definition of a twist that reports, debriefs, trends, mastery, metrics and exports share.
-[[nodiscard]] std::vector<RecordedTwist> recordedTwists(const TrialHeader& header,
-                                                        std::span<const Sample> samples);
-/// Does the same with time stamps and targets that are known already, one entry a sample each.
+/// `times_us` (sampleTimes) and `targets_rad` (targetsInForce) have one entry a sample each. This is the one
+/// definition of a twist that reports, debriefs, trends, mastery, metrics and exports share.
 [[nodiscard]] std::vector<RecordedTwist> recordedTwists(std::span<const Sample> samples,
                                                         std::span<const std::int64_t> times_us,
                                                         std::span<const double> targets_rad);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numbers>
 
 #include "sim/base/contracts.h"
@@ -40,18 +39,9 @@ void runSteady(const Biquad& f, std::vector<double>& x) {
 
 }  // namespace
 
-Biquad butterworth(double cutoff_Hz, double rate_Hz) {
-  return section(warpedFrequency(cutoff_Hz, rate_Hz));
-}
-
 Biquad butterworthForTwoPasses(double cutoff_Hz, double rate_Hz) {
   const double correction = std::pow(std::numbers::sqrt2 - 1.0, 0.25);
   return section(warpedFrequency(cutoff_Hz, rate_Hz) / correction);
-}
-
-double gainAt(const Biquad& f, double frequency_Hz, double rate_Hz) {
-  const std::complex<double> z = std::polar(1.0, -2.0 * std::numbers::pi * frequency_Hz / rate_Hz);
-  return std::abs((f.b0 + f.b1 * z + f.b2 * z * z) / (1.0 + f.a1 * z + f.a2 * z * z));
 }
 
 std::vector<double> filterZeroPhase(const Biquad& filter, std::span<const double> signal,
@@ -94,34 +84,6 @@ std::vector<double> derivative(std::span<const double> signal, double rate_Hz) {
   out[n - 1] = (signal[n - 1] - signal[n - 2]) * rate_Hz;
   for (std::size_t i = 1; i + 1 < n; ++i) {
     out[i] = 0.5 * (signal[i + 1] - signal[i - 1]) * rate_Hz;
-  }
-  return out;
-}
-
-double twistAngle(const Quat& orientation, const Vec3& axis) {
-  const double along = orientation.x * axis.x + orientation.y * axis.y + orientation.z * axis.z;
-  double angle = 2.0 * std::atan2(along, orientation.w);
-  if (angle > std::numbers::pi) {
-    angle -= 2.0 * std::numbers::pi;
-  }
-  if (angle <= -std::numbers::pi) {
-    angle += 2.0 * std::numbers::pi;
-  }
-  return angle;
-}
-
-std::vector<double> unwrapped(std::span<const double> angles_rad) {
-  std::vector<double> out(angles_rad.begin(), angles_rad.end());
-  double turns = 0.0;
-  for (std::size_t i = 1; i < out.size(); ++i) {
-    const double jump = angles_rad[i] - angles_rad[i - 1];
-    if (jump > std::numbers::pi) {
-      turns -= 2.0 * std::numbers::pi;
-    }
-    if (jump < -std::numbers::pi) {
-      turns += 2.0 * std::numbers::pi;
-    }
-    out[i] = angles_rad[i] + turns;
   }
   return out;
 }

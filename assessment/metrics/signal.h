@@ -6,8 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "sim/base/pose.h"
-
 namespace torsio {
 
 inline constexpr double kPoseCutoff_Hz = 10.0;
@@ -24,13 +22,9 @@ struct Biquad {
   double a2 = 0.0;
 };
 
-/// Designs a Butterworth low-pass of second order for one pass.
-[[nodiscard]] Biquad butterworth(double cutoff_Hz, double rate_Hz);
 /// Designs a Butterworth low-pass for running forward and backward, so that the two passes together have
 /// gain 1/sqrt(2) at the cut-off (the correction acts on the warped frequency).
 [[nodiscard]] Biquad butterworthForTwoPasses(double cutoff_Hz, double rate_Hz);
-/// Returns the gain of one pass at a frequency.
-[[nodiscard]] double gainAt(const Biquad& filter, double frequency_Hz, double rate_Hz);
 
 /// Filters forward and backward, without phase shift: odd reflection of `reflected` samples (fewer when the
 /// signal is shorter) and a steady-state start.
@@ -41,12 +35,6 @@ struct Biquad {
 
 /// Differentiates by central differences, one-sided at the ends; per second.
 [[nodiscard]] std::vector<double> derivative(std::span<const double> signal, double rate_Hz);
-
-/// Returns the angle of rotation about the tool's axis (unit vector in the tool's frame), by swing and
-/// twist, in (-pi, pi].
-[[nodiscard]] double twistAngle(const Quat& orientation, const Vec3& axis);
-/// Unwraps angles: adds multiples of 2 pi so that neighbours differ by at most pi.
-[[nodiscard]] std::vector<double> unwrapped(std::span<const double> angles_rad);
 
 /// A signal on a uniform grid, or what is wrong with its time stamps.
 struct UniformSignal {

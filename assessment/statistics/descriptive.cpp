@@ -9,33 +9,6 @@
 
 namespace torsio {
 
-namespace {
-
-template <class T>
-DoubledRanks ranksOf(std::span<const T> values) {
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-  DoubledRanks out;
-  out.ranks.resize(values.size());
-  for (std::size_t first = 0; first < order.size();) {
-    std::size_t end = first;
-    while (end < order.size() && !(values[order[first]] < values[order[end]])) {
-      ++end;
-    }
-    const auto ties = static_cast<std::int64_t>(end - first);
-    out.tieTerm += ties * ties * ties - ties;
-    // Ranks first + 1 .. end have the middle (first + 1 + end) / 2.
-    for (std::size_t i = first; i < end; ++i) {
-      out.ranks[order[i]] = static_cast<std::int64_t>(first + 1 + end);
-    }
-    first = end;
-  }
-  return out;
-}
-
-}  // namespace
-
 double meanOf(std::span<const double> values) {
   TORSIO_EXPECTS(!values.empty());
   // Neumaier's compensated sum.
@@ -85,10 +58,25 @@ double medianOf(std::span<const double> values) {
 }
 
 DoubledRanks doubledRanks(std::span<const double> values) {
-  return ranksOf(values);
-}
-DoubledRanks doubledRanks(std::span<const std::int64_t> values) {
-  return ranksOf(values);
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  DoubledRanks out;
+  out.ranks.resize(values.size());
+  for (std::size_t first = 0; first < order.size();) {
+    std::size_t end = first;
+    while (end < order.size() && !(values[order[first]] < values[order[end]])) {
+      ++end;
+    }
+    const auto ties = static_cast<std::int64_t>(end - first);
+    out.tieTerm += ties * ties * ties - ties;
+    // Ranks first + 1 .. end have the middle (first + 1 + end) / 2.
+    for (std::size_t i = first; i < end; ++i) {
+      out.ranks[order[i]] = static_cast<std::int64_t>(first + 1 + end);
+    }
+    first = end;
+  }
+  return out;
 }
 
 std::optional<std::vector<std::int64_t>> asWholeNumbers(std::span<const double> values) {

@@ -28,7 +28,6 @@ struct DoubledRanks {
 /// Ranks values; only equal doubles tie. Differences of decimals must be formed in whole numbers first (see
 /// exactGains): 6.9 - 5.1 and 7.0 - 5.2 are not the same double.
 [[nodiscard]] DoubledRanks doubledRanks(std::span<const double> values);
-[[nodiscard]] DoubledRanks doubledRanks(std::span<const std::int64_t> values);
 
 /// Converts decimals to whole numbers: every value times the smallest power of ten, up to 10^6, that makes
 /// all of them whole to within rounding of the double. Empty when a value has more decimals.

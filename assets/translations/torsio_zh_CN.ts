@@ -284,7 +284,7 @@
     </message>
 </context>
 <context>
-    <name>Office</name>
+    <name>Administration</name>
     <message>
         <source>no cohort yet</source>
         <translation>尚无批次</translation>
@@ -582,7 +582,7 @@
     </message>
 </context>
 <context>
-    <name>RecordDialogs</name>
+    <name>RetentionDialog</name>
     <message>
         <source>trainee</source>
         <translation>学员</translation>
@@ -627,6 +627,9 @@
         <source>Keep these rules</source>
         <translation>保存这些规则</translation>
     </message>
+</context>
+<context>
+    <name>GroupMoveDialog</name>
     <message>
         <source>Move to another group</source>
         <translation>调整到其他组</translation>
@@ -709,6 +712,14 @@
     <message>
         <source>%1: %2 → %3</source>
         <translation>%1：%2 → %3</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
     </message>
 </context>
 <context>
@@ -1604,10 +1615,6 @@
         <translation>请选择其他人</translation>
     </message>
     <message>
-        <source>Choose somebody who waits; a change of group is an override with a reason</source>
-        <translation>请选择等待分组者；更改组别属于人工调整，须说明理由</translation>
-    </message>
-    <message>
         <source>Choose the backup again</source>
         <translation>请重新选择备份</translation>
     </message>
@@ -1956,8 +1963,8 @@
         <translation>请同时给出两端</translation>
     </message>
     <message>
-        <source>Give each a later time than the last</source>
-        <translation>请使每个时间都晚于前一个</translation>
+        <source>Give each the time of the last or a later one</source>
+        <translation>请使每个时间不早于前一个</translation>
     </message>
     <message>
         <source>Give each column a name of its own</source>
@@ -3404,8 +3411,8 @@
         <translation>设备“%1”</translation>
     </message>
     <message>
-        <source>does not come after the one before</source>
-        <translation>不晚于前一个</translation>
+        <source>comes before the one that it follows</source>
+        <translation>早于排在它前面的那个</translation>
     </message>
     <message>
         <source>does not finish, or needs far more time than is given</source>
@@ -3492,10 +3499,6 @@
         <translation>力反馈设备</translation>
     </message>
     <message>
-        <source>has a group already, has withdrawn or is not enrolled here</source>
-        <translation>已分组、已退出或未在此登记</translation>
-    </message>
-    <message>
         <source>has a pattern &quot;%1&quot; that the scene %2 lacks</source>
         <translation>的扭转类型“%1”在场景 %2 中不存在</translation>
     </message>
@@ -3506,10 +3509,6 @@
     <message>
         <source>has an older schema than this program</source>
         <translation>的结构版本比此程序旧</translation>
-    </message>
-    <message>
-        <source>has an unknown exercise &quot;%1&quot;</source>
-        <translation>的任务“%1”无法识别</translation>
     </message>
     <message>
         <source>has an unknown scene &quot;%1&quot;</source>
@@ -7879,6 +7878,14 @@
         <source>the estimates lie too far apart to be computed</source>
         <translation>估计值相距过远，无法计算</translation>
     </message>
+    <message>
+        <source>List of recordings exported under codes</source>
+        <translation>导出录像列表（仅代码）</translation>
+    </message>
+    <message>
+        <source>Single marks exported under codes</source>
+        <translation>导出单项评分（仅代码）</translation>
+    </message>
 </context>
 <context>
     <name>StationLabels</name>
@@ -8360,18 +8367,6 @@
         <translation>真实手臂</translation>
     </message>
     <message>
-        <source>twist to a target angle</source>
-        <translation>扭转到目标角度</translation>
-    </message>
-    <message>
-        <source>hold the angle</source>
-        <translation>保持角度</translation>
-    </message>
-    <message>
-        <source>follow a moving angle</source>
-        <translation>跟随变化的角度</translation>
-    </message>
-    <message>
         <source>share of twists on target</source>
         <translation>达标扭转比例</translation>
     </message>
@@ -8417,10 +8412,6 @@
     <message>
         <source>May work as</source>
         <translation>可担任的角色</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
     </message>
     <message>
         <source>Trainee</source>
@@ -8497,6 +8488,13 @@
     <message>
         <source>Copied</source>
         <translation>已复制</translation>
+    </message>
+</context>
+<context>
+    <name>ReasonDialog</name>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>原因(&amp;R)</translation>
     </message>
 </context>
 <context>
@@ -9775,6 +9773,26 @@ MSM = 质点弹簧</translation>
         <source>Bookmarks are yours; remarks reach the trainee when the marks are released.</source>
         <translation>书签仅供您自己使用；评语在评分公布后送达学员。</translation>
     </message>
+    <message>
+        <source>Clear</source>
+        <translation>清空</translation>
+    </message>
+    <message>
+        <source>Takes every mark, reason and comment away; Undo brings them back</source>
+        <translation>清除所有评分、理由和评语；可用“撤销”恢复</translation>
+    </message>
+    <message>
+        <source>version %1</source>
+        <translation>第 %1 版</translation>
+    </message>
+    <message>
+        <source>Version %1, %2</source>
+        <translation>第 %1 版，%2</translation>
+    </message>
+    <message>
+        <source>Version %1, %2: %3</source>
+        <translation>第 %1 版，%2：%3</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::CohortDialog</name>
@@ -10133,58 +10151,6 @@ MSM = 质点弹簧</translation>
         <translation>第 %1 版（%2）</translation>
     </message>
     <message>
-        <source>%1: changed, not saved. The draft is also saved when you leave.</source>
-        <translation>%1：已更改，未保存。离开时草稿也会保存。</translation>
-    </message>
-    <message>
-        <source>Everything may be changed; nobody is touched until it is published as version %1.</source>
-        <translation>一切均可更改；在发布为第 %1 版之前不影响任何人。</translation>
-    </message>
-    <message>
-        <source>Saved %1. %2</source>
-        <translation>已于 %1 保存。%2</translation>
-    </message>
-    <message>
-        <source>%1 The newest version is %2: %3.</source>
-        <translation>%1 最新版本为第 %2 版：%3。</translation>
-    </message>
-    <message>
-        <source>No cohort follows it.</source>
-        <translation>没有批次采用。</translation>
-    </message>
-    <message>
-        <source>Followed by: %1.</source>
-        <translation>采用的批次：%1。</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>、</translation>
-    </message>
-    <message>
-        <source>Published on %1 and never changes. Begin it, so that cohorts can follow it.</source>
-        <translation>已于 %1 发布，不再改变。启用后批次才能采用。</translation>
-    </message>
-    <message>
-        <source>Published on %1, running: cohorts can choose it. It never changes; to change anything, edit the draft and publish the next version.</source>
-        <translation>已于 %1 发布，进行中：批次可以选用。它不再改变；如需更改，请编辑草稿并发布下一版。</translation>
-    </message>
-    <message>
-        <source>Published on %1, closed: no further cohort can choose it; who follows it goes on. It is kept as it was.</source>
-        <translation>已于 %1 发布，已关闭：不再有新批次可选用；已采用的继续进行。内容保持原样。</translation>
-    </message>
-    <message>
-        <source>%1 Note: %2.</source>
-        <translation>%1 说明：%2。</translation>
-    </message>
-    <message>
-        <source>%1 Superseded by version %2.</source>
-        <translation>%1 已被第 %2 版取代。</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>The draft is saved.</source>
         <translation>草稿已保存。</translation>
     </message>
@@ -10296,6 +10262,65 @@ MSM = 质点弹簧</translation>
         <source>Occasion added: %1</source>
         <translation>已添加评分时点：%1</translation>
     </message>
+    <message>
+        <source>Create</source>
+        <translation>创建</translation>
+    </message>
+</context>
+<context>
+    <name>CurriculumState</name>
+    <message>
+        <source>%1: changed, not saved. The draft is also saved when you leave.</source>
+        <translation>%1：已更改，未保存。离开时草稿也会保存。</translation>
+    </message>
+    <message>
+        <source>Everything may be changed; nobody is touched until it is published as version %1.</source>
+        <translation>一切均可更改；在发布为第 %1 版之前不影响任何人。</translation>
+    </message>
+    <message>
+        <source>Saved %1. %2</source>
+        <translation>已于 %1 保存。%2</translation>
+    </message>
+    <message>
+        <source>%1 The newest version is %2: %3.</source>
+        <translation>%1 最新版本为第 %2 版：%3。</translation>
+    </message>
+    <message>
+        <source>No cohort follows it.</source>
+        <translation>没有批次采用。</translation>
+    </message>
+    <message>
+        <source>Followed by: %1.</source>
+        <translation>采用的批次：%1。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Published on %1 and never changes. Begin it, so that cohorts can follow it.</source>
+        <translation>已于 %1 发布，不再改变。启用后批次才能采用。</translation>
+    </message>
+    <message>
+        <source>Published on %1, running: cohorts can choose it. It never changes; to change anything, edit the draft and publish the next version.</source>
+        <translation>已于 %1 发布，进行中：批次可以选用。它不再改变；如需更改，请编辑草稿并发布下一版。</translation>
+    </message>
+    <message>
+        <source>Published on %1, closed: no further cohort can choose it; who follows it goes on. It is kept as it was.</source>
+        <translation>已于 %1 发布，已关闭：不再有新批次可选用；已采用的继续进行。内容保持原样。</translation>
+    </message>
+    <message>
+        <source>%1 Note: %2.</source>
+        <translation>%1 说明：%2。</translation>
+    </message>
+    <message>
+        <source>%1 Superseded by version %2.</source>
+        <translation>%1 已被第 %2 版取代。</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::CurriculumEditor</name>
@@ -10330,8 +10355,8 @@ MSM = 质点弹簧</translation>
         <translation>评分时点</translation>
     </message>
     <message>
-        <source>When the raters score everybody, counted in minutes of training (rest does not count). The paper scores before, after 20 and after 40 minutes.</source>
-        <translation>评分者何时为所有人评分，以训练分钟数计（休息不计）。论文在训练前、20 分钟后和 40 分钟后评分。</translation>
+        <source>When the raters score everybody, counted in minutes of training (rest does not count). The paper scores before, after 20 and after 40 minutes. A follow-up, weeks after the training, has the minutes of the occasion before it.</source>
+        <translation>评分者何时为所有人评分，以训练分钟数计（休息不计）。论文在训练前、20 分钟后和 40 分钟后评分。训练结束数周后的随访，沿用前一个时点的分钟数。</translation>
     </message>
     <message>
         <source>after </source>
@@ -10500,6 +10525,14 @@ MSM = 质点弹簧</translation>
     <message>
         <source>There is no expert&apos;s run to compare with.</source>
         <translation>没有可供比较的专家示范。</translation>
+    </message>
+    <message>
+        <source>One twist was not completed and is not counted.</source>
+        <translation>有一次扭转未完成，不计入。</translation>
+    </message>
+    <message>
+        <source>%1 twists were not completed and are not counted.</source>
+        <translation>有 %1 次扭转未完成，不计入。</translation>
     </message>
 </context>
 <context>
@@ -10816,10 +10849,6 @@ MSM = 质点弹簧</translation>
         <translation>扭转</translation>
     </message>
     <message>
-        <source>Task</source>
-        <translation>任务</translation>
-    </message>
-    <message>
         <source>Counts as</source>
         <translation>性质</translation>
     </message>
@@ -10860,30 +10889,6 @@ MSM = 质点弹簧</translation>
         <translation>%1（该练习已不存在）</translation>
     </message>
     <message>
-        <source>at least</source>
-        <translation>不低于</translation>
-    </message>
-    <message>
-        <source>at most</source>
-        <translation>不超过</translation>
-    </message>
-    <message>
-        <source>What rule %1 is about</source>
-        <translation>标准 %1 的指标</translation>
-    </message>
-    <message>
-        <source>Direction of rule %1</source>
-        <translation>标准 %1 的方向</translation>
-    </message>
-    <message>
-        <source>Threshold of rule %1</source>
-        <translation>标准 %1 的阈值</translation>
-    </message>
-    <message>
-        <source>Attempts in a row of rule %1</source>
-        <translation>标准 %1 的连续次数</translation>
-    </message>
-    <message>
         <source>An exercise needs a code; it keeps %1.</source>
         <translation>练习需要代码；保留 %1。</translation>
     </message>
@@ -10910,6 +10915,33 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Exercises, in their order</source>
         <translation>练习（按顺序）</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::MasteryTable</name>
+    <message>
+        <source>at least</source>
+        <translation>不低于</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>不超过</translation>
+    </message>
+    <message>
+        <source>What rule %1 is about</source>
+        <translation>标准 %1 的指标</translation>
+    </message>
+    <message>
+        <source>Direction of rule %1</source>
+        <translation>标准 %1 的方向</translation>
+    </message>
+    <message>
+        <source>Threshold of rule %1</source>
+        <translation>标准 %1 的阈值</translation>
+    </message>
+    <message>
+        <source>Attempts in a row of rule %1</source>
+        <translation>标准 %1 的连续次数</translation>
     </message>
     <message>
         <source>Rules of mastery</source>
@@ -12989,6 +13021,30 @@ MSM = 质点弹簧</translation>
         <source>as the window</source>
         <translation>与窗口一致</translation>
     </message>
+    <message>
+        <source>Co&amp;ded tables…</source>
+        <translation>编码表格(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Recordings and single marks under their codes, as far as you may see them</source>
+        <translation>在您的权限内，以代码列出录像和单项评分</translation>
+    </message>
+    <message>
+        <source>New folder for the tables</source>
+        <translation>存放表格的新文件夹</translation>
+    </message>
+    <message>
+        <source>tables-%1</source>
+        <translation>表格-%1</translation>
+    </message>
+    <message>
+        <source>Folder (*)</source>
+        <translation>文件夹 (*)</translation>
+    </message>
+    <message>
+        <source>%1 recordings and %2 marks written to %3</source>
+        <translation>已将 %1 条录像和 %2 项评分写入 %3</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RestorePage</name>
@@ -13455,6 +13511,10 @@ MSM = 质点弹簧</translation>
         <source>The record is erased</source>
         <translation>记录已删除</translation>
     </message>
+    <message>
+        <source>C&amp;onsents…</source>
+        <translation>知情同意(&amp;O)…</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RosterPreviewPage</name>
@@ -13517,18 +13577,6 @@ MSM = 质点弹簧</translation>
 </context>
 <context>
     <name>torsio::gui::RosterWizard</name>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1.</source>
-        <translation>%1。</translation>
-    </message>
-    <message>
-        <source>%1. %2.</source>
-        <translation>%1。%2。</translation>
-    </message>
     <message>
         <source>Import a roster</source>
         <translation>导入名单</translation>
@@ -13753,6 +13801,14 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Device check</source>
         <translation>设备检查</translation>
+    </message>
+    <message>
+        <source>&amp;Noted…</source>
+        <translation>已记录(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>All deviations of this cohort</source>
+        <translation>本队列的全部偏离</translation>
     </message>
 </context>
 <context>
@@ -14418,6 +14474,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>That is not the password. Please try again</source>
         <translation>密码不正确，请重试</translation>
+    </message>
+    <message>
+        <source>%1. Waiting to be stored: %2</source>
+        <translation>%1。等待保存：%2 项</translation>
+    </message>
+    <message>
+        <source>The database refused %1 entries of this station for good. Please tell whoever looks after it</source>
+        <translation>数据库彻底拒绝了本训练台的 %1 条记录。请告知管理人员</translation>
     </message>
 </context>
 <context>
@@ -15325,6 +15389,115 @@ Leave it empty to remove it.</source>
     <message>
         <source>Compare with the panel</source>
         <translation>与专家组比较</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ConsentDialog</name>
+    <message>
+        <source>&amp;Given</source>
+        <translation>已同意(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Withdrawn</source>
+        <translation>已撤回(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Consents of %1</source>
+        <translation>%1 的知情同意</translation>
+    </message>
+    <message>
+        <source>Every decision is kept; the newest about a purpose counts. Enter here what was signed on paper.</source>
+        <translation>每次决定都会保留，同一用途以最新的为准。纸质签署的决定请在此录入。</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Purpose</source>
+        <translation>用途</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>决定</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文本版本</translation>
+    </message>
+    <message>
+        <source>Nothing was decided yet.</source>
+        <translation>尚无任何决定。</translation>
+    </message>
+    <message>
+        <source>On &amp;paper</source>
+        <translation>纸质签署(&amp;P)</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>已同意</translation>
+    </message>
+    <message>
+        <source>withdrawn</source>
+        <translation>已撤回</translation>
+    </message>
+</context>
+<context>
+    <name>ListDialogs</name>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>the whole cohort</source>
+        <translation>整个队列</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>偏离方案</translation>
+    </message>
+    <message>
+        <source>What went otherwise than the protocol says. The report lists it as well.</source>
+        <translation>与方案不符的情况，报告中也会列出。</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>说明</translation>
+    </message>
+    <message>
+        <source>No deviation was noted.</source>
+        <translation>没有记录任何偏离。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RepliesCard</name>
+    <message>
+        <source>Answers to your remarks: %1</source>
+        <translation>对您批注的回复：%1</translation>
+    </message>
+    <message>
+        <source>Answers to your remarks</source>
+        <translation>对您批注的回复</translation>
+    </message>
+    <message>
+        <source>%1 (you wrote: %2)</source>
+        <translation>%1（您写道：%2）</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>已读</translation>
     </message>
 </context>
 </TS>

@@ -2,6 +2,8 @@
 #include "db/connection/connection.h"
 
 #include <cmath>
+#include <cstdlib>
+#include <iostream>
 #include <utility>
 
 #include <QSqlError>
@@ -226,7 +228,11 @@ bool Connection::inTransaction() const noexcept {
 }
 
 Connection openDatabase(const std::string& locator, OpenMode mode, int busyTimeout_ms) {
-  return Connection(std::make_shared<ConnectionState>(parseLocator(locator), mode, busyTimeout_ms));
+  Connection connection(std::make_shared<ConnectionState>(parseLocator(locator), mode, busyTimeout_ms));
+  if (std::getenv(kShowStatements) != nullptr) {
+    connection.observeStatements([](std::string_view sql) { std::cerr << "sql: " << sql << '\n'; });
+  }
+  return connection;
 }
 
 Transaction::Transaction(Connection& connection) : state_(connection.state_) {

@@ -47,8 +47,8 @@ class Connection {
   /// DbError.
   [[nodiscard]] Statement selectVerbatim(std::string_view sql);
 
-  /// `observer` hears the text of every statement that is prepared from now on: query plans in tests,
-  /// diagnosis.
+  /// Has `observer` hear the text of every statement that is prepared from now on: diagnosis
+  /// (kShowStatements), query plans.
   void observeStatements(std::function<void(std::string_view)> observer);
 
   [[nodiscard]] Engine engine() const noexcept;
@@ -66,6 +66,10 @@ class Connection {
 };
 
 inline constexpr int kBusyTimeout_ms = 5000;
+
+/// Environment variable: when set, each statement that is prepared goes to standard error, never with its
+/// values.
+inline constexpr const char* kShowStatements = "TORSIO_SHOW_STATEMENTS";
 
 /// Opens a database without looking at its schema (openRecord in db/migrations does both). `busyTimeout_ms`:
 /// how long to wait for a lock, and on PostgreSQL also about how long for a server that does not answer.

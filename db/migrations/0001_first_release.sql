@@ -314,7 +314,6 @@ CREATE TABLE module (
   title TEXT NOT NULL,
   scene_id TEXT NOT NULL,
   pattern_id TEXT NOT NULL,
-  exercise_kind TEXT NOT NULL,
   mode TEXT NOT NULL CHECK (mode IN ('practice', 'graded')),
   target_angle_rad DOUBLE PRECISION NOT NULL,
   tolerance_rad DOUBLE PRECISION NOT NULL CHECK (tolerance_rad > 0),

@@ -129,7 +129,8 @@ Scene loadScene(const SceneRequest& request) {
 
   MeshImportOptions import;
   import.scale_m = description.organUnit_m;
-  TriangleMesh mesh = importMesh(description.organ, import);
+  MeshRepairs repairs;
+  TriangleMesh mesh = importMesh(description.organ, import, &repairs);
   const SectionLattice lattice(mesh, description.lattice);
   std::vector<TwistPattern> patterns;
   for (const PatternDescription& pattern : description.patterns) {
@@ -150,7 +151,8 @@ Scene loadScene(const SceneRequest& request) {
   TwistPattern chosen = pattern;
   return Scene{description.id,   description.title,      description.provenance, std::move(organHash),
                digest.hex(),     std::move(parameters),  std::move(mesh),        std::move(collision),
-               std::move(model), description.instrument, std::move(chosen),      std::move(patterns)};
+               std::move(model), description.instrument, std::move(chosen),      std::move(patterns),
+               repairs};
 }
 
 }  // namespace torsio

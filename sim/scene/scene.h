@@ -8,6 +8,7 @@
 
 #include "sim/base/live_types.h"
 #include "sim/geometry/lattice/section_lattice.h"
+#include "sim/geometry/mesh/mesh_repair.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 #include "sim/geometry/query/collision_mesh.h"
 #include "sim/tissue/twist/twist_model.h"
@@ -71,6 +72,7 @@ struct Scene {
   Instrument instrument;
   TwistPattern pattern;
   std::vector<TwistPattern> patterns;  ///< all of the scene
+  MeshRepairs repairs{};               ///< what had to be mended in the mesh
 
   [[nodiscard]] const SectionLattice& lattice() const noexcept { return model.lattice(); }
 };

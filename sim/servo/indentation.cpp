@@ -42,30 +42,6 @@ Vec3 indentationAt(const ContactPatch& patch, const Vec3& point_m) noexcept {
   return patch.normal * (-patch.depth_m * share);
 }
 
-double membraneTension_N_per_m(const ContactPatch& patch, double surface_N_per_m) noexcept {
-  if (!(patch.toolRadius_m > 0.0) || !(patch.radius_m > patch.toolRadius_m)) {
-    return 0.0;
-  }
-  return surface_N_per_m * portableLog(patch.radius_m / patch.toolRadius_m) / (2.0 * kPi);
-}
-
-bool indentSurface(const LiveState& state, std::span<float> xyz, int stride, double unit_m) noexcept {
-  if (!anyPresses(state) || stride < 3) {
-    return false;
-  }
-  for (std::size_t at = 0; at + 2 < xyz.size(); at += static_cast<std::size_t>(stride)) {
-    const Vec3 point_m = Vec3{xyz[at], xyz[at + 1], xyz[at + 2]} * unit_m;
-    const Vec3 moved = total(state, point_m) / unit_m;
-    if (moved == Vec3{}) {
-      continue;
-    }
-    xyz[at] += static_cast<float>(moved.x);
-    xyz[at + 1] += static_cast<float>(moved.y);
-    xyz[at + 2] += static_cast<float>(moved.z);
-  }
-  return true;
-}
-
 bool indentSurface(const LiveState& state, std::span<Vec3> vertices_m) noexcept {
   if (!anyPresses(state)) {
     return false;

@@ -20,16 +20,9 @@ inline constexpr double kPatchShare = 6.0;
 /// thread.
 [[nodiscard]] Vec3 indentationAt(const ContactPatch& patch, const Vec3& point_m) noexcept;
 
-/// Computes the tension of the membrane under `patch`, N/m, for a surface of stiffness k.
-[[nodiscard]] double membraneTension_N_per_m(const ContactPatch& patch, double surface_N_per_m) noexcept;
-
-/// Presses the dents of `state` into the vertices of the deformed organ: x, y, z of vertex v at xyz[v
-/// stride], in units of `unit_m`. For views, once a frame after the twist was applied (TwistView::update);
-/// returns false and leaves everything as it is when nothing is touched. Any one thread; allocates nothing.
-bool indentSurface(const LiveState& state, std::span<float> xyz, int stride = 3,
-                   double unit_m = 1.0) noexcept;
-
-/// Presses the dents of `state` into double-precision vertices in metres; false when nothing is touched.
+/// Presses the dents of `state` into the vertices of the deformed organ, metres. For views, once a frame
+/// after the twist was applied; returns false and leaves everything as it is when nothing is touched. Any one
+/// thread; allocates nothing.
 bool indentSurface(const LiveState& state, std::span<Vec3> vertices_m) noexcept;
 
 }  // namespace torsio

@@ -37,7 +37,9 @@ class Recording {
     return *this;
   }
 
-  [[nodiscard]] std::vector<RecordedTwist> twists() const { return recordedTwists(header_, samples); }
+  [[nodiscard]] std::vector<RecordedTwist> twists() const {
+    return recordedTwists(samples, sampleTimes(header_, samples).us, targetsInForce(header_, samples));
+  }
   [[nodiscard]] AttemptMeasures measured() const {
     return measureAttempt(header_, samples, {.tolerance_rad = kTolerance_rad});
   }

@@ -6,6 +6,7 @@
 #include "sim/base/error.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
+#include "tests/support/stored_rows.h"
 
 namespace torsio {
 namespace {
@@ -59,13 +60,12 @@ const std::map<std::string, std::set<std::string>> kExpected{
 
 TEST_F(AccessRepositoryTest, EveryCellOfTheMatrixIsAsWritten) {
   Connection connection = openWithSchema();
-  AccessRepository repository = access(connection);
-  const std::set<std::pair<std::string, std::string>> permissions = repository.permissions();
-  ASSERT_EQ(repository.roles().size(), kExpected.size());
+  const std::set<std::pair<std::string, std::string>> permissions = storedPermissions(connection);
+  ASSERT_EQ(storedRoles(connection).size(), kExpected.size());
 
   std::size_t cells = 0;
-  for (const std::string& role : repository.roles()) {
-    for (const std::string& operation : repository.operations()) {
+  for (const std::string& role : storedRoles(connection)) {
+    for (const std::string& operation : storedOperations(connection)) {
       ++cells;
       EXPECT_EQ(permissions.contains({role, operation}), kExpected.at(role).contains(operation))
           << role << " / " << operation;
@@ -76,7 +76,7 @@ TEST_F(AccessRepositoryTest, EveryCellOfTheMatrixIsAsWritten) {
 
 TEST_F(AccessRepositoryTest, AnAdministratorCannotTouchMarksAndAnAllocatorCannotEnrol) {
   Connection connection = openWithSchema();
-  const auto permissions = access(connection).permissions();
+  const auto permissions = storedPermissions(connection);
   EXPECT_FALSE(permissions.contains({"administrator", "mark.submit"}));
   EXPECT_FALSE(permissions.contains({"administrator", "allocation.run"}));
   EXPECT_FALSE(permissions.contains({"allocator", "study.enrol"}));

@@ -41,9 +41,9 @@ TEST_F(AlignmentRepositoryTest, TheNewestDecisionCountsAndAllAreKept) {
   ASSERT_EQ(decisions.history(id).size(), 2U);
   EXPECT_EQ(decisions.history(id)[0].reason, "far apart");
   EXPECT_EQ(decisions.latest(id)->choice, DiscrepancyChoice::kKeep);
-  ASSERT_EQ(decisions.ofCase(sample.enrolments[0].id, "mid").size(), 1U);
-  EXPECT_EQ(decisions.ofCase(sample.enrolments[0].id, "mid")[0].sequence, 2);
-  EXPECT_TRUE(decisions.ofCase(sample.enrolments[0].id, "pre").empty());
+  ASSERT_EQ(decisions.ofCohort(sample.cohort.id).size(), 1U);
+  EXPECT_EQ(decisions.ofCohort(sample.cohort.id)[0].sequence, 2);
+  EXPECT_TRUE(decisions.ofCohort("another").empty());
   const AuditEntry entry = AuditRepository(connection).entries().at(0);
   EXPECT_EQ(entry.action, "alignment.keep");
   EXPECT_EQ(entry.station, "room 1");

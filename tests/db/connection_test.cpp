@@ -2,6 +2,7 @@
 #include "db/connection/connection.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <thread>
 
@@ -59,6 +60,19 @@ TEST_F(ConnectionTest, KeepsExtremeDoublesBitForBit) {
     ASSERT_TRUE(row.step());
     EXPECT_EQ(row.real(0), value);
   }
+}
+
+TEST_F(ConnectionTest, ShowsItsStatementsWithoutTheirValuesWhenAsked) {
+  ::setenv(kShowStatements, "1", 1);
+  Connection connection = openWithTable();
+  ::unsetenv(kShowStatements);
+  ::testing::internal::CaptureStderr();
+
+  connection.execute(kInsert, {"secret", 1, 1.0, true, "words", Blob{}});
+
+  const std::string told = ::testing::internal::GetCapturedStderr();
+  EXPECT_NE(told.find("sql: INSERT INTO thing"), std::string::npos) << told;
+  EXPECT_EQ(told.find("secret"), std::string::npos);
 }
 
 TEST_F(ConnectionTest, TellsNullFromEmpty) {

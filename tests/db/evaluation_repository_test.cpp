@@ -176,7 +176,7 @@ TEST_F(EvaluationRepositoryTest, ABatchGivenAgainAfterALostAnswerIsStoredOnce) {
   EXPECT_EQ(faultFrom([&] { evaluations.submit(campaign.id, marks); }), DbFault::kUnique);
 }
 
-TEST_F(EvaluationRepositoryTest, TheNewestRunIsTheOneThatCounts) {
+TEST_F(EvaluationRepositoryTest, EveryRunIsKeptWithItsResults) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const StoredCampaign campaign = campaignFor(sample);
@@ -206,15 +206,21 @@ TEST_F(EvaluationRepositoryTest, TheNewestRunIsTheOneThatCounts) {
     evaluations.storeRun(campaign.id, run);
   }
 
-  const StoredEvaluationRun stored = evaluations.latestRun(campaign.id).value();
-
-  EXPECT_EQ(stored.run.id, run.run.id);
-  EXPECT_EQ(stored.results.at(0).weightedMean, 8.3);
-  EXPECT_EQ(stored.results.at(0).variance, 0.99 + 1);
-  EXPECT_FALSE(stored.results.at(0).sampleVariance.has_value());
-  EXPECT_EQ(stored.results.at(0).standardError, 0.125);
-  EXPECT_EQ(stored.composites.at(0).composite, 8.3);
-  EXPECT_EQ(stored.composites.at(0).flags, (std::vector<std::string>{"few raters"}));
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM assessment_run"), 2);
+  Statement result = connection.prepare(
+      "SELECT weighted_mean, variance, sample_variance, standard_error FROM evaluation_result"
+      " WHERE run_id = ?");
+  result.execute({run.run.id});
+  ASSERT_TRUE(result.step());
+  EXPECT_EQ(result.real(0), 8.3);
+  EXPECT_EQ(result.real(1), 0.99 + 1);
+  EXPECT_TRUE(result.isNull(2));
+  EXPECT_EQ(result.real(3), 0.125);
+  Statement composite = connection.prepare("SELECT composite, flags FROM composite_result WHERE run_id = ?");
+  composite.execute({run.run.id});
+  ASSERT_TRUE(composite.step());
+  EXPECT_EQ(composite.real(0), 8.3);
+  EXPECT_EQ(composite.text(1), "few raters");
   EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE composite_result SET composite = ?", {9.9}); }),
             DbFault::kAppendOnly);
 }

@@ -6,6 +6,7 @@
 
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/access_repository.h"
+#include "db/repository/people/person_rules.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/system/audit_verification.h"
@@ -70,7 +71,7 @@ class PersonDataTest : public DatabaseTest {
       const std::string person = sample.trainees[i].person.id;
       const std::string text = i == 0 ? kMarker : "somebody else";
       PeopleRepository people(connection);
-      people.addIdentities(std::vector<StoredIdentity>{{person, text, text + "@example.org", text}});
+      people.setIdentity({person, text, text + "@example.org", text});
       people.recordConsent({person, "video", true, "1", kSampleTime_us, "admin", true});
       AccessRepository(connection, PasswordCost::kTest)
           .addUser({.id = sample.ids.newUuid(), .login = text, .personId = person, .roles = {"trainee"}},
@@ -127,7 +128,7 @@ class PersonDataTest : public DatabaseTest {
 TEST_F(PersonDataTest, EveryTableHasExactlyOneRule) {
   Connection connection = openWithSchema();
   std::multiset<std::string> ruled;
-  for (const PersonRule& rule : personRules()) {
+  for (const PersonRule& rule : kPersonRules) {
     ruled.insert(std::string(rule.table));
   }
 
@@ -143,7 +144,7 @@ TEST_F(PersonDataTest, EveryTableThatPointsAtAPersonIsExported) {
   Connection connection = openWithSchema();
   const std::set<std::string> pointing{"person_id",    "trainee_id",       "rater_id",
                                        "enrolment_id", "author_person_id", "reader_person_id"};
-  for (const PersonRule& rule : personRules()) {
+  for (const PersonRule& rule : kPersonRules) {
     Statement row = connection.prepare("SELECT * FROM " + std::string(rule.table));
     row.execute();
     for (int column = 0; column < row.columnCount(); ++column) {

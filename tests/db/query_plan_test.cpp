@@ -101,9 +101,7 @@ TEST_F(QueryPlanTest, MarksOfACohortAreFoundByIndex) {
   expectNoWalk(plansOf(connection, [&] { (void)DigestRepository(connection).ofCohort("c", 1); }));
   expectNoWalk(plansOf(connection, [&] { (void)DigestRepository(connection).ofTrial("t", 1); }));
   expectNoWalk(plansOf(connection, [&] { (void)RatingRepository(connection).history("e", "r", "pre"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)RatingRepository(connection).latestRun("c"); }));
   expectNoWalk(plansOf(connection, [&] { (void)EvaluationRepository(connection).marks("c"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)EvaluationRepository(connection).latestRun("c"); }));
 }
 
 TEST_F(QueryPlanTest, TheQueueOfARaterAndTheAuditTrailAreFoundByIndex) {
@@ -137,7 +135,6 @@ TEST_F(QueryPlanTest, TheStartOfAStationAndItsBoardAreFoundByIndex) {
   const auto board = plansOf(connection, [&] { (void)stations.board(); });
   expectNoWalk(board, true);  // one row a station
   expectNoSort(board);
-  expectNoWalk(plansOf(connection, [&] { (void)stations.find("s"); }));
 }
 
 TEST_F(QueryPlanTest, RemarksAndWhatIsUnreadAreFoundByIndex) {
@@ -159,15 +156,12 @@ TEST_F(QueryPlanTest, TheDeskOfARaterIsFoundByIndex) {
   expectNoWalk(plansOf(connection, [&] { (void)desk.marksOfCase("e", "pre"); }));
   expectNoWalk(plansOf(connection, [&] { (void)desk.committed("r"); }));
   expectNoWalk(plansOf(connection, [&] { (void)desk.trialLength_us("t"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)desk.newestMark("a"); }));
   expectNoWalk(plansOf(connection, [&] { (void)desk.draftViewing("a"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)desk.viewing("m"); }));
   expectNoWalk(plansOf(connection, [&] { (void)desk.workingTimes_us("r", 20); }));
   expectNoWalk(plansOf(connection, [&] { (void)desk.evaluationDraft("c", "r"); }));
   DiscrepancyRepository alignment(connection);
   expectNoWalk(plansOf(connection, [&] { (void)alignment.history("a"); }));
   expectNoWalk(plansOf(connection, [&] { (void)alignment.latest("a"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)alignment.ofCase("e", "pre"); }));
 }
 
 TEST_F(QueryPlanTest, WhatTheAdministratorOpensIsFoundByIndex) {
@@ -177,7 +171,6 @@ TEST_F(QueryPlanTest, WhatTheAdministratorOpensIsFoundByIndex) {
   expectNoWalk(plansOf(connection, [&] { (void)curricula.version("v"); }));
   expectNoWalk(plansOf(connection, [&] { (void)curricula.versionIds("c"); }));
   expectNoWalk(plansOf(connection, [&] { (void)FreezeRepository(connection).list("c"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)RetentionRepository(connection).holds("p"); }));
   RetentionRepository(connection).setRule({kRetainTrainee, 1, "contract", 1});
   const auto due = plansOf(connection, [&] { (void)RetentionRepository(connection).due(1); });
   for (const std::string& line : due) {

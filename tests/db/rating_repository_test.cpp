@@ -124,7 +124,6 @@ TEST_F(RatingRepositoryTest, ResultsCarryTheirFormulaAndFlags) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   RatingRepository ratings(connection);
-  EXPECT_FALSE(ratings.latestRun(sample.cohort.id).has_value());
   StoredTrainingRun run;
   run.run = {.id = sample.ids.newUuid(),
              .formulaVersion = "training-1",
@@ -139,17 +138,26 @@ TEST_F(RatingRepositoryTest, ResultsCarryTheirFormulaAndFlags) {
 
   ratings.storeRun(sample.cohort.id, run);
 
-  const StoredTrainingRun stored = ratings.latestRun(sample.cohort.id).value();
-  EXPECT_EQ(stored.run.formulaVersion, "training-1");
-  EXPECT_EQ(stored.run.flags, run.run.flags);
-  EXPECT_EQ(stored.run.inputsHash, "abc");
-  ASSERT_EQ(stored.trainees.size(), 1U);
-  EXPECT_EQ(stored.trainees[0].mean, 7.0 / 3.0);
-  EXPECT_EQ(stored.trainees[0].missingCount, 1);
-  EXPECT_EQ(stored.trainees[0].flags, (std::vector<std::string>{"available-case"}));
-  ASSERT_EQ(stored.groups.size(), 1U);
-  EXPECT_FALSE(stored.groups[0].varianceNMinus1.has_value());
-  EXPECT_TRUE(stored.groups[0].flags.empty());
+  Statement stored = connection.prepare(
+      "SELECT formula_version, flags, inputs_hash FROM assessment_run WHERE cohort_id = ?");
+  stored.execute({sample.cohort.id});
+  ASSERT_TRUE(stored.step());
+  EXPECT_EQ(stored.text(0), "training-1");
+  EXPECT_EQ(stored.text(1), "available-case;demonstration data");
+  EXPECT_EQ(stored.text(2), "abc");
+  Statement trainee = connection.prepare("SELECT mean, missing_count, flags FROM training_result");
+  trainee.execute();
+  ASSERT_TRUE(trainee.step());
+  EXPECT_EQ(trainee.real(0), 7.0 / 3.0);
+  EXPECT_EQ(trainee.int64(1), 1);
+  EXPECT_EQ(trainee.text(2), "available-case");
+  EXPECT_FALSE(trainee.step());
+  Statement group = connection.prepare("SELECT variance_n_minus_1, flags FROM training_group_result");
+  group.execute();
+  ASSERT_TRUE(group.step());
+  EXPECT_TRUE(group.isNull(0));
+  EXPECT_EQ(group.text(1), "");
+  EXPECT_FALSE(group.step());
 }
 
 }  // namespace

@@ -139,7 +139,11 @@ TEST_F(RetentionRepositoryTest, AReviewerLocksExtendsAndReleases) {
   retention.addHold({id, HoldKind::kRelease, {}, "appeal decided", "admin", now_us});
   EXPECT_FALSE(held(now_us));
 
-  EXPECT_EQ(retention.holds(id).size(), 3U);
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM retention_hold"), 3);
+  EXPECT_EQ(faultFrom([&] {
+              retention.addHold({id, HoldKind::kExtend, {}, "", "admin", 1});
+            }),
+            DbFault::kCheck);
   EXPECT_EQ(faultFrom([&] {
               retention.addHold({id, HoldKind::kExtend, {}, "", "admin", 1});
             }),

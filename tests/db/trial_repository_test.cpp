@@ -311,7 +311,6 @@ TEST_F(TrialRepositoryTest, KeepsForWhatAndOnWhichMachineATrialWasRecorded) {
   StoredModule module;
   module.id = "m";
   module.code = "M1";
-  module.exerciseKind = "twist";
   module.mode = AttemptMode::kGraded;
   module.tolerance_rad = 0.1;
   version.modules = {module};

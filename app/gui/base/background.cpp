@@ -41,11 +41,4 @@ void Background::run(std::function<Finish()> work, std::function<void(const std:
   });
 }
 
-void Background::wait() {
-  while (working_) {
-    worker_.waitForDone(10);
-    QCoreApplication::processEvents();
-  }
-}
-
 }  // namespace torsio::gui

@@ -24,8 +24,6 @@ class Background : public QObject {
   using Finish = std::function<void()>;
   void run(std::function<Finish()> work, std::function<void(const std::exception_ptr&)> failed);
   [[nodiscard]] bool working() const noexcept { return working_; }
-  /// Tests: until the work and what follows it are done.
-  void wait();
 
  Q_SIGNALS:
   void workingChanged(bool working);

@@ -63,10 +63,6 @@ Language presentLanguage() {
   return QLocale().language() == QLocale::Chinese ? Language::kSimplifiedChinese : Language::kEnglish;
 }
 
-Language systemLanguage() {
-  return QLocale::system().language() == QLocale::Chinese ? Language::kSimplifiedChinese : Language::kEnglish;
-}
-
 LanguageSwitch::LanguageSwitch(QObject* parent) : QObject(parent) {
   initTranslations();
   install();

@@ -18,8 +18,6 @@ enum class Language { kEnglish, kSimplifiedChinese };
 [[nodiscard]] QString languageName(Language language);
 /// The one that the window speaks.
 [[nodiscard]] Language presentLanguage();
-/// Of the machine, as far as we speak it.
-[[nodiscard]] Language systemLanguage();
 
 /// The language of the whole program, switched while it runs: every widget gets a LanguageChange event, dates
 /// and numbers follow QLocale(). Files keep their own form. GUI thread; one object lives as long as the

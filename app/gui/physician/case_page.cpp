@@ -38,6 +38,7 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
       saved_(new QLabel(this)),
       undo_(new QToolButton(this)),
       redo_(new QToolButton(this)),
+      clear_(new QToolButton(this)),
       amend_(new QPushButton(this)),
       submit_(primaryButton(this)),
       halves_(new QSplitter(Qt::Horizontal, this)),
@@ -115,11 +116,14 @@ void CasePage::createHead(QVBoxLayout* column) {
   head->addWidget(saved_);
   head->addWidget(undo_);
   head->addWidget(redo_);
+  head->addWidget(clear_);
   head->addWidget(amend_);
   head->addWidget(submit_);
   column->addLayout(head);
   connect(undo_, &QToolButton::clicked, sheet_, &SheetEditorPanel::undo);
   connect(redo_, &QToolButton::clicked, sheet_, &SheetEditorPanel::redo);
+  clear_->setObjectName(QStringLiteral("clearSheet"));
+  connect(clear_, &QToolButton::clicked, sheet_, &SheetEditorPanel::clearAll);
   connect(amend_, &QPushButton::clicked, this, &CasePage::startAmending);
   connect(submit_, &QPushButton::clicked, this, &CasePage::askSubmit);
 }
@@ -161,6 +165,7 @@ void CasePage::enter(const QVariant& argument) {
   opened_ = openSheet(shell().session(), id);
   watched_ = opened_.watched;
   caseRemarks_ = caseRemarks(shell().session(), id);
+  versions_ = sheetVersions(shell().session(), id);
   sheet_->beginSheet(opened_.rubric, opened_.sheet);
   replay_->setSpeeds(rules_.speeds);
   sinceKey_.start();

@@ -58,6 +58,8 @@ class CasePage : public Page {
   void finishAmending();
   void showAll();
   void showHistory();
+  /// What was sealed when and why, a line a version.
+  [[nodiscard]] QString versionsText() const;
   void showRemarks();
   [[nodiscard]] QString rowName(const std::string& row) const;
   [[nodiscard]] QString stepName(const SheetChange& change) const;
@@ -69,6 +71,7 @@ class CasePage : public Page {
   QLabel* saved_;
   QToolButton* undo_;
   QToolButton* redo_;
+  QToolButton* clear_;
   QPushButton* amend_;
   QPushButton* submit_;
   QSplitter* halves_;
@@ -88,6 +91,7 @@ class CasePage : public Page {
   ViewingRules rules_;
   WatchLog watched_;
   std::vector<CaseRemark> caseRemarks_;
+  std::vector<SheetVersion> versions_;
   QElapsedTimer sinceKey_;
   std::uint64_t loads_ = 0;
   bool amending_ = false;

@@ -31,6 +31,8 @@ void CasePage::retranslate() {
   sheet_->retranslate();
   undo_->setText(tr("Undo"));
   redo_->setText(tr("Redo"));
+  clear_->setText(tr("Clear"));
+  clear_->setToolTip(tr("Takes every mark, reason and comment away; Undo brings them back"));
   amend_->setText(tr("&Amend \u2026"));
   amend_->setToolTip(tr("Makes a new version with a reason; the submitted one is kept"));
   submit_->setText(tr("Submit"));
@@ -122,6 +124,17 @@ QString CasePage::checkText(const SheetCheck& check) const {
   return parts.join(QLatin1Char(' '));
 }
 
+QString CasePage::versionsText() const {
+  QStringList lines;
+  for (const SheetVersion& one : versions_) {
+    const QString day = dayText(one.submittedUtc_us);
+    lines << (one.amendReason.empty()
+                  ? tr("Version %1, %2").arg(one.version).arg(day)
+                  : tr("Version %1, %2: %3").arg(one.version).arg(day, toQString(one.amendReason)));
+  }
+  return lines.join(QLatin1Char('\n'));
+}
+
 void CasePage::showAll() {
   if (sheet_->editor() == nullptr) {
     return;
@@ -134,11 +147,15 @@ void CasePage::showAll() {
   }
   if (sealed) {
     facts << (amending_ ? tr("submitted, being amended") : tr("submitted and sealed"));
+    if (versions_.size() > 1) {
+      facts << tr("version %1").arg(versions_.back().version);
+    }
   }
   if (!sealed && opened_.shown.dueUtc_us) {
     facts << tr("due %1").arg(dayText(*opened_.shown.dueUtc_us));
   }
   facts_->setText(facts.join(QStringLiteral("  \u00b7  ")));
+  facts_->setToolTip(sealed ? versionsText() : QString());
   sheet_->setReadOnly(sealed && !amending_);
   amend_->setVisible(sealed && !amending_);
   submit_->setVisible(!sealed);
@@ -165,6 +182,7 @@ void CasePage::showHistory() {
   const bool open = opened_.state != SheetState::kSubmitted || amending_;
   undo_->setEnabled(open && sheet_->editor()->canUndo());
   redo_->setEnabled(open && sheet_->editor()->canRedo());
+  clear_->setEnabled(open);
   const auto undoable = sheet_->editor()->undoable();
   const auto redoable = sheet_->editor()->redoable();
   undo_->setToolTip(undoable ? tr("Undo %1 (Ctrl+Z)").arg(stepName(*undoable)) : tr("Nothing to undo"));

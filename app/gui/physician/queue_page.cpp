@@ -16,6 +16,7 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/physician/questions_card.h"
+#include "app/gui/physician/replies_card.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/data_table.h"
@@ -59,6 +60,8 @@ QueuePage::QueuePage(ShellContext& shell, QWidget* parent)
   createDoors(column);
   questions_ = new QuestionsCard(shell, this);
   column->addWidget(questions_);
+  replies_ = new RepliesCard(shell, this);
+  column->addWidget(replies_);
   table_->setMinimumHeight(kTableHeight);
   column->addWidget(table_, 1);
   connect(continue_, &QPushButton::clicked, this, &QueuePage::goOn);
@@ -104,6 +107,7 @@ void QueuePage::createDoors(QVBoxLayout* outer) {
 void QueuePage::enter(const QVariant&) {
   queue_ = reviewQueue(shell().session());
   questions_->read();
+  replies_->read();
   showQueue();
   continue_->setFocus(Qt::OtherFocusReason);
 }

@@ -16,6 +16,7 @@ class Card;
 class DataTable;
 class PageHeading;
 class QuestionsCard;
+class RepliesCard;
 
 /// A physician's home: how much waits, how long it takes, and one button that goes on where the work is.
 class QueuePage : public Page {
@@ -57,6 +58,7 @@ class QueuePage : public Page {
   Card* doors_;
   QGridLayout* doorPlaces_;
   QuestionsCard* questions_;
+  RepliesCard* replies_;
   Door warmUp_;
   Door live_;
   Door alignment_;

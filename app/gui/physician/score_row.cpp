@@ -23,6 +23,7 @@ namespace {
 
 constexpr int kMostCells = 11;
 constexpr int kTouch_px = 44;
+constexpr int kLeastCell_px = 32;
 constexpr int kCellGap = 3;
 constexpr int kMarkWidth = 4;
 constexpr double kCorner = 4.0;
@@ -45,8 +46,10 @@ ScoreRow::ScoreRow(std::string code, const QString& label, const ScoreScale& sca
       reason_(new QLineEdit(this)) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
+  strip_->setObjectName(QStringLiteral("scale"));
   strip_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  strip_->setFixedHeight(shape_ == RowShape::kLarge ? kTouch_px : fontMetrics().height() + kSpace + 2);
+  strip_->setFixedHeight(shape_ == RowShape::kLarge ? kTouch_px : kLeastCell_px);
+  strip_->setMinimumWidth(cellCount() * (kLeastCell_px + kCellGap));
   name_->setProperty("subheading", shape_ == RowShape::kLarge);
   QFont bold = name_->font();
   bold.setBold(true);

@@ -56,6 +56,14 @@ void SheetEditorPanel::redo() {
   Q_EMIT edited();
 }
 
+void SheetEditorPanel::clearAll() {
+  if (editor_ == nullptr || readOnly() || !editor_->clearAll()) {
+    return;
+  }
+  refresh();
+  Q_EMIT edited();
+}
+
 bool SheetEditorPanel::handleCommand(QKeyEvent* event) {
   const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   const bool alsoRedo = event->key() == Qt::Key_Y && event->modifiers() == Qt::ControlModifier;

@@ -37,6 +37,8 @@ class SheetEditorPanel : public SheetPanel {
   /// Take back the last change, or bring it again; nothing on a sheet that is read only.
   void undo();
   void redo();
+  /// Takes every answer and the comment away, as one step that undo() brings back.
+  void clearAll();
   /// Undo, redo, and Ctrl+Enter, which asks for what the page does at the end. False: none of these.
   bool handleCommand(QKeyEvent* event);
   /// handleCommand(), then the keys of the rows.

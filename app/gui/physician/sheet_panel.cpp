@@ -78,9 +78,9 @@ void SheetPanel::setEditor(SheetEditor* editor) {
   build();
 }
 
-void SheetPanel::setScoresOnly() {
+void SheetPanel::setScoresOnly(RowShape shape) {
   scoresOnly_ = true;
-  shape_ = RowShape::kCompact;
+  shape_ = shape;
   commentLabel_->hide();
   comment_->hide();
 }

@@ -36,7 +36,7 @@ class SheetPanel : public QWidget {
   void setTheme(const Theme& theme);
   void retranslate();
   /// Scores alone, in compact rows: no comment, no "not assessable".
-  void setScoresOnly();
+  void setScoresOnly(RowShape shape = RowShape::kCompact);
   /// A sealed sheet is read only.
   void setReadOnly(bool readOnly);
   /// After undo, redo or another change from outside.

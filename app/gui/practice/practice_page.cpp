@@ -11,6 +11,7 @@
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/widgets/child.h"
 #include "app/recording/trial_store.h"
+#include "app/recording/unstored_trials.h"
 #include "sim/base/tick_period.h"
 
 namespace torsio::gui {
@@ -62,9 +63,9 @@ PracticePage::~PracticePage() = default;
 TrialRecording PracticePage::recording() {
   store_ = std::make_shared<TrialStore>(shell().session().key().locator);
   TrialRecording recording;
-  recording.open = [store = store_, own = own_](const RecordingSpec& spec) {
+  recording.open = [locator = shell().session().key().locator, own = own_](const RecordingSpec& spec) {
     own->insert(spec.trialId);
-    return store->newSink();
+    return recordingSink(locator, spec.context);
   };
   recording.list = [store = store_, own = own_] {
     std::vector<RecordedTrial> trials;

@@ -216,10 +216,6 @@ void Desk::connectContext() {
   connect(job_, &JobPanel::cancelled, this, [this] { context_.cancelJobs(); });
 }
 
-std::vector<PageId> Desk::pageIds() const {
-  return order_;
-}
-
 Page* Desk::pageFor(PageId id) {
   if (const auto found = made_.find(id); found != made_.end()) {
     return found->second;

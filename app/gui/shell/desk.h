@@ -57,8 +57,6 @@ class Desk : public QWidget {
   [[nodiscard]] Page* page() const noexcept { return current_; }
   /// Empty before the first page.
   [[nodiscard]] std::optional<PageId> pageId() const noexcept { return currentId_; }
-  /// Ids the actor may open, in the order of the navigation; the first one of the actor's own work is home.
-  [[nodiscard]] std::vector<PageId> pageIds() const;
 
   /// False: the present page is busy or not finished (the user has been told), or the page is not the
   /// actor's.

@@ -106,7 +106,13 @@ void MainWindow::createPanels() {
   signIn_ = new SignInPanel(this);
   password_ = new PasswordPanel(this);
   lock_ = new LockPanel(this);
-  for (QWidget* panel : std::initializer_list<QWidget*>{trouble_, firstRun_, signIn_, password_, lock_}) {
+  const std::initializer_list<std::pair<QWidget*, const char*>> panels{{trouble_, "trouble"},
+                                                                       {firstRun_, "first run"},
+                                                                       {signIn_, "sign-in"},
+                                                                       {password_, "password"},
+                                                                       {lock_, "lock"}};
+  for (const auto& [panel, name] : panels) {
+    panel->setObjectName(QLatin1String(name));
     stack_->addWidget(panel);
   }
   trouble_->setTheme(theme(theme_));
@@ -209,19 +215,6 @@ void MainWindow::show(QWidget* panel) {
   stack_->setCurrentWidget(panel);
 }
 
-QString MainWindow::screen() const {
-  const QWidget* shown = stack_->currentWidget();
-  const std::pair<const QWidget*, const char*> names[] = {{trouble_, "trouble"}, {firstRun_, "first run"},
-                                                          {signIn_, "sign-in"},  {password_, "password"},
-                                                          {lock_, "lock"},       {desk_, "desk"}};
-  for (const auto& [panel, name] : names) {
-    if (panel == shown) {
-      return QLatin1String(name);
-    }
-  }
-  return {};
-}
-
 void MainWindow::start() {
   if (const QString chosen = preferences_.database(); !chosen.isEmpty()) {
     setup_.locator = chosen;
@@ -235,6 +228,14 @@ void MainWindow::heartbeat() {
   }
   line_->signIn(session_->actor());
   showAnswers(line_->answers());
+  if (const std::size_t refused = line_->refused(); refused != refusedTold_) {
+    refusedTold_ = refused;
+    if (refused > 0 && desk_ != nullptr) {
+      desk_->context().notify(
+          tr("The database refused %1 entries of this station for good. Please tell whoever looks after it")
+              .arg(refused));
+    }
+  }
 }
 
 void MainWindow::showAnswers(bool answers) {
@@ -245,6 +246,9 @@ void MainWindow::showAnswers(bool answers) {
                                       "computer and stored as soon as the database answers")
                                  : tr("The database does not answer. Torsio tries again by itself; what is "
                                       "stored is safe"));
+    if (const std::size_t waiting = line_ ? line_->waiting() : 0; waiting > 0) {
+      awayBanner_->setText(tr("%1. Waiting to be stored: %2").arg(awayBanner_->text()).arg(waiting));
+    }
     settleDue_ = true;
   } else if (!answered_) {
     reconnect();

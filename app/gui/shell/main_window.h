@@ -65,8 +65,6 @@ class MainWindow : public QWidget {
   [[nodiscard]] SessionContext* session() noexcept { return session_.get(); }
   [[nodiscard]] Background& background() noexcept { return background_; }
   [[nodiscard]] LanguageSwitch& languageSwitch() noexcept { return language_; }
-  /// "first run", "sign-in", "password", "desk", "lock", "trouble": for tests.
-  [[nodiscard]] QString screen() const;
 
   /// Refused while the desk is busy or a page has something unfinished.
   bool signOut(const QString& reason = {});
@@ -133,6 +131,7 @@ class MainWindow : public QWidget {
   QTimer second_;
   std::unique_ptr<SessionContext> session_;
   std::unique_ptr<StationWriter> line_;
+  std::size_t refusedTold_ = 0;
   bool answered_ = true;    // the database, at the last heartbeat
   bool settleDue_ = false;  // recordings may have gone to files meanwhile
   std::vector<Text> kept_;  // recordings that could not be stored; told until somebody signs in

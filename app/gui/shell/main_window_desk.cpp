@@ -56,6 +56,7 @@ void MainWindow::openDesk() {
   setup.groups = setup_.groups;
   desk_ = new Desk(*session_, setup, this);
   desk_->context().setLine(line_.get());
+  desk_->setObjectName(QStringLiteral("desk"));
   stack_->addWidget(desk_);
   connect(desk_, &Desk::signOutWanted, this, [this] { signOut(); });
   connect(desk_, &Desk::lockWanted, this, &MainWindow::lock);

@@ -7,6 +7,7 @@
 #include <QUuid>
 
 #include "app/gui/base/translated_text.h"
+#include "app/recording/recording_host.h"
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
@@ -332,6 +333,7 @@ void SimulationController::startRecording() {
       .trialId = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString(),
       .targetAngle_rad = target_rad_,
       .startedUtc_us = utcNow_us(),
+      .context = stationContext(),
   };
   std::unique_ptr<TrialSink> sink;
   if (!attempt([&] { sink = recording_.open ? recording_.open(recording) : nullptr; })) {

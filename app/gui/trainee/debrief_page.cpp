@@ -240,6 +240,15 @@ void DebriefPage::fill() {
     row->addWidget(words, 1);
     checks_->addLayout(row);
   }
+  if (debrief_.unfinishedTwists > 0) {
+    auto* words = plainLabel(targets_, "quiet");
+    words->setObjectName(QStringLiteral("unfinished"));
+    words->setText(
+        debrief_.unfinishedTwists == 1
+            ? tr("One twist was not completed and is not counted.")
+            : tr("%1 twists were not completed and are not counted.").arg(debrief_.unfinishedTwists));
+    checks_->addWidget(words);
+  }
   for (const DebriefFinding& finding : debrief_.strengths) {
     addFinding(strengths_, finding, true);
   }

@@ -25,6 +25,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/level_bar.h"
 #include "app/recording/station_writer.h"
+#include "app/recording/unstored_trials.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
@@ -263,7 +264,8 @@ void RunPage::record() {
   const RecordingSpec recording = runSession_->newTrial();
   std::unique_ptr<HapticDevice> device = device_ ? *std::exchange(device_, std::nullopt) : nullptr;
   haptic_ = device != nullptr;
-  if (!scene_->controller().startTraining(recording, runSession_->sinkFor(recording), std::move(device))) {
+  if (!scene_->controller().startTraining(
+          recording, recordingSink(shell().session().key().locator, recording.context), std::move(device))) {
     return;
   }
   lastTrial_ = toQString(recording.trialId);

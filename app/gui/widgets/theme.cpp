@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/widgets/theme.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include <QApplication>
 #include <QFont>
 #include <QPalette>
@@ -63,15 +60,6 @@ Theme darkTheme() {
   t.grasp = QColor(0x8A, 0xDD, 0xF5);
   t.shaft = QColor(0xA6, 0xAF, 0xB7);
   return t;
-}
-
-double channel(double value) {
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
-
-double luminance(const QColor& colour) {
-  return 0.2126 * channel(colour.redF()) + 0.7152 * channel(colour.greenF()) +
-         0.0722 * channel(colour.blueF());
 }
 
 QPalette paletteOf(const Theme& t) {
@@ -260,11 +248,6 @@ const Theme& theme(ThemeKind kind) {
   static const Theme kLight = lightTheme();
   static const Theme kDark = darkTheme();
   return kind == ThemeKind::kDark ? kDark : kLight;
-}
-
-double contrast(const QColor& a, const QColor& b) {
-  const auto [dim, bright] = std::minmax({luminance(a), luminance(b)});
-  return (bright + 0.05) / (dim + 0.05);
 }
 
 void applyTheme(QApplication& application, const Theme& chosen) {

@@ -37,9 +37,6 @@ struct Theme {
 
 [[nodiscard]] const Theme& theme(ThemeKind kind);
 
-/// Contrast ratio of two opaque colours, 1..21 (WCAG 2).
-[[nodiscard]] double contrast(const QColor& a, const QColor& b);
-
 /// The one scale of type sizes, points.
 inline constexpr double kSmallText_pt = 9.0;
 inline constexpr double kBodyText_pt = 10.0;

@@ -33,7 +33,4 @@ class SeededIdSource final : public IdSource {
   Random random_;
 };
 
-/// Whether `text` has the form of a UUID in lower case.
-[[nodiscard]] bool isUuid(const std::string& text) noexcept;
-
 }  // namespace torsio

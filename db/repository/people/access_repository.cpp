@@ -10,10 +10,6 @@ namespace torsio {
 
 namespace {
 
-std::vector<std::string> textsFrom(Connection& connection, const char* sql) {
-  return selectAll(connection, sql, {}, readText);
-}
-
 void insertRoles(Connection& connection, const std::string& userId, const std::vector<std::string>& roles) {
   Statement insert = connection.prepare(insertInto("user_role", "user_id, role_code"));
   for (const std::string& role : roles) {
@@ -32,23 +28,6 @@ struct AccessRepository::Account {
   std::int64_t failures = 0;
   std::int64_t lockedUntilUtc_us = 0;
 };
-
-std::set<std::pair<std::string, std::string>> AccessRepository::permissions() const {
-  using Permission = std::pair<std::string, std::string>;
-  const std::vector<Permission> all =
-      selectAll(connection_, "SELECT role_code, operation_code FROM role_operation", {}, [](RowReader& row) {
-        return Permission{row.text(), row.text()};
-      });
-  return {all.begin(), all.end()};
-}
-
-std::vector<std::string> AccessRepository::roles() const {
-  return textsFrom(connection_, "SELECT code FROM role ORDER BY code");
-}
-
-std::vector<std::string> AccessRepository::operations() const {
-  return textsFrom(connection_, "SELECT code FROM operation ORDER BY code");
-}
 
 bool AccessRepository::allowed(const std::string& userId, const std::string& operation) const {
   return selectFirst(connection_,

@@ -3,9 +3,7 @@
 
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "db/connection/connection.h"
@@ -55,10 +53,6 @@ class AccessRepository {
   explicit AccessRepository(Connection& connection, PasswordCost cost = PasswordCost::kModerate)
       : connection_(connection), cost_(cost) {}
 
-  /// Every pair that is allowed.
-  [[nodiscard]] std::set<std::pair<std::string, std::string>> permissions() const;
-  [[nodiscard]] std::vector<std::string> roles() const;
-  [[nodiscard]] std::vector<std::string> operations() const;
   /// Whether one of the user's roles has the operation; unknown and disabled users may nothing.
   [[nodiscard]] bool allowed(const std::string& userId, const std::string& operation) const;
 

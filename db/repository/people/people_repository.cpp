@@ -152,17 +152,6 @@ std::optional<StoredRater> PeopleRepository::findRater(const std::string& code) 
   return selectFirst(connection_, kRaters + " WHERE p.code = ?", {code}, raterOf);
 }
 
-void PeopleRepository::addIdentities(std::span<const StoredIdentity> identities) {
-  Transaction transaction(connection_);
-  Statement insert =
-      connection_.prepare(insertInto("person_identity", "person_id, full_name, email, external_id"));
-  for (const StoredIdentity& identity : identities) {
-    insert.execute(
-        {identity.personId, identity.fullName, textOrNull(identity.email), textOrNull(identity.externalId)});
-  }
-  transaction.commit();
-}
-
 std::optional<StoredIdentity> PeopleRepository::identity(const std::string& personId) const {
   return selectFirst(connection_, kIdentities + " WHERE person_id = ?", {personId}, identityOf);
 }

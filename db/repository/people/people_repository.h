@@ -92,7 +92,6 @@ class PeopleRepository {
   [[nodiscard]] std::optional<StoredTrainee> findTrainee(const std::string& code) const;
   [[nodiscard]] std::optional<StoredRater> findRater(const std::string& code) const;
 
-  void addIdentities(std::span<const StoredIdentity> identities);
   [[nodiscard]] std::optional<StoredIdentity> identity(const std::string& personId) const;
 
   /// Adds the identity, or replaces the one that is there.

@@ -11,26 +11,6 @@
 
 namespace torsio {
 
-/// What an erase does with the rows that concern a person.
-enum class OnErase {
-  kKeep,    ///< coded rows on which statistics and the audit trail rest
-  kClear,   ///< the named columns become null
-  kDelete,  ///< the rows go
-};
-
-/// How one table concerns a person. Every table of the schema has exactly one rule (tested).
-struct PersonRule {
-  std::string_view table;
-  std::string_view
-      condition;  ///< over the person's id, one `?` or more; empty: the table holds nobody's data
-  OnErase onErase = OnErase::kKeep;
-  std::string_view cleared{};      ///< kClear: "a = NULL, b = NULL"
-  std::string_view columns = "*";  ///< what an export shows: no secrets, no bytes of recordings
-};
-
-/// In the order in which an erase may proceed.
-[[nodiscard]] std::span<const PersonRule> personRules();
-
 /// One table of a person's own data.
 struct PersonTable {
   std::string table;

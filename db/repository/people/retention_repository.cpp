@@ -142,11 +142,6 @@ void RetentionRepository::addHold(const RetentionHold& hold) {
        hold.decidedUtc_us});
 }
 
-std::vector<RetentionHold> RetentionRepository::holds(const std::string& personId) const {
-  return selectAll(connection_, std::string(kHolds) + " WHERE person_id = ? ORDER BY sequence", {personId},
-                   holdOf);
-}
-
 std::vector<RetentionItem> RetentionRepository::due(std::int64_t utc_us) const {
   const std::vector<RetentionRule> all = rules();
   std::vector<RetentionItem> items;

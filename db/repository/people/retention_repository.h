@@ -73,8 +73,6 @@ class RetentionRepository {
 
   /// Throws DbError: kForeignKey (no such person), kCheck (kExtend without its end).
   void addHold(const RetentionHold& hold);
-  /// Oldest first.
-  [[nodiscard]] std::vector<RetentionHold> holds(const std::string& personId) const;
 
   /// Everybody whose record is due at `utc_us` by some rule, those who are held among them; longest due
   /// first.

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "db/connection/connection.h"
@@ -27,12 +25,8 @@ struct AssessmentRun {
 enum class RunOwner { kCampaign, kCohort };
 
 void insertRun(Connection& connection, RunOwner owner, const std::string& ownerId, const AssessmentRun& run);
-/// The last computed run of its owner.
-[[nodiscard]] std::optional<AssessmentRun> findLatestRun(Connection& connection, RunOwner owner,
-                                                         const std::string& ownerId);
 
 /// Flags are stored as one text, separated by `;` (no flag contains one).
 [[nodiscard]] std::string joinFlags(const std::vector<std::string>& flags);
-[[nodiscard]] std::vector<std::string> splitFlags(std::string_view text);
 
 }  // namespace torsio

@@ -64,13 +64,6 @@ std::optional<std::int64_t> DeskRepository::trialLength_us(const std::string& tr
       {trialId}, readInt64);
 }
 
-std::string DeskRepository::newestMark(const std::string& assignmentId) const {
-  return selectFirst(connection_,
-                     "SELECT id FROM training_mark WHERE assignment_id = ? ORDER BY version DESC LIMIT 1",
-                     {assignmentId}, readText)
-      .value_or(std::string());
-}
-
 void DeskRepository::saveDraftViewing(const std::string& assignmentId, const StoredViewing& viewing) {
   connection_.execute(
       insertInto("draft_viewing", "assignment_id, watched, slowest_permille, fastest_permille, worked_us") +
@@ -98,16 +91,6 @@ void DeskRepository::sealViewing(const std::string& assignmentId, const std::str
        viewing.worked_us});
   connection_.execute("DELETE FROM draft_viewing WHERE assignment_id = ?", {assignmentId});
   transaction.commit();
-}
-
-std::optional<StoredViewing> DeskRepository::viewing(const std::string& markId) const {
-  return selectFirst(
-      connection_,
-      "SELECT watched_permille, slowest_permille, fastest_permille, worked_us FROM mark_viewing"
-      " WHERE mark_id = ?",
-      {markId}, [](RowReader& row) {
-        return StoredViewing{{}, row.maybeInt64(), row.int64(), row.int64(), row.int64()};
-      });
 }
 
 std::vector<std::int64_t> DeskRepository::workingTimes_us(const std::string& raterId,

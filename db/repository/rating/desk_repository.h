@@ -74,14 +74,11 @@ class DeskRepository {
   [[nodiscard]] std::vector<StoredAssignment> committed(const std::string& raterId) const;
   /// Length of a trial that has ended, microseconds; empty: unknown trial or still open.
   [[nodiscard]] std::optional<std::int64_t> trialLength_us(const std::string& trialId) const;
-  /// Id of the newest version of the mark that answers the assignment; empty: not submitted.
-  [[nodiscard]] std::string newestMark(const std::string& assignmentId) const;
 
   void saveDraftViewing(const std::string& assignmentId, const StoredViewing& viewing);
   [[nodiscard]] std::optional<StoredViewing> draftViewing(const std::string& assignmentId) const;
   /// Seals it with the mark and removes the draft's.
   void sealViewing(const std::string& assignmentId, const std::string& markId, const StoredViewing& viewing);
-  [[nodiscard]] std::optional<StoredViewing> viewing(const std::string& markId) const;
   /// Working times of a rater's first versions, newest first, at most `limit`.
   [[nodiscard]] std::vector<std::int64_t> workingTimes_us(const std::string& raterId,
                                                           std::int64_t limit) const;

@@ -67,17 +67,6 @@ std::optional<DiscrepancyDecision> DiscrepancyRepository::latest(const std::stri
   return all.empty() ? std::nullopt : std::optional(all.back());
 }
 
-std::vector<DiscrepancyDecision> DiscrepancyRepository::ofCase(const std::string& enrolmentId,
-                                                               const std::string& occasionCode) const {
-  return selectAll(
-      connection_,
-      kDecisions +
-          " JOIN assignment a ON a.id = d.assignment_id WHERE a.enrolment_id = ? AND a.occasion = ?"
-          " AND NOT EXISTS (SELECT 1 FROM alignment_decision n WHERE n.assignment_id = d.assignment_id"
-          " AND n.sequence > d.sequence) ORDER BY a.position, d.assignment_id",
-      {enrolmentId, occasionCode}, decisionOf);
-}
-
 std::vector<DiscrepancyDecision> DiscrepancyRepository::ofCohort(const std::string& cohortId) const {
   return selectAll(
       connection_,

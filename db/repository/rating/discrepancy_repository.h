@@ -35,9 +35,6 @@ class DiscrepancyRepository {
   /// Oldest first.
   [[nodiscard]] std::vector<DiscrepancyDecision> history(const std::string& assignmentId) const;
   [[nodiscard]] std::optional<DiscrepancyDecision> latest(const std::string& assignmentId) const;
-  /// The newest of every assignment about one trainee at one scoring point.
-  [[nodiscard]] std::vector<DiscrepancyDecision> ofCase(const std::string& enrolmentId,
-                                                        const std::string& occasionCode) const;
   /// The newest of every assignment of a cohort, oldest first.
   [[nodiscard]] std::vector<DiscrepancyDecision> ofCohort(const std::string& cohortId) const;
 

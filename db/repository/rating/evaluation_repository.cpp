@@ -105,39 +105,6 @@ ScoreScale scaleOf(Connection& connection, const std::string& campaignId) {
   throw Error(ErrorCode::kBadData, "no such evaluation campaign", campaignId, "Choose an existing one");
 }
 
-std::vector<StoredEvaluationResult> resultsOf(Connection& connection, const std::string& runId) {
-  return selectAll(
-      connection,
-      "SELECT model_code, index_number, weighted_mean, variance, rater_count, missing_count, lowest, highest,"
-      " plain_mean, population_variance, sample_variance, standard_error, flags FROM evaluation_result"
-      " WHERE run_id = ? ORDER BY model_code, index_number",
-      {runId}, [](RowReader& row) {
-        return StoredEvaluationResult{row.text(),
-                                      row.int64(),
-                                      row.real(),
-                                      row.real(),
-                                      row.int64(),
-                                      row.int64(),
-                                      row.real(),
-                                      row.real(),
-                                      row.real(),
-                                      row.real(),
-                                      row.maybeReal(),
-                                      row.maybeReal(),
-                                      splitFlags(row.text())};
-      });
-}
-
-std::vector<StoredComposite> compositesOf(Connection& connection, const std::string& runId) {
-  return selectAll(
-      connection,
-      "SELECT model_code, composite, standard_error, flags FROM composite_result WHERE run_id = ?"
-      " ORDER BY model_code",
-      {runId}, [](RowReader& row) {
-        return StoredComposite{row.text(), row.real(), row.maybeReal(), splitFlags(row.text())};
-      });
-}
-
 /// Whether a mark is there already; refuses another one under its id.
 bool isStored(Connection& connection, const std::string& campaignId, const StoredEvaluationMark& mark) {
   using Kind = IdempotentColumn::Kind;
@@ -296,14 +263,6 @@ void EvaluationRepository::storeRun(const std::string& campaignId, const StoredE
     composite.execute({run.run.id, row.modelCode, row.composite, row.standardError, joinFlags(row.flags)});
   }
   transaction.commit();
-}
-
-std::optional<StoredEvaluationRun> EvaluationRepository::latestRun(const std::string& campaignId) const {
-  const std::optional<AssessmentRun> run = findLatestRun(connection_, RunOwner::kCampaign, campaignId);
-  if (!run) {
-    return std::nullopt;
-  }
-  return StoredEvaluationRun{*run, resultsOf(connection_, run->id), compositesOf(connection_, run->id)};
 }
 
 }  // namespace torsio

@@ -110,7 +110,6 @@ class EvaluationRepository {
   [[nodiscard]] bool hasMarks(const std::string& campaignId) const;
 
   void storeRun(const std::string& campaignId, const StoredEvaluationRun& run);
-  [[nodiscard]] std::optional<StoredEvaluationRun> latestRun(const std::string& campaignId) const;
 
  private:
   Connection& connection_;

@@ -44,27 +44,6 @@ StoredTrainingMark markOf(RowReader& row) {
           .numberInGroup = row.int64()};
 }
 
-std::vector<StoredTrainingResult> traineeResults(Connection& connection, const std::string& runId) {
-  return selectAll(
-      connection,
-      "SELECT enrolment_id, occasion, mean, variance, rater_count, missing_count, flags"
-      " FROM training_result WHERE run_id = ? ORDER BY enrolment_id, occasion",
-      {runId}, [](RowReader& row) {
-        return StoredTrainingResult{
-            row.text(), row.text(), row.real(), row.real(), row.int64(), row.int64(), splitFlags(row.text())};
-      });
-}
-
-std::vector<StoredGroupResult> groupResults(Connection& connection, const std::string& runId) {
-  return selectAll(connection,
-                   "SELECT group_id, occasion, trainee_count, mean, variance_n, variance_n_minus_1, flags"
-                   " FROM training_group_result WHERE run_id = ? ORDER BY group_id, occasion",
-                   {runId}, [](RowReader& row) {
-                     return StoredGroupResult{row.text(), row.text(),      row.int64(),           row.real(),
-                                              row.real(), row.maybeReal(), splitFlags(row.text())};
-                   });
-}
-
 /// Of a mark that is stored already: refuses another one under its id. When it was submitted does not count,
 /// and a comment may have been erased since: its hash is there.
 void requireSameMark(Connection& connection, const StoredTrainingMark& mark) {
@@ -203,14 +182,6 @@ void RatingRepository::storeRun(const std::string& cohortId, const StoredTrainin
                    result.varianceN, result.varianceNMinus1, joinFlags(result.flags)});
   }
   transaction.commit();
-}
-
-std::optional<StoredTrainingRun> RatingRepository::latestRun(const std::string& cohortId) const {
-  const std::optional<AssessmentRun> run = findLatestRun(connection_, RunOwner::kCohort, cohortId);
-  if (!run) {
-    return std::nullopt;
-  }
-  return StoredTrainingRun{*run, traineeResults(connection_, run->id), groupResults(connection_, run->id)};
 }
 
 }  // namespace torsio

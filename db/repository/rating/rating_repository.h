@@ -95,7 +95,6 @@ class RatingRepository {
                                                         const std::string& occasionCode) const;
 
   void storeRun(const std::string& cohortId, const StoredTrainingRun& run);
-  [[nodiscard]] std::optional<StoredTrainingRun> latestRun(const std::string& cohortId) const;
 
  private:
   Connection& connection_;

@@ -46,12 +46,12 @@ void checkPrerequisites(const StoredCurriculumVersion& version) {
 void insertModules(Connection& connection, const StoredCurriculumVersion& version) {
   Statement insert = connection.prepare(
       insertInto("module",
-                 "id, version_id, position, code, title, scene_id, pattern_id, exercise_kind, mode,"
+                 "id, version_id, position, code, title, scene_id, pattern_id, mode,"
                  " target_angle_rad, tolerance_rad, hold_us, max_force_n, max_torque_nm, attempt_limit"));
   std::int64_t position = 0;
   for (const StoredModule& module : version.modules) {
     insert.execute({module.id, version.id, ++position, module.code, module.title, module.sceneId,
-                    module.patternId, module.exerciseKind, storedText(module.mode), module.targetAngle_rad,
+                    module.patternId, storedText(module.mode), module.targetAngle_rad,
                     module.tolerance_rad, module.hold_us, module.maxForce_N, module.maxTorque_Nm,
                     module.attemptLimit});
   }
@@ -97,7 +97,6 @@ StoredModule moduleOf(RowReader& row) {
           .title = row.text(),
           .sceneId = row.text(),
           .patternId = row.text(),
-          .exerciseKind = row.text(),
           .mode = readTerm<AttemptMode>(row, "mode"),
           .targetAngle_rad = row.real(),
           .tolerance_rad = row.real(),
@@ -116,7 +115,7 @@ StoredMasteryRule masteryRuleOf(RowReader& row) {
 std::vector<StoredModule> modulesOf(Connection& connection, const std::string& versionId) {
   std::vector<StoredModule> modules = selectAll(
       connection,
-      "SELECT id, code, title, scene_id, pattern_id, exercise_kind, mode, target_angle_rad, tolerance_rad,"
+      "SELECT id, code, title, scene_id, pattern_id, mode, target_angle_rad, tolerance_rad,"
       " hold_us, max_force_n, max_torque_nm, attempt_limit FROM module WHERE version_id = ?"
       " ORDER BY position",
       {versionId}, moduleOf);
@@ -159,8 +158,9 @@ std::vector<StudyArm> armsOf(Connection& connection, const std::string& versionI
 
 std::vector<PlannedOccasion> plannedOccasionsOf(Connection& connection, const std::string& versionId) {
   return selectAll(connection,
-                   "SELECT occasion, after_exposure_us FROM curriculum_occasion WHERE version_id = ?"
-                   " ORDER BY after_exposure_us, occasion",
+                   "SELECT p.occasion, p.after_exposure_us FROM curriculum_occasion p"
+                   " JOIN occasion o ON o.code = p.occasion WHERE p.version_id = ?"
+                   " ORDER BY p.after_exposure_us, o.position",
                    {versionId}, [](RowReader& row) {
                      return PlannedOccasion{row.text(), row.int64()};
                    });

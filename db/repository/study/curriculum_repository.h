@@ -27,7 +27,6 @@ struct StoredModule {
   std::string title{};
   std::string sceneId{};
   std::string patternId{};
-  std::string exerciseKind{};  ///< "twist to target", "hold", "follow" ...
   AttemptMode mode = AttemptMode::kPractice;
   double targetAngle_rad = 0.0;
   double tolerance_rad = 0.1;

@@ -62,6 +62,13 @@ std::int64_t countOf(Connection& connection, const std::string& table, const std
       .value_or(0);
 }
 
+/// A real row that uses a simulated one, so that the latter cannot go.
+struct DemonstrationUse {
+  std::string table;  // of the real rows
+  std::string used;   // table of the simulated ones
+  std::int64_t rows = 0;
+};
+
 std::vector<DemonstrationUse> usesOf(Connection& connection, const std::vector<SchemaTable>& tables,
                                      const Conditions& conditions) {
   std::vector<DemonstrationUse> uses;
@@ -132,11 +139,6 @@ std::vector<DemonstrationRows> demonstrationRows(Connection& connection) {
     rows.push_back({table.name, condition, countOf(connection, table.name, condition)});
   }
   return rows;
-}
-
-std::vector<DemonstrationUse> usesOfDemonstration(Connection& connection) {
-  const std::vector<SchemaTable> tables = tablesInReferenceOrder(connection);
-  return usesOf(connection, tables, conditionsOf(tables));
 }
 
 std::vector<DemonstrationRows> removeDemonstration(Connection& connection, const std::string& requestedBy,

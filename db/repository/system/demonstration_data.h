@@ -20,14 +20,6 @@ struct DemonstrationRows {
 /// For every table, parents first.
 [[nodiscard]] std::vector<DemonstrationRows> demonstrationRows(Connection& connection);
 
-/// A real row that uses a simulated one, so that the latter cannot go.
-struct DemonstrationUse {
-  std::string table;  ///< of the real rows
-  std::string used;   ///< table of the simulated ones
-  std::int64_t rows = 0;
-};
-[[nodiscard]] std::vector<DemonstrationUse> usesOfDemonstration(Connection& connection);
-
 /// Removes all demonstration data through the erasure gate, in one transaction, with an entry in the audit
 /// trail for every sealed mark and trial that goes and one for the whole. Real rows stay as they are; a
 /// station that shows a simulated trial shows none. Returns what was removed, children first, without tables

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 
@@ -16,8 +15,6 @@ class SettingRepository {
   explicit SettingRepository(Connection& connection) : connection_(connection) {}
 
   [[nodiscard]] std::optional<std::string> value(const std::string& name) const;
-  /// All of them, by name.
-  [[nodiscard]] std::map<std::string, std::string> values() const;
   void set(const std::string& name, const std::string& value, std::int64_t changedUtc_us);
 
  private:

@@ -54,21 +54,8 @@ void StationRepository::leave(const std::string& station) {
   connection_.execute("DELETE FROM station_state WHERE station = ?", {station});
 }
 
-std::optional<StationState> StationRepository::find(const std::string& station) const {
-  return selectFirst(connection_, kStations + " WHERE s.station = ?", {station}, stateOf);
-}
-
 std::vector<StationState> StationRepository::board() const {
   return selectAll(connection_, kStations + " ORDER BY s.station", {}, stateOf);
-}
-
-std::optional<StationState> StationRepository::ownerOf(const std::string& trialId,
-                                                       std::int64_t aliveSinceUtc_us) const {
-  return selectFirst(connection_,
-                     kStations +
-                         " WHERE s.trial_id = ? AND s.heartbeat_utc_us >= ? AND e.trial_id IS NULL"
-                         " ORDER BY s.heartbeat_utc_us DESC",
-                     {trialId, aliveSinceUtc_us}, stateOf);
 }
 
 }  // namespace torsio

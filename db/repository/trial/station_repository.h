@@ -41,13 +41,8 @@ class StationRepository {
   void heartbeat(const StationState& state);
   /// The station is closed down in good order.
   void leave(const std::string& station);
-  [[nodiscard]] std::optional<StationState> find(const std::string& station) const;
   /// All, by name.
   [[nodiscard]] std::vector<StationState> board() const;
-  /// Who owns a trial that runs: the station that last showed it with a sign of life after
-  /// `aliveSinceUtc_us`, unless the trial has ended. Empty: nobody, so that its own station may close it.
-  [[nodiscard]] std::optional<StationState> ownerOf(const std::string& trialId,
-                                                    std::int64_t aliveSinceUtc_us) const;
 
  private:
   Connection& connection_;

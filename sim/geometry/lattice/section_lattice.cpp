@@ -131,11 +131,6 @@ Vec3 SectionLattice::keyPoint_m(int ridge, int j) const {
                       static_cast<std::size_t>(ridge)];
 }
 
-std::string SectionLattice::keyPointLabel(int ridge, int j) const {
-  TORSIO_EXPECTS(ridge >= 0 && ridge < ridges() && j >= 0 && j < sections());
-  return "A_" + std::to_string(ridge + 1) + "(H_" + std::to_string(sections() - j) + ")";
-}
-
 std::span<const Point2> SectionLattice::outline_m(int j) const {
   TORSIO_EXPECTS(j >= 0 && j < sections());
   return outlines_m_[static_cast<std::size_t>(j)];

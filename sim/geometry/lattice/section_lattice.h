@@ -96,9 +96,6 @@ class SectionLattice {
   [[nodiscard]] double sectionArc_m(int j) const;
   /// Returns the key point A_K(H_i) of ridge K = ridge + 1, i = M - j. World frame, rest, on the mesh.
   [[nodiscard]] Vec3 keyPoint_m(int ridge, int j) const;
-  /// Returns the label "A_K(H_i)" of the paper's Fig. 3: K = ridge + 1, i = M - j, so that H_1 is the free
-  /// end.
-  [[nodiscard]] std::string keyPointLabel(int ridge, int j) const;
   /// Returns the real outline of section j in its frame: (x, y) along e1, e2 from the centre, anticlockwise
   /// about the tangent, not closed (first point not repeated), metres. Starts on ridge 0 and holds every
   /// key point, at least kFewestOutlinePoints equal steps of the ridge angle, and every corner of the

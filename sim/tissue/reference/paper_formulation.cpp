@@ -67,19 +67,6 @@ PaperTwist paperTwist(std::span<const PaperSection> sections, double length_m, d
   return twist;
 }
 
-double smallestMonotoneBeta(int sections) {
-  TORSIO_EXPECTS(sections >= 2);
-  if (sections == 2) {
-    return 0.0;
-  }
-  const double m = sections;
-  return 1.0 / portableLog((m - 1.0) / (m - 2.0));
-}
-
-double paperAlpha(double x_m, double y_m) noexcept {
-  return portableAtan2(y_m, x_m);
-}
-
 Vec3 paperDisplacement(double x_m, double y_m, double angle_rad, double lift_m2, double spacing_m) noexcept {
   const double slant = std::sqrt(x_m * x_m + y_m * y_m + spacing_m * spacing_m);
   return {-y_m * angle_rad, x_m * angle_rad, lift_m2 * spacing_m / slant};

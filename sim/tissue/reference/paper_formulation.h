@@ -47,14 +47,6 @@ struct PaperTwist {
 [[nodiscard]] PaperTwist paperTwist(std::span<const PaperSection> sections, double length_m,
                                     double shearModulus_Pa, const PaperOptions& options = {});
 
-/// Returns the beta below which H_i theta_i of a uniform cylinder is not monotone: 1 / ln((M - 1) / (M -
-/// 2)); 0 for M = 2.
-[[nodiscard]] double smallestMonotoneBeta(int sections);
-
-/// Computes alpha of Eq. 20 in (-pi, pi], with F-atan2 and F-centroid: (x, y) is measured from the
-/// section's centroid.
-[[nodiscard]] double paperAlpha(double x_m, double y_m) noexcept;
-
 /// Computes (dX, dY, dZ) of Eqs. 21-23 in the section's frame, for a point (x, y) from the centroid, the
 /// angle phi = H theta and the lift of PaperTwist (each times the torque).
 [[nodiscard]] Vec3 paperDisplacement(double x_m, double y_m, double angle_rad, double lift_m2,

@@ -97,33 +97,10 @@ class KrigingTable {
                                       static_cast<std::size_t>(width_));
   }
 
-  /// Returns the estimate of query number `query` from `values` (one a sample). Allocates nothing.
-  [[nodiscard]] double estimate(int query, std::span<const double> values) const noexcept;
-  /// Computes all estimates into `out`, one entry a query. Allocates nothing.
-  void estimate(std::span<const double> values, std::span<double> out) const;
-
  private:
   int width_ = 0;
   std::vector<int> first_;
   std::vector<double> lambda_;
 };
-
-/// The change of the key points of one ridge (Eqs. 15, 21-23): one entry a section, from the fixed end.
-struct RidgeDisplacement {
-  std::span<const double> dx;
-  std::span<const double> dy;
-  std::span<const double> dz;
-};
-
-/// Computes (dX*, dY*, dZ*) of query number `query` by Eq. 15 as printed: each component kriged on its own.
-/// Far from rigid at large twist (the estimate leaves the circle); kriging the angle is the default of the
-/// product.
-[[nodiscard]] std::array<double, 3> krigeComponents(const KrigingTable& table, int query,
-                                                    const RidgeDisplacement& ridge) noexcept;
-
-/// Computes (dX*, dY*, dZ*) of one query by Eq. 15 without a table: the weights are solved for this query
-/// (the yardstick of the benchmark).
-[[nodiscard]] std::array<double, 3> krigeComponents(const Kriging1d& kriging, double query,
-                                                    const RidgeDisplacement& ridge);
 
 }  // namespace torsio

@@ -69,10 +69,6 @@ void HermiteTable::limitSlopes() {
   }
 }
 
-double HermiteTable::last() const noexcept {
-  return first_ + step_ * static_cast<double>(nodes_.size() - 1);
-}
-
 ValueSlope HermiteTable::at(double x) const noexcept {
   const double u = (x - first_) * inverseStep_;
   const double top = static_cast<double>(nodes_.size() - 1);

@@ -26,7 +26,6 @@ class HermiteTable {
 
   [[nodiscard]] double first() const noexcept { return first_; }
   [[nodiscard]] double step() const noexcept { return step_; }
-  [[nodiscard]] double last() const noexcept;
   [[nodiscard]] int nodes() const noexcept { return static_cast<int>(nodes_.size()); }
   [[nodiscard]] double node(int index) const { return nodes_[static_cast<std::size_t>(index)].value; }
 

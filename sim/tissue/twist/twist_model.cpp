@@ -99,10 +99,6 @@ TwistModel::TwistModel(const TriangleMesh& mesh, const SectionLattice& lattice, 
       material_(material),
       tables_(std::make_shared<const Tables>(makeTwistTables(mesh, lattice, material, options))) {}
 
-std::span<const TwistOperation> TwistModel::operations() const noexcept {
-  return tables_->definitions;
-}
-
 double TwistModel::graspCompliance(double graspArc_m) const noexcept {
   return 1.0 / linearStiffness(*tables_, graspArc_m);
 }

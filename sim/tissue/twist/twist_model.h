@@ -105,8 +105,6 @@ class TwistModel {
   [[nodiscard]] const TwistModelOptions& options() const noexcept { return options_; }
   [[nodiscard]] const SectionLattice& lattice() const noexcept { return lattice_; }
   [[nodiscard]] const Material& material() const noexcept { return material_; }
-  /// Returns the operations in force: options().operations, or the one elastic twist about the centreline.
-  [[nodiscard]] std::span<const TwistOperation> operations() const noexcept;
 
   /// Returns the angle at section g for one newton metre applied there, rad/(N m) (section G: phi_g = T
   /// C_g). Several operations act like springs on one shaft: 1 / C = sum of ratio^2 / C_k.

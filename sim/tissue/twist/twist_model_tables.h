@@ -34,7 +34,6 @@ struct RidgePlace {
 
 /// Everything that the queries of TwistModel need, computed once; immutable.
 struct TwistModel::Tables {
-  std::vector<TwistOperation> definitions;
   std::vector<PreparedOperation> operations;
   bool defaultOperation = true;    ///< exactly one operation, elastic, about the centreline, ratio 1
   std::size_t leading = 0;         ///< the operation with the largest ratio

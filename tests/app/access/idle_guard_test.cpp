@@ -55,23 +55,12 @@ TEST(IdleGuard, NeverLocksWhileARunIsBusy) {
 
   guard.setBusy(true);
   clock.advance_us(1'000'000);
-  guard.lock();
 
   EXPECT_EQ(guard.state(), IdleState::kActive);
   guard.setBusy(false);
   EXPECT_EQ(guard.state(), IdleState::kActive);
   clock.advance_us(60);
   EXPECT_EQ(guard.state(), IdleState::kLocked);
-}
-
-TEST(IdleGuard, LocksAtOnceOnWish) {
-  ManualClock clock;
-  IdleGuard guard(clock, kLimits);
-
-  guard.lock();
-
-  EXPECT_EQ(guard.state(), IdleState::kLocked);
-  EXPECT_EQ(guard.untilLock_us(), 0);
 }
 
 TEST(IdleGuard, RefusesAWarningThatComesAfterTheLock) {

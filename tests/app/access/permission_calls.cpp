@@ -18,6 +18,7 @@
 #include "app/people/roster_accounts.h"
 #include "app/people/roster_import.h"
 #include "app/recording/trial_digests.h"
+#include "app/reporting/coded_tables.h"
 #include "app/reporting/report_data.h"
 #include "app/reporting/report_export.h"
 #include "app/review/adjudicator.h"
@@ -28,10 +29,10 @@
 #include "app/review/evaluation_form.h"
 #include "app/review/own_severity.h"
 #include "app/review/rater_calibration.h"
+#include "app/review/remark_replies.h"
 #include "app/review/review_queue.h"
 #include "app/study/allocation_service.h"
 #include "app/study/campaign_service.h"
-#include "app/study/coded_records.h"
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/frozen_data.h"
@@ -130,7 +131,6 @@ std::vector<ServiceCall> administratorCalls() {
       {O::kAuditView, "auditActors", [](SessionContext& w, Path) { (void)auditActors(w); }},
       {O::kPersonViewCoded, "consentHistory",
        [](SessionContext& w, Path) { (void)consentHistory(w, kNoSuch); }},
-      {O::kPersonViewCoded, "raterClasses", [](SessionContext& w, Path) { (void)raterClasses(w); }},
       {O::kPersonEdit, "personEntry", [](SessionContext& w, Path) { (void)personEntry(w, kNoSuch); }},
       {O::kPersonEdit, "ensureRaterClasses", [](SessionContext& w, Path) { ensureRaterClasses(w); }},
       {O::kPersonEdit, "previewRoster",
@@ -156,8 +156,10 @@ std::vector<ServiceCall> administratorCalls() {
 
 std::vector<ServiceCall> studyCalls() {
   return {
-      {O::kTrialViewCoded, "codedTrials", [](SessionContext& w, Path) { (void)codedTrials(w); }},
-      {O::kMarkViewCoded, "codedMarks", [](SessionContext& w, Path) { (void)codedMarks(w, kNoSuch); }},
+      {O::kTrialViewCoded, "exportRecordings",
+       [](SessionContext& w, Path folder) { (void)exportRecordings(w, kNoSuch, folder / "trials.csv"); }},
+      {O::kMarkViewCoded, "exportMarks",
+       [](SessionContext& w, Path folder) { (void)exportMarks(w, kNoSuch, folder / "marks.csv"); }},
       {O::kMarkRelease, "releaseStates", [](SessionContext& w, Path) { (void)releaseStates(w, kNoSuch); }},
       {O::kMarkRelease, "releaseMarks", [](SessionContext& w, Path) { releaseMarks(w, kNoSuch, "never"); }},
       {O::kMarkRelease, "retractMarks",
@@ -194,8 +196,6 @@ std::vector<ServiceCall> studyCalls() {
        }},
       {O::kAllocationRun, "previewBalance", [](SessionContext& w, Path) { (void)previewBalance(w, {}); }},
       {O::kAllocationRun, "lockAllocation", [](SessionContext& w, Path) { (void)lockAllocation(w, {}); }},
-      {O::kAllocationRun, "allocateOne",
-       [](SessionContext& w, Path) { (void)allocateOne(w, kNoSuch, kNoSuch); }},
       {O::kAllocationRun, "allocateAll", [](SessionContext& w, Path) { (void)allocateAll(w, kNoSuch); }},
       {O::kAllocationRun, "overrideAllocation",
        [](SessionContext& w, Path) { (void)overrideAllocation(w, kNoSuch, kNoSuch, kNoSuch, "why"); }},
@@ -262,6 +262,8 @@ std::vector<ServiceCall> reviewCalls() {
       {O::kMarkSubmit, "saveSheet", [](SessionContext& w, Path) { saveSheet(w, kNoSuch, {}, {}); }},
       {O::kMarkSubmit, "blindedCase", [](SessionContext& w, Path) { (void)blindedCase(w, kNoSuch); }},
       {O::kMarkSubmit, "caseRemarks", [](SessionContext& w, Path) { (void)caseRemarks(w, kNoSuch); }},
+      {O::kTrialViewAssigned, "repliesToMe", [](SessionContext& w, Path) { (void)repliesToMe(w); }},
+      {O::kTrialViewAssigned, "markReplyRead", [](SessionContext& w, Path) { markReplyRead(w, kNoSuch); }},
       {O::kMarkSubmit, "sheetVersions", [](SessionContext& w, Path) { (void)sheetVersions(w, kNoSuch); }},
       {O::kMarkSubmit, "keptAt", [](SessionContext& w, Path) { (void)keptAt(w); }},
       {O::kMarkSubmit, "viewingRules", [](SessionContext& w, Path) { (void)viewingRules(w); }},

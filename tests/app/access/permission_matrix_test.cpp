@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "app/access/access_service.h"
+#include "app/reporting/coded_tables.h"
 #include "app/reporting/report_data.h"
 #include "app/study/allocation_service.h"
-#include "app/study/coded_records.h"
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/frozen_data.h"
@@ -22,6 +22,7 @@
 #include "sim/base/error.h"
 #include "tests/app/access/permission_calls.h"
 #include "tests/app/support/study_centre.h"
+#include "tests/support/stored_rows.h"
 
 namespace torsio {
 namespace {
@@ -58,7 +59,7 @@ TEST(PermissionMatrix, EveryOperationIsAskedForByAServiceThatIsCalledHere) {
     covered.emplace(operationCode(call.operation));
   }
 
-  for (const std::string& operation : AccessRepository(centre.connection()).operations()) {
+  for (const std::string& operation : storedOperations(centre.connection())) {
     EXPECT_TRUE(covered.contains(operation)) << operation;
   }
   EXPECT_EQ(covered.size(), kOperationCodes.size());
@@ -88,27 +89,11 @@ TEST(PermissionMatrix, ARightThatSomebodyElseHadOpensNothing) {
   EXPECT_THROW((void)session.connection(), ContractError);
 }
 
-TEST(PermissionMatrix, ACurriculumIsReadByWhoeverPractisesOrSeesPeople) {
-  StudyCentre centre;
-  AccessRepository access(centre.connection());
-  const auto allowed = access.permissions();
-  for (const std::string& role : access.roles()) {
-    const bool may = allowed.contains({role, "practice"}) || allowed.contains({role, "person.view_coded"});
-    const ServiceCall read{Operation::kPersonViewCoded, "curriculumVersion",
-                           [](SessionContext& w, const std::filesystem::path&) {
-                             static_cast<void>(curriculumVersion(w, kNoSuch));
-                           }};
-    EXPECT_EQ(refused(read, centre.as(role), centre.folder()), !may) << role;
-    EXPECT_TRUE(refused(read, centre.as(""), centre.folder()));
-  }
-}
-
 TEST(PermissionMatrix, EveryRoleMayExactlyWhatTheDatabaseSays) {
   StudyCentre centre;
-  AccessRepository access(centre.connection());
-  const auto allowed = access.permissions();
+  const auto allowed = storedPermissions(centre.connection());
 
-  for (const std::string& role : access.roles()) {
+  for (const std::string& role : storedRoles(centre.connection())) {
     for (const ServiceCall& call : calls()) {
       const bool may = allowed.contains({role, std::string(operationCode(call.operation))});
       EXPECT_EQ(refused(call, centre.as(role), centre.folder()), !may)
@@ -165,7 +150,9 @@ TEST(PermissionMatrix, AnAdministratorsReportHasSingleMarksOnlyWhenNothingCanBeI
 
   scored.freeze();
   EXPECT_TRUE(scored.sees("administrator"));
-  EXPECT_THROW((void)codedMarks(scored.centre.as("administrator"), scored.request.cohortId), Error);
+  EXPECT_THROW(exportMarks(scored.centre.as("administrator"), scored.request.cohortId,
+                           scored.centre.folder() / "marks.csv"),
+               Error);
   scored.request.identity = ReportIdentity::kNamed;
   EXPECT_FALSE(scored.sees("administrator"));  // with names
   scored.request.identity = ReportIdentity::kCoded;
@@ -185,11 +172,10 @@ TEST(PermissionMatrix, AnAdministratorsReportHasNoSingleMarksWhileARaterStillHas
 
 TEST(PermissionMatrix, ARefusedCallLeavesTheRecordAsItIs) {
   StudyCentre centre;
-  AccessRepository access(centre.connection());
-  const auto allowed = access.permissions();
+  const auto allowed = storedPermissions(centre.connection());
   const auto before = centre.rowCounts();
 
-  for (const std::string& role : access.roles()) {
+  for (const std::string& role : storedRoles(centre.connection())) {
     for (const ServiceCall& call : calls()) {
       if (allowed.contains({role, std::string(operationCode(call.operation))})) {
         continue;

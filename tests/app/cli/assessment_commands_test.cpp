@@ -47,6 +47,18 @@ std::string paperTable() {
   return text;
 }
 
+TEST_F(AssessmentCommands, EvaluateGivesAnIntervalOverPanelsDrawnAnew) {
+  // One index, one class: 6 and 8 give 6, 7 or 8 in a panel drawn anew (1/4, 1/2, 1/4).
+  const std::string file = write("two.csv", "index,rater,class,model,score\n1,a,A,PM,6\n1,b,A,PM,8\n");
+  const std::string call = "evaluate --weights 1 --class-weights 1 --ratings " + file;
+
+  const json model = answer(call + " --resamples 2000 --seed 5")["models"][0];
+
+  EXPECT_EQ(model["N"], 7.0);
+  EXPECT_EQ(model["N_interval"], json({6.0, 8.0}));
+  EXPECT_FALSE(answer(call)["models"][0].contains("N_interval"));
+}
+
 TEST_F(AssessmentCommands, EvaluateReadsAnyColumnOrderAndGivesTheScoresOfThePaper) {
   // Eq. 25: 0.2 x 7 + 0.3 x 8 + 0.5 x 9 = 8.3; plain mean (140 + 80 + 90) / 40 = 7.75;
   // Eq. 26: (20 x 1.69 + 10 x 0.09 + 10 x 0.49) / 40 = 0.99.

@@ -7,9 +7,14 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
+#include "sim/geometry/mesh/mesh_export.h"
+#include "sim/geometry/mesh/mesh_import.h"
 #include "tests/app/cli/program.h"
+#include "tests/support/procedural_mesh.h"
 
 namespace torsio {
 namespace {
@@ -155,6 +160,47 @@ TEST(CommandLine, ASquareSectionHasItsTabledTorsionConstant) {
   const std::size_t at = run.out.find("\"J\":");
   ASSERT_NE(at, std::string::npos) << run.out;
   EXPECT_NEAR(std::stod(run.out.substr(at + 4)), 0.140577014955, 1e-4 * 0.140577014955);
+}
+
+TEST(CommandLine, ASectionTellsMembraneAndStressAtAPoint) {
+  // Saint-Venant, unit square: membrane 0.07367135 in the middle, no stress there; 0.675 G theta a at the
+  // middle of a side.
+  const fs::path scratch = emptyFolder("point");
+  write(scratch / "square.csv", "0,0\n1,0\n1,1\n0,1\n");
+  const std::string call = "section " + (scratch / "square.csv").string() + " --json";
+
+  const ProgramRun run = runTorsio(call + " --at 0.5,0.5 --at 0.5,0", scratch);
+
+  ASSERT_EQ(run.code, 0) << run.err;
+  const nlohmann::json points = nlohmann::json::parse(run.out)["points"];
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_NEAR(points[0]["membrane"].get<double>(), 0.07367135, 1e-5);
+  EXPECT_NEAR(points[0]["tau_xz"].get<double>(), 0.0, 1e-6);
+  EXPECT_NEAR(points[1]["tau_xz"].get<double>(), 0.675, 0.01);
+  EXPECT_EQ(runTorsio(call + " --at 2,2", scratch).code, static_cast<int>(ErrorCode::kBadParameter));
+}
+
+TEST(CommandLine, ATwistOfAMeshTellsItsRepairsAndIsWrittenAsObj) {
+  // A tube of 12 corners whose first face stands twice.
+  const fs::path scratch = emptyFolder("obj");
+  const TriangleMesh bar = testing::prism(testing::circleOutline(0.03, 12), 0.2, 8);
+  std::string text = objText(bar);
+  text += text.substr(text.find("f "), text.find('\n', text.find("f ")) - text.find("f ") + 1);
+  write(scratch / "bar.obj", text);
+
+  const ProgramRun run = runTorsio("twist --organ " + (scratch / "bar.obj").string() + " --angle 30 --out " +
+                                       (scratch / "out.obj").string() + " --json",
+                                   scratch);
+
+  ASSERT_EQ(run.code, 0) << run.err;
+  const nlohmann::json result = nlohmann::json::parse(run.out);
+  EXPECT_EQ(result["repairs"], "1 repeated face removed");
+  // Linear tissue: torque x compliance is the angle; the clamp turns at the rate of all that follows it.
+  EXPECT_NEAR(result["torque_nm"].get<double>() * result["compliance_rad_per_nm"].get<double>(),
+              radians(30.0), 1e-9);
+  EXPECT_GT(result["profile"][1]["rate_rad_per_m"].get<double>(), 0.0);
+  const TriangleMesh twisted = importMesh(scratch / "out.obj");
+  EXPECT_EQ(twisted.triangles.size(), bar.triangles.size());
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "app/gui/administrator/audit_page.h"
-#include "app/gui/administrator/maintenance_page.h"
+#include "app/gui/administrator/station/audit_page.h"
+#include "app/gui/administrator/station/maintenance_page.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/maintenance/retention.h"

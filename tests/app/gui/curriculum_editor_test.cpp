@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The curriculum editor through its real widgets: nothing is lost, everything can be set, published versions
 // stay as they are.
-#include "app/gui/administrator/curriculum_editor.h"
+#include "app/gui/administrator/curriculum/curriculum_editor.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSpinBox>
 #include <QTableWidget>
 #include <QTest>
 
-#include "app/gui/administrator/curricula_page.h"
+#include "app/gui/administrator/curriculum/curricula_page.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/study/cohort_service.h"
@@ -23,8 +26,8 @@
 namespace torsio::gui {
 namespace {
 
-using testing::answer;
 using testing::AdministratorDesk;
+using testing::answer;
 using testing::press;
 using testing::type;
 
@@ -32,16 +35,16 @@ using testing::type;
 constexpr const char* kEverything = R"({
   "format": "torsio curriculum 1",
   "modules": [
-    {"code": "A1", "title": "Pronate", "scene": "forearm", "pattern": "pronation", "exercise": "twist to target",
+    {"code": "A1", "title": "Pronate", "scene": "forearm", "pattern": "pronation",
      "mode": "practice", "target_deg": -61.234567, "tolerance_deg": 4.321987, "hold_s": 1.234567,
      "max_force_n": 3.333333, "max_torque_nm": 0.1234567, "attempt_limit": 12, "requires": [],
      "mastery": [
        {"metric": "force.peak", "comparison": "at_most", "threshold": 2.718281828, "unit": "N", "consecutive": 2},
        {"metric": "twist.bias", "comparison": "at_least", "threshold": -0.000123, "unit": "rad", "consecutive": 1},
        {"metric": "twist.on_target", "comparison": "at_least", "threshold": 0.66666667, "unit": "1", "consecutive": 3}]},
-    {"code": "A2", "title": "Hold", "scene": "forearm", "pattern": "supination", "exercise": "hold",
+    {"code": "A2", "title": "Hold", "scene": "forearm", "pattern": "supination",
      "mode": "graded", "target_deg": 45, "tolerance_deg": 5, "hold_s": 0, "requires": [], "mastery": []},
-    {"code": "A3", "title": "Follow", "scene": "forearm", "pattern": "pronation", "exercise": "follow",
+    {"code": "A3", "title": "Follow", "scene": "forearm", "pattern": "pronation",
      "mode": "graded", "target_deg": -30, "tolerance_deg": 5, "hold_s": 2, "requires": ["A1", "A2"],
      "mastery": [
        {"metric": "time.total", "comparison": "at_most", "threshold": 90.55555, "unit": "s", "consecutive": 1}]}
@@ -112,6 +115,26 @@ TEST(CurriculumEditor, SavesWhatWasNotTouchedExactlyAsItWas) {
   const CurriculumDraft after = curriculumDraft(office.centre.session(), id);
   EXPECT_EQ(after.revision, 2);
   EXPECT_EQ(curriculumJson(after.content), before);
+}
+
+TEST(CurriculumEditor, FitsASmallScreenWithoutScrollingItsForms) {
+  AdministratorDesk office;
+  addEverything(office);
+  auto page = office.open<CurriculaPage>("administrator");
+
+  page->resize(1162, 716);  // what a 1366 x 768 screen leaves beside navigation and header
+  page->show();
+  QApplication::processEvents();
+
+  auto& editor = child<CurriculumEditor>(*page, "editor");
+  for (int tab = 0; tab < editor.count(); ++tab) {
+    editor.setCurrentIndex(tab);
+    QApplication::processEvents();
+    for (const QScrollArea* area : editor.currentWidget()->findChildren<QScrollArea*>()) {
+      EXPECT_EQ(area->horizontalScrollBar()->maximum(), 0) << "tab " << tab;
+      EXPECT_EQ(area->verticalScrollBar()->maximum(), 0) << "tab " << tab;
+    }
+  }
 }
 
 TEST(CurriculumEditor, ChangesOnlyTheFieldThatWasTyped) {

@@ -22,7 +22,7 @@
 #include <QTranslator>
 #include <gtest/gtest.h>
 
-#include "app/gui/administrator/report_preview.h"
+#include "app/gui/administrator/reporting/report_preview.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/program/screenshots.h"

@@ -2,8 +2,8 @@
 // Restoring a backup through the program's window, as an administrator does it.
 #include <fstream>
 
-#include "app/gui/administrator/move_page.h"
-#include "app/gui/administrator/restore_page.h"
+#include "app/gui/administrator/station/move_page.h"
+#include "app/gui/administrator/station/restore_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "db/repository/system/audit_verification.h"
@@ -30,8 +30,8 @@ TEST_F(CarePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) {
   child<QLineEdit>(page, "word").clear();
   QTest::keyClicks(&child<QLineEdit>(page, "word"), QStringLiteral("RESTORE"));
   click(child<QPushButton>(page, "restoreButton"));
-  QTRY_COMPARE_WITH_TIMEOUT(window_->screen(), QStringLiteral("sign-in"), 5'000);
-  window_->background().wait();
+  QTRY_COMPARE_WITH_TIMEOUT(testing::screenOf(*window_), QStringLiteral("sign-in"), 5'000);
+  testing::waitFor(window_->background());
 
   EXPECT_TRUE(says(QStringLiteral("The record was restored from backup.sqlite")));
   EXPECT_EQ(people(record()), 2);
@@ -79,7 +79,7 @@ TEST_F(CarePages, ACancelledRestoreLeavesTheRecordAndNoHalfFile) {
   context().cancelJobs();
   context().waitForJobs();
 
-  EXPECT_EQ(window_->screen(), QStringLiteral("desk"));
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
   EXPECT_EQ(filesBeside(), before);
   EXPECT_EQ(people(record()), 2);
 }

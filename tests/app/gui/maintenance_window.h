@@ -15,12 +15,13 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/administrator/administrator_pages.h"
-#include "app/gui/administrator/maintenance_page.h"
+#include "app/gui/administrator/station/maintenance_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/main_window.h"
 #include "app/people/people_service.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/trial/station_repository.h"
+#include "tests/app/gui/shown_screen.h"
 
 namespace torsio::gui {
 
@@ -69,7 +70,7 @@ class CarePages : public ::testing::Test {
     window_ = std::make_unique<MainWindow>(setup);
     window_->QWidget::show();
     window_->start();
-    window_->background().wait();
+    testing::waitFor(window_->background());
     signIn();
   }
 
@@ -80,7 +81,7 @@ class CarePages : public ::testing::Test {
   }
 
   void signIn() {
-    ASSERT_EQ(window_->screen(), QStringLiteral("sign-in"));
+    ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
     const auto named = [this](const char* name) -> QLineEdit* {
       for (QLineEdit* field : window_->findChildren<QLineEdit*>()) {
         if (field->accessibleName() == QLatin1String(name) && field->isVisible()) {
@@ -92,8 +93,8 @@ class CarePages : public ::testing::Test {
     named("Sign-in name")->setText(QStringLiteral("admin"));
     named("Password")->setText(QString::fromLatin1(kAdminPassword));
     QTest::keyClick(named("Password"), Qt::Key_Return);
-    window_->background().wait();
-    ASSERT_EQ(window_->screen(), QStringLiteral("desk"));
+    testing::waitFor(window_->background());
+    ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
     QObject::connect(&context(), &ShellContext::failed, window_.get(),
                      [this](const QString& happened) { failures_ << happened; });
   }

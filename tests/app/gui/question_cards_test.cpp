@@ -16,10 +16,13 @@
 #include "app/base/assets.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/physician/questions_card.h"
+#include "app/gui/physician/replies_card.h"
 #include "app/gui/trainee/ask_card.h"
 #include "app/gui/widgets/theme.h"
+#include "app/review/remark_replies.h"
 #include "app/training/questions.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/trial/remark_repository.h"
 #include "tests/app/support/training_centre.h"
 
 namespace torsio::gui {
@@ -166,6 +169,37 @@ TEST_F(QuestionCards, ALongQueueShowsTheThreeThatWaitLongest) {
   EXPECT_EQ(card.questions().size(), 4U);
   EXPECT_EQ(card.questions().front().text, "one");
   EXPECT_EQ(card.findChildren<QPushButton*>(QStringLiteral("answerQuestion")).size(), 3);
+}
+
+TEST_F(QuestionCards, AnAnswerToARemarkIsShownUntilItWasRead) {
+  ShellContext& shell = shellOf("chief");
+  const Actor& actor = shell.session().actor();
+  RemarkRepository remarks(centre_.connection());
+  remarks.add({.id = "11111111-1111-4111-8111-111111111111",
+               .trialId = trial_,
+               .author = actor.userId,
+               .authorPersonId = actor.personId,
+               .purpose = "remark",
+               .text = "let go more gently"});
+  remarks.add({.id = "22222222-2222-4222-8222-222222222222",
+               .trialId = trial_,
+               .author = "T-01",
+               .purpose = "reply",
+               .replyTo = "11111111-1111-4111-8111-111111111111",
+               .text = "I will"});
+  RepliesCard card(shell);
+
+  card.read();
+
+  ASSERT_FALSE(card.isHidden());
+  EXPECT_TRUE(textsOf(card).contains(QStringLiteral("I will (you wrote: let go more gently)")))
+      << textsOf(card).toStdString();
+  EXPECT_FALSE(textsOf(card).contains(QStringLiteral("Chen")));
+  card.findChild<QPushButton*>(QStringLiteral("readReply"))->click();
+  settle();
+  EXPECT_TRUE(card.isHidden());
+  EXPECT_TRUE(repliesToMe(shell.session()).empty());
+  EXPECT_TRUE(said_.isEmpty()) << said_.join('\n').toStdString();
 }
 
 }  // namespace

@@ -10,15 +10,16 @@
 #include <QPushButton>
 #include <QSpinBox>
 
-#include "app/gui/administrator/allocation_page.h"
-#include "app/gui/administrator/curricula_page.h"
-#include "app/gui/administrator/maintenance_page.h"
-#include "app/gui/administrator/roster_page.h"
-#include "app/gui/administrator/scoring_page.h"
+#include "app/gui/administrator/curriculum/curricula_page.h"
+#include "app/gui/administrator/people/roster_page.h"
+#include "app/gui/administrator/scoring/scoring_page.h"
+#include "app/gui/administrator/station/maintenance_page.h"
+#include "app/gui/administrator/study/allocation_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/maintenance/retention.h"
+#include "app/people/consent_service.h"
 #include "app/people/people_service.h"
 #include "app/study/cohort_service.h"
 #include "app/study/occasion_service.h"
@@ -28,8 +29,8 @@
 namespace torsio::gui {
 namespace {
 
-using testing::answer;
 using testing::AdministratorDesk;
+using testing::answer;
 
 QPushButton& named(QWidget& page, const char* name) {
   auto* found = page.findChild<QPushButton*>(QLatin1String(name));
@@ -100,6 +101,32 @@ TEST(RosterPage, ErasesOneRecordOnRequestWithAReason) {
   for (const NamedPersonRow& one : namedPeople(office.centre.as("administrator"))) {
     EXPECT_EQ(one.identity.fullName.empty(), one.row.person.id == trainees.front());
   }
+}
+
+TEST(RosterPage, EntersWhatWasSignedOnPaperAndShowsEveryDecision) {
+  AdministratorDesk office;
+  const std::vector<std::string> trainees = office.centre.addTrainees(1);
+  auto page = office.open<RosterPage>("administrator");
+  page->findChild<DataTable*>()->select(toQString(trainees.front()));
+  int shown = 0;
+  answer([&shown](QDialog& dialog) {
+    auto* purpose = dialog.findChild<QComboBox*>(QStringLiteral("purpose"));
+    purpose->setCurrentIndex(purpose->findText(QStringLiteral("Training record")));
+    named(dialog, "granted").click();
+    named(dialog, "withdrawn").click();
+    shown = dialog.findChild<DataTable*>(QStringLiteral("decisions"))->visibleRows();
+    dialog.reject();
+  });
+
+  named(*page, "consents").click();
+
+  EXPECT_EQ(shown, 2);
+  const std::vector<StoredConsent> kept = consentHistory(office.centre.as("administrator"), trainees.front());
+  ASSERT_EQ(kept.size(), 2U);
+  EXPECT_EQ(kept[0].purpose, "training_record");
+  EXPECT_TRUE(kept[0].granted);
+  EXPECT_FALSE(kept[1].granted);
+  EXPECT_EQ(office.centre.audited("consent.withdraw"), 1);
 }
 
 TEST(RosterPage, OffersNeitherToWhoeverMayNot) {

@@ -12,6 +12,7 @@
 #include <QSettings>
 #include <QTableView>
 #include <QTest>
+#include <QToolButton>
 #include <gtest/gtest.h>
 
 #include "app/gui/base/shell_context.h"
@@ -211,6 +212,20 @@ TEST(CasePage, SubmitsOnlyWhatIsCompleteAndWatched) {
   EXPECT_EQ(state(), SheetState::kSubmitted);
 }
 
+TEST(CasePage, ClearsTheSheetInOneStepThatUndoTakesBack) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  desk.press(Qt::Key_7);
+  ASSERT_EQ(editorOf(page)->answer("time").score_steps, 70);
+
+  page.findChild<QToolButton*>(QStringLiteral("clearSheet"))->click();
+
+  EXPECT_FALSE(editorOf(page)->answer("time").given());
+  desk.press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(editorOf(page)->answer("time").score_steps, 70);
+}
+
 TEST(CasePage, BookmarksRemarksAndSteps) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
@@ -257,6 +272,13 @@ TEST(CasePage, AmendingNeedsAReasonAndKeepsBothVersions) {
   const std::vector<SheetVersion> versions = sheetVersions(desk.session(), id);
   ASSERT_EQ(versions.size(), 2U);
   EXPECT_EQ(versions[1].amendReason, "looked again");
+  auto& again = desk.open<CasePage>(inputOf(id));
+  bool told = false;
+  for (const QLabel* label : again.findChildren<QLabel*>()) {
+    told = told || (label->text().contains(QStringLiteral("version 2")) &&
+                    label->toolTip().contains(QStringLiteral("looked again")));
+  }
+  EXPECT_TRUE(told);
   const OpenedSheet sealed = openSheet(desk.session(), id);
   EXPECT_EQ(SheetEditor(sealed.rubric, sealed.sheet).answer("time").score_steps, 90);
 }
@@ -399,6 +421,22 @@ TEST(RaterCalibrationPage, ShowsTheOwnOffsetAfterTheMark) {
 
   EXPECT_TRUE(wordsOf(page).join(u' ').contains(QStringLiteral("Panel of 5")));
   EXPECT_DOUBLE_EQ(*warmUp(desk.session()).runs[0].offset_points, 2.0);
+}
+
+TEST(RaterCalibrationPage, HasScoreButtonsThatAFingerOrAMouseHits) {
+  constexpr int kLeast_px = 32;
+  constexpr int kButtons = 10;  // the paper's scale from 1 to 10
+  ReviewCentre centre(ReviewCentre::Setup{});
+  addReferenceRuns(*centre.administrator(),
+                   {{centre.trialIds()[0], centre.rubricRevisionId(), 6.0, 5, false}});
+  DeskOf desk(centre, 0);
+
+  auto& page = desk.open<RaterCalibrationPage>();
+  QApplication::processEvents();
+
+  const auto& scale = child<QWidget>(page, "scale");
+  EXPECT_GE(scale.width(), kButtons * kLeast_px);
+  EXPECT_GE(scale.height(), kLeast_px);
 }
 
 TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {

@@ -12,8 +12,8 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
-#include "app/gui/administrator/rater_calibration_dialog.h"
-#include "app/gui/administrator/scoring_page.h"
+#include "app/gui/administrator/scoring/rater_calibration_dialog.h"
+#include "app/gui/administrator/scoring/scoring_page.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"

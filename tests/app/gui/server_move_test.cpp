@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "app/gui/administrator/move_page.h"
+#include "app/gui/administrator/station/move_page.h"
 #include "app/gui/widgets/child.h"
 #include "db/migrations/migrations.h"
 #include "tests/app/gui/maintenance_window.h"
@@ -97,8 +97,8 @@ TEST_F(ServerMove, TheRecordIsCopiedComparedAndTheStationTurnsToTheServer) {
   EXPECT_TRUE(says(QStringLiteral("Torsio stores no password")));
   writePasswordFile();
   click(child<QPushButton>(page, "switchButton"));
-  QTRY_COMPARE_WITH_TIMEOUT(window_->screen(), QStringLiteral("sign-in"), 5'000);
-  window_->background().wait();
+  QTRY_COMPARE_WITH_TIMEOUT(testing::screenOf(*window_), QStringLiteral("sign-in"), 5'000);
+  testing::waitFor(window_->background());
 
   EXPECT_TRUE(says(QStringLiteral("This station now works with the record at postgresql://127.0.0.1")));
   signIn();
@@ -126,7 +126,7 @@ TEST_F(ServerMove, AUsedDatabaseIsNoTargetButAStationMayJoinIt) {
   EXPECT_FALSE(child<QPushButton>(page, "copyButton").isVisible());
   click(child<QPushButton>(page, "switchButton"));
   QTRY_COMPARE_WITH_TIMEOUT(window_->session()->key().locator, lastingLocator(address_), 5'000);
-  window_->background().wait();
+  testing::waitFor(window_->background());
 
   EXPECT_TRUE(contains(trail(typedLocator(address_)), "database.join"));
   EXPECT_TRUE(contains(trail(record()), "database.join"));
@@ -145,7 +145,7 @@ TEST_F(ServerMove, WhatIsWrittenAfterTheCopyForbidsTheSwitch) {
 
   ASSERT_EQ(failures_.size(), 1);
   EXPECT_EQ(failures_.front(), QStringLiteral("Something was written to this record after it was copied"));
-  EXPECT_EQ(window_->screen(), QStringLiteral("desk"));
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
 }
 
 TEST_F(ServerMove, ACancelledCopyKeepsNothingOnTheServerAndCanBeRepeated) {

@@ -16,6 +16,7 @@
 #include "app/access/first_run.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/main_window.h"
+#include "tests/app/gui/shown_screen.h"
 #include "tests/db/test_database.h"
 
 namespace torsio::gui {
@@ -102,16 +103,16 @@ class FirstRunOnServer : public DatabaseTest {
 };
 
 TEST_F(FirstRunOnServer, MakesTheCentreOnTheServerAndSignsItsAdministratorIn) {
-  ASSERT_EQ(window_->screen(), QStringLiteral("first run"));
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
   fillUntilTheDatabase();
   field("Address of the server")->setText(address_);
   press("Test the database");
   EXPECT_TRUE(QTest::qWaitFor([this] { return says("The database answers and is empty"); }, 20'000));
   press("Next");
   press("Set up");
-  window_->background().wait();
+  testing::waitFor(window_->background());
 
-  ASSERT_EQ(window_->screen(), QStringLiteral("desk")) << address_.toStdString();
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk")) << address_.toStdString();
   EXPECT_EQ(window_->session()->connectionWithoutRight().engine(), Engine::kPostgresql);
   EXPECT_EQ(centreSign(window_->session()->connectionWithoutRight()).name, "City hospital");
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "unused.sqlite-wal"));
@@ -132,10 +133,10 @@ TEST_F(FirstRunOnServer, SaysThatACentreIsThereAlreadyAndLetsItsPeopleSignIn) {
   EXPECT_TRUE(QTest::qWaitFor([this] { return says("A centre keeps its records there already"); }, 20'000));
   press("Next");
   press("Set up");
-  window_->background().wait();
-  window_->background().wait();  // recordings that wait in files are settled next
+  testing::waitFor(window_->background());
+  testing::waitFor(window_->background());  // recordings that wait in files are settled next
 
-  EXPECT_EQ(window_->screen(), QStringLiteral("sign-in"));
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
   EXPECT_TRUE(says("Old hospital"));
 }
 
@@ -146,9 +147,9 @@ TEST_F(FirstRunOnServer, AServerThatDoesNotAnswerIsSaidAndNothingIsWritten) {
   field("Address of the server")->setText(nowhere.toString());
   press("Next");
   press("Set up");
-  window_->background().wait();
+  testing::waitFor(window_->background());
 
-  EXPECT_EQ(window_->screen(), QStringLiteral("first run"));
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
   EXPECT_TRUE(says("cannot be reached"));
 }
 

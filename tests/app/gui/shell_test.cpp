@@ -33,6 +33,8 @@
 #include "db/repository/trial/station_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "tests/app/gui/shown_screen.h"
+#include "tests/support/stored_rows.h"
 
 namespace torsio::gui {
 namespace {
@@ -129,7 +131,7 @@ class Shell : public ::testing::Test {
     window_ = std::make_unique<MainWindow>(with);
     window_->QWidget::show();
     window_->start();
-    window_->background().wait();  // recordings that wait in files are stored first
+    testing::waitFor(window_->background());  // recordings that wait in files are stored first
   }
 
   /// A centre with an administrator and a trainee who has a start password, nobody signed in.
@@ -154,7 +156,7 @@ class Shell : public ::testing::Test {
     named<QLineEdit>(*window_, QStringLiteral("Sign-in name"))->setText(login);
     named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(password);
     press(*window_, QStringLiteral("Sign in"));
-    window_->background().wait();
+    testing::waitFor(window_->background());
   }
 
   BarePage& page() { return static_cast<BarePage&>(*window_->desk()->page()); }
@@ -162,7 +164,7 @@ class Shell : public ::testing::Test {
 
 TEST_F(Shell, TheFirstRunMakesACentreAndLeadsItsAdministratorToTheFirstPage) {
   open(setup());
-  ASSERT_EQ(window_->screen(), QStringLiteral("first run"));
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
 
   press(*window_, QStringLiteral("Next"));
   EXPECT_TRUE(says(*window_, QStringLiteral("Enter the name of your centre")));
@@ -177,9 +179,9 @@ TEST_F(Shell, TheFirstRunMakesACentreAndLeadsItsAdministratorToTheFirstPage) {
   press(*window_, QStringLiteral("Next"));
   press(*window_, QStringLiteral("Next"));
   press(*window_, QStringLiteral("Set up"));
-  window_->background().wait();
+  testing::waitFor(window_->background());
 
-  ASSERT_EQ(window_->screen(), QStringLiteral("desk"));
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
   EXPECT_EQ(window_->desk()->pageId(), PageId::kUsers);
   EXPECT_TRUE(says(*window_, QStringLiteral("City hospital")));
 }
@@ -201,7 +203,7 @@ TEST_F(Shell, AWrongPasswordSaysNeitherWhichPartWasWrongNorKeepsIt) {
 
   enter(QStringLiteral("admin"), QStringLiteral("not this one at all"));
 
-  EXPECT_EQ(window_->screen(), QStringLiteral("sign-in"));
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
   EXPECT_TRUE(says(*window_, QStringLiteral("Name and password do not fit together")));
   EXPECT_TRUE(named<QLineEdit>(*window_, QStringLiteral("Password"))->text().isEmpty());
 }
@@ -240,9 +242,9 @@ TEST_F(Shell, AfterTooManyTriesItSaysHowLongToWaitAndLetsNobodyTry) {
   }
   named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(QString::fromLatin1(kAdminPassword));
   press(*window_, QStringLiteral("Sign in"));
-  window_->background().wait();
+  testing::waitFor(window_->background());
 
-  EXPECT_EQ(window_->screen(), QStringLiteral("sign-in"));
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
   EXPECT_TRUE(says(*window_, QStringLiteral("Please wait")));
 }
 
@@ -250,28 +252,27 @@ TEST_F(Shell, AStartPasswordMustBeChangedBeforeAnythingElse) {
   openFoundedCentre(setup());
 
   enter(QStringLiteral("chen"), QString::fromLatin1(kStartPassword));
-  ASSERT_EQ(window_->screen(), QStringLiteral("password"));
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("password"));
   named<QLineEdit>(*window_, QStringLiteral("New password"))->setText(QString::fromLatin1(kOwnPassword));
   named<QLineEdit>(*window_, QStringLiteral("The same again"))->setText(QString::fromLatin1(kOwnPassword));
   press(*window_, QStringLiteral("Save password"));
-  window_->background().wait();
+  testing::waitFor(window_->background());
 
-  ASSERT_EQ(window_->screen(), QStringLiteral("desk"));
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
   EXPECT_EQ(window_->desk()->pageId(), PageId::kNextStep);
   window_->signOut();
   enter(QStringLiteral("chen"), QString::fromLatin1(kOwnPassword));
-  EXPECT_EQ(window_->screen(), QStringLiteral("desk"));
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
 }
 
 TEST_F(Shell, TheDeskOffersOnlyWhatItsActorMayOpen) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
 
-  const std::vector<PageId> pages = window_->desk()->pageIds();
-
-  EXPECT_EQ(std::count(pages.begin(), pages.end(), PageId::kNextStep), 0);
-  EXPECT_EQ(std::count(pages.begin(), pages.end(), PageId::kAudit), 1);
   EXPECT_FALSE(window_->desk()->open(PageId::kQueue));
+  EXPECT_FALSE(window_->desk()->open(PageId::kNextStep));
+  EXPECT_TRUE(window_->desk()->open(PageId::kAudit));
+  EXPECT_TRUE(window_->desk()->open(PageId::kUsers));
   EXPECT_EQ(window_->desk()->pageId(), PageId::kUsers);
 }
 
@@ -301,7 +302,7 @@ TEST_F(Shell, ABusyPageBlocksSignOutOtherPagesAndClosing) {
 
   page().isBusy = false;
   EXPECT_TRUE(window_->signOut());
-  EXPECT_EQ(window_->screen(), QStringLiteral("sign-in"));
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
 }
 
 TEST_F(Shell, APageWithSomethingUnfinishedIsNotLeft) {
@@ -328,16 +329,16 @@ TEST_F(Shell, AnIdleDeskWarnsThenLocksAndOpensAsItWas) {
   EXPECT_TRUE(says(*window_, QStringLiteral("The screen will be locked in 8")));
   clock_.advance_us(9'000'000);
   window_->watchIdleness();
-  ASSERT_EQ(window_->screen(), QStringLiteral("lock"));
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("lock"));
 
   named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(QStringLiteral("not this one at all"));
   press(*window_, QStringLiteral("Unlock"));
-  window_->background().wait();
-  EXPECT_EQ(window_->screen(), QStringLiteral("lock"));
+  testing::waitFor(window_->background());
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("lock"));
   named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(QString::fromLatin1(kAdminPassword));
   press(*window_, QStringLiteral("Unlock"));
-  window_->background().wait();
-  EXPECT_EQ(window_->screen(), QStringLiteral("desk"));
+  testing::waitFor(window_->background());
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
   EXPECT_EQ(window_->desk(), desk);
 }
 
@@ -367,8 +368,8 @@ TEST_F(Shell, TheLockCoversAnOpenDialogAndKeepsWhatWasTypedInIt) {
   EXPECT_TRUE(lock->isVisible());
   named<QLineEdit>(*lock, QStringLiteral("Password"))->setText(QString::fromLatin1(kAdminPassword));
   press(*lock, QStringLiteral("Unlock"));
-  window_->background().wait();
-  EXPECT_EQ(window_->screen(), QStringLiteral("desk"));
+  testing::waitFor(window_->background());
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
   EXPECT_FALSE(lock->isVisible());
   EXPECT_TRUE(dialog.isVisible());
   EXPECT_EQ(veilOf(dialog), nullptr);
@@ -382,7 +383,7 @@ TEST_F(Shell, SigningOutFromTheLockGivesUpTheDialogsFirst) {
   QTimer::singleShot(0, window_.get(), [this] {
     ASSERT_TRUE(window_->lock());
     press(*window_->findChild<DialogLock*>(), QStringLiteral("Sign out"));
-    EXPECT_EQ(window_->screen(), QStringLiteral("lock"));  // the page still waits for its dialog
+    EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("lock"));  // the page still waits for its dialog
   });
   {
     QDialog dialog(&page());  // on the stack, as pages have them: it must not die with the desk
@@ -392,7 +393,7 @@ TEST_F(Shell, SigningOutFromTheLockGivesUpTheDialogsFirst) {
   QApplication::processEvents();
 
   EXPECT_TRUE(returned);
-  EXPECT_EQ(window_->screen(), QStringLiteral("sign-in"));
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
 }
 
 TEST_F(Shell, TheIdleLockNeverEndsARun) {
@@ -407,7 +408,7 @@ TEST_F(Shell, TheIdleLockNeverEndsARun) {
     window_->watchIdleness();
   }
 
-  EXPECT_EQ(window_->screen(), QStringLiteral("desk"));
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
   EXPECT_FALSE(window_->lock());
   page().isBusy = false;
 }
@@ -417,8 +418,11 @@ TEST_F(Shell, AGuestPractisesAndReachesNothingElse) {
 
   press(*window_, QStringLiteral("Practise as a guest"));
 
-  ASSERT_EQ(window_->screen(), QStringLiteral("desk"));
-  EXPECT_EQ(window_->desk()->pageIds(), std::vector<PageId>{PageId::kPractice});
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
+  EXPECT_EQ(window_->desk()->pageId(), PageId::kPractice);
+  for (const PageId other : {PageId::kNextStep, PageId::kQueue, PageId::kUsers, PageId::kAudit}) {
+    EXPECT_FALSE(window_->desk()->open(other)) << pageText(other).toStdString();
+  }
   EXPECT_TRUE(says(*window_, QStringLiteral("nothing is recorded")));
   EXPECT_FALSE(window_->session()->may(Operation::kTrialRecordOwn));
 }
@@ -429,7 +433,7 @@ TEST_F(Shell, AGuestWhoLeavesIsSignedOutNotLocked) {
 
   window_->lock();
 
-  EXPECT_EQ(window_->screen(), QStringLiteral("sign-in"));
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
 }
 
 TEST_F(Shell, TheKioskDoesNotClose) {
@@ -534,18 +538,18 @@ TEST_F(Shell, ARecordingThatCannotBeStoredIsSaidBeforeTheSignInAndToWhoeverSigns
 
 TEST_F(Shell, AnOpenStationGivesSignsOfLifeUntilItIsClosed) {
   openFoundedCentre(setup());
-  StationRepository stations(window_->session()->connectionWithoutRight());
+  Connection& connection = window_->session()->connectionWithoutRight();
   ASSERT_TRUE(window_->line()->settled(kLong));
-  ASSERT_TRUE(stations.find("test").has_value());
-  EXPECT_EQ(stations.find("test")->userId, "");
+  ASSERT_TRUE(stationOnBoard(connection, "test").has_value());
+  EXPECT_EQ(stationOnBoard(connection, "test")->userId, "");
 
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   window_->heartbeat();
   ASSERT_TRUE(window_->line()->settled(kLong));
-  EXPECT_EQ(stations.find("test")->userId, window_->session()->actor().userId);
+  EXPECT_EQ(stationOnBoard(connection, "test")->userId, window_->session()->actor().userId);
   ASSERT_TRUE(window_->close());
 
-  EXPECT_FALSE(stations.find("test").has_value());
+  EXPECT_FALSE(stationOnBoard(connection, "test").has_value());
 }
 
 TEST_F(Shell, CancellingTheFirstRunLeavesNoCentre) {
@@ -559,9 +563,9 @@ TEST_F(Shell, CancellingTheFirstRunLeavesNoCentre) {
 
   Q_EMIT panel->chosen(choice);
   Q_EMIT panel->job().cancelled();
-  window_->background().wait();
+  testing::waitFor(window_->background());
 
-  EXPECT_EQ(window_->screen(), QStringLiteral("first run"));
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
   EXPECT_TRUE(says(*window_, QStringLiteral("nothing was set up")));
   EXPECT_FALSE(recordHasUsers(with.locator.toStdString()));
 }
@@ -587,14 +591,14 @@ TEST_F(Shell, TheKioskEndsWithTheNameAndPasswordOfAnAdministratorOnly) {
 
   answerKiosk(QStringLiteral("admin"), QStringLiteral("not this one at all"));
   Q_EMIT signIn->leaveKioskWanted();
-  window_->background().wait();
+  testing::waitFor(window_->background());
   EXPECT_TRUE(window_->isVisible());
   EXPECT_TRUE(says(*window_, QStringLiteral("Only an administrator can end the kiosk")));
   EXPECT_FALSE(window_->close());
 
   answerKiosk(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   Q_EMIT signIn->leaveKioskWanted();
-  window_->background().wait();
+  testing::waitFor(window_->background());
   EXPECT_FALSE(window_->isVisible());
 }
 
@@ -643,13 +647,13 @@ TEST_F(Shell, TheCentreSaysWhenAnEmptyPlaceIsLocked) {
 
   clock_.advance_us(9 * 60'000'000LL);
   window_->watchIdleness();
-  EXPECT_EQ(window_->screen(), QStringLiteral("desk"));  // the usual five minutes would have locked
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));  // the usual five minutes would have locked
   clock_.advance_us(90'000'000LL);
   window_->watchIdleness();
   EXPECT_TRUE(says(*window_, QStringLiteral("The screen will be locked in 90")));
   clock_.advance_us(91'000'000LL);
   window_->watchIdleness();
-  EXPECT_EQ(window_->screen(), QStringLiteral("lock"));
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("lock"));
 }
 
 /// A server that may stop to answer.
@@ -691,7 +695,7 @@ TEST_F(Shell, ADatabaseThatHangsIsSaidCalmlyAndHoldsUpNobody) {
 
   gate->set(true);
   EXPECT_TRUE(QTest::qWaitFor([&] { return !tells("The database does not answer"); }, 20'000));
-  window_->background().wait();
+  testing::waitFor(window_->background());
   EXPECT_TRUE(window_->desk()->open(PageId::kAudit));
 }
 

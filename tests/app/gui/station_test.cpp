@@ -15,6 +15,7 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/debrief_page.h"
 #include "app/gui/trainee/debrief_plot.h"
 #include "app/gui/trainee/run_page.h"
@@ -27,6 +28,7 @@
 #include "db/repository/trial/station_repository.h"
 #include "tests/app/gui/trainee_station.h"
 #include "tests/app/support/training_centre.h"
+#include "tests/support/stored_rows.h"
 
 namespace torsio::gui {
 namespace {
@@ -46,7 +48,7 @@ TEST(Station, WhatTheDeviceCheckFoundStandsOnTheBoardOfTheDay) {
   station.open(PageId::kDeviceCheck);
 
   ASSERT_TRUE(line.settled(std::chrono::milliseconds(kPatience_ms)));
-  const StationDevice shown = storedDevice(StationRepository(centre.connection()).find("station 1").value());
+  const StationDevice shown = storedDevice(torsio::stationOnBoard(centre.connection(), "station 1").value());
   EXPECT_EQ(shown.device.str(), "Scripted hand");
   EXPECT_EQ(shown.light, Light::kRed);
   EXPECT_EQ(shown.problem.str(), "scripted");
@@ -213,6 +215,30 @@ TEST(StationPages, ARunThatWasCutOffIsShownAsInterrupted) {
   EXPECT_TRUE(station.allText().contains(QStringLiteral("was interrupted")))
       << station.allText().toStdString();
   EXPECT_EQ(nextSteps(centre.session(), centre.person()).interrupted.size(), 1U);
+}
+
+TEST(StationPages, TheDebriefTellsOfATwistThatTheEndCutOff) {
+  TrainingCentre centre;
+  Station station(centre);
+  const auto unfinishedIn = [&](const std::string& trial) {
+    return torsio::debrief(centre.session(), trial, {}, &torsio::testing::trainingBar()).unfinishedTwists;
+  };
+  // The hand twists again and again: one of these ends falls into a twist, another one does not.
+  std::string cutOff;
+  std::string whole;
+  for (double end_s = 12.0; end_s < 24.0 && (cutOff.empty() || whole.empty()); end_s += 1.0) {
+    const std::string trial = centre.attempt("first", "practice", 1.0, end_s);
+    (unfinishedIn(trial) == 1 ? cutOff : whole) = trial;
+  }
+  ASSERT_FALSE(cutOff.empty());
+  ASSERT_FALSE(whole.empty());
+
+  station.open(PageId::kDebrief, toQString(cutOff));
+
+  EXPECT_TRUE(station.allText().contains(QStringLiteral("One twist was not completed and is not counted.")))
+      << station.allText().toStdString();
+  station.open(PageId::kDebrief, toQString(whole));
+  EXPECT_FALSE(station.allText().contains(QStringLiteral("not completed")));
 }
 
 TEST(StationPages, AWeaknessLeadsToItsSeconds) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/widgets/theme.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <QDir>
 #include <gtest/gtest.h>
 
@@ -13,6 +16,21 @@ namespace {
 // WCAG 2.1: text 4.5 : 1 (1.4.3), parts of the interface 3 : 1 (1.4.11).
 constexpr double kText = 4.5;
 constexpr double kMark = 3.0;
+
+double channel(double value) {
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+double luminance(const QColor& colour) {
+  return 0.2126 * channel(colour.redF()) + 0.7152 * channel(colour.greenF()) +
+         0.0722 * channel(colour.blueF());
+}
+
+/// Returns the contrast ratio of two opaque colours, 1..21 (WCAG 2).
+double contrast(const QColor& a, const QColor& b) {
+  const auto [dim, bright] = std::minmax({luminance(a), luminance(b)});
+  return (bright + 0.05) / (dim + 0.05);
+}
 
 class ThemeContrast : public ::testing::TestWithParam<ThemeKind> {};
 

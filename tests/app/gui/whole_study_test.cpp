@@ -12,20 +12,21 @@
 #include <QMessageBox>
 #include <QRadioButton>
 #include <QTableView>
+#include <QTest>
 #include <nlohmann/json.hpp>
 
 #include "app/base/csv_table.h"
 #include "app/devices/station_device.h"
-#include "app/gui/administrator/allocation_page.h"
-#include "app/gui/administrator/campaigns_page.h"
-#include "app/gui/administrator/cohorts_page.h"
-#include "app/gui/administrator/curricula_page.h"
-#include "app/gui/administrator/curriculum_editor.h"
-#include "app/gui/administrator/reports_page.h"
-#include "app/gui/administrator/results_page.h"
-#include "app/gui/administrator/roster_wizard.h"
-#include "app/gui/administrator/run_day_page.h"
-#include "app/gui/administrator/scoring_page.h"
+#include "app/gui/administrator/curriculum/curricula_page.h"
+#include "app/gui/administrator/curriculum/curriculum_editor.h"
+#include "app/gui/administrator/people/roster_wizard.h"
+#include "app/gui/administrator/reporting/reports_page.h"
+#include "app/gui/administrator/reporting/results_page.h"
+#include "app/gui/administrator/scoring/campaigns_page.h"
+#include "app/gui/administrator/scoring/scoring_page.h"
+#include "app/gui/administrator/study/allocation_page.h"
+#include "app/gui/administrator/study/cohorts_page.h"
+#include "app/gui/administrator/study/run_day_page.h"
 #include "app/gui/base/figure_canvas.h"
 #include "app/gui/base/figure_card.h"
 #include "app/gui/base/translated_text.h"
@@ -48,8 +49,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using testing::answer;
 using testing::AdministratorDesk;
+using testing::answer;
 using testing::press;
 using testing::StudyCentre;
 using testing::type;
@@ -175,7 +176,8 @@ void drawGroups(AdministratorDesk& office, const std::string& cohortId) {
   EXPECT_EQ(office.centre.audited("allocation.cards"), 1);
 }
 
-void askTheTen(AdministratorDesk& office, const std::string& cohortId, const std::vector<std::string>& chiefs) {
+void askTheTen(AdministratorDesk& office, const std::string& cohortId,
+               const std::vector<std::string>& chiefs) {
   auto page = office.open<ScoringPage>("administrator", toQString(cohortId));
   answer([&](QDialog& dialog) {
     chooseCodes(dialog, chiefs);
@@ -216,11 +218,22 @@ void runTheDay(AdministratorDesk& office, const std::string& cohortId) {
   });
   press(*page, QStringLiteral("Swap turns"));
   EXPECT_EQ(deviations(office.centre.session(), cohortId).size(), 2U);
+  int listed = 0;
+  answer([&listed](QDialog& dialog) {
+    listed = child<DataTable>(dialog, "deviations").visibleRows();
+    dialog.reject();
+  });
+  press(*page, QStringLiteral("Noted"));
+  EXPECT_EQ(listed, 2);
 
   office.centre.passTime_us(60'000'000);
-  page->refreshAndWait();
-
-  EXPECT_TRUE(child<QLabel>(*page, "alerts").text().contains(QStringLiteral("room 2 does not answer")))
+  // The page reads itself anew every few seconds.
+  constexpr int kPatience_ms = 30'000;
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        return child<QLabel>(*page, "alerts").text().contains(QStringLiteral("room 2 does not answer"));
+      },
+      kPatience_ms))
       << child<QLabel>(*page, "alerts").text().toStdString();
   EXPECT_TRUE(child<DataTable>(*page, "table").totals().contains(QStringLiteral("Deviations 2")));
   EXPECT_TRUE(page->leave());
@@ -253,7 +266,8 @@ struct Crowd {
   std::map<std::string, std::string> codeOf;  // of an enrolment
 };
 
-Crowd crowdOf(AdministratorDesk& office, const std::string& cohortId, const std::vector<std::string>& chiefs) {
+Crowd crowdOf(AdministratorDesk& office, const std::string& cohortId,
+              const std::vector<std::string>& chiefs) {
   Crowd crowd;
   crowd.people.groups.resize(3);
   crowd.people.raters = chiefs;
@@ -440,10 +454,14 @@ TEST(WholeStudy, IsOneStoryFromTheRosterToTheReportWithTheNumbersOfTheCommandLin
   ASSERT_TRUE(reports->exportTo(ReportFormat::kPdf, pdf));
   auto numbers = office.open<ReportsPage>("statistician");  // who may see single marks, under codes
   ASSERT_TRUE(numbers->exportTo(ReportFormat::kCsv, csv));
+  const fs::path tables = office.centre.folder() / "tables";
+  ASSERT_TRUE(numbers->exportTables(tables));
 
   EXPECT_EQ(readFile(pdf).substr(0, 5), "%PDF-");
   expectNumbersOfTheCommandLine(Numbers(csv), crowd, office.centre.folder());
   EXPECT_EQ(office.centre.audited("report.export_coded"), 2);
+  EXPECT_EQ(readFile(tables / "marks.csv").find("\xEF\xBB\xBFtrainee,rater,occasion,"), 0U);
+  EXPECT_EQ(readFile(tables / "recordings.csv").find("\xEF\xBB\xBFtrial,trainee,scene,"), 0U);
   EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
 }
 

@@ -11,7 +11,7 @@
 #include "app/base/build_info.h"
 #include "app/recording/recording_host.h"
 #include "app/recording/station_heartbeat.h"
-#include "app/recording/trial_store.h"
+#include "app/recording/unstored_trials.h"
 #include "app/training/run_session.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/audit_verification.h"
@@ -27,6 +27,7 @@
 #include "sim/servo/hand_task.h"
 #include "sim/servo/servo_loop.h"
 #include "tests/app/support/training_centre.h"
+#include "tests/support/stored_rows.h"
 
 namespace torsio {
 namespace {
@@ -267,7 +268,6 @@ TEST_F(StationStartTest, NobodyNeedsToBeSignedInAndTheRecordSaysSo) {
 TEST_F(StationStartTest, ARunShowsItselfOnTheBoardAndGoesFromItAtTheEnd) {
   ManualClock clock;
   RunSession runSession(centre_.session(), {centre_.module("first"), true, deviceWith(Light::kGreen)}, clock);
-  StationRepository board(centre_.connection());
   const auto second = [&] {
     clock.advance_us(kSecond_us);
     centre_.passTime_us(kSecond_us);
@@ -275,33 +275,33 @@ TEST_F(StationStartTest, ARunShowsItselfOnTheBoardAndGoesFromItAtTheEnd) {
   };
 
   runSession.start();
-  EXPECT_EQ(board.find("station 1")->trialId, "");
-  EXPECT_EQ(board.find("station 1")->userId, centre_.session().actor().userId);
-  EXPECT_EQ(board.find("station 1")->softwareVersion, softwareVersion());
+  EXPECT_EQ(stationOnBoard(centre_.connection(), "station 1")->trialId, "");
+  EXPECT_EQ(stationOnBoard(centre_.connection(), "station 1")->userId, centre_.session().actor().userId);
+  EXPECT_EQ(stationOnBoard(centre_.connection(), "station 1")->softwareVersion, softwareVersion());
   const RecordingSpec spec = runSession.newTrial();
   second();
-  EXPECT_EQ(board.find("station 1")->trialId, "");  // the recorder has not begun it yet
+  EXPECT_EQ(stationOnBoard(centre_.connection(), "station 1")->trialId,
+            "");  // the recorder has not begun it yet
   TrialRepository(centre_.connection(), spec.context).begin(headerOf(spec));
   second();
-  EXPECT_EQ(board.find("station 1")->trialId, spec.trialId);
-  const std::int64_t first_us = board.find("station 1")->heartbeatUtc_us;
+  EXPECT_EQ(stationOnBoard(centre_.connection(), "station 1")->trialId, spec.trialId);
+  const std::int64_t first_us = stationOnBoard(centre_.connection(), "station 1")->heartbeatUtc_us;
   for (int i = 0; i < 25; ++i) {
     second();
   }
-  EXPECT_EQ(board.find("station 1")->heartbeatUtc_us, first_us + 2 * kHeartbeat_us);
-  EXPECT_TRUE(board.ownerOf(spec.trialId, centre_.session().now_us() - kStationSilence_us).has_value());
+  EXPECT_EQ(stationOnBoard(centre_.connection(), "station 1")->heartbeatUtc_us, first_us + 2 * kHeartbeat_us);
   runSession.stop("power");
-  EXPECT_EQ(board.find("station 1")->trialId, "");
+  EXPECT_EQ(stationOnBoard(centre_.connection(), "station 1")->trialId, "");
 }
 
 TEST_F(StationStartTest, AStationThatIsClosedDownLeavesTheBoard) {
   StationHeartbeat heartbeat(centre_.session());
   heartbeat.send();
-  ASSERT_TRUE(StationRepository(centre_.connection()).find("station 1").has_value());
+  ASSERT_TRUE(stationOnBoard(centre_.connection(), "station 1").has_value());
 
   heartbeat.leave();
 
-  EXPECT_FALSE(StationRepository(centre_.connection()).find("station 1").has_value());
+  EXPECT_FALSE(stationOnBoard(centre_.connection(), "station 1").has_value());
 }
 
 TEST_F(StationStartTest, EveryRecordingSaysOnWhichMachineItWasMade) {
@@ -310,12 +310,11 @@ TEST_F(StationStartTest, EveryRecordingSaysOnWhichMachineItWasMade) {
   EXPECT_FALSE(spec.context.host.name.empty());
   EXPECT_FALSE(spec.context.host.os.empty());
   EXPECT_FALSE(spec.context.host.cpu.empty());
-  TrialStore store(centre_.locator());
   TrialHeader practice = headerOf(spec);
   practice.trialId = SystemIdSource().newUuid();
   practice.traineeCode.clear();
 
-  store.newSink()->begin(practice);
+  recordingSink(centre_.locator(), stationContext())->begin(practice);
 
   const std::optional<TrialContext> context = TrialRepository(centre_.connection()).context(practice.trialId);
   EXPECT_EQ(context->host, thisHost());

@@ -11,7 +11,6 @@
 #include "app/review/review_queue.h"
 #include "app/review/sheet_editor.h"
 #include "db/repository/base/audit_repository.h"
-#include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/system/setting_repository.h"
@@ -197,11 +196,13 @@ TEST(CaseSheet, SubmittingSealsTheMarkWithWhatWasWatched) {
   submitSheet(*desk, id, reviewSheet(7, 6, 6.5), watched);
 
   EXPECT_EQ(openSheet(*desk, id).state, SheetState::kSubmitted);
-  DeskRepository repository(centre.connection());
-  const auto sealed = repository.viewing(repository.newestMark(id));
-  ASSERT_TRUE(sealed.has_value());
-  EXPECT_EQ(sealed->watched_permille, 1000);
-  EXPECT_EQ(sealed->worked_us, 90'000'000);
+  Statement sealed = centre.connection().prepare(
+      "SELECT v.watched_permille, v.worked_us FROM mark_viewing v JOIN training_mark m ON m.id = v.mark_id"
+      " WHERE m.assignment_id = ?");
+  sealed.execute({id});
+  ASSERT_TRUE(sealed.step());
+  EXPECT_EQ(sealed.int64(0), 1000);
+  EXPECT_EQ(sealed.int64(1), 90'000'000);
   EXPECT_THROW(saveSheet(*desk, id, reviewSheet(1, 1, 1), watched), Error);
   EXPECT_TRUE(verifyAuditTrail(centre.connection()).empty());
 }

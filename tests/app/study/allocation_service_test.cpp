@@ -73,18 +73,21 @@ TEST(AllocationService, EveryMethodDividesEvenlyAndCanBeRepeatedFromTheSeed) {
 TEST(AllocationService, OneByOneGivesWhatAllAtOnceGives) {
   std::vector<std::string> groups[2];
   for (const bool together : {true, false}) {
-    Study study;
+    Study study(0);
     AllocationPlan plan = study.plan(AllocationMethod::kStratifiedBlocks);
     plan.seed = 20240601;
-    SessionContext& allocator = study.centre.as("allocator");
-    lockAllocation(allocator, plan);
+    lockAllocation(study.centre.as("allocator"), plan);
+    const std::vector<std::string> people = study.centre.addTrainees(30);
     if (together) {
-      allocateAll(allocator, study.cohortId);
+      enrolTrainees(study.centre.session(), study.cohortId, people);
+      allocateAll(study.centre.as("allocator"), study.cohortId);
     } else {
-      for (const std::string& id : study.enrolmentIds) {
-        allocateOne(allocator, study.cohortId, id);
+      for (const std::string& person : people) {
+        enrolTrainees(study.centre.session(), study.cohortId, {person});
+        allocateAll(study.centre.as("allocator"), study.cohortId);
       }
     }
+    SessionContext& allocator = study.centre.as("allocator");
     std::vector<StoredEnrolment> list = enrolments(allocator, study.cohortId);
     std::sort(list.begin(), list.end(),
               [](const auto& a, const auto& b) { return a.traineeCode < b.traineeCode; });
@@ -168,7 +171,8 @@ TEST(AllocationService, OverrideIsARecordBesideTheDrawnOne) {
   Study study(6);
   SessionContext& allocator = study.centre.as("allocator");
   const AllocationDesignRow design = lockAllocation(allocator, study.plan(AllocationMethod::kPermutedBlocks));
-  const StoredAllocation drawn = allocateOne(allocator, study.cohortId, study.enrolmentIds[0]);
+  allocateAll(allocator, study.cohortId);
+  const StoredAllocation drawn = allocations(allocator, design.stored.id).at(0);
   std::string other;
   const CohortRow cohort = cohorts(allocator).at(0);
   for (const StoredGroup& group : cohort.groups) {
@@ -179,7 +183,6 @@ TEST(AllocationService, OverrideIsARecordBesideTheDrawnOne) {
 
   EXPECT_THROW(overrideAllocation(allocator, study.cohortId, drawn.enrolmentId, other, ""), Error);
   overrideAllocation(allocator, study.cohortId, drawn.enrolmentId, other, "allergic to the device's glove");
-  allocateAll(allocator, study.cohortId);
 
   const AllocationCheck check = checkAllocation(allocator, design.stored.id);
   EXPECT_TRUE(check.sound) << check.finding;

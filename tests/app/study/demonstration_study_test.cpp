@@ -10,6 +10,7 @@
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/run_day.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "tests/app/support/study_centre.h"
@@ -66,7 +67,8 @@ TEST(DemonstrationStudy, EveryTrialNamesItsExerciseAndItsPhase) {
   ASSERT_EQ(curriculum.size(), 1U);
   ASSERT_EQ(curriculum.front().versions.front().state, CurriculumState::kRunning);
   EXPECT_EQ(curriculum.front().versions.front().cohorts.size(), 1U);
-  const auto version = curriculumVersion(centre.session(), curriculum.front().versions.front().id);
+  const auto version =
+      CurriculumRepository(centre.connection()).version(curriculum.front().versions.front().id);
 
   std::map<std::string, std::size_t> trials;
   for (const TrialListing& trial : TrialRepository(centre.connection()).list({})) {

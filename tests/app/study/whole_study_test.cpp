@@ -7,12 +7,13 @@
 #include <gtest/gtest.h>
 
 #include "app/access/access_service.h"
+#include "app/base/csv_table.h"
 #include "app/devices/station_device.h"
 #include "app/people/consent_service.h"
 #include "app/people/people_service.h"
+#include "app/reporting/coded_tables.h"
 #include "app/study/allocation_service.h"
 #include "app/study/campaign_service.h"
-#include "app/study/coded_records.h"
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/frozen_data.h"
@@ -20,7 +21,9 @@
 #include "app/study/scoring_plan.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/support/study_centre.h"
 
@@ -64,7 +67,8 @@ struct Study {
   [[nodiscard]] StudyArm armOf(const std::string& enrolmentId) {
     SessionContext& session = centre.as("administrator");
     const CohortRow cohort = cohorts(session).at(0);
-    const auto version = curriculumVersion(session, cohort.cohort.curriculumVersionId);
+    const auto version =
+        CurriculumRepository(session.connectionWithoutRight()).version(cohort.cohort.curriculumVersionId);
     for (const StoredEnrolment& enrolment : enrolments(session, cohortId)) {
       if (enrolment.id != enrolmentId) {
         continue;
@@ -325,7 +329,14 @@ TEST(RunDayBoard, ShowsWhoRunsAtWhichStation) {
   EXPECT_EQ(running, 1U);
   ASSERT_EQ(board.stations.size(), 1U);
   EXPECT_EQ(board.stations[0].traineeCode, "T-01");
-  EXPECT_EQ(codedTrials(study.centre.as("statistician")).size(), 1U);
+  const std::filesystem::path file = study.centre.folder() / "recordings.csv";
+  EXPECT_EQ(exportRecordings(study.centre.as("statistician"), study.cohortId, file), 1U);
+  const CsvTable table = CsvTable::read(file, {"trainee", "station", "started_utc", "end"});
+  ASSERT_EQ(table.rows(), 1U);
+  EXPECT_EQ(table.cell(0, "trainee"), "T-01");
+  EXPECT_EQ(table.cell(0, "station"), "station 2");
+  EXPECT_EQ(table.cell(0, "end"), "open");
+  EXPECT_EQ(study.centre.audited("trial.export_coded"), 1);
 }
 
 TEST(RunDayBoard, WarnsOfSilentStationsFirstThenOfWhatIsMissing) {
@@ -521,7 +532,11 @@ TEST(Audit, AWholeStudyLeavesAnEntryForEveryChangeAndVerifies) {
     EXPECT_EQ(text.find("Chief "), std::string::npos) << entry.action;
     EXPECT_FALSE(entry.actor.empty());
   }
-  EXPECT_EQ(codedMarks(study.centre.as("statistician"), study.cohortId).size(), 54U);
+  const std::filesystem::path file = study.centre.folder() / "marks.csv";
+  EXPECT_EQ(exportMarks(study.centre.as("statistician"), study.cohortId, file), 54U);
+  const CsvTable table = CsvTable::read(file, {"trainee", "rater", "occasion", "score"});
+  EXPECT_EQ(table.rows(), 54U);
+  EXPECT_EQ(table.cell(0, "trainee").substr(0, 2), "T-");
 }
 
 }  // namespace

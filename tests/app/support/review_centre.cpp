@@ -98,7 +98,7 @@ void ReviewCentre::addPeople(const Setup& setup) {
     const StoredIdentity identity{trainee.person.id, kSurnames[i % 10],
                                   std::string(kSurnames[i % 10]) + "@example.org",
                                   "staff-" + std::to_string(7000 + i)};
-    people.addIdentities(std::span(&identity, 1));
+    people.setIdentity(identity);
     StoredEnrolment enrolment;
     enrolment.id = ids_->newUuid();
     enrolment.cohortId = cohort.id;

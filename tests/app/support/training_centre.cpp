@@ -29,7 +29,6 @@ StoredModule moduleOf(const std::string& id, const std::string& code, const std:
   module.title = "Quarter turn, " + code;
   module.sceneId = setup.sceneId;
   module.patternId = setup.patternId;
-  module.exerciseKind = "twist to target";
   module.mode = fromStoredText<AttemptMode>(mode).value();
   module.targetAngle_rad = trainingBar().pattern.targetAngle_rad;
   module.tolerance_rad = radians(5.0);

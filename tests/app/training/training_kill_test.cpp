@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "app/recording/recorded_run.h"
+#include "app/recording/unstored_trials.h"
 #include "app/training/run_session.h"
 #include "sim/base/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"
@@ -40,7 +41,7 @@ constexpr int kPatience_ms = 60'000;
   hand.task = handTask(scene);
   hand.duration_s = 600.0;
   RecordedRun run(borrowed(scene), std::make_unique<ScriptedHand>(hand), recording,
-                  runSession.sinkFor(recording));
+                  recordingSink(centre.session().key().locator, recording.context));
   for (;;) {
     run.step(ticksIn(1.0));
     clock.advance_us(kSecond_us);

@@ -343,7 +343,7 @@ TEST(SectionLattice, CountsPatchesAsInEquation13) {
   EXPECT_EQ(lattice.sections(), 5);
 }
 
-TEST(SectionLattice, LabelsKeyPointsAsInFigure3) {
+TEST(SectionLattice, CountsSectionsFromTheClampToTheFreeEnd) {
   const TriangleMesh mesh = testing::prism(testing::circleOutline(0.03, 24), kHeight_m, 10);
   LatticeOptions options;
   options.ridges = 12;
@@ -351,9 +351,7 @@ TEST(SectionLattice, LabelsKeyPointsAsInFigure3) {
 
   const SectionLattice lattice(mesh, options);
 
-  EXPECT_EQ(lattice.keyPointLabel(0, 8), "A_1(H_1)");  // the free end, on top
-  EXPECT_EQ(lattice.keyPointLabel(6, 0), "A_7(H_9)");  // the clamp
-  EXPECT_EQ(lattice.keyPointLabel(11, 5), "A_12(H_4)");
+  EXPECT_NEAR(lattice.keyPoint_m(6, 0).z, 0.0, kExact_m);
   EXPECT_NEAR(lattice.keyPoint_m(0, 8).z, kHeight_m, kExact_m);
 }
 

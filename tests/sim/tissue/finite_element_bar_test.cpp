@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/tissue/reference/finite_element_bar.h"
+#include "tests/support/finite_element_bar.h"
 
 #include <cmath>
 #include <functional>

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "app/devices/station_device.h"
+#include "app/gui/base/page.h"
+#include "app/study/run_day.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTimer;
+
+namespace torsio::gui {
+
+class Background;
+class DataTable;
+class PageHeading;
+
+/// The board of the day: who is at what, how much time is left, where a recording runs, which sheets are
+/// still missing. Reads itself anew every few seconds while it is shown.
+class RunDayPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit RunDayPage(ShellContext& shell);
+
+  void enter(const QVariant& argument) override;
+  bool leave() override;
+  void retranslate() override;
+
+ private:
+  void read();
+  /// Reads anew away from the window's thread, as the clock asks.
+  void refresh();
+  void showContent();
+  void showStations();
+  void showAlerts();
+  [[nodiscard]] QString alertText(const RunDayAlert& alert) const;
+  void swap();
+  void showButtons();
+  void logTime();
+  void reportDeviation();
+  void changeState();
+  [[nodiscard]] const RunDayRow* current() const;
+  [[nodiscard]] QString nowText(const RunDayRow& row) const;
+  /// What the last check of a station's device found: sign and word, never colour alone.
+  [[nodiscard]] QString checkText(const StationDevice& device) const;
+
+  std::optional<RunDayBoard> board_;
+  QTimer* clock_;
+  PageHeading* heading_;
+  QLabel* cohortLabel_;
+  QComboBox* cohort_;
+  QLabel* summary_;
+  DataTable* table_;
+  QLabel* alerts_;
+  QLabel* stationsTitle_;
+  DataTable* stations_;
+  Background* reader_;
+  QPushButton* time_;
+  QPushButton* swap_;
+  QPushButton* deviation_;
+  QPushButton* deviations_;
+  QPushButton* state_;
+};
+
+}  // namespace torsio::gui

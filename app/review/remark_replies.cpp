@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/review/remark_replies.h"
+
+#include <algorithm>
+
+#include "db/repository/trial/remark_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+std::vector<RemarkReply> repliesToMe(SessionContext& session) {
+  session.require(Operation::kTrialViewAssigned);
+  RemarkRepository repository(session.connection());
+  std::vector<StoredRemark> unread = repository.unreadReplies(session.actor().userId);
+  std::stable_sort(unread.begin(), unread.end(), [](const StoredRemark& a, const StoredRemark& b) {
+    return a.createdUtc_us < b.createdUtc_us;
+  });
+  std::vector<RemarkReply> replies;
+  for (const StoredRemark& reply : unread) {
+    const std::optional<StoredRemark> remark = repository.find(reply.replyTo);
+    replies.push_back({reply.id, remark ? remark->text : std::string(), reply.text, reply.time_us});
+  }
+  return replies;
+}
+
+void markReplyRead(SessionContext& session, const std::string& replyId) {
+  const std::vector<RemarkReply> mine = repliesToMe(session);
+  if (std::none_of(mine.begin(), mine.end(), [&](const RemarkReply& one) { return one.id == replyId; })) {
+    throw Error(ErrorCode::kBadParameter, "there is no such answer", replyId, "Open the list again");
+  }
+  Transaction transaction(session.connection());
+  RemarkRepository(session.connection())
+      .markRead({.remarkId = replyId,
+                 .reader = session.actor().userId,
+                 .readerPersonId = session.actor().personId,
+                 .readUtc_us = session.now_us()});
+  session.note(
+      {.action = AuditAction::kRemarkRead, .objectKind = AuditObject::kTrialRemark, .objectId = replyId});
+  transaction.commit();
+}
+
+}  // namespace torsio

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace torsio {
+
+/// What an erase does with the rows that concern a person.
+enum class OnErase {
+  kKeep,    ///< coded rows on which statistics and the audit trail rest
+  kClear,   ///< the named columns become null
+  kDelete,  ///< the rows go
+};
+
+/// How one table concerns a person. Every table of the schema has exactly one rule (tested).
+struct PersonRule {
+  std::string_view table;
+  std::string_view
+      condition;  ///< over the person's id, one `?` or more; empty: the table holds nobody's data
+  OnErase onErase = OnErase::kKeep;
+  std::string_view cleared{};      ///< kClear: "a = NULL, b = NULL"
+  std::string_view columns = "*";  ///< what an export shows: no secrets, no bytes of recordings
+};
+
+namespace person_conditions {
+
+inline constexpr std::string_view kAsTrainee =
+    "enrolment_id IN (SELECT id FROM enrolment WHERE trainee_id = ?)";
+inline constexpr std::string_view kOwnTrials = "trial_id IN (SELECT id FROM trial WHERE trainee_id = ?)";
+inline constexpr std::string_view kMarks =
+    "(enrolment_id IN (SELECT id FROM enrolment WHERE trainee_id = ?) OR rater_id = ?)";
+inline constexpr std::string_view kMarkRows =
+    "mark_id IN (SELECT id FROM training_mark WHERE rater_id = ? OR enrolment_id IN"
+    " (SELECT id FROM enrolment WHERE trainee_id = ?))";
+inline constexpr std::string_view kDrafts =
+    "assignment_id IN (SELECT id FROM assignment WHERE rater_id = ? OR enrolment_id IN"
+    " (SELECT id FROM enrolment WHERE trainee_id = ?))";
+inline constexpr std::string_view kRemarks =
+    "(author_person_id = ? OR author IN (SELECT id FROM app_user WHERE person_id = ?)"
+    " OR trial_id IN (SELECT id FROM trial WHERE trainee_id = ?))";
+inline constexpr std::string_view kReceipts =
+    "(reader_person_id = ? OR reader IN (SELECT id FROM app_user WHERE person_id = ?))";
+inline constexpr std::string_view kQuestions =
+    "(rater_id = ? OR remark_id IN (SELECT id FROM trial_remark WHERE author_person_id = ?))";
+inline constexpr std::string_view kOwnScores =
+    "self_score_id IN (SELECT id FROM self_score WHERE trainee_id = ?)";
+inline constexpr std::string_view kOwnUser = "user_id IN (SELECT id FROM app_user WHERE person_id = ?)";
+
+}  // namespace person_conditions
+
+/// The rules of every table, in the order in which an erase may proceed.
+inline constexpr std::array kPersonRules{
+    PersonRule{"person_identity", "person_id = ?", OnErase::kDelete},
+    PersonRule{"person", "id = ?", OnErase::kClear,
+               "sex = NULL, level = NULL, experience = NULL, age_years = NULL, state = 'erased'"},
+    PersonRule{"trainee", "person_id = ?", OnErase::kClear, "handedness = NULL"},
+    PersonRule{"rater", "person_id = ?"},
+    PersonRule{"station_state", person_conditions::kOwnUser, OnErase::kClear, "user_id = NULL"},
+    PersonRule{"remark_receipt", person_conditions::kReceipts},
+    PersonRule{"trial_question", person_conditions::kQuestions},
+    PersonRule{"trial_remark", person_conditions::kRemarks, OnErase::kClear, "text = NULL"},
+    PersonRule{"user_role", person_conditions::kOwnUser, OnErase::kDelete},
+    PersonRule{"audit_entry",
+               "(actor = ? OR object_id = ? OR actor IN (SELECT id FROM app_user WHERE person_id = ?))"},
+    PersonRule{"app_user", "person_id = ?", OnErase::kDelete, "",
+               "id, login, person_id, must_change_password, state, created_utc_us, demonstration"},
+    PersonRule{"consent", "person_id = ?"},
+    PersonRule{"enrolment", "trainee_id = ?"},
+    PersonRule{"allocation", person_conditions::kAsTrainee},
+    PersonRule{"trial", "trainee_id = ?"},
+    PersonRule{"trial_chunk", person_conditions::kOwnTrials, OnErase::kDelete, "",
+               "trial_id, chunk_index, first_tick, sample_count, digest, output_digest, stored_utc_us"},
+    PersonRule{"trial_end", person_conditions::kOwnTrials},
+    PersonRule{"trial_digest", person_conditions::kOwnTrials},
+    PersonRule{"draft_viewing", person_conditions::kDrafts, OnErase::kDelete},
+    PersonRule{"mark_draft_row", person_conditions::kDrafts, OnErase::kDelete},
+    PersonRule{"mark_draft", person_conditions::kDrafts, OnErase::kDelete},
+    PersonRule{"assignment", person_conditions::kMarks},
+    PersonRule{"assignment_withdrawal", person_conditions::kDrafts},
+    PersonRule{"training_mark", person_conditions::kMarks, OnErase::kClear, "comment = NULL"},
+    PersonRule{"training_mark_row", person_conditions::kMarkRows},
+    PersonRule{"mark_viewing", person_conditions::kMarkRows},
+    PersonRule{"evaluation_rater", "rater_id = ?"},
+    PersonRule{"evaluation_mark", "rater_id = ?"},
+    PersonRule{"evaluation_draft", "rater_id = ?", OnErase::kDelete},
+    PersonRule{"training_result", person_conditions::kAsTrainee},
+    PersonRule{"alignment_decision", person_conditions::kDrafts},
+    PersonRule{"self_score", "trainee_id = ?"},
+    PersonRule{"self_score_row", person_conditions::kOwnScores},
+    PersonRule{"rater_warmup", "rater_id = ?"},
+    PersonRule{"retention_hold", "person_id = ?"},
+    PersonRule{"exposure", person_conditions::kAsTrainee},
+    PersonRule{"deviation", person_conditions::kAsTrainee, OnErase::kClear, "description = NULL"},
+    PersonRule{"erasure", "person_id = ?"},
+    // Nobody's data: what the centre plans, names and computes over many.
+    PersonRule{"allocation_design", ""},
+    PersonRule{"allocation_seed", ""},
+    PersonRule{"assessment_run", ""},
+    PersonRule{"centre", ""},
+    PersonRule{"cohort", ""},
+    PersonRule{"composite_result", ""},
+    PersonRule{"curriculum", ""},
+    PersonRule{"curriculum_arm", ""},
+    PersonRule{"curriculum_draft", ""},
+    PersonRule{"curriculum_phase", ""},
+    PersonRule{"curriculum_occasion", ""},
+    PersonRule{"curriculum_state", ""},
+    PersonRule{"curriculum_version", ""},
+    PersonRule{"erasure_gate", ""},
+    PersonRule{"evaluation_campaign", ""},
+    PersonRule{"evaluation_class", ""},
+    PersonRule{"evaluation_index", ""},
+    PersonRule{"evaluation_model", ""},
+    PersonRule{"evaluation_result", ""},
+    PersonRule{"frozen_dataset", ""},
+    PersonRule{"mark_release", ""},
+    PersonRule{"mastery_rule", ""},
+    PersonRule{"module", ""},
+    PersonRule{"module_prerequisite", ""},
+    PersonRule{"operation", ""},
+    PersonRule{"rater_class", ""},
+    PersonRule{"reference_run", ""},
+    PersonRule{"reference_run_withdrawal", ""},
+    PersonRule{"retention_rule", ""},
+    PersonRule{"role", ""},
+    PersonRule{"role_operation", ""},
+    PersonRule{"rubric", ""},
+    PersonRule{"rubric_anchor", ""},
+    PersonRule{"rubric_revision", ""},
+    PersonRule{"rubric_row", ""},
+    PersonRule{"schema_migration", ""},
+    PersonRule{"occasion", ""},
+    PersonRule{"setting", ""},
+    PersonRule{"training_group", ""},
+    PersonRule{"training_group_result", ""},
+};
+
+}  // namespace torsio
