@@ -18,7 +18,7 @@ namespace torsio {
 namespace {
 
 constexpr const char* kCohort = "First steps (demonstration)";
-constexpr const char* kTemplate = "first-steps";
+constexpr const char* kStationTemplate = "first-steps";
 constexpr const char* kBy = "demonstration";
 constexpr double kAttempt_s = 20.0;
 constexpr std::int64_t kBetween_us = 600'000'000;
@@ -51,7 +51,7 @@ StoredCurriculumVersion versionFrom(const StoredCurriculumVersion& content, IdSo
 StoredCurriculumVersion storeCurriculum(Connection& connection, IdSource& ids,
                                         const std::filesystem::path& assets, std::int64_t utc_us) {
   for (const CurriculumTemplate& found : curriculumTemplates(assets)) {
-    if (found.id != kTemplate) {
+    if (found.id != kStationTemplate) {
       continue;
     }
     CurriculumRepository curricula(connection);
@@ -62,7 +62,8 @@ StoredCurriculumVersion storeCurriculum(Connection& connection, IdSource& ids,
     curricula.moveTo(version.id, CurriculumState::kRunning, kBy, utc_us);
     return version;
   }
-  throw Error(ErrorCode::kFileMissing, "there is no such curriculum", kTemplate, "Repair the installation");
+  throw Error(ErrorCode::kFileMissing, "there is no such curriculum", kStationTemplate,
+              "Repair the installation");
 }
 
 /// Simulated attempts at one module; returns the last trial.

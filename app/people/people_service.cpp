@@ -9,19 +9,17 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/csv_table.h"
-#include "app/base/refusal.h"
 #include "app/people/person_codes.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/refusal.h"
 
 namespace torsio {
 
 namespace {
 
 constexpr std::array<const char*, 2> kStates{"active", "left"};
-constexpr std::int64_t kYoungest_years = 14;
-constexpr std::int64_t kOldest_years = 100;
 
 std::map<std::string, PersonRow> rowsById(PeopleRepository& repository) {
   std::map<std::string, PersonRow> rows;

@@ -10,7 +10,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/base/refusal.h"
 #include "app/study/case_order.h"
 #include "app/study/drawn_seed.h"
 #include "db/repository/people/people_repository.h"
@@ -19,6 +18,7 @@
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/refusal.h"
 
 namespace torsio {
 

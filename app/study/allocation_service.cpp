@@ -9,11 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/build_info.h"
-#include "app/base/refusal.h"
 #include "app/study/allocation_design.h"
 #include "app/study/draw_field.h"
 #include "app/study/drawn_seed.h"
 #include "sim/base/error.h"
+#include "sim/base/refusal.h"
 
 namespace torsio {
 

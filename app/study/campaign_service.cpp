@@ -10,11 +10,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/base/refusal.h"
 #include "app/study/drawn_seed.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/random.h"
+#include "sim/base/refusal.h"
 
 namespace torsio {
 

@@ -6,10 +6,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/base/refusal.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/refusal.h"
 
 namespace torsio {
 

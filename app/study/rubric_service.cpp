@@ -7,9 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/base/refusal.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/refusal.h"
 #include "sim/scene/json_fields.h"
 
 namespace torsio {
@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kFormat = "torsio rubric 1";
+constexpr const char* kRubricFormat = "torsio rubric 1";
 constexpr double kMostPoints = 1000.0;
 constexpr int kMostSteps = 1000;
 
@@ -107,8 +107,8 @@ RubricTemplate parseRubric(const std::string& text, const std::string& id) {
     throw Error(ErrorCode::kBadData, Text("is no JSON: %1", problem.what()), id, "Correct the text");
   }
   JsonFields fields(source, id);
-  if (const std::string format = fields.text("format"); format != kFormat) {
-    fields.refuse("format", Text("is '%1'", format), Text("This program reads %1.", kFormat));
+  if (const std::string format = fields.text("format"); format != kRubricFormat) {
+    fields.refuse("format", Text("is '%1'", format), Text("This program reads %1.", kRubricFormat));
   }
   RubricTemplate rubric;
   rubric.id = id;

@@ -8,7 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/base/refusal.h"
 #include "app/scoring/cohort_occasions.h"
 #include "app/scoring/scoring_service.h"
 #include "app/study/case_order.h"
@@ -18,6 +17,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/question_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/refusal.h"
 
 namespace torsio {
 

@@ -17,8 +17,6 @@ namespace torsio {
 
 namespace {
 
-constexpr std::int64_t kAllTrials = 10'000;
-
 /// Which of a trainee's trials raters were asked about, and whether their marks were released.
 class Release {
  public:

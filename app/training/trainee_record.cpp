@@ -10,8 +10,6 @@ namespace torsio {
 
 namespace {
 
-constexpr std::int64_t kAllTrials = 10'000;
-
 /// Newer cohorts come later in the list, and one that follows a curriculum counts before one that does not.
 void findEnrolment(Connection& connection, TraineeRecord& record) {
   StudyRepository studies(connection);

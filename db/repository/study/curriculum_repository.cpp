@@ -51,9 +51,8 @@ void insertModules(Connection& connection, const StoredCurriculumVersion& versio
   std::int64_t position = 0;
   for (const StoredModule& module : version.modules) {
     insert.execute({module.id, version.id, ++position, module.code, module.title, module.sceneId,
-                    module.patternId, storedText(module.mode), module.targetAngle_rad,
-                    module.tolerance_rad, module.hold_us, module.maxForce_N, module.maxTorque_Nm,
-                    module.attemptLimit});
+                    module.patternId, storedText(module.mode), module.targetAngle_rad, module.tolerance_rad,
+                    module.hold_us, module.maxForce_N, module.maxTorque_Nm, module.attemptLimit});
   }
   Statement prerequisite =
       connection.prepare(insertInto("module_prerequisite", "module_id, requires_module_id"));
@@ -113,12 +112,12 @@ StoredMasteryRule masteryRuleOf(RowReader& row) {
 }
 
 std::vector<StoredModule> modulesOf(Connection& connection, const std::string& versionId) {
-  std::vector<StoredModule> modules = selectAll(
-      connection,
-      "SELECT id, code, title, scene_id, pattern_id, mode, target_angle_rad, tolerance_rad,"
-      " hold_us, max_force_n, max_torque_nm, attempt_limit FROM module WHERE version_id = ?"
-      " ORDER BY position",
-      {versionId}, moduleOf);
+  std::vector<StoredModule> modules =
+      selectAll(connection,
+                "SELECT id, code, title, scene_id, pattern_id, mode, target_angle_rad, tolerance_rad,"
+                " hold_us, max_force_n, max_torque_nm, attempt_limit FROM module WHERE version_id = ?"
+                " ORDER BY position",
+                {versionId}, moduleOf);
   Statement prerequisites = connection.prepare(
       "SELECT p.requires_module_id FROM module_prerequisite p JOIN module r ON r.id = p.requires_module_id"
       " WHERE p.module_id = ? ORDER BY r.position");

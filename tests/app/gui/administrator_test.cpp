@@ -64,8 +64,8 @@ namespace torsio::gui {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::answer;
 using testing::AdministratorDesk;
+using testing::answer;
 using testing::press;
 using testing::StudyCentre;
 using testing::type;
