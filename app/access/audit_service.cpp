@@ -36,8 +36,8 @@ std::map<std::string, std::string> auditActors(SessionContext& session) {
 std::vector<AuditFinding> verifyAudit(SessionContext& session) {
   session.require(Operation::kAuditView);
   std::vector<AuditFinding> findings = verifyAuditTrail(session.connection());
-  session.note({.action = "audit.verify",
-                .objectKind = "audit_entry",
+  session.note({.action = AuditAction::kAuditVerify,
+                .objectKind = AuditObject::kAuditEntry,
                 .newJson = R"({"findings":)" + std::to_string(findings.size()) + "}"});
   return findings;
 }

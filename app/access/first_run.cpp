@@ -55,7 +55,7 @@ std::string randomStartPassword() {
 std::vector<StartAccount> performFirstRun(SessionContext& session, const FirstRun& first,
                                           const AddPeople& addPeople) {
   std::vector<StartAccount> accounts;
-  Transaction transaction(session.connection());
+  Transaction transaction(session.connectionWithoutRight());
   try {
     setUpCentre(session, first);
     const SignInAnswer answer = signIn(session, first.login, first.password);

@@ -51,8 +51,8 @@ void setCentreSetting(SessionContext& session, const std::string& name, const st
   SettingRepository settings(session.connection());
   const std::string before = settings.value(name).value_or("");
   settings.set(name, value, session.now_us());
-  session.note({.action = "setting.change",
-                .objectKind = "setting",
+  session.note({.action = AuditAction::kSettingChange,
+                .objectKind = AuditObject::kSetting,
                 .objectId = name,
                 .oldJson = nlohmann::json{{"value", before}}.dump(),
                 .newJson = nlohmann::json{{"value", value}}.dump(),
@@ -79,8 +79,8 @@ void setCentreName(SessionContext& session, const std::string& name) {
     centre.createdUtc_us = session.now_us();
   }
   studies.setCentre(centre);
-  session.note({.action = "centre.rename",
-                .objectKind = "centre",
+  session.note({.action = AuditAction::kCentreRename,
+                .objectKind = AuditObject::kCentre,
                 .objectId = centre.id,
                 .oldJson = nlohmann::json{{"name", before ? before->name : ""}}.dump(),
                 .newJson = nlohmann::json{{"name", name}}.dump()});

@@ -31,15 +31,15 @@ DemonstrationUsers fillWithPeople(SessionContext& session, const std::filesystem
   options.example.assets = assets;
   options.example.id = "stomach";
   options.progress = progress;
-  static_cast<void>(fillDemonstration(options, session.connection()));
+  static_cast<void>(fillDemonstration(options, session.connectionWithoutRight()));
   // What the trainee and the physician of the demonstration find when they sign in.
   if (progress) {
     progress({"Laying out the desks", kDesksAt, -1.0});
   }
   const DemonstrationStation station =
-      storeDemonstrationStation(session.connection(), session.ids(), assets, session.now_us());
+      storeDemonstrationStation(session.connectionWithoutRight(), session.ids(), assets, session.now_us());
   const DemonstrationDesk desk =
-      storeDemonstrationDesk(session.connection(), session.ids(), loadScene(options.training),
+      storeDemonstrationDesk(session.connectionWithoutRight(), session.ids(), loadScene(options.training),
                              {.seed = options.seed, .utc_us = session.now_us()});
   return {station.personId, desk.raterIds.front()};
 }
@@ -56,7 +56,7 @@ StartAccount account(SessionContext& session, const std::string& login, const st
 }
 
 std::vector<StartAccount> accountsOf(SessionContext& session, const DemonstrationUsers& users) {
-  PeopleRepository people(session.connection());
+  PeopleRepository people(session.connectionWithoutRight());
   const std::vector<Trainee> trainees = people.trainees();
   const std::vector<Rater> raters = people.raters();
   const auto trainee = std::find_if(trainees.begin(), trainees.end(), [&](const Trainee& candidate) {

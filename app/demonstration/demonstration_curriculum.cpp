@@ -83,7 +83,7 @@ CurriculumVersion storeDemonstrationCurriculum(Connection& connection, const Dem
   fitTo(version.modules.front(), training);
   giveIds(version, ids);
   curricula.addVersion(version, kBy);
-  curricula.moveTo(version.id, "running", kBy, utc_us);
+  curricula.moveTo(version.id, CurriculumState::kRunning, kBy, utc_us);
   curricula.assign(study.cohortId, version.id);
   return version;
 }

@@ -66,7 +66,7 @@ CurriculumVersion storeCurriculum(Connection& connection, IdSource& ids, const s
     curricula.addCurriculum({id, found.title + " (demonstration)", found.description, utc_us, true});
     const CurriculumVersion version = versionFrom(found.content, ids, id, utc_us);
     curricula.addVersion(version, kBy);
-    curricula.moveTo(version.id, "running", kBy, utc_us);
+    curricula.moveTo(version.id, CurriculumState::kRunning, kBy, utc_us);
     return version;
   }
   throw Error(ErrorCode::kFileMissing, "there is no such curriculum", kStationTemplate,

@@ -174,7 +174,10 @@ PersonPackage exportPersonPackage(SessionContext& session, const std::string& pe
   }
   writeFileAtomically(making.path() / "README.txt", std::string_view(kReadme));
   writeManifest(making.path(), personId, session.now_us());
-  session.note({.action = "person.export", .objectKind = "person", .objectId = personId, .reason = reason});
+  session.note({.action = AuditAction::kPersonExport,
+                .objectKind = AuditObject::kPerson,
+                .objectId = personId,
+                .reason = reason});
   std::error_code failed;
   fs::rename(making.path(), folder, failed);
   if (failed) {

@@ -68,8 +68,8 @@ void recordConsent(SessionContext& session, const std::string& personId, const s
   }
   repository.recordConsent({personId, purpose, granted, textVersion, session.now_us(), session.actor().userId,
                             person->demonstration});
-  session.note({.action = granted ? "consent.grant" : "consent.withdraw",
-                .objectKind = "consent",
+  session.note({.action = granted ? AuditAction::kConsentGrant : AuditAction::kConsentWithdraw,
+                .objectKind = AuditObject::kConsent,
                 .objectId = personId,
                 .newJson = nlohmann::json{{"purpose", purpose}, {"text", textVersion}}.dump()});
   transaction.commit();

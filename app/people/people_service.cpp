@@ -208,8 +208,8 @@ std::string addPerson(SessionContext& session, const PersonEntry& entry) {
     repository.addRaters(std::vector<Rater>{{person, entry.raterClass}});
   }
   repository.setIdentity({person.id, entry.fullName, entry.email, entry.externalId});
-  session.note({.action = "person.add",
-                .objectKind = "person",
+  session.note({.action = AuditAction::kPersonAdd,
+                .objectKind = AuditObject::kPerson,
                 .objectId = person.id,
                 .newJson = codedJson(person, entry.handedness, entry.raterClass).dump()});
   transaction.commit();
@@ -266,8 +266,8 @@ void changePerson(SessionContext& session, const std::string& personId, const Pe
   repository.setIdentity({personId, entry.fullName, entry.email, entry.externalId});
   nlohmann::json now = codedJson(after, entry.handedness, entry.raterClass);
   now["identity_changed"] = changedIdentity(old, entry);
-  session.note({.action = "person.change",
-                .objectKind = "person",
+  session.note({.action = AuditAction::kPersonChange,
+                .objectKind = AuditObject::kPerson,
                 .objectId = personId,
                 .oldJson = codedJson(before.person, before.handedness, before.raterClass).dump(),
                 .newJson = now.dump(),
@@ -286,8 +286,8 @@ void setPersonState(SessionContext& session, const std::string& personId, const 
   Person person = rowOf(repository, personId).person;
   const std::string before = std::exchange(person.state, state);
   repository.updatePerson(person);
-  session.note({.action = "person.set_state",
-                .objectKind = "person",
+  session.note({.action = AuditAction::kPersonSetState,
+                .objectKind = AuditObject::kPerson,
                 .objectId = personId,
                 .oldJson = nlohmann::json{{"state", before}}.dump(),
                 .newJson = nlohmann::json{{"state", state}}.dump(),
@@ -311,8 +311,9 @@ std::vector<SeniorityClass> ensureRaterClasses(SessionContext& session) {
   classes = paperRaterClasses();
   Transaction transaction(session.connection());
   repository.addRaterClasses(classes);
-  session.note(
-      {.action = "rater_class.add", .objectKind = "rater_class", .objectId = "intern deputy_chief chief"});
+  session.note({.action = AuditAction::kRaterClassAdd,
+                .objectKind = AuditObject::kRaterClass,
+                .objectId = "intern deputy_chief chief"});
   transaction.commit();
   return classes;
 }
@@ -344,8 +345,8 @@ std::size_t exportPeople(SessionContext& session, const std::filesystem::path& f
   digest.update(text);
   // First the trail, then the file: names that left the house without a trace would be worse than a trace
   // of a file that could not be written.
-  session.note({.action = withNames ? "people.export_named" : "people.export_coded",
-                .objectKind = "person",
+  session.note({.action = withNames ? AuditAction::kPeopleExportNamed : AuditAction::kPeopleExportCoded,
+                .objectKind = AuditObject::kPerson,
                 .newJson = nlohmann::json{{"people", count}, {"blake2b", digest.hex()}}.dump()});
   writeFileAtomically(file, text);
   return count;

@@ -165,8 +165,8 @@ std::vector<std::string> addNew(SessionContext& session, const RosterPreview& pr
       repository.addRaters(std::vector<Rater>{{person, entry.raterClass}});
     }
     repository.setIdentity({id, entry.fullName, entry.email, entry.externalId});
-    session.note({.action = "person.add",
-                  .objectKind = "person",
+    session.note({.action = AuditAction::kPersonAdd,
+                  .objectKind = AuditObject::kPerson,
                   .objectId = id,
                   .newJson = addedJson(person, trainees ? "trainee" : entry.raterClass).dump()});
     newCodes.push_back(person.code);
@@ -226,8 +226,8 @@ RosterOutcome importRoster(SessionContext& session, const RosterFile& file, Rost
   applyChanges(session, now, count);
   outcome.added = now.added;
   outcome.changed = now.changed;
-  session.note({.action = "roster.import",
-                .objectKind = "person",
+  session.note({.action = AuditAction::kRosterImport,
+                .objectKind = AuditObject::kPerson,
                 .newJson = nlohmann::json{{"added", now.added},
                                           {"changed", now.changed},
                                           {"same", now.same},

@@ -40,7 +40,7 @@ void StationHeartbeat::send() {
   shownUser_ = session_->actor().userId;
   next_us_ = now_us + kAgain_us;
   try {
-    Connection& connection = session_->connection();
+    Connection& connection = session_->connectionWithoutRight();
     const bool there =
         trialId_.empty() || trialId_ == shownTrial_ || TrialRepository(connection).find(trialId_);
     const std::string trial = there ? trialId_ : "";
@@ -65,7 +65,7 @@ void StationHeartbeat::send() {
 
 void StationHeartbeat::leave() {
   try {
-    StationRepository(session_->connection()).leave(session_->station());
+    StationRepository(session_->connectionWithoutRight()).leave(session_->station());
   } catch (const DbError& error) {
     answered_ = error.fault() != DbFault::kUnreachable;
     shownTrial_.clear();

@@ -41,7 +41,7 @@ std::int64_t logMissing_us(SessionContext& session, const TrialListing& trial) {
   if (trial.enrolmentId.empty()) {
     return 0;
   }
-  StudyRepository studies(session.connection());
+  StudyRepository studies(session.connectionWithoutRight());
   const std::optional<Enrolment> enrolment = enrolmentOf(studies, trial.enrolmentId);
   if (!enrolment) {
     return 0;
@@ -74,8 +74,8 @@ std::int64_t logMissing_us(SessionContext& session, const TrialListing& trial) {
 SettledTrial settled(SessionContext& session, TrialListing trial, bool fromFile) {
   const std::int64_t added_us = logMissing_us(session, trial);
   const nlohmann::json what{{"exposure_us", added_us}};
-  session.note({.action = fromFile ? "trial.import" : "trial.close_interrupted",
-                .objectKind = "trial",
+  session.note({.action = fromFile ? AuditAction::kTrialImport : AuditAction::kTrialCloseInterrupted,
+                .objectKind = AuditObject::kTrial,
                 .objectId = trial.trialId,
                 .newJson = what.dump()});
   return {std::move(trial), fromFile, added_us};
@@ -106,12 +106,12 @@ void measureNow(SessionContext& session, const TrialListing& trial) {
     return;
   }
   ExerciseRules rules;
-  static_cast<void>(digestOf(session.connection(), trial, rules, session.now_us()));
+  static_cast<void>(digestOf(session.connectionWithoutRight(), trial, rules, session.now_us()));
 }
 
 SettledTrial store(SessionContext& session, const UnstoredTrial& waiting) {
-  Transaction transaction(session.connection());
-  TrialRepository trials(session.connection(), waiting.context);
+  Transaction transaction(session.connectionWithoutRight());
+  TrialRepository trials(session.connectionWithoutRight(), waiting.context);
   trials.import(waiting.trial);
   TrialListing listing = listingOf(trials, waiting.trial);
   measureNow(session, listing);
@@ -144,8 +144,8 @@ void importFiles(SessionContext& session, const std::filesystem::path& folder, S
 StationStart settleStation(SessionContext& session, const std::filesystem::path& folder) {
   StationStart start;
   importFiles(session, folder, start);
-  Transaction transaction(session.connection());
-  TrialRepository trials(session.connection());
+  Transaction transaction(session.connectionWithoutRight());
+  TrialRepository trials(session.connectionWithoutRight());
   for (TrialListing& trial : trials.closeInterrupted(session.station(), session.now_us() - kQuietTrial_us)) {
     measureNow(session, trial);
     start.trials.push_back(settled(session, std::move(trial), false));

@@ -28,7 +28,7 @@ constexpr std::int64_t kAllTrials = 1'000'000;
 
 /// Keeps in the audit trail what leaves, then writes it: a trace of a file that could not be written is
 /// better than data that left without a trace.
-std::size_t write(SessionContext& session, const char* action, const std::string& cohortId,
+std::size_t write(SessionContext& session, AuditAction action, const std::string& cohortId,
                   const std::vector<Cells>& lines, const std::filesystem::path& file) {
   std::string text = "\xEF\xBB\xBF";
   for (const Cells& cells : lines) {
@@ -38,7 +38,7 @@ std::size_t write(SessionContext& session, const char* action, const std::string
   digest.update(text);
   const std::size_t rows = lines.size() - 1;
   session.note({.action = action,
-                .objectKind = "cohort",
+                .objectKind = AuditObject::kCohort,
                 .objectId = cohortId,
                 .newJson = nlohmann::json{{"rows", rows}, {"blake2b", digest.hex()}}.dump()});
   writeFileAtomically(file, text);
@@ -71,7 +71,7 @@ std::size_t exportRecordings(SessionContext& session, const std::string& cohortI
            trial->summary ? formatExact(spanOf_s(trial->summary->samples)) : std::string(), endOf(*trial)});
     }
   }
-  return write(session, "trial.export_coded", cohortId, lines, file);
+  return write(session, AuditAction::kTrialExportCoded, cohortId, lines, file);
 }
 
 std::size_t exportMarks(SessionContext& session, const std::string& cohortId,
@@ -85,7 +85,7 @@ std::size_t exportMarks(SessionContext& session, const std::string& cohortId,
          mark.score_steps ? formatExact(pointsFromSteps(*mark.score_steps, mark.scale)) : std::string(),
          mark.score_steps ? "no" : "yes", mark.trialId, formatUtc(mark.submittedUtc_us)});
   }
-  return write(session, "mark.export_coded", cohortId, lines, file);
+  return write(session, AuditAction::kMarkExportCoded, cohortId, lines, file);
 }
 
 }  // namespace torsio

@@ -57,9 +57,8 @@ ReportExport exportReport(SessionContext& session, const ReportRequest& request,
   what["trainees"] = inputs.trainees.size();
   what["bytes"] = done.bytes;
   what["hash"] = done.contentHash;
-  AuditNote note;
-  note.action = named ? "report.export_named" : "report.export_coded";
-  note.objectKind = "cohort";
+  AuditNote note{.action = named ? AuditAction::kReportExportNamed : AuditAction::kReportExportCoded,
+                 .objectKind = AuditObject::kCohort};
   note.objectId = request.cohortId;
   note.newJson = what.dump();
   Transaction transaction(session.connection());

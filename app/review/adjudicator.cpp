@@ -30,8 +30,6 @@ namespace torsio {
 
 namespace {
 
-constexpr const char* kThird = "third";
-
 using CaseKey = std::pair<std::string, std::string>;  // enrolment, code of the occasion
 
 CaseKey keyOf(const Assignment& one) {
@@ -48,7 +46,7 @@ struct CaseSheets {
 std::map<CaseKey, CaseSheets> openCases(Connection& connection, const std::string& cohortId) {
   std::map<std::string, DiscrepancyDecision> asked;
   for (DiscrepancyDecision& decision : DiscrepancyRepository(connection).ofCohort(cohortId)) {
-    if (decision.decision == kThird) {
+    if (decision.choice == DiscrepancyChoice::kThird) {
       asked.emplace(decision.assignmentId, std::move(decision));
     }
   }
@@ -203,8 +201,8 @@ std::string assignThird(SessionContext& session, const std::string& cohortId, co
   next.assignedBy = session.actor().userId;
   next.assignedUtc_us = session.now_us();
   sheets.assign(std::span(&next, 1));
-  session.note({.action = "assignment.third",
-                .objectKind = "assignment",
+  session.note({.action = AuditAction::kAssignmentThird,
+                .objectKind = AuditObject::kAssignment,
                 .objectId = next.id,
                 .newJson = nlohmann::json{{"rater", raterId}, {"asked_in", before.id}}.dump(),
                 .reason = found->second.asked.front().reason});

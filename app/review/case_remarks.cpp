@@ -46,7 +46,10 @@ void addCaseRemark(SessionContext& session, const std::string& assignmentId, con
   stored.demonstration = assignment.demonstration;
   Transaction transaction(session.connection());
   RemarkRepository(session.connection()).add(stored);
-  session.note({.action = "remark.add", .objectKind = "trial_remark", .objectId = stored.id, .newJson = {}});
+  session.note({.action = AuditAction::kRemarkAdd,
+                .objectKind = AuditObject::kTrialRemark,
+                .objectId = stored.id,
+                .newJson = {}});
   transaction.commit();
 }
 

@@ -147,8 +147,8 @@ void submitSheet(SessionContext& session, const std::string& assignmentId, const
   Transaction transaction(session.connection());
   SheetRepository(session.connection()).submit(assignmentId, markId, sheet, "", session.now_us());
   DeskRepository(session.connection()).sealViewing(assignmentId, markId, watched.stored());
-  session.note({.action = "sheet.submit",
-                .objectKind = "assignment",
+  session.note({.action = AuditAction::kSheetSubmit,
+                .objectKind = AuditObject::kAssignment,
                 .objectId = assignmentId,
                 .newJson = seenJson(opened.shown, watched)});
   transaction.commit();
@@ -168,8 +168,10 @@ void amendSheet(SessionContext& session, const std::string& assignmentId, const 
   }
   Transaction transaction(session.connection());
   sheets.submit(assignmentId, session.ids().newUuid(), sheet, reason, session.now_us());
-  session.note(
-      {.action = "sheet.amend", .objectKind = "assignment", .objectId = assignmentId, .reason = reason});
+  session.note({.action = AuditAction::kSheetAmend,
+                .objectKind = AuditObject::kAssignment,
+                .objectId = assignmentId,
+                .reason = reason});
   transaction.commit();
 }
 

@@ -87,11 +87,11 @@ Assignment committedCase(SessionContext& session, const std::string& assignmentI
   return found;
 }
 
-void decide(SessionContext& session, const std::string& assignmentId, const char* decision,
+void decide(SessionContext& session, const std::string& assignmentId, DiscrepancyChoice choice,
             const std::string& reason) {
   DiscrepancyRepository(session.connection(), session.station())
       .add({.assignmentId = assignmentId,
-            .decision = decision,
+            .choice = choice,
             .reason = reason,
             .decidedBy = session.actor().userId,
             .decidedUtc_us = session.now_us()});
@@ -139,7 +139,7 @@ std::vector<DiscrepancyCase> alignmentCases(SessionContext& session) {
     }
     line.shown = blindedCase(session, assignment.id);
     if (const auto decided = decisions.latest(assignment.id)) {
-      line.decision = decided->decision;
+      line.decision = decided->choice;
       line.reason = decided->reason;
     }
     found.push_back(std::move(line));
@@ -149,7 +149,7 @@ std::vector<DiscrepancyCase> alignmentCases(SessionContext& session) {
 
 void keepMark(SessionContext& session, const std::string& assignmentId, const std::string& reason) {
   static_cast<void>(committedCase(session, assignmentId));
-  decide(session, assignmentId, "keep", reason);
+  decide(session, assignmentId, DiscrepancyChoice::kKeep, reason);
 }
 
 void moveMark(SessionContext& session, const std::string& assignmentId, const Sheet& sheet,
@@ -158,14 +158,14 @@ void moveMark(SessionContext& session, const std::string& assignmentId, const Sh
   requireReason(reason, found.caseLabel);
   Transaction transaction(session.connection());
   amendSheet(session, assignmentId, sheet, reason);
-  decide(session, assignmentId, "move", reason);
+  decide(session, assignmentId, DiscrepancyChoice::kMove, reason);
   transaction.commit();
 }
 
 void askForThird(SessionContext& session, const std::string& assignmentId, const std::string& reason) {
   const Assignment found = committedCase(session, assignmentId);
   requireReason(reason, found.caseLabel);
-  decide(session, assignmentId, "third", reason);
+  decide(session, assignmentId, DiscrepancyChoice::kThird, reason);
 }
 
 }  // namespace torsio

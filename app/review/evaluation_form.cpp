@@ -177,7 +177,9 @@ void submitEvaluation(SessionContext& session, const std::string& campaignId,
   EvaluationRepository(session.connection(), session.station()).submit(campaignId, marks);
   DeskRepository(session.connection())
       .removeEvaluationDraft(campaignId, session.actor().personId, open.models[model].code);
-  session.note({.action = "evaluation.form", .objectKind = "evaluation_campaign", .objectId = campaignId});
+  session.note({.action = AuditAction::kEvaluationForm,
+                .objectKind = AuditObject::kEvaluationCampaign,
+                .objectId = campaignId});
   transaction.commit();
 }
 

@@ -145,7 +145,8 @@ void scoreReferenceRun(SessionContext& session, std::size_t number, std::int64_t
   warmup.demonstration = run.demonstration;
   Transaction transaction(session.connection());
   RemarkRepository(session.connection()).addWarmup(warmup);
-  session.note({.action = "warmup.score", .objectKind = "rater_warmup", .objectId = warmup.id});
+  session.note(
+      {.action = AuditAction::kWarmupScore, .objectKind = AuditObject::kRaterWarmup, .objectId = warmup.id});
   transaction.commit();
 }
 
@@ -217,7 +218,9 @@ void addReferenceRuns(SessionContext& session, const std::vector<ReferenceChoice
     run.demonstration =
         choice.demonstration || TrialRepository(session.connection()).find(choice.trialId)->demonstration;
     desk.addReferenceRuns(std::span(&run, 1));
-    session.note({.action = "reference_run.add", .objectKind = "reference_run", .objectId = run.trialId});
+    session.note({.action = AuditAction::kReferenceRunAdd,
+                  .objectKind = AuditObject::kReferenceRun,
+                  .objectId = run.trialId});
   }
   transaction.commit();
 }
@@ -236,8 +239,8 @@ void withdrawReferenceRun(SessionContext& session, const std::string& trialId, c
                 "Open the list again");
   }
   desk.withdrawReferenceRun({trialId, reason, session.actor().userId, session.now_us()});
-  session.note({.action = "reference_run.withdraw",
-                .objectKind = "reference_run",
+  session.note({.action = AuditAction::kReferenceRunWithdraw,
+                .objectKind = AuditObject::kReferenceRun,
                 .objectId = trialId,
                 .reason = reason});
   transaction.commit();

@@ -35,7 +35,8 @@ void markReplyRead(SessionContext& session, const std::string& replyId) {
                  .reader = session.actor().userId,
                  .readerPersonId = session.actor().personId,
                  .readUtc_us = session.now_us()});
-  session.note({.action = "remark.read", .objectKind = "trial_remark", .objectId = replyId});
+  session.note(
+      {.action = AuditAction::kRemarkRead, .objectKind = AuditObject::kTrialRemark, .objectId = replyId});
   transaction.commit();
 }
 

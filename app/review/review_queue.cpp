@@ -94,7 +94,7 @@ ReviewQueue reviewQueue(SessionContext& session) {
   const RaterCalibration warmUp = torsio::warmUp(session);
   queue.warmUpWaiting = !warmUp.runs.empty() && !warmUp.complete();
   for (const DiscrepancyCase& open : alignmentCases(session)) {
-    if (open.decision.empty()) {
+    if (!open.decision) {
       ++queue.disagreements;
     }
   }

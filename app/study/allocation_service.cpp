@@ -118,8 +118,8 @@ AllocationEntry draw(SessionContext& session, const DrawField& field, OpenDraw& 
   record = study.allocate(std::span(&record, 1)).front();
   open.records.push_back(record);
   session.note(
-      {.action = "allocation.draw",
-       .objectKind = "allocation",
+      {.action = AuditAction::kAllocationDraw,
+       .objectKind = AuditObject::kAllocation,
        .objectId = record.id,
        .newJson = nlohmann::json{{"enrolment", enrolment.id}, {"record", record.recordHash}}.dump()});
   return record;
@@ -239,8 +239,8 @@ AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan
   stored.demonstration = field.cohort.demonstration;
   study.lockDesign(stored);
   stored.seed.clear();
-  session.note({.action = before.empty() ? "allocation.lock" : "allocation.supersede",
-                .objectKind = "allocation_design",
+  session.note({.action = before.empty() ? AuditAction::kAllocationLock : AuditAction::kAllocationSupersede,
+                .objectKind = AuditObject::kAllocationDesign,
                 .objectId = stored.id,
                 .newJson = nlohmann::json{{"cohort", plan.cohortId},
                                           {"commitment", stored.seedCommitment},
@@ -321,8 +321,8 @@ AllocationEntry overrideAllocation(SessionContext& session, const std::string& c
   record.overrideReason = reason;
   record.allocatedUtc_us = session.now_us();
   record = study.allocate(std::span(&record, 1)).front();
-  session.note({.action = "allocation.override",
-                .objectKind = "allocation",
+  session.note({.action = AuditAction::kAllocationOverride,
+                .objectKind = AuditObject::kAllocation,
                 .objectId = record.id,
                 .newJson = nlohmann::json{{"enrolment", enrolmentId}, {"record", record.recordHash}}.dump(),
                 .reason = reason});
@@ -349,8 +349,8 @@ std::string revealSeed(SessionContext& session, const std::string& designId, con
     }
   }
   study.revealSeed(designId, session.now_us());
-  session.note({.action = "allocation.reveal",
-                .objectKind = "allocation_design",
+  session.note({.action = AuditAction::kAllocationReveal,
+                .objectKind = AuditObject::kAllocationDesign,
                 .objectId = designId,
                 .reason = reason});
   transaction.commit();
@@ -441,8 +441,8 @@ std::vector<SealedCard> takeOutCards(SessionContext& session, const std::string&
   if (cards.empty()) {
     throw Error(ErrorCode::kBadData, "nobody is allocated yet", cohortId, "Lock a design and allocate first");
   }
-  session.note({.action = "allocation.cards",
-                .objectKind = "allocation_design",
+  session.note({.action = AuditAction::kAllocationCards,
+                .objectKind = AuditObject::kAllocationDesign,
                 .objectId = designs.back().id,
                 .newJson = nlohmann::json{{"cards", cards.size()}}.dump()});
   transaction.commit();

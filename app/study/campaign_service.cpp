@@ -161,8 +161,8 @@ std::string addCampaign(SessionContext& session, const CampaignPlan& plan) {
     }
   }
   EvaluationRepository(session.connection()).addCampaign(campaign);
-  session.note({.action = "evaluation.add",
-                .objectKind = "evaluation_campaign",
+  session.note({.action = AuditAction::kEvaluationAdd,
+                .objectKind = AuditObject::kEvaluationCampaign,
                 .objectId = campaign.id,
                 .newJson = nlohmann::json{{"models", plan.models.size()},
                                           {"raters", campaign.raters.size()},

@@ -172,7 +172,10 @@ std::string addCohort(SessionContext& session, const NewCohort& cohort) {
   if (!cohort.curriculumVersionId.empty()) {
     curricula.assign(id, cohort.curriculumVersionId);
   }
-  session.note({.action = "cohort.add", .objectKind = "cohort", .objectId = id, .newJson = now.dump()});
+  session.note({.action = AuditAction::kCohortAdd,
+                .objectKind = AuditObject::kCohort,
+                .objectId = id,
+                .newJson = now.dump()});
   transaction.commit();
   return id;
 }
@@ -187,8 +190,8 @@ void assignCurriculum(SessionContext& session, const std::string& cohortId, cons
            "Make another cohort for the other curriculum");
   }
   CurriculumRepository(session.connection()).assign(cohortId, versionId);
-  session.note({.action = "cohort.assign_curriculum",
-                .objectKind = "cohort",
+  session.note({.action = AuditAction::kCohortAssignCurriculum,
+                .objectKind = AuditObject::kCohort,
                 .objectId = cohortId,
                 .oldJson = nlohmann::json{{"curriculum_version", before.curriculumVersionId}}.dump(),
                 .newJson = nlohmann::json{{"curriculum_version", versionId}}.dump()});
@@ -225,8 +228,8 @@ std::vector<std::string> enrolTrainees(SessionContext& session, const std::strin
                        .traineeId = traineeId,
                        .enrolledUtc_us = session.now_us(),
                        .demonstration = cohort.demonstration});
-    session.note({.action = "enrolment.add",
-                  .objectKind = "enrolment",
+    session.note({.action = AuditAction::kEnrolmentAdd,
+                  .objectKind = AuditObject::kEnrolment,
                   .objectId = ids.back(),
                   .newJson = nlohmann::json{{"cohort", cohortId}, {"trainee", person->code}}.dump()});
   }
@@ -245,8 +248,8 @@ void setEnrolmentState(SessionContext& session, const std::string& cohortId, con
   StudyRepository study(session.connection());
   const Enrolment before = enrolmentOf(study, cohortId, enrolmentId);
   study.setEnrolmentState(enrolmentId, state);
-  session.note({.action = "enrolment.set_state",
-                .objectKind = "enrolment",
+  session.note({.action = AuditAction::kEnrolmentSetState,
+                .objectKind = AuditObject::kEnrolment,
                 .objectId = enrolmentId,
                 .oldJson = nlohmann::json{{"state", storedText(before.state)}}.dump(),
                 .newJson = nlohmann::json{{"state", storedText(state)}}.dump(),
@@ -281,8 +284,8 @@ std::string reportDeviation(SessionContext& session, const NewDeviation& deviati
                       deviation.happenedUtc_us == 0 ? now_us : deviation.happenedUtc_us,
                       session.actor().userId, now_us, cohort.demonstration});
   // The description is free text and may name somebody: it stays out of the trail.
-  session.note({.action = "deviation.report",
-                .objectKind = "deviation",
+  session.note({.action = AuditAction::kDeviationReport,
+                .objectKind = AuditObject::kDeviation,
                 .objectId = id,
                 .newJson =
                     nlohmann::json{
@@ -298,9 +301,7 @@ std::vector<ProtocolDeviation> deviations(SessionContext& session, const std::st
 }
 
 std::string recordExposure(SessionContext& session, const NewExposure& exposure) {
-  if (!session.may(Operation::kStudySetup)) {
-    session.require(Operation::kTrialRecordOwn);
-  }
+  session.requireEither(Operation::kStudySetup, Operation::kTrialRecordOwn);
   if (exposure.kind != "virtual" && exposure.kind != "real" && exposure.kind != "rest") {
     refuse("this is no kind of training time", exposure.kind, "Choose virtual, real or rest");
   }
@@ -322,8 +323,8 @@ std::string recordExposure(SessionContext& session, const NewExposure& exposure)
                   exposure.kind,           exposure.startedUtc_us, exposure.duration_us,
                   session.actor().userId,  enrolment.demonstration};
   study.addExposures(std::span(&stored, 1));
-  session.note({.action = "exposure.record",
-                .objectKind = "exposure",
+  session.note({.action = AuditAction::kExposureRecord,
+                .objectKind = AuditObject::kExposure,
                 .objectId = stored.id,
                 .newJson = nlohmann::json{{"enrolment", exposure.enrolmentId},
                                           {"kind", exposure.kind},

@@ -76,16 +76,30 @@ CurriculumVersion withIds(CurriculumVersion content, IdSource& ids) {
   return content;
 }
 
-void moveTo(SessionContext& session, const std::string& versionId, const std::string& state,
+/// What the audit trail says of a version that has come into `state`; a version begins as a draft when it is
+/// published.
+AuditAction actionOf(CurriculumState state) {
+  switch (state) {
+    case CurriculumState::kDraft:
+      return AuditAction::kCurriculumPublish;
+    case CurriculumState::kRunning:
+      return AuditAction::kCurriculumRunning;
+    case CurriculumState::kClosed:
+      return AuditAction::kCurriculumClosed;
+  }
+  throw ContractError("no such state");
+}
+
+void moveTo(SessionContext& session, const std::string& versionId, CurriculumState state,
             const std::string& reason) {
   session.require(Operation::kCurriculumEdit);
   Transaction transaction(session.connection());
   CurriculumRepository(session.connection())
       .moveTo(versionId, state, session.actor().userId, session.now_us());
-  session.note({.action = "curriculum." + state,
-                .objectKind = "curriculum_version",
+  session.note({.action = actionOf(state),
+                .objectKind = AuditObject::kCurriculumVersion,
                 .objectId = versionId,
-                .newJson = nlohmann::json{{"state", state}}.dump(),
+                .newJson = nlohmann::json{{"state", storedText(state)}}.dump(),
                 .reason = reason});
   transaction.commit();
 }
@@ -136,9 +150,10 @@ std::string addCurriculum(SessionContext& session, const std::string& name, cons
   CurriculumRepository repository(session.connection());
   const std::string id = session.ids().newUuid();
   repository.addCurriculum({id, name, description, session.now_us(), demonstration});
-  repository.saveDraft(id, {0, curriculumJson(content.value_or(CurriculumVersion{})), session.actor().userId,
-                            session.now_us()});
-  session.note({.action = "curriculum.add", .objectKind = "curriculum", .objectId = id});
+  repository.saveDraft(id, {0, curriculumJson(content.value_or(CurriculumVersion{})),
+                            session.actor().userId, session.now_us()});
+  session.note(
+      {.action = AuditAction::kCurriculumAdd, .objectKind = AuditObject::kCurriculum, .objectId = id});
   transaction.commit();
   return id;
 }
@@ -166,8 +181,8 @@ std::int64_t saveCurriculumDraft(SessionContext& session, const std::string& cur
                                     .saveDraft(curriculumId, {draft.revision, curriculumJson(draft.content),
                                                               session.actor().userId, session.now_us()});
   // One entry for the first save in a row of the same person would hide who wrote what: each save counts.
-  session.note({.action = "curriculum.save_draft",
-                .objectKind = "curriculum_draft",
+  session.note({.action = AuditAction::kCurriculumSaveDraft,
+                .objectKind = AuditObject::kCurriculumDraft,
                 .objectId = curriculumId,
                 .newJson = nlohmann::json{{"revision", revision}}.dump()});
   transaction.commit();
@@ -191,8 +206,8 @@ std::string publishCurriculum(SessionContext& session, const std::string& curric
   version.note = note;
   version.createdUtc_us = session.now_us();
   repository.addVersion(version, session.actor().userId);
-  session.note({.action = "curriculum.publish",
-                .objectKind = "curriculum_version",
+  session.note({.action = AuditAction::kCurriculumPublish,
+                .objectKind = AuditObject::kCurriculumVersion,
                 .objectId = version.id,
                 .newJson = nlohmann::json{{"curriculum", curriculumId},
                                           {"number", version.number},
@@ -203,11 +218,11 @@ std::string publishCurriculum(SessionContext& session, const std::string& curric
 }
 
 void runCurriculum(SessionContext& session, const std::string& versionId) {
-  moveTo(session, versionId, "running", "");
+  moveTo(session, versionId, CurriculumState::kRunning, "");
 }
 
 void closeCurriculum(SessionContext& session, const std::string& versionId, const std::string& reason) {
-  moveTo(session, versionId, "closed", reason);
+  moveTo(session, versionId, CurriculumState::kClosed, reason);
 }
 
 }  // namespace torsio

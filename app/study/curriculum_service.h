@@ -18,7 +18,7 @@ struct CurriculumVersionRow {
   std::string id{};
   std::int64_t number = 1;
   std::string note{};
-  std::string state{};  ///< "draft" (published, not begun), "running", "closed"
+  CurriculumState state = CurriculumState::kDraft;
   std::int64_t createdUtc_us = 0;
   std::vector<std::string> cohorts{};  ///< names of those that follow it
 };

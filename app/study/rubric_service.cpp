@@ -93,8 +93,8 @@ std::string storeRevision(SessionContext& session, const std::string& rubricId, 
   revision.createdBy = session.actor().userId;
   revision.createdUtc_us = session.now_us();
   SheetRepository(session.connection()).addRevision(revision);
-  session.note({.action = number == 1 ? "rubric.add" : "rubric.revise",
-                .objectKind = "rubric_revision",
+  session.note({.action = number == 1 ? AuditAction::kRubricAdd : AuditAction::kRubricRevise,
+                .objectKind = AuditObject::kRubricRevision,
                 .objectId = revision.id,
                 .newJson = json{{"rubric", rubricId}, {"number", number}}.dump()});
   return revision.id;

@@ -193,8 +193,8 @@ void setReleased(SessionContext& session, const std::string& cohortId, const std
                  bool released, const std::string& reason) {
   SheetRepository(session.connection())
       .setReleased(cohortId, occasionCode, released, reason, session.actor().userId, session.now_us());
-  session.note({.action = released ? "mark.release" : "mark.retract",
-                .objectKind = "mark_release",
+  session.note({.action = released ? AuditAction::kMarkRelease : AuditAction::kMarkRetract,
+                .objectKind = AuditObject::kMarkRelease,
                 .objectId = cohortId,
                 .newJson = nlohmann::json{{"occasion", occasionCode}}.dump(),
                 .reason = reason});
@@ -227,8 +227,8 @@ ScoringPlanOutcome createAssignments(SessionContext& session, const ScoringPlan&
     if (made.empty()) {
       continue;
     }
-    session.note({.action = "assignment.create",
-                  .objectKind = "assignment",
+    session.note({.action = AuditAction::kAssignmentCreate,
+                  .objectKind = AuditObject::kAssignment,
                   .objectId = plan.raterIds[rater],
                   .newJson = nlohmann::json{
                       {"cohort", cohort.id},
@@ -330,8 +330,8 @@ std::string reassign(SessionContext& session, const std::string& assignmentId, c
     next.assignedUtc_us = session.now_us();
     sheets.assign(std::span(&next, 1));
   }
-  session.note({.action = newId.empty() ? "assignment.withdraw" : "assignment.reassign",
-                .objectKind = "assignment",
+  session.note({.action = newId.empty() ? AuditAction::kAssignmentWithdraw : AuditAction::kAssignmentReassign,
+                .objectKind = AuditObject::kAssignment,
                 .objectId = assignmentId,
                 .oldJson = nlohmann::json{{"rater", before->assignment.raterId}}.dump(),
                 .newJson = nlohmann::json{{"rater", newRaterId}, {"assignment", newId}}.dump(),

@@ -126,7 +126,8 @@ void addBookmark(SessionContext& session, const std::string& trialId, double at_
   const TrialListing listing = ownTrial(session, record, trialId);
   Transaction transaction(session.connection());
   const std::string id = keepBookmark(session, listing, at_s, text);
-  session.note({.action = "trial.bookmark", .objectKind = "trial_remark", .objectId = id});
+  session.note(
+      {.action = AuditAction::kTrialBookmark, .objectKind = AuditObject::kTrialRemark, .objectId = id});
   transaction.commit();
 }
 

@@ -127,7 +127,8 @@ std::string askPhysician(SessionContext& session, const std::string& trialId, do
   const std::string id = keepBookmark(session, trial, at_s, text);
   QuestionRepository(session.connection())
       .add({.remarkId = id, .raterId = raterId, .askedUtc_us = session.now_us()});
-  session.note({.action = "question.ask", .objectKind = "trial_question", .objectId = id});
+  session.note(
+      {.action = AuditAction::kQuestionAsk, .objectKind = AuditObject::kTrialQuestion, .objectId = id});
   transaction.commit();
   return id;
 }
@@ -188,7 +189,9 @@ void answerQuestion(SessionContext& session, const std::string& questionId, cons
                .text = text,
                .createdUtc_us = session.now_us(),
                .demonstration = bookmark && bookmark->demonstration});
-  session.note({.action = "question.answer", .objectKind = "trial_question", .objectId = questionId});
+  session.note({.action = AuditAction::kQuestionAnswer,
+                .objectKind = AuditObject::kTrialQuestion,
+                .objectId = questionId});
   transaction.commit();
 }
 

@@ -271,7 +271,8 @@ void markRemarkRead(SessionContext& session, const std::string& remarkId) {
                  .reader = session.actor().userId,
                  .readerPersonId = session.actor().personId,
                  .readUtc_us = session.now_us()});
-  session.note({.action = "remark.read", .objectKind = "trial_remark", .objectId = remark.id});
+  session.note(
+      {.action = AuditAction::kRemarkRead, .objectKind = AuditObject::kTrialRemark, .objectId = remark.id});
   transaction.commit();
 }
 
@@ -294,7 +295,8 @@ std::string replyToRemark(SessionContext& session, const std::string& remarkId, 
             .text = text,
             .createdUtc_us = session.now_us(),
             .demonstration = remark.demonstration});
-  session.note({.action = "remark.reply", .objectKind = "trial_remark", .objectId = id});
+  session.note(
+      {.action = AuditAction::kRemarkReply, .objectKind = AuditObject::kTrialRemark, .objectId = id});
   transaction.commit();
   return id;
 }
@@ -371,7 +373,8 @@ void selfScore(SessionContext& session, const std::string& trialId, double overa
   score.demonstration = trial.demonstration;
   Transaction transaction(session.connection());
   repository.addSelfScore(score);
-  session.note({.action = "trial.self_score", .objectKind = "trial", .objectId = trialId});
+  session.note(
+      {.action = AuditAction::kTrialSelfScore, .objectKind = AuditObject::kTrial, .objectId = trialId});
   transaction.commit();
 }
 

@@ -38,7 +38,7 @@ void findCurriculum(Connection& connection, TraineeRecord& record) {
     return;
   }
   record.version = CurriculumRepository(connection).version(record.cohort.curriculumVersionId);
-  if (record.version && record.version->state == "draft") {
+  if (record.version && record.version->state == CurriculumState::kDraft) {
     record.version.reset();
   }
   if (!record.version) {

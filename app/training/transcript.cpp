@@ -58,7 +58,8 @@ Transcript transcript(SessionContext& session, const std::string& personId) {
     transcript.modules.push_back(std::move(module));
   }
   addTimes(session, steps, transcript);
-  session.note({.action = "transcript.make", .objectKind = "person", .objectId = personId});
+  session.note(
+      {.action = AuditAction::kTranscriptMake, .objectKind = AuditObject::kPerson, .objectId = personId});
   return transcript;
 }
 

@@ -2,30 +2,48 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+
+#include "assessment/people/audit_terms.h"
 
 namespace torsio {
 
-/// One line of the audit trail: who, when, where, what, old, new, why. Ids and codes only, never a name.
+/// What append() adds to the audit trail: who, when, where, what, old, new, why. Ids and codes only, never a
+/// name.
+struct NewAuditEntry {
+  std::int64_t atUtc_us;
+  std::string actor;  ///< id of a user or rater; "torsio" for the program itself
+  std::string station;
+  AuditAction action;
+  AuditObject objectKind;
+  std::string objectId{};
+  std::string oldJson{};
+  std::string newJson{};
+  std::string reason{};
+  std::string objectHash{};  ///< seals the row that was written; empty: nothing sealed
+};
+
+/// One line of the audit trail as it stands in the database, also when another version wrote it.
 struct AuditEntry {
-  std::int64_t sequence = 0;  ///< given by append()
+  std::int64_t sequence = 0;  ///< 1, 2, 3 ... of the trail
   std::int64_t atUtc_us = 0;
   std::string actor{};  ///< id of a user or rater; "torsio" for the program itself
   std::string station{};
-  std::string action{};      ///< "mark.submit", "report.export_named" ...
-  std::string objectKind{};  ///< table of the object: "training_mark"
+  std::string action{};      ///< text of an AuditAction, known to this version or not
+  std::string objectKind{};  ///< text of an AuditObject, known to this version or not
   std::string objectId{};
   std::string oldJson{};
   std::string newJson{};
   std::string reason{};
   std::string objectHash{};    ///< seals the row that was written; empty: nothing sealed
-  std::string previousHash{};  ///< given by append()
-  std::string entryHash{};     ///< given by append()
+  std::string previousHash{};  ///< entryHash of the entry before
+  std::string entryHash{};     ///< auditHash() of this entry
 };
 
-/// Which entries to list, newest first. Empty texts do not restrict.
+/// Which entries to list, newest first. What is empty does not restrict.
 struct AuditFilter {
-  std::string objectKind{};
+  std::optional<AuditObject> objectKind{};
   std::string objectId{};
   std::int64_t fromUtc_us = 0;
   std::int64_t toUtc_us = INT64_MAX;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+
+#include "assessment/study/protocol_terms.h"
 
 namespace torsio {
 
@@ -21,11 +24,22 @@ struct RetentionRule {
   std::int64_t changedUtc_us = 0;
 };
 
+/// How a reviewer decides about one person's record.
+enum class HoldKind : std::uint8_t { kLock, kExtend, kRelease };
+inline constexpr std::array<Term<HoldKind>, 3> kHoldKinds{{
+    {HoldKind::kLock, "lock", "locked", "kept for good"},
+    {HoldKind::kExtend, "extend", "kept longer", "kept until a day"},
+    {HoldKind::kRelease, "release", "released", "may be erased when it is due"},
+}};
+[[nodiscard]] constexpr const auto& termsOf(HoldKind) noexcept {
+  return kHoldKinds;
+}
+
 /// What a reviewer decided about one person's record. Append-only; the newest counts.
 struct RetentionHold {
   std::string personId{};
-  std::string kind{};                         ///< "lock" (for good), "extend" (until), "release"
-  std::optional<std::int64_t> untilUtc_us{};  ///< for "extend" only
+  HoldKind kind = HoldKind::kLock;
+  std::optional<std::int64_t> untilUtc_us{};  ///< for kExtend only
   std::string reason{};
   std::string decidedBy{};
   std::int64_t decidedUtc_us = 0;

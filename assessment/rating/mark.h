@@ -8,6 +8,7 @@
 
 #include "assessment/rating/sheet.h"
 #include "assessment/scoring/instrument.h"
+#include "assessment/study/protocol_terms.h"
 
 namespace torsio {
 
@@ -59,7 +60,7 @@ struct CaseMark {
 struct DiscrepancyDecision {
   std::string assignmentId{};
   std::int64_t sequence = 0;  ///< given by add(): 1, 2, 3 ... of the assignment
-  std::string decision{};     ///< "keep", "move" (a new version of the mark follows), "third" (a third rater)
+  DiscrepancyChoice choice = DiscrepancyChoice::kKeep;
   std::string reason{};
   std::string decidedBy{};
   std::int64_t decidedUtc_us = 0;

@@ -72,7 +72,7 @@ struct CurriculumVersion {
   std::vector<TrainingModule> modules{};
   std::vector<StudyArm> arms{};
   std::vector<PlannedOccasion> plannedOccasions{};
-  std::string state{};  ///< filled when read: "draft", "running", "closed"
+  CurriculumState state = CurriculumState::kDraft;  ///< filled when read
 };
 
 /// A curriculum in a list; what it says stands in its versions.

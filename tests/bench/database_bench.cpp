@@ -134,7 +134,7 @@ bool run(const std::string& file) {
   bench.list("queue of a rater",
              [&] { (void)SheetRepository(connection).queue(sample.chiefs[0].person.id); });
   bench.list("audit trail of trials",
-             [&] { (void)AuditRepository(connection).entries({.objectKind = "trial"}); });
+             [&] { (void)AuditRepository(connection).entries({.objectKind = AuditObject::kTrial}); });
   insertSeconds(bench, connection, sample);
   return bench.sound;
 }

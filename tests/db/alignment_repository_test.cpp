@@ -41,12 +41,12 @@ TEST_F(AlignmentRepositoryTest, TheNewestDecisionCountsAndAllAreKept) {
   DiscrepancyRepository decisions(connection, "room 1");
 
   EXPECT_FALSE(decisions.latest(id).has_value());
-  EXPECT_EQ(decisions.add({id, 0, "third", "far apart", "admin", kSampleTime_us}), 1);
-  EXPECT_EQ(decisions.add({id, 0, "keep", "looked again", "chief", kSampleTime_us + 1}), 2);
+  EXPECT_EQ(decisions.add({id, 0, DiscrepancyChoice::kThird, "far apart", "admin", kSampleTime_us}), 1);
+  EXPECT_EQ(decisions.add({id, 0, DiscrepancyChoice::kKeep, "looked again", "chief", kSampleTime_us + 1}), 2);
 
   ASSERT_EQ(decisions.history(id).size(), 2U);
   EXPECT_EQ(decisions.history(id)[0].reason, "far apart");
-  EXPECT_EQ(decisions.latest(id)->decision, "keep");
+  EXPECT_EQ(decisions.latest(id)->choice, DiscrepancyChoice::kKeep);
   ASSERT_EQ(decisions.ofCohort(sample.cohort.id).size(), 1U);
   EXPECT_EQ(decisions.ofCohort(sample.cohort.id)[0].sequence, 2);
   EXPECT_TRUE(decisions.ofCohort("another").empty());
@@ -61,8 +61,10 @@ TEST_F(AlignmentRepositoryTest, RefusesWhatIsNoDecisionAndLeavesNoEntry) {
   SampleRecord sample(connection, 1);
   const std::string id = assignmentIn(connection, sample);
   DiscrepancyRepository decisions(connection);
-  EXPECT_EQ(faultFrom([&] { decisions.add({id, 0, "perhaps", "", "admin", 0}); }), DbFault::kCheck);
-  EXPECT_EQ(faultFrom([&] { decisions.add({"none", 0, "keep", "", "admin", 0}); }), DbFault::kForeignKey);
+  EXPECT_EQ(faultFrom([&] {
+              decisions.add({"none", 0, DiscrepancyChoice::kKeep, "", "admin", 0});
+            }),
+            DbFault::kForeignKey);
   EXPECT_TRUE(AuditRepository(connection).entries().empty());
 }
 

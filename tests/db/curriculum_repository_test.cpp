@@ -55,7 +55,7 @@ TEST_F(CurriculumRepositoryTest, ReturnsAVersionWithAllItsParts) {
   curricula.addVersion(version, "admin");
 
   const CurriculumVersion stored = curricula.version(version.id).value();
-  EXPECT_EQ(stored.state, "draft");
+  EXPECT_EQ(stored.state, CurriculumState::kDraft);
   ASSERT_EQ(stored.modules.size(), 2U);
   EXPECT_EQ(stored.modules[0].targetAngle_rad, 1.0 / 3.0);
   EXPECT_EQ(stored.modules[0].maxForce_N, 3.3);
@@ -97,14 +97,16 @@ TEST_F(CurriculumRepositoryTest, MovesFromDraftToRunningToClosedOnly) {
   CurriculumRepository curricula(connection);
   const CurriculumVersion version = versionFor(connection, sample);
   curricula.addVersion(version, "admin");
-  const auto move = [&](const char* state) { curricula.moveTo(version.id, state, "admin", kSampleTime_us); };
+  const auto move = [&](CurriculumState state) {
+    curricula.moveTo(version.id, state, "admin", kSampleTime_us);
+  };
 
-  EXPECT_EQ(refusalFrom([&] { move("closed"); }).code, ErrorCode::kBadData);
-  move("running");
-  EXPECT_EQ(refusalFrom([&] { move("draft"); }).code, ErrorCode::kBadData);
-  move("closed");
-  EXPECT_EQ(refusalFrom([&] { move("running"); }).code, ErrorCode::kBadData);
-  EXPECT_EQ(curricula.version(version.id)->state, "closed");
+  EXPECT_EQ(refusalFrom([&] { move(CurriculumState::kClosed); }).code, ErrorCode::kBadData);
+  move(CurriculumState::kRunning);
+  EXPECT_EQ(refusalFrom([&] { move(CurriculumState::kDraft); }).code, ErrorCode::kBadData);
+  move(CurriculumState::kClosed);
+  EXPECT_EQ(refusalFrom([&] { move(CurriculumState::kRunning); }).code, ErrorCode::kBadData);
+  EXPECT_EQ(curricula.version(version.id)->state, CurriculumState::kClosed);
 }
 
 TEST_F(CurriculumRepositoryTest, AVersionNeverChanges) {
@@ -126,7 +128,7 @@ TEST_F(CurriculumRepositoryTest, TiesACohortToARunningVersion) {
   const CurriculumVersion version = versionFor(connection, sample);
   curricula.addVersion(version, "admin");
   EXPECT_EQ(refusalFrom([&] { curricula.assign(sample.cohort.id, version.id); }).code, ErrorCode::kBadData);
-  curricula.moveTo(version.id, "running", "admin", kSampleTime_us);
+  curricula.moveTo(version.id, CurriculumState::kRunning, "admin", kSampleTime_us);
 
   curricula.assign(sample.cohort.id, version.id);
 

@@ -113,11 +113,16 @@ TEST_F(QueryPlanTest, TheQueueOfARaterAndTheAuditTrailAreFoundByIndex) {
   SheetRepository sheets(connection);
   expectNoWalk(plansOf(connection, [&] { (void)sheets.queue("r"); }));
   expectNoWalk(plansOf(connection, [&] { (void)sheets.allSubmitted("e", "pre"); }));
-  expectNoWalk(
-      plansOf(connection, [&] { (void)AuditRepository(connection).entries({.objectKind = "trial"}); }));
+  expectNoWalk(plansOf(
+      connection, [&] { (void)AuditRepository(connection).entries({.objectKind = AuditObject::kTrial}); }));
   expectNoWalk(plansOf(connection, [&] { (void)AuditRepository(connection).entries({.fromUtc_us = 1}); }));
   for (int i = 0; i < 2; ++i) {
-    AuditRepository(connection).append(AuditEntry{.atUtc_us = 5});
+    AuditRepository(connection)
+        .append({.atUtc_us = 5,
+                 .actor = "a",
+                 .station = "s",
+                 .action = AuditAction::kTrialFinish,
+                 .objectKind = AuditObject::kTrial});
   }
   const auto newest = plansOf(connection, [&] { (void)AuditRepository(connection).entries({.limit = 1}); });
   expectNoWalk(newest, true);  // LIMIT ends it

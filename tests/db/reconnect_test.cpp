@@ -88,7 +88,7 @@ TEST_F(ReconnectTest, ATrialSurvivesTheLossOfItsConnectionAtEveryStep) {
     EXPECT_EQ(trial.chunks[static_cast<std::size_t>(i)].bytes, sampleChunk(i, 500).bytes);
   }
   EXPECT_EQ(trial.summary.contentHash, "hash");
-  EXPECT_EQ(AuditRepository(connection).entries({.objectKind = "trial"}).size(), 1U);
+  EXPECT_EQ(AuditRepository(connection).entries({.objectKind = AuditObject::kTrial}).size(), 1U);
 }
 
 TEST_F(ReconnectTest, ARecordingLosesNoSampleAndNeedsNoFile) {

@@ -137,19 +137,26 @@ TEST_F(RetentionRepositoryTest, AReviewerLocksExtendsAndReleases) {
   const std::int64_t now_us = kSampleTime_us + 50 * kDay_us;
   const auto held = [&](std::int64_t at_us) { return retention.due(at_us).at(0).held; };
 
-  retention.addHold({id, "extend", now_us + 10 * kDay_us, "thesis", "admin", now_us});
+  retention.addHold({id, HoldKind::kExtend, now_us + 10 * kDay_us, "thesis", "admin", now_us});
   EXPECT_TRUE(held(now_us));
   EXPECT_FALSE(held(now_us + 10 * kDay_us));
-  retention.addHold({id, "lock", {}, "appeal", "admin", now_us});
+  retention.addHold({id, HoldKind::kLock, {}, "appeal", "admin", now_us});
   EXPECT_TRUE(held(now_us + 1000 * kDay_us));
   EXPECT_EQ(retention.due(now_us).at(0).hold->reason, "appeal");
-  retention.addHold({id, "release", {}, "appeal decided", "admin", now_us});
+  retention.addHold({id, HoldKind::kRelease, {}, "appeal decided", "admin", now_us});
   EXPECT_FALSE(held(now_us));
 
   EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM retention_hold"), 3);
-  EXPECT_EQ(faultFrom([&] { retention.addHold({id, "extend", {}, "", "admin", 1}); }), DbFault::kCheck);
   EXPECT_EQ(faultFrom([&] {
-              retention.addHold({"none", "lock", {}, "", "admin", 1});
+              retention.addHold({id, HoldKind::kExtend, {}, "", "admin", 1});
+            }),
+            DbFault::kCheck);
+  EXPECT_EQ(faultFrom([&] {
+              retention.addHold({id, HoldKind::kExtend, {}, "", "admin", 1});
+            }),
+            DbFault::kCheck);
+  EXPECT_EQ(faultFrom([&] {
+              retention.addHold({"none", HoldKind::kLock, {}, "", "admin", 1});
             }),
             DbFault::kForeignKey);
   EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM retention_hold"); }), DbFault::kAppendOnly);

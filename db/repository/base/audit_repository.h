@@ -10,6 +10,7 @@
 
 #include "assessment/people/audit_entry.h"
 #include "db/connection/connection.h"
+#include "assessment/people/audit_terms.h"
 
 namespace torsio {
 
@@ -22,8 +23,8 @@ class AuditRepository {
   explicit AuditRepository(Connection& connection) : connection_(connection) {}
 
   /// One transaction, or part of the one that is open. Stations wait for each other here.
-  void append(std::span<const AuditEntry> entries);
-  void append(const AuditEntry& entry) { append(std::span(&entry, 1)); }
+  void append(std::span<const NewAuditEntry> entries);
+  void append(const NewAuditEntry& entry) { append(std::span(&entry, 1)); }
   [[nodiscard]] std::vector<AuditEntry> entries(const AuditFilter& filter = {});
   /// Entries of a time, both ends included.
   [[nodiscard]] std::int64_t count(std::int64_t fromUtc_us, std::int64_t toUtc_us = INT64_MAX) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -23,7 +24,7 @@ class RetentionRepository {
   void removeRule(const std::string& category);
   [[nodiscard]] std::vector<RetentionRule> rules() const;
 
-  /// Throws DbError: kForeignKey (no such person), kCheck (unknown kind, or "extend" without its end).
+  /// Throws DbError: kForeignKey (no such person), kCheck (kExtend without its end).
   void addHold(const RetentionHold& hold);
 
   /// Everybody whose record is due at `utc_us` by some rule, those who are held among them; longest due

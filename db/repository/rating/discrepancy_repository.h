@@ -20,8 +20,7 @@ class DiscrepancyRepository {
   explicit DiscrepancyRepository(Connection& connection, std::string station = {})
       : connection_(connection), station_(std::move(station)) {}
 
-  /// Returns the sequence number. Throws DbError: kForeignKey (no such assignment), kCheck (no such
-  /// decision).
+  /// Returns the sequence number. Throws DbError: kForeignKey (no such assignment).
   std::int64_t add(const DiscrepancyDecision& decision);
   /// Oldest first.
   [[nodiscard]] std::vector<DiscrepancyDecision> history(const std::string& assignmentId) const;

@@ -194,17 +194,17 @@ void EvaluationRepository::submit(const std::string& campaignId, std::span<const
     return;
   }
   const std::map<std::string, std::string> hashes = evaluationMarkHashes(connection_, ids);
-  std::vector<AuditEntry> seals;
+  std::vector<NewAuditEntry> seals;
   for (const EvaluationMark* mark : added) {
-    AuditEntry seal;
-    seal.atUtc_us = mark->submittedUtc_us;
-    seal.actor = mark->raterId;
-    seal.station = station_;
-    seal.action = mark->version == 1 ? "evaluation.submit" : "evaluation.amend";
-    seal.objectKind = kSealedEvaluationMark;
-    seal.objectId = mark->id;
-    seal.reason = mark->amendReason;
-    seal.objectHash = hashes.at(mark->id);
+    NewAuditEntry seal{
+        .atUtc_us = mark->submittedUtc_us,
+        .actor = mark->raterId,
+        .station = station_,
+        .action = mark->version == 1 ? AuditAction::kEvaluationSubmit : AuditAction::kEvaluationAmend,
+        .objectKind = AuditObject::kEvaluationMark,
+        .objectId = mark->id,
+        .reason = mark->amendReason,
+        .objectHash = hashes.at(mark->id)};
     seals.push_back(seal);
   }
   AuditRepository(connection_).append(seals);

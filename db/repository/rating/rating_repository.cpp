@@ -128,17 +128,16 @@ void RatingRepository::submit(std::span<const SubmittedMark> marks) {
     ids.push_back(mark.id);
   }
   const std::map<std::string, std::string> hashes = markHashes(connection_, ids);
-  std::vector<AuditEntry> seals;
+  std::vector<NewAuditEntry> seals;
   for (const SubmittedMark& mark : added) {
-    AuditEntry seal;
-    seal.atUtc_us = mark.submittedUtc_us;
-    seal.actor = mark.raterId;
-    seal.station = station_;
-    seal.action = mark.version == 1 ? "mark.submit" : "mark.amend";
-    seal.objectKind = kSealedMark;
-    seal.objectId = mark.id;
-    seal.reason = mark.amendReason;
-    seal.objectHash = hashes.at(mark.id);
+    NewAuditEntry seal{.atUtc_us = mark.submittedUtc_us,
+                       .actor = mark.raterId,
+                       .station = station_,
+                       .action = mark.version == 1 ? AuditAction::kMarkSubmit : AuditAction::kMarkAmend,
+                       .objectKind = AuditObject::kTrainingMark,
+                       .objectId = mark.id,
+                       .reason = mark.amendReason,
+                       .objectHash = hashes.at(mark.id)};
     seals.push_back(seal);
   }
   AuditRepository(connection_).append(seals);

@@ -239,14 +239,14 @@ std::optional<CurriculumVersion> CurriculumRepository::version(const std::string
       "SELECT id, curriculum_id, number, note, created_utc_us FROM curriculum_version WHERE id = ?",
       {versionId}, [&](RowReader& row) {
         return CurriculumVersion{.id = row.text(),
-                                 .curriculumId = row.text(),
-                                 .number = row.int64(),
-                                 .note = row.text(),
-                                 .createdUtc_us = row.int64(),
-                                 .modules = modulesOf(connection_, versionId),
-                                 .arms = armsOf(connection_, versionId),
-                                 .plannedOccasions = plannedOccasionsOf(connection_, versionId),
-                                 .state = stateOf(versionId)};
+                                       .curriculumId = row.text(),
+                                       .number = row.int64(),
+                                       .note = row.text(),
+                                       .createdUtc_us = row.int64(),
+                                       .modules = modulesOf(connection_, versionId),
+                                       .arms = armsOf(connection_, versionId),
+                                       .plannedOccasions = plannedOccasionsOf(connection_, versionId),
+                                       .state = stateOf(versionId).value_or(CurriculumState::kDraft)};
       });
 }
 
@@ -255,35 +255,31 @@ std::vector<std::string> CurriculumRepository::versionIds(const std::string& cur
                    {curriculumId}, readText);
 }
 
-std::string CurriculumRepository::stateOf(const std::string& versionId) const {
+std::optional<CurriculumState> CurriculumRepository::stateOf(const std::string& versionId) const {
   return selectFirst(connection_,
                      "SELECT state FROM curriculum_state WHERE version_id = ? ORDER BY sequence DESC LIMIT 1",
-                     {versionId}, readText)
-      .value_or("");
+                     {versionId}, [](RowReader& row) { return readTerm<CurriculumState>(row, "state"); });
 }
 
-void CurriculumRepository::moveTo(const std::string& versionId, const std::string& state,
+void CurriculumRepository::moveTo(const std::string& versionId, CurriculumState state,
                                   const std::string& changedBy, std::int64_t changedUtc_us) {
-  static const std::map<std::string, std::pair<std::string, std::int64_t>> kNext{{"draft", {"running", 2}},
-                                                                                 {"running", {"closed", 3}}};
   Transaction transaction(connection_);
-  const std::string now = stateOf(versionId);
-  const auto next = kNext.find(now);
-  if (next == kNext.end() || next->second.first != state) {
+  const std::optional<CurriculumState> now = stateOf(versionId);
+  if (!now || static_cast<int>(state) != static_cast<int>(*now) + 1) {
     throw Error(ErrorCode::kBadData,
-                now.empty() ? Text("there is no such curriculum")
-                            : Text("a curriculum that is %1 cannot become %2", now, state),
+                !now ? Text("there is no such curriculum")
+                     : Text("a curriculum that is %1 cannot become %2", storedText(*now), storedText(state)),
                 versionId, "Draft becomes running, running becomes closed");
   }
   connection_.execute(
       insertInto("curriculum_state", "version_id, sequence, state, changed_by, changed_utc_us"),
-      {versionId, next->second.second, state, changedBy, changedUtc_us});
+      {versionId, static_cast<int>(state) + 1, storedText(state), changedBy, changedUtc_us});
   transaction.commit();
 }
 
 void CurriculumRepository::assign(const std::string& cohortId, const std::string& versionId) {
   Transaction transaction(connection_);
-  if (stateOf(versionId) != "running") {
+  if (stateOf(versionId) != CurriculumState::kRunning) {
     throw Error(ErrorCode::kBadData, "this version of the curriculum is not running", versionId,
                 "Start it first, or choose another version");
   }

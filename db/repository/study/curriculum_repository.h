@@ -33,14 +33,14 @@ class CurriculumRepository {
   std::int64_t saveDraft(const std::string& curriculumId, const CurriculumDraftRow& draft);
   [[nodiscard]] std::optional<CurriculumDraftRow> draft(const std::string& curriculumId) const;
 
-  /// Stores a version in state "draft". Throws Error (kBadData) when a prerequisite is no module of the
+  /// Stores a version in state kDraft. Throws Error (kBadData) when a prerequisite is no module of the
   /// version or when prerequisites run in a circle.
   void addVersion(const CurriculumVersion& version, const std::string& createdBy);
   [[nodiscard]] std::optional<CurriculumVersion> version(const std::string& versionId) const;
   /// Ids, oldest version first.
   [[nodiscard]] std::vector<std::string> versionIds(const std::string& curriculumId) const;
   /// draft -> running -> closed; throws Error (kBadData) for any other step.
-  void moveTo(const std::string& versionId, const std::string& state, const std::string& changedBy,
+  void moveTo(const std::string& versionId, CurriculumState state, const std::string& changedBy,
               std::int64_t changedUtc_us);
 
   /// Ties a cohort and its groups (number by number) to a version and its arms. Throws Error (kBadData)
@@ -48,7 +48,7 @@ class CurriculumRepository {
   void assign(const std::string& cohortId, const std::string& versionId);
 
  private:
-  [[nodiscard]] std::string stateOf(const std::string& versionId) const;
+  [[nodiscard]] std::optional<CurriculumState> stateOf(const std::string& versionId) const;
   Connection& connection_;
 };
 

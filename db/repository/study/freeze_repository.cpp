@@ -41,14 +41,13 @@ void FreezeRepository::add(const DataFreeze& freeze) {
                                                  {"created_utc_us", freeze.createdUtc_us, Kind::kIgnored},
                                                  {"demonstration", freeze.demonstration}}};
   if (insertIdempotent(connection_, "frozen_dataset", columns, "this frozen data set") == Inserted::kNew) {
-    AuditEntry entry;
-    entry.atUtc_us = freeze.createdUtc_us;
-    entry.actor = freeze.createdBy;
-    entry.station = station_;
-    entry.action = "dataset.freeze";
-    entry.objectKind = "frozen_dataset";
-    entry.objectId = freeze.id;
-    entry.objectHash = freeze.contentHash;
+    NewAuditEntry entry{.atUtc_us = freeze.createdUtc_us,
+                        .actor = freeze.createdBy,
+                        .station = station_,
+                        .action = AuditAction::kDatasetFreeze,
+                        .objectKind = AuditObject::kFrozenDataset,
+                        .objectId = freeze.id,
+                        .objectHash = freeze.contentHash};
     AuditRepository(connection_).append(entry);
   }
   transaction.commit();

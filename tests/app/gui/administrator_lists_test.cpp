@@ -69,9 +69,13 @@ TEST(AuditPage, TellsWhatWasDoneInWordsAndFindsItByItsCodeToo) {
 TEST(AuditPage, ShowsTheNewestThousandAndSaysHowManyThereAre) {
   AdministratorDesk office;
   office.centre.as("administrator");
-  const AuditEntry one{.atUtc_us = office.centre.session().now_us(), .actor = "u", .action = "person.add"};
+  const NewAuditEntry one{.atUtc_us = office.centre.session().now_us(),
+                          .actor = "u",
+                          .station = "s",
+                          .action = AuditAction::kPersonAdd,
+                          .objectKind = AuditObject::kPerson};
   AuditRepository audit(office.centre.connection());
-  audit.append(std::vector<AuditEntry>(2'500, one));
+  audit.append(std::vector<NewAuditEntry>(2'500, one));
   const std::int64_t newest = audit.length();
   auto page = office.open<AuditPage>("administrator");
   auto& table = *page->findChild<DataTable*>();

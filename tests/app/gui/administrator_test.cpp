@@ -455,11 +455,12 @@ TEST(UsersPage, MakesTheAccountsOfTheWholeRosterAndTellsTheirPasswordsOnce) {
 
 TEST(AuditPage, ShowsTheNewestThousandAtOnceAndTheOthersOnRequest) {
   AdministratorDesk office;
-  std::vector<AuditEntry> entries(2'500);
-  for (AuditEntry& entry : entries) {
-    entry.atUtc_us = office.centre.session().now_us();
-    entry.action = "long.record";
-  }
+  const NewAuditEntry one{.atUtc_us = office.centre.session().now_us(),
+                          .actor = "u",
+                          .station = "s",
+                          .action = AuditAction::kPersonChange,
+                          .objectKind = AuditObject::kPerson};
+  const std::vector<NewAuditEntry> entries(2'500, one);
   AuditRepository trail(office.centre.connection());
   trail.append(entries);
   const std::int64_t all = trail.length();

@@ -168,7 +168,7 @@ TEST(CurriculumEditor, PublishedVersionsComeBackThroughTheEditorTheSame) {
 
   const auto versions = curricula(office.centre.session()).front().versions;
   ASSERT_EQ(versions.size(), 2U);
-  EXPECT_EQ(versions[0].state, "running");  // superseded, not erased
+  EXPECT_EQ(versions[0].state, CurriculumState::kRunning);  // superseded, not erased
   EXPECT_EQ(curriculumJson(publishedContent(office.centre.session(), versions[0].id)),
             curriculumJson(publishedContent(office.centre.session(), versions[1].id)));
   EXPECT_EQ(curriculumJson(publishedContent(office.centre.session(), versions[0].id)),

@@ -168,7 +168,7 @@ class CarePages : public ::testing::Test {
 
   void showsOtherStation() {
     StationState other{.station = "room 2", .heartbeatUtc_us = window_->session()->now_us()};
-    StationRepository(window_->session()->connection()).heartbeat(other);
+    StationRepository(window_->session()->connectionWithoutRight()).heartbeat(other);
   }
 
   [[nodiscard]] int filesBeside() const {

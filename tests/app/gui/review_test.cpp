@@ -478,7 +478,7 @@ TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
 
   EXPECT_EQ(sheetVersions(desk.session(), centre.caseAbout(0, 0)).size(), 2U);
   ASSERT_EQ(alignmentCases(desk.session()).size(), 1U);  // two rows still lie apart
-  EXPECT_EQ(alignmentCases(desk.session())[0].decision, "move");
+  EXPECT_EQ(alignmentCases(desk.session())[0].decision, DiscrepancyChoice::kMove);
 }
 
 TEST(EvaluationPage, FillsNineIndicesByKeysAndKeepsTheDraft) {

@@ -541,7 +541,7 @@ TEST_F(Shell, ARecordingThatCannotBeStoredIsSaidBeforeTheSignInAndToWhoeverSigns
 
 TEST_F(Shell, AnOpenStationGivesSignsOfLifeUntilItIsClosed) {
   openFoundedCentre(setup());
-  Connection& connection = window_->session()->connection();
+  Connection& connection = window_->session()->connectionWithoutRight();
   ASSERT_TRUE(window_->line()->settled(kLong));
   ASSERT_TRUE(stationOnBoard(connection, "test").has_value());
   EXPECT_EQ(stationOnBoard(connection, "test")->userId, "");
@@ -607,7 +607,7 @@ TEST_F(Shell, TheKioskEndsWithTheNameAndPasswordOfAnAdministratorOnly) {
 
 TEST_F(Shell, OneChoiceInTheMenuRemovesTheDemonstration) {
   openFoundedCentre(setup());
-  Connection& connection = window_->session()->connection();
+  Connection& connection = window_->session()->connectionWithoutRight();
   Trainee simulated;
   simulated.person = {.id = "simulated", .code = "T-99", .demonstration = true};
   Trainee real;

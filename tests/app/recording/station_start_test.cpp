@@ -145,7 +145,7 @@ class StationStartTest : public ::testing::Test {
   }
   std::optional<AuditEntry> note(const std::string& action) {
     const std::vector<AuditEntry> entries =
-        AuditRepository(centre_.connection()).entries({.objectKind = "trial"});
+        AuditRepository(centre_.connection()).entries({.objectKind = AuditObject::kTrial});
     for (const AuditEntry& entry : entries) {
       if (entry.action == action) {
         return entry;

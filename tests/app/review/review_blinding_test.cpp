@@ -161,9 +161,9 @@ TEST(Alignment, ShowsDisagreementsOnlyAndRemembersWhatWasDecided) {
   EXPECT_EQ(refusal([&] { askForThird(*first, id, ""); }).first, ErrorCode::kBadParameter);
 
   askForThird(*first, id, "I cannot explain the distance");
-  EXPECT_EQ(alignmentCases(*first)[0].decision, "third");
+  EXPECT_EQ(alignmentCases(*first)[0].decision, DiscrepancyChoice::kThird);
   keepMark(*first, id, "");
-  EXPECT_EQ(alignmentCases(*first)[0].decision, "keep");
+  EXPECT_EQ(alignmentCases(*first)[0].decision, DiscrepancyChoice::kKeep);
   moveMark(*first, id, reviewSheet(8, 8, 7.5), "missed the second grip");
 
   EXPECT_TRUE(alignmentCases(*first).empty());  // nothing lies apart any more

@@ -66,7 +66,7 @@ TEST(DemonstrationStudy, EveryTrialNamesItsExerciseAndItsPhase) {
 
   const auto curriculum = curricula(centre.as("administrator"));
   ASSERT_EQ(curriculum.size(), 1U);
-  ASSERT_EQ(curriculum.front().versions.front().state, "running");
+  ASSERT_EQ(curriculum.front().versions.front().state, CurriculumState::kRunning);
   EXPECT_EQ(curriculum.front().versions.front().cohorts.size(), 1U);
   const auto version =
       CurriculumRepository(centre.connection()).version(curriculum.front().versions.front().id);

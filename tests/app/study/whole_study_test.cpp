@@ -77,7 +77,7 @@ struct Study {
     SessionContext& session = centre.as("administrator");
     const CohortRow cohort = cohorts(session).at(0);
     const auto version =
-        CurriculumRepository(session.connection()).version(cohort.cohort.curriculumVersionId);
+        CurriculumRepository(session.connectionWithoutRight()).version(cohort.cohort.curriculumVersionId);
     for (const Enrolment& enrolment : enrolments(session, cohortId)) {
       if (enrolment.id != enrolmentId) {
         continue;

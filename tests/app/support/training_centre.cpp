@@ -143,7 +143,7 @@ void TrainingCentre::fill(const Setup& setup) {
   CurriculumRepository curricula(*connection_);
   curricula.addCurriculum({version.curriculumId, "Twist basics", "", now_us_, false});
   curricula.addVersion(version, "office");
-  curricula.moveTo(version.id, "running", "office", now_us_);
+  curricula.moveTo(version.id, CurriculumState::kRunning, "office", now_us_);
 
   const std::string cohortId = ids_->newUuid();
   const StudyGroup group{ids_->newUuid(), cohortId, 1, "G1", arm.label};

@@ -50,7 +50,10 @@ class TrainingCentre {
   TrainingCentre(const TrainingCentre&) = delete;
   TrainingCentre& operator=(const TrainingCentre&) = delete;
 
-  [[nodiscard]] SessionContext& session() { return *session_; }
+  [[nodiscard]] SessionContext& session() {
+    session_->beginCall();
+    return *session_;
+  }
   [[nodiscard]] Connection& connection() { return *connection_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] std::string locator() const { return (folder_ / "centre.sqlite").string(); }

@@ -111,12 +111,12 @@ QString sheetStateName(SheetState state) {
   return {};
 }
 
-QString versionStateName(const std::string& code) {
+QString versionStateName(CurriculumState state) {
   static const std::pair<const char*, const char*> kNames[] = {
       {"draft", QT_TRANSLATE_NOOP("Study", "published, not begun")},
       {"running", QT_TRANSLATE_NOOP("Study", "running")},
       {"closed", QT_TRANSLATE_NOOP("Study", "closed")}};
-  return named(kNames, code);
+  return named(kNames, std::string(storedText(state)));
 }
 
 QString phaseKindName(PhaseKind kind) {

@@ -27,7 +27,7 @@ namespace torsio::gui {
 [[nodiscard]] QString raterClassName(const std::string& code);
 [[nodiscard]] QString methodName(AllocationMethod method);
 [[nodiscard]] QString sheetStateName(SheetState state);
-[[nodiscard]] QString versionStateName(const std::string& code);
+[[nodiscard]] QString versionStateName(CurriculumState state);
 [[nodiscard]] QString phaseKindName(PhaseKind kind);
 
 /// What a mastery rule may be about: id and name.

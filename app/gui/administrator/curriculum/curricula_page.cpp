@@ -256,8 +256,8 @@ void CurriculaPage::showButtons() {
   save_->setEnabled(may && dirty_);
   publish_->setEnabled(may && editor_->problems().empty());
   take_->setEnabled(may);
-  begin_->setEnabled(may && version != nullptr && version->state == "draft");
-  close_->setEnabled(may && version != nullptr && version->state == "running");
+  begin_->setEnabled(may && version != nullptr && version->state == CurriculumState::kDraft);
+  close_->setEnabled(may && version != nullptr && version->state == CurriculumState::kRunning);
   sayState();
 }
 

@@ -49,10 +49,10 @@ QString versionText(const CurriculumRow& row, const CurriculumVersionRow& versio
           ? CurriculumState::tr("No cohort follows it.")
           : CurriculumState::tr("Followed by: %1.").arg(followers.join(CurriculumState::tr(", ")));
   QString words;
-  if (version.state == "draft") {
+  if (version.state == torsio::CurriculumState::kDraft) {
     words =
         CurriculumState::tr("Published on %1 and never changes. Begin it, so that cohorts can follow it.");
-  } else if (version.state == "running") {
+  } else if (version.state == torsio::CurriculumState::kRunning) {
     words = CurriculumState::tr(
         "Published on %1, running: cohorts can choose it. It never changes; to change anything, edit the "
         "draft and publish the next version.");

@@ -191,7 +191,9 @@ void UsersPage::addForRoster() {
             return;
           }
           page->enter({});
-          AccountsDialog(issued->made, centreSign(page->shell().session().connection()).name, page).exec();
+          AccountsDialog(issued->made, centreSign(page->shell().session().connectionWithoutRight()).name,
+                         page)
+              .exec();
           if (!page.isNull() && issued->problem) {
             page->sayWhyNotAll(issued->problem);
           }

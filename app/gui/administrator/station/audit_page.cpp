@@ -15,7 +15,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/access/audit_labels.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"

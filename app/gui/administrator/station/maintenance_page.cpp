@@ -136,16 +136,16 @@ void MaintenancePage::read() {
     showRecord();
     std::vector<Row> rows;
     for (const RetentionItem& item : due_) {
-      rows.push_back(
-          {toQString(item.personId),
-           {{toQString(item.code)},
-            {retentionCategoryName(item.category)},
-            {orDash(item.basis)},
-            timeCell(item.sinceUtc_us),
-            timeCell(item.dueUtc_us),
-            {!item.held                  ? tr("to be reviewed")
-             : item.hold->kind == "lock" ? tr("locked: %1").arg(toQString(item.hold->reason))
-                                         : tr("kept longer: %1").arg(toQString(item.hold->reason))}}});
+      rows.push_back({toQString(item.personId),
+                      {{toQString(item.code)},
+                       {retentionCategoryName(item.category)},
+                       {orDash(item.basis)},
+                       timeCell(item.sinceUtc_us),
+                       timeCell(item.dueUtc_us),
+                       {!item.held ? tr("to be reviewed")
+                        : item.hold->kind == HoldKind::kLock
+                            ? tr("locked: %1").arg(toQString(item.hold->reason))
+                            : tr("kept longer: %1").arg(toQString(item.hold->reason))}}});
     }
     queue_->setRows(std::move(rows));
     showButtons();

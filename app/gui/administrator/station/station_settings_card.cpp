@@ -67,8 +67,8 @@ void StationSettingsCard::keepInBounds() {
 
 void StationSettingsCard::read() {
   attempt(shell_, [this] {
-    name_->setText(toQString(centreSign(shell_.session().connection()).name));
-    const IdleLimits limits = centreIdleLimits(shell_.session().connection());
+    name_->setText(toQString(centreSign(shell_.session().connectionWithoutRight()).name));
+    const IdleLimits limits = centreIdleLimits(shell_.session().connectionWithoutRight());
     lock_->setValue(static_cast<int>(limits.lock_us / kMinute_us));
     keepInBounds();
     warn_->setValue(static_cast<int>(limits.warn_us / kMinute_us));
