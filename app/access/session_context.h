@@ -10,6 +10,7 @@
 
 #include "app/access/operation.h"
 #include "assessment/people/account.h"
+#include "assessment/people/audit_terms.h"
 
 namespace torsio {
 

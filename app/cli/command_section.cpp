@@ -67,7 +67,9 @@ void runSection(const SectionArguments& arguments) {
   SectionSolverOptions options;
   options.method = methodOf(arguments.method);
   SectionField field;
-  const SectionProperties section = SectionSolver(options).solve(outline, holes, &field);
+  const SectionProperties section = arguments.points.empty()
+                                        ? solveSection(outline, options, holes)
+                                        : SectionSolver(options).solve(outline, holes, &field);
   nlohmann::ordered_json result;
   result["area"] = section.area;
   result["centroid"] = section.centroid;

@@ -4,8 +4,8 @@
 #include <charconv>
 #include <optional>
 
-#include "db/repository/people/people_repository.h"
 #include "app/people/people_service.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
 

@@ -150,8 +150,8 @@ std::string addCurriculum(SessionContext& session, const std::string& name, cons
   CurriculumRepository repository(session.connection());
   const std::string id = session.ids().newUuid();
   repository.addCurriculum({id, name, description, session.now_us(), demonstration});
-  repository.saveDraft(id, {0, curriculumJson(content.value_or(CurriculumVersion{})),
-                            session.actor().userId, session.now_us()});
+  repository.saveDraft(id, {0, curriculumJson(content.value_or(CurriculumVersion{})), session.actor().userId,
+                            session.now_us()});
   session.note(
       {.action = AuditAction::kCurriculumAdd, .objectKind = AuditObject::kCurriculum, .objectId = id});
   transaction.commit();

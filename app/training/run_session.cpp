@@ -203,14 +203,14 @@ void RunSession::stop(const std::string& reason) {
                        .reason = reason};
   if (early && !run_.phase().phaseId.empty()) {
     const ProtocolDeviation deviation{.id = session_.ids().newUuid(),
-                                    .cohortId = steps_.cohortId,
-                                    .enrolmentId = steps_.enrolmentId,
-                                    .kind = "phase cut short",
-                                    .description = reason,
-                                    .happenedUtc_us = session_.now_us(),
-                                    .reportedBy = session_.actor().userId,
-                                    .reportedUtc_us = session_.now_us(),
-                                    .demonstration = steps_.demonstration};
+                                      .cohortId = steps_.cohortId,
+                                      .enrolmentId = steps_.enrolmentId,
+                                      .kind = "phase cut short",
+                                      .description = reason,
+                                      .happenedUtc_us = session_.now_us(),
+                                      .reportedBy = session_.actor().userId,
+                                      .reportedUtc_us = session_.now_us(),
+                                      .demonstration = steps_.demonstration};
     // The right was asked for when the run began.
     write([deviation, note](SessionContext& own) {
       Transaction transaction(own.connectionWithoutRight());

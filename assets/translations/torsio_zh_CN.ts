@@ -7635,10 +7635,6 @@
         <translation>收回评分任务</translation>
     </message>
     <message>
-        <source>Screen unlocked</source>
-        <translation>解锁屏幕</translation>
-    </message>
-    <message>
         <source>Sealed cards printed</source>
         <translation>打印密封卡片</translation>
     </message>
@@ -13022,8 +13018,8 @@ MSM = 质点弹簧</translation>
         <translation>与窗口一致</translation>
     </message>
     <message>
-        <source>Co&amp;ded tables…</source>
-        <translation>编码表格(&amp;D)…</translation>
+        <source>Coded &amp;tables…</source>
+        <translation>编码表格(&amp;T)…</translation>
     </message>
     <message>
         <source>Recordings and single marks under their codes, as far as you may see them</source>

@@ -31,7 +31,7 @@ void removeWithLogs(const fs::path& file) noexcept {
   }
 }
 
-std::int64_t countOf(Connection& connection, const char* table) {
+std::int64_t rowsOf(Connection& connection, const char* table) {
   Statement row = connection.prepare(std::string("SELECT count(*) FROM ") + table);
   row.execute();
   return row.step() ? row.int64(0) : 0;
@@ -161,8 +161,8 @@ BackupContent checkBackup(const fs::path& backup) {
     throw Error(ErrorCode::kVerifyFailed, Text("backup is damaged: %1", findings.front()), backup.string(),
                 "Use an older backup");
   }
-  content.trials = countOf(connection, "trial");
-  content.marks = countOf(connection, "training_mark") + countOf(connection, "evaluation_mark");
+  content.trials = rowsOf(connection, "trial");
+  content.marks = rowsOf(connection, "training_mark") + rowsOf(connection, "evaluation_mark");
   return content;
 }
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "assessment/people/audit_entry.h"
-#include "db/connection/connection.h"
 #include "assessment/people/audit_terms.h"
+#include "db/connection/connection.h"
 
 namespace torsio {
 

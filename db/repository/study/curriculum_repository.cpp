@@ -239,14 +239,14 @@ std::optional<CurriculumVersion> CurriculumRepository::version(const std::string
       "SELECT id, curriculum_id, number, note, created_utc_us FROM curriculum_version WHERE id = ?",
       {versionId}, [&](RowReader& row) {
         return CurriculumVersion{.id = row.text(),
-                                       .curriculumId = row.text(),
-                                       .number = row.int64(),
-                                       .note = row.text(),
-                                       .createdUtc_us = row.int64(),
-                                       .modules = modulesOf(connection_, versionId),
-                                       .arms = armsOf(connection_, versionId),
-                                       .plannedOccasions = plannedOccasionsOf(connection_, versionId),
-                                       .state = stateOf(versionId).value_or(CurriculumState::kDraft)};
+                                 .curriculumId = row.text(),
+                                 .number = row.int64(),
+                                 .note = row.text(),
+                                 .createdUtc_us = row.int64(),
+                                 .modules = modulesOf(connection_, versionId),
+                                 .arms = armsOf(connection_, versionId),
+                                 .plannedOccasions = plannedOccasionsOf(connection_, versionId),
+                                 .state = stateOf(versionId).value_or(CurriculumState::kDraft)};
       });
 }
 

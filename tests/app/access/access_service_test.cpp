@@ -56,18 +56,6 @@ TEST(AccessService, StartPasswordOpensNothingBeforeItWasChanged) {
   EXPECT_TRUE(session.may(Operation::kPersonViewCoded));
 }
 
-TEST(AccessService, UnlocksWithTheSecretOfTheSameUserOnly) {
-  StudyCentre centre;
-  SessionContext& session = centre.as("rater");
-
-  EXPECT_EQ(unlock(session, "somebody else's words").outcome, SignIn::kWrong);
-  EXPECT_EQ(unlock(session, kStudyPassword).outcome, SignIn::kOk);
-
-  EXPECT_EQ(session.actor().login, "rater");
-  EXPECT_EQ(centre.audited("user.unlock"), 1);
-  EXPECT_THROW((void)unlock(centre.as(""), kStudyPassword), Error);
-}
-
 TEST(AccessService, PinOpensPracticeAndCannotChangeItself) {
   StudyCentre centre;
   setOwnPin(centre.as("trainee"), "4711");
@@ -79,7 +67,6 @@ TEST(AccessService, PinOpensPracticeAndCannotChangeItself) {
   EXPECT_TRUE(session.may(Operation::kPractice));
   EXPECT_FALSE(session.may(Operation::kTrialRecordOwn));
   EXPECT_THROW(setOwnPin(session, "4712"), Error);
-  EXPECT_EQ(unlock(session, "4711").outcome, SignIn::kOk);
 }
 
 TEST(AccessService, LastAdministratorStays) {

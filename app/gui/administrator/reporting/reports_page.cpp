@@ -309,7 +309,7 @@ void ReportsPage::retranslate() {
                      tr("Choose a cohort, freeze its data, look through the report, and write it."));
   pdf_->setText(tr("Save &PDF\u2026"));
   csv_->setText(tr("Save &numbers (CSV)\u2026"));
-  tables_->setText(tr("Co&ded tables\u2026"));
+  tables_->setText(tr("Coded &tables\u2026"));
   tables_->setToolTip(tr("Recordings and single marks under their codes, as far as you may see them"));
   cohortLabel_->setText(tr("&Cohort"));
   campaignLabel_->setText(tr("&Evaluation of models"));
