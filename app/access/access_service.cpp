@@ -5,6 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/people/access_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
@@ -19,8 +22,13 @@ AccessRepository repository(SessionContext& session) {
   return AccessRepository(session.connection(), session.passwordCost());
 }
 
-StoredUser userOf(SessionContext& session, const std::string& userId) {
-  for (const StoredUser& user : repository(session).users()) {
+/// For whoever comes in: the secret that is typed is the right.
+AccessRepository entrance(SessionContext& session) {
+  return AccessRepository(session.connectionWithoutRight(), session.passwordCost());
+}
+
+UserAccount userOf(const AccessRepository& access, const std::string& userId) {
+  for (const UserAccount& user : access.users()) {
     if (user.id == userId) {
       return user;
     }
@@ -28,14 +36,14 @@ StoredUser userOf(SessionContext& session, const std::string& userId) {
   throw Error(ErrorCode::kBadParameter, "there is no such user", userId, "Choose one from the list");
 }
 
-bool isActiveAdministrator(const StoredUser& user) {
+bool isActiveAdministrator(const UserAccount& user) {
   return user.active && std::find(user.roles.begin(), user.roles.end(), kAdministrator) != user.roles.end();
 }
 
 /// Somebody must be left who can let others in.
 void keepAnAdministrator(SessionContext& session, const std::string& withoutUser) {
-  const std::vector<StoredUser> all = repository(session).users();
-  const bool remains = std::any_of(all.begin(), all.end(), [&](const StoredUser& user) {
+  const std::vector<UserAccount> all = repository(session).users();
+  const bool remains = std::any_of(all.begin(), all.end(), [&](const UserAccount& user) {
     return user.id != withoutUser && isActiveAdministrator(user);
   });
   if (remains) {
@@ -59,13 +67,13 @@ const char* failureName(SignIn outcome) {
 /// A failure, without what was typed: an unknown login may be a password in the wrong field.
 void noteFailure(SessionContext& session, const std::string& login, SignIn outcome, const char* with) {
   std::string userId;
-  for (const StoredUser& user : repository(session).users()) {
+  for (const UserAccount& user : entrance(session).users()) {
     if (user.login == login) {
       userId = user.id;
     }
   }
-  session.note({.action = "user.sign_in_failed",
-                .objectKind = "app_user",
+  session.note({.action = AuditAction::kUserSignInFailed,
+                .objectKind = AuditObject::kAppUser,
                 .objectId = userId,
                 .newJson = nlohmann::json{{"outcome", failureName(outcome)}, {"with", with}}.dump()});
 }
@@ -77,12 +85,12 @@ SignInAnswer answer(SessionContext& session, const std::string& login, const Sig
     noteFailure(session, login, result.outcome, practiceOnly ? "pin" : "password");
     return answer;
   }
-  const StoredUser user = userOf(session, result.userId);
+  const UserAccount user = userOf(entrance(session), result.userId);
   answer.actor = {user.id, user.login, user.personId, user.roles, practiceOnly};
   if (result.outcome == SignIn::kOk) {
     session.setActor(answer.actor);
-    session.note({.action = practiceOnly ? "user.sign_in_practice" : "user.sign_in",
-                  .objectKind = "app_user",
+    session.note({.action = practiceOnly ? AuditAction::kUserSignInPractice : AuditAction::kUserSignIn,
+                  .objectKind = AuditObject::kAppUser,
                   .objectId = user.id});
   }
   return answer;
@@ -106,39 +114,40 @@ void setUpCentre(SessionContext& session, const FirstRun& first) {
   if (first.login.empty()) {
     throw Error(ErrorCode::kBadParameter, "the administrator has no sign-in name", "login", "Enter one");
   }
-  AccessRepository access = repository(session);
+  AccessRepository access = entrance(session);
   const SealedSecret password = access.sealPassword(first.login, first.password);
   const std::int64_t now_us = session.now_us();
-  Transaction transaction(session.connection());
-  if (!needsFirstRun(session.connection())) {
+  Transaction transaction(session.connectionWithoutRight());
+  if (!needsFirstRun(session.connectionWithoutRight())) {
     throw Error(ErrorCode::kPermission, "this database belongs to a centre already", "first run",
                 "Sign in, or choose another database");
   }
-  StudyRepository(session.connection()).setCentre({session.ids().newUuid(), first.centre, now_us, false});
-  SettingRepository settings(session.connection());
+  StudyRepository(session.connectionWithoutRight())
+      .setCentre({session.ids().newUuid(), first.centre, now_us, false});
+  SettingRepository settings(session.connectionWithoutRight());
   settings.set("language", first.language, now_us);
   const std::string userId = session.ids().newUuid();
   access.addUser({.id = userId, .login = first.login, .createdUtc_us = now_us, .roles = {kAdministrator}},
                  password);
   access.setPassword(userId, password, false);
-  session.note({.action = "centre.set_up",
-                .objectKind = "app_user",
+  session.note({.action = AuditAction::kCentreSetUp,
+                .objectKind = AuditObject::kAppUser,
                 .objectId = userId,
                 .newJson = rolesJson({kAdministrator})});
   transaction.commit();
 }
 
 SignInAnswer signIn(SessionContext& session, const std::string& login, const std::string& password) {
-  return answer(session, login, repository(session).signIn(login, password, session.now_us()), false);
+  return answer(session, login, entrance(session).signIn(login, password, session.now_us()), false);
 }
 
 SignInAnswer signInForPractice(SessionContext& session, const std::string& login, const std::string& pin) {
-  return answer(session, login, repository(session).signInForPractice(login, pin, session.now_us()), true);
+  return answer(session, login, entrance(session).signInForPractice(login, pin, session.now_us()), true);
 }
 
 SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login,
                                const std::string& oldPassword, const std::string& newPassword) {
-  AccessRepository access = repository(session);
+  AccessRepository access = entrance(session);
   const SignInResult old = access.signIn(login, oldPassword, session.now_us());
   if (old.outcome != SignIn::kOk && old.outcome != SignIn::kMustChange) {
     noteFailure(session, login, old.outcome, "password");
@@ -149,17 +158,21 @@ SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login
                 "Choose another one");
   }
   const SealedSecret password = access.sealPassword(login, newPassword);
-  Transaction transaction(session.connection());
+  Transaction transaction(session.connectionWithoutRight());
   access.setPassword(old.userId, password, false);
   SignInAnswer signedIn = answer(session, login, {SignIn::kOk, old.userId}, false);
-  session.note({.action = "user.change_password", .objectKind = "app_user", .objectId = old.userId});
+  session.note({.action = AuditAction::kUserChangePassword,
+                .objectKind = AuditObject::kAppUser,
+                .objectId = old.userId});
   transaction.commit();
   return signedIn;
 }
 
 void signOut(SessionContext& session) {
   if (!session.actor().userId.empty()) {
-    session.note({.action = "user.sign_out", .objectKind = "app_user", .objectId = session.actor().userId});
+    session.note({.action = AuditAction::kUserSignOut,
+                  .objectKind = AuditObject::kAppUser,
+                  .objectId = session.actor().userId});
   }
   session.setActor({});
 }
@@ -177,13 +190,15 @@ std::string addUser(SessionContext& session, const NewUser& user) {
                   .demonstration = user.demonstration,
                   .roles = user.roles},
                  password);
-  session.note(
-      {.action = "user.add", .objectKind = "app_user", .objectId = id, .newJson = rolesJson(user.roles)});
+  session.note({.action = AuditAction::kUserAdd,
+                .objectKind = AuditObject::kAppUser,
+                .objectId = id,
+                .newJson = rolesJson(user.roles)});
   transaction.commit();
   return id;
 }
 
-std::vector<StoredUser> users(SessionContext& session) {
+std::vector<UserAccount> users(SessionContext& session) {
   session.require(Operation::kUserManage);
   return repository(session).users();
 }
@@ -192,14 +207,14 @@ void setUserRoles(SessionContext& session, const std::string& userId, const std:
                   const std::string& reason) {
   session.require(Operation::kUserManage);
   Transaction transaction(session.connection());
-  const StoredUser before = userOf(session, userId);
+  const UserAccount before = userOf(repository(session), userId);
   const bool keepsRole = std::find(roles.begin(), roles.end(), kAdministrator) != roles.end();
   if (isActiveAdministrator(before) && !keepsRole) {
     keepAnAdministrator(session, userId);
   }
   repository(session).setRoles(userId, roles);
-  session.note({.action = "user.set_roles",
-                .objectKind = "app_user",
+  session.note({.action = AuditAction::kUserSetRoles,
+                .objectKind = AuditObject::kAppUser,
                 .objectId = userId,
                 .oldJson = rolesJson(before.roles),
                 .newJson = rolesJson(roles),
@@ -211,12 +226,12 @@ void setUserActive(SessionContext& session, const std::string& userId, bool acti
                    const std::string& reason) {
   session.require(Operation::kUserManage);
   Transaction transaction(session.connection());
-  if (!active && isActiveAdministrator(userOf(session, userId))) {
+  if (!active && isActiveAdministrator(userOf(repository(session), userId))) {
     keepAnAdministrator(session, userId);
   }
   repository(session).setActive(userId, active);
-  session.note({.action = active ? "user.enable" : "user.disable",
-                .objectKind = "app_user",
+  session.note({.action = active ? AuditAction::kUserEnable : AuditAction::kUserDisable,
+                .objectKind = AuditObject::kAppUser,
                 .objectId = userId,
                 .reason = reason});
   transaction.commit();
@@ -226,11 +241,13 @@ void resetPassword(SessionContext& session, const std::string& userId, const std
                    const std::string& reason) {
   session.require(Operation::kUserManage);
   AccessRepository access = repository(session);
-  const SealedSecret password = access.sealPassword(userOf(session, userId).login, startPassword);
+  const SealedSecret password = access.sealPassword(userOf(repository(session), userId).login, startPassword);
   Transaction transaction(session.connection());
   access.setPassword(userId, password, true);
-  session.note(
-      {.action = "user.reset_password", .objectKind = "app_user", .objectId = userId, .reason = reason});
+  session.note({.action = AuditAction::kUserResetPassword,
+                .objectKind = AuditObject::kAppUser,
+                .objectId = userId,
+                .reason = reason});
   transaction.commit();
 }
 
@@ -244,8 +261,8 @@ void setOwnPin(SessionContext& session, const std::string& pin) {
   const SealedSecret sealed = access.sealPin(pin);
   Transaction transaction(session.connection());
   access.setPin(session.actor().userId, sealed);
-  session.note({.action = pin.empty() ? "user.remove_pin" : "user.set_pin",
-                .objectKind = "app_user",
+  session.note({.action = pin.empty() ? AuditAction::kUserRemovePin : AuditAction::kUserSetPin,
+                .objectKind = AuditObject::kAppUser,
                 .objectId = session.actor().userId});
   transaction.commit();
 }

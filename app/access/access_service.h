@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "db/repository/people/access_repository.h"
+#include "assessment/people/account.h"
 
 namespace torsio {
+
+class Connection;
 
 /// What the first-run wizard asks for.
 struct FirstRun {
@@ -54,7 +56,7 @@ struct NewUser {
   bool demonstration = false;
 };
 std::string addUser(SessionContext& session, const NewUser& user);
-[[nodiscard]] std::vector<StoredUser> users(SessionContext& session);
+[[nodiscard]] std::vector<UserAccount> users(SessionContext& session);
 /// At least one active administrator must remain: throws Error{kBadParameter} otherwise.
 void setUserRoles(SessionContext& session, const std::string& userId, const std::vector<std::string>& roles,
                   const std::string& reason);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/access/audit_service.h"
 
+#include "assessment/people/account.h"
+#include "assessment/people/person.h"
+#include "db/repository/base/audit_repository.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/system/audit_verification.h"
@@ -20,11 +23,11 @@ std::int64_t auditEntryCount(SessionContext& session, std::int64_t fromUtc_us) {
 std::map<std::string, std::string> auditActors(SessionContext& session) {
   session.require(Operation::kAuditView);
   std::map<std::string, std::string> logins;
-  for (const StoredUser& user : AccessRepository(session.connection()).users()) {
+  for (const UserAccount& user : AccessRepository(session.connection()).users()) {
     logins.emplace(user.id, user.login);
   }
   // Simulated raters have no account: their marks stand under the person.
-  for (const StoredRater& rater : PeopleRepository(session.connection()).raters()) {
+  for (const Rater& rater : PeopleRepository(session.connection()).raters()) {
     logins.emplace(rater.person.id, rater.person.code);
   }
   return logins;
@@ -33,8 +36,8 @@ std::map<std::string, std::string> auditActors(SessionContext& session) {
 std::vector<AuditFinding> verifyAudit(SessionContext& session) {
   session.require(Operation::kAuditView);
   std::vector<AuditFinding> findings = verifyAuditTrail(session.connection());
-  session.note({.action = "audit.verify",
-                .objectKind = "audit_entry",
+  session.note({.action = AuditAction::kAuditVerify,
+                .objectKind = AuditObject::kAuditEntry,
                 .newJson = R"({"findings":)" + std::to_string(findings.size()) + "}"});
   return findings;
 }

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "db/repository/base/audit_repository.h"
-#include "db/repository/system/audit_verification.h"
+#include "assessment/people/audit_entry.h"
 
 namespace torsio {
 

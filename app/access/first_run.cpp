@@ -6,6 +6,8 @@
 #include <QRandomGenerator>
 
 #include "app/base/build_info.h"
+#include "assessment/people/account.h"
+#include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
@@ -53,7 +55,7 @@ std::string randomStartPassword() {
 std::vector<StartAccount> performFirstRun(SessionContext& session, const FirstRun& first,
                                           const AddPeople& addPeople) {
   std::vector<StartAccount> accounts;
-  Transaction transaction(session.connection());
+  Transaction transaction(session.connectionWithoutRight());
   try {
     setUpCentre(session, first);
     const SignInAnswer answer = signIn(session, first.login, first.password);

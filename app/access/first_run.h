@@ -9,6 +9,8 @@
 
 namespace torsio {
 
+class Connection;
+
 /// What anybody at the station may know before signing in.
 struct CentreSign {
   std::string name{};      ///< empty before the first run

@@ -8,8 +8,10 @@
 #include <QSysInfo>
 
 #include "app/base/build_info.h"
+#include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
@@ -51,6 +53,13 @@ void SessionContext::reconnect() {
   }
 }
 
+Connection& SessionContext::connection() const {
+  if (!asked_) {
+    throw ContractError("a service reached for the record and had asked for no right");
+  }
+  return *connection_;
+}
+
 bool SessionContext::may(Operation operation) const {
   if (key_.actor.userId.empty()) {
     return false;
@@ -63,6 +72,7 @@ bool SessionContext::may(Operation operation) const {
 
 void SessionContext::require(Operation operation) const {
   if (may(operation)) {
+    asked_ = true;
     return;
   }
   const std::string code(operationCode(operation));
@@ -71,6 +81,10 @@ void SessionContext::require(Operation operation) const {
   }
   throw Error(ErrorCode::kPermission, Text("you are signed in as %1, who may not do this", key_.actor.login),
               code, "Ask an administrator, or sign in as somebody who may");
+}
+
+void SessionContext::requireEither(Operation first, Operation second) const {
+  require(may(first) ? first : second);
 }
 
 void SessionContext::requireOwn(Operation operation, const std::string& personId) const {

@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "app/access/operation.h"
-#include "db/connection/connection.h"
-#include "db/repository/base/id_source.h"
-#include "db/repository/people/password.h"
+#include "assessment/people/account.h"
+#include "assessment/people/audit_terms.h"
 
 namespace torsio {
+
+class Connection;
+class IdSource;
 
 /// Somebody who has signed in (access_service.h is the only place that makes one from a password).
 struct Actor {
@@ -39,8 +41,8 @@ struct SessionKey {
 
 /// What a change leaves in the audit trail. Ids and codes only, never a name.
 struct AuditNote {
-  std::string action{};      ///< "user.add", "roster.import" ...
-  std::string objectKind{};  ///< table of the object
+  AuditAction action;
+  AuditObject objectKind;
   std::string objectId{};
   std::string oldJson{};
   std::string newJson{};
@@ -48,9 +50,9 @@ struct AuditNote {
 };
 
 /// One signed-in person at one station with one database: what every service of the application works
-/// through. Each service function begins with require(): the matrix role x operation is read from the
-/// database each time, so a right that was taken away is gone at once. Default deny. Belongs to the thread
-/// that made it.
+/// through. Each service function begins with require(), which opens connection() to it: the matrix role x
+/// operation is read from the database each time, so a right that was taken away is gone at once. Default
+/// deny. Belongs to the thread that made it.
 class SessionContext {
  public:
   /// Opens (or makes) the database of `key` and brings its schema up to date. Throws Error, DbError.
@@ -61,7 +63,16 @@ class SessionContext {
   SessionContext(SessionContext&&) noexcept;
   SessionContext& operator=(SessionContext&&) = delete;
 
-  [[nodiscard]] Connection& connection() const noexcept { return *connection_; }
+  /// Returns the record for a service that has passed require() in this call. Throws ContractError when
+  /// nothing was asked for since beginCall() or since somebody else signed in: a service without a right is a
+  /// fault of Torsio.
+  [[nodiscard]] Connection& connection() const;
+  /// Returns the record for what is open by design: signing in, the sign of the centre, the station's own
+  /// writing, the demonstration of a new centre.
+  [[nodiscard]] Connection& connectionWithoutRight() const noexcept { return *connection_; }
+  /// Begins the next call of a service: what require() allowed before opens the record no more. Whoever hands
+  /// this session to a service calls it (ShellContext::session(), the centres of the tests).
+  void beginCall() noexcept { asked_ = false; }
   [[nodiscard]] IdSource& ids() const noexcept { return *ids_; }
   [[nodiscard]] const Actor& actor() const noexcept { return key_.actor; }
   [[nodiscard]] const std::string& station() const noexcept { return key_.station; }
@@ -74,11 +85,16 @@ class SessionContext {
   /// for a borrowed connection. Throws Error, DbError, and then keeps the old one.
   void reconnect();
   /// After signing in or out, on the same connection.
-  void setActor(Actor actor) { key_.actor = std::move(actor); }
+  void setActor(Actor actor) {
+    key_.actor = std::move(actor);
+    beginCall();
+  }
 
   [[nodiscard]] bool may(Operation operation) const;
-  /// Throws Error{kPermission} that names the operation in words.
+  /// Opens connection() to this call, or throws Error{kPermission} that names the operation in words.
   void require(Operation operation) const;
+  /// Asks for either of two operations; a refusal names the second.
+  void requireEither(Operation first, Operation second) const;
   /// For "own" operations: the record must also belong to the actor's person.
   void requireOwn(Operation operation, const std::string& personId) const;
 
@@ -93,6 +109,7 @@ class SessionContext {
   SessionKey key_;
   UtcClock now_;
   PasswordCost passwordCost_ = PasswordCost::kModerate;
+  mutable bool asked_ = false;  // require() was passed in this call
 };
 
 /// Opens (or makes) a database and brings its schema up to date. Throws Error, DbError.

@@ -6,6 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
@@ -48,8 +51,8 @@ void setCentreSetting(SessionContext& session, const std::string& name, const st
   SettingRepository settings(session.connection());
   const std::string before = settings.value(name).value_or("");
   settings.set(name, value, session.now_us());
-  session.note({.action = "setting.change",
-                .objectKind = "setting",
+  session.note({.action = AuditAction::kSettingChange,
+                .objectKind = AuditObject::kSetting,
                 .objectId = name,
                 .oldJson = nlohmann::json{{"value", before}}.dump(),
                 .newJson = nlohmann::json{{"value", value}}.dump(),
@@ -65,19 +68,19 @@ void setCentreName(SessionContext& session, const std::string& name) {
   }
   Transaction transaction(session.connection());
   StudyRepository studies(session.connection());
-  const std::optional<StoredCentre> before = studies.centre();
+  const std::optional<Centre> before = studies.centre();
   if (before && before->name == name) {
     return;
   }
-  StoredCentre centre = before.value_or(StoredCentre{.id = session.ids().newUuid()});
+  Centre centre = before.value_or(Centre{.id = session.ids().newUuid()});
   centre.name = name;
   centre.demonstration = false;
   if (!before) {
     centre.createdUtc_us = session.now_us();
   }
   studies.setCentre(centre);
-  session.note({.action = "centre.rename",
-                .objectKind = "centre",
+  session.note({.action = AuditAction::kCentreRename,
+                .objectKind = AuditObject::kCentre,
                 .objectId = centre.id,
                 .oldJson = nlohmann::json{{"name", before ? before->name : ""}}.dump(),
                 .newJson = nlohmann::json{{"name", name}}.dump()});

@@ -8,6 +8,8 @@
 
 namespace torsio {
 
+class Connection;
+
 /// Sets a choice of the centre, the same for all its stations; services read the one that they need
 /// themselves. Audited with the old and the new value. kSettingsEdit. Throws Error{kBadParameter} for a name
 /// that is not made of lower-case letters, digits and underscores, or a value that is too long.

@@ -8,6 +8,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
 #include "app/maintenance/database_maintenance.h"
+#include "assessment/people/audit_entry.h"
 #include "sim/base/error.h"
 
 namespace torsio::cli {

@@ -10,6 +10,7 @@
 #include "app/cli/progress_line.h"
 #include "app/maintenance/database_copy.h"
 #include "app/maintenance/database_maintenance.h"
+#include "assessment/people/audit_entry.h"
 #include "sim/base/error.h"
 
 namespace torsio::cli {

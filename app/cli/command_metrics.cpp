@@ -78,16 +78,16 @@ Json cardsJson() {
 }
 
 /// Reads a trial file and finds the rules of its pattern.
-StoredRun readRunFile(const std::filesystem::path& file) {
-  StoredRun run{readTrialFile(file), {}};
+LoadedRun readRunFile(const std::filesystem::path& file) {
+  LoadedRun run{readTrialFile(file), {}};
   run.rules = ExerciseRules().ofPattern(run.trial.header.sceneId, run.trial.header.patternId);
   return run;
 }
 
 /// A trial file when there is one of this name, else a trial of the database, judged by the rules of its
 /// exercise. Options override the rules.
-StoredRun loadRun(const MetricsArguments& arguments) {
-  StoredRun run = std::filesystem::is_regular_file(arguments.trial)
+LoadedRun loadRun(const MetricsArguments& arguments) {
+  LoadedRun run = std::filesystem::is_regular_file(arguments.trial)
                       ? readRunFile(arguments.trial)
                       : loadStoredRun(arguments.database, arguments.trial);
   if (arguments.tolerance_deg) {
@@ -158,7 +158,7 @@ Scene sceneOf(const MetricsArguments& arguments, const TrialHeader& header) {
 }
 
 void runMetrics(const MetricsArguments& arguments) {
-  const StoredRun run = loadRun(arguments);
+  const LoadedRun run = loadRun(arguments);
   const Trial& trial = run.trial;
   const std::vector<Sample> samples = decodeTrial(trial);
   std::optional<Scene> scene;

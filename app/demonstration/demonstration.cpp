@@ -15,9 +15,15 @@
 #include "app/report/pdf_report.h"
 #include "app/scoring/cohort_inputs.h"
 #include "app/scoring/scoring_service.h"
+#include "assessment/attempt/trial_digest.h"
+#include "assessment/attempt/trial_listing.h"
 #include "assessment/report/cohort_csv.h"
 #include "assessment/report/cohort_report.h"
+#include "assessment/study/curriculum.h"
+#include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
@@ -178,8 +184,8 @@ class Demonstration {
 
     const Trial stored = repository.load(recording.trialId);
     const AttemptRules rules = rules_.of(connection_, scene.id, scene.pattern.id, context.moduleId);
-    const StoredTrialDigest digest = keptDigest(
-        stored, measureAttempt(stored.header, decodeTrial(stored), rules), rules, options_.simulatedUtc_us);
+    const TrialDigest digest = keptDigest(stored, measureAttempt(stored.header, decodeTrial(stored), rules),
+                                          rules, options_.simulatedUtc_us);
     TrialSummaryRow row = summaryRow({.trialId = recording.trialId,
                                       .traineeCode = recording.traineeCode,
                                       .phaseLabel = recording.phaseLabel,
@@ -232,7 +238,7 @@ class Demonstration {
   ExerciseRules rules_;
   ProgressMeter meter_;
   DemonstrationStudy study_;
-  StoredCurriculumVersion curriculum_;
+  CurriculumVersion curriculum_;
   std::vector<TrialSummaryRow> digests_;
   DemonstrationSummary summary_;
 };

@@ -6,10 +6,11 @@
 #include <string>
 
 #include "app/base/progress.h"
-#include "db/connection/connection.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {
+
+class Connection;
 
 struct DemonstrationOptions {
   std::filesystem::path out;  ///< folder; made if missing

@@ -7,6 +7,7 @@
 #include "app/demonstration/demonstration.h"
 #include "app/demonstration/demonstration_desk.h"
 #include "app/demonstration/demonstration_station.h"
+#include "assessment/people/person.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/base/contracts.h"
 
@@ -30,21 +31,21 @@ DemonstrationUsers fillWithPeople(SessionContext& session, const std::filesystem
   options.example.assets = assets;
   options.example.id = "stomach";
   options.progress = progress;
-  static_cast<void>(fillDemonstration(options, session.connection()));
+  static_cast<void>(fillDemonstration(options, session.connectionWithoutRight()));
   // What the trainee and the physician of the demonstration find when they sign in.
   if (progress) {
     progress({"Laying out the desks", kDesksAt, -1.0});
   }
   const DemonstrationStation station =
-      storeDemonstrationStation(session.connection(), session.ids(), assets, session.now_us());
+      storeDemonstrationStation(session.connectionWithoutRight(), session.ids(), assets, session.now_us());
   const DemonstrationDesk desk =
-      storeDemonstrationDesk(session.connection(), session.ids(), loadScene(options.training),
+      storeDemonstrationDesk(session.connectionWithoutRight(), session.ids(), loadScene(options.training),
                              {.seed = options.seed, .utc_us = session.now_us()});
   return {station.personId, desk.raterIds.front()};
 }
 
 StartAccount account(SessionContext& session, const std::string& login, const std::string& role,
-                     const StoredPerson& person) {
+                     const Person& person) {
   StartAccount made{login, role, person.code, randomStartPassword()};
   addUser(session, {.login = login,
                     .personId = person.id,
@@ -55,13 +56,13 @@ StartAccount account(SessionContext& session, const std::string& login, const st
 }
 
 std::vector<StartAccount> accountsOf(SessionContext& session, const DemonstrationUsers& users) {
-  PeopleRepository people(session.connection());
-  const std::vector<StoredTrainee> trainees = people.trainees();
-  const std::vector<StoredRater> raters = people.raters();
-  const auto trainee = std::find_if(trainees.begin(), trainees.end(), [&](const StoredTrainee& candidate) {
+  PeopleRepository people(session.connectionWithoutRight());
+  const std::vector<Trainee> trainees = people.trainees();
+  const std::vector<Rater> raters = people.raters();
+  const auto trainee = std::find_if(trainees.begin(), trainees.end(), [&](const Trainee& candidate) {
     return candidate.person.id == users.traineeId;
   });
-  const auto rater = std::find_if(raters.begin(), raters.end(), [&](const StoredRater& candidate) {
+  const auto rater = std::find_if(raters.begin(), raters.end(), [&](const Rater& candidate) {
     return candidate.person.id == users.raterId;
   });
   TORSIO_EXPECTS(trainee != trainees.end() && rater != raters.end());

@@ -7,6 +7,10 @@
 #include <vector>
 
 #include "app/study/curriculum_content.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 
@@ -29,7 +33,7 @@ CurriculumTemplate paperTemplate(const std::filesystem::path& assets) {
 }
 
 /// What the simulated trainees twist, in place of the template's own exercise.
-void fitTo(StoredModule& module, const Scene& training) {
+void fitTo(TrainingModule& module, const Scene& training) {
   module.title = training.title + ": " + training.pattern.title;
   module.sceneId = training.id;
   module.patternId = training.pattern.id;
@@ -40,19 +44,19 @@ void fitTo(StoredModule& module, const Scene& training) {
 }
 
 /// Codes become ids: a template carries codes where a stored version has ids.
-void giveIds(StoredCurriculumVersion& version, IdSource& ids) {
+void giveIds(CurriculumVersion& version, IdSource& ids) {
   std::map<std::string, std::string> idOf;
-  for (StoredModule& module : version.modules) {
+  for (TrainingModule& module : version.modules) {
     idOf[module.code] = module.id = ids.newUuid();
   }
-  for (StoredModule& module : version.modules) {
+  for (TrainingModule& module : version.modules) {
     for (std::string& required : module.requires_) {
       required = idOf.at(required);
     }
   }
   for (StudyArm& arm : version.arms) {
     arm.id = ids.newUuid();
-    for (StoredPhase& phase : arm.phases) {
+    for (TrainingPhase& phase : arm.phases) {
       phase.id = ids.newUuid();
       if (!phase.moduleId.empty()) {
         phase.moduleId = idOf.at(phase.moduleId);
@@ -63,16 +67,15 @@ void giveIds(StoredCurriculumVersion& version, IdSource& ids) {
 
 }  // namespace
 
-StoredCurriculumVersion storeDemonstrationCurriculum(Connection& connection, const DemonstrationStudy& study,
-                                                     const Scene& training,
-                                                     const std::filesystem::path& assets, std::uint64_t seed,
-                                                     std::int64_t utc_us) {
+CurriculumVersion storeDemonstrationCurriculum(Connection& connection, const DemonstrationStudy& study,
+                                               const Scene& training, const std::filesystem::path& assets,
+                                               std::uint64_t seed, std::int64_t utc_us) {
   SeededIdSource ids(seed ^ kCurriculumStream);
   const CurriculumTemplate paper = paperTemplate(assets);
   const std::string id = ids.newUuid();
   CurriculumRepository curricula(connection);
   curricula.addCurriculum({id, paper.title + " (demonstration)", paper.description, utc_us, true});
-  StoredCurriculumVersion version = paper.content;
+  CurriculumVersion version = paper.content;
   version.id = ids.newUuid();
   version.curriculumId = id;
   version.note = "as the demonstration followed it";
@@ -80,14 +83,14 @@ StoredCurriculumVersion storeDemonstrationCurriculum(Connection& connection, con
   fitTo(version.modules.front(), training);
   giveIds(version, ids);
   curricula.addVersion(version, kBy);
-  curricula.moveTo(version.id, "running", kBy, utc_us);
+  curricula.moveTo(version.id, CurriculumState::kRunning, kBy, utc_us);
   curricula.assign(study.cohortId, version.id);
   return version;
 }
 
-DemonstrationPlace demonstrationPlace(const StoredCurriculumVersion& curriculum, std::size_t group,
+DemonstrationPlace demonstrationPlace(const CurriculumVersion& curriculum, std::size_t group,
                                       const std::string& phaseLabel) {
-  for (const StoredPhase& phase : curriculum.arms.at(group).phases) {
+  for (const TrainingPhase& phase : curriculum.arms.at(group).phases) {
     if (phase.label == phaseLabel) {
       return {phase.moduleId, phase.id};
     }
@@ -96,10 +99,10 @@ DemonstrationPlace demonstrationPlace(const StoredCurriculumVersion& curriculum,
 }
 
 void storeDemonstrationExposures(Connection& connection, const DemonstrationStudy& study,
-                                 const StoredCurriculumVersion& curriculum, std::uint64_t seed,
+                                 const CurriculumVersion& curriculum, std::uint64_t seed,
                                  std::int64_t utc_us) {
   SeededIdSource ids(seed ^ kExposureStream);
-  std::vector<StoredExposure> exposures;
+  std::vector<Exposure> exposures;
   for (const DemonstrationTrainee& trainee : study.trainees) {
     const StudyArm& arm = curriculum.arms.at(trainee.group);
     std::int64_t at_us = utc_us;

@@ -6,11 +6,12 @@
 #include <string>
 
 #include "app/demonstration/demonstration_people.h"
-#include "db/connection/connection.h"
-#include "db/repository/study/curriculum_repository.h"
+#include "assessment/study/curriculum.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {
+
+class Connection;
 
 /// Where a simulated trial belongs in the curriculum; empty ids: nowhere.
 struct DemonstrationPlace {
@@ -21,20 +22,20 @@ struct DemonstrationPlace {
 /// Stores the paper's protocol as a curriculum of its own that runs, with what `training` twists as its
 /// exercise, and lets the cohort follow it. Its ids come from a stream of their own: everything else keeps
 /// the ids that the seed gives it. Throws Error{kFileMissing} when the template is not among the assets.
-[[nodiscard]] StoredCurriculumVersion storeDemonstrationCurriculum(Connection& connection,
-                                                                   const DemonstrationStudy& study,
-                                                                   const Scene& training,
-                                                                   const std::filesystem::path& assets,
-                                                                   std::uint64_t seed, std::int64_t utc_us);
+[[nodiscard]] CurriculumVersion storeDemonstrationCurriculum(Connection& connection,
+                                                             const DemonstrationStudy& study,
+                                                             const Scene& training,
+                                                             const std::filesystem::path& assets,
+                                                             std::uint64_t seed, std::int64_t utc_us);
 
 /// The phase with this label in the arm of a group, and its exercise.
-[[nodiscard]] DemonstrationPlace demonstrationPlace(const StoredCurriculumVersion& curriculum,
-                                                    std::size_t group, const std::string& phaseLabel);
+[[nodiscard]] DemonstrationPlace demonstrationPlace(const CurriculumVersion& curriculum, std::size_t group,
+                                                    const std::string& phaseLabel);
 
 /// The time that everybody spent: each phase of the arm in full length, and for every second trainee the rest
 /// between the first two.
 void storeDemonstrationExposures(Connection& connection, const DemonstrationStudy& study,
-                                 const StoredCurriculumVersion& curriculum, std::uint64_t seed,
+                                 const CurriculumVersion& curriculum, std::uint64_t seed,
                                  std::int64_t utc_us);
 
 /// The stated rule of these times, for the report.

@@ -7,9 +7,18 @@
 #include <utility>
 
 #include "app/recording/pipeline.h"
+#include "assessment/people/person.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/campaign.h"
+#include "assessment/rating/reference_run.h"
+#include "assessment/rating/sheet.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
@@ -44,7 +53,7 @@ class DeskMaker {
       : connection_(connection), ids_(ids), scene_(scene), options_(options), random_(options.seed) {}
 
   DemonstrationDesk make() {
-    for (const StoredRater& rater : PeopleRepository(connection_).raters()) {
+    for (const Rater& rater : PeopleRepository(connection_).raters()) {
       if (rater.person.code.starts_with("R-")) {
         desk_.raterIds.push_back(rater.person.id);
       }
@@ -67,7 +76,7 @@ class DeskMaker {
  private:
   void addRubric() {
     SheetRepository sheets(connection_);
-    StoredRubricRevision rubric = demonstrationRubric();
+    RubricRevision rubric = demonstrationRubric();
     rubric.id = ids_.newUuid();
     rubric.rubricId = ids_.newUuid();
     rubric.createdBy = "demonstration";
@@ -81,20 +90,20 @@ class DeskMaker {
   void addTrainees() {
     StudyRepository study(connection_);
     desk_.cohortId = ids_.newUuid();
-    const std::vector<StoredGroup> groups{{ids_.newUuid(), desk_.cohortId, 1, "G1", "40 min virtual"}};
+    const std::vector<StudyGroup> groups{{ids_.newUuid(), desk_.cohortId, 1, "G1", "40 min virtual"}};
     study.addCohort({desk_.cohortId, "Second intake (demonstration)",
                      "Simulated trainees, scored from recordings", options_.utc_us, true},
                     groups);
-    std::vector<StoredTrainee> trainees;
-    std::vector<StoredEnrolment> enrolments;
+    std::vector<Trainee> trainees;
+    std::vector<Enrolment> enrolments;
     for (int i = 1; i <= options_.cases; ++i) {
-      StoredTrainee trainee;
+      Trainee trainee;
       trainee.person.id = ids_.newUuid();
       trainee.person.code = numbered("S-", i);
       trainee.person.sex = i % 2 == 0 ? "male" : "female";
       trainee.person.createdUtc_us = options_.utc_us;
       trainee.person.demonstration = true;
-      StoredEnrolment enrolment;
+      Enrolment enrolment;
       enrolment.id = ids_.newUuid();
       enrolment.cohortId = desk_.cohortId;
       enrolment.traineeId = trainee.person.id;
@@ -131,7 +140,7 @@ class DeskMaker {
   }
 
   void addAssignments() {
-    std::vector<StoredAssignment> assignments;
+    std::vector<Assignment> assignments;
     for (std::size_t rater = 0; rater < desk_.raterIds.size(); ++rater) {
       for (int k = 0; k < 2 * options_.cases; ++k) {
         const int number = k % options_.cases;
@@ -139,7 +148,7 @@ class DeskMaker {
         // Another order for each rater: a walk round the cases that begins elsewhere.
         const int shuffled = (number * 3 + static_cast<int>(rater)) % options_.cases;
         const auto at = static_cast<std::size_t>(live ? number : shuffled);
-        StoredAssignment one;
+        Assignment one;
         one.id = ids_.newUuid();
         one.raterId = desk_.raterIds[rater];
         one.enrolmentId = enrolmentIds_[at];
@@ -163,9 +172,9 @@ class DeskMaker {
   }
 
   void addReferenceRuns() {
-    std::vector<StoredReferenceRun> runs;
+    std::vector<ReferenceRun> runs;
     for (int i = 1; i <= kReferenceRuns; ++i) {
-      StoredReferenceRun run;
+      ReferenceRun run;
       run.trialId = record("", "", 300 + i, i == 1 ? 2.0 : 80.0);
       run.position = i;
       run.rubricRevisionId = desk_.rubricRevisionId;
@@ -185,7 +194,7 @@ class DeskMaker {
     const double ability = 4.0 + 0.45 * static_cast<double>(trainee);
     Sheet sheet;
     std::int64_t sum = 0;
-    for (const StoredRubricRow& row : rubric_.rows) {
+    for (const RubricLine& row : rubric_.rows) {
       const double chance = 2.4 * random_.uniform() - 1.2;
       const double points = std::clamp(ability + strictness + chance, 1.0, 10.0);
       const auto steps = static_cast<std::int64_t>(std::lround(points * 2.0)) * 5;
@@ -203,7 +212,7 @@ class DeskMaker {
     SheetRepository sheets(connection_);
     DeskRepository desk(connection_);
     int own = 0;
-    for (const StoredAssignment& one : assignments_) {
+    for (const Assignment& one : assignments_) {
       if (one.raterId != desk_.raterIds[rater] || one.trialId.empty()) {
         continue;
       }
@@ -222,7 +231,7 @@ class DeskMaker {
       }
       const std::string markId = ids_.newUuid();
       sheets.submit(one.id, markId, sheet, "", options_.utc_us);
-      StoredViewing viewing;
+      SheetViewing viewing;
       viewing.watched_permille = 1000;
       viewing.worked_us = kWorking_us + 4'000'000 * own;
       desk.sealViewing(one.id, markId, viewing);
@@ -230,7 +239,7 @@ class DeskMaker {
   }
 
   void addCampaign() {
-    StoredCampaign campaign;
+    Campaign campaign;
     campaign.id = ids_.newUuid();
     campaign.name = "Three tissue models, second reading (demonstration)";
     campaign.instrument = paperInstrument();
@@ -257,17 +266,17 @@ class DeskMaker {
   const DemonstrationDeskOptions& options_;
   Random random_;
   DemonstrationDesk desk_;
-  StoredRubricRevision rubric_;
+  RubricRevision rubric_;
   std::vector<std::string> enrolmentIds_;
   std::vector<std::string> trialIds_;
-  std::vector<StoredAssignment> assignments_;
+  std::vector<Assignment> assignments_;
 };
 
 }  // namespace
 
-StoredRubricRevision demonstrationRubric() {
+RubricRevision demonstrationRubric() {
   const ScoreScale scale{.lo = 10, .hi = 100, .stepsPerPoint = 10};
-  StoredRubricRevision rubric;
+  RubricRevision rubric;
   rubric.number = 1;
   rubric.note = "demonstration";
   rubric.overall = scale;

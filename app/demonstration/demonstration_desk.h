@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "db/connection/connection.h"
-#include "db/repository/base/id_source.h"
-#include "db/repository/rating/sheet_repository.h"
+#include "assessment/rating/rubric.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {
+
+class Connection;
+class IdSource;
 
 /// What was laid on the desks.
 struct DemonstrationDesk {
@@ -37,6 +38,6 @@ DemonstrationDesk storeDemonstrationDesk(Connection& connection, IdSource& ids, 
                                          const DemonstrationDeskOptions& options);
 
 /// Rubric of the demonstration: time, proficiency, accuracy, tissue care; 1 to 10 in halves; anchors.
-[[nodiscard]] StoredRubricRevision demonstrationRubric();
+[[nodiscard]] RubricRevision demonstrationRubric();
 
 }  // namespace torsio

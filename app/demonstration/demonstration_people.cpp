@@ -9,7 +9,16 @@
 
 #include "app/base/build_info.h"
 #include "app/study/case_order.h"
+#include "assessment/people/person.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/campaign.h"
+#include "assessment/rating/mark.h"
+#include "assessment/rating/rubric.h"
 #include "assessment/study/allocation.h"
+#include "assessment/study/allocation_entry.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/rating_repository.h"
@@ -43,9 +52,9 @@ std::string numbered(const std::string& prefix, std::size_t number) {
   return prefix + "-" + (number < 10 ? "0" : "") + std::to_string(number);
 }
 
-StoredPerson person(IdSource& ids, const std::string& code, bool male, const std::string& level,
-                    std::int64_t utc_us) {
-  StoredPerson p;
+Person person(IdSource& ids, const std::string& code, bool male, const std::string& level,
+              std::int64_t utc_us) {
+  Person p;
   p.id = ids.newUuid();
   p.code = code;
   p.sex = male ? "male" : "female";
@@ -55,9 +64,9 @@ StoredPerson person(IdSource& ids, const std::string& code, bool male, const std
   return p;
 }
 
-std::vector<StoredTrainee> makeTrainees(IdSource& ids, std::int64_t utc_us) {
+std::vector<Trainee> makeTrainees(IdSource& ids, std::int64_t utc_us) {
   constexpr std::array<const char*, 3> kLevels{"first-year graduate", "master's student", "doctoral student"};
-  std::vector<StoredTrainee> trainees;
+  std::vector<Trainee> trainees;
   for (std::size_t i = 0; i < kTrainees; ++i) {
     // Men and women alternate as far as both last, so that order of arrival and sex are not the same thing.
     const bool male = (i * kMaleTrainees) / kTrainees != ((i + 1) * kMaleTrainees) / kTrainees;
@@ -67,9 +76,9 @@ std::vector<StoredTrainee> makeTrainees(IdSource& ids, std::int64_t utc_us) {
   return trainees;
 }
 
-std::vector<StoredRater> makeRaters(IdSource& ids, const std::string& prefix, std::size_t count,
-                                    std::size_t men, const std::string& classCode, std::int64_t utc_us) {
-  std::vector<StoredRater> raters;
+std::vector<Rater> makeRaters(IdSource& ids, const std::string& prefix, std::size_t count, std::size_t men,
+                              const std::string& classCode, std::int64_t utc_us) {
+  std::vector<Rater> raters;
   for (std::size_t i = 0; i < count; ++i) {
     raters.push_back({person(ids, numbered(prefix, i + 1), i < men, "", utc_us), classCode});
   }
@@ -77,14 +86,14 @@ std::vector<StoredRater> makeRaters(IdSource& ids, const std::string& prefix, st
 }
 
 /// Draws the groups by one seeded permutation and stores design, commitment and every record.
-void allocateTrainees(Connection& connection, IdSource& ids, const std::vector<StoredTrainee>& trainees,
-                      const std::vector<StoredGroup>& groups, std::uint64_t seed, std::int64_t utc_us,
+void allocateTrainees(Connection& connection, IdSource& ids, const std::vector<Trainee>& trainees,
+                      const std::vector<StudyGroup>& groups, std::uint64_t seed, std::int64_t utc_us,
                       DemonstrationStudy& study) {
   StudyRepository repository(connection);
-  std::vector<StoredEnrolment> enrolments;
+  std::vector<Enrolment> enrolments;
   std::vector<AllocationPerson> persons;
-  for (const StoredTrainee& trainee : trainees) {
-    StoredEnrolment enrolment;
+  for (const Trainee& trainee : trainees) {
+    Enrolment enrolment;
     enrolment.id = ids.newUuid();
     enrolment.cohortId = study.cohortId;
     enrolment.traineeId = trainee.person.id;
@@ -97,13 +106,13 @@ void allocateTrainees(Connection& connection, IdSource& ids, const std::vector<S
 
   AllocationDesign design;
   design.studyId = study.cohortId;
-  for (const StoredGroup& group : groups) {
+  for (const StudyGroup& group : groups) {
     design.arms.push_back(group.code);
   }
   const Allocation allocation = allocate(design, seed, persons);
   study.seedCommitment = allocation.commitment;
   study.allocationSeed = static_cast<std::int64_t>(seed);
-  StoredAllocationDesign stored;
+  LockedDesign stored;
   stored.id = ids.newUuid();
   stored.cohortId = study.cohortId;
   stored.algorithm = "complete permutation";
@@ -116,10 +125,10 @@ void allocateTrainees(Connection& connection, IdSource& ids, const std::vector<S
   stored.demonstration = true;
   repository.lockDesign(stored);
 
-  std::vector<StoredAllocation> records;
+  std::vector<AllocationEntry> records;
   std::array<std::int64_t, kGroupLabels.size()> inGroup{};
   for (const AllocationRecord& drawn : allocation.records) {
-    StoredAllocation record;
+    AllocationEntry record;
     record.id = ids.newUuid();
     record.designId = stored.id;
     record.sequence = static_cast<std::int64_t>(drawn.position + 1);
@@ -144,9 +153,8 @@ void allocateTrainees(Connection& connection, IdSource& ids, const std::vector<S
   });
 }
 
-StoredCampaign makeCampaign(IdSource& ids, const std::vector<std::vector<StoredRater>>& raters,
-                            std::int64_t utc_us) {
-  StoredCampaign campaign;
+Campaign makeCampaign(IdSource& ids, const std::vector<std::vector<Rater>>& raters, std::int64_t utc_us) {
+  Campaign campaign;
   campaign.id = ids.newUuid();
   campaign.name = "Nine-index evaluation (demonstration)";
   campaign.instrument = paperInstrument();
@@ -161,7 +169,7 @@ StoredCampaign makeCampaign(IdSource& ids, const std::vector<std::vector<StoredR
                                                "PM,MSM,FEM", "FEM,PM,MSM", "MSM,FEM,PM"};
   std::size_t next = 0;
   for (const auto& raterClass : raters) {
-    for (const StoredRater& rater : raterClass) {
+    for (const Rater& rater : raterClass) {
       campaign.raters.push_back({rater.person.id, rater.classCode, kOrders[next++ % kOrders.size()]});
     }
   }
@@ -174,7 +182,7 @@ StoredCampaign makeCampaign(IdSource& ids, const std::vector<std::vector<StoredR
 std::string addOverallRubric(Connection& connection, IdSource& ids, const ScoreScale& scale,
                              std::int64_t utc_us) {
   SheetRepository sheets(connection);
-  StoredRubricRevision rubric;
+  RubricRevision rubric;
   rubric.id = ids.newUuid();
   rubric.rubricId = ids.newUuid();
   rubric.note = "demonstration";
@@ -199,7 +207,7 @@ std::vector<std::string> liveLabels(std::size_t count, std::uint64_t seed) {
 
 /// Each physician was asked for every mark that they gave, live on the real arm; the marks answer the
 /// requests. Ids of their own, so that everything else keeps the ids that its seed gives it.
-void assignMarks(Connection& connection, std::vector<StoredTrainingMark>& marks, std::uint64_t seed,
+void assignMarks(Connection& connection, std::vector<SubmittedMark>& marks, std::uint64_t seed,
                  std::int64_t utc_us) {
   constexpr std::uint64_t kOwnStream = 0x61'7373'6967'6eULL;
   if (marks.empty()) {
@@ -208,7 +216,7 @@ void assignMarks(Connection& connection, std::vector<StoredTrainingMark>& marks,
   SeededIdSource ids(seed ^ kOwnStream);
   const std::string rubric = addOverallRubric(connection, ids, marks.front().scale, utc_us);
   std::map<std::pair<std::string, std::string>, std::string> labels;  // one for all raters: it is called out
-  for (const StoredTrainingMark& mark : marks) {
+  for (const SubmittedMark& mark : marks) {
     labels[{mark.enrolmentId, mark.occasionCode}];
   }
   const std::vector<std::string> drawn = liveLabels(labels.size(), seed);
@@ -216,10 +224,10 @@ void assignMarks(Connection& connection, std::vector<StoredTrainingMark>& marks,
   for (auto& [live, label] : labels) {
     label = drawn.at(next++);
   }
-  std::vector<StoredAssignment> assignments;
+  std::vector<Assignment> assignments;
   std::map<std::string, std::int64_t> positions;
-  for (StoredTrainingMark& mark : marks) {
-    StoredAssignment one;
+  for (SubmittedMark& mark : marks) {
+    Assignment one;
     one.id = ids.newUuid();
     one.raterId = mark.raterId;
     one.enrolmentId = mark.enrolmentId;
@@ -246,32 +254,32 @@ DemonstrationStudy storeDemonstrationPeople(Connection& connection, IdSource& id
   if (!studies.centre()) {
     studies.setCentre({ids.newUuid(), "Demonstration centre (simulated)", utc_us, true});
   }
-  std::vector<StoredRaterClass> classes;
+  std::vector<SeniorityClass> classes;
   for (const ClassOfRaters& c : kClasses) {
     classes.push_back({c.code, c.label, static_cast<std::int64_t>(classes.size() + 1)});
   }
   people.addRaterClasses(classes);
 
-  const std::vector<StoredTrainee> trainees = makeTrainees(ids, utc_us);
+  const std::vector<Trainee> trainees = makeTrainees(ids, utc_us);
   people.addTrainees(trainees);
-  const std::vector<StoredRater> markers =
+  const std::vector<Rater> markers =
       makeRaters(ids, "R", kTrainingRaters, kMaleTrainingRaters, "chief", utc_us);
   people.addRaters(markers);
-  for (const StoredRater& rater : markers) {
+  for (const Rater& rater : markers) {
     study.people.raters.push_back(rater.person.code);
   }
-  std::vector<std::vector<StoredRater>> evaluators;
+  std::vector<std::vector<Rater>> evaluators;
   for (const ClassOfRaters& c : kClasses) {
     evaluators.push_back(makeRaters(ids, c.prefix, c.count, c.men, c.code, utc_us));
     people.addRaters(evaluators.back());
     study.people.raterClasses.emplace_back();
-    for (const StoredRater& rater : evaluators.back()) {
+    for (const Rater& rater : evaluators.back()) {
       study.people.raterClasses.back().push_back(rater.person.code);
     }
   }
 
   study.cohortId = ids.newUuid();
-  std::vector<StoredGroup> groups;
+  std::vector<StudyGroup> groups;
   for (const char* label : kGroupLabels) {
     const auto number = static_cast<std::int64_t>(groups.size() + 1);
     groups.push_back({ids.newUuid(), study.cohortId, number, "G" + std::to_string(number), label});
@@ -286,7 +294,7 @@ DemonstrationStudy storeDemonstrationPeople(Connection& connection, IdSource& id
     study.people.groups[trainee.group].push_back(trainee.code);
   }
 
-  const StoredCampaign campaign = makeCampaign(ids, evaluators, utc_us);
+  const Campaign campaign = makeCampaign(ids, evaluators, utc_us);
   EvaluationRepository(connection).addCampaign(campaign);
   study.campaignId = campaign.id;
   return study;
@@ -295,7 +303,7 @@ DemonstrationStudy storeDemonstrationPeople(Connection& connection, IdSource& id
 void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& study, IdSource& ids,
                               std::uint64_t seed, std::int64_t utc_us) {
   std::map<std::string, std::string> raterIds;
-  for (const StoredRater& rater : PeopleRepository(connection).raters()) {
+  for (const Rater& rater : PeopleRepository(connection).raters()) {
     raterIds[rater.person.code] = rater.person.id;
   }
   std::map<std::string, std::string> enrolmentIds;
@@ -304,10 +312,10 @@ void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& 
   }
 
   const Occasions occasions = OccasionRepository(connection).all();
-  std::vector<StoredTrainingMark> training;
-  const ScoreScale trainingScale = StoredTrainingMark{}.scale;
+  std::vector<SubmittedMark> training;
+  const ScoreScale trainingScale = SubmittedMark{}.scale;
   for (const TrainingMark& mark : demonstrationTrainingMarks(trainingScale, study.people, seed)) {
-    StoredTrainingMark stored;
+    SubmittedMark stored;
     stored.id = ids.newUuid();
     stored.enrolmentId = enrolmentIds.at(mark.trainee);
     stored.raterId = raterIds.at(mark.rater);
@@ -323,16 +331,16 @@ void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& 
   EvaluationRepository evaluations(connection);
   const auto campaign = evaluations.campaign(study.campaignId);
   std::vector<std::string> models;
-  for (const StoredModel& model : campaign.value().models) {
+  for (const CampaignModel& model : campaign.value().models) {
     models.push_back(model.code);
   }
-  std::vector<StoredEvaluationMark> marks;
+  std::vector<EvaluationMark> marks;
   for (const EvaluationRating& rating :
        demonstrationEvaluationMarks(campaign->instrument, study.people, models, seed)) {
     if (!rating.steps) {
       continue;
     }
-    StoredEvaluationMark stored;
+    EvaluationMark stored;
     stored.id = ids.newUuid();
     stored.raterId = raterIds.at(rating.rater);
     stored.modelCode = rating.model;

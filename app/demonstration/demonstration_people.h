@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "assessment/study/demonstration_marks.h"
-#include "db/connection/connection.h"
-#include "db/repository/base/id_source.h"
 
 namespace torsio {
+
+class Connection;
+class IdSource;
 
 /// One simulated trainee of the demonstration.
 struct DemonstrationTrainee {

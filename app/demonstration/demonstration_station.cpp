@@ -7,7 +7,14 @@
 
 #include "app/recording/pipeline.h"
 #include "app/study/curriculum_content.h"
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/people/person.h"
+#include "assessment/study/cohort.h"
+#include "assessment/study/curriculum.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
@@ -18,7 +25,7 @@ namespace torsio {
 namespace {
 
 constexpr const char* kCohort = "First steps (demonstration)";
-constexpr const char* kTemplate = "first-steps";
+constexpr const char* kStationTemplate = "first-steps";
 constexpr const char* kBy = "demonstration";
 constexpr double kAttempt_s = 20.0;
 constexpr std::int64_t kBetween_us = 600'000'000;
@@ -28,19 +35,19 @@ constexpr double kPractisedPerAttempt_min = 2.0;
 constexpr std::uint64_t kPersonSeed = 4;
 
 /// Codes become ids: a template carries codes where a stored version has ids.
-StoredCurriculumVersion versionFrom(const StoredCurriculumVersion& content, IdSource& ids,
-                                    const std::string& curriculumId, std::int64_t utc_us) {
-  StoredCurriculumVersion version = content;
+CurriculumVersion versionFrom(const CurriculumVersion& content, IdSource& ids,
+                              const std::string& curriculumId, std::int64_t utc_us) {
+  CurriculumVersion version = content;
   version.id = ids.newUuid();
   version.curriculumId = curriculumId;
   version.createdUtc_us = utc_us;
   version.arms.clear();
   version.plannedOccasions.clear();
   std::map<std::string, std::string> idOf;
-  for (StoredModule& module : version.modules) {
+  for (TrainingModule& module : version.modules) {
     idOf[module.code] = module.id = ids.newUuid();
   }
-  for (StoredModule& module : version.modules) {
+  for (TrainingModule& module : version.modules) {
     for (std::string& required : module.requires_) {
       required = idOf.at(required);
     }
@@ -48,26 +55,27 @@ StoredCurriculumVersion versionFrom(const StoredCurriculumVersion& content, IdSo
   return version;
 }
 
-StoredCurriculumVersion storeCurriculum(Connection& connection, IdSource& ids,
-                                        const std::filesystem::path& assets, std::int64_t utc_us) {
+CurriculumVersion storeCurriculum(Connection& connection, IdSource& ids, const std::filesystem::path& assets,
+                                  std::int64_t utc_us) {
   for (const CurriculumTemplate& found : curriculumTemplates(assets)) {
-    if (found.id != kTemplate) {
+    if (found.id != kStationTemplate) {
       continue;
     }
     CurriculumRepository curricula(connection);
     const std::string id = ids.newUuid();
     curricula.addCurriculum({id, found.title + " (demonstration)", found.description, utc_us, true});
-    const StoredCurriculumVersion version = versionFrom(found.content, ids, id, utc_us);
+    const CurriculumVersion version = versionFrom(found.content, ids, id, utc_us);
     curricula.addVersion(version, kBy);
-    curricula.moveTo(version.id, "running", kBy, utc_us);
+    curricula.moveTo(version.id, CurriculumState::kRunning, kBy, utc_us);
     return version;
   }
-  throw Error(ErrorCode::kFileMissing, "there is no such curriculum", kTemplate, "Repair the installation");
+  throw Error(ErrorCode::kFileMissing, "there is no such curriculum", kStationTemplate,
+              "Repair the installation");
 }
 
 /// Simulated attempts at one module; returns the last trial.
 std::string recordAttempts(Connection& connection, IdSource& ids, const std::filesystem::path& assets,
-                           const StoredModule& module, const std::string& enrolmentId,
+                           const TrainingModule& module, const std::string& enrolmentId,
                            const std::string& traineeCode, std::size_t count, double practised_min,
                            std::int64_t& utc_us) {
   SceneRequest request;
@@ -76,7 +84,7 @@ std::string recordAttempts(Connection& connection, IdSource& ids, const std::fil
   request.pattern = module.patternId;
   const Scene scene = loadScene(request);
   std::string last;
-  std::vector<StoredExposure> exposures;
+  std::vector<Exposure> exposures;
   for (std::size_t i = 0; i < count; ++i) {
     ScriptedTrial trial;
     last = ids.newUuid();
@@ -108,9 +116,9 @@ std::string recordAttempts(Connection& connection, IdSource& ids, const std::fil
 }
 
 void addRemark(Connection& connection, IdSource& ids, const std::string& trialId, std::int64_t utc_us) {
-  const std::vector<StoredRater> raters = PeopleRepository(connection).raters();
+  const std::vector<Rater> raters = PeopleRepository(connection).raters();
   const auto chief =
-      std::find_if(raters.begin(), raters.end(), [](const StoredRater& r) { return r.classCode == "chief"; });
+      std::find_if(raters.begin(), raters.end(), [](const Rater& r) { return r.classCode == "chief"; });
   if (chief == raters.end()) {
     return;
   }
@@ -134,15 +142,15 @@ DemonstrationStation storeDemonstrationStation(Connection& connection, IdSource&
   DemonstrationStation station;
   StudyRepository studies(connection);
   PeopleRepository people(connection);
-  std::vector<StoredTrainee> trainees = people.trainees();
-  std::erase_if(trainees, [](const StoredTrainee& t) { return !t.person.demonstration; });
+  std::vector<Trainee> trainees = people.trainees();
+  std::erase_if(trainees, [](const Trainee& t) { return !t.person.demonstration; });
   if (trainees.empty()) {
     throw Error(ErrorCode::kBadData, "there are no simulated trainees", "demonstration",
                 "Make the demonstration people first");
   }
-  const StoredPerson& person = trainees.front().person;
+  const Person& person = trainees.front().person;
   station.personId = person.id;
-  for (const StoredCohort& cohort : studies.cohorts()) {
+  for (const Cohort& cohort : studies.cohorts()) {
     if (cohort.name != kCohort) {
       continue;
     }
@@ -160,23 +168,23 @@ DemonstrationStation storeDemonstrationStation(Connection& connection, IdSource&
     return station;
   }
   Transaction transaction(connection);
-  const StoredCurriculumVersion version = storeCurriculum(connection, ids, assets, utc_us);
+  const CurriculumVersion version = storeCurriculum(connection, ids, assets, utc_us);
   station.cohortId = ids.newUuid();
   station.firstModuleId = version.modules.front().id;
   // After the other cohorts of the demonstration, whatever time they carry.
   std::int64_t newest_us = utc_us;
-  for (const StoredCohort& cohort : studies.cohorts()) {
+  for (const Cohort& cohort : studies.cohorts()) {
     newest_us = std::max(newest_us, cohort.createdUtc_us + 1);
   }
   studies.addCohort(
       {station.cohortId, kCohort, "A simulated trainee on the way through the first steps", newest_us, true},
       {});
   CurriculumRepository(connection).assign(station.cohortId, version.id);
-  const StoredEnrolment enrolment{.id = ids.newUuid(),
-                                  .cohortId = station.cohortId,
-                                  .traineeId = person.id,
-                                  .enrolledUtc_us = utc_us,
-                                  .demonstration = true};
+  const Enrolment enrolment{.id = ids.newUuid(),
+                            .cohortId = station.cohortId,
+                            .traineeId = person.id,
+                            .enrolledUtc_us = utc_us,
+                            .demonstration = true};
   studies.enrol({&enrolment, 1});
   people.recordConsent({.personId = person.id,
                         .purpose = "training_record",

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <string>
 
-#include "db/connection/connection.h"
-#include "db/repository/base/id_source.h"
-
 namespace torsio {
+
+class Connection;
+class IdSource;
 
 /// What was laid out for the trainee of the demonstration.
 struct DemonstrationStation {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/devices/device_readiness.h"
-#include "db/repository/trial/station_repository.h"
+#include "assessment/study/station_state.h"
 #include "sim/base/text.h"
 
 namespace torsio {

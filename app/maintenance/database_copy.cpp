@@ -5,6 +5,8 @@
 #include <system_error>
 
 #include "app/base/build_info.h"
+#include "db/connection/connection.h"
+#include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
 #include "sim/base/error.h"
 

@@ -7,6 +7,8 @@
 
 #include <QTemporaryDir>
 
+#include "db/connection/connection.h"
+#include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/audit_verification.h"
@@ -146,8 +148,9 @@ BackupContent backUpDatabase(SessionContext& session, const fs::path& target,
     requireSqlite(session.key().locator, "Use pg_dump --format=custom --file=FILE on the server");
   }
   // Before the copy, so that the backup itself tells of it.
-  session.note(
-      {.action = "database.backup", .objectKind = "database", .objectId = target.filename().string()});
+  session.note({.action = AuditAction::kDatabaseBackup,
+                .objectKind = AuditObject::kDatabase,
+                .objectId = target.filename().string()});
   tellProgress(progress, "Copying the record while others work", 0.0);
   backupSqlite(session.connection(), target);
   tellProgress(progress, "Reading the backup from end to end", 0.6);
@@ -157,8 +160,8 @@ BackupContent backUpDatabase(SessionContext& session, const fs::path& target,
 DatabaseCheck checkDatabase(SessionContext& session, const ProgressCallback& progress) {
   session.require(Operation::kDatabaseBackup);
   DatabaseCheck result = check(session.connection(), progress);
-  session.note({.action = "database.check",
-                .objectKind = "database",
+  session.note({.action = AuditAction::kDatabaseCheck,
+                .objectKind = AuditObject::kDatabase,
                 .newJson = R"({"damage":)" + std::to_string(result.damage.size()) + R"(,"audit":)" +
                            std::to_string(result.audit.size()) + "}"});
   return result;

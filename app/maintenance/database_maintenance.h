@@ -9,10 +9,12 @@
 
 #include "app/access/session_context.h"
 #include "app/base/progress.h"
+#include "assessment/people/audit_entry.h"
 #include "db/migrations/backup.h"
-#include "db/repository/system/audit_verification.h"
 
 namespace torsio {
+
+class Connection;
 
 /// What a look at a whole database found.
 struct DatabaseCheck {

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "db/connection/connection.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/digest.h"
@@ -173,7 +174,10 @@ PersonPackage exportPersonPackage(SessionContext& session, const std::string& pe
   }
   writeFileAtomically(making.path() / "README.txt", std::string_view(kReadme));
   writeManifest(making.path(), personId, session.now_us());
-  session.note({.action = "person.export", .objectKind = "person", .objectId = personId, .reason = reason});
+  session.note({.action = AuditAction::kPersonExport,
+                .objectKind = AuditObject::kPerson,
+                .objectId = personId,
+                .reason = reason});
   std::error_code failed;
   fs::rename(making.path(), folder, failed);
   if (failed) {

@@ -12,6 +12,7 @@
 #include "app/base/build_info.h"
 #include "app/maintenance/database_maintenance.h"
 #include "app/maintenance/others_at_work.h"
+#include "db/connection/connection.h"
 #include "db/migrations/backup.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/people/person_data.h"
@@ -140,12 +141,12 @@ void requireRoom(const fs::path& record, const fs::path& backup) {
 }
 
 /// The audit entry in the trail of `connection`.
-void tell(SessionContext& session, Connection& connection, const std::string& action, const RestorePlan& plan,
+void tell(SessionContext& session, Connection& connection, AuditAction action, const RestorePlan& plan,
           const fs::path& safety) {
   SessionKey key = session.key();
   const SessionContext there(connection, session.ids(), key, [&session] { return session.now_us(); });
   there.note({.action = action,
-              .objectKind = "database",
+              .objectKind = AuditObject::kDatabase,
               .objectId = plan.backup.filename().string(),
               .newJson = R"({"trials":)" + std::to_string(plan.restored.trials) + R"(,"marks":)" +
                          std::to_string(plan.restored.marks) + R"(,"lost_trials":)" +
@@ -162,7 +163,7 @@ void bringToday(SessionContext& session, const fs::path& ready, const RestorePla
   for (const Erasure& erasure : erasedSince(session.connection(), copy)) {
     erasePerson(copy, erasure.personId, erasure.requestedBy, erasure.reason, erasure.erasedUtc_us);
   }
-  tell(session, copy, "database.restore", plan, safety);
+  tell(session, copy, AuditAction::kDatabaseRestore, plan, safety);
 }
 
 }  // namespace
@@ -198,7 +199,7 @@ std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session, const R
   const fs::path record = session.key().locator;
   requireRoom(record, plan.backup);
   const fs::path safety = safetyName(record, session.now_us());
-  tell(session, session.connection(), "database.restore_begin", plan, safety);
+  tell(session, session.connection(), AuditAction::kDatabaseRestoreBegin, plan, safety);
   tellProgress(progress, "Backing up the record as it is now", 0.0);
   backupSqlite(session.connection(), safety);
   (void)checkBackup(safety);

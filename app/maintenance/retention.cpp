@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "db/connection/connection.h"
 #include "db/repository/people/person_data.h"
+#include "db/repository/people/retention_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 
@@ -17,6 +19,18 @@ void requireReason(const std::string& reason, const std::string& where) {
   }
 }
 
+AuditAction actionOf(HoldKind kind) {
+  switch (kind) {
+    case HoldKind::kLock:
+      return AuditAction::kRetentionLock;
+    case HoldKind::kExtend:
+      return AuditAction::kRetentionExtend;
+    case HoldKind::kRelease:
+      return AuditAction::kRetentionRelease;
+  }
+  throw ContractError("no such decision");
+}
+
 void hold(SessionContext& session, const RetentionHold& decision) {
   session.require(Operation::kRetentionManage);
   requireReason(decision.reason, decision.personId);
@@ -25,8 +39,8 @@ void hold(SessionContext& session, const RetentionHold& decision) {
   stored.decidedBy = session.actor().userId;
   stored.decidedUtc_us = session.now_us();
   RetentionRepository(session.connection()).addHold(stored);
-  session.note({.action = "retention." + decision.kind,
-                .objectKind = "person",
+  session.note({.action = actionOf(decision.kind),
+                .objectKind = AuditObject::kPerson,
                 .objectId = decision.personId,
                 .reason = decision.reason});
   transaction.commit();
@@ -49,8 +63,8 @@ void setRetentionRule(SessionContext& session, const std::string& category, std:
   session.require(Operation::kRetentionManage);
   Transaction transaction(session.connection());
   RetentionRepository(session.connection()).setRule({category, keep_days, basis, session.now_us()});
-  session.note({.action = "retention.rule",
-                .objectKind = "retention_rule",
+  session.note({.action = AuditAction::kRetentionRule,
+                .objectKind = AuditObject::kRetentionRule,
                 .objectId = category,
                 .newJson = R"({"keep_days":)" + std::to_string(keep_days) + "}",
                 .reason = basis});
@@ -61,7 +75,9 @@ void removeRetentionRule(SessionContext& session, const std::string& category) {
   session.require(Operation::kRetentionManage);
   Transaction transaction(session.connection());
   RetentionRepository(session.connection()).removeRule(category);
-  session.note({.action = "retention.remove_rule", .objectKind = "retention_rule", .objectId = category});
+  session.note({.action = AuditAction::kRetentionRemoveRule,
+                .objectKind = AuditObject::kRetentionRule,
+                .objectId = category});
   transaction.commit();
 }
 
@@ -71,7 +87,7 @@ std::vector<RetentionItem> retentionQueue(SessionContext& session) {
 }
 
 void lockRecord(SessionContext& session, const std::string& personId, const std::string& reason) {
-  hold(session, {.personId = personId, .kind = "lock", .reason = reason});
+  hold(session, {.personId = personId, .kind = HoldKind::kLock, .reason = reason});
 }
 
 void extendRecord(SessionContext& session, const std::string& personId, std::int64_t untilUtc_us,
@@ -80,11 +96,12 @@ void extendRecord(SessionContext& session, const std::string& personId, std::int
   if (untilUtc_us <= session.now_us()) {
     throw Error(ErrorCode::kBadParameter, "this day has passed", personId, "Choose a later day");
   }
-  hold(session, {.personId = personId, .kind = "extend", .untilUtc_us = untilUtc_us, .reason = reason});
+  hold(session,
+       {.personId = personId, .kind = HoldKind::kExtend, .untilUtc_us = untilUtc_us, .reason = reason});
 }
 
 void releaseRecord(SessionContext& session, const std::string& personId, const std::string& reason) {
-  hold(session, {.personId = personId, .kind = "release", .reason = reason});
+  hold(session, {.personId = personId, .kind = HoldKind::kRelease, .reason = reason});
 }
 
 RetentionOutcome eraseDue(SessionContext& session, std::span<const std::string> personIds,

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "db/repository/people/retention_repository.h"
+#include "assessment/people/retention.h"
 
 namespace torsio {
 

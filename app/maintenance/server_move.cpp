@@ -6,6 +6,8 @@
 
 #include "app/maintenance/database_copy.h"
 #include "app/maintenance/others_at_work.h"
+#include "db/connection/connection.h"
+#include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
 #include "sim/base/error.h"
@@ -142,12 +144,13 @@ CopyReport moveToServer(SessionContext& session, const ServerAddress& address,
     throw Error(ErrorCode::kBadData, check.hindrance, check.location,
                 "Let the server's administrator make an empty database");
   }
-  AuditNote note{.action = "database.move", .objectKind = "database", .objectId = check.location};
+  AuditNote note{
+      .action = AuditAction::kDatabaseMove, .objectKind = AuditObject::kDatabase, .objectId = check.location};
   session.note(note);  // before the copy, so that both tell of it
   try {
     return copyDatabase(session.key().locator, typedLocator(address), partOf(progress, kCopyFrom, 1.0));
   } catch (...) {
-    note.action = "database.move_given_up";
+    note.action = AuditAction::kDatabaseMoveGivenUp;
     session.note(note);
     throw;
   }
@@ -163,8 +166,8 @@ std::string switchToServer(SessionContext& session, const ServerAddress& address
   std::string locator = openLasting(address);
   Connection there = openDatabase(locator, OpenMode::kReadWrite);
   const SessionContext server(there, session.ids(), session.key(), [&session] { return session.now_us(); });
-  server.note({.action = "database.switch",
-               .objectKind = "database",
+  server.note({.action = AuditAction::kDatabaseSwitch,
+               .objectKind = AuditObject::kDatabase,
                .objectId = parseLocator(locator).shown(),
                .newJson = R"({"tables":)" + std::to_string(copied.tables.size()) + R"(,"rows":)" +
                           std::to_string(copied.rows) + "}"});
@@ -181,7 +184,8 @@ std::string joinServer(SessionContext& session, const ServerAddress& address,
                 "Copy the record of this station there");
   }
   std::string locator = openLasting(address);
-  const AuditNote note{.action = "database.join", .objectKind = "database", .objectId = check.location};
+  const AuditNote note{
+      .action = AuditAction::kDatabaseJoin, .objectKind = AuditObject::kDatabase, .objectId = check.location};
   Connection there = openUpToDate(locator);
   const SessionContext server(there, session.ids(), session.key(), [&session] { return session.now_us(); });
   server.note(note);

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "db/connection/connection.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 
@@ -43,7 +45,7 @@ std::vector<ConsentText> consentTexts(const std::filesystem::path& assets, const
   return texts;
 }
 
-std::vector<StoredConsent> consentHistory(SessionContext& session, const std::string& personId) {
+std::vector<ConsentDecision> consentHistory(SessionContext& session, const std::string& personId) {
   session.require(Operation::kPersonViewCoded);
   return PeopleRepository(session.connection()).consents(personId);
 }
@@ -66,8 +68,8 @@ void recordConsent(SessionContext& session, const std::string& personId, const s
   }
   repository.recordConsent({personId, purpose, granted, textVersion, session.now_us(), session.actor().userId,
                             person->demonstration});
-  session.note({.action = granted ? "consent.grant" : "consent.withdraw",
-                .objectKind = "consent",
+  session.note({.action = granted ? AuditAction::kConsentGrant : AuditAction::kConsentWithdraw,
+                .objectKind = AuditObject::kConsent,
                 .objectId = personId,
                 .newJson = nlohmann::json{{"purpose", purpose}, {"text", textVersion}}.dump()});
   transaction.commit();

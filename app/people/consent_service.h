@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "db/repository/people/people_repository.h"
+#include "assessment/people/consent.h"
 
 namespace torsio {
 
@@ -24,7 +24,8 @@ struct ConsentText {
                                                     const std::string& language = "en");
 
 /// Every decision, oldest first. kPersonViewCoded.
-[[nodiscard]] std::vector<StoredConsent> consentHistory(SessionContext& session, const std::string& personId);
+[[nodiscard]] std::vector<ConsentDecision> consentHistory(SessionContext& session,
+                                                          const std::string& personId);
 
 /// Given, or withdrawn (`granted` false). Audited. kConsentRecord. Throws Error{kBadParameter} for an unknown
 /// purpose or person, or an empty version.

@@ -9,36 +9,38 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/csv_table.h"
-#include "app/base/refusal.h"
 #include "app/people/person_codes.h"
+#include "assessment/people/consent.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/refusal.h"
 
 namespace torsio {
 
 namespace {
 
 constexpr std::array<const char*, 2> kStates{"active", "left"};
-constexpr std::int64_t kYoungest_years = 14;
-constexpr std::int64_t kOldest_years = 100;
 
 std::map<std::string, PersonRow> rowsById(PeopleRepository& repository) {
   std::map<std::string, PersonRow> rows;
-  for (StoredTrainee& trainee : repository.trainees()) {
+  for (Trainee& trainee : repository.trainees()) {
     PersonRow& row = rows[trainee.person.id];
     row.trainee = true;
     row.handedness = trainee.handedness;
     row.person = std::move(trainee.person);
   }
-  for (StoredRater& rater : repository.raters()) {
+  for (Rater& rater : repository.raters()) {
     PersonRow& row = rows[rater.person.id];
     row.rater = true;
     row.raterClass = rater.classCode;
     row.person = std::move(rater.person);
   }
   std::erase_if(rows, [](const auto& entry) { return entry.second.person.state == "erased"; });
-  for (const StoredConsent& consent : repository.newestConsents()) {
+  for (const ConsentDecision& consent : repository.newestConsents()) {
     const auto row = rows.find(consent.personId);
     if (row != rows.end() && consent.granted) {
       row->second.consents.push_back(consent.purpose);
@@ -58,7 +60,7 @@ std::vector<PersonRow> byCode(std::map<std::string, PersonRow> rows) {
 }
 
 PersonRow rowOf(PeopleRepository& repository, const std::string& personId) {
-  const std::optional<StoredPerson> person = repository.find(personId);
+  const std::optional<Person> person = repository.find(personId);
   if (!person || person->state == "erased") {
     refuse("there is no such person", personId, "Choose one from the list");
   }
@@ -95,10 +97,10 @@ void checkEntry(PeopleRepository& repository, const PersonEntry& entry, const st
   if (!oneOf(entry.handedness, {"left", "right"})) {
     refuse("the handedness is not known to the record", "handedness", "Choose left, right or nothing");
   }
-  const std::vector<StoredRaterClass> classes = repository.raterClasses();
+  const std::vector<SeniorityClass> classes = repository.raterClasses();
   if (!entry.raterClass.empty() &&
       std::none_of(classes.begin(), classes.end(),
-                   [&](const StoredRaterClass& known) { return known.code == entry.raterClass; })) {
+                   [&](const SeniorityClass& known) { return known.code == entry.raterClass; })) {
     refuse("there is no such class of raters", entry.raterClass, "Choose one from the list");
   }
   if (entry.externalId.empty()) {
@@ -111,7 +113,7 @@ void checkEntry(PeopleRepository& repository, const PersonEntry& entry, const st
   }
 }
 
-StoredPerson personFrom(const PersonEntry& entry, StoredPerson person) {
+Person personFrom(const PersonEntry& entry, Person person) {
   person.sex = entry.sex;
   person.level = entry.level;
   person.experience = entry.experience;
@@ -120,8 +122,7 @@ StoredPerson personFrom(const PersonEntry& entry, StoredPerson person) {
 }
 
 /// What the trail may know of a person: codes and what groups are balanced by.
-nlohmann::json codedJson(const StoredPerson& person, const std::string& handedness,
-                         const std::string& raterClass) {
+nlohmann::json codedJson(const Person& person, const std::string& handedness, const std::string& raterClass) {
   nlohmann::json json{{"code", person.code},      {"sex", person.sex},
                       {"level", person.level},    {"experience", person.experience},
                       {"handedness", handedness}, {"rater_class", raterClass}};
@@ -132,7 +133,7 @@ nlohmann::json codedJson(const StoredPerson& person, const std::string& handedne
 }
 
 /// Names of the identity fields that differ, never what stands in them.
-nlohmann::json changedIdentity(const StoredIdentity& before, const PersonEntry& after) {
+nlohmann::json changedIdentity(const Identity& before, const PersonEntry& after) {
   nlohmann::json fields = nlohmann::json::array();
   if (before.fullName != after.fullName) {
     fields.push_back("full_name");
@@ -147,7 +148,7 @@ nlohmann::json changedIdentity(const StoredIdentity& before, const PersonEntry& 
 }
 
 std::vector<std::string> codedCells(const PersonRow& row) {
-  const StoredPerson& person = row.person;
+  const Person& person = row.person;
   return {person.code,
           row.trainee ? "yes" : "no",
           row.raterClass,
@@ -170,8 +171,8 @@ std::vector<PersonRow> people(SessionContext& session) {
 std::vector<NamedPersonRow> namedPeople(SessionContext& session) {
   session.require(Operation::kPersonViewIdentity);
   PeopleRepository repository(session.connection());
-  std::map<std::string, StoredIdentity> identities;
-  for (StoredIdentity& identity : repository.identities()) {
+  std::map<std::string, Identity> identities;
+  for (Identity& identity : repository.identities()) {
     identities[identity.personId] = std::move(identity);
   }
   std::vector<NamedPersonRow> list;
@@ -194,21 +195,21 @@ std::string addPerson(SessionContext& session, const PersonEntry& entry) {
   checkEntry(repository, entry, "");
   const std::vector<std::string> codes = repository.codes();
   PersonCodes next({codes.begin(), codes.end()});
-  StoredPerson person = personFrom(entry, {});
+  Person person = personFrom(entry, {});
   person.id = session.ids().newUuid();
   person.code = next.next(entry.trainee ? kTraineePrefix : kRaterPrefix);
   person.createdUtc_us = session.now_us();
   if (entry.trainee) {
-    repository.addTrainees(std::vector<StoredTrainee>{{person, entry.handedness}});
+    repository.addTrainees(std::vector<Trainee>{{person, entry.handedness}});
     if (!entry.raterClass.empty()) {
       repository.makeRater(person.id, entry.raterClass);
     }
   } else {
-    repository.addRaters(std::vector<StoredRater>{{person, entry.raterClass}});
+    repository.addRaters(std::vector<Rater>{{person, entry.raterClass}});
   }
   repository.setIdentity({person.id, entry.fullName, entry.email, entry.externalId});
-  session.note({.action = "person.add",
-                .objectKind = "person",
+  session.note({.action = AuditAction::kPersonAdd,
+                .objectKind = AuditObject::kPerson,
                 .objectId = person.id,
                 .newJson = codedJson(person, entry.handedness, entry.raterClass).dump()});
   transaction.commit();
@@ -220,7 +221,7 @@ PersonEntry personEntry(SessionContext& session, const std::string& personId) {
   session.require(Operation::kPersonViewIdentity);
   PeopleRepository repository(session.connection());
   const PersonRow row = rowOf(repository, personId);
-  const StoredIdentity identity = repository.identity(personId).value_or(StoredIdentity{});
+  const Identity identity = repository.identity(personId).value_or(Identity{});
   return {.fullName = identity.fullName,
           .externalId = identity.externalId,
           .email = identity.email,
@@ -247,7 +248,7 @@ void changePerson(SessionContext& session, const std::string& personId, const Pe
     refuse("a part of a person cannot be taken away: records hang on it", before.person.code,
            "Set the person to \"left\" instead");
   }
-  const StoredPerson after = personFrom(entry, before.person);
+  const Person after = personFrom(entry, before.person);
   repository.updatePerson(after);
   if (before.trainee) {
     repository.setHandedness(personId, entry.handedness);
@@ -261,12 +262,12 @@ void changePerson(SessionContext& session, const std::string& personId, const Pe
   if (!before.rater && !entry.raterClass.empty()) {
     repository.makeRater(personId, entry.raterClass);
   }
-  const StoredIdentity old = repository.identity(personId).value_or(StoredIdentity{});
+  const Identity old = repository.identity(personId).value_or(Identity{});
   repository.setIdentity({personId, entry.fullName, entry.email, entry.externalId});
   nlohmann::json now = codedJson(after, entry.handedness, entry.raterClass);
   now["identity_changed"] = changedIdentity(old, entry);
-  session.note({.action = "person.change",
-                .objectKind = "person",
+  session.note({.action = AuditAction::kPersonChange,
+                .objectKind = AuditObject::kPerson,
                 .objectId = personId,
                 .oldJson = codedJson(before.person, before.handedness, before.raterClass).dump(),
                 .newJson = now.dump(),
@@ -282,11 +283,11 @@ void setPersonState(SessionContext& session, const std::string& personId, const 
   }
   Transaction transaction(session.connection());
   PeopleRepository repository(session.connection());
-  StoredPerson person = rowOf(repository, personId).person;
+  Person person = rowOf(repository, personId).person;
   const std::string before = std::exchange(person.state, state);
   repository.updatePerson(person);
-  session.note({.action = "person.set_state",
-                .objectKind = "person",
+  session.note({.action = AuditAction::kPersonSetState,
+                .objectKind = AuditObject::kPerson,
                 .objectId = personId,
                 .oldJson = nlohmann::json{{"state", before}}.dump(),
                 .newJson = nlohmann::json{{"state", state}}.dump(),
@@ -294,24 +295,25 @@ void setPersonState(SessionContext& session, const std::string& personId, const 
   transaction.commit();
 }
 
-std::vector<StoredRaterClass> paperRaterClasses() {
+std::vector<SeniorityClass> paperRaterClasses() {
   return {{"intern", "intern", 1},
           {"deputy_chief", "deputy chief physician", 2},
           {"chief", "chief physician", 3}};
 }
 
-std::vector<StoredRaterClass> ensureRaterClasses(SessionContext& session) {
+std::vector<SeniorityClass> ensureRaterClasses(SessionContext& session) {
   session.require(Operation::kPersonEdit);
   PeopleRepository repository(session.connection());
-  std::vector<StoredRaterClass> classes = repository.raterClasses();
+  std::vector<SeniorityClass> classes = repository.raterClasses();
   if (!classes.empty()) {
     return classes;
   }
   classes = paperRaterClasses();
   Transaction transaction(session.connection());
   repository.addRaterClasses(classes);
-  session.note(
-      {.action = "rater_class.add", .objectKind = "rater_class", .objectId = "intern deputy_chief chief"});
+  session.note({.action = AuditAction::kRaterClassAdd,
+                .objectKind = AuditObject::kRaterClass,
+                .objectId = "intern deputy_chief chief"});
   transaction.commit();
   return classes;
 }
@@ -343,8 +345,8 @@ std::size_t exportPeople(SessionContext& session, const std::filesystem::path& f
   digest.update(text);
   // First the trail, then the file: names that left the house without a trace would be worse than a trace
   // of a file that could not be written.
-  session.note({.action = withNames ? "people.export_named" : "people.export_coded",
-                .objectKind = "person",
+  session.note({.action = withNames ? AuditAction::kPeopleExportNamed : AuditAction::kPeopleExportCoded,
+                .objectKind = AuditObject::kPerson,
                 .newJson = nlohmann::json{{"people", count}, {"blake2b", digest.hex()}}.dump()});
   writeFileAtomically(file, text);
   return count;

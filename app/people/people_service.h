@@ -8,13 +8,17 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "db/repository/people/people_repository.h"
+#include "assessment/people/person.h"
 
 namespace torsio {
 
+/// Ages that are believed; outside, a slip of the pen is assumed.
+inline constexpr std::int64_t kYoungest_years = 14;
+inline constexpr std::int64_t kOldest_years = 100;
+
 /// One person as lists show it: under a code, never under a name.
 struct PersonRow {
-  StoredPerson person{};
+  Person person{};
   bool trainee = false;
   std::string handedness{};  ///< of a trainee; empty: not known
   bool rater = false;
@@ -25,7 +29,7 @@ struct PersonRow {
 /// A person of the roster with the identity behind the code.
 struct NamedPersonRow {
   PersonRow row{};
-  StoredIdentity identity{};  ///< empty texts when there is none
+  Identity identity{};  ///< empty texts when there is none
 };
 
 /// Everybody who was not erased, ordered by code. kPersonViewCoded.
@@ -60,9 +64,9 @@ void setPersonState(SessionContext& session, const std::string& personId, const 
                     const std::string& reason);
 
 /// Interns, deputy chiefs and chiefs (paper section 5.3).
-[[nodiscard]] std::vector<StoredRaterClass> paperRaterClasses();
+[[nodiscard]] std::vector<SeniorityClass> paperRaterClasses();
 /// Classes of raters in their order; the three of the paper are made when there are none. kPersonEdit.
-std::vector<StoredRaterClass> ensureRaterClasses(SessionContext& session);
+std::vector<SeniorityClass> ensureRaterClasses(SessionContext& session);
 
 /// Writes the list as CSV (UTF-8 with byte order mark, so that spreadsheets read it right). Coded:
 /// kReportExportCoded. With names: kReportExportNamed; that the names were taken out is audited, with the

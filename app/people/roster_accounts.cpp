@@ -5,6 +5,8 @@
 #include <cctype>
 #include <set>
 
+#include "assessment/people/account.h"
+
 namespace torsio {
 
 namespace {
@@ -39,7 +41,7 @@ std::vector<std::string> rolesOf(const PersonRow& row) {
 std::vector<PersonRow> peopleWithoutAccount(SessionContext& session) {
   session.require(Operation::kUserManage);
   std::set<std::string> withAccount;
-  for (const StoredUser& user : users(session)) {
+  for (const UserAccount& user : users(session)) {
     withAccount.insert(user.personId);
   }
   std::vector<PersonRow> rows = people(session);
@@ -55,7 +57,7 @@ void addAccounts(SessionContext& session, const std::vector<std::string>& person
   const std::set<std::string> wanted(personIds.begin(), personIds.end());
   std::erase_if(rows, [&wanted](const PersonRow& row) { return !wanted.contains(row.person.id); });
   std::set<std::string> taken;
-  for (const StoredUser& user : users(session)) {
+  for (const UserAccount& user : users(session)) {
     taken.insert(user.login);
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -2,17 +2,17 @@
 #include "app/people/roster_import.h"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
-#include <set>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
-#include "app/people/people_service.h"
 #include "app/people/person_codes.h"
+#include "app/people/roster_rows.h"
+#include "assessment/people/person.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
-#include "sim/base/contracts.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 
@@ -20,10 +20,6 @@ namespace torsio {
 
 namespace {
 
-using Values = std::array<std::string, kRosterFields>;
-
-constexpr std::int64_t kYoungest_years = 14;
-constexpr std::int64_t kOldest_years = 100;
 constexpr std::size_t kLinesBetweenSigns = 200;
 
 /// Says now and then how many of the lines are done.
@@ -57,258 +53,6 @@ class LineCount {
   double to_;
   std::size_t done_ = 0;
 };
-
-std::size_t at(RosterField field) {
-  return static_cast<std::size_t>(field);
-}
-
-std::string lower(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') {
-      c = static_cast<char>(c - 'A' + 'a');
-    }
-  }
-  return text;
-}
-
-/// What is known already, found by number.
-struct KnownPeople {
-  struct Known {
-    PersonEntry entry;
-    std::string id;
-    std::string code;
-    bool left = false;
-  };
-  std::map<std::string, Known> byNumber;
-  std::map<std::string, std::string> codeByEmail;  ///< lower-case address
-  std::map<std::string, std::string> numberByEmail;
-  std::vector<StoredRaterClass> classes;
-};
-
-KnownPeople readKnown(SessionContext& session) {
-  KnownPeople known;
-  known.classes = PeopleRepository(session.connection()).raterClasses();
-  if (known.classes.empty()) {
-    known.classes = paperRaterClasses();
-  }
-  for (NamedPersonRow& named : namedPeople(session)) {
-    if (!named.identity.email.empty()) {
-      known.codeByEmail[lower(named.identity.email)] = named.row.person.code;
-      known.numberByEmail[lower(named.identity.email)] = named.identity.externalId;
-    }
-    if (named.identity.externalId.empty()) {
-      continue;
-    }
-    KnownPeople::Known& person = known.byNumber[named.identity.externalId];
-    person.id = named.row.person.id;
-    person.code = named.row.person.code;
-    person.left = named.row.person.state == "left";
-    person.entry = {.fullName = named.identity.fullName,
-                    .externalId = named.identity.externalId,
-                    .email = named.identity.email,
-                    .sex = named.row.person.sex,
-                    .level = named.row.person.level,
-                    .experience = named.row.person.experience,
-                    .age_years = named.row.person.age_years,
-                    .trainee = named.row.trainee,
-                    .handedness = named.row.handedness,
-                    .raterClass = named.row.raterClass};
-  }
-  return known;
-}
-
-std::string& textOf(PersonEntry& entry, RosterField field) {
-  switch (field) {
-    case RosterField::kExternalId:
-      return entry.externalId;
-    case RosterField::kFullName:
-      return entry.fullName;
-    case RosterField::kEmail:
-      return entry.email;
-    case RosterField::kSex:
-      return entry.sex;
-    case RosterField::kLevel:
-      return entry.level;
-    case RosterField::kExperience:
-      return entry.experience;
-    case RosterField::kHandedness:
-      return entry.handedness;
-    case RosterField::kRaterClass:
-      return entry.raterClass;
-    case RosterField::kAge:
-      break;
-  }
-  throw ContractError("age is no text");
-}
-
-std::string shownValue(const PersonEntry& entry, RosterField field) {
-  if (field == RosterField::kAge) {
-    return entry.age_years ? std::to_string(*entry.age_years) : "";
-  }
-  PersonEntry copy = entry;
-  return textOf(copy, field);
-}
-
-void setValue(PersonEntry& entry, RosterField field, const std::string& value) {
-  if (field != RosterField::kAge) {
-    textOf(entry, field) = value;
-    return;
-  }
-  std::int64_t years = 0;
-  (void)std::from_chars(value.data(), value.data() + value.size(), years);
-  entry.age_years = years;
-}
-
-/// Says why a row cannot be taken; the first reason counts.
-void fail(RosterRow& row, const Text& problem, const Text& remedy) {
-  if (!row.problem.empty()) {
-    return;
-  }
-  row.status = RosterStatus::kError;
-  row.problem = problem;
-  row.remedy = remedy;
-}
-
-void understandChoice(RosterRow& row, RosterField field, const std::map<std::string, std::string>& meanings,
-                      const Text& choices) {
-  std::string& value = row.values[at(field)];
-  if (value.empty()) {
-    return;
-  }
-  const auto meaning = meanings.find(lower(value));
-  if (meaning != meanings.end()) {
-    value = meaning->second;
-    return;
-  }
-  fail(row, Text("\"%1\" is not understood as %2", value, std::string(rosterFieldCode(field))),
-       Text("Write %1, or leave the cell empty", choices));
-}
-
-void understandAge(RosterRow& row) {
-  const std::string& value = row.values[at(RosterField::kAge)];
-  if (value.empty()) {
-    return;
-  }
-  std::int64_t years = 0;
-  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), years);
-  if (error == std::errc() && end == value.data() + value.size() && years >= kYoungest_years &&
-      years <= kOldest_years) {
-    row.values[at(RosterField::kAge)] = std::to_string(years);
-    return;
-  }
-  fail(row, Text("\"%1\" is no likely age in years", value),
-       Text("Write a whole number from %1 to %2, or leave the cell empty", kYoungest_years, kOldest_years));
-}
-
-void understandClass(RosterRow& row, const std::vector<StoredRaterClass>& classes) {
-  std::map<std::string, std::string> meanings{{"实习医生", "intern"},
-                                              {"副主任医师", "deputy_chief"},
-                                              {"主任医师", "chief"},
-                                              {"deputy chief", "deputy_chief"}};
-  std::string choices;
-  for (const StoredRaterClass& known : classes) {
-    meanings[lower(known.code)] = known.code;
-    meanings[lower(known.label)] = known.code;
-    choices += (choices.empty() ? "" : ", ") + known.code;
-  }
-  understandChoice(row, RosterField::kRaterClass, meanings, choices);
-}
-
-/// Values as the record writes them, or an error.
-void understand(RosterRow& row, RosterKind kind, const KnownPeople& known) {
-  for (const RosterField field : rosterFields(kind)) {
-    if (!isRequired(field, kind) || !row.values[at(field)].empty()) {
-      continue;
-    }
-    fail(row, Text("the %1 is missing", std::string(rosterFieldCode(field))), "Fill in the cell");
-  }
-  understandChoice(row, RosterField::kSex,
-                   {{"female", "female"},
-                    {"f", "female"},
-                    {"woman", "female"},
-                    {"w", "female"},
-                    {"女", "female"},
-                    {"male", "male"},
-                    {"m", "male"},
-                    {"man", "male"},
-                    {"男", "male"},
-                    {"other", "other"},
-                    {"diverse", "other"},
-                    {"x", "other"},
-                    {"其他", "other"}},
-                   "female, male or other");
-  understandChoice(row, RosterField::kHandedness,
-                   {{"left", "left"},
-                    {"l", "left"},
-                    {"左", "left"},
-                    {"左手", "left"},
-                    {"right", "right"},
-                    {"r", "right"},
-                    {"右", "right"},
-                    {"右手", "right"}},
-                   "left or right");
-  understandAge(row);
-  understandClass(row, known.classes);
-}
-
-/// Compares with what is known: by number, and by number alone.
-void compareWithKnown(RosterRow& row, RosterKind kind, const KnownPeople& known) {
-  const std::string& email = row.values[at(RosterField::kEmail)];
-  const std::string& number = row.values[at(RosterField::kExternalId)];
-  if (const auto other = known.numberByEmail.find(lower(email));
-      !email.empty() && other != known.numberByEmail.end() && other->second != number) {
-    row.hint = Text("the e-mail address belongs to %1 already, under another number",
-                    known.codeByEmail.at(lower(email)));
-  }
-  const auto found = known.byNumber.find(number);
-  if (found == known.byNumber.end()) {
-    row.status = RosterStatus::kNew;
-    return;
-  }
-  row.personId = found->second.id;
-  row.code = found->second.code;
-  if (found->second.left) {
-    row.hint = Text("this person has left; the import does not bring them back");
-  }
-  for (const RosterField field : rosterFields(kind)) {
-    const std::string& value = row.values[at(field)];
-    const std::string present = shownValue(found->second.entry, field);
-    if (!value.empty() && value != present) {
-      row.changes.push_back({field, present, value});
-    }
-  }
-  const bool addsTrainee = kind == RosterKind::kTrainees && !found->second.entry.trainee;
-  if (addsTrainee) {
-    row.hint = Text("known as a rater; becomes a trainee too");
-  }
-  if (kind == RosterKind::kRaters && found->second.entry.raterClass.empty()) {
-    row.hint = Text("known as a trainee; becomes a rater too");
-  }
-  row.status = row.changes.empty() && !addsTrainee ? RosterStatus::kSame : RosterStatus::kChanges;
-}
-
-void checkColumns(const RosterFile& file, RosterKind kind, const RosterColumns& columns) {
-  std::map<std::size_t, RosterField> used;
-  for (const RosterField field : rosterFields(kind)) {
-    const std::optional<std::size_t> column = columns[at(field)];
-    const std::string code(rosterFieldCode(field));
-    if (!column && isRequired(field, kind)) {
-      throw Error(ErrorCode::kBadParameter, Text("no column is chosen for %1", code), file.name,
-                  "Choose one");
-    }
-    if (!column) {
-      continue;
-    }
-    if (*column >= file.header.size()) {
-      throw Error(ErrorCode::kBadParameter, Text("the column for %1 does not exist", code), file.name,
-                  "Choose one of the file");
-    }
-    if (!used.emplace(*column, field).second) {
-      throw Error(ErrorCode::kBadParameter, Text("\"%1\" is chosen for two fields", file.header[*column]),
-                  file.name, "Choose one column a field");
-    }
-  }
-}
 
 std::string fingerprintOf(const RosterPreview& preview) {
   Digest digest;
@@ -344,20 +88,20 @@ RosterPreview preview(SessionContext& session, const RosterFile& file, RosterKin
     RosterRow row;
     row.line = record.line;
     if (record.values.size() != file.header.size()) {
-      fail(row, Text("the line has %1 values, the header %2", record.values.size(), file.header.size()),
-           "Give one value a column; put a value that holds the separator in quotes");
+      refuseRow(row, Text("the line has %1 values, the header %2", record.values.size(), file.header.size()),
+                "Give one value a column; put a value that holds the separator in quotes");
     } else {
       for (const RosterField field : rosterFields(kind)) {
-        if (columns[at(field)]) {
-          row.values[at(field)] = record.values[*columns[at(field)]];
+        if (columns[rosterIndex(field)]) {
+          row.values[rosterIndex(field)] = record.values[*columns[rosterIndex(field)]];
         }
       }
       understand(row, kind, known);
-      const std::string& number = row.values[at(RosterField::kExternalId)];
+      const std::string& number = row.values[rosterIndex(RosterField::kExternalId)];
       const auto [first, fresh] = lineOf.emplace(number, row.line);
       if (!number.empty() && !fresh) {
-        fail(row, Text("the number %1 stands on line %2 already", number, first->second),
-             "Remove one of the two lines, or correct the number");
+        refuseRow(row, Text("the number %1 stands on line %2 already", number, first->second),
+                  "Remove one of the two lines, or correct the number");
       }
       if (row.problem.empty()) {
         compareWithKnown(row, kind, known);
@@ -378,7 +122,7 @@ void requireRosterRights(const SessionContext& session) {
   session.require(Operation::kPersonViewIdentity);
 }
 
-nlohmann::json addedJson(const StoredPerson& person, const std::string& part) {
+nlohmann::json addedJson(const Person& person, const std::string& part) {
   return {{"code", person.code},
           {"part", part},
           {"sex", person.sex},
@@ -403,26 +147,26 @@ std::vector<std::string> addNew(SessionContext& session, const RosterPreview& pr
     count.next();
     PersonEntry entry;
     for (const RosterField field : rosterFields(preview.kind)) {
-      if (!row->values[at(field)].empty()) {
-        setValue(entry, field, row->values[at(field)]);
+      if (!row->values[rosterIndex(field)].empty()) {
+        setValue(entry, field, row->values[rosterIndex(field)]);
       }
     }
-    StoredPerson person{.id = id,
-                        .code = codes.next(trainees ? kTraineePrefix : kRaterPrefix),
-                        .sex = entry.sex,
-                        .level = entry.level,
-                        .experience = entry.experience,
-                        .age_years = entry.age_years,
-                        .createdUtc_us = session.now_us()};
+    Person person{.id = id,
+                  .code = codes.next(trainees ? kTraineePrefix : kRaterPrefix),
+                  .sex = entry.sex,
+                  .level = entry.level,
+                  .experience = entry.experience,
+                  .age_years = entry.age_years,
+                  .createdUtc_us = session.now_us()};
     if (trainees) {
-      repository.addTrainees(std::vector<StoredTrainee>{{person, entry.handedness}});
+      repository.addTrainees(std::vector<Trainee>{{person, entry.handedness}});
     }
     if (!trainees) {
-      repository.addRaters(std::vector<StoredRater>{{person, entry.raterClass}});
+      repository.addRaters(std::vector<Rater>{{person, entry.raterClass}});
     }
     repository.setIdentity({id, entry.fullName, entry.email, entry.externalId});
-    session.note({.action = "person.add",
-                  .objectKind = "person",
+    session.note({.action = AuditAction::kPersonAdd,
+                  .objectKind = AuditObject::kPerson,
                   .objectId = id,
                   .newJson = addedJson(person, trainees ? "trainee" : entry.raterClass).dump()});
     newCodes.push_back(person.code);
@@ -482,8 +226,8 @@ RosterOutcome importRoster(SessionContext& session, const RosterFile& file, Rost
   applyChanges(session, now, count);
   outcome.added = now.added;
   outcome.changed = now.changed;
-  session.note({.action = "roster.import",
-                .objectKind = "person",
+  session.note({.action = AuditAction::kRosterImport,
+                .objectKind = AuditObject::kPerson,
                 .newJson = nlohmann::json{{"added", now.added},
                                           {"changed", now.changed},
                                           {"same", now.same},

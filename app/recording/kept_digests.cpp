@@ -6,6 +6,9 @@
 
 #include "app/base/assets.h"
 #include "assessment/metrics/metric_cards.h"
+#include "db/connection/connection.h"
+#include "db/repository/trial/digest_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/record/sample_codec.h"
 #include "sim/scene/scene_file.h"
@@ -68,9 +71,9 @@ std::string modelName(const std::string& parametersJson) {
   }
 }
 
-StoredTrialDigest keptDigest(const Trial& trial, const AttemptMeasures& measures, const AttemptRules& rules,
-                             std::int64_t now_us) {
-  StoredTrialDigest kept;
+TrialDigest keptDigest(const Trial& trial, const AttemptMeasures& measures, const AttemptRules& rules,
+                       std::int64_t now_us) {
+  TrialDigest kept;
   kept.trialId = trial.header.trialId;
   kept.formulaVersion = kMetricsVersion;
   kept.tolerance_rad = rules.tolerance_rad;
@@ -91,7 +94,7 @@ StoredTrialDigest keptDigest(const Trial& trial, const AttemptMeasures& measures
   return kept;
 }
 
-AttemptMeasures measuresFrom(const StoredTrialDigest& kept) {
+AttemptMeasures measuresFrom(const TrialDigest& kept) {
   AttemptMeasures measures;
   measures.duration_us = kept.duration_us;
   for (const auto& [error_deg, onTarget] : kept.attempts) {
@@ -105,16 +108,16 @@ AttemptMeasures measuresFrom(const StoredTrialDigest& kept) {
   return measures;
 }
 
-const StoredTrialDigest* findDigest(std::span<const StoredTrialDigest> kept, const std::string& contentHash,
-                                    const AttemptRules& rules) {
-  const auto found = std::find_if(kept.begin(), kept.end(), [&](const StoredTrialDigest& digest) {
+const TrialDigest* findDigest(std::span<const TrialDigest> kept, const std::string& contentHash,
+                              const AttemptRules& rules) {
+  const auto found = std::find_if(kept.begin(), kept.end(), [&](const TrialDigest& digest) {
     return digest.contentHash == contentHash && digest.tolerance_rad == rules.tolerance_rad &&
            digest.forceLimit_N == rules.forceLimit_N && digest.torqueLimit_Nm == rules.torqueLimit_Nm;
   });
   return found == kept.end() ? nullptr : &*found;
 }
 
-TrialSummaryRow summaryRow(const TrialListing& listing, const StoredTrialDigest& digest) {
+TrialSummaryRow summaryRow(const TrialListing& listing, const TrialDigest& digest) {
   const TrialSummary& summary = listing.summary.value();
   const AttemptMeasures measures = measuresFrom(digest);
   TrialSummaryRow row;
@@ -140,12 +143,12 @@ TrialSummaryRow summaryRow(const TrialListing& listing, const StoredTrialDigest&
   return row;
 }
 
-StoredTrialDigest digestOf(Connection& connection, const TrialListing& listing, ExerciseRules& exercises,
-                           std::int64_t now_us) {
+TrialDigest digestOf(Connection& connection, const TrialListing& listing, ExerciseRules& exercises,
+                     std::int64_t now_us) {
   const AttemptRules rules = exercises.of(connection, listing.sceneId, listing.patternId, listing.moduleId);
-  const std::vector<StoredTrialDigest> kept =
+  const std::vector<TrialDigest> kept =
       DigestRepository(connection).ofTrial(listing.trialId, kMetricsVersion);
-  if (const StoredTrialDigest* known = findDigest(kept, listing.summary.value().contentHash, rules)) {
+  if (const TrialDigest* known = findDigest(kept, listing.summary.value().contentHash, rules)) {
     return *known;
   }
   const Trial trial = TrialRepository(connection).load(listing.trialId);
@@ -159,7 +162,7 @@ void keepDigest(Connection& connection, const Trial& trial, const AttemptMeasure
   if (connection.readOnly() || trial.summary.contentHash.empty()) {
     return;
   }
-  const StoredTrialDigest kept = keptDigest(trial, measures, rules, now_us);
+  const TrialDigest kept = keptDigest(trial, measures, rules, now_us);
   DigestRepository(connection).add({&kept, 1});
 }
 

@@ -9,13 +9,15 @@
 #include <utility>
 
 #include "assessment/attempt/attempt_measures.h"
+#include "assessment/attempt/trial_digest.h"
+#include "assessment/attempt/trial_listing.h"
 #include "assessment/report/cohort_report.h"
-#include "db/repository/trial/digest_repository.h"
-#include "db/repository/trial/trial_repository.h"
 #include "sim/base/live_types.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
+
+class Connection;
 
 /// By what each recording is judged: its module's tolerance, hold and limits, else the tolerance of the
 /// scene's pattern in the assets, else kUsualTolerance_rad. Who looks, and when, changes nothing. One thread
@@ -45,23 +47,23 @@ class ExerciseRules {
 [[nodiscard]] std::string modelName(const std::string& parametersJson);
 
 /// Turns what was measured into what is stored, with the version of the formulas.
-[[nodiscard]] StoredTrialDigest keptDigest(const Trial& trial, const AttemptMeasures& measures,
-                                           const AttemptRules& rules, std::int64_t now_us);
+[[nodiscard]] TrialDigest keptDigest(const Trial& trial, const AttemptMeasures& measures,
+                                     const AttemptRules& rules, std::int64_t now_us);
 /// Turns what is stored back into what was measured, to the last bit.
-[[nodiscard]] AttemptMeasures measuresFrom(const StoredTrialDigest& kept);
+[[nodiscard]] AttemptMeasures measuresFrom(const TrialDigest& kept);
 /// Finds the digest of this very recording, judged by these very rules; null: there is none.
-[[nodiscard]] const StoredTrialDigest* findDigest(std::span<const StoredTrialDigest> kept,
-                                                  const std::string& contentHash, const AttemptRules& rules);
+[[nodiscard]] const TrialDigest* findDigest(std::span<const TrialDigest> kept, const std::string& contentHash,
+                                            const AttemptRules& rules);
 
 /// The line of the report for a finished recording: what the trial's own rows say, and what was measured. The
 /// caller fills in the group.
-[[nodiscard]] TrialSummaryRow summaryRow(const TrialListing& listing, const StoredTrialDigest& digest);
+[[nodiscard]] TrialSummaryRow summaryRow(const TrialListing& listing, const TrialDigest& digest);
 
 /// Returns the digest of a finished recording by the rules of its exercise. One of the present version is
 /// read; otherwise the recording is read, measured, and its digest kept beside it, unless the record is
 /// read-only or the recording has no content hash. Slow in that case. Throws Error, DbError.
-[[nodiscard]] StoredTrialDigest digestOf(Connection& connection, const TrialListing& listing,
-                                         ExerciseRules& rules, std::int64_t now_us);
+[[nodiscard]] TrialDigest digestOf(Connection& connection, const TrialListing& listing, ExerciseRules& rules,
+                                   std::int64_t now_us);
 
 /// Keeps what was measured of a finished recording, unless it is there already, the record is read-only or
 /// the recording has no content hash.

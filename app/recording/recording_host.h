@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "db/repository/trial/trial_repository.h"
+#include "assessment/attempt/trial_listing.h"
 
 namespace torsio {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "db/repository/trial/trial_repository.h"
+#include "assessment/attempt/trial_listing.h"
 #include "sim/device/haptic_device.h"
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "app/recording/kept_digests.h"
+#include "assessment/attempt/trial_listing.h"
+#include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
@@ -41,11 +43,11 @@ Trial loadStoredTrial(const std::string& database, const std::string& trialId) {
   return trials.load(fullTrialId(trials, trialId));
 }
 
-StoredRun loadStoredRun(const std::string& database, const std::string& trialId,
+LoadedRun loadStoredRun(const std::string& database, const std::string& trialId,
                         const std::filesystem::path& assets) {
   Connection connection = openRecord(database, OpenMode::kReadOnly);
   TrialRepository trials(connection);
-  StoredRun run{.trial = trials.load(fullTrialId(trials, trialId)), .rules = {}};
+  LoadedRun run{.trial = trials.load(fullTrialId(trials, trialId)), .rules = {}};
   const TrialHeader& header = run.trial.header;
   const TrialContext context = trials.context(header.trialId).value_or(TrialContext{});
   ExerciseRules exercises(assets);

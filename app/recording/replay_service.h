@@ -15,13 +15,13 @@ namespace torsio {
 [[nodiscard]] Trial loadStoredTrial(const std::string& database, const std::string& trialId);
 
 /// A stored trial with the rules of its exercise.
-struct StoredRun {
+struct LoadedRun {
   Trial trial;
   AttemptRules rules;
 };
 /// Loads a trial as loadStoredTrial does, and finds by what it is judged. `assets`: where patterns are read;
 /// empty: assetsFolder(). Throws the same.
-[[nodiscard]] StoredRun loadStoredRun(const std::string& database, const std::string& trialId,
+[[nodiscard]] LoadedRun loadStoredRun(const std::string& database, const std::string& trialId,
                                       const std::filesystem::path& assets = {});
 
 struct ReplayRequest {

@@ -2,6 +2,9 @@
 #include "app/recording/station_heartbeat.h"
 
 #include "app/base/build_info.h"
+#include "assessment/study/station_state.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/repository/trial/station_repository.h"
 #include "db/repository/trial/trial_repository.h"
 
@@ -37,7 +40,7 @@ void StationHeartbeat::send() {
   shownUser_ = session_->actor().userId;
   next_us_ = now_us + kAgain_us;
   try {
-    Connection& connection = session_->connection();
+    Connection& connection = session_->connectionWithoutRight();
     const bool there =
         trialId_.empty() || trialId_ == shownTrial_ || TrialRepository(connection).find(trialId_);
     const std::string trial = there ? trialId_ : "";
@@ -62,7 +65,7 @@ void StationHeartbeat::send() {
 
 void StationHeartbeat::leave() {
   try {
-    StationRepository(session_->connection()).leave(session_->station());
+    StationRepository(session_->connectionWithoutRight()).leave(session_->station());
   } catch (const DbError& error) {
     answered_ = error.fault() != DbFault::kUnreachable;
     shownTrial_.clear();

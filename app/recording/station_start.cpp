@@ -9,7 +9,12 @@
 
 #include "app/base/assets.h"
 #include "app/recording/kept_digests.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/study/study_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/tick_period.h"
 
@@ -20,9 +25,9 @@ namespace {
 // The clock of a run and the recording differ by less than this.
 constexpr std::int64_t kAgreesWithin_us = 500'000;
 
-std::optional<StoredEnrolment> enrolmentOf(StudyRepository& studies, const std::string& id) {
-  for (const StoredCohort& cohort : studies.cohorts()) {
-    for (const StoredEnrolment& enrolment : studies.enrolments(cohort.id)) {
+std::optional<Enrolment> enrolmentOf(StudyRepository& studies, const std::string& id) {
+  for (const Cohort& cohort : studies.cohorts()) {
+    for (const Enrolment& enrolment : studies.enrolments(cohort.id)) {
       if (enrolment.id == id) {
         return enrolment;
       }
@@ -36,13 +41,13 @@ std::int64_t logMissing_us(SessionContext& session, const TrialListing& trial) {
   if (trial.enrolmentId.empty()) {
     return 0;
   }
-  StudyRepository studies(session.connection());
-  const std::optional<StoredEnrolment> enrolment = enrolmentOf(studies, trial.enrolmentId);
+  StudyRepository studies(session.connectionWithoutRight());
+  const std::optional<Enrolment> enrolment = enrolmentOf(studies, trial.enrolmentId);
   if (!enrolment) {
     return 0;
   }
   std::int64_t logged_us = 0;
-  for (const StoredExposure& exposure : studies.exposures(enrolment->cohortId)) {
+  for (const Exposure& exposure : studies.exposures(enrolment->cohortId)) {
     const bool same = exposure.enrolmentId == trial.enrolmentId && exposure.phaseId == trial.phaseId &&
                       exposure.kind == "virtual" &&
                       exposure.startedUtc_us >= trial.startedUtc_us - kAgreesWithin_us;
@@ -54,14 +59,14 @@ std::int64_t logMissing_us(SessionContext& session, const TrialListing& trial) {
   if (missing_us < kAgreesWithin_us) {
     return 0;
   }
-  const StoredExposure found{.id = session.ids().newUuid(),
-                             .enrolmentId = trial.enrolmentId,
-                             .phaseId = trial.phaseId,
-                             .kind = "virtual",
-                             .startedUtc_us = trial.startedUtc_us + logged_us,
-                             .duration_us = missing_us,
-                             .recordedBy = session.actor().userId.empty() ? "torsio" : session.actor().userId,
-                             .demonstration = trial.demonstration};
+  const Exposure found{.id = session.ids().newUuid(),
+                       .enrolmentId = trial.enrolmentId,
+                       .phaseId = trial.phaseId,
+                       .kind = "virtual",
+                       .startedUtc_us = trial.startedUtc_us + logged_us,
+                       .duration_us = missing_us,
+                       .recordedBy = session.actor().userId.empty() ? "torsio" : session.actor().userId,
+                       .demonstration = trial.demonstration};
   studies.addExposures({&found, 1});
   return missing_us;
 }
@@ -69,8 +74,8 @@ std::int64_t logMissing_us(SessionContext& session, const TrialListing& trial) {
 SettledTrial settled(SessionContext& session, TrialListing trial, bool fromFile) {
   const std::int64_t added_us = logMissing_us(session, trial);
   const nlohmann::json what{{"exposure_us", added_us}};
-  session.note({.action = fromFile ? "trial.import" : "trial.close_interrupted",
-                .objectKind = "trial",
+  session.note({.action = fromFile ? AuditAction::kTrialImport : AuditAction::kTrialCloseInterrupted,
+                .objectKind = AuditObject::kTrial,
                 .objectId = trial.trialId,
                 .newJson = what.dump()});
   return {std::move(trial), fromFile, added_us};
@@ -101,12 +106,12 @@ void measureNow(SessionContext& session, const TrialListing& trial) {
     return;
   }
   ExerciseRules rules;
-  static_cast<void>(digestOf(session.connection(), trial, rules, session.now_us()));
+  static_cast<void>(digestOf(session.connectionWithoutRight(), trial, rules, session.now_us()));
 }
 
 SettledTrial store(SessionContext& session, const UnstoredTrial& waiting) {
-  Transaction transaction(session.connection());
-  TrialRepository trials(session.connection(), waiting.context);
+  Transaction transaction(session.connectionWithoutRight());
+  TrialRepository trials(session.connectionWithoutRight(), waiting.context);
   trials.import(waiting.trial);
   TrialListing listing = listingOf(trials, waiting.trial);
   measureNow(session, listing);
@@ -139,8 +144,8 @@ void importFiles(SessionContext& session, const std::filesystem::path& folder, S
 StationStart settleStation(SessionContext& session, const std::filesystem::path& folder) {
   StationStart start;
   importFiles(session, folder, start);
-  Transaction transaction(session.connection());
-  TrialRepository trials(session.connection());
+  Transaction transaction(session.connectionWithoutRight());
+  TrialRepository trials(session.connectionWithoutRight());
   for (TrialListing& trial : trials.closeInterrupted(session.station(), session.now_us() - kQuietTrial_us)) {
     measureNow(session, trial);
     start.trials.push_back(settled(session, std::move(trial), false));

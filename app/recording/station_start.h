@@ -8,7 +8,7 @@
 
 #include "app/access/session_context.h"
 #include "app/recording/unstored_trials.h"
-#include "db/repository/trial/trial_repository.h"
+#include "assessment/attempt/trial_listing.h"
 #include "sim/base/text.h"
 
 namespace torsio {

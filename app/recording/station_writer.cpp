@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/recording/station_heartbeat.h"
+#include "db/connection/db_error.h"
 #include "sim/base/error.h"
 
 namespace torsio {

@@ -4,8 +4,13 @@
 #include <algorithm>
 #include <map>
 
+#include "assessment/attempt/trial_digest.h"
+#include "assessment/attempt/trial_listing.h"
 #include "assessment/metrics/metric_cards.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
 #include "db/repository/study/study_repository.h"
+#include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/record/sample_codec.h"
 
@@ -19,11 +24,11 @@ constexpr std::size_t kKeepEvery = 256;
 
 /// Positions of the groups of a cohort's enrolments.
 std::map<std::string, std::size_t> groupOfEnrolment(StudyRepository& study, const std::string& cohortId) {
-  const std::vector<StoredGroup> groups = study.groups(cohortId);
+  const std::vector<StudyGroup> groups = study.groups(cohortId);
   std::map<std::string, std::size_t> out;
-  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
     const auto group = std::find_if(groups.begin(), groups.end(),
-                                    [&](const StoredGroup& g) { return g.code == enrolment.groupCode; });
+                                    [&](const StudyGroup& g) { return g.code == enrolment.groupCode; });
     if (group != groups.end()) {
       out[enrolment.id] = static_cast<std::size_t>(group - groups.begin());
     }
@@ -44,7 +49,7 @@ std::vector<TrialListing> finishedTrials(TrialRepository& trials,
   return listed;
 }
 
-using Kept = std::map<std::string, std::vector<StoredTrialDigest>>;
+using Kept = std::map<std::string, std::vector<TrialDigest>>;
 
 /// What was kept of the trials of a cohort by the present formulas, by trial.
 Kept keptOf(Connection& connection, const std::string& cohortId) {
@@ -62,7 +67,7 @@ class Fresh {
   Fresh(const Fresh&) = delete;
   Fresh& operator=(const Fresh&) = delete;
 
-  void add(StoredTrialDigest digest) {
+  void add(TrialDigest digest) {
     waiting_.push_back(std::move(digest));
     if (waiting_.size() >= kKeepEvery) {
       keep();
@@ -77,7 +82,7 @@ class Fresh {
 
  private:
   Connection& connection_;
-  std::vector<StoredTrialDigest> waiting_;
+  std::vector<TrialDigest> waiting_;
 };
 
 }  // namespace
@@ -97,8 +102,7 @@ std::vector<TrialSummaryRow> TrialDigests::ofCohort(SessionContext& session, con
   for (std::size_t i = 0; i < listed.size(); ++i) {
     const TrialListing& listing = listed[i];
     const AttemptRules rules = rules_.of(connection, listing.sceneId, listing.patternId, listing.moduleId);
-    if (const StoredTrialDigest* known =
-            findDigest(kept[listing.trialId], listing.summary->contentHash, rules)) {
+    if (const TrialDigest* known = findDigest(kept[listing.trialId], listing.summary->contentHash, rules)) {
       out.push_back(summaryRow(listing, *known));
     } else {
       if (progress && measured_ % kProgressEvery == 0) {
@@ -106,7 +110,7 @@ std::vector<TrialSummaryRow> TrialDigests::ofCohort(SessionContext& session, con
                   static_cast<double>(i) / static_cast<double>(listed.size()), -1.0});
       }
       const Trial trial = trials.load(listing.trialId);
-      StoredTrialDigest digest =
+      TrialDigest digest =
           keptDigest(trial, measureAttempt(trial.header, decodeTrial(trial), rules), rules, session.now_us());
       ++measured_;
       out.push_back(summaryRow(listing, digest));

@@ -6,6 +6,8 @@
 #include <QStandardPaths>
 
 #include "app/access/session_context.h"
+#include "db/connection/connection.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/file_io.h"
 
 namespace torsio {
@@ -17,14 +19,21 @@ std::string defaultDatabase() {
   return (folder / "torsio.sqlite").string();
 }
 
-TrialStore::TrialStore(const std::string& locator) : connection_(openUpToDate(locator)) {}
+TrialStore::TrialStore(const std::string& locator)
+    : connection_(std::make_unique<Connection>(openUpToDate(locator))) {}
+
+TrialStore::~TrialStore() = default;
+
+const std::string& TrialStore::location() const noexcept {
+  return connection_->location();
+}
 
 std::vector<TrialListing> TrialStore::list() {
-  return TrialRepository(connection_).list();
+  return TrialRepository(*connection_).list();
 }
 
 Trial TrialStore::load(const std::string& trialId) {
-  return TrialRepository(connection_).load(trialId);
+  return TrialRepository(*connection_).load(trialId);
 }
 
 }  // namespace torsio

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "db/repository/trial/trial_repository.h"
+#include "assessment/attempt/trial_listing.h"
 #include "sim/base/text.h"
 #include "sim/record/trial.h"
 
@@ -17,9 +17,10 @@ namespace torsio {
 /// comes. Needs a QCoreApplication.
 [[nodiscard]] std::filesystem::path unstoredFolder();
 
-/// Makes the place where a recording goes, whoever makes it: a sink with a connection of its own to the database
-/// at `locator`, for the recorder's thread. When the database stays away the recorder writes a file into
-/// `folder`, and the file knows its database and `context` (RecordingSpec::context) for the later import.
+/// Makes the place where a recording goes, whoever makes it: a sink with a connection of its own to the
+/// database at `locator`, for the recorder's thread. When the database stays away the recorder writes a file
+/// into `folder`, and the file knows its database and `context` (RecordingSpec::context) for the later
+/// import.
 [[nodiscard]] std::unique_ptr<TrialSink> recordingSink(
     const std::string& locator, const TrialContext& context,
     const std::filesystem::path& folder = unstoredFolder());

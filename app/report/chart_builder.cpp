@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 #include <QBarCategoryAxis>
 #include <QBarSeries>
@@ -13,7 +11,6 @@
 #include <QBoxSet>
 #include <QCategoryAxis>
 #include <QChart>
-#include <QFont>
 #include <QGraphicsLayout>
 #include <QLegend>
 #include <QLegendMarker>
@@ -22,10 +19,8 @@
 #include <QScatterSeries>
 #include <QValueAxis>
 
-#include "app/report/category_labels.h"
+#include "app/report/chart_axes.h"
 #include "app/report/heat_map_item.h"
-#include "app/report/typeface.h"
-#include "app/report/upright_title.h"
 #include "sim/base/contracts.h"
 
 namespace torsio {
@@ -33,16 +28,6 @@ namespace torsio {
 namespace {
 
 constexpr std::size_t kFewPoints = 14;  // lines with no more points carry markers
-
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-  void take(double v) {
-    low = std::min(low, v);
-    high = std::max(high, v);
-  }
-  [[nodiscard]] bool empty() const { return !(low <= high); }
-};
 
 constexpr std::array kMarkers{
     QScatterSeries::MarkerShapeCircle,   QScatterSeries::MarkerShapeRectangle,
@@ -53,37 +38,41 @@ constexpr std::array kMarkers{
 class Builder {
  public:
   Builder(const ReportFigure& figure, const ChartLook& look, const Wording& wording)
-      : figure_(figure), look_(look), say_(wording), chart_(std::make_unique<QChart>()) {}
+      : figure_(figure),
+        look_(look),
+        say_(wording),
+        chart_(std::make_unique<QChart>()),
+        axes_(figure, look, wording, *chart_) {}
 
   std::unique_ptr<QChart> take() {
     prepare();
     switch (figure_.kind) {
       case FigureKind::kGroupedBars:
-        values(Qt::AlignLeft);
+        values_ = axes_.addValues(Qt::AlignLeft);
         bars();
         break;
       case FigureKind::kRanges:
-        values(Qt::AlignLeft);
+        values_ = axes_.addValues(Qt::AlignLeft);
         ranges();
         break;
       case FigureKind::kBoxes:
-        values(Qt::AlignLeft);
+        values_ = axes_.addValues(Qt::AlignLeft);
         boxes();
         break;
       case FigureKind::kPoints:
-        values(Qt::AlignLeft);
+        values_ = axes_.addValues(Qt::AlignLeft);
         points();
         break;
       case FigureKind::kLines:
-        values(Qt::AlignLeft);
+        values_ = axes_.addValues(Qt::AlignLeft);
         lines();
         break;
       case FigureKind::kScatter:
-        values(Qt::AlignLeft);
+        values_ = axes_.addValues(Qt::AlignLeft);
         cloud();
         break;
       case FigureKind::kForest:
-        values(Qt::AlignBottom);
+        values_ = axes_.addValues(Qt::AlignBottom);
         forest();
         break;
       case FigureKind::kHeatMap:
@@ -97,12 +86,6 @@ class Builder {
   }
 
  private:
-  [[nodiscard]] QFont font(int pixels) const {
-    QFont out = typeface();
-    out.setPixelSize(pixels);
-    return out;
-  }
-
   void prepare() {
     chart_->setAnimationOptions(QChart::NoAnimation);
     chart_->setDropShadowEnabled(false);
@@ -111,148 +94,11 @@ class Builder {
     chart_->layout()->setContentsMargins(0, 0, 0, 0);
     QLegend* legend = chart_->legend();
     legend->setAlignment(Qt::AlignTop);
-    legend->setFont(font(look_.label_px));
+    legend->setFont(chartFont(look_.label_px));
     legend->setLabelColor(look_.ink);
     // Bars have no marker of their own: asked for one, Qt leaves it white and cuts the names short.
     legend->setMarkerShape(figure_.kind == FigureKind::kGroupedBars ? QLegend::MarkerShapeRectangle
                                                                     : QLegend::MarkerShapeFromSeries);
-  }
-
-  /// Instead of the axis' own, which Qt cuts.
-  void addUprightTitle(const Text& words) const {
-    if (words.empty()) {
-      return;
-    }
-    auto* title = new UprightTitle(say_(words), look_, chart_.get());  // the chart owns it
-    QMargins margins = chart_->margins();
-    margins.setLeft(margins.left() + static_cast<int>(std::ceil(title->width())));
-    chart_->setMargins(margins);
-    QObject::connect(chart_.get(), &QChart::plotAreaChanged, chart_.get(),
-                     [title](const QRectF& plot) { title->place(plot); });
-  }
-
-  template <typename Axis>
-  Axis* styled(Axis* axis, const Text& title) const {
-    axis->setLabelsFont(font(look_.label_px - 1));
-    axis->setTitleFont(font(look_.label_px));
-    axis->setTitleText(say_(title).toHtmlEscaped());
-    axis->setLabelsColor(look_.ink);
-    axis->setTitleBrush(look_.ink);
-    axis->setGridLineColor(look_.grid);
-    axis->setLinePenColor(look_.ink);
-    return axis;
-  }
-
-  [[nodiscard]] Range valueRange() const {
-    Range range;
-    for (const FigureSeries& series : figure_.series) {
-      for (const auto& y : series.y) {
-        if (y) {
-          range.take(*y);
-        }
-      }
-      for (const double v : series.low) {
-        range.take(v);
-      }
-      for (const double v : series.high) {
-        range.take(v);
-      }
-    }
-    for (const FigureReference& reference : figure_.references) {
-      range.take(reference.value);
-    }
-    if (range.empty()) {
-      range = {0.0, 1.0};
-    }
-    if (figure_.kind == FigureKind::kGroupedBars) {
-      range.take(0.0);
-    }
-    if (range.low == range.high) {
-      range.high = range.low + 1.0;
-    }
-    return range;
-  }
-
-  void values(Qt::Alignment side) {
-    const bool upright = side == Qt::AlignLeft;
-    auto* axis = styled(new QValueAxis, upright ? Text() : figure_.yLabel);
-    const Range range = valueRange();
-    axis->setRange(figure_.yMin.value_or(range.low), figure_.yMax.value_or(range.high));
-    axis->setTickCount(6);
-    if (!figure_.yMin || !figure_.yMax) {
-      axis->applyNiceNumbers();
-    }
-    const double span = axis->max() - axis->min();
-    axis->setLabelFormat(span >= 8.0 ? "%.0f" : span >= 0.8 ? "%.1f" : "%.2f");
-    if (upright) {
-      addUprightTitle(figure_.yLabel);
-    }
-    chart_->addAxis(axis, side);
-    values_ = axis;
-  }
-
-  /// Categories on a continuous axis at 1, 2, 3 ..., so that marks may stand beside each other.
-  QCategoryAxis* slotAxis() {
-    auto* axis = styled(new QCategoryAxis, figure_.xLabel);
-    axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
-    QStringList categories;
-    for (const Text& category : figure_.categories) {
-      categories << say_(category);
-    }
-    const auto [names, letters] = categoryLabels(categories, look_.label_px - 1);
-    for (qsizetype i = 0; i < names.size(); ++i) {
-      axis->append(names[i], static_cast<double>(i + 1));
-    }
-    axis->setLabelsFont(letters);
-    axis->setRange(0.5, static_cast<double>(figure_.categories.size()) + 0.5);
-    axis->setGridLineVisible(false);
-    chart_->addAxis(axis, Qt::AlignBottom);
-    range_ = {0.5, static_cast<double>(figure_.categories.size()) + 0.5};
-    return axis;
-  }
-
-  QValueAxis* numberAxis() {
-    auto* axis = styled(new QValueAxis, figure_.xLabel);
-    Range range;
-    for (const FigureSeries& series : figure_.series) {
-      for (const double x : series.x) {
-        range.take(x);
-      }
-    }
-    if (range.empty()) {
-      range = {0.0, 1.0};
-    }
-    if (range.low == range.high) {
-      range.high = range.low + 1.0;
-    }
-    axis->setRange(range.low, range.high);
-    if (figure_.kind == FigureKind::kScatter) {
-      axis->setTickCount(6);
-      axis->applyNiceNumbers();
-    } else {
-      countAlong(*axis, range);
-    }
-    const bool whole = figure_.kind != FigureKind::kScatter || axis->max() - axis->min() >= 4.0;
-    axis->setLabelFormat(whole ? "%.0f" : "%.1f");
-    chart_->addAxis(axis, Qt::AlignBottom);
-    range_ = {axis->min(), axis->max()};
-    return axis;
-  }
-
-  /// Marks at whole numbers, some air at both ends, so that the first and the last point are drawn whole.
-  static void countAlong(QValueAxis& axis, const Range& range) {
-    constexpr double kMostTicks = 8.0;
-    const double span = range.high - range.low;
-    double step = 1.0;
-    for (const double wider : {2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0}) {
-      if (span / step > kMostTicks) {
-        step = wider;
-      }
-    }
-    axis.setTickType(QValueAxis::TicksDynamic);
-    axis.setTickAnchor(0.0);
-    axis.setTickInterval(step);
-    axis.setRange(range.low - 0.03 * span, range.high + 0.03 * span);
   }
 
   /// Where series `s` stands within its category.
@@ -286,7 +132,7 @@ class Builder {
   }
 
   void bars() {
-    slotAxis();  // what is seen: the axis of bars would leave its labels less room
+    axes_.addCategories();  // what is seen: the axis of bars would leave its labels less room
     auto* axis = new QBarCategoryAxis;
     for (std::size_t i = 0; i < figure_.categories.size(); ++i) {
       axis->append(QString::number(i));
@@ -321,7 +167,7 @@ class Builder {
   }
 
   void ranges() {
-    QCategoryAxis* axis = slotAxis();
+    QCategoryAxis* axis = axes_.addCategories();
     for (std::size_t s = 0; s < figure_.series.size(); ++s) {
       const FigureSeries& series = figure_.series[s];
       TORSIO_EXPECTS(series.low.size() == series.y.size() && series.high.size() == series.y.size());
@@ -339,7 +185,7 @@ class Builder {
   }
 
   void points() {
-    QCategoryAxis* axis = slotAxis();
+    QCategoryAxis* axis = axes_.addCategories();
     for (std::size_t s = 0; s < figure_.series.size(); ++s) {
       const FigureSeries& series = figure_.series[s];
       auto* dots = marks(lookOf(s), series.name, 8.0);
@@ -360,7 +206,8 @@ class Builder {
   }
 
   void lines() {
-    QAbstractAxis* axis = figure_.categories.empty() ? static_cast<QAbstractAxis*>(numberAxis()) : slotAxis();
+    QAbstractAxis* axis =
+        figure_.categories.empty() ? static_cast<QAbstractAxis*>(axes_.addNumbers()) : axes_.addCategories();
     for (std::size_t s = 0; s < figure_.series.size(); ++s) {
       const FigureSeries& series = figure_.series[s];
       const std::size_t number = lookOf(s);
@@ -387,7 +234,7 @@ class Builder {
 
   /// Intervals and markers of a line.
   void ornaments(const FigureSeries& series, std::size_t number, QAbstractAxis* axis) {
-    const double cap = figure_.categories.empty() ? 0.004 * (range_.high - range_.low) : 0.03;
+    const double cap = figure_.categories.empty() ? 0.004 * (axes_.across().high - axes_.across().low) : 0.03;
     if (series.low.size() == series.y.size() && series.high.size() == series.y.size()) {
       for (std::size_t i = 0; i < series.y.size(); ++i) {
         if (series.y[i] && series.low[i] < series.high[i]) {
@@ -410,7 +257,7 @@ class Builder {
   }
 
   void cloud() {
-    QValueAxis* axis = numberAxis();
+    QValueAxis* axis = axes_.addNumbers();
     for (std::size_t s = 0; s < figure_.series.size(); ++s) {
       const FigureSeries& series = figure_.series[s];
       auto* dots = marks(lookOf(s), series.name, series.y.size() > 150 ? 4.5 : 6.5);
@@ -427,17 +274,7 @@ class Builder {
   }
 
   void forest() {
-    const auto rows = static_cast<double>(figure_.categories.size());
-    auto* axis = styled(new QCategoryAxis, figure_.xLabel);
-    axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
-    for (std::size_t i = 0; i < figure_.categories.size(); ++i) {
-      axis->append(say_(figure_.categories[i]).toHtmlEscaped(), static_cast<double>(i + 1));
-    }
-    axis->setRange(0.4, rows + 0.6);
-    axis->setReverse(true);  // first row on top
-    axis->setGridLineVisible(false);
-    chart_->addAxis(axis, Qt::AlignLeft);
-    range_ = {0.4, rows + 0.6};
+    QCategoryAxis* axis = axes_.addRows();
     rows_ = axis;
     for (std::size_t s = 0; s < figure_.series.size(); ++s) {
       const FigureSeries& series = figure_.series[s];
@@ -456,8 +293,6 @@ class Builder {
   }
 
   void boxes() {
-    auto* axis = styled(new QBarCategoryAxis, figure_.xLabel);
-    axis->setGridLineVisible(false);
     auto* all = new QBoxPlotSeries;
     auto* means = marks(3, Text("mean"), 9.0);
     auto* outliers = marks(0, Text("outside the whiskers"), 6.0);
@@ -478,7 +313,7 @@ class Builder {
         outliers->append(static_cast<double>(s), value);
       }
     }
-    chart_->addAxis(axis, Qt::AlignBottom);
+    QBarCategoryAxis* axis = axes_.addBoxes();
     add(all, axis, values_, false);
     add(means, axis, values_, true);
     if (outliers->count() > 0) {
@@ -504,10 +339,10 @@ class Builder {
       line->setName(say_(reference.label));
       line->setPen(QPen(look_.ink, 1.2, kStyles[i % kStyles.size()]));
       if (lying) {
-        line->append({{reference.value, range_.low}, {reference.value, range_.high}});
+        line->append({{reference.value, axes_.across().low}, {reference.value, axes_.across().high}});
         add(line, values_, rows_, true);
       } else {
-        line->append({{range_.low, reference.value}, {range_.high, reference.value}});
+        line->append({{axes_.across().low, reference.value}, {axes_.across().high, reference.value}});
         add(line, chart_->axes(Qt::Horizontal).value(0), values_, true);
       }
     }
@@ -517,9 +352,9 @@ class Builder {
   const ChartLook& look_;
   const Wording& say_;
   std::unique_ptr<QChart> chart_;
+  ChartAxes axes_;
   QAbstractAxis* values_ = nullptr;
   QAbstractAxis* rows_ = nullptr;
-  Range range_{0.0, 1.0};  // of the other axis
   int inLegend_ = 0;
 };
 

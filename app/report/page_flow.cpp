@@ -20,10 +20,8 @@ constexpr double kPageWidth_mm = 210.0;
 constexpr double kPageHeight_mm = 297.0;
 constexpr int kTextFlags = Qt::AlignLeft | Qt::TextWordWrap;
 const QColor kInk(0x26, 0x32, 0x38);
-const QColor kQuiet(0x60, 0x6E, 0x76);
 const QColor kHeaderFill(0xE4, 0xEC, 0xF2);
 const QColor kRule(0xC3, 0xCD, 0xD3);
-const QColor kWarning(0xA0, 0x4A, 0x00);
 
 }  // namespace
 
@@ -149,7 +147,7 @@ void PageFlow::drawFrame(QPainter& painter, std::size_t page, double unit) const
   const double left = style_.marginSide_mm * unit;
   const double wide = width_mm() * unit;
   painter.setFont(font(7.5, false));
-  painter.setPen(kQuiet);
+  painter.setPen(kQuietInk);
   const QRectF foot(left, (kPageHeight_mm - 14.0) * unit, wide, 6.0 * unit);
   painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, style_.footerText);
   painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, style_.pageText(page + 1, pages_.size()));
@@ -159,7 +157,7 @@ void PageFlow::drawFrame(QPainter& painter, std::size_t page, double unit) const
   }
   if (!style_.watermark.isEmpty()) {
     painter.setFont(font(8.0, true));
-    painter.setPen(kWarning);
+    painter.setPen(kWarningInk);
     painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, style_.watermark);
   }
 }

@@ -16,6 +16,9 @@ class QPdfWriter;
 
 namespace torsio {
 
+inline constexpr QColor kQuietInk{0x60, 0x6E, 0x76};    ///< of notes and captions
+inline constexpr QColor kWarningInk{0xA0, 0x4A, 0x00};  ///< of what the reader must not miss
+
 /// Places blocks one below the other on A4 pages and draws them in a second pass, when the number of pages is
 /// known ("page 3 of 7"). All lengths in millimetres.
 class PageFlow {

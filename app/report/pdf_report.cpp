@@ -39,8 +39,6 @@ constexpr double kHeading_mm = 8.0;
 constexpr std::size_t kRowsWithTitle = 2;
 constexpr double kShortTable_mm = 60.0;
 const QColor kAccent(0x00, 0x4A, 0x7C);
-const QColor kQuiet(0x60, 0x6E, 0x76);
-const QColor kWarning(0xA0, 0x4A, 0x00);
 
 double heightOf(const ReportFigure& figure) {
   const std::size_t rows = figure.kind == FigureKind::kHeatMap  ? figure.series.size()
@@ -63,12 +61,12 @@ class Composer {
     });
     flow_.text(say_(model.title), 24.0, true, kAccent);
     flow_.space(2.0);
-    flow_.text(say_(model.subtitle), 13.0, false, kQuiet);
+    flow_.text(say_(model.subtitle), 13.0, false, kQuietInk);
     flow_.space(8.0);
     if (model.demonstration) {
       flow_.text(say_(Text("Demonstration: the people, their movements and all marks in this report are "
                            "simulated. Nothing in it is a result about real trainees.")),
-                 10.5, true, kWarning);
+                 10.5, true, kWarningInk);
       flow_.space(6.0);
     }
     PlainTable facts{{QString(), QString()}, {}};
@@ -81,7 +79,7 @@ class Composer {
     flow_.table(facts);
     flow_.space(8.0);
     flow_.text(say_(Text("Torsio is a training tool. It is not a medical device and holds no patient data.")),
-               8.5, false, kQuiet);
+               8.5, false, kQuietInk);
   }
 
   void section(const ReportSection& section) {
@@ -147,7 +145,7 @@ class Composer {
       flow_.text(
           say_(Text("The %1 values drawn are too many to print here; the program shows them under Results.",
                     twin.rows.size() * (twin.columns.size() - 1))),
-          kNote_pt, false, kQuiet);
+          kNote_pt, false, kQuietInk);
     }
     addNotes(figure.notes, figure.provenance);
   }
@@ -184,10 +182,10 @@ class Composer {
     const Text line = provenanceLine(from);
     const double last_mm = line.empty() ? 0.0 : flow_.textHeight_mm(say_(line), kNote_pt);
     for (const Text& note : notes) {  // the last line never stands alone on a page
-      flow_.text(say_(note), kNote_pt, false, kQuiet, &note == &notes.back() ? last_mm : 0.0);
+      flow_.text(say_(note), kNote_pt, false, kQuietInk, &note == &notes.back() ? last_mm : 0.0);
     }
     if (!line.empty()) {
-      flow_.text(say_(line), kNote_pt, false, kQuiet);
+      flow_.text(say_(line), kNote_pt, false, kQuietInk);
     }
     flow_.space(4.0);
   }

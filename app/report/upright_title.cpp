@@ -14,8 +14,8 @@ namespace torsio {
 namespace {
 
 constexpr double kShortPlot_px = 120.0;  // of a figure on paper; what is longer may take two lines
-constexpr int kSmallest_px = 8;
-constexpr double kAir_px = 2.0;
+constexpr int kSmallestTitle_px = 8;
+constexpr double kTitleAir_px = 2.0;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ UprightTitle::UprightTitle(QString words, const ChartLook& look, QGraphicsItem* 
       pixels_(look.label_px) {
   const QFontMetricsF metrics(font(largest_px_));
   const bool isLong = metrics.horizontalAdvance(words_) > kShortPlot_px;
-  width_ = kAir_px + (isLong ? 2.0 * QFontMetricsF(font(largest_px_ - 2)).height() : metrics.height());
+  width_ = kTitleAir_px + (isLong ? 2.0 * QFontMetricsF(font(largest_px_ - 2)).height() : metrics.height());
 }
 
 QFont UprightTitle::font(int pixels) const {
@@ -43,7 +43,7 @@ void UprightTitle::place(const QRectF& plot) {
     const QFontMetricsF metrics(font(pixels_));
     lines_ = wrappedLines(words_, plot.height(), metrics);
     const double high = static_cast<double>(lines_.size()) * metrics.height();
-    if (pixels_ <= kSmallest_px || high + kAir_px <= width_ + 0.5) {
+    if (pixels_ <= kSmallestTitle_px || high + kTitleAir_px <= width_ + 0.5) {
       return;
     }
   }

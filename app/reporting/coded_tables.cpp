@@ -6,7 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/csv_table.h"
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/rating/mark.h"
 #include "assessment/report/number_format.h"
+#include "assessment/study/cohort.h"
 #include "assessment/study/protocol_terms.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -25,7 +28,7 @@ constexpr std::int64_t kAllTrials = 1'000'000;
 
 /// Keeps in the audit trail what leaves, then writes it: a trace of a file that could not be written is
 /// better than data that left without a trace.
-std::size_t write(SessionContext& session, const char* action, const std::string& cohortId,
+std::size_t write(SessionContext& session, AuditAction action, const std::string& cohortId,
                   const std::vector<Cells>& lines, const std::filesystem::path& file) {
   std::string text = "\xEF\xBB\xBF";
   for (const Cells& cells : lines) {
@@ -35,7 +38,7 @@ std::size_t write(SessionContext& session, const char* action, const std::string
   digest.update(text);
   const std::size_t rows = lines.size() - 1;
   session.note({.action = action,
-                .objectKind = "cohort",
+                .objectKind = AuditObject::kCohort,
                 .objectId = cohortId,
                 .newJson = nlohmann::json{{"rows", rows}, {"blake2b", digest.hex()}}.dump()});
   writeFileAtomically(file, text);
@@ -57,7 +60,7 @@ std::size_t exportRecordings(SessionContext& session, const std::string& cohortI
   std::vector<Cells> lines{{"trial", "trainee", "scene", "pattern", "phase", "mode", "station", "started_utc",
                             "duration_s", "end"}};
   TrialRepository repository(session.connection());
-  for (const StoredEnrolment& enrolment : StudyRepository(session.connection()).enrolments(cohortId)) {
+  for (const Enrolment& enrolment : StudyRepository(session.connection()).enrolments(cohortId)) {
     const std::vector<TrialListing> newestFirst =
         repository.list({.enrolmentId = enrolment.id, .limit = kAllTrials});
     for (auto trial = newestFirst.rbegin(); trial != newestFirst.rend(); ++trial) {
@@ -68,7 +71,7 @@ std::size_t exportRecordings(SessionContext& session, const std::string& cohortI
            trial->summary ? formatExact(spanOf_s(trial->summary->samples)) : std::string(), endOf(*trial)});
     }
   }
-  return write(session, "trial.export_coded", cohortId, lines, file);
+  return write(session, AuditAction::kTrialExportCoded, cohortId, lines, file);
 }
 
 std::size_t exportMarks(SessionContext& session, const std::string& cohortId,
@@ -76,13 +79,13 @@ std::size_t exportMarks(SessionContext& session, const std::string& cohortId,
   session.require(Operation::kMarkViewCoded);
   std::vector<Cells> lines{
       {"trainee", "rater", "occasion", "version", "score", "not_assessable", "trial", "submitted_utc"}};
-  for (const StoredTrainingMark& mark : RatingRepository(session.connection()).marks(cohortId)) {
+  for (const SubmittedMark& mark : RatingRepository(session.connection()).marks(cohortId)) {
     lines.push_back(
         {mark.traineeCode, mark.raterCode, mark.occasionCode, std::to_string(mark.version),
          mark.score_steps ? formatExact(pointsFromSteps(*mark.score_steps, mark.scale)) : std::string(),
          mark.score_steps ? "no" : "yes", mark.trialId, formatUtc(mark.submittedUtc_us)});
   }
-  return write(session, "mark.export_coded", cohortId, lines, file);
+  return write(session, AuditAction::kMarkExportCoded, cohortId, lines, file);
 }
 
 }  // namespace torsio

@@ -8,9 +8,13 @@
 #include "app/scoring/scoring_service.h"
 #include "app/study/allocation_service.h"
 #include "app/study/frozen_data.h"
+#include "assessment/people/person.h"
 #include "assessment/report/number_format.h"
+#include "assessment/study/cohort.h"
 #include "assessment/study/demonstration_marks.h"
+#include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -92,11 +96,11 @@ void nameTrainees(SessionContext& session, CohortInputs& inputs) {
   session.require(Operation::kPersonViewIdentity);
   PeopleRepository people(session.connection());
   std::map<std::string, std::string> nameOf;  // by person
-  for (const StoredIdentity& identity : people.identities()) {
+  for (const Identity& identity : people.identities()) {
     nameOf[identity.personId] = identity.fullName;
   }
   std::map<std::string, std::string> shown;  // by code
-  for (const StoredTrainee& trainee : people.trainees()) {
+  for (const Trainee& trainee : people.trainees()) {
     if (const auto name = nameOf.find(trainee.person.id); name != nameOf.end() && !name->second.empty()) {
       shown[trainee.person.code] = trainee.person.code + " " + name->second;
     }
@@ -142,7 +146,7 @@ CohortInputs reportInputs(SessionContext& session, const ReportRequest& request,
                           const ProgressCallback& progress) {
   session.require(Operation::kResultsCompute);
   Connection& connection = session.connection();
-  const StoredCohort cohort = StudyRepository(connection).cohort(request.cohortId);
+  const Cohort cohort = StudyRepository(connection).cohort(request.cohortId);
   if (progress) {
     progress({"Reading marks", 0.0, -1.0});
   }

@@ -6,6 +6,7 @@
 #include "app/report/pdf_report.h"
 #include "assessment/report/cohort_csv.h"
 #include "assessment/report/cohort_report.h"
+#include "db/connection/connection.h"
 #include "sim/base/contracts.h"
 #include "sim/base/digest.h"
 #include "sim/base/file_io.h"
@@ -56,9 +57,8 @@ ReportExport exportReport(SessionContext& session, const ReportRequest& request,
   what["trainees"] = inputs.trainees.size();
   what["bytes"] = done.bytes;
   what["hash"] = done.contentHash;
-  AuditNote note;
-  note.action = named ? "report.export_named" : "report.export_coded";
-  note.objectKind = "cohort";
+  AuditNote note{.action = named ? AuditAction::kReportExportNamed : AuditAction::kReportExportCoded,
+                 .objectKind = AuditObject::kCohort};
   note.objectId = request.cohortId;
   note.newJson = what.dump();
   Transaction transaction(session.connection());

@@ -10,25 +10,29 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/base/refusal.h"
 #include "app/study/case_order.h"
 #include "app/study/drawn_seed.h"
+#include "assessment/people/person.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/mark.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/discrepancy_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/refusal.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr const char* kThird = "third";
-
 using CaseKey = std::pair<std::string, std::string>;  // enrolment, code of the occasion
 
-CaseKey keyOf(const StoredAssignment& one) {
+CaseKey keyOf(const Assignment& one) {
   return {one.enrolmentId, one.occasionCode};
 }
 
@@ -42,7 +46,7 @@ struct CaseSheets {
 std::map<CaseKey, CaseSheets> openCases(Connection& connection, const std::string& cohortId) {
   std::map<std::string, DiscrepancyDecision> asked;
   for (DiscrepancyDecision& decision : DiscrepancyRepository(connection).ofCohort(cohortId)) {
-    if (decision.decision == kThird) {
+    if (decision.choice == DiscrepancyChoice::kThird) {
       asked.emplace(decision.assignmentId, std::move(decision));
     }
   }
@@ -75,7 +79,7 @@ std::map<CaseKey, CaseSheets> openCases(Connection& connection, const std::strin
   return cases;
 }
 
-const StoredAssignment& assignmentOf(const CaseSheets& sheets, const std::string& id) {
+const Assignment& assignmentOf(const CaseSheets& sheets, const std::string& id) {
   return std::find_if(sheets.sheets.begin(), sheets.sheets.end(),
                       [&id](const AssignmentStatus& status) { return status.assignment.id == id; })
       ->assignment;
@@ -85,7 +89,7 @@ const StoredAssignment& assignmentOf(const CaseSheets& sheets, const std::string
 std::map<std::string, Adjudicator> activeRaters(Connection& connection) {
   std::map<std::string, Adjudicator> raters;
   SheetRepository sheets(connection);
-  for (const StoredRater& rater : PeopleRepository(connection).raters()) {
+  for (const Rater& rater : PeopleRepository(connection).raters()) {
     if (rater.person.state != "active") {
       continue;
     }
@@ -131,16 +135,16 @@ std::vector<ThirdRequest> thirdRequests(SessionContext& session, const std::stri
   }
   const Occasions occasions = OccasionRepository(connection).all();
   std::map<std::string, std::string> trainees;
-  for (const StoredEnrolment& enrolment : StudyRepository(connection).enrolments(cohortId)) {
+  for (const Enrolment& enrolment : StudyRepository(connection).enrolments(cohortId)) {
     trainees[enrolment.id] = enrolment.traineeCode;
   }
   std::map<std::string, std::string> codes;
-  for (const StoredRater& rater : PeopleRepository(connection).raters()) {
+  for (const Rater& rater : PeopleRepository(connection).raters()) {
     codes[rater.person.id] = rater.person.code;
   }
   const std::map<std::string, Adjudicator> raters = activeRaters(connection);
   for (const auto& [key, sheets] : cases) {
-    const StoredAssignment& first = assignmentOf(sheets, sheets.asked.front().assignmentId);
+    const Assignment& first = assignmentOf(sheets, sheets.asked.front().assignmentId);
     ThirdRequest request;
     request.assignmentId = first.id;
     request.traineeCode = trainees[key.first];
@@ -172,7 +176,7 @@ std::string assignThird(SessionContext& session, const std::string& cohortId, co
   if (!asked) {
     refuse("nobody has asked for an adjudicator here", assignmentId, "Read the list again");
   }
-  const StoredAssignment& before = asked->assignment;
+  const Assignment& before = asked->assignment;
   const std::map<CaseKey, CaseSheets> cases = openCases(session.connection(), cohortId);
   const auto found = cases.find(keyOf(before));
   if (found == cases.end()) {
@@ -182,10 +186,10 @@ std::string assignThird(SessionContext& session, const std::string& cohortId, co
   if (std::none_of(free.begin(), free.end(), [&](const Adjudicator& rater) { return rater.id == raterId; })) {
     refuse("this rater cannot be asked about this case", assignmentId, "Choose one from the list");
   }
-  StoredAssignment next = before;
+  Assignment next = before;
   std::set<std::string> labels;
   next.position = 0;
-  for (const StoredAssignment& other : sheets.assignmentsOf(raterId)) {
+  for (const Assignment& other : sheets.assignmentsOf(raterId)) {
     labels.insert(other.caseLabel);
     next.position = std::max(next.position, other.position);
   }
@@ -197,8 +201,8 @@ std::string assignThird(SessionContext& session, const std::string& cohortId, co
   next.assignedBy = session.actor().userId;
   next.assignedUtc_us = session.now_us();
   sheets.assign(std::span(&next, 1));
-  session.note({.action = "assignment.third",
-                .objectKind = "assignment",
+  session.note({.action = AuditAction::kAssignmentThird,
+                .objectKind = AuditObject::kAssignment,
                 .objectId = next.id,
                 .newJson = nlohmann::json{{"rater", raterId}, {"asked_in", before.id}}.dump(),
                 .reason = found->second.asked.front().reason});

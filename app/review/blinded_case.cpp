@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/review/blinded_case.h"
 
+#include "db/connection/connection.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/digest.h"
@@ -36,11 +37,10 @@ std::string blindedDigest(const std::string& contentHash, const std::string& sal
   return digest.hex().substr(0, kDigestDigits);
 }
 
-StoredAssignment ownAssignment(SessionContext& session, Operation operation,
-                               const std::string& assignmentId) {
+Assignment ownAssignment(SessionContext& session, Operation operation, const std::string& assignmentId) {
   session.require(operation);
   DeskRepository desk(session.connection());
-  const std::optional<StoredAssignment> found = desk.assignment(assignmentId);
+  const std::optional<Assignment> found = desk.assignment(assignmentId);
   const std::string& person = session.actor().personId;
   if (!found || person.empty() || found->raterId != person) {
     throw Error(ErrorCode::kPermission, "this case is not yours", "the queue",
@@ -54,7 +54,7 @@ StoredAssignment ownAssignment(SessionContext& session, Operation operation,
 }
 
 BlindedCase blindedCase(SessionContext& session, const std::string& assignmentId) {
-  const StoredAssignment found = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  const Assignment found = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   BlindedCase shown{.assignmentId = assignmentId,
                     .label = found.caseLabel,
                     .live = found.trialId.empty(),
@@ -66,7 +66,7 @@ BlindedCase blindedCase(SessionContext& session, const std::string& assignmentId
 }
 
 BlindedRecording loadBlindedRecording(SessionContext& session, const std::string& assignmentId) {
-  const StoredAssignment found = ownAssignment(session, Operation::kTrialViewAssigned, assignmentId);
+  const Assignment found = ownAssignment(session, Operation::kTrialViewAssigned, assignmentId);
   if (found.trialId.empty()) {
     throw Error(ErrorCode::kBadData, "this case is scored live and has no recording",
                 placeOf(found.caseLabel), "Use the live sheet");

@@ -8,11 +8,13 @@
 #include <string>
 
 #include "app/access/session_context.h"
-#include "db/repository/rating/sheet_repository.h"
+#include "assessment/rating/assignment.h"
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {
+
+class Connection;
 
 /// Everything that a rater may know about what is judged: the one de-identification layer. Pages, titles,
 /// file names, exports, logs and error texts of the physician's desk are made from it and never from a trial,
@@ -44,8 +46,8 @@ struct BlindedRecording {
 
 /// The assignment behind a case, for services only. Throws Error{kPermission}: the actor may not, or it is
 /// another rater's or nobody's (which of the two is not told), or it was withdrawn.
-[[nodiscard]] StoredAssignment ownAssignment(SessionContext& session, Operation operation,
-                                             const std::string& assignmentId);
+[[nodiscard]] Assignment ownAssignment(SessionContext& session, Operation operation,
+                                       const std::string& assignmentId);
 /// kMarkSubmit, own case.
 [[nodiscard]] BlindedCase blindedCase(SessionContext& session, const std::string& assignmentId);
 

@@ -2,6 +2,10 @@
 #include "app/review/case_remarks.h"
 
 #include "app/review/blinded_case.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/remark.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
@@ -9,12 +13,12 @@
 namespace torsio {
 
 std::vector<CaseRemark> caseRemarks(SessionContext& session, const std::string& assignmentId) {
-  const StoredAssignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   std::vector<CaseRemark> own;
   if (assignment.trialId.empty()) {
     return own;
   }
-  for (const StoredRemark& remark : RemarkRepository(session.connection()).remarks(assignment.trialId)) {
+  for (const Remark& remark : RemarkRepository(session.connection()).remarks(assignment.trialId)) {
     if (remark.author == session.actor().userId && remark.purpose != "reply") {
       own.push_back({remark.time_us, remark.text});
     }
@@ -23,13 +27,13 @@ std::vector<CaseRemark> caseRemarks(SessionContext& session, const std::string& 
 }
 
 void addCaseRemark(SessionContext& session, const std::string& assignmentId, const CaseRemark& remark) {
-  const StoredAssignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   if (assignment.trialId.empty() || remark.time_us < 0) {
     throw Error(ErrorCode::kBadData, "this case has no recording to score",
                 Text("case %1", assignment.caseLabel), "Write it into the comment of the sheet");
   }
   const auto header = TrialRepository(session.connection()).find(assignment.trialId);
-  StoredRemark stored;
+  Remark stored;
   stored.id = session.ids().newUuid();
   stored.trialId = assignment.trialId;
   stored.author = session.actor().userId;
@@ -42,7 +46,10 @@ void addCaseRemark(SessionContext& session, const std::string& assignmentId, con
   stored.demonstration = assignment.demonstration;
   Transaction transaction(session.connection());
   RemarkRepository(session.connection()).add(stored);
-  session.note({.action = "remark.add", .objectKind = "trial_remark", .objectId = stored.id, .newJson = {}});
+  session.note({.action = AuditAction::kRemarkAdd,
+                .objectKind = AuditObject::kTrialRemark,
+                .objectId = stored.id,
+                .newJson = {}});
   transaction.commit();
 }
 

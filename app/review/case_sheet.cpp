@@ -9,8 +9,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/review/sheet_editor.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/mark.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
 
@@ -75,7 +80,7 @@ KeptAt keptAt(SessionContext& session) {
 }
 
 OpenedSheet openSheet(SessionContext& session, const std::string& assignmentId) {
-  const StoredAssignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   SheetRepository sheets(session.connection());
   DeskRepository desk(session.connection());
   OpenedSheet opened;
@@ -109,8 +114,8 @@ std::int64_t saveSheet(SessionContext& session, const std::string& assignmentId,
   return revision;
 }
 
-SheetCheck checkSheet(const StoredRubricRevision& rubric, const Sheet& sheet, bool live,
-                      const WatchLog& watched, const ViewingRules& rules) {
+SheetCheck checkSheet(const RubricRevision& rubric, const Sheet& sheet, bool live, const WatchLog& watched,
+                      const ViewingRules& rules) {
   const SheetEditor whole(rubric, sheet);
   std::vector<SheetLine> lines;
   for (const std::string& row : whole.order()) {
@@ -142,8 +147,8 @@ void submitSheet(SessionContext& session, const std::string& assignmentId, const
   Transaction transaction(session.connection());
   SheetRepository(session.connection()).submit(assignmentId, markId, sheet, "", session.now_us());
   DeskRepository(session.connection()).sealViewing(assignmentId, markId, watched.stored());
-  session.note({.action = "sheet.submit",
-                .objectKind = "assignment",
+  session.note({.action = AuditAction::kSheetSubmit,
+                .objectKind = AuditObject::kAssignment,
                 .objectId = assignmentId,
                 .newJson = seenJson(opened.shown, watched)});
   transaction.commit();
@@ -151,7 +156,7 @@ void submitSheet(SessionContext& session, const std::string& assignmentId, const
 
 void amendSheet(SessionContext& session, const std::string& assignmentId, const Sheet& sheet,
                 const std::string& reason) {
-  const StoredAssignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   const std::string where = "case " + assignment.caseLabel;
   if (reason.empty()) {
     throw Error(ErrorCode::kBadParameter, "a submitted mark is changed with a reason only", where,
@@ -163,15 +168,17 @@ void amendSheet(SessionContext& session, const std::string& assignmentId, const 
   }
   Transaction transaction(session.connection());
   sheets.submit(assignmentId, session.ids().newUuid(), sheet, reason, session.now_us());
-  session.note(
-      {.action = "sheet.amend", .objectKind = "assignment", .objectId = assignmentId, .reason = reason});
+  session.note({.action = AuditAction::kSheetAmend,
+                .objectKind = AuditObject::kAssignment,
+                .objectId = assignmentId,
+                .reason = reason});
   transaction.commit();
 }
 
 std::vector<SheetVersion> sheetVersions(SessionContext& session, const std::string& assignmentId) {
-  const StoredAssignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   std::vector<SheetVersion> versions;
-  for (const StoredTrainingMark& mark :
+  for (const SubmittedMark& mark :
        RatingRepository(session.connection())
            .history(assignment.enrolmentId, assignment.raterId, assignment.occasionCode)) {
     versions.push_back(

@@ -9,8 +9,9 @@
 #include "app/access/session_context.h"
 #include "app/review/blinded_case.h"
 #include "app/review/watch_log.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
 #include "assessment/rating/sheet_check.h"
-#include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
 
@@ -27,7 +28,7 @@ enum class KeptAt { kThisMachine, kServer };
 /// A case as it is laid on the desk.
 struct OpenedSheet {
   BlindedCase shown{};
-  StoredRubricRevision rubric{};
+  RubricRevision rubric{};
   Sheet sheet{};  ///< the draft, or the newest sealed version
   SheetState state = SheetState::kOpen;
   WatchLog watched{};
@@ -42,7 +43,7 @@ std::int64_t saveSheet(SessionContext& session, const std::string& assignmentId,
                        const WatchLog& watched);
 
 /// Checks a sheet against its rubric with the rules of assessment/rating. Pure.
-[[nodiscard]] SheetCheck checkSheet(const StoredRubricRevision& rubric, const Sheet& sheet, bool live,
+[[nodiscard]] SheetCheck checkSheet(const RubricRevision& rubric, const Sheet& sheet, bool live,
                                     const WatchLog& watched, const ViewingRules& rules);
 
 /// Seals the sheet with what was watched and how fast. kMarkSubmit, own case; audited. Throws Error{kBadData}

@@ -8,8 +8,13 @@
 
 #include "app/review/case_sheet.h"
 #include "app/review/sheet_editor.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/mark.h"
+#include "assessment/rating/rubric.h"
+#include "db/connection/connection.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/discrepancy_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
 
@@ -73,8 +78,8 @@ std::optional<RowComparison> compare(const std::vector<CaseMark>& marks, const s
 }
 
 /// Throws unless everybody has committed on this own case.
-StoredAssignment committedCase(SessionContext& session, const std::string& assignmentId) {
-  StoredAssignment found = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+Assignment committedCase(SessionContext& session, const std::string& assignmentId) {
+  Assignment found = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   if (!SheetRepository(session.connection()).allSubmitted(found.enrolmentId, found.occasionCode)) {
     throw Error(ErrorCode::kBadData, "not everybody has submitted this case yet",
                 Text("case %1", found.caseLabel), "Wait until all have committed");
@@ -82,11 +87,11 @@ StoredAssignment committedCase(SessionContext& session, const std::string& assig
   return found;
 }
 
-void decide(SessionContext& session, const std::string& assignmentId, const char* decision,
+void decide(SessionContext& session, const std::string& assignmentId, DiscrepancyChoice choice,
             const std::string& reason) {
   DiscrepancyRepository(session.connection(), session.station())
       .add({.assignmentId = assignmentId,
-            .decision = decision,
+            .choice = choice,
             .reason = reason,
             .decidedBy = session.actor().userId,
             .decidedUtc_us = session.now_us()});
@@ -110,9 +115,9 @@ std::vector<DiscrepancyCase> alignmentCases(SessionContext& session) {
   const double threshold = threshold_points(session.connection());
   const std::string& rater = session.actor().personId;
   std::vector<DiscrepancyCase> found;
-  for (const StoredAssignment& assignment : desk.committed(rater)) {
+  for (const Assignment& assignment : desk.committed(rater)) {
     const std::vector<CaseMark> marks = desk.marksOfCase(assignment.enrolmentId, assignment.occasionCode);
-    const StoredRubricRevision rubric = sheets.revision(assignment.rubricRevisionId).value();
+    const RubricRevision rubric = sheets.revision(assignment.rubricRevisionId).value();
     DiscrepancyCase line;
     const auto add = [&](const std::string& row, const std::string& label, const ScoreScale& scale) {
       auto compared = compare(marks, rater, row, scale, threshold);
@@ -123,7 +128,7 @@ std::vector<DiscrepancyCase> alignmentCases(SessionContext& session) {
       line.largest = std::max(line.largest, std::abs(compared->own - compared->mean));
       line.rows.push_back(std::move(*compared));
     };
-    for (const StoredRubricRow& row : rubric.rows) {
+    for (const RubricLine& row : rubric.rows) {
       add(row.code, row.label, row.scale);
     }
     add(kOverallRow, {}, rubric.overall);
@@ -134,7 +139,7 @@ std::vector<DiscrepancyCase> alignmentCases(SessionContext& session) {
     }
     line.shown = blindedCase(session, assignment.id);
     if (const auto decided = decisions.latest(assignment.id)) {
-      line.decision = decided->decision;
+      line.decision = decided->choice;
       line.reason = decided->reason;
     }
     found.push_back(std::move(line));
@@ -144,23 +149,23 @@ std::vector<DiscrepancyCase> alignmentCases(SessionContext& session) {
 
 void keepMark(SessionContext& session, const std::string& assignmentId, const std::string& reason) {
   static_cast<void>(committedCase(session, assignmentId));
-  decide(session, assignmentId, "keep", reason);
+  decide(session, assignmentId, DiscrepancyChoice::kKeep, reason);
 }
 
 void moveMark(SessionContext& session, const std::string& assignmentId, const Sheet& sheet,
               const std::string& reason) {
-  const StoredAssignment found = committedCase(session, assignmentId);
+  const Assignment found = committedCase(session, assignmentId);
   requireReason(reason, found.caseLabel);
   Transaction transaction(session.connection());
   amendSheet(session, assignmentId, sheet, reason);
-  decide(session, assignmentId, "move", reason);
+  decide(session, assignmentId, DiscrepancyChoice::kMove, reason);
   transaction.commit();
 }
 
 void askForThird(SessionContext& session, const std::string& assignmentId, const std::string& reason) {
-  const StoredAssignment found = committedCase(session, assignmentId);
+  const Assignment found = committedCase(session, assignmentId);
   requireReason(reason, found.caseLabel);
-  decide(session, assignmentId, "third", reason);
+  decide(session, assignmentId, DiscrepancyChoice::kThird, reason);
 }
 
 }  // namespace torsio

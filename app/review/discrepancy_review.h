@@ -7,6 +7,8 @@
 
 #include "app/access/session_context.h"
 #include "app/review/blinded_case.h"
+#include "assessment/rating/sheet.h"
+#include "assessment/scoring/instrument.h"
 
 namespace torsio {
 
@@ -26,9 +28,9 @@ struct RowComparison {
 /// A case on which all have committed and where the own sheet lies apart.
 struct DiscrepancyCase {
   BlindedCase shown{};
-  std::vector<RowComparison> rows{};  ///< in the rubric's order, the overall mark last
-  double largest = 0.0;               ///< distance, points
-  std::string decision{};             ///< "keep", "move", "third"; empty: to be decided
+  std::vector<RowComparison> rows{};            ///< in the rubric's order, the overall mark last
+  double largest = 0.0;                         ///< distance, points
+  std::optional<DiscrepancyChoice> decision{};  ///< empty: to be decided
   std::string reason{};
 };
 

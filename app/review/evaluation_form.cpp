@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "assessment/rating/campaign.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "sim/base/error.h"
@@ -12,22 +15,22 @@ namespace torsio {
 namespace {
 
 /// The campaign's models in the order of one rater; models that the order lacks come last.
-std::vector<StoredModel> inOwnOrder(const StoredCampaign& campaign, const std::string& order) {
-  std::vector<StoredModel> models;
+std::vector<CampaignModel> inOwnOrder(const Campaign& campaign, const std::string& order) {
+  std::vector<CampaignModel> models;
   std::string rest = order;
   while (!rest.empty()) {
     const std::size_t comma = std::min(rest.find(','), rest.size());
     const std::string code = rest.substr(0, comma);
     rest.erase(0, comma + 1);
-    for (const StoredModel& model : campaign.models) {
+    for (const CampaignModel& model : campaign.models) {
       if (model.code == code) {
         models.push_back(model);
       }
     }
   }
-  for (const StoredModel& model : campaign.models) {
+  for (const CampaignModel& model : campaign.models) {
     const bool there = std::any_of(models.begin(), models.end(),
-                                   [&](const StoredModel& one) { return one.code == model.code; });
+                                   [&](const CampaignModel& one) { return one.code == model.code; });
     if (!there) {
       models.push_back(model);
     }
@@ -35,8 +38,8 @@ std::vector<StoredModel> inOwnOrder(const StoredCampaign& campaign, const std::s
   return models;
 }
 
-const StoredCampaignRater* asked(const StoredCampaign& campaign, const std::string& raterId) {
-  for (const StoredCampaignRater& rater : campaign.raters) {
+const CampaignRater* asked(const Campaign& campaign, const std::string& raterId) {
+  for (const CampaignRater& rater : campaign.raters) {
     if (rater.raterId == raterId) {
       return &rater;
     }
@@ -47,11 +50,11 @@ const StoredCampaignRater* asked(const StoredCampaign& campaign, const std::stri
 /// One own form with the codes behind its hidden labels.
 struct OpenForm {
   EvaluationForm form;
-  std::vector<StoredModel> models;
+  std::vector<CampaignModel> models;
   bool demonstration = false;
 };
 
-OpenForm formOf(Connection& connection, const StoredCampaign& campaign, const StoredCampaignRater& rater) {
+OpenForm formOf(Connection& connection, const Campaign& campaign, const CampaignRater& rater) {
   OpenForm open{{campaign.id, campaign.name, campaign.instrument.scale, {}, {}},
                 inOwnOrder(campaign, rater.modelOrder),
                 campaign.demonstration};
@@ -61,14 +64,14 @@ OpenForm formOf(Connection& connection, const StoredCampaign& campaign, const St
   const std::size_t count = open.form.indices.size();
   const auto draft = DeskRepository(connection).evaluationDraft(campaign.id, rater.raterId);
   const auto marks = EvaluationRepository(connection).marks(campaign.id);
-  for (const StoredModel& model : open.models) {
+  for (const CampaignModel& model : open.models) {
     EvaluationFormModel shown{model.hiddenLabel, std::vector<std::optional<std::int64_t>>(count), false};
     for (const EvaluationDraftMark& mark : draft) {
       if (mark.modelCode == model.code) {
         shown.scores.at(static_cast<std::size_t>(mark.indexNumber - 1)) = mark.score_steps;
       }
     }
-    for (const StoredEvaluationMark& mark : marks) {
+    for (const EvaluationMark& mark : marks) {
       if (mark.modelCode != model.code || mark.raterId != rater.raterId) {
         continue;
       }
@@ -84,7 +87,7 @@ OpenForm ownForm(SessionContext& session, const std::string& campaignId) {
   session.require(Operation::kEvaluationSubmit);
   const auto campaign = EvaluationRepository(session.connection()).campaign(campaignId);
   const std::string& person = session.actor().personId;
-  const StoredCampaignRater* rater = campaign && !person.empty() ? asked(*campaign, person) : nullptr;
+  const CampaignRater* rater = campaign && !person.empty() ? asked(*campaign, person) : nullptr;
   if (rater == nullptr) {
     throw Error(ErrorCode::kPermission, "you are not asked in this evaluation", "the evaluation",
                 "Ask an administrator");
@@ -125,7 +128,7 @@ std::vector<EvaluationForm> evaluationForms(SessionContext& session) {
   EvaluationRepository repository(session.connection());
   for (const auto& [id, name] : repository.campaigns()) {
     const auto campaign = repository.campaign(id);
-    const StoredCampaignRater* rater = campaign ? asked(*campaign, person) : nullptr;
+    const CampaignRater* rater = campaign ? asked(*campaign, person) : nullptr;
     if (rater != nullptr) {
       forms.push_back(formOf(session.connection(), *campaign, *rater).form);
     }
@@ -154,13 +157,13 @@ void submitEvaluation(SessionContext& session, const std::string& campaignId,
   const OpenForm open = ownForm(session, campaignId);
   const std::size_t model = openModel(open, hiddenLabel);
   const std::vector<std::optional<std::int64_t>>& scores = open.form.models[model].scores;
-  std::vector<StoredEvaluationMark> marks;
+  std::vector<EvaluationMark> marks;
   for (std::size_t i = 0; i < scores.size(); ++i) {
     if (!scores[i]) {
       throw Error(ErrorCode::kBadData, Text("%1 has no mark yet", open.form.indices[i]),
                   Text("model %1", hiddenLabel), "Fill it in");
     }
-    StoredEvaluationMark mark;
+    EvaluationMark mark;
     mark.id = session.ids().newUuid();
     mark.raterId = session.actor().personId;
     mark.modelCode = open.models[model].code;
@@ -174,7 +177,9 @@ void submitEvaluation(SessionContext& session, const std::string& campaignId,
   EvaluationRepository(session.connection(), session.station()).submit(campaignId, marks);
   DeskRepository(session.connection())
       .removeEvaluationDraft(campaignId, session.actor().personId, open.models[model].code);
-  session.note({.action = "evaluation.form", .objectKind = "evaluation_campaign", .objectId = campaignId});
+  session.note({.action = AuditAction::kEvaluationForm,
+                .objectKind = AuditObject::kEvaluationCampaign,
+                .objectId = campaignId});
   transaction.commit();
 }
 

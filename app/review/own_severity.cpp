@@ -5,8 +5,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/mark.h"
 #include "assessment/statistics/reliability.h"
 #include "db/repository/rating/desk_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
 
@@ -46,8 +49,8 @@ OwnSeverity ownSeverity(SessionContext& session) {
   OwnSeverity out;
   std::vector<double> own;
   std::vector<double> panel;
-  const std::vector<StoredAssignment> committed = desk.committed(rater);
-  for (const StoredAssignment& assignment : committed) {
+  const std::vector<Assignment> committed = desk.committed(rater);
+  for (const Assignment& assignment : committed) {
     const std::vector<CaseMark> marks = desk.marksOfCase(assignment.enrolmentId, assignment.occasionCode);
     auto line = compared(marks, rater);
     if (!line) {

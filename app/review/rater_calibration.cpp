@@ -5,7 +5,12 @@
 #include <map>
 #include <set>
 
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/rating/reference_run.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/rating/desk_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
@@ -22,8 +27,8 @@ std::string labelOf(std::size_t number) {
   return label;
 }
 
-StoredReferenceRun runNumber(Connection& connection, std::size_t number) {
-  const std::vector<StoredReferenceRun> runs = DeskRepository(connection).referenceRuns();
+ReferenceRun runNumber(Connection& connection, std::size_t number) {
+  const std::vector<ReferenceRun> runs = DeskRepository(connection).referenceRuns();
   if (number < 1 || number > runs.size()) {
     throw Error(ErrorCode::kBadData, "there is no such reference run", Text("reference %1", number),
                 "Open rater calibration again");
@@ -43,7 +48,7 @@ ScoreScale checkedScale(Connection& connection, const ReferenceChoice& choice) {
     throw Error(ErrorCode::kBadData, "there is no such complete recording", choice.trialId,
                 "Choose one from the list");
   }
-  for (const StoredReferenceRun& run : desk.allReferenceRuns()) {
+  for (const ReferenceRun& run : desk.allReferenceRuns()) {
     if (run.trialId != choice.trialId) {
       continue;
     }
@@ -88,18 +93,18 @@ RaterCalibration warmUp(SessionContext& session) {
   session.require(Operation::kMarkSubmit);
   DeskRepository desk(session.connection());
   SheetRepository sheets(session.connection());
-  const std::vector<StoredWarmup> tries =
+  const std::vector<CalibrationScore> tries =
       RemarkRepository(session.connection()).warmups(session.actor().personId);
   RaterCalibration out;
-  for (const StoredReferenceRun& run : desk.referenceRuns()) {
-    const StoredRubricRevision rubric = sheets.revision(run.rubricRevisionId).value();
+  for (const ReferenceRun& run : desk.referenceRuns()) {
+    const RubricRevision rubric = sheets.revision(run.rubricRevisionId).value();
     if (out.runs.empty()) {
       out.rubric = rubric;
     }
     CalibrationRun shown;
     shown.number = out.runs.size() + 1;
     shown.length_us = desk.trialLength_us(run.trialId);
-    for (const StoredWarmup& one : tries) {
+    for (const CalibrationScore& one : tries) {
       if (one.referenceTrialId != run.trialId) {
         continue;
       }
@@ -116,20 +121,19 @@ RaterCalibration warmUp(SessionContext& session) {
 
 BlindedRecording loadReferenceRun(SessionContext& session, std::size_t number) {
   session.require(Operation::kTrialViewAssigned);
-  const StoredReferenceRun run = runNumber(session.connection(), number);
+  const ReferenceRun run = runNumber(session.connection(), number);
   return blindedRecordingOf(session.connection(), run.trialId, labelOf(number), session.actor().personId);
 }
 
 void scoreReferenceRun(SessionContext& session, std::size_t number, std::int64_t score_steps) {
   session.require(Operation::kMarkSubmit);
-  const StoredReferenceRun run = runNumber(session.connection(), number);
-  const StoredRubricRevision rubric =
-      SheetRepository(session.connection()).revision(run.rubricRevisionId).value();
+  const ReferenceRun run = runNumber(session.connection(), number);
+  const RubricRevision rubric = SheetRepository(session.connection()).revision(run.rubricRevisionId).value();
   if (!isOnScale(score_steps, rubric.overall)) {
     throw Error(ErrorCode::kBadData, "the mark lies outside the scale", Text("reference %1", number),
                 "Correct the mark");
   }
-  StoredWarmup warmup;
+  CalibrationScore warmup;
   warmup.id = session.ids().newUuid();
   warmup.raterId = session.actor().personId;
   warmup.referenceTrialId = run.trialId;
@@ -141,7 +145,8 @@ void scoreReferenceRun(SessionContext& session, std::size_t number, std::int64_t
   warmup.demonstration = run.demonstration;
   Transaction transaction(session.connection());
   RemarkRepository(session.connection()).addWarmup(warmup);
-  session.note({.action = "warmup.score", .objectKind = "rater_warmup", .objectId = warmup.id});
+  session.note(
+      {.action = AuditAction::kWarmupScore, .objectKind = AuditObject::kRaterWarmup, .objectId = warmup.id});
   transaction.commit();
 }
 
@@ -152,7 +157,7 @@ std::vector<ReferenceCandidate> referenceCandidates(SessionContext& session) {
   for (const std::string& trialId : desk.assignedTrials()) {
     decided.insert(trialId);
   }
-  for (const StoredReferenceRun& run : desk.allReferenceRuns()) {
+  for (const ReferenceRun& run : desk.allReferenceRuns()) {
     decided.insert(run.trialId);
   }
   std::vector<ReferenceCandidate> candidates;
@@ -174,12 +179,12 @@ std::vector<ReferenceRow> referenceRows(SessionContext& session) {
   SheetRepository sheets(session.connection());
   TrialRepository trials(session.connection());
   std::map<std::string, std::string> reasons;
-  for (const StoredReferenceWithdrawal& withdrawal : desk.referenceWithdrawals()) {
+  for (const ReferenceWithdrawal& withdrawal : desk.referenceWithdrawals()) {
     reasons.emplace(withdrawal.trialId, withdrawal.reason);
   }
   std::vector<ReferenceRow> rows;
   std::vector<ReferenceRow> withdrawn;
-  for (const StoredReferenceRun& run : desk.allReferenceRuns()) {
+  for (const ReferenceRun& run : desk.allReferenceRuns()) {
     const TrialHeader header = trials.find(run.trialId).value();
     const ScoreScale scale = sheets.revision(run.rubricRevisionId).value().overall;
     const auto reason = reasons.find(run.trialId);
@@ -201,7 +206,7 @@ void addReferenceRuns(SessionContext& session, const std::vector<ReferenceChoice
   Transaction transaction(session.connection());
   for (const ReferenceChoice& choice : runs) {
     const ScoreScale scale = checkedScale(session.connection(), choice);
-    StoredReferenceRun run;
+    ReferenceRun run;
     run.trialId = choice.trialId;
     run.position = ++position;
     run.rubricRevisionId = choice.rubricRevisionId;
@@ -213,7 +218,9 @@ void addReferenceRuns(SessionContext& session, const std::vector<ReferenceChoice
     run.demonstration =
         choice.demonstration || TrialRepository(session.connection()).find(choice.trialId)->demonstration;
     desk.addReferenceRuns(std::span(&run, 1));
-    session.note({.action = "reference_run.add", .objectKind = "reference_run", .objectId = run.trialId});
+    session.note({.action = AuditAction::kReferenceRunAdd,
+                  .objectKind = AuditObject::kReferenceRun,
+                  .objectId = run.trialId});
   }
   transaction.commit();
 }
@@ -225,15 +232,15 @@ void withdrawReferenceRun(SessionContext& session, const std::string& trialId, c
   }
   Transaction transaction(session.connection());
   DeskRepository desk(session.connection());
-  const std::vector<StoredReferenceRun> runs = desk.referenceRuns();
+  const std::vector<ReferenceRun> runs = desk.referenceRuns();
   if (std::none_of(runs.begin(), runs.end(),
-                   [&](const StoredReferenceRun& run) { return run.trialId == trialId; })) {
+                   [&](const ReferenceRun& run) { return run.trialId == trialId; })) {
     throw Error(ErrorCode::kBadData, "this recording is no reference run, or was withdrawn already", trialId,
                 "Open the list again");
   }
   desk.withdrawReferenceRun({trialId, reason, session.actor().userId, session.now_us()});
-  session.note({.action = "reference_run.withdraw",
-                .objectKind = "reference_run",
+  session.note({.action = AuditAction::kReferenceRunWithdraw,
+                .objectKind = AuditObject::kReferenceRun,
                 .objectId = trialId,
                 .reason = reason});
   transaction.commit();

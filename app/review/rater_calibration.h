@@ -8,6 +8,8 @@
 
 #include "app/access/session_context.h"
 #include "app/review/blinded_case.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/scoring/instrument.h"
 
 namespace torsio {
 
@@ -23,7 +25,7 @@ struct CalibrationRun {
 };
 
 struct RaterCalibration {
-  StoredRubricRevision rubric{};  ///< of the first run; anchors help to find the overall mark
+  RubricRevision rubric{};  ///< of the first run; anchors help to find the overall mark
   std::vector<CalibrationRun> runs{};
   [[nodiscard]] bool complete() const noexcept;
   /// Mean over the runs that were scored, points; empty: none.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "assessment/rating/remark.h"
+#include "db/connection/connection.h"
 #include "db/repository/trial/remark_repository.h"
 #include "sim/base/error.h"
 
@@ -11,13 +13,12 @@ namespace torsio {
 std::vector<RemarkReply> repliesToMe(SessionContext& session) {
   session.require(Operation::kTrialViewAssigned);
   RemarkRepository repository(session.connection());
-  std::vector<StoredRemark> unread = repository.unreadReplies(session.actor().userId);
-  std::stable_sort(unread.begin(), unread.end(), [](const StoredRemark& a, const StoredRemark& b) {
-    return a.createdUtc_us < b.createdUtc_us;
-  });
+  std::vector<Remark> unread = repository.unreadReplies(session.actor().userId);
+  std::stable_sort(unread.begin(), unread.end(),
+                   [](const Remark& a, const Remark& b) { return a.createdUtc_us < b.createdUtc_us; });
   std::vector<RemarkReply> replies;
-  for (const StoredRemark& reply : unread) {
-    const std::optional<StoredRemark> remark = repository.find(reply.replyTo);
+  for (const Remark& reply : unread) {
+    const std::optional<Remark> remark = repository.find(reply.replyTo);
     replies.push_back({reply.id, remark ? remark->text : std::string(), reply.text, reply.time_us});
   }
   return replies;
@@ -34,7 +35,8 @@ void markReplyRead(SessionContext& session, const std::string& replyId) {
                  .reader = session.actor().userId,
                  .readerPersonId = session.actor().personId,
                  .readUtc_us = session.now_us()});
-  session.note({.action = "remark.read", .objectKind = "trial_remark", .objectId = replyId});
+  session.note(
+      {.action = AuditAction::kRemarkRead, .objectKind = AuditObject::kTrialRemark, .objectId = replyId});
   transaction.commit();
 }
 

@@ -6,7 +6,9 @@
 #include "app/review/discrepancy_review.h"
 #include "app/review/evaluation_form.h"
 #include "app/review/rater_calibration.h"
+#include "assessment/rating/assignment.h"
 #include "db/repository/rating/desk_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
 
@@ -92,7 +94,7 @@ ReviewQueue reviewQueue(SessionContext& session) {
   const RaterCalibration warmUp = torsio::warmUp(session);
   queue.warmUpWaiting = !warmUp.runs.empty() && !warmUp.complete();
   for (const DiscrepancyCase& open : alignmentCases(session)) {
-    if (open.decision.empty()) {
+    if (!open.decision) {
       ++queue.disagreements;
     }
   }

@@ -10,9 +10,9 @@ namespace torsio {
 
 namespace {
 
-Sheet inRubricOrder(const StoredRubricRevision& rubric, Sheet sheet) {
+Sheet inRubricOrder(const RubricRevision& rubric, Sheet sheet) {
   std::vector<SheetRow> rows;
-  for (const StoredRubricRow& line : rubric.rows) {
+  for (const RubricLine& line : rubric.rows) {
     const auto found = std::find_if(sheet.rows.begin(), sheet.rows.end(),
                                     [&](const SheetRow& row) { return row.code == line.code; });
     rows.push_back(found == sheet.rows.end() ? SheetRow{line.code, {}, {}} : *found);
@@ -29,14 +29,14 @@ void put(Sheet& sheet, SheetRow* row, SheetAnswer answer) {
 
 }  // namespace
 
-SheetEditor::SheetEditor(StoredRubricRevision rubric, Sheet start, bool withOverall)
+SheetEditor::SheetEditor(RubricRevision rubric, Sheet start, bool withOverall)
     : rubric_(std::move(rubric)), withOverall_(withOverall) {
   states_.push_back({inRubricOrder(rubric_, std::move(start)), {}, false});
 }
 
 std::vector<std::string> SheetEditor::order() const {
   std::vector<std::string> codes;
-  for (const StoredRubricRow& row : rubric_.rows) {
+  for (const RubricLine& row : rubric_.rows) {
     codes.push_back(row.code);
   }
   if (withOverall_) {
@@ -70,7 +70,7 @@ const ScoreScale& SheetEditor::scale(const std::string& row) const {
     return rubric_.overall;
   }
   const auto found = std::find_if(rubric_.rows.begin(), rubric_.rows.end(),
-                                  [&](const StoredRubricRow& line) { return line.code == row; });
+                                  [&](const RubricLine& line) { return line.code == row; });
   TORSIO_EXPECTS(found != rubric_.rows.end());
   return found->scale;
 }

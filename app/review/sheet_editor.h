@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
 #include "assessment/rating/sheet_check.h"
-#include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
 
@@ -24,9 +25,9 @@ class SheetEditor {
  public:
   /// `start` may lack rows; rows that the rubric does not have are left out. `withOverall`: false for forms
   /// of rows alone.
-  SheetEditor(StoredRubricRevision rubric, Sheet start, bool withOverall = true);
+  SheetEditor(RubricRevision rubric, Sheet start, bool withOverall = true);
 
-  [[nodiscard]] const StoredRubricRevision& rubric() const noexcept { return rubric_; }
+  [[nodiscard]] const RubricRevision& rubric() const noexcept { return rubric_; }
   /// With every row of the rubric, in its order.
   [[nodiscard]] const Sheet& sheet() const noexcept { return states_[at_].sheet; }
   /// Codes in the order of scoring: the rubric's rows, then kOverallRow if there is one.
@@ -63,7 +64,7 @@ class SheetEditor {
   bool apply(Sheet next, SheetChange change, bool joins);
   [[nodiscard]] static SheetRow* rowIn(Sheet& sheet, const std::string& code);
 
-  StoredRubricRevision rubric_;
+  RubricRevision rubric_;
   bool withOverall_;
   std::vector<State> states_;
   std::size_t at_ = 0;

@@ -25,7 +25,7 @@ std::optional<std::int64_t> numberIn(std::string_view text) {
 
 }  // namespace
 
-WatchLog::WatchLog(std::int64_t length_us, const StoredViewing& stored)
+WatchLog::WatchLog(std::int64_t length_us, const SheetViewing& stored)
     : length_us_(length_us),
       slowest_(static_cast<double>(stored.slowest_permille) / kPermille),
       fastest_(static_cast<double>(stored.fastest_permille) / kPermille),
@@ -85,8 +85,8 @@ double WatchLog::share() const noexcept {
   return static_cast<double>(seen) / static_cast<double>(length_us_);
 }
 
-StoredViewing WatchLog::stored() const {
-  StoredViewing out;
+SheetViewing WatchLog::stored() const {
+  SheetViewing out;
   for (const auto& [from, to] : spans_) {
     if (!out.watched.empty()) {
       out.watched += ';';

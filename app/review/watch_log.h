@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "db/repository/rating/desk_repository.h"
+#include "assessment/rating/sheet.h"
 
 namespace torsio {
 
@@ -19,7 +19,7 @@ class WatchLog {
   /// `length_us` 0: live, nothing to watch.
   explicit WatchLog(std::int64_t length_us) : length_us_(length_us) {}
   /// As it was stored with the draft; a text that cannot be read counts as nothing watched.
-  WatchLog(std::int64_t length_us, const StoredViewing& stored);
+  WatchLog(std::int64_t length_us, const SheetViewing& stored);
 
   /// The recording went from `from_us` to `to_us` by itself, at `speed` (1: as it happened).
   void played(std::int64_t from_us, std::int64_t to_us, double speed);
@@ -31,7 +31,7 @@ class WatchLog {
   [[nodiscard]] double fastest() const noexcept { return fastest_; }
   [[nodiscard]] std::int64_t worked_us() const noexcept { return worked_us_; }
   [[nodiscard]] std::int64_t length_us() const noexcept { return length_us_; }
-  [[nodiscard]] StoredViewing stored() const;
+  [[nodiscard]] SheetViewing stored() const;
   /// What was watched, microseconds, disjoint and rising.
   [[nodiscard]] std::vector<std::pair<std::int64_t, std::int64_t>> spans() const {
     return {spans_.begin(), spans_.end()};

@@ -7,7 +7,11 @@
 #include <set>
 
 #include "app/base/build_info.h"
+#include "assessment/people/person.h"
 #include "assessment/study/allocation.h"
+#include "assessment/study/allocation_entry.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
@@ -19,13 +23,13 @@ namespace {
 /// Repeats the stored allocation from its seed. Only the paper's case, one permutation of all, is rebuilt
 /// here.
 CohortAllocation checkedAllocation(StudyRepository& study, const std::string& cohortId,
-                                   const std::vector<StoredGroup>& groups) {
-  const std::vector<StoredAllocationDesign> designs = study.designs(cohortId);
+                                   const std::vector<StudyGroup>& groups) {
+  const std::vector<LockedDesign> designs = study.designs(cohortId);
   CohortAllocation shown;
   if (designs.empty()) {
     return shown;
   }
-  const StoredAllocationDesign& stored = designs.back();
+  const LockedDesign& stored = designs.back();
   shown.method = stored.algorithm;
   shown.version = stored.algorithmVersion;
   shown.generator = stored.generator;
@@ -39,17 +43,17 @@ CohortAllocation checkedAllocation(StudyRepository& study, const std::string& co
 
   AllocationDesign design;
   design.studyId = cohortId;
-  for (const StoredGroup& group : groups) {
+  for (const StudyGroup& group : groups) {
     design.arms.push_back(group.code);
   }
   std::map<std::string, std::string> codeOf;
   std::map<std::string, std::string> groupOf;
-  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
     codeOf[enrolment.id] = enrolment.traineeCode;
     groupOf[enrolment.traineeCode] = enrolment.groupCode;
   }
   std::vector<AllocationPerson> persons;
-  for (const StoredAllocation& record : study.allocations(stored.id)) {
+  for (const AllocationEntry& record : study.allocations(stored.id)) {
     persons.push_back({codeOf[record.enrolmentId], {}});
   }
   const Allocation again = allocate(design, shown.seed, persons);
@@ -66,11 +70,11 @@ constexpr double kMinute_us = 60e6;
 /// Doses, rests and deviations.
 void addTimes(StudyRepository& study, const std::string& cohortId, CohortInputs& inputs) {
   std::map<std::string, std::string> codeOf;
-  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
     codeOf[enrolment.id] = enrolment.traineeCode;
   }
   std::map<std::string, CohortDose> doses;
-  for (const StoredExposure& exposure : study.exposures(cohortId)) {
+  for (const Exposure& exposure : study.exposures(cohortId)) {
     CohortDose& dose = doses[codeOf[exposure.enrolmentId]];
     const double minutes = static_cast<double>(exposure.duration_us) / kMinute_us;
     (exposure.kind == "rest"   ? dose.rest_min
@@ -82,7 +86,7 @@ void addTimes(StudyRepository& study, const std::string& cohortId, CohortInputs&
     inputs.rests += dose.rest_min > 0.0 ? 1 : 0;
     inputs.doses.push_back(std::move(dose));
   }
-  for (const StoredDeviation& deviation : study.deviations(cohortId)) {
+  for (const ProtocolDeviation& deviation : study.deviations(cohortId)) {
     inputs.deviations.push_back(
         {deviation.happenedUtc_us,
          deviation.enrolmentId.empty() ? std::string() : codeOf[deviation.enrolmentId], deviation.kind,
@@ -100,18 +104,18 @@ CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, c
     inputs.centre = centre->name;
   }
   inputs.softwareVersion = softwareVersion();
-  const std::vector<StoredGroup> groups = study.groups(cohortId);
-  for (const StoredGroup& group : groups) {
+  const std::vector<StudyGroup> groups = study.groups(cohortId);
+  for (const StudyGroup& group : groups) {
     inputs.groups.push_back({Text("Group %1", group.number), group.label});
   }
-  std::map<std::string, StoredTrainee> trainees;
-  for (StoredTrainee& trainee : PeopleRepository(connection).trainees()) {
+  std::map<std::string, Trainee> trainees;
+  for (Trainee& trainee : PeopleRepository(connection).trainees()) {
     trainees[trainee.person.code] = trainee;
   }
-  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
-    const StoredPerson& person = trainees.at(enrolment.traineeCode).person;
+  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
+    const Person& person = trainees.at(enrolment.traineeCode).person;
     const auto group = std::find_if(groups.begin(), groups.end(),
-                                    [&](const StoredGroup& g) { return g.code == enrolment.groupCode; });
+                                    [&](const StudyGroup& g) { return g.code == enrolment.groupCode; });
     if (group == groups.end()) {  // not allocated yet: no part of the comparison
       inputs.notAllocated += enrolment.state == EnrolmentState::kWithdrawn ? 0 : 1;
       continue;
@@ -142,9 +146,7 @@ CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, c
                    });
 
   inputs.trainingScale = training.scale;
-  for (const Occasion& occasion : training.occasions) {
-    inputs.occasions.push_back(occasionText(occasion));
-  }
+  inputs.occasions = occasionTexts(training.occasions);
   inputs.scores = training.trainees;
   inputs.summaries = training.groups;
   inputs.trainingMarks = training.marks;

@@ -5,9 +5,10 @@
 
 #include "app/scoring/scoring_service.h"
 #include "assessment/report/cohort_report.h"
-#include "db/connection/connection.h"
 
 namespace torsio {
+
+class Connection;
 
 /// Gathers what a cohort report says of people, groups, allocation and scores from the record. The allocation
 /// is repeated from its seed and compared; the caller adds trials, facts and title.

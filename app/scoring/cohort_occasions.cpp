@@ -5,6 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "assessment/study/cohort.h"
+#include "assessment/study/curriculum.h"
+#include "db/connection/connection.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -12,7 +15,7 @@
 namespace torsio {
 
 Occasions occasionsOfCohort(Connection& connection, const std::string& cohortId) {
-  const StoredCohort cohort = StudyRepository(connection).cohort(cohortId);
+  const Cohort cohort = StudyRepository(connection).cohort(cohortId);
   OccasionRepository repository(connection);
   Occasions all = repository.all();
   const auto version = CurriculumRepository(connection).version(cohort.curriculumVersionId);

@@ -4,9 +4,10 @@
 #include <string>
 
 #include "assessment/study/occasion.h"
-#include "db/connection/connection.h"
 
 namespace torsio {
+
+class Connection;
 
 /// Gives the occasions of a cohort in order of time: those of its curriculum, with their times of exposure,
 /// and any other at which it was marked or raters are asked. A cohort whose curriculum names none has all

@@ -9,6 +9,13 @@
 
 #include "app/base/build_info.h"
 #include "app/scoring/cohort_occasions.h"
+#include "assessment/rating/mark.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/rating/assessment_run.h"
+#include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/rating_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/contracts.h"
 #include "sim/base/digest.h"
@@ -42,8 +49,8 @@ AssessmentRun makeRun(IdSource& ids, const ScoringStamp& stamp, const char* form
   return run;
 }
 
-StoredEvaluationResult stored(const std::string& model, std::size_t index, const ScoreStatistics& from) {
-  StoredEvaluationResult to;
+EvaluationResultRow stored(const std::string& model, std::size_t index, const ScoreStatistics& from) {
+  EvaluationResultRow to;
   to.modelCode = model;
   to.indexNumber = static_cast<std::int64_t>(index + 1);
   to.weightedMean = from.m;
@@ -67,7 +74,7 @@ struct ReadCampaign {
 };
 
 /// The weighted classes of which nobody scored some index of some model.
-std::vector<std::string> classesMissing(const StoredCampaign& campaign,
+std::vector<std::string> classesMissing(const Campaign& campaign,
                                         const std::vector<EvaluationRating>& ratings) {
   using Place = std::tuple<std::string, std::size_t, std::size_t>;  // model, class, index
   std::set<Place> scored;
@@ -80,7 +87,7 @@ std::vector<std::string> classesMissing(const StoredCampaign& campaign,
     if (instrument.classes[c].weight_milli == 0) {
       continue;
     }
-    const auto lacks = [&](const StoredModel& model) {
+    const auto lacks = [&](const CampaignModel& model) {
       for (std::size_t j = 0; j < instrument.indices.size(); ++j) {
         if (!scored.contains({model.code, c, j})) {
           return true;
@@ -103,7 +110,7 @@ ReadCampaign campaignWithHash(Connection& connection, const std::string& campaig
                 "List the campaigns first");
   }
   ReadCampaign read{{*campaign, {}, {}, {}}, {}};
-  for (const StoredEvaluationMark& mark : repository.marks(campaignId)) {
+  for (const EvaluationMark& mark : repository.marks(campaignId)) {
     EvaluationRating rating;
     rating.model = mark.modelCode;
     rating.rater = mark.raterCode;
@@ -121,10 +128,10 @@ ReadCampaign campaignWithHash(Connection& connection, const std::string& campaig
 }
 
 void evaluateIn(CampaignResult& result) {
-  const StoredCampaign& campaign = result.campaign;
+  const Campaign& campaign = result.campaign;
   result.models = evaluate(campaign.instrument, result.ratings);
   std::stable_sort(result.models.begin(), result.models.end(), [&](const auto& a, const auto& b) {
-    const auto code = [](const StoredModel& m) { return m.code; };
+    const auto code = [](const CampaignModel& m) { return m.code; };
     return positionOf(campaign.models, a.model, code) < positionOf(campaign.models, b.model, code);
   });
 }
@@ -138,10 +145,10 @@ struct ReadTraining {
 };
 
 ReadTraining trainingWithHash(Connection& connection, const std::string& cohortId) {
-  const std::vector<StoredGroup> groups = StudyRepository(connection).groups(cohortId);
+  const std::vector<StudyGroup> groups = StudyRepository(connection).groups(cohortId);
   ReadTraining read;
   read.result.occasions = occasionsOfCohort(connection, cohortId);
-  for (const StoredTrainingMark& mark : RatingRepository(connection).marks(cohortId)) {
+  for (const SubmittedMark& mark : RatingRepository(connection).marks(cohortId)) {
     read.inputs.update(mark.id);
     read.inputs.update(mark.version);
     read.inputs.update(mark.score_steps.value_or(-1));
@@ -158,7 +165,7 @@ ReadTraining trainingWithHash(Connection& connection, const std::string& cohortI
     read.result.scale = mark.scale;
     TrainingMark scored;
     scored.trainee = mark.traineeCode;
-    scored.group = positionOf(groups, mark.groupCode, [](const StoredGroup& g) { return g.code; });
+    scored.group = positionOf(groups, mark.groupCode, [](const StudyGroup& g) { return g.code; });
     scored.occasion = occasion;
     scored.rater = mark.raterCode;
     scored.steps = *mark.score_steps;
@@ -209,13 +216,13 @@ CampaignResult evaluateCampaign(Connection& connection, const std::string& campa
   if (!result.ratings.empty()) {
     evaluateIn(result);
   }
-  StoredEvaluationRun run;
+  EvaluationRunRows run;
   run.run = makeRun(ids, stamp, kEvaluationFormulaVersion, "available-case", inputs);
   for (const ModelEvaluation& model : result.models) {
     for (std::size_t i = 0; i < model.indices.size(); ++i) {
       run.results.push_back(stored(model.model, i, model.indices[i]));
     }
-    StoredComposite composite{model.model, model.n27, {}, model.flags};
+    CompositeRow composite{model.model, model.n27, {}, model.flags};
     if (model.compositeStatistics) {
       composite.standardError = model.compositeStatistics->standardError;
     }
@@ -228,15 +235,15 @@ CampaignResult evaluateCampaign(Connection& connection, const std::string& campa
 TrainingResult scoreTraining(Connection& connection, const std::string& cohortId, IdSource& ids,
                              const ScoringStamp& stamp) {
   StudyRepository study(connection);
-  const std::vector<StoredGroup> groups = study.groups(cohortId);
+  const std::vector<StudyGroup> groups = study.groups(cohortId);
   std::map<std::string, std::string> enrolmentOf;  // trainee code -> enrolment id
-  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
     enrolmentOf[enrolment.traineeCode] = enrolment.id;
   }
   auto [result, notAssessable, inputs] = trainingWithHash(connection, cohortId);
   const std::map<Case, double> variances = betweenRaterVariances(result);
 
-  StoredTrainingRun run;
+  TrainingRunRows run;
   run.run = makeRun(ids, stamp, kTrainingFormulaVersion, "mean of the raters who marked", inputs);
   for (const TraineeScore& score : result.trainees) {
     run.trainees.push_back({enrolmentOf.at(score.trainee),

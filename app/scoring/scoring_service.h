@@ -5,14 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "assessment/rating/campaign.h"
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/training_scores.h"
 #include "assessment/study/occasion.h"
-#include "db/repository/base/id_source.h"
-#include "db/repository/rating/evaluation_repository.h"
-#include "db/repository/rating/rating_repository.h"
 
 namespace torsio {
+
+class Connection;
+class IdSource;
 
 /// Stamps what a computation leaves in the record.
 struct ScoringStamp {
@@ -22,7 +23,7 @@ struct ScoringStamp {
 
 /// The nine-index evaluation of a stored campaign.
 struct CampaignResult {
-  StoredCampaign campaign;
+  Campaign campaign;
   std::vector<EvaluationRating> ratings;    ///< the newest version of each mark, models by their code
   std::vector<ModelEvaluation> models;      ///< in the campaign's order; empty: not finished
   std::vector<std::string> classesMissing;  ///< names of the weighted classes that have not scored everything

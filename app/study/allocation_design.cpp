@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/base/refusal.h"
 #include "sim/base/error.h"
+#include "sim/base/refusal.h"
 
 namespace torsio {
 
@@ -34,7 +34,7 @@ std::size_t levelOf(const AllocationFactor& factor, const std::string& level, co
 
 }  // namespace
 
-std::string factorValue(const StoredTrainee& trainee, const std::string& factor) {
+std::string factorValue(const Trainee& trainee, const std::string& factor) {
   if (factor == "sex") {
     return trainee.person.sex;
   }
@@ -78,8 +78,8 @@ std::string designJson(const AllocationDesign& design) {
       .dump();
 }
 
-AllocationDesign designFromStored(const StoredAllocationDesign& stored,
-                                  const std::vector<std::string>& groups, std::size_t drawn) {
+AllocationDesign designFromStored(const LockedDesign& stored, const std::vector<std::string>& groups,
+                                  std::size_t drawn) {
   AllocationDesign design;
   design.studyId = stored.cohortId;
   try {
@@ -135,7 +135,7 @@ AllocationPerson personFromRecord(const AllocationDesign& design, const std::str
   return person;
 }
 
-AllocationPerson personForDraw(const AllocationDesign& design, const StoredTrainee& trainee) {
+AllocationPerson personForDraw(const AllocationDesign& design, const Trainee& trainee) {
   AllocationPerson person{trainee.person.code, {}};
   for (const AllocationFactor& factor : design.factors) {
     person.levels.push_back(levelOf(factor, factorValue(trainee, factor.name), trainee.person.code));

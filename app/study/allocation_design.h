@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "assessment/people/person.h"
 #include "assessment/study/allocation.h"
-#include "db/repository/people/people_repository.h"
-#include "db/repository/study/study_repository.h"
+#include "assessment/study/allocation_entry.h"
 
 namespace torsio {
 
@@ -14,7 +14,7 @@ namespace torsio {
 // service.
 
 /// "sex", "level", "experience" or "handedness" of a trainee; empty: not recorded.
-[[nodiscard]] std::string factorValue(const StoredTrainee& trainee, const std::string& factor);
+[[nodiscard]] std::string factorValue(const Trainee& trainee, const std::string& factor);
 
 [[nodiscard]] std::string allocationMethodName(AllocationMethod method);
 
@@ -23,7 +23,7 @@ namespace torsio {
 /// From the stored design. `groups`: codes of the cohort's groups in order, `drawn`: number of records that
 /// are no overrides; both are used for records that hold no whole design (written before version 2 of the
 /// format: one permutation). Throws Error{kBadData}.
-[[nodiscard]] AllocationDesign designFromStored(const StoredAllocationDesign& stored,
+[[nodiscard]] AllocationDesign designFromStored(const LockedDesign& stored,
                                                 const std::vector<std::string>& groups, std::size_t drawn);
 
 [[nodiscard]] std::string covariatesJson(const AllocationDesign& design, const AllocationPerson& person);
@@ -32,7 +32,7 @@ namespace torsio {
                                                 const std::string& covariatesJson);
 /// The person as the draw takes them. Throws Error{kBadData} when a factor is not recorded or has a new
 /// level.
-[[nodiscard]] AllocationPerson personForDraw(const AllocationDesign& design, const StoredTrainee& trainee);
+[[nodiscard]] AllocationPerson personForDraw(const AllocationDesign& design, const Trainee& trainee);
 
 [[nodiscard]] std::string numbersJson(const std::vector<std::string>& names,
                                       const std::vector<std::int64_t>& numbers);

@@ -4,17 +4,21 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
-#include <set>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "app/base/build_info.h"
-#include "app/base/refusal.h"
 #include "app/study/allocation_design.h"
+#include "app/study/draw_field.h"
 #include "app/study/drawn_seed.h"
-#include "db/repository/people/people_repository.h"
+#include "assessment/people/person.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/refusal.h"
 
 namespace torsio {
 
@@ -22,88 +26,9 @@ namespace {
 
 constexpr std::size_t kTries = 200;
 
-/// A cohort as the draw sees it.
-struct Field {
-  StoredCohort cohort;
-  std::vector<StoredGroup> groups;
-  std::vector<StoredEnrolment> enrolments;        ///< not withdrawn
-  std::map<std::string, StoredTrainee> trainees;  ///< by id
-
-  [[nodiscard]] std::vector<std::string> groupCodes() const {
-    std::vector<std::string> codes;
-    for (const StoredGroup& group : groups) {
-      codes.push_back(group.code);
-    }
-    return codes;
-  }
-  /// Enrolled without a group, in the order of codes.
-  [[nodiscard]] std::vector<StoredEnrolment> waiting() const {
-    std::vector<StoredEnrolment> list;
-    for (const StoredEnrolment& enrolment : enrolments) {
-      if (enrolment.groupId.empty()) {
-        list.push_back(enrolment);
-      }
-    }
-    std::sort(list.begin(), list.end(), [](const StoredEnrolment& a, const StoredEnrolment& b) {
-      return a.traineeCode < b.traineeCode;
-    });
-    return list;
-  }
-};
-
-Field readField(SessionContext& session, const std::string& cohortId) {
-  StudyRepository study(session.connection());
-  Field field;
-  field.cohort = study.cohort(cohortId);
-  field.groups = study.groups(cohortId);
-  field.enrolments = study.enrolments(cohortId);
-  std::erase_if(field.enrolments,
-                [](const StoredEnrolment& e) { return e.state == EnrolmentState::kWithdrawn; });
-  for (StoredTrainee& trainee : PeopleRepository(session.connection()).trainees()) {
-    field.trainees[trainee.person.id] = std::move(trainee);
-  }
-  return field;
-}
-
-/// The levels that a factor has among the people who wait.
-AllocationFactor factorOf(const Field& field, const std::string& name) {
-  std::set<std::string> levels;
-  for (const StoredEnrolment& enrolment : field.waiting()) {
-    const std::string level = factorValue(field.trainees.at(enrolment.traineeId), name);
-    if (!level.empty()) {
-      levels.insert(level);
-    }
-  }
-  return {name, {levels.begin(), levels.end()}};
-}
-
-AllocationDesign designOf(const Field& field, const AllocationPlan& plan) {
-  AllocationDesign design;
-  design.studyId = field.cohort.id;
-  design.method = plan.method;
-  design.arms = field.groupCodes();
-  design.participants = plan.method == AllocationMethod::kCompletePermutation ? field.waiting().size() : 0;
-  design.blockSizes = plan.blockSizes;
-  design.bestArm_tenths = plan.bestArm_tenths;
-  design.imbalance = plan.imbalance;
-  for (const std::string& name : plan.factors) {
-    design.factors.push_back(factorOf(field, name));
-  }
-  validateDesign(design);
-  if (plan.method == AllocationMethod::kStratifiedBlocks && plan.everybodyEnrolled) {
-    std::vector<AllocationPerson> persons;
-    for (const StoredEnrolment& enrolment : field.waiting()) {
-      persons.push_back(personForDraw(design, field.trainees.at(enrolment.traineeId)));
-    }
-    // Any seed: only the strata are counted here.
-    design.stratumTotals = allocate(design, 0, persons).design.stratumTotals;
-  }
-  return design;
-}
-
-std::vector<StoredAllocation> drawnOf(const std::vector<StoredAllocation>& records) {
-  std::vector<StoredAllocation> drawn;
-  for (const StoredAllocation& record : records) {
+std::vector<AllocationEntry> drawnOf(const std::vector<AllocationEntry>& records) {
+  std::vector<AllocationEntry> drawn;
+  for (const AllocationEntry& record : records) {
     if (record.overrideReason.empty()) {
       drawn.push_back(record);
     }
@@ -122,42 +47,42 @@ std::uint64_t seedFrom(const std::string& text, const std::string& designId) {
 
 /// The design that counts, with its generator where the last draw left it.
 struct OpenDraw {
-  StoredAllocationDesign stored;
+  LockedDesign stored;
   AllocationDesign design;
-  std::vector<StoredAllocation> records;
+  std::vector<AllocationEntry> records;
   Allocator allocator;
   std::map<std::string, std::int64_t> highestNumber;  ///< in use, by group
 };
 
 std::map<std::string, std::string> codesOf(StudyRepository& study, const std::string& cohortId) {
   std::map<std::string, std::string> codes;
-  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
     codes[enrolment.id] = enrolment.traineeCode;
   }
   return codes;
 }
 
-OpenDraw openDraw(SessionContext& session, const Field& field) {
+OpenDraw openDraw(SessionContext& session, const DrawField& field) {
   StudyRepository study(session.connection());
-  const std::vector<StoredAllocationDesign> designs = study.designs(field.cohort.id);
+  const std::vector<LockedDesign> designs = study.designs(field.cohort.id);
   if (designs.empty()) {
     refuse("no allocation design is locked", field.cohort.name, "Lock one first");
   }
-  const StoredAllocationDesign& stored = designs.back();
-  std::vector<StoredAllocation> records = study.allocations(stored.id);
-  const std::vector<StoredAllocation> drawn = drawnOf(records);
+  const LockedDesign& stored = designs.back();
+  std::vector<AllocationEntry> records = study.allocations(stored.id);
+  const std::vector<AllocationEntry> drawn = drawnOf(records);
   AllocationDesign design = designFromStored(stored, field.groupCodes(), drawn.size());
   OpenDraw open{stored,
                 design,
                 std::move(records),
                 Allocator(design, seedFrom(study.sealedSeed(stored.id), stored.id)),
                 {}};
-  for (const StoredEnrolment& enrolment : study.enrolments(field.cohort.id)) {
+  for (const Enrolment& enrolment : study.enrolments(field.cohort.id)) {
     std::int64_t& highest = open.highestNumber[enrolment.groupId];
     highest = std::max(highest, enrolment.numberInGroup);
   }
   const std::map<std::string, std::string> codes = codesOf(study, field.cohort.id);
-  for (const StoredAllocation& record : drawn) {
+  for (const AllocationEntry& record : drawn) {
     const AllocationRecord again =
         open.allocator.assign(personFromRecord(design, codes.at(record.enrolmentId), record.covariatesJson));
     if (static_cast<std::int64_t>(again.drawsAfter) != record.drawAfter) {
@@ -168,13 +93,13 @@ OpenDraw openDraw(SessionContext& session, const Field& field) {
   return open;
 }
 
-StoredAllocation draw(SessionContext& session, const Field& field, OpenDraw& open,
-                      const StoredEnrolment& enrolment) {
+AllocationEntry draw(SessionContext& session, const DrawField& field, OpenDraw& open,
+                     const Enrolment& enrolment) {
   StudyRepository study(session.connection());
   const AllocationPerson person = personForDraw(open.design, field.trainees.at(enrolment.traineeId));
   const AllocationRecord drawn = open.allocator.assign(person);
-  const StoredGroup& group = field.groups.at(drawn.arm);
-  StoredAllocation record;
+  const StudyGroup& group = field.groups.at(drawn.arm);
+  AllocationEntry record;
   record.id = session.ids().newUuid();
   record.designId = open.stored.id;
   record.sequence = static_cast<std::int64_t>(open.records.size() + 1);
@@ -193,23 +118,23 @@ StoredAllocation draw(SessionContext& session, const Field& field, OpenDraw& ope
   record = study.allocate(std::span(&record, 1)).front();
   open.records.push_back(record);
   session.note(
-      {.action = "allocation.draw",
-       .objectKind = "allocation",
+      {.action = AuditAction::kAllocationDraw,
+       .objectKind = AuditObject::kAllocation,
        .objectId = record.id,
        .newJson = nlohmann::json{{"enrolment", enrolment.id}, {"record", record.recordHash}}.dump()});
   return record;
 }
 
-AllocationDesignRow rowOf(StudyRepository& study, const StoredAllocationDesign& stored,
+AllocationDesignRow rowOf(StudyRepository& study, const LockedDesign& stored,
                           const std::vector<std::string>& groups) {
-  const std::vector<StoredAllocation> records = study.allocations(stored.id);
+  const std::vector<AllocationEntry> records = study.allocations(stored.id);
   const std::size_t drawn = drawnOf(records).size();
   return {stored, designFromStored(stored, groups, drawn), records.size(), records.size() - drawn};
 }
 
 /// Adds one trial allocation to the statistics of a preview.
-void addTry(BalancePreview& preview, const Allocation& tried, const Field& field,
-            const std::vector<StoredEnrolment>& people) {
+void addTry(BalancePreview& preview, const Allocation& tried, const DrawField& field,
+            const std::vector<Enrolment>& people) {
   const auto difference = [](const std::vector<std::size_t>& counts) {
     const auto [low, high] = std::minmax_element(counts.begin(), counts.end());
     return *high - *low;
@@ -222,7 +147,7 @@ void addTry(BalancePreview& preview, const Allocation& tried, const Field& field
   for (BalancePreview::Level& level : preview.levels) {
     std::vector<std::size_t> counts(preview.groups.size(), 0);
     for (const AllocationRecord& record : tried.records) {
-      const StoredTrainee& trainee = field.trainees.at(people.at(record.position).traineeId);
+      const Trainee& trainee = field.trainees.at(people.at(record.position).traineeId);
       if (factorValue(trainee, level.factor) == level.level) {
         ++counts.at(record.arm);
       }
@@ -244,13 +169,13 @@ const std::vector<std::string>& allocationFactorNames() {
 
 BalancePreview previewBalance(SessionContext& session, const AllocationPlan& plan) {
   session.require(Operation::kAllocationRun);
-  Field field = readField(session, plan.cohortId);
+  DrawField field = readDrawField(session, plan.cohortId);
   BalancePreview preview;
   preview.groups = field.groupCodes();
-  std::vector<StoredEnrolment> people = field.waiting();
+  std::vector<Enrolment> people = field.waiting();
   preview.people = people.size();
-  for (const StoredEnrolment& enrolment : people) {
-    const StoredTrainee& trainee = field.trainees.at(enrolment.traineeId);
+  for (const Enrolment& enrolment : people) {
+    const Trainee& trainee = field.trainees.at(enrolment.traineeId);
     const bool complete =
         std::none_of(plan.factors.begin(), plan.factors.end(),
                      [&](const std::string& name) { return factorValue(trainee, name).empty(); });
@@ -264,7 +189,7 @@ BalancePreview previewBalance(SessionContext& session, const AllocationPlan& pla
   const AllocationDesign design = designOf(field, plan);
   for (const std::string& name : allocationFactorNames()) {
     for (const std::string& level : factorOf(field, name).levels) {
-      const auto count = std::count_if(people.begin(), people.end(), [&](const StoredEnrolment& enrolment) {
+      const auto count = std::count_if(people.begin(), people.end(), [&](const Enrolment& enrolment) {
         return factorValue(field.trainees.at(enrolment.traineeId), name) == level;
       });
       preview.levels.push_back({name, level, static_cast<std::size_t>(count),
@@ -272,7 +197,7 @@ BalancePreview previewBalance(SessionContext& session, const AllocationPlan& pla
     }
   }
   std::vector<AllocationPerson> persons;
-  for (const StoredEnrolment& enrolment : people) {
+  for (const Enrolment& enrolment : people) {
     persons.push_back(personForDraw(design, field.trainees.at(enrolment.traineeId)));
   }
   preview.tries = kTries;
@@ -286,9 +211,9 @@ AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan
                                    const std::string& supersedeReason) {
   session.require(Operation::kAllocationRun);
   Transaction transaction(session.connection());
-  const Field field = readField(session, plan.cohortId);
+  const DrawField field = readDrawField(session, plan.cohortId);
   StudyRepository study(session.connection());
-  const std::vector<StoredAllocationDesign> before = study.designs(plan.cohortId);
+  const std::vector<LockedDesign> before = study.designs(plan.cohortId);
   if (!before.empty() && !study.allocations(before.back().id).empty() && supersedeReason.empty()) {
     refuse("allocation has begun with another design", field.cohort.name,
            "Give a reason; whoever has a group keeps it");
@@ -298,7 +223,7 @@ AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan
   }
   const AllocationDesign design = designOf(field, plan);
   const std::uint64_t seed = plan.seed ? *plan.seed : drawSeed(session.ids());
-  StoredAllocationDesign stored;
+  LockedDesign stored;
   stored.id = session.ids().newUuid();
   stored.cohortId = plan.cohortId;
   stored.algorithm = allocationMethodName(design.method);
@@ -314,8 +239,8 @@ AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan
   stored.demonstration = field.cohort.demonstration;
   study.lockDesign(stored);
   stored.seed.clear();
-  session.note({.action = before.empty() ? "allocation.lock" : "allocation.supersede",
-                .objectKind = "allocation_design",
+  session.note({.action = before.empty() ? AuditAction::kAllocationLock : AuditAction::kAllocationSupersede,
+                .objectKind = AuditObject::kAllocationDesign,
                 .objectId = stored.id,
                 .newJson = nlohmann::json{{"cohort", plan.cohortId},
                                           {"commitment", stored.seedCommitment},
@@ -330,17 +255,17 @@ std::vector<AllocationDesignRow> allocationDesigns(SessionContext& session, cons
   session.require(Operation::kAllocationView);
   StudyRepository study(session.connection());
   std::vector<std::string> groups;
-  for (const StoredGroup& group : study.groups(cohortId)) {
+  for (const StudyGroup& group : study.groups(cohortId)) {
     groups.push_back(group.code);
   }
   std::vector<AllocationDesignRow> rows;
-  for (const StoredAllocationDesign& stored : study.designs(cohortId)) {
+  for (const LockedDesign& stored : study.designs(cohortId)) {
     rows.push_back(rowOf(study, stored, groups));
   }
   return rows;
 }
 
-std::vector<StoredAllocation> allocations(SessionContext& session, const std::string& designId) {
+std::vector<AllocationEntry> allocations(SessionContext& session, const std::string& designId) {
   session.require(Operation::kAllocationView);
   return StudyRepository(session.connection()).allocations(designId);
 }
@@ -348,36 +273,36 @@ std::vector<StoredAllocation> allocations(SessionContext& session, const std::st
 std::size_t allocateAll(SessionContext& session, const std::string& cohortId) {
   session.require(Operation::kAllocationRun);
   Transaction transaction(session.connection());
-  const Field field = readField(session, cohortId);
+  const DrawField field = readDrawField(session, cohortId);
   OpenDraw open = openDraw(session, field);
-  const std::vector<StoredEnrolment> waiting = field.waiting();
+  const std::vector<Enrolment> waiting = field.waiting();
   if (waiting.empty()) {
     refuse("nobody waits for a group", field.cohort.name, "Enrol trainees first");
   }
-  for (const StoredEnrolment& enrolment : waiting) {
+  for (const Enrolment& enrolment : waiting) {
     draw(session, field, open, enrolment);
   }
   transaction.commit();
   return waiting.size();
 }
 
-StoredAllocation overrideAllocation(SessionContext& session, const std::string& cohortId,
-                                    const std::string& enrolmentId, const std::string& groupId,
-                                    const std::string& reason) {
+AllocationEntry overrideAllocation(SessionContext& session, const std::string& cohortId,
+                                   const std::string& enrolmentId, const std::string& groupId,
+                                   const std::string& reason) {
   session.require(Operation::kAllocationRun);
   if (reason.empty()) {
     refuse("an override needs a reason", enrolmentId, "Say in a few words why");
   }
   Transaction transaction(session.connection());
-  const Field field = readField(session, cohortId);
+  const DrawField field = readDrawField(session, cohortId);
   OpenDraw open = openDraw(session, field);
   const auto last = std::find_if(open.records.rbegin(), open.records.rend(),
-                                 [&](const StoredAllocation& r) { return r.enrolmentId == enrolmentId; });
+                                 [&](const AllocationEntry& r) { return r.enrolmentId == enrolmentId; });
   if (last == open.records.rend()) {
     refuse("was not allocated by this design", enrolmentId, "Draw the group first");
   }
   const auto group = std::find_if(field.groups.begin(), field.groups.end(),
-                                  [&](const StoredGroup& g) { return g.id == groupId; });
+                                  [&](const StudyGroup& g) { return g.id == groupId; });
   if (group == field.groups.end()) {
     refuse("there is no such group", groupId, "Choose one of the cohort");
   }
@@ -385,7 +310,7 @@ StoredAllocation overrideAllocation(SessionContext& session, const std::string& 
     refuse("is in this group already", group->code, "Choose another group");
   }
   StudyRepository study(session.connection());
-  StoredAllocation record = *last;
+  AllocationEntry record = *last;
   record.id = session.ids().newUuid();
   record.sequence = static_cast<std::int64_t>(open.records.size() + 1);
   record.groupId = groupId;
@@ -396,8 +321,8 @@ StoredAllocation overrideAllocation(SessionContext& session, const std::string& 
   record.overrideReason = reason;
   record.allocatedUtc_us = session.now_us();
   record = study.allocate(std::span(&record, 1)).front();
-  session.note({.action = "allocation.override",
-                .objectKind = "allocation",
+  session.note({.action = AuditAction::kAllocationOverride,
+                .objectKind = AuditObject::kAllocation,
                 .objectId = record.id,
                 .newJson = nlohmann::json{{"enrolment", enrolmentId}, {"record", record.recordHash}}.dump(),
                 .reason = reason});
@@ -413,19 +338,19 @@ std::string revealSeed(SessionContext& session, const std::string& designId, con
   if (seed.empty()) {
     refuse("there is no such design", designId, "Choose one from the list");
   }
-  for (const StoredCohort& cohort : study.cohorts()) {
-    const std::vector<StoredAllocationDesign> designs = study.designs(cohort.id);
+  for (const Cohort& cohort : study.cohorts()) {
+    const std::vector<LockedDesign> designs = study.designs(cohort.id);
     if (designs.empty() || designs.back().id != designId || !reason.empty()) {
       continue;
     }
-    if (const std::size_t waiting = readField(session, cohort.id).waiting().size(); waiting > 0) {
+    if (const std::size_t waiting = readDrawField(session, cohort.id).waiting().size(); waiting > 0) {
       refuse(Text("%1 people still wait for a group: the seed would tell them theirs", waiting), cohort.name,
              "Allocate them first, or give a reason");
     }
   }
   study.revealSeed(designId, session.now_us());
-  session.note({.action = "allocation.reveal",
-                .objectKind = "allocation_design",
+  session.note({.action = AuditAction::kAllocationReveal,
+                .objectKind = AuditObject::kAllocationDesign,
                 .objectId = designId,
                 .reason = reason});
   transaction.commit();
@@ -441,19 +366,19 @@ AllocationCheck checkAllocation(SessionContext& session, const std::string& desi
     check.finding = finding;
     return check;
   };
-  for (const StoredCohort& cohort : study.cohorts()) {
+  for (const Cohort& cohort : study.cohorts()) {
     std::vector<std::string> groupCodes;
     std::map<std::string, std::string> groupIds;
-    for (const StoredGroup& group : study.groups(cohort.id)) {
+    for (const StudyGroup& group : study.groups(cohort.id)) {
       groupCodes.push_back(group.code);
       groupIds[group.code] = group.id;
     }
-    for (const StoredAllocationDesign& stored : study.designs(cohort.id)) {
+    for (const LockedDesign& stored : study.designs(cohort.id)) {
       if (stored.id != designId) {
         continue;
       }
-      const std::vector<StoredAllocation> records = study.allocations(designId);
-      const std::vector<StoredAllocation> drawn = drawnOf(records);
+      const std::vector<AllocationEntry> records = study.allocations(designId);
+      const std::vector<AllocationEntry> drawn = drawnOf(records);
       check.records = records.size();
       check.overrides = records.size() - drawn.size();
       if (const auto broken = study.firstBrokenAllocation(designId)) {
@@ -469,7 +394,7 @@ AllocationCheck checkAllocation(SessionContext& session, const std::string& desi
         return check;
       }
       Allocator allocator(design, seed);
-      for (const StoredAllocation& record : drawn) {
+      for (const AllocationEntry& record : drawn) {
         const AllocationRecord again =
             allocator.assign(personFromRecord(design, codes.at(record.enrolmentId), record.covariatesJson));
         if (groupIds[design.arms.at(again.arm)] != record.groupId ||
@@ -478,10 +403,10 @@ AllocationCheck checkAllocation(SessionContext& session, const std::string& desi
         }
       }
       std::map<std::string, std::string> lastGroup;
-      for (const StoredAllocation& record : records) {
+      for (const AllocationEntry& record : records) {
         lastGroup[record.enrolmentId] = record.groupId;
       }
-      for (const StoredEnrolment& enrolment : study.enrolments(cohort.id)) {
+      for (const Enrolment& enrolment : study.enrolments(cohort.id)) {
         const auto last = lastGroup.find(enrolment.id);
         if (last != lastGroup.end() && last->second != enrolment.groupId) {
           return wrong(Text("%1 is in a group that no record tells of", enrolment.traineeCode));
@@ -497,18 +422,18 @@ std::vector<SealedCard> takeOutCards(SessionContext& session, const std::string&
   session.require(Operation::kAllocationRun);
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
-  const std::vector<StoredAllocationDesign> designs = study.designs(cohortId);
+  const std::vector<LockedDesign> designs = study.designs(cohortId);
   std::map<std::string, std::string> codes;
-  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
     codes[enrolment.id] = enrolment.traineeCode;
   }
-  std::map<std::string, StoredGroup> groups;
-  for (const StoredGroup& group : study.groups(cohortId)) {
+  std::map<std::string, StudyGroup> groups;
+  for (const StudyGroup& group : study.groups(cohortId)) {
     groups[group.id] = group;
   }
   std::vector<SealedCard> cards;
   if (!designs.empty()) {
-    for (const StoredAllocation& record : study.allocations(designs.back().id)) {
+    for (const AllocationEntry& record : study.allocations(designs.back().id)) {
       cards.push_back({record.sequence, codes[record.enrolmentId], groups[record.groupId].code,
                        groups[record.groupId].label});
     }
@@ -516,8 +441,8 @@ std::vector<SealedCard> takeOutCards(SessionContext& session, const std::string&
   if (cards.empty()) {
     throw Error(ErrorCode::kBadData, "nobody is allocated yet", cohortId, "Lock a design and allocate first");
   }
-  session.note({.action = "allocation.cards",
-                .objectKind = "allocation_design",
+  session.note({.action = AuditAction::kAllocationCards,
+                .objectKind = AuditObject::kAllocationDesign,
                 .objectId = designs.back().id,
                 .newJson = nlohmann::json{{"cards", cards.size()}}.dump()});
   transaction.commit();

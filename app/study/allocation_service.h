@@ -9,7 +9,8 @@
 
 #include "app/access/session_context.h"
 #include "assessment/study/allocation.h"
-#include "db/repository/study/study_repository.h"
+#include "assessment/study/allocation_entry.h"
+#include "sim/base/text.h"
 
 namespace torsio {
 
@@ -51,7 +52,7 @@ struct BalancePreview {
 
 /// A locked design as the office sees it.
 struct AllocationDesignRow {
-  StoredAllocationDesign stored{};  ///< seed empty until it was revealed
+  LockedDesign stored{};  ///< seed empty until it was revealed
   AllocationDesign design{};
   std::size_t records = 0;
   std::size_t overrides = 0;
@@ -77,15 +78,15 @@ struct SealedCard {
 [[nodiscard]] std::vector<SealedCard> takeOutCards(SessionContext& session, const std::string& cohortId);
 
 /// Who was put where, in order, overrides too. kAllocationView.
-[[nodiscard]] std::vector<StoredAllocation> allocations(SessionContext& session, const std::string& designId);
+[[nodiscard]] std::vector<AllocationEntry> allocations(SessionContext& session, const std::string& designId);
 
 /// Everybody who is enrolled and has no group, by code: all or none. Returns how many. The same.
 std::size_t allocateAll(SessionContext& session, const std::string& cohortId);
 /// Moves somebody to another group, as a new record with its reason beside the drawn one. Audited.
 /// kAllocationRun.
-StoredAllocation overrideAllocation(SessionContext& session, const std::string& cohortId,
-                                    const std::string& enrolmentId, const std::string& groupId,
-                                    const std::string& reason);
+AllocationEntry overrideAllocation(SessionContext& session, const std::string& cohortId,
+                                   const std::string& enrolmentId, const std::string& groupId,
+                                   const std::string& reason);
 /// Opens the seal: from now on anybody can repeat the draw. Returns the seed. Audited. kAllocationReveal.
 /// Refused while an enrolled person has no group, unless a reason is given.
 std::string revealSeed(SessionContext& session, const std::string& designId, const std::string& reason = {});

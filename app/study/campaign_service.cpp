@@ -10,11 +10,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/base/refusal.h"
 #include "app/study/drawn_seed.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/random.h"
+#include "sim/base/refusal.h"
 
 namespace torsio {
 
@@ -76,16 +79,15 @@ void checkModels(const std::vector<NewModel>& models) {
 }
 
 /// The raters of the plan by class, in the order of codes.
-std::map<std::string, std::vector<StoredRater>> ratersByClass(SessionContext& session,
-                                                              const CampaignPlan& plan) {
+std::map<std::string, std::vector<Rater>> ratersByClass(SessionContext& session, const CampaignPlan& plan) {
   std::map<std::string, std::int64_t> weight_milli;
   for (const RaterClass& raterClass : plan.instrument.classes) {
     weight_milli[raterClass.id] = raterClass.weight_milli;
   }
   const std::set<std::string> wanted(plan.raterIds.begin(), plan.raterIds.end());
-  std::map<std::string, std::vector<StoredRater>> byClass;
+  std::map<std::string, std::vector<Rater>> byClass;
   std::size_t found = 0;
-  for (StoredRater& rater : PeopleRepository(session.connection()).raters()) {
+  for (Rater& rater : PeopleRepository(session.connection()).raters()) {
     if (!wanted.contains(rater.person.id) || rater.person.state != "active") {
       continue;
     }
@@ -129,7 +131,7 @@ std::string addCampaign(SessionContext& session, const CampaignPlan& plan) {
   validateInstrument(plan.instrument);
   Transaction transaction(session.connection());
   const std::uint64_t seed = plan.seed ? *plan.seed : drawSeed(session.ids());
-  StoredCampaign campaign;
+  Campaign campaign;
   campaign.id = session.ids().newUuid();
   campaign.name = plan.name;
   campaign.instrument = plan.instrument;
@@ -159,8 +161,8 @@ std::string addCampaign(SessionContext& session, const CampaignPlan& plan) {
     }
   }
   EvaluationRepository(session.connection()).addCampaign(campaign);
-  session.note({.action = "evaluation.add",
-                .objectKind = "evaluation_campaign",
+  session.note({.action = AuditAction::kEvaluationAdd,
+                .objectKind = AuditObject::kEvaluationCampaign,
                 .objectId = campaign.id,
                 .newJson = nlohmann::json{{"models", plan.models.size()},
                                           {"raters", campaign.raters.size()},
@@ -174,7 +176,7 @@ std::vector<CampaignRow> campaigns(SessionContext& session) {
   session.require(Operation::kEvaluationSetup);
   EvaluationRepository repository(session.connection());
   std::map<std::string, std::string> codes;
-  for (const StoredRater& rater : PeopleRepository(session.connection()).raters()) {
+  for (const Rater& rater : PeopleRepository(session.connection()).raters()) {
     codes[rater.person.id] = rater.person.code;
   }
   std::vector<CampaignRow> rows;
@@ -183,10 +185,10 @@ std::vector<CampaignRow> campaigns(SessionContext& session) {
     row.campaign = repository.campaign(id).value();
     const std::size_t each = row.campaign.models.size() * row.campaign.instrument.indices.size();
     std::map<std::string, std::size_t> submitted;
-    for (const StoredEvaluationMark& mark : repository.marks(id)) {
+    for (const EvaluationMark& mark : repository.marks(id)) {
       ++submitted[mark.raterId];
     }
-    for (const StoredCampaignRater& rater : row.campaign.raters) {
+    for (const CampaignRater& rater : row.campaign.raters) {
       row.raters.push_back(
           {rater.raterId, codes[rater.raterId], rater.classCode, submitted[rater.raterId], each});
       row.marksExpected += each;

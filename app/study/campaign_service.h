@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "db/repository/rating/evaluation_repository.h"
+#include "assessment/people/person.h"
+#include "assessment/rating/campaign.h"
 
 namespace torsio {
 
@@ -38,7 +39,7 @@ struct CampaignPlan {
 std::string addCampaign(SessionContext& session, const CampaignPlan& plan);
 
 struct CampaignRow {
-  StoredCampaign campaign{};
+  Campaign campaign{};
   std::size_t marksExpected = 0;
   std::size_t marksSubmitted = 0;
   struct Rater {

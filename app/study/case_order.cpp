@@ -13,14 +13,14 @@ namespace torsio {
 
 namespace {
 
-constexpr std::uint64_t kOrderStream = 1000;
+constexpr std::uint64_t kCaseOrderStream = 1000;
 constexpr std::string_view kLetters = "ABCDEFGHJKLMNPQRSTUVWXYZ";
 
 }  // namespace
 
 std::vector<std::size_t> counterbalancedOrder(std::vector<OrderedCase> cases, std::uint64_t seed,
                                               std::uint64_t rater) {
-  Random random = Random::forStream(seed, kOrderStream + rater);
+  Random random = Random::forStream(seed, kCaseOrderStream + rater);
   std::map<std::string, std::vector<std::size_t>> strata;
   for (const OrderedCase& one : cases) {
     strata[one.stratum].push_back(one.index);

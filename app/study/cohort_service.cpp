@@ -6,18 +6,21 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/base/refusal.h"
+#include "assessment/study/curriculum.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/refusal.h"
 
 namespace torsio {
 
 namespace {
 
-StoredEnrolment enrolmentOf(StudyRepository& study, const std::string& cohortId,
-                            const std::string& enrolmentId) {
-  for (StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+Enrolment enrolmentOf(StudyRepository& study, const std::string& cohortId, const std::string& enrolmentId) {
+  for (Enrolment& enrolment : study.enrolments(cohortId)) {
     if (enrolment.id == enrolmentId) {
       return enrolment;
     }
@@ -47,13 +50,13 @@ void checkNewCohort(const NewCohort& cohort) {
 }
 
 /// What a phase id means, within the arm of an enrolment.
-const StoredPhase* phaseOf(const StudyArm& arm, const std::string& phaseId) {
+const TrainingPhase* phaseOf(const StudyArm& arm, const std::string& phaseId) {
   const auto found = std::find_if(arm.phases.begin(), arm.phases.end(),
-                                  [&](const StoredPhase& phase) { return phase.id == phaseId; });
+                                  [&](const TrainingPhase& phase) { return phase.id == phaseId; });
   return found == arm.phases.end() ? nullptr : &*found;
 }
 
-void checkPhase(SessionContext& session, const StoredCohort& cohort, const StoredEnrolment& enrolment,
+void checkPhase(SessionContext& session, const Cohort& cohort, const Enrolment& enrolment,
                 const NewExposure& exposure) {
   if (exposure.phaseId.empty()) {
     return;
@@ -64,7 +67,7 @@ void checkPhase(SessionContext& session, const StoredCohort& cohort, const Store
   }
   StudyRepository study(session.connection());
   std::string armId;
-  for (const StoredGroup& group : study.groups(cohort.id)) {
+  for (const StudyGroup& group : study.groups(cohort.id)) {
     if (group.id == enrolment.groupId) {
       armId = group.armId;
     }
@@ -73,7 +76,7 @@ void checkPhase(SessionContext& session, const StoredCohort& cohort, const Store
     if (arm.id != armId) {
       continue;
     }
-    const StoredPhase* phase = phaseOf(arm, exposure.phaseId);
+    const TrainingPhase* phase = phaseOf(arm, exposure.phaseId);
     if (phase == nullptr) {
       break;
     }
@@ -95,10 +98,10 @@ std::vector<CohortRow> cohorts(SessionContext& session) {
   StudyRepository study(session.connection());
   CurriculumRepository curricula(session.connection());
   std::vector<CohortRow> rows;
-  for (StoredCohort& cohort : study.cohorts()) {
+  for (Cohort& cohort : study.cohorts()) {
     CohortRow row;
     row.groups = study.groups(cohort.id);
-    for (const StoredEnrolment& enrolment : study.enrolments(cohort.id)) {
+    for (const Enrolment& enrolment : study.enrolments(cohort.id)) {
       if (enrolment.state == EnrolmentState::kWithdrawn) {
         ++row.withdrawn;
         continue;
@@ -110,7 +113,7 @@ std::vector<CohortRow> cohorts(SessionContext& session) {
     }
     if (const auto version = curricula.version(cohort.curriculumVersionId)) {
       row.curriculumNumber = version->number;
-      for (const StoredCurriculum& curriculum : curricula.curricula()) {
+      for (const Curriculum& curriculum : curricula.curricula()) {
         if (curriculum.id == version->curriculumId) {
           row.curriculumName = curriculum.name;
         }
@@ -122,20 +125,20 @@ std::vector<CohortRow> cohorts(SessionContext& session) {
   return rows;
 }
 
-std::vector<StoredEnrolment> enrolments(SessionContext& session, const std::string& cohortId) {
+std::vector<Enrolment> enrolments(SessionContext& session, const std::string& cohortId) {
   session.require(Operation::kPersonViewCoded);
-  std::vector<StoredEnrolment> list = StudyRepository(session.connection()).enrolments(cohortId);
+  std::vector<Enrolment> list = StudyRepository(session.connection()).enrolments(cohortId);
   if (session.may(Operation::kAllocationView)) {
     return list;
   }
-  for (StoredEnrolment& enrolment : list) {
+  for (Enrolment& enrolment : list) {
     enrolment.groupId.clear();
     enrolment.groupCode.clear();
     enrolment.numberInGroup = 0;
   }
   // The order tells the groups, too.
   std::sort(list.begin(), list.end(),
-            [](const StoredEnrolment& a, const StoredEnrolment& b) { return a.traineeCode < b.traineeCode; });
+            [](const Enrolment& a, const Enrolment& b) { return a.traineeCode < b.traineeCode; });
   return list;
 }
 
@@ -155,7 +158,7 @@ std::string addCohort(SessionContext& session, const NewCohort& cohort) {
       names.push_back({arm.code, arm.label});
     }
   }
-  std::vector<StoredGroup> groups;
+  std::vector<StudyGroup> groups;
   for (const NewGroup& group : names) {
     groups.push_back(
         {session.ids().newUuid(), id, static_cast<std::int64_t>(groups.size() + 1), group.code, group.label});
@@ -163,13 +166,16 @@ std::string addCohort(SessionContext& session, const NewCohort& cohort) {
   StudyRepository(session.connection())
       .addCohort({id, cohort.name, cohort.description, session.now_us(), cohort.demonstration}, groups);
   nlohmann::json now{{"groups", nlohmann::json::array()}, {"curriculum_version", cohort.curriculumVersionId}};
-  for (const StoredGroup& group : groups) {
+  for (const StudyGroup& group : groups) {
     now["groups"].push_back(group.code);
   }
   if (!cohort.curriculumVersionId.empty()) {
     curricula.assign(id, cohort.curriculumVersionId);
   }
-  session.note({.action = "cohort.add", .objectKind = "cohort", .objectId = id, .newJson = now.dump()});
+  session.note({.action = AuditAction::kCohortAdd,
+                .objectKind = AuditObject::kCohort,
+                .objectId = id,
+                .newJson = now.dump()});
   transaction.commit();
   return id;
 }
@@ -178,14 +184,14 @@ void assignCurriculum(SessionContext& session, const std::string& cohortId, cons
   session.require(Operation::kStudySetup);
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
-  const StoredCohort before = study.cohort(cohortId);
+  const Cohort before = study.cohort(cohortId);
   if (!study.exposures(cohortId).empty()) {
     refuse("training has begun: the curriculum of this cohort stays", before.name,
            "Make another cohort for the other curriculum");
   }
   CurriculumRepository(session.connection()).assign(cohortId, versionId);
-  session.note({.action = "cohort.assign_curriculum",
-                .objectKind = "cohort",
+  session.note({.action = AuditAction::kCohortAssignCurriculum,
+                .objectKind = AuditObject::kCohort,
                 .objectId = cohortId,
                 .oldJson = nlohmann::json{{"curriculum_version", before.curriculumVersionId}}.dump(),
                 .newJson = nlohmann::json{{"curriculum_version", versionId}}.dump()});
@@ -200,13 +206,13 @@ std::vector<std::string> enrolTrainees(SessionContext& session, const std::strin
   }
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
-  const StoredCohort cohort = study.cohort(cohortId);
+  const Cohort cohort = study.cohort(cohortId);
   std::set<std::string> enrolled;
-  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
     enrolled.insert(enrolment.traineeId);
   }
   PeopleRepository people(session.connection());
-  std::vector<StoredEnrolment> records;
+  std::vector<Enrolment> records;
   std::vector<std::string> ids;
   for (const std::string& traineeId : traineeIds) {
     const auto person = people.find(traineeId);
@@ -222,8 +228,8 @@ std::vector<std::string> enrolTrainees(SessionContext& session, const std::strin
                        .traineeId = traineeId,
                        .enrolledUtc_us = session.now_us(),
                        .demonstration = cohort.demonstration});
-    session.note({.action = "enrolment.add",
-                  .objectKind = "enrolment",
+    session.note({.action = AuditAction::kEnrolmentAdd,
+                  .objectKind = AuditObject::kEnrolment,
                   .objectId = ids.back(),
                   .newJson = nlohmann::json{{"cohort", cohortId}, {"trainee", person->code}}.dump()});
   }
@@ -240,10 +246,10 @@ void setEnrolmentState(SessionContext& session, const std::string& cohortId, con
   }
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
-  const StoredEnrolment before = enrolmentOf(study, cohortId, enrolmentId);
+  const Enrolment before = enrolmentOf(study, cohortId, enrolmentId);
   study.setEnrolmentState(enrolmentId, state);
-  session.note({.action = "enrolment.set_state",
-                .objectKind = "enrolment",
+  session.note({.action = AuditAction::kEnrolmentSetState,
+                .objectKind = AuditObject::kEnrolment,
                 .objectId = enrolmentId,
                 .oldJson = nlohmann::json{{"state", storedText(before.state)}}.dump(),
                 .newJson = nlohmann::json{{"state", storedText(state)}}.dump(),
@@ -268,7 +274,7 @@ std::string reportDeviation(SessionContext& session, const NewDeviation& deviati
   }
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
-  const StoredCohort cohort = study.cohort(deviation.cohortId);
+  const Cohort cohort = study.cohort(deviation.cohortId);
   if (!deviation.enrolmentId.empty()) {
     (void)enrolmentOf(study, cohort.id, deviation.enrolmentId);
   }
@@ -278,8 +284,8 @@ std::string reportDeviation(SessionContext& session, const NewDeviation& deviati
                       deviation.happenedUtc_us == 0 ? now_us : deviation.happenedUtc_us,
                       session.actor().userId, now_us, cohort.demonstration});
   // The description is free text and may name somebody: it stays out of the trail.
-  session.note({.action = "deviation.report",
-                .objectKind = "deviation",
+  session.note({.action = AuditAction::kDeviationReport,
+                .objectKind = AuditObject::kDeviation,
                 .objectId = id,
                 .newJson =
                     nlohmann::json{
@@ -289,15 +295,13 @@ std::string reportDeviation(SessionContext& session, const NewDeviation& deviati
   return id;
 }
 
-std::vector<StoredDeviation> deviations(SessionContext& session, const std::string& cohortId) {
+std::vector<ProtocolDeviation> deviations(SessionContext& session, const std::string& cohortId) {
   session.require(Operation::kPersonViewCoded);
   return StudyRepository(session.connection()).deviations(cohortId);
 }
 
 std::string recordExposure(SessionContext& session, const NewExposure& exposure) {
-  if (!session.may(Operation::kStudySetup)) {
-    session.require(Operation::kTrialRecordOwn);
-  }
+  session.requireEither(Operation::kStudySetup, Operation::kTrialRecordOwn);
   if (exposure.kind != "virtual" && exposure.kind != "real" && exposure.kind != "rest") {
     refuse("this is no kind of training time", exposure.kind, "Choose virtual, real or rest");
   }
@@ -306,8 +310,8 @@ std::string recordExposure(SessionContext& session, const NewExposure& exposure)
   }
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
-  const StoredCohort cohort = study.cohort(exposure.cohortId);
-  const StoredEnrolment enrolment = enrolmentOf(study, exposure.cohortId, exposure.enrolmentId);
+  const Cohort cohort = study.cohort(exposure.cohortId);
+  const Enrolment enrolment = enrolmentOf(study, exposure.cohortId, exposure.enrolmentId);
   if (!session.may(Operation::kStudySetup)) {
     session.requireOwn(Operation::kTrialRecordOwn, enrolment.traineeId);
   }
@@ -315,12 +319,12 @@ std::string recordExposure(SessionContext& session, const NewExposure& exposure)
     refuse("has withdrawn from the study", enrolment.traineeCode, "Nothing is recorded any more");
   }
   checkPhase(session, cohort, enrolment, exposure);
-  StoredExposure stored{session.ids().newUuid(), exposure.enrolmentId,   exposure.phaseId,
-                        exposure.kind,           exposure.startedUtc_us, exposure.duration_us,
-                        session.actor().userId,  enrolment.demonstration};
+  Exposure stored{session.ids().newUuid(), exposure.enrolmentId,   exposure.phaseId,
+                  exposure.kind,           exposure.startedUtc_us, exposure.duration_us,
+                  session.actor().userId,  enrolment.demonstration};
   study.addExposures(std::span(&stored, 1));
-  session.note({.action = "exposure.record",
-                .objectKind = "exposure",
+  session.note({.action = AuditAction::kExposureRecord,
+                .objectKind = AuditObject::kExposure,
                 .objectId = stored.id,
                 .newJson = nlohmann::json{{"enrolment", exposure.enrolmentId},
                                           {"kind", exposure.kind},

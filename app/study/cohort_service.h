@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "app/access/session_context.h"
+#include "assessment/study/cohort.h"
 #include "assessment/study/protocol_terms.h"
-#include "db/repository/study/study_repository.h"
 
 namespace torsio {
 
 /// One cohort in a list.
 struct CohortRow {
-  StoredCohort cohort{};
-  std::vector<StoredGroup> groups{};
+  Cohort cohort{};
+  std::vector<StudyGroup> groups{};
   std::size_t enrolled = 0;   ///< not withdrawn
   std::size_t allocated = 0;  ///< of these: in a group
   std::size_t withdrawn = 0;
@@ -27,7 +27,7 @@ struct CohortRow {
 [[nodiscard]] std::vector<CohortRow> cohorts(SessionContext& session);
 /// Enrolments in order of group and number. Without kAllocationView the groups are left out.
 /// kPersonViewCoded.
-[[nodiscard]] std::vector<StoredEnrolment> enrolments(SessionContext& session, const std::string& cohortId);
+[[nodiscard]] std::vector<Enrolment> enrolments(SessionContext& session, const std::string& cohortId);
 
 struct NewGroup {
   std::string code{};   ///< "G1"
@@ -69,7 +69,7 @@ struct NewDeviation {
 /// Audited. kStudySetup.
 std::string reportDeviation(SessionContext& session, const NewDeviation& deviation);
 /// Oldest first. kPersonViewCoded.
-[[nodiscard]] std::vector<StoredDeviation> deviations(SessionContext& session, const std::string& cohortId);
+[[nodiscard]] std::vector<ProtocolDeviation> deviations(SessionContext& session, const std::string& cohortId);
 
 /// Time spent on the virtual or real arm, or resting.
 struct NewExposure {

@@ -33,7 +33,7 @@ double writtenDegrees(double angle_rad) {
   return std::round(degrees(angle_rad) * kDigits) / kDigits;
 }
 
-json moduleJson(const StoredModule& module) {
+json moduleJson(const TrainingModule& module) {
   json out{{"code", module.code},
            {"title", module.title},
            {"scene", module.sceneId},
@@ -53,7 +53,7 @@ json moduleJson(const StoredModule& module) {
   if (module.attemptLimit) {
     out["attempt_limit"] = *module.attemptLimit;
   }
-  for (const StoredMasteryRule& rule : module.mastery) {
+  for (const MasteryCriterion& rule : module.mastery) {
     out["mastery"].push_back({{"metric", rule.metric},
                               {"comparison", rule.comparison},
                               {"threshold", rule.threshold},
@@ -69,7 +69,7 @@ json armJson(const StudyArm& arm) {
            {"rest_min", static_cast<double>(arm.restAllowance_us) / kMinute_us},
            {"rest_splittable", arm.restSplittable},
            {"phases", json::array()}};
-  for (const StoredPhase& phase : arm.phases) {
+  for (const TrainingPhase& phase : arm.phases) {
     json step{{"kind", storedText(phase.kind)},
               {"label", phase.label},
               {"minutes", static_cast<double>(phase.duration_us) / kMinute_us}};
@@ -125,9 +125,9 @@ Value readTerm(JsonFields& fields, const std::string& name, Value fallback, cons
   return *value;
 }
 
-StoredMasteryRule readRule(const json& source, const std::string& place) {
+MasteryCriterion readRule(const json& source, const std::string& place) {
   JsonFields fields(source, place);
-  StoredMasteryRule rule;
+  MasteryCriterion rule;
   rule.metric = fields.text("metric", "");
   rule.comparison = fields.text("comparison", rule.comparison);
   rule.threshold = fields.number("threshold", -kMost, kMost, 0.0);
@@ -137,9 +137,9 @@ StoredMasteryRule readRule(const json& source, const std::string& place) {
   return rule;
 }
 
-StoredModule readModule(const json& source, const std::string& place) {
+TrainingModule readModule(const json& source, const std::string& place) {
   JsonFields fields(source, place);
-  StoredModule module;
+  TrainingModule module;
   module.code = fields.text("code", "");
   module.id = module.code;
   module.title = fields.text("title", "");
@@ -183,7 +183,7 @@ StudyArm readArm(const json& source, const std::string& place) {
   const std::vector<json> phases = elements(fields, "phases");
   for (std::size_t i = 0; i < phases.size(); ++i) {
     JsonFields step(phases[i], placeIn(fields, "phases", i));
-    StoredPhase phase;
+    TrainingPhase phase;
     phase.kind = readTerm(step, "kind", phase.kind, Text("is neither on the virtual nor on the real arm"));
     phase.label = step.text("label", "");
     phase.duration_us = microseconds(step, "minutes", kMostMinutes, kMinute_us, 0.0);
@@ -195,11 +195,11 @@ StudyArm readArm(const json& source, const std::string& place) {
   return arm;
 }
 
-StoredCurriculumVersion readContent(JsonFields& fields) {
+CurriculumVersion readContent(JsonFields& fields) {
   if (const std::string format = fields.text("format"); format != kFormat) {
     fields.refuse("format", "is '" + format + "'", std::string("This program reads ") + kFormat + ".");
   }
-  StoredCurriculumVersion content;
+  CurriculumVersion content;
   const std::vector<json> modules = elements(fields, "modules");
   for (std::size_t i = 0; i < modules.size(); ++i) {
     content.modules.push_back(readModule(modules[i], placeIn(fields, "modules", i)));
@@ -229,10 +229,10 @@ json parsed(const std::string& text, const std::string& name) {
 
 }  // namespace
 
-std::string curriculumJson(const StoredCurriculumVersion& content) {
+std::string curriculumJson(const CurriculumVersion& content) {
   json out{
       {"format", kFormat}, {"modules", json::array()}, {"arms", json::array()}, {"occasions", json::array()}};
-  for (const StoredModule& module : content.modules) {
+  for (const TrainingModule& module : content.modules) {
     out["modules"].push_back(moduleJson(module));
   }
   for (const StudyArm& arm : content.arms) {
@@ -245,10 +245,10 @@ std::string curriculumJson(const StoredCurriculumVersion& content) {
   return out.dump(2);
 }
 
-StoredCurriculumVersion parseCurriculum(const std::string& text, const std::string& name) {
+CurriculumVersion parseCurriculum(const std::string& text, const std::string& name) {
   const json source = parsed(text, name);
   JsonFields fields(source, name);
-  StoredCurriculumVersion content = readContent(fields);
+  CurriculumVersion content = readContent(fields);
   fields.finish();
   return content;
 }

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "assessment/study/curriculum.h"
 #include "assessment/study/occasion.h"
-#include "db/repository/study/curriculum_repository.h"
 #include "sim/base/text.h"
 
 namespace torsio {
 
-// While a curriculum is being written, its StoredCurriculumVersion carries codes in place of ids: a module's
-// `id` is its code, `requires_` and StoredPhase::moduleId name codes. Publishing gives real ids.
+// While a curriculum is being written, its CurriculumVersion carries codes in place of ids: a module's
+// `id` is its code, `requires_` and TrainingPhase::moduleId name codes. Publishing gives real ids.
 
 /// Something that keeps a draft from being published.
 struct CurriculumProblem {
@@ -23,22 +23,22 @@ struct CurriculumProblem {
 
 /// Lists everything that is wrong, in reading order; empty: can be published. Scenes and patterns are looked
 /// up in `assets`; with an empty path they are not checked. `known`: the occasions that it may name.
-[[nodiscard]] std::vector<CurriculumProblem> curriculumProblems(const StoredCurriculumVersion& content,
+[[nodiscard]] std::vector<CurriculumProblem> curriculumProblems(const CurriculumVersion& content,
                                                                 const std::filesystem::path& assets,
                                                                 const Occasions& known);
 
 /// The draft as JSON text (format "torsio curriculum 1": degrees, minutes and seconds), and back. Reading is
 /// strict: unknown and misspelt fields, wrong types and numbers out of range are refused with their place.
 /// Throws Error{kBadData}; `name` stands for the file.
-[[nodiscard]] std::string curriculumJson(const StoredCurriculumVersion& content);
-[[nodiscard]] StoredCurriculumVersion parseCurriculum(const std::string& json, const std::string& name);
+[[nodiscard]] std::string curriculumJson(const CurriculumVersion& content);
+[[nodiscard]] CurriculumVersion parseCurriculum(const std::string& json, const std::string& name);
 
 /// A curriculum that ships as a file of assets/curricula.
 struct CurriculumTemplate {
   std::string id{};  ///< file name without .json
   std::string title{};
   std::string description{};
-  StoredCurriculumVersion content{};
+  CurriculumVersion content{};
 };
 /// All templates, ordered by id. Throws Error{kFileMissing, kFileUnreadable, kBadData}.
 [[nodiscard]] std::vector<CurriculumTemplate> curriculumTemplates(const std::filesystem::path& assets);

@@ -8,6 +8,7 @@
 
 #include "app/study/curriculum_content.h"
 #include "assessment/metrics/metric_cards.h"
+#include "assessment/study/curriculum.h"
 #include "sim/base/error.h"
 #include "sim/scene/scene.h"
 
@@ -34,8 +35,7 @@ std::optional<std::string_view> unitOf(const std::string& metric) {
 /// Goes through a draft in reading order and collects what is wrong.
 class Examination {
  public:
-  Examination(const StoredCurriculumVersion& content, const std::filesystem::path& assets,
-              const Occasions& known)
+  Examination(const CurriculumVersion& content, const std::filesystem::path& assets, const Occasions& known)
       : content_(content), assets_(assets), known_(known) {}
 
   std::vector<CurriculumProblem> run() {
@@ -44,7 +44,7 @@ class Examination {
     }
     readScenes();
     checkCodes();
-    for (const StoredModule& module : content_.modules) {
+    for (const TrainingModule& module : content_.modules) {
       checkModule(module);
     }
     checkCircle();
@@ -75,7 +75,7 @@ class Examination {
 
   void checkCodes() {
     std::set<std::string> seen;
-    for (const StoredModule& module : content_.modules) {
+    for (const TrainingModule& module : content_.modules) {
       if (module.code.empty()) {
         add(Text("module \"%1\"", module.title), "has no code", "Give it a short one, such as M1");
       } else if (!seen.insert(module.code).second) {
@@ -93,7 +93,7 @@ class Examination {
     }
   }
 
-  void checkModule(const StoredModule& module) {
+  void checkModule(const TrainingModule& module) {
     const Text where("module %1", module.code);
     if (module.title.empty()) {
       add(where, "has no title", "Say in a few words what is practised");
@@ -122,7 +122,7 @@ class Examination {
     checkMastery(module, where);
   }
 
-  void checkScene(const StoredModule& module, const Text& where) {
+  void checkScene(const TrainingModule& module, const Text& where) {
     if (assets_.empty()) {
       return;
     }
@@ -137,9 +137,9 @@ class Examination {
     }
   }
 
-  void checkMastery(const StoredModule& module, const Text& where) {
+  void checkMastery(const TrainingModule& module, const Text& where) {
     std::set<std::string> seen;
-    for (const StoredMasteryRule& rule : module.mastery) {
+    for (const MasteryCriterion& rule : module.mastery) {
       const Text place("%1, mastery %2", where, rule.metric);
       const std::optional<std::string_view> unit = unitOf(rule.metric);
       if (!unit) {
@@ -165,7 +165,7 @@ class Examination {
   /// Takes away, again and again, the modules whose prerequisites are all gone; what stays runs in a circle.
   void checkCircle() {
     std::map<std::string, std::vector<std::string>> open;
-    for (const StoredModule& module : content_.modules) {
+    for (const TrainingModule& module : content_.modules) {
       open[module.code] = module.requires_;
     }
     for (std::size_t before = 0; before != open.size();) {
@@ -196,7 +196,7 @@ class Examination {
       add(where, "has no phases", "Add at least one");
     }
     for (std::size_t i = 0; i < arm.phases.size(); ++i) {
-      const StoredPhase& phase = arm.phases[i];
+      const TrainingPhase& phase = arm.phases[i];
       const Text place("%1, phase %2", where, i + 1);
       if (phase.label.empty()) {
         add(place, "has no name", "Give it one, such as \"virtual 0-20 min\"");
@@ -219,12 +219,12 @@ class Examination {
     std::int64_t longest_us = 0;
     for (const StudyArm& arm : content_.arms) {
       std::int64_t total_us = 0;
-      for (const StoredPhase& phase : arm.phases) {
+      for (const TrainingPhase& phase : arm.phases) {
         total_us += phase.duration_us;
       }
       longest_us = std::max(longest_us, total_us);
     }
-    std::int64_t before_us = -1;
+    std::int64_t before_us = 0;
     for (const Occasion& occasion : known_) {
       for (const PlannedOccasion& point : content_.plannedOccasions) {
         if (point.code != occasion.code) {
@@ -234,8 +234,8 @@ class Examination {
         if (!seen.insert(point.code).second) {
           add(where, "stands twice", "Keep one of the two");
         }
-        if (point.afterExposure_us <= before_us) {
-          add(where, "does not come after the one before", "Give each a later time than the last");
+        if (point.afterExposure_us < before_us) {
+          add(where, "comes before the one that it follows", "Give each the time of the last or a later one");
         }
         before_us = point.afterExposure_us;
         if (!content_.arms.empty() && point.afterExposure_us > longest_us) {
@@ -250,7 +250,7 @@ class Examination {
     }
   }
 
-  const StoredCurriculumVersion& content_;
+  const CurriculumVersion& content_;
   const std::filesystem::path& assets_;
   const Occasions& known_;
   std::set<std::string> modules_;
@@ -260,7 +260,7 @@ class Examination {
 
 }  // namespace
 
-std::vector<CurriculumProblem> curriculumProblems(const StoredCurriculumVersion& content,
+std::vector<CurriculumProblem> curriculumProblems(const CurriculumVersion& content,
                                                   const std::filesystem::path& assets,
                                                   const Occasions& known) {
   return Examination(content, assets, known).run();

@@ -7,6 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
@@ -15,8 +19,8 @@ namespace torsio {
 
 namespace {
 
-StoredCurriculum curriculumOf(CurriculumRepository& repository, const std::string& curriculumId) {
-  for (StoredCurriculum& curriculum : repository.curricula()) {
+Curriculum curriculumOf(CurriculumRepository& repository, const std::string& curriculumId) {
+  for (Curriculum& curriculum : repository.curricula()) {
     if (curriculum.id == curriculumId) {
       return curriculum;
     }
@@ -25,12 +29,12 @@ StoredCurriculum curriculumOf(CurriculumRepository& repository, const std::strin
 }
 
 /// A stored version as a draft: codes in place of ids.
-StoredCurriculumVersion withCodes(StoredCurriculumVersion version) {
+CurriculumVersion withCodes(CurriculumVersion version) {
   std::map<std::string, std::string> codes;
-  for (const StoredModule& module : version.modules) {
+  for (const TrainingModule& module : version.modules) {
     codes[module.id] = module.code;
   }
-  for (StoredModule& module : version.modules) {
+  for (TrainingModule& module : version.modules) {
     module.id = module.code;
     for (std::string& required : module.requires_) {
       required = codes[required];
@@ -38,7 +42,7 @@ StoredCurriculumVersion withCodes(StoredCurriculumVersion version) {
   }
   for (StudyArm& arm : version.arms) {
     arm.id = arm.code;
-    for (StoredPhase& phase : arm.phases) {
+    for (TrainingPhase& phase : arm.phases) {
       phase.id.clear();
       if (!phase.moduleId.empty()) {
         phase.moduleId = codes[phase.moduleId];
@@ -49,20 +53,20 @@ StoredCurriculumVersion withCodes(StoredCurriculumVersion version) {
 }
 
 /// A draft as a version: ids in place of codes.
-StoredCurriculumVersion withIds(StoredCurriculumVersion content, IdSource& ids) {
+CurriculumVersion withIds(CurriculumVersion content, IdSource& ids) {
   std::map<std::string, std::string> idOf;
-  for (StoredModule& module : content.modules) {
+  for (TrainingModule& module : content.modules) {
     module.id = ids.newUuid();
     idOf[module.code] = module.id;
   }
-  for (StoredModule& module : content.modules) {
+  for (TrainingModule& module : content.modules) {
     for (std::string& required : module.requires_) {
       required = idOf.at(required);
     }
   }
   for (StudyArm& arm : content.arms) {
     arm.id = ids.newUuid();
-    for (StoredPhase& phase : arm.phases) {
+    for (TrainingPhase& phase : arm.phases) {
       phase.id = ids.newUuid();
       if (!phase.moduleId.empty()) {
         phase.moduleId = idOf.at(phase.moduleId);
@@ -72,16 +76,30 @@ StoredCurriculumVersion withIds(StoredCurriculumVersion content, IdSource& ids) 
   return content;
 }
 
-void moveTo(SessionContext& session, const std::string& versionId, const std::string& state,
+/// What the audit trail says of a version that has come into `state`; a version begins as a draft when it is
+/// published.
+AuditAction actionOf(CurriculumState state) {
+  switch (state) {
+    case CurriculumState::kDraft:
+      return AuditAction::kCurriculumPublish;
+    case CurriculumState::kRunning:
+      return AuditAction::kCurriculumRunning;
+    case CurriculumState::kClosed:
+      return AuditAction::kCurriculumClosed;
+  }
+  throw ContractError("no such state");
+}
+
+void moveTo(SessionContext& session, const std::string& versionId, CurriculumState state,
             const std::string& reason) {
   session.require(Operation::kCurriculumEdit);
   Transaction transaction(session.connection());
   CurriculumRepository(session.connection())
       .moveTo(versionId, state, session.actor().userId, session.now_us());
-  session.note({.action = "curriculum." + state,
-                .objectKind = "curriculum_version",
+  session.note({.action = actionOf(state),
+                .objectKind = AuditObject::kCurriculumVersion,
                 .objectId = versionId,
-                .newJson = nlohmann::json{{"state", state}}.dump(),
+                .newJson = nlohmann::json{{"state", storedText(state)}}.dump(),
                 .reason = reason});
   transaction.commit();
 }
@@ -92,18 +110,18 @@ std::vector<CurriculumRow> curricula(SessionContext& session) {
   session.require(Operation::kPersonViewCoded);
   CurriculumRepository repository(session.connection());
   std::map<std::string, std::vector<std::string>> followers;
-  for (const StoredCohort& cohort : StudyRepository(session.connection()).cohorts()) {
+  for (const Cohort& cohort : StudyRepository(session.connection()).cohorts()) {
     followers[cohort.curriculumVersionId].push_back(cohort.name);
   }
   std::vector<CurriculumRow> rows;
-  for (StoredCurriculum& curriculum : repository.curricula()) {
+  for (Curriculum& curriculum : repository.curricula()) {
     CurriculumRow row;
     if (const auto draft = repository.draft(curriculum.id)) {
       row.hasDraft = true;
       row.draftChangedUtc_us = draft->changedUtc_us;
     }
     for (const std::string& id : repository.versionIds(curriculum.id)) {
-      const StoredCurriculumVersion version = repository.version(id).value();
+      const CurriculumVersion version = repository.version(id).value();
       row.versions.push_back(
           {id, version.number, version.note, version.state, version.createdUtc_us, followers[id]});
     }
@@ -113,7 +131,7 @@ std::vector<CurriculumRow> curricula(SessionContext& session) {
   return rows;
 }
 
-StoredCurriculumVersion publishedContent(SessionContext& session, const std::string& versionId) {
+CurriculumVersion publishedContent(SessionContext& session, const std::string& versionId) {
   session.require(Operation::kPersonViewCoded);
   auto version = CurriculumRepository(session.connection()).version(versionId);
   if (!version) {
@@ -123,7 +141,7 @@ StoredCurriculumVersion publishedContent(SessionContext& session, const std::str
 }
 
 std::string addCurriculum(SessionContext& session, const std::string& name, const std::string& description,
-                          const std::optional<StoredCurriculumVersion>& content, bool demonstration) {
+                          const std::optional<CurriculumVersion>& content, bool demonstration) {
   session.require(Operation::kCurriculumEdit);
   if (name.empty()) {
     throw Error(ErrorCode::kBadParameter, "the curriculum has no name", "curriculum", "Enter one");
@@ -132,9 +150,10 @@ std::string addCurriculum(SessionContext& session, const std::string& name, cons
   CurriculumRepository repository(session.connection());
   const std::string id = session.ids().newUuid();
   repository.addCurriculum({id, name, description, session.now_us(), demonstration});
-  repository.saveDraft(id, {0, curriculumJson(content.value_or(StoredCurriculumVersion{})),
-                            session.actor().userId, session.now_us()});
-  session.note({.action = "curriculum.add", .objectKind = "curriculum", .objectId = id});
+  repository.saveDraft(id, {0, curriculumJson(content.value_or(CurriculumVersion{})), session.actor().userId,
+                            session.now_us()});
+  session.note(
+      {.action = AuditAction::kCurriculumAdd, .objectKind = AuditObject::kCurriculum, .objectId = id});
   transaction.commit();
   return id;
 }
@@ -142,7 +161,7 @@ std::string addCurriculum(SessionContext& session, const std::string& name, cons
 CurriculumDraft curriculumDraft(SessionContext& session, const std::string& curriculumId) {
   session.require(Operation::kCurriculumEdit);
   CurriculumRepository repository(session.connection());
-  const StoredCurriculum curriculum = curriculumOf(repository, curriculumId);
+  const Curriculum curriculum = curriculumOf(repository, curriculumId);
   if (const auto draft = repository.draft(curriculumId)) {
     return {draft->revision, parseCurriculum(draft->contentJson, curriculum.name), draft->changedBy,
             draft->changedUtc_us};
@@ -162,8 +181,8 @@ std::int64_t saveCurriculumDraft(SessionContext& session, const std::string& cur
                                     .saveDraft(curriculumId, {draft.revision, curriculumJson(draft.content),
                                                               session.actor().userId, session.now_us()});
   // One entry for the first save in a row of the same person would hide who wrote what: each save counts.
-  session.note({.action = "curriculum.save_draft",
-                .objectKind = "curriculum_draft",
+  session.note({.action = AuditAction::kCurriculumSaveDraft,
+                .objectKind = AuditObject::kCurriculumDraft,
                 .objectId = curriculumId,
                 .newJson = nlohmann::json{{"revision", revision}}.dump()});
   transaction.commit();
@@ -180,15 +199,15 @@ std::string publishCurriculum(SessionContext& session, const std::string& curric
     throw Error(ErrorCode::kBadData, problem.what, problem.where, problem.remedy);
   }
   CurriculumRepository repository(session.connection());
-  StoredCurriculumVersion version = withIds(draft.content, session.ids());
+  CurriculumVersion version = withIds(draft.content, session.ids());
   version.id = session.ids().newUuid();
   version.curriculumId = curriculumId;
   version.number = static_cast<std::int64_t>(repository.versionIds(curriculumId).size() + 1);
   version.note = note;
   version.createdUtc_us = session.now_us();
   repository.addVersion(version, session.actor().userId);
-  session.note({.action = "curriculum.publish",
-                .objectKind = "curriculum_version",
+  session.note({.action = AuditAction::kCurriculumPublish,
+                .objectKind = AuditObject::kCurriculumVersion,
                 .objectId = version.id,
                 .newJson = nlohmann::json{{"curriculum", curriculumId},
                                           {"number", version.number},
@@ -199,11 +218,11 @@ std::string publishCurriculum(SessionContext& session, const std::string& curric
 }
 
 void runCurriculum(SessionContext& session, const std::string& versionId) {
-  moveTo(session, versionId, "running", "");
+  moveTo(session, versionId, CurriculumState::kRunning, "");
 }
 
 void closeCurriculum(SessionContext& session, const std::string& versionId, const std::string& reason) {
-  moveTo(session, versionId, "closed", reason);
+  moveTo(session, versionId, CurriculumState::kClosed, reason);
 }
 
 }  // namespace torsio

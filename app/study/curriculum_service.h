@@ -9,6 +9,7 @@
 
 #include "app/access/session_context.h"
 #include "app/study/curriculum_content.h"
+#include "assessment/study/curriculum.h"
 
 namespace torsio {
 
@@ -17,13 +18,13 @@ struct CurriculumVersionRow {
   std::string id{};
   std::int64_t number = 1;
   std::string note{};
-  std::string state{};  ///< "draft" (published, not begun), "running", "closed"
+  CurriculumState state = CurriculumState::kDraft;
   std::int64_t createdUtc_us = 0;
   std::vector<std::string> cohorts{};  ///< names of those that follow it
 };
 
 struct CurriculumRow {
-  StoredCurriculum curriculum{};
+  Curriculum curriculum{};
   bool hasDraft = false;
   std::int64_t draftChangedUtc_us = 0;
   std::vector<CurriculumVersionRow> versions{};  ///< oldest first
@@ -33,18 +34,18 @@ struct CurriculumRow {
 [[nodiscard]] std::vector<CurriculumRow> curricula(SessionContext& session);
 /// A published version with codes in place of ids: as it looks in the editor, and as a start of the next
 /// draft. kPersonViewCoded. Throws Error{kBadData} for an unknown id.
-[[nodiscard]] StoredCurriculumVersion publishedContent(SessionContext& session, const std::string& versionId);
+[[nodiscard]] CurriculumVersion publishedContent(SessionContext& session, const std::string& versionId);
 
 /// A new curriculum with a first draft: empty, or from a template. Returns its id. kCurriculumEdit. Throws
 /// Error{kBadParameter} for an empty name, DbError{kUnique} when the name is taken.
 std::string addCurriculum(SessionContext& session, const std::string& name, const std::string& description,
-                          const std::optional<StoredCurriculumVersion>& content = std::nullopt,
+                          const std::optional<CurriculumVersion>& content = std::nullopt,
                           bool demonstration = false);
 
 /// What is being written (curriculum_content.h: codes in place of ids).
 struct CurriculumDraft {
   std::int64_t revision = 0;  ///< to be given back when saving
-  StoredCurriculumVersion content{};
+  CurriculumVersion content{};
   std::string changedBy{};
   std::int64_t changedUtc_us = 0;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/study/drawn_seed.h"
 
+#include "db/repository/base/id_source.h"
 #include "sim/base/digest.h"
 
 namespace torsio {

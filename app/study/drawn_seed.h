@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "db/repository/base/id_source.h"
-
 namespace torsio {
+
+class IdSource;
 
 /// A seed from the same source as record ids: the machine's random numbers, or a test's fixed stream. Private
 /// to the services that draw.

@@ -8,8 +8,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/base/refusal.h"
+#include "assessment/people/account.h"
+#include "assessment/rating/campaign.h"
+#include "assessment/study/allocation_entry.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
 #include "db/repository/base/field_digest.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/base/seals.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
@@ -18,6 +23,7 @@
 #include "db/repository/study/study_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
+#include "sim/base/refusal.h"
 
 namespace torsio {
 
@@ -27,16 +33,16 @@ using nlohmann::json;
 using Hashes = std::map<std::string, std::string>;  ///< id of a row -> hash over it
 using Manifest = std::map<std::string, Hashes>;     ///< table -> rows
 
-constexpr const char* kFormat = "torsio frozen data 1";
+constexpr const char* kFrozenFormat = "torsio frozen data 1";
 constexpr std::size_t kShownDifferences = 20;
 
-std::string hashOf(const StoredEnrolment& row) {
+std::string hashOf(const Enrolment& row) {
   FieldDigest digest("torsio frozen enrolment 1");
   digest.add(row.id).add(row.traineeCode).add(row.groupId).add(row.numberInGroup).add(storedText(row.state));
   return digest.hex();
 }
 
-std::string hashOf(const StoredExposure& row) {
+std::string hashOf(const Exposure& row) {
   FieldDigest digest("torsio frozen exposure 1");
   digest.add(row.id).add(row.enrolmentId).add(row.phaseId).add(row.kind).add(row.startedUtc_us);
   digest.add(row.duration_us);
@@ -44,13 +50,13 @@ std::string hashOf(const StoredExposure& row) {
 }
 
 /// The description may be erased with a person and stays out.
-std::string hashOf(const StoredDeviation& row) {
+std::string hashOf(const ProtocolDeviation& row) {
   FieldDigest digest("torsio frozen deviation 1");
   digest.add(row.id).add(row.enrolmentId).add(row.kind).add(row.happenedUtc_us);
   return digest.hex();
 }
 
-std::string hashOf(const StoredCampaign& campaign) {
+std::string hashOf(const Campaign& campaign) {
   FieldDigest digest("torsio frozen campaign 1");
   digest.add(campaign.id).add(campaign.name);
   const EvaluationInstrument& instrument = campaign.instrument;
@@ -61,10 +67,10 @@ std::string hashOf(const StoredCampaign& campaign) {
   for (const EvaluationIndex& part : instrument.indices) {
     digest.add(part.id).add(part.weight_milli);
   }
-  for (const StoredModel& model : campaign.models) {
+  for (const CampaignModel& model : campaign.models) {
     digest.add(model.code).add(model.hiddenLabel);
   }
-  for (const StoredCampaignRater& rater : campaign.raters) {
+  for (const CampaignRater& rater : campaign.raters) {
     digest.add(rater.raterId).add(rater.classCode).add(rater.modelOrder);
   }
   return digest.hex();
@@ -95,8 +101,8 @@ Manifest manifestOf(SessionContext& session, const std::string& cohortId,
   Manifest manifest;
   manifest["enrolment"] = hashesOf(study.enrolments(cohortId));
   Hashes& allocations = manifest["allocation"];
-  for (const StoredAllocationDesign& design : study.designs(cohortId)) {
-    for (const StoredAllocation& record : study.allocations(design.id)) {
+  for (const LockedDesign& design : study.designs(cohortId)) {
+    for (const AllocationEntry& record : study.allocations(design.id)) {
       allocations[record.id] = record.recordHash;
     }
   }
@@ -133,7 +139,7 @@ Manifest manifestOf(SessionContext& session, const std::string& cohortId,
 }
 
 json manifestJson(const Manifest& manifest) {
-  return {{"format", kFormat}, {"rows", manifest}};
+  return {{"format", kFrozenFormat}, {"rows", manifest}};
 }
 
 std::string hashOfText(const std::string& text) {
@@ -142,7 +148,7 @@ std::string hashOfText(const std::string& text) {
   return digest.hex();
 }
 
-Manifest manifestFrom(const StoredFreeze& stored) {
+Manifest manifestFrom(const DataFreeze& stored) {
   try {
     return json::parse(stored.manifestJson).at("rows").get<Manifest>();
   } catch (const json::exception& problem) {
@@ -151,7 +157,7 @@ Manifest manifestFrom(const StoredFreeze& stored) {
   }
 }
 
-FrozenRow rowOf(const StoredFreeze& stored, const std::string& createdBy) {
+FrozenRow rowOf(const DataFreeze& stored, const std::string& createdBy) {
   Manifest manifest = manifestFrom(stored);
   FrozenRow row{stored.id, stored.cohortId,      stored.name, stored.contentHash,
                 {},        stored.createdUtc_us, createdBy};
@@ -166,10 +172,10 @@ FrozenRow rowOf(const StoredFreeze& stored, const std::string& createdBy) {
   return row;
 }
 
-std::optional<StoredFreeze> findFreeze(SessionContext& session, const std::string& frozenId) {
+std::optional<DataFreeze> findFreeze(SessionContext& session, const std::string& frozenId) {
   FreezeRepository repository(session.connection());
-  for (const StoredCohort& cohort : StudyRepository(session.connection()).cohorts()) {
-    for (StoredFreeze& freeze : repository.list(cohort.id)) {
+  for (const Cohort& cohort : StudyRepository(session.connection()).cohorts()) {
+    for (DataFreeze& freeze : repository.list(cohort.id)) {
       if (freeze.id == frozenId) {
         return std::move(freeze);
       }
@@ -215,8 +221,8 @@ FrozenRow freezeData(SessionContext& session, const std::string& cohortId, const
     refuseParameter("another data set has this name", name,
                     "Choose another name; frozen data stay as they are");
   }
-  const StoredCohort cohort = StudyRepository(session.connection()).cohort(cohortId);
-  StoredFreeze freeze;
+  const Cohort cohort = StudyRepository(session.connection()).cohort(cohortId);
+  DataFreeze freeze;
   freeze.id = session.ids().newUuid();
   freeze.cohortId = cohortId;
   freeze.name = name;
@@ -233,11 +239,11 @@ FrozenRow freezeData(SessionContext& session, const std::string& cohortId, const
 std::vector<FrozenRow> frozenData(SessionContext& session, const std::string& cohortId) {
   session.require(Operation::kResultsCompute);
   std::map<std::string, std::string> loginOf;  // by user
-  for (const StoredUser& user : AccessRepository(session.connection()).users()) {
+  for (const UserAccount& user : AccessRepository(session.connection()).users()) {
     loginOf.emplace(user.id, user.login);
   }
   std::vector<FrozenRow> rows;
-  for (const StoredFreeze& stored : FreezeRepository(session.connection()).list(cohortId)) {
+  for (const DataFreeze& stored : FreezeRepository(session.connection()).list(cohortId)) {
     const auto known = loginOf.find(stored.createdBy);
     rows.push_back(rowOf(stored, known == loginOf.end() ? stored.createdBy : known->second));
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
+#include "sim/base/text.h"
 
 namespace torsio {
 

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "db/connection/connection.h"
 #include "db/repository/study/occasion_repository.h"
 #include "sim/base/error.h"
 
@@ -32,8 +33,8 @@ Occasion addOccasion(SessionContext& session, const std::string& label) {
   }
   const Occasion added{"occasion-" + std::to_string(number), label, {}};
   repository.add(added);
-  session.note({.action = "occasion.add",
-                .objectKind = "occasion",
+  session.note({.action = AuditAction::kOccasionAdd,
+                .objectKind = AuditObject::kOccasion,
                 .objectId = added.code,
                 .newJson = nlohmann::json{{"label", label}}.dump()});
   transaction.commit();

@@ -7,9 +7,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/base/refusal.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/refusal.h"
 #include "sim/scene/json_fields.h"
 
 namespace torsio {
@@ -18,7 +21,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kFormat = "torsio rubric 1";
+constexpr const char* kRubricFormat = "torsio rubric 1";
 constexpr double kMostPoints = 1000.0;
 constexpr int kMostSteps = 1000;
 
@@ -32,9 +35,9 @@ ScoreScale readScale(JsonFields& fields) {
   return scale;
 }
 
-StoredRubricRow readRow(const json& source, const std::string& place) {
+RubricLine readRow(const json& source, const std::string& place) {
   JsonFields fields(source, place);
-  StoredRubricRow row;
+  RubricLine row;
   row.code = fields.text("code");
   row.label = fields.text("label");
   row.scale = readScale(fields);
@@ -51,13 +54,13 @@ StoredRubricRow readRow(const json& source, const std::string& place) {
   return row;
 }
 
-void checkRevision(const StoredRubricRevision& revision) {
+void checkRevision(const RubricRevision& revision) {
   validateScale(revision.overall);
   if (revision.rows.empty()) {
     refuseParameter("the rubric has no rows", "rubric", "Add at least one criterion");
   }
   std::set<std::string> codes;
-  for (const StoredRubricRow& row : revision.rows) {
+  for (const RubricLine& row : revision.rows) {
     const std::string where = "row " + row.code;
     if (row.code.empty() || row.label.empty()) {
       refuseParameter("a row has no code or no label", where, "Fill both in");
@@ -67,7 +70,7 @@ void checkRevision(const StoredRubricRevision& revision) {
     }
     validateScale(row.scale);
     std::set<std::int64_t> scores;
-    for (const StoredAnchor& anchor : row.anchors) {
+    for (const RubricAnchor& anchor : row.anchors) {
       if (!isOnScale(anchor.score_steps, row.scale)) {
         refuseParameter("an anchor lies outside the scale", where, "Move it, or widen the scale");
       }
@@ -81,7 +84,7 @@ void checkRevision(const StoredRubricRevision& revision) {
   }
 }
 
-std::string storeRevision(SessionContext& session, const std::string& rubricId, StoredRubricRevision revision,
+std::string storeRevision(SessionContext& session, const std::string& rubricId, RubricRevision revision,
                           std::int64_t number, const std::string& note) {
   revision.id = session.ids().newUuid();
   revision.rubricId = rubricId;
@@ -90,8 +93,8 @@ std::string storeRevision(SessionContext& session, const std::string& rubricId, 
   revision.createdBy = session.actor().userId;
   revision.createdUtc_us = session.now_us();
   SheetRepository(session.connection()).addRevision(revision);
-  session.note({.action = number == 1 ? "rubric.add" : "rubric.revise",
-                .objectKind = "rubric_revision",
+  session.note({.action = number == 1 ? AuditAction::kRubricAdd : AuditAction::kRubricRevise,
+                .objectKind = AuditObject::kRubricRevision,
                 .objectId = revision.id,
                 .newJson = json{{"rubric", rubricId}, {"number", number}}.dump()});
   return revision.id;
@@ -107,8 +110,8 @@ RubricTemplate parseRubric(const std::string& text, const std::string& id) {
     throw Error(ErrorCode::kBadData, Text("is no JSON: %1", problem.what()), id, "Correct the text");
   }
   JsonFields fields(source, id);
-  if (const std::string format = fields.text("format"); format != kFormat) {
-    fields.refuse("format", Text("is '%1'", format), Text("This program reads %1.", kFormat));
+  if (const std::string format = fields.text("format"); format != kRubricFormat) {
+    fields.refuse("format", Text("is '%1'", format), Text("This program reads %1.", kRubricFormat));
   }
   RubricTemplate rubric;
   rubric.id = id;
@@ -152,7 +155,7 @@ std::vector<RubricRow> rubrics(SessionContext& session) {
   session.require(Operation::kPersonViewCoded);
   SheetRepository repository(session.connection());
   std::vector<RubricRow> rows;
-  for (const StoredRubric& rubric : repository.rubrics()) {
+  for (const Rubric& rubric : repository.rubrics()) {
     RubricRow row{rubric.id, rubric.name, {}};
     for (const std::string& id : repository.revisionIds(rubric.id)) {
       row.revisions.push_back(repository.revision(id).value());
@@ -162,7 +165,7 @@ std::vector<RubricRow> rubrics(SessionContext& session) {
   return rows;
 }
 
-std::string addRubric(SessionContext& session, const std::string& name, const StoredRubricRevision& first,
+std::string addRubric(SessionContext& session, const std::string& name, const RubricRevision& first,
                       bool demonstration) {
   session.require(Operation::kCurriculumEdit);
   if (name.empty()) {
@@ -177,8 +180,8 @@ std::string addRubric(SessionContext& session, const std::string& name, const St
   return id;
 }
 
-std::string reviseRubric(SessionContext& session, const std::string& rubricId,
-                         const StoredRubricRevision& next, const std::string& note) {
+std::string reviseRubric(SessionContext& session, const std::string& rubricId, const RubricRevision& next,
+                         const std::string& note) {
   session.require(Operation::kCurriculumEdit);
   checkRevision(next);
   Transaction transaction(session.connection());

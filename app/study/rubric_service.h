@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "db/repository/rating/sheet_repository.h"
+#include "assessment/rating/rubric.h"
 
 namespace torsio {
 
@@ -15,7 +15,7 @@ struct RubricTemplate {
   std::string id{};  ///< file name without .json
   std::string title{};
   std::string source{};  ///< where it comes from
-  StoredRubricRevision revision{};
+  RubricRevision revision{};
 };
 /// All templates, ordered by id. Throws Error{kFileMissing, kFileUnreadable, kBadData} with file and field.
 [[nodiscard]] std::vector<RubricTemplate> rubricTemplates(const std::filesystem::path& assets);
@@ -24,7 +24,7 @@ struct RubricTemplate {
 struct RubricRow {
   std::string id{};
   std::string name{};
-  std::vector<StoredRubricRevision> revisions{};  ///< oldest first; the last one is offered
+  std::vector<RubricRevision> revisions{};  ///< oldest first; the last one is offered
 };
 /// All rubrics by name. kPersonViewCoded (whoever works in the office).
 [[nodiscard]] std::vector<RubricRow> rubrics(SessionContext& session);
@@ -32,10 +32,10 @@ struct RubricRow {
 /// Stores a rubric with its first revision. Returns the id of the revision. Audited. kCurriculumEdit. Throws
 /// Error{kBadParameter}: no rows, a row without code or label, a code twice, a scale or an anchor out of
 /// range.
-std::string addRubric(SessionContext& session, const std::string& name, const StoredRubricRevision& first,
+std::string addRubric(SessionContext& session, const std::string& name, const RubricRevision& first,
                       bool demonstration = false);
 /// The next revision: sheets that were assigned keep theirs. Returns its id. Audited. kCurriculumEdit.
-std::string reviseRubric(SessionContext& session, const std::string& rubricId,
-                         const StoredRubricRevision& next, const std::string& note);
+std::string reviseRubric(SessionContext& session, const std::string& rubricId, const RubricRevision& next,
+                         const std::string& note);
 
 }  // namespace torsio

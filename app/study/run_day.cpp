@@ -8,7 +8,12 @@
 #include "app/devices/station_device.h"
 #include "app/scoring/cohort_occasions.h"
 #include "app/study/cohort_service.h"
+#include "assessment/rating/assignment.h"
+#include "db/connection/connection.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/station_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -36,8 +41,7 @@ void countRest(const StudyArm& arm, std::int64_t duration_us, PhaseProgress& pro
       arm.restSplittable ? std::max<std::int64_t>(0, arm.restAllowance_us - progress.restUsed_us) : 0;
 }
 
-void fillTraining(RunDayRow& row, const StudyArm& arm, const std::vector<StoredExposure>& exposures,
-                  const Occasions& occasions) {
+void fillTraining(RunDayRow& row, const StudyArm& arm, const std::vector<Exposure>& exposures) {
   row.armLabel = arm.label;
   row.restAllowance_us = arm.restAllowance_us;
   row.progress = phaseProgress(arm, exposures);
@@ -46,28 +50,50 @@ void fillTraining(RunDayRow& row, const StudyArm& arm, const std::vector<StoredE
     row.phaseLabel = arm.phases[row.progress.phase].label;
     row.phaseKind = storedText(arm.phases[row.progress.phase].kind);
   }
+}
+
+/// How many sheets of a trainee an occasion has.
+struct SheetCount {
+  std::size_t asked = 0;  ///< that were not withdrawn
+  std::size_t missing = 0;
+};
+/// By enrolment and code of the occasion.
+using SheetCounts = std::map<std::pair<std::string, std::string>, SheetCount>;
+
+/// Gives the newest occasion that this much training has reached. Of several after as much training, the
+/// first whose sheets are not all in: a follow-up is due when the occasion before it is done. No code: none.
+Occasion occasionDue(const Occasions& occasions, std::int64_t trained_us, const std::string& enrolmentId,
+                     const SheetCounts& sheets) {
+  Occasion due;
   for (const Occasion& occasion : occasions) {
-    if (occasion.afterExposure_us &&
-        row.progress.virtual_us + row.progress.real_us >= *occasion.afterExposure_us) {
-      row.occasionDue = occasion;
+    if (!occasion.afterExposure_us || trained_us < *occasion.afterExposure_us) {
+      continue;
     }
+    if (due.afterExposure_us == occasion.afterExposure_us) {
+      const auto count = sheets.find({enrolmentId, due.code});
+      if (count == sheets.end() || count->second.asked == 0 || count->second.missing > 0) {
+        continue;
+      }
+    }
+    due = occasion;
   }
+  return due;
 }
 
 }  // namespace
 
-PhaseProgress phaseProgress(const StudyArm& arm, std::span<const StoredExposure> exposures) {
+PhaseProgress phaseProgress(const StudyArm& arm, std::span<const Exposure> exposures) {
   PhaseProgress progress;
   progress.restLeft_us = arm.restAllowance_us;
   std::vector<std::int64_t> spent_us(arm.phases.size(), 0);
   std::map<std::string, std::int64_t> unnamed_us;
-  for (const StoredExposure& exposure : exposures) {
+  for (const Exposure& exposure : exposures) {
     if (exposure.kind == "rest") {
       countRest(arm, exposure.duration_us, progress);
       continue;
     }
     (exposure.kind == "virtual" ? progress.virtual_us : progress.real_us) += exposure.duration_us;
-    const auto phase = std::find_if(arm.phases.begin(), arm.phases.end(), [&](const StoredPhase& p) {
+    const auto phase = std::find_if(arm.phases.begin(), arm.phases.end(), [&](const TrainingPhase& p) {
       return !exposure.phaseId.empty() && p.id == exposure.phaseId;
     });
     if (phase == arm.phases.end()) {
@@ -97,28 +123,28 @@ namespace {
 
 /// What is known of a cohort, by enrolment.
 struct Today {
-  std::map<std::string, std::vector<StoredExposure>> exposures;
+  std::map<std::string, std::vector<Exposure>> exposures;
   std::map<std::string, RunningTrial> running;
   std::map<std::string, std::size_t> deviations;
-  std::map<std::pair<std::string, std::string>, std::size_t> missing;  ///< and code of the occasion
+  SheetCounts sheets;
 };
 
 Today readToday(SessionContext& session, const std::string& cohortId) {
   StudyRepository study(session.connection());
   Today today;
-  for (StoredExposure& exposure : study.exposures(cohortId)) {
+  for (Exposure& exposure : study.exposures(cohortId)) {
     today.exposures[exposure.enrolmentId].push_back(std::move(exposure));
   }
   for (RunningTrial& trial : study.runningTrials(cohortId)) {
     today.running.emplace(trial.enrolmentId, std::move(trial));
   }
-  for (const StoredDeviation& deviation : study.deviations(cohortId)) {
+  for (const ProtocolDeviation& deviation : study.deviations(cohortId)) {
     ++today.deviations[deviation.enrolmentId];
   }
   for (const AssignmentStatus& status : SheetRepository(session.connection()).assignments(cohortId)) {
-    if (isOutstanding(status.state)) {
-      ++today.missing[{status.assignment.enrolmentId, status.assignment.occasionCode}];
-    }
+    SheetCount& count = today.sheets[{status.assignment.enrolmentId, status.assignment.occasionCode}];
+    count.asked += status.state == SheetState::kWithdrawn ? 0U : 1U;
+    count.missing += isOutstanding(status.state) ? 1U : 0U;
   }
   return today;
 }
@@ -131,12 +157,12 @@ RunDayBoard runDayBoard(SessionContext& session, const std::string& cohortId) {
   RunDayBoard board;
   board.asOfUtc_us = session.now_us();
   board.stations = StationRepository(session.connection()).board();
-  const StoredCohort cohort = study.cohort(cohortId);
+  const Cohort cohort = study.cohort(cohortId);
   board.cohortName = cohort.name;
   const Occasions occasions = occasionsOfCohort(session.connection(), cohortId);
   const auto version = CurriculumRepository(session.connection()).version(cohort.curriculumVersionId);
   std::map<std::string, const StudyArm*> armOfGroup;
-  for (const StoredGroup& group : study.groups(cohortId)) {
+  for (const StudyGroup& group : study.groups(cohortId)) {
     if (!version) {
       break;
     }
@@ -147,7 +173,7 @@ RunDayBoard runDayBoard(SessionContext& session, const std::string& cohortId) {
     }
   }
   Today today = readToday(session, cohortId);
-  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
     RunDayRow row;
     row.enrolmentId = enrolment.id;
     row.traineeId = enrolment.traineeId;
@@ -156,8 +182,10 @@ RunDayBoard runDayBoard(SessionContext& session, const std::string& cohortId) {
     row.groupCode = enrolment.groupCode;
     row.deviations = today.deviations[enrolment.id];
     if (const auto arm = armOfGroup.find(enrolment.groupId); arm != armOfGroup.end()) {
-      fillTraining(row, *arm->second, today.exposures[enrolment.id], occasions);
-      row.sheetsMissing = today.missing[{enrolment.id, row.occasionDue.code}];
+      fillTraining(row, *arm->second, today.exposures[enrolment.id]);
+      row.occasionDue =
+          occasionDue(occasions, row.progress.virtual_us + row.progress.real_us, enrolment.id, today.sheets);
+      row.sheetsMissing = today.sheets[{enrolment.id, row.occasionDue.code}].missing;
     }
     if (const auto trial = today.running.find(enrolment.id); trial != today.running.end()) {
       row.runningTrialId = trial->second.trialId;
@@ -230,7 +258,7 @@ void swapTurns(SessionContext& session, const std::string& cohortId, const std::
   }
   Transaction transaction(session.connection());
   std::map<std::string, std::string> codes;
-  for (const StoredEnrolment& enrolment : StudyRepository(session.connection()).enrolments(cohortId)) {
+  for (const Enrolment& enrolment : StudyRepository(session.connection()).enrolments(cohortId)) {
     codes[enrolment.id] = enrolment.traineeCode;
   }
   for (const std::string& id : {enrolmentId, otherEnrolmentId}) {

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "app/access/session_context.h"
+#include "assessment/study/cohort.h"
+#include "assessment/study/curriculum.h"
 #include "assessment/study/occasion.h"
 #include "assessment/study/protocol_terms.h"
-#include "db/repository/study/curriculum_repository.h"
-#include "db/repository/study/study_repository.h"
-#include "db/repository/trial/station_repository.h"
+#include "assessment/study/station_state.h"
 #include "sim/base/text.h"
 
 namespace torsio {
@@ -29,7 +29,7 @@ struct PhaseProgress {
 };
 /// Time with a phase id counts for that phase; other virtual or real time fills the phases of its kind in
 /// order. Rest counts for no phase. An allowance that may not be split is used up by the first rest.
-[[nodiscard]] PhaseProgress phaseProgress(const StudyArm& arm, std::span<const StoredExposure> exposures);
+[[nodiscard]] PhaseProgress phaseProgress(const StudyArm& arm, std::span<const Exposure> exposures);
 
 /// One line of the board.
 struct RunDayRow {
@@ -44,7 +44,8 @@ struct RunDayRow {
   PhaseProgress progress{};
   std::int64_t restAllowance_us = 0;
   bool done = false;              ///< all phases
-  Occasion occasionDue{};         ///< the newest one that the exposure has reached; no code: none
+  Occasion occasionDue{};         ///< the newest one that the exposure has reached; of
+                                  ///< several, the first that lacks sheets; no code: none
   std::size_t sheetsMissing = 0;  ///< of that occasion
   std::string runningTrialId{};   ///< empty: nothing runs
   std::string station{};          ///< where it runs

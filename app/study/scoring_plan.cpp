@@ -8,16 +8,22 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/base/refusal.h"
 #include "app/scoring/cohort_occasions.h"
 #include "app/scoring/scoring_service.h"
 #include "app/study/case_order.h"
 #include "app/study/drawn_seed.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/sheet_state.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/question_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/refusal.h"
 
 namespace torsio {
 
@@ -32,7 +38,7 @@ constexpr std::uint64_t kLabelsOfRater = 100'000;
 
 /// One trainee at one occasion.
 struct Case {
-  StoredEnrolment enrolment;
+  Enrolment enrolment;
   std::string occasionCode;
   std::string trialId;      ///< empty: live
   std::string commonLabel;  ///< of a live case: the same for all raters
@@ -42,9 +48,9 @@ std::string keyOf(const std::string& enrolmentId, const std::string& occasionCod
   return enrolmentId + " " + occasionCode;
 }
 
-std::vector<StoredEnrolment> chosenEnrolments(StudyRepository& study, const ScoringPlan& plan) {
-  std::vector<StoredEnrolment> chosen;
-  for (StoredEnrolment& enrolment : study.enrolments(plan.cohortId)) {
+std::vector<Enrolment> chosenEnrolments(StudyRepository& study, const ScoringPlan& plan) {
+  std::vector<Enrolment> chosen;
+  for (Enrolment& enrolment : study.enrolments(plan.cohortId)) {
     const bool wanted = plan.enrolmentIds.empty()
                             ? enrolment.state != EnrolmentState::kWithdrawn
                             : std::find(plan.enrolmentIds.begin(), plan.enrolmentIds.end(), enrolment.id) !=
@@ -79,7 +85,7 @@ void checkPlan(SessionContext& session, const ScoringPlan& plan) {
     refuseParameter("there is no such rubric", plan.rubricRevisionId, "Choose one from the list");
   }
   std::set<std::string> known;
-  for (const StoredRater& rater : PeopleRepository(session.connection()).raters()) {
+  for (const Rater& rater : PeopleRepository(session.connection()).raters()) {
     if (rater.person.state == "active") {
       known.insert(rater.person.id);
     }
@@ -106,7 +112,7 @@ std::vector<Case> casesOf(Connection& connection, StudyRepository& study, const 
     recordings[keyOf(recording.enrolmentId, recording.occasionCode)] = recording.trialId;
   }
   std::vector<Case> cases;
-  for (const StoredEnrolment& enrolment : chosenEnrolments(study, plan)) {
+  for (const Enrolment& enrolment : chosenEnrolments(study, plan)) {
     for (const std::string& point : plan.occasionCodes) {
       const auto recording = recordings.find(keyOf(enrolment.id, point));
       cases.push_back({enrolment, point, recording == recordings.end() ? "" : recording->second, ""});
@@ -136,14 +142,14 @@ void giveCommonLabels(std::vector<Case>& cases, const std::vector<AssignmentStat
 }
 
 /// The assignments of one rater for the cases that they were not asked about yet.
-std::vector<StoredAssignment> assignmentsFor(SessionContext& session, const ScoringPlan& plan,
-                                             const std::vector<Case>& cases, std::size_t panelPosition,
-                                             std::uint64_t seed) {
+std::vector<Assignment> assignmentsFor(SessionContext& session, const ScoringPlan& plan,
+                                       const std::vector<Case>& cases, std::size_t panelPosition,
+                                       std::uint64_t seed) {
   const std::string& raterId = plan.raterIds.at(panelPosition);
   std::set<std::string> asked;
   std::set<std::string> labels;
   std::int64_t position = 0;
-  for (const StoredAssignment& before : SheetRepository(session.connection()).assignmentsOf(raterId)) {
+  for (const Assignment& before : SheetRepository(session.connection()).assignmentsOf(raterId)) {
     asked.insert(keyOf(before.enrolmentId, before.occasionCode));
     labels.insert(before.caseLabel);
     position = std::max(position, before.position);
@@ -159,7 +165,7 @@ std::vector<StoredAssignment> assignmentsFor(SessionContext& session, const Scor
     labels.insert(one.commonLabel);
   }
   const std::vector<std::string> own = caseLabels(open.size(), labels, seed, kLabelsOfRater + panelPosition);
-  std::vector<StoredAssignment> made;
+  std::vector<Assignment> made;
   for (const std::size_t index : counterbalancedOrder(open, seed, panelPosition)) {
     const Case& one = cases.at(index);
     made.push_back({.id = session.ids().newUuid(),
@@ -187,8 +193,8 @@ void setReleased(SessionContext& session, const std::string& cohortId, const std
                  bool released, const std::string& reason) {
   SheetRepository(session.connection())
       .setReleased(cohortId, occasionCode, released, reason, session.actor().userId, session.now_us());
-  session.note({.action = released ? "mark.release" : "mark.retract",
-                .objectKind = "mark_release",
+  session.note({.action = released ? AuditAction::kMarkRelease : AuditAction::kMarkRetract,
+                .objectKind = AuditObject::kMarkRelease,
                 .objectId = cohortId,
                 .newJson = nlohmann::json{{"occasion", occasionCode}}.dump(),
                 .reason = reason});
@@ -200,7 +206,7 @@ ScoringPlanOutcome createAssignments(SessionContext& session, const ScoringPlan&
   session.require(Operation::kStudySetup);
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
-  const StoredCohort cohort = study.cohort(plan.cohortId);
+  const Cohort cohort = study.cohort(plan.cohortId);
   checkPlan(session, plan);
   ScoringPlanOutcome outcome;
   outcome.seed = plan.seed ? *plan.seed : drawSeed(session.ids());
@@ -208,21 +214,21 @@ ScoringPlanOutcome createAssignments(SessionContext& session, const ScoringPlan&
   SheetRepository sheets(session.connection());
   std::set<std::string> taken;
   for (const std::string& rater : plan.raterIds) {
-    for (const StoredAssignment& before : sheets.assignmentsOf(rater)) {
+    for (const Assignment& before : sheets.assignmentsOf(rater)) {
       taken.insert(before.caseLabel);
     }
   }
   giveCommonLabels(cases, sheets.assignments(plan.cohortId), taken, outcome.seed);
   for (std::size_t rater = 0; rater < plan.raterIds.size(); ++rater) {
-    const std::vector<StoredAssignment> made = assignmentsFor(session, plan, cases, rater, outcome.seed);
+    const std::vector<Assignment> made = assignmentsFor(session, plan, cases, rater, outcome.seed);
     sheets.assign(made);
     outcome.created += made.size();
     outcome.already += cases.size() - made.size();
     if (made.empty()) {
       continue;
     }
-    session.note({.action = "assignment.create",
-                  .objectKind = "assignment",
+    session.note({.action = AuditAction::kAssignmentCreate,
+                  .objectKind = AuditObject::kAssignment,
                   .objectId = plan.raterIds[rater],
                   .newJson = nlohmann::json{
                       {"cohort", cohort.id},
@@ -242,7 +248,7 @@ ScoringMatrix scoringMatrix(SessionContext& session, const std::string& cohortId
   session.require(Operation::kStudySetup);
   const std::vector<AssignmentStatus> all = SheetRepository(session.connection()).assignments(cohortId);
   std::map<std::string, std::string> codes;
-  for (const StoredEnrolment& enrolment : StudyRepository(session.connection()).enrolments(cohortId)) {
+  for (const Enrolment& enrolment : StudyRepository(session.connection()).enrolments(cohortId)) {
     codes[enrolment.id] = enrolment.traineeCode;
   }
   ScoringMatrix matrix;
@@ -252,7 +258,7 @@ ScoringMatrix scoringMatrix(SessionContext& session, const std::string& cohortId
   for (const AssignmentStatus& status : all) {
     involved.insert(status.assignment.raterId);
   }
-  for (const StoredRater& rater : PeopleRepository(session.connection()).raters()) {
+  for (const Rater& rater : PeopleRepository(session.connection()).raters()) {
     if (!involved.contains(rater.person.id)) {
       continue;
     }
@@ -260,7 +266,7 @@ ScoringMatrix scoringMatrix(SessionContext& session, const std::string& cohortId
     matrix.raters.push_back({rater.person.id, rater.person.code, rater.classCode, 0, 0});
   }
   for (const AssignmentStatus& status : all) {
-    const StoredAssignment& one = status.assignment;
+    const Assignment& one = status.assignment;
     const bool sameLine = !matrix.lines.empty() && matrix.lines.back().enrolmentId == one.enrolmentId &&
                           matrix.lines.back().occasion.code == one.occasionCode;
     if (!sameLine) {
@@ -296,18 +302,18 @@ std::string reassign(SessionContext& session, const std::string& assignmentId, c
   sheets.withdraw(assignmentId, reason, session.actor().userId, session.now_us());
   std::string newId;
   if (!newRaterId.empty()) {
-    StoredAssignment next = before->assignment;
+    Assignment next = before->assignment;
     std::set<std::string> labels;
     std::int64_t position = 0;
-    for (const StoredAssignment& other : sheets.assignmentsOf(newRaterId)) {
+    for (const Assignment& other : sheets.assignmentsOf(newRaterId)) {
       if (other.enrolmentId == next.enrolmentId && other.occasionCode == next.occasionCode) {
         refuse("the other rater was asked about this case before", other.caseLabel, "Choose somebody else");
       }
       labels.insert(other.caseLabel);
       position = std::max(position, other.position);
     }
-    const std::vector<StoredRater> raters = PeopleRepository(session.connection()).raters();
-    if (std::none_of(raters.begin(), raters.end(), [&](const StoredRater& rater) {
+    const std::vector<Rater> raters = PeopleRepository(session.connection()).raters();
+    if (std::none_of(raters.begin(), raters.end(), [&](const Rater& rater) {
           return rater.person.id == newRaterId && rater.person.state == "active";
         })) {
       refuse("this is no active rater", newRaterId, "Choose one from the list");
@@ -324,8 +330,8 @@ std::string reassign(SessionContext& session, const std::string& assignmentId, c
     next.assignedUtc_us = session.now_us();
     sheets.assign(std::span(&next, 1));
   }
-  session.note({.action = newId.empty() ? "assignment.withdraw" : "assignment.reassign",
-                .objectKind = "assignment",
+  session.note({.action = newId.empty() ? AuditAction::kAssignmentWithdraw : AuditAction::kAssignmentReassign,
+                .objectKind = AuditObject::kAssignment,
                 .objectId = assignmentId,
                 .oldJson = nlohmann::json{{"rater", before->assignment.raterId}}.dump(),
                 .newJson = nlohmann::json{{"rater", newRaterId}, {"assignment", newId}}.dump(),

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "app/access/session_context.h"
+#include "assessment/people/person.h"
+#include "assessment/rating/sheet_state.h"
 #include "assessment/study/occasion.h"
-#include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
 

@@ -5,7 +5,10 @@
 
 #include "app/recording/kept_digests.h"
 #include "app/training/trainee_record.h"
+#include "assessment/attempt/trial_listing.h"
 #include "assessment/metrics/metric_cards.h"
+#include "db/connection/connection.h"
+#include "db/repository/trial/trial_repository.h"
 
 namespace torsio {
 
@@ -66,21 +69,21 @@ std::vector<Attempt> attemptsOf(SessionContext& session, const std::string& pers
   return attempts;
 }
 
-bool counts(const Attempt& attempt, const StoredModule& module) {
+bool counts(const Attempt& attempt, const TrainingModule& module) {
   return attempt.ended && !attempt.interrupted && attempt.moduleId == module.id &&
          (attempt.mode == AttemptMode::kGraded || module.mode == AttemptMode::kPractice);
 }
 
-MasteryRule masteryRule(const StoredMasteryRule& stored) {
+MasteryRule masteryRule(const MasteryCriterion& stored) {
   return {.metric = stored.metric,
           .atMost = stored.comparison == "at_most",
           .threshold = stored.threshold,
           .consecutive = stored.consecutive};
 }
 
-std::vector<RuleProgress> ruleProgress(const StoredModule& module, std::span<const Attempt> attempts) {
+std::vector<RuleProgress> ruleProgress(const TrainingModule& module, std::span<const Attempt> attempts) {
   std::vector<RuleProgress> progress;
-  for (const StoredMasteryRule& rule : module.mastery) {
+  for (const MasteryCriterion& rule : module.mastery) {
     std::vector<std::optional<double>> values;
     for (const Attempt& attempt : attempts) {
       if (!counts(attempt, module)) {

@@ -11,9 +11,8 @@
 #include "app/access/session_context.h"
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/attempt/mastery.h"
+#include "assessment/study/curriculum.h"
 #include "assessment/study/protocol_terms.h"
-#include "db/repository/study/curriculum_repository.h"
-#include "db/repository/trial/trial_repository.h"
 
 namespace torsio {
 
@@ -44,20 +43,20 @@ Attempt attemptOf(SessionContext& session, const std::string& trialId);
 
 /// Whether an attempt counts for mastery and for the limit: ended in good order, and graded unless the module
 /// is there for practice.
-[[nodiscard]] bool counts(const Attempt& attempt, const StoredModule& module);
+[[nodiscard]] bool counts(const Attempt& attempt, const TrainingModule& module);
 
 /// How far one rule is.
 struct RuleProgress {
-  StoredMasteryRule rule{};
+  MasteryCriterion rule{};
   std::int64_t streak = 0;  ///< attempts in a row up to the last one
   bool met = false;         ///< so many in a row were reached once: mastery is not lost again
   std::optional<double> last{};
 };
 /// The rule as the domain knows it.
-[[nodiscard]] MasteryRule masteryRule(const StoredMasteryRule& stored);
+[[nodiscard]] MasteryRule masteryRule(const MasteryCriterion& stored);
 /// Over the attempts that count, oldest first. A rule whose metric is not defined for an attempt breaks the
 /// row.
-[[nodiscard]] std::vector<RuleProgress> ruleProgress(const StoredModule& module,
+[[nodiscard]] std::vector<RuleProgress> ruleProgress(const TrainingModule& module,
                                                      std::span<const Attempt> attempts);
 
 }  // namespace torsio

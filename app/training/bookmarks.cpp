@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "db/repository/base/id_source.h"
 #include "db/repository/trial/remark_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/tick_period.h"

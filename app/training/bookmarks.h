@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/access/session_context.h"
-#include "db/repository/trial/trial_repository.h"
+#include "assessment/attempt/trial_listing.h"
 
 namespace torsio {
 

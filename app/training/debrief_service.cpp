@@ -6,7 +6,12 @@
 #include "app/training/bookmarks.h"
 #include "app/training/debrief.h"
 #include "app/training/trainee_record.h"
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/rating/remark.h"
+#include "assessment/study/curriculum.h"
+#include "db/connection/connection.h"
 #include "db/repository/trial/remark_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/record/sample_codec.h"
 
@@ -55,7 +60,7 @@ std::optional<Trial> expertFor(TrialRepository& trials, const TrialHeader& heade
   }
 }
 
-void addMastery(const StoredModule& module, const Attempt& attempt, const std::vector<Attempt>& all,
+void addMastery(const TrainingModule& module, const Attempt& attempt, const std::vector<Attempt>& all,
                 Debrief& out) {
   std::vector<Attempt> untilNow;
   for (const Attempt& earlier : all) {
@@ -88,7 +93,7 @@ Debrief debrief(SessionContext& session, const std::string& trialId, const std::
   const TrialListing listing = ownTrial(session, record, trialId);
   TrialRepository trials(session.connection());
   const Trial trial = trials.load(trialId);
-  const StoredModule* module = record.module(listing.moduleId);
+  const TrainingModule* module = record.module(listing.moduleId);
   ExerciseRules exercises(assets);
   const AttemptRules rules =
       exercises.of(session.connection(), listing.sceneId, listing.patternId, listing.moduleId);
@@ -107,7 +112,7 @@ Debrief debrief(SessionContext& session, const std::string& trialId, const std::
     out.moduleTitle = module->title;
     addMastery(*module, attemptOf(session, trialId), attemptsOf(session, record.personId, module->id), out);
   }
-  for (const StoredRemark& remark : RemarkRepository(session.connection()).remarks(trialId)) {
+  for (const Remark& remark : RemarkRepository(session.connection()).remarks(trialId)) {
     if (remark.purpose != "bookmark" || remark.author != session.actor().userId) {
       continue;
     }
@@ -121,7 +126,8 @@ void addBookmark(SessionContext& session, const std::string& trialId, double at_
   const TrialListing listing = ownTrial(session, record, trialId);
   Transaction transaction(session.connection());
   const std::string id = keepBookmark(session, listing, at_s, text);
-  session.note({.action = "trial.bookmark", .objectKind = "trial_remark", .objectId = id});
+  session.note(
+      {.action = AuditAction::kTrialBookmark, .objectKind = AuditObject::kTrialRemark, .objectId = id});
   transaction.commit();
 }
 

@@ -7,7 +7,10 @@
 #include "app/study/run_day.h"
 #include "app/training/remarks.h"
 #include "app/training/trainee_record.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -21,7 +24,7 @@ bool mastered(const ModuleStep& step) {
   return std::all_of(step.rules.begin(), step.rules.end(), [](const RuleProgress& p) { return p.met; });
 }
 
-ModuleStep stepFor(const StoredModule& module, const std::vector<Attempt>& all) {
+ModuleStep stepFor(const TrainingModule& module, const std::vector<Attempt>& all) {
   ModuleStep step;
   step.module = module;
   step.rules = ruleProgress(module, all);
@@ -79,11 +82,11 @@ void planArm(Connection& connection, const TraineeRecord& record, NextSteps& ste
   if (!record.arm) {
     return;
   }
-  std::vector<StoredExposure> own = StudyRepository(connection).exposures(record.cohort.id);
-  std::erase_if(own, [&](const StoredExposure& e) { return e.enrolmentId != record.enrolment->id; });
+  std::vector<Exposure> own = StudyRepository(connection).exposures(record.cohort.id);
+  std::erase_if(own, [&](const Exposure& e) { return e.enrolmentId != record.enrolment->id; });
   const PhaseProgress progress = phaseProgress(*record.arm, own);
   for (std::size_t i = 0; i < record.arm->phases.size(); ++i) {
-    const StoredPhase& stored = record.arm->phases[i];
+    const TrainingPhase& stored = record.arm->phases[i];
     RunPhase phase{
         .phaseId = stored.id,
         .label = stored.label,
@@ -162,7 +165,7 @@ NextSteps nextSteps(SessionContext& session, const std::string& personId) {
   if (!record.version) {
     return steps;
   }
-  for (const StoredModule& module : record.version->modules) {
+  for (const TrainingModule& module : record.version->modules) {
     steps.modules.push_back(stepFor(module, all));
   }
   decideStates(steps.modules);

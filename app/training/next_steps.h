@@ -9,6 +9,7 @@
 #include "app/access/session_context.h"
 #include "app/training/attempts.h"
 #include "app/training/training_run.h"
+#include "assessment/study/curriculum.h"
 
 namespace torsio {
 
@@ -21,7 +22,7 @@ enum class StepState {
 
 /// One module as its trainee sees it.
 struct ModuleStep {
-  StoredModule module{};
+  TrainingModule module{};
   StepState state = StepState::kOpen;
   std::vector<std::string> missing{};  ///< titles of the modules that must be mastered first
   std::vector<std::string> unlocks{};  ///< titles of the modules that wait for this one

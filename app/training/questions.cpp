@@ -7,10 +7,16 @@
 #include "app/recording/kept_digests.h"
 #include "app/training/bookmarks.h"
 #include "app/training/trainee_record.h"
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/people/person.h"
+#include "assessment/rating/remark.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/trial/question_repository.h"
 #include "db/repository/trial/remark_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/record/sample_codec.h"
 
@@ -21,7 +27,7 @@ namespace {
 constexpr const char* kChief = "chief";
 
 std::string nameOf(PeopleRepository& people, const std::string& personId, const std::string& code) {
-  const std::optional<StoredIdentity> identity = people.identity(personId);
+  const std::optional<Identity> identity = people.identity(personId);
   return identity && !identity->fullName.empty() ? identity->fullName : code;
 }
 
@@ -40,8 +46,8 @@ std::vector<AskablePhysician> askable(SessionContext& session, const TraineeReco
   PeopleRepository people(session.connection());
   const std::string last = QuestionRepository(session.connection()).lastAsked(record.personId);
   std::vector<AskablePhysician> physicians;
-  for (const StoredRater& rater : people.raters()) {
-    const StoredPerson& person = rater.person;
+  for (const Rater& rater : people.raters()) {
+    const Person& person = rater.person;
     if (rater.classCode != kChief || person.state != "active") {
       continue;
     }
@@ -53,9 +59,9 @@ std::vector<AskablePhysician> askable(SessionContext& session, const TraineeReco
   return physicians;
 }
 
-StoredQuestion questionToMe(SessionContext& session, const std::string& questionId) {
+TraineeQuestion questionToMe(SessionContext& session, const std::string& questionId) {
   session.require(Operation::kTrialViewAssigned);
-  const std::optional<StoredQuestion> question = QuestionRepository(session.connection()).find(questionId);
+  const std::optional<TraineeQuestion> question = QuestionRepository(session.connection()).find(questionId);
   if (!question) {
     throw Error(ErrorCode::kBadParameter, "there is no such question", questionId, "Open the list again");
   }
@@ -89,8 +95,8 @@ QuestionDesk questionDesk(SessionContext& session, const std::string& trialId) {
   QuestionDesk desk;
   desk.physicians = askable(session, record);
   desk.mayAsk = namesMayBeShown(session, trial) && !desk.physicians.empty();
-  for (const StoredQuestion& stored : QuestionRepository(session.connection()).ofTrial(trialId)) {
-    const std::optional<StoredPerson> person = people.find(stored.raterId);
+  for (const TraineeQuestion& stored : QuestionRepository(session.connection()).ofTrial(trialId)) {
+    const std::optional<Person> person = people.find(stored.raterId);
     desk.questions.push_back({.id = stored.remarkId,
                               .physician = nameOf(people, stored.raterId, person ? person->code : ""),
                               .at_s = secondsOf(stored.time_us),
@@ -121,7 +127,8 @@ std::string askPhysician(SessionContext& session, const std::string& trialId, do
   const std::string id = keepBookmark(session, trial, at_s, text);
   QuestionRepository(session.connection())
       .add({.remarkId = id, .raterId = raterId, .askedUtc_us = session.now_us()});
-  session.note({.action = "question.ask", .objectKind = "trial_question", .objectId = id});
+  session.note(
+      {.action = AuditAction::kQuestionAsk, .objectKind = AuditObject::kTrialQuestion, .objectId = id});
   transaction.commit();
   return id;
 }
@@ -133,9 +140,9 @@ std::vector<PhysicianQuestion> questionsToMe(SessionContext& session) {
     return questions;
   }
   PeopleRepository people(session.connection());
-  for (const StoredQuestion& stored :
+  for (const TraineeQuestion& stored :
        QuestionRepository(session.connection()).toRater(session.actor().personId)) {
-    const std::optional<StoredPerson> person = people.find(stored.personId);
+    const std::optional<Person> person = people.find(stored.personId);
     questions.push_back({.id = stored.remarkId,
                          .trainee = nameOf(people, stored.personId, person ? person->code : ""),
                          .moduleTitle = moduleTitle(session, stored.trialId),
@@ -150,7 +157,7 @@ std::vector<PhysicianQuestion> questionsToMe(SessionContext& session) {
 }
 
 Debrief questionedRun(SessionContext& session, const std::string& questionId) {
-  const StoredQuestion question = questionToMe(session, questionId);
+  const TraineeQuestion question = questionToMe(session, questionId);
   const Trial trial = TrialRepository(session.connection()).load(question.trialId);
   const std::optional<TrialContext> context = TrialRepository(session.connection()).context(question.trialId);
   ExerciseRules exercises;
@@ -163,12 +170,12 @@ Debrief questionedRun(SessionContext& session, const std::string& questionId) {
 }
 
 void answerQuestion(SessionContext& session, const std::string& questionId, const std::string& text) {
-  const StoredQuestion question = questionToMe(session, questionId);
+  const TraineeQuestion question = questionToMe(session, questionId);
   if (text.empty()) {
     throw Error(ErrorCode::kBadParameter, "the answer is empty", "", "Write what you want to say");
   }
   RemarkRepository remarks(session.connection());
-  const std::optional<StoredRemark> bookmark = remarks.find(questionId);
+  const std::optional<Remark> bookmark = remarks.find(questionId);
   const std::string id = session.ids().newUuid();
   Transaction transaction(session.connection());
   remarks.add({.id = id,
@@ -182,7 +189,9 @@ void answerQuestion(SessionContext& session, const std::string& questionId, cons
                .text = text,
                .createdUtc_us = session.now_us(),
                .demonstration = bookmark && bookmark->demonstration});
-  session.note({.action = "question.answer", .objectKind = "trial_question", .objectId = questionId});
+  session.note({.action = AuditAction::kQuestionAnswer,
+                .objectKind = AuditObject::kTrialQuestion,
+                .objectId = questionId});
   transaction.commit();
 }
 

@@ -7,17 +7,26 @@
 #include <set>
 
 #include "app/training/trainee_record.h"
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/mark.h"
+#include "assessment/rating/remark.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/self_score.h"
+#include "assessment/rating/sheet.h"
+#include "assessment/study/curriculum.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/trial/question_repository.h"
 #include "db/repository/trial/remark_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
 
 namespace {
-
-constexpr std::int64_t kAllTrials = 10'000;
 
 /// Which of a trainee's trials raters were asked about, and whether their marks were released.
 class Release {
@@ -28,7 +37,7 @@ class Release {
     }
     SheetRepository sheets(connection);
     for (AssignmentStatus& status : sheets.assignments(record.cohort.id)) {
-      const StoredAssignment& assignment = status.assignment;
+      const Assignment& assignment = status.assignment;
       if (assignment.enrolmentId != record.enrolment->id || assignment.trialId.empty()) {
         continue;
       }
@@ -53,7 +62,7 @@ class Release {
   std::map<std::string, std::vector<AssignmentStatus>> asked_;
 };
 
-TraineeRemark shown(const StoredRemark& stored, const std::set<std::string>& read, const Actor& actor) {
+TraineeRemark shown(const Remark& stored, const std::set<std::string>& read, const Actor& actor) {
   const bool own = stored.author == actor.userId || stored.authorPersonId == actor.personId;
   return {.id = stored.id,
           .trialId = stored.trialId,
@@ -66,12 +75,11 @@ TraineeRemark shown(const StoredRemark& stored, const std::set<std::string>& rea
 
 /// Answers stand below what they answer, also answers to answers. A question that was answered begins a
 /// thread like a physician's remark.
-std::vector<TraineeRemark> threads(const std::vector<StoredRemark>& all,
-                                   const std::set<std::string>& answered, const std::set<std::string>& read,
-                                   const Actor& actor) {
+std::vector<TraineeRemark> threads(const std::vector<Remark>& all, const std::set<std::string>& answered,
+                                   const std::set<std::string>& read, const Actor& actor) {
   std::map<std::string, std::string> rootOf;
   std::vector<TraineeRemark> roots;
-  for (const StoredRemark& stored : all) {
+  for (const Remark& stored : all) {
     const bool question = answered.contains(stored.id);
     if (stored.purpose != "remark" && !question) {
       continue;
@@ -80,15 +88,15 @@ std::vector<TraineeRemark> threads(const std::vector<StoredRemark>& all,
     roots.push_back(shown(stored, read, actor));
     roots.back().question = question;
   }
-  std::vector<StoredRemark> replies;
-  for (const StoredRemark& stored : all) {
+  std::vector<Remark> replies;
+  for (const Remark& stored : all) {
     if (stored.purpose == "reply") {
       replies.push_back(stored);
     }
   }
   std::sort(replies.begin(), replies.end(),
-            [](const StoredRemark& a, const StoredRemark& b) { return a.createdUtc_us < b.createdUtc_us; });
-  for (const StoredRemark& reply : replies) {
+            [](const Remark& a, const Remark& b) { return a.createdUtc_us < b.createdUtc_us; });
+  for (const Remark& reply : replies) {
     const auto root = rootOf.find(reply.replyTo);
     if (root == rootOf.end()) {
       continue;
@@ -106,20 +114,20 @@ std::vector<TraineeRemark> threads(const std::vector<StoredRemark>& all,
 TrialRemarks remarksOf(SessionContext& session, const TraineeRecord& record, const TrialListing& trial) {
   RemarkRepository repository(session.connection());
   std::set<std::string> read;
-  for (const StoredReceipt& receipt : repository.receipts(trial.trialId)) {
+  for (const ReadReceipt& receipt : repository.receipts(trial.trialId)) {
     if (receipt.reader == session.actor().userId) {
       read.insert(receipt.remarkId);
     }
   }
   TrialRemarks out;
   out.trialId = trial.trialId;
-  if (const StoredModule* module = record.module(trial.moduleId)) {
+  if (const TrainingModule* module = record.module(trial.moduleId)) {
     out.moduleTitle = module->title;
   }
   out.phaseLabel = trial.phaseLabel;
   out.startedUtc_us = trial.startedUtc_us;
   std::set<std::string> answered;
-  for (const StoredQuestion& question : QuestionRepository(session.connection()).ofTrial(trial.trialId)) {
+  for (const TraineeQuestion& question : QuestionRepository(session.connection()).ofTrial(trial.trialId)) {
     if (!question.answerId.empty()) {
       answered.insert(question.remarkId);
     }
@@ -139,9 +147,9 @@ TrialRemarks remarksOf(SessionContext& session, const TraineeRecord& record, con
 }
 
 /// A remark that the actor may see, with its trial.
-StoredRemark visibleRemark(SessionContext& session, const std::string& remarkId) {
+Remark visibleRemark(SessionContext& session, const std::string& remarkId) {
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
-  const std::optional<StoredRemark> remark = RemarkRepository(session.connection()).find(remarkId);
+  const std::optional<Remark> remark = RemarkRepository(session.connection()).find(remarkId);
   if (!remark) {
     throw Error(ErrorCode::kBadParameter, "there is no such remark", remarkId, "Open the list again");
   }
@@ -168,15 +176,15 @@ ScoreGapRow rowOf(const std::string& code, const std::string& label, const Score
 }
 
 /// The sheet that raters were given for this trial; without one: the overall mark of paper section 6.
-StoredRubricRevision rubricOf(Connection& connection, const std::vector<AssignmentStatus>& asked) {
+RubricRevision rubricOf(Connection& connection, const std::vector<AssignmentStatus>& asked) {
   if (!asked.empty()) {
     const auto revision = SheetRepository(connection).revision(asked.front().assignment.rubricRevisionId);
     if (revision) {
       return *revision;
     }
   }
-  StoredRubricRevision overallOnly;
-  overallOnly.overall = StoredTrainingMark{}.scale;
+  RubricRevision overallOnly;
+  overallOnly.overall = SubmittedMark{}.scale;
   return overallOnly;
 }
 
@@ -187,7 +195,7 @@ struct PanelMeans {
 };
 
 PanelMeans panelOf(Connection& connection, const std::vector<AssignmentStatus>& asked,
-                   const StoredRubricRevision& rubric) {
+                   const RubricRevision& rubric) {
   PanelMeans means;
   SheetRepository sheets(connection);
   for (const AssignmentStatus& status : asked) {
@@ -198,7 +206,7 @@ PanelMeans panelOf(Connection& connection, const std::vector<AssignmentStatus>& 
     means.overall += points(*sheet->overall_steps, rubric.overall);
     ++means.raters;
     for (const SheetRow& row : sheet->rows) {
-      for (const StoredRubricRow& known : rubric.rows) {
+      for (const RubricLine& known : rubric.rows) {
         if (known.code != row.code || !row.score_steps) {
           continue;
         }
@@ -248,28 +256,28 @@ std::vector<TrialRemarks> ownRemarks(SessionContext& session) {
 std::size_t unreadRemarks(SessionContext& session) {
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   const Release release(session.connection(), record);
-  const std::vector<StoredRemark> unread =
+  const std::vector<Remark> unread =
       RemarkRepository(session.connection()).unreadOnTrialsOf(record.personId, session.actor().userId);
-  return static_cast<std::size_t>(
-      std::count_if(unread.begin(), unread.end(), [&](const StoredRemark& remark) {
-        return remark.authorPersonId != record.personId && release.mayShow(remark.trialId);
-      }));
+  return static_cast<std::size_t>(std::count_if(unread.begin(), unread.end(), [&](const Remark& remark) {
+    return remark.authorPersonId != record.personId && release.mayShow(remark.trialId);
+  }));
 }
 
 void markRemarkRead(SessionContext& session, const std::string& remarkId) {
-  const StoredRemark remark = visibleRemark(session, remarkId);
+  const Remark remark = visibleRemark(session, remarkId);
   Transaction transaction(session.connection());
   RemarkRepository(session.connection())
       .markRead({.remarkId = remark.id,
                  .reader = session.actor().userId,
                  .readerPersonId = session.actor().personId,
                  .readUtc_us = session.now_us()});
-  session.note({.action = "remark.read", .objectKind = "trial_remark", .objectId = remark.id});
+  session.note(
+      {.action = AuditAction::kRemarkRead, .objectKind = AuditObject::kTrialRemark, .objectId = remark.id});
   transaction.commit();
 }
 
 std::string replyToRemark(SessionContext& session, const std::string& remarkId, const std::string& text) {
-  const StoredRemark remark = visibleRemark(session, remarkId);
+  const Remark remark = visibleRemark(session, remarkId);
   if (text.empty()) {
     throw Error(ErrorCode::kBadParameter, "the reply is empty", "", "Write what you want to say");
   }
@@ -287,7 +295,8 @@ std::string replyToRemark(SessionContext& session, const std::string& remarkId, 
             .text = text,
             .createdUtc_us = session.now_us(),
             .demonstration = remark.demonstration});
-  session.note({.action = "remark.reply", .objectKind = "trial_remark", .objectId = id});
+  session.note(
+      {.action = AuditAction::kRemarkReply, .objectKind = AuditObject::kTrialRemark, .objectId = id});
   transaction.commit();
   return id;
 }
@@ -297,11 +306,11 @@ ScoreGap scoreGap(SessionContext& session, const std::string& trialId) {
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   static_cast<void>(ownTrial(session, record, trialId));
   const Release release(session.connection(), record);
-  const StoredRubricRevision rubric = rubricOf(session.connection(), release.asked(trialId));
+  const RubricRevision rubric = rubricOf(session.connection(), release.asked(trialId));
   ScoreGap gap;
   gap.trialId = trialId;
   gap.overall = rowOf("", "", rubric.overall);
-  for (const StoredRubricRow& row : rubric.rows) {
+  for (const RubricLine& row : rubric.rows) {
     gap.rows.push_back(rowOf(row.code, row.label, row.scale));
   }
   gap.released = !release.asked(trialId).empty() && release.mayShow(trialId);
@@ -319,7 +328,7 @@ ScoreGap scoreGap(SessionContext& session, const std::string& trialId) {
     gap.overall.panel = panel.overall;
   }
   for (std::size_t i = 0; i < gap.rows.size(); ++i) {
-    for (const StoredSelfScoreRow& row : own.back().rows) {
+    for (const SelfScoreLine& row : own.back().rows) {
       if (row.rowCode == gap.rows[i].code) {
         gap.rows[i].own = points(row.score_steps, rubric.rows[i].scale);
       }
@@ -337,14 +346,14 @@ void selfScore(SessionContext& session, const std::string& trialId, double overa
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   const TrialListing trial = ownTrial(session, record, trialId);
   const Release release(session.connection(), record);
-  const StoredRubricRevision rubric = rubricOf(session.connection(), release.asked(trialId));
+  const RubricRevision rubric = rubricOf(session.connection(), release.asked(trialId));
   RemarkRepository repository(session.connection());
   const auto before = repository.selfScores(trialId);
   if (!before.empty() && !release.asked(trialId).empty() && release.mayShow(trialId)) {
     throw Error(ErrorCode::kPermission, "the physicians' marks were shown already", trialId,
                 "Your own marks stay as they are");
   }
-  StoredSelfScore score;
+  SelfScore score;
   score.id = session.ids().newUuid();
   score.trialId = trialId;
   score.traineeId = record.personId;
@@ -354,7 +363,7 @@ void selfScore(SessionContext& session, const std::string& trialId, double overa
   score.score_steps = stepsOf(overall, rubric.overall, "overall mark");
   for (const SelfScoreRow& row : rows) {
     const auto known = std::find_if(rubric.rows.begin(), rubric.rows.end(),
-                                    [&](const StoredRubricRow& r) { return r.code == row.code; });
+                                    [&](const RubricLine& r) { return r.code == row.code; });
     if (known == rubric.rows.end()) {
       throw Error(ErrorCode::kBadParameter, "the sheet has no such row", row.code, "Open the sheet again");
     }
@@ -364,7 +373,8 @@ void selfScore(SessionContext& session, const std::string& trialId, double overa
   score.demonstration = trial.demonstration;
   Transaction transaction(session.connection());
   repository.addSelfScore(score);
-  session.note({.action = "trial.self_score", .objectKind = "trial", .objectId = trialId});
+  session.note(
+      {.action = AuditAction::kTrialSelfScore, .objectKind = AuditObject::kTrial, .objectId = trialId});
   transaction.commit();
 }
 

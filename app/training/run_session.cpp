@@ -9,7 +9,12 @@
 #include "app/recording/recording_host.h"
 #include "app/study/cohort_service.h"
 #include "app/training/trainee_record.h"
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/tick_period.h"
@@ -121,8 +126,8 @@ void RunSession::start() {
   run_.start();
   utcOffset_us_ = session_.now_us() - clock_->now_us();
   const nlohmann::json what{{"module", step_.module.id}, {"mode", storedText(mode())}};
-  write([note = AuditNote{.action = "run.start",
-                          .objectKind = "enrolment",
+  write([note = AuditNote{.action = AuditAction::kRunStart,
+                          .objectKind = AuditObject::kEnrolment,
                           .objectId = steps_.enrolmentId,
                           .newJson = what.dump()}](SessionContext& own) { own.note(note); });
   heartbeat();
@@ -160,7 +165,7 @@ void RunSession::hold() {
   heartbeat();
 }
 
-const StoredModule& RunSession::module() const {
+const TrainingModule& RunSession::module() const {
   const RunPhase& phase = run_.phase();
   return phase.moduleId.empty() ? step_.module : stepOf(steps_, phase.moduleId).module;
 }
@@ -192,21 +197,24 @@ void RunSession::stop(const std::string& reason) {
   const bool early = !run_.over();
   run_.stop();
   log(true);
-  const AuditNote note{
-      .action = "run.stop", .objectKind = "enrolment", .objectId = steps_.enrolmentId, .reason = reason};
+  const AuditNote note{.action = AuditAction::kRunStop,
+                       .objectKind = AuditObject::kEnrolment,
+                       .objectId = steps_.enrolmentId,
+                       .reason = reason};
   if (early && !run_.phase().phaseId.empty()) {
-    const StoredDeviation deviation{.id = session_.ids().newUuid(),
-                                    .cohortId = steps_.cohortId,
-                                    .enrolmentId = steps_.enrolmentId,
-                                    .kind = "phase cut short",
-                                    .description = reason,
-                                    .happenedUtc_us = session_.now_us(),
-                                    .reportedBy = session_.actor().userId,
-                                    .reportedUtc_us = session_.now_us(),
-                                    .demonstration = steps_.demonstration};
+    const ProtocolDeviation deviation{.id = session_.ids().newUuid(),
+                                      .cohortId = steps_.cohortId,
+                                      .enrolmentId = steps_.enrolmentId,
+                                      .kind = "phase cut short",
+                                      .description = reason,
+                                      .happenedUtc_us = session_.now_us(),
+                                      .reportedBy = session_.actor().userId,
+                                      .reportedUtc_us = session_.now_us(),
+                                      .demonstration = steps_.demonstration};
+    // The right was asked for when the run began.
     write([deviation, note](SessionContext& own) {
-      Transaction transaction(own.connection());
-      StudyRepository(own.connection()).addDeviation(deviation);
+      Transaction transaction(own.connectionWithoutRight());
+      StudyRepository(own.connectionWithoutRight()).addDeviation(deviation);
       own.note(note);
       transaction.commit();
     });
@@ -219,7 +227,7 @@ void RunSession::stop(const std::string& reason) {
 
 RecordingSpec RunSession::newTrial() {
   const RunPhase& phase = run_.phase();
-  const StoredModule& practised = module();
+  const TrainingModule& practised = module();
   RecordingSpec recording{.trialId = session_.ids().newUuid(),
                           .traineeCode = steps_.traineeCode,
                           .phaseLabel = phase.label,
@@ -272,8 +280,10 @@ void decideOwnConsent(SessionContext& session, const std::string& purpose, bool 
                       .recordedBy = session.actor().userId,
                       .demonstration = record.demonstration});
   const nlohmann::json what{{"purpose", purpose}, {"granted", granted}, {"text", textVersion}};
-  session.note(
-      {.action = "consent.own", .objectKind = "person", .objectId = record.personId, .newJson = what.dump()});
+  session.note({.action = AuditAction::kConsentOwn,
+                .objectKind = AuditObject::kPerson,
+                .objectId = record.personId,
+                .newJson = what.dump()});
   transaction.commit();
 }
 

@@ -15,8 +15,8 @@
 #include "app/recording/station_writer.h"
 #include "app/training/next_steps.h"
 #include "app/training/training_run.h"
+#include "assessment/study/curriculum.h"
 #include "assessment/study/protocol_terms.h"
-#include "db/repository/trial/trial_repository.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
@@ -45,7 +45,7 @@ class RunSession {
   [[nodiscard]] const ModuleStep& step() const noexcept { return step_; }
   [[nodiscard]] bool graded() const noexcept { return graded_; }
   /// What is practised in the present phase.
-  [[nodiscard]] const StoredModule& module() const;
+  [[nodiscard]] const TrainingModule& module() const;
 
   void start();
   /// Moves the clock, logs exposure and gives the station's sign of life. Call it often.

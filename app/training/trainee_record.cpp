@@ -3,24 +3,27 @@
 
 #include <algorithm>
 
+#include "assessment/people/person.h"
+#include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr std::int64_t kAllTrials = 10'000;
-
 /// Newer cohorts come later in the list, and one that follows a curriculum counts before one that does not.
 void findEnrolment(Connection& connection, TraineeRecord& record) {
   StudyRepository studies(connection);
-  for (const StoredCohort& cohort : studies.cohorts()) {
+  for (const Cohort& cohort : studies.cohorts()) {
     if (record.enrolment && !record.cohort.curriculumVersionId.empty() &&
         cohort.curriculumVersionId.empty()) {
       continue;
     }
-    for (const StoredEnrolment& enrolment : studies.enrolments(cohort.id)) {
+    for (const Enrolment& enrolment : studies.enrolments(cohort.id)) {
       if (enrolment.traineeId != record.personId || enrolment.state != EnrolmentState::kEnrolled) {
         continue;
       }
@@ -35,13 +38,13 @@ void findCurriculum(Connection& connection, TraineeRecord& record) {
     return;
   }
   record.version = CurriculumRepository(connection).version(record.cohort.curriculumVersionId);
-  if (record.version && record.version->state == "draft") {
+  if (record.version && record.version->state == CurriculumState::kDraft) {
     record.version.reset();
   }
   if (!record.version) {
     return;
   }
-  for (const StoredGroup& group : StudyRepository(connection).groups(record.cohort.id)) {
+  for (const StudyGroup& group : StudyRepository(connection).groups(record.cohort.id)) {
     if (group.id != record.enrolment->groupId) {
       continue;
     }
@@ -55,19 +58,19 @@ void findCurriculum(Connection& connection, TraineeRecord& record) {
 
 }  // namespace
 
-const StoredModule* TraineeRecord::module(const std::string& moduleId) const {
+const TrainingModule* TraineeRecord::module(const std::string& moduleId) const {
   if (!version) {
     return nullptr;
   }
   const auto found = std::find_if(version->modules.begin(), version->modules.end(),
-                                  [&](const StoredModule& m) { return m.id == moduleId; });
+                                  [&](const TrainingModule& m) { return m.id == moduleId; });
   return found == version->modules.end() ? nullptr : &*found;
 }
 
 TraineeRecord ownRecord(SessionContext& session, Operation operation) {
   const std::string& personId = session.actor().personId;
   session.requireOwn(operation, personId);
-  for (const StoredTrainee& trainee : PeopleRepository(session.connection()).trainees()) {
+  for (const Trainee& trainee : PeopleRepository(session.connection()).trainees()) {
     if (trainee.person.id != personId) {
       continue;
     }

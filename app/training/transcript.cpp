@@ -2,6 +2,7 @@
 #include "app/training/transcript.h"
 
 #include "app/base/build_info.h"
+#include "assessment/study/cohort.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
 
@@ -15,7 +16,7 @@ void addTimes(SessionContext& session, const NextSteps& steps, Transcript& trans
   if (steps.cohortId.empty()) {
     return;
   }
-  for (const StoredExposure& exposure : StudyRepository(session.connection()).exposures(steps.cohortId)) {
+  for (const Exposure& exposure : StudyRepository(session.connection()).exposures(steps.cohortId)) {
     if (exposure.enrolmentId != steps.enrolmentId) {
       continue;
     }
@@ -57,7 +58,8 @@ Transcript transcript(SessionContext& session, const std::string& personId) {
     transcript.modules.push_back(std::move(module));
   }
   addTimes(session, steps, transcript);
-  session.note({.action = "transcript.make", .objectKind = "person", .objectId = personId});
+  session.note(
+      {.action = AuditAction::kTranscriptMake, .objectKind = AuditObject::kPerson, .objectId = personId});
   return transcript;
 }
 

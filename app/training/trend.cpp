@@ -8,6 +8,7 @@
 #include "assessment/metrics/metric_cards.h"
 #include "assessment/statistics/curve_fit.h"
 #include "assessment/statistics/cusum.h"
+#include "assessment/study/curriculum.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -20,9 +21,9 @@ constexpr LcCusumDesign kDesign{.adequate = 0.1, .inadequate = 0.3, .limit = 1.2
 constexpr double kWatchShare = 0.5;
 constexpr int kCurvePoints = 60;
 
-bool passedAll(const StoredModule& module, const Attempt& attempt) {
+bool passedAll(const TrainingModule& module, const Attempt& attempt) {
   std::vector<MasteryRule> rules;
-  for (const StoredMasteryRule& rule : module.mastery) {
+  for (const MasteryCriterion& rule : module.mastery) {
     rules.push_back(masteryRule(rule));
   }
   return passesAll(rules, attempt.values, attempt.onTarget, attempt.twists);
@@ -71,8 +72,8 @@ void fitCurve(Trend& trend) {
   }
 }
 
-void measureDistance(Trend& trend, const StoredModule& module) {
-  for (const StoredMasteryRule& rule : module.mastery) {
+void measureDistance(Trend& trend, const TrainingModule& module) {
+  for (const MasteryCriterion& rule : module.mastery) {
     if (rule.metric != trend.metric) {
       continue;
     }
@@ -135,7 +136,7 @@ Trend trend(SessionContext& session, const std::string& personId, const std::str
             const std::string& metric) {
   session.requireOwn(Operation::kTrialViewOwn, personId);
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
-  const StoredModule* module = record.module(moduleId);
+  const TrainingModule* module = record.module(moduleId);
   if (module == nullptr) {
     throw Error(ErrorCode::kBadParameter, "your curriculum has no such module", moduleId,
                 "Choose one from the list");

@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assessment/attempt/recorded_twists.h"
 #include "assessment/metrics/signal.h"
 
 namespace torsio {
 
 namespace {
-
-constexpr double kMicroseconds = 1e6;
 
 /// A recording with what every judgement of it needs.
 struct Reading {
@@ -26,7 +25,7 @@ Reading readingOf(const TrialHeader& header, std::span<const Sample> samples) {
 }
 
 double secondsBetween(const Reading& reading, std::size_t from, std::size_t to) {
-  return static_cast<double>(reading.times.us[to] - reading.times.us[from]) / kMicroseconds;
+  return static_cast<double>(reading.times.us[to] - reading.times.us[from]) / kMicrosecondsPerSecond;
 }
 
 TracePhase tracePhase(ExercisePhase phase) {
@@ -127,7 +126,7 @@ Outcome<TrialMetrics> measured(const TrialTrace& trace, const TrialTargets& targ
 }  // namespace
 
 double MeasuredTrial::duration_s() const noexcept {
-  return static_cast<double>(duration_us) / kMicroseconds;
+  return static_cast<double>(duration_us) / kMicrosecondsPerSecond;
 }
 
 std::vector<const MeasuredTwist*> MeasuredTrial::completed() const {

@@ -12,7 +12,6 @@ namespace torsio {
 namespace {
 
 constexpr std::uint32_t kHandGone = kDeviceLost | kDeviceUncalibrated;
-constexpr double kMicroseconds = 1e6;
 
 bool isIn(std::span<const Sample> samples, std::size_t i, ExercisePhase phase) {
   return i < samples.size() && samples[i].phase == phase;
@@ -36,7 +35,8 @@ TwistEnding endingOf(std::span<const Sample> samples, std::span<const std::int64
   if ((samples[letGo].device.status & kHandGone) != 0) {
     return TwistEnding::kDeviceFault;
   }
-  const double missing_s = static_cast<double>(times_us[letGo] - times_us[letGo - 1]) / kMicroseconds;
+  const double missing_s =
+      static_cast<double>(times_us[letGo] - times_us[letGo - 1]) / kMicrosecondsPerSecond;
   return missing_s > kLargestGap_s ? TwistEnding::kNotSeen : TwistEnding::kLetGo;
 }
 

@@ -12,6 +12,8 @@
 
 namespace torsio {
 
+inline constexpr double kMicrosecondsPerSecond = 1e6;
+
 /// A grip that at no moment turned the organ by this much was a touch, not a twist. The largest angle of the
 /// grip decides, not the one at letting go: who turns back to zero has twisted, and missed.
 inline constexpr double kSmallestTwist_rad = radians(2.0);

@@ -40,17 +40,6 @@ std::vector<Course> courses(const CohortInputs& in) {
   return out;
 }
 
-template <typename Item>
-Item itemOf(const CohortInputs& in, const std::string& id, const Text& title, const Text& formula) {
-  Item item;
-  item.id = id;
-  item.title = title;
-  item.provenance.formula = formula;
-  item.provenance.formulaVersion = kTrainingFormulaVersion;
-  item.provenance.flags = commonFlags(in);
-  return item;
-}
-
 std::size_t longest(const std::vector<Course>& all) {
   std::size_t most = 0;
   for (const Course& course : all) {

@@ -9,24 +9,20 @@ namespace torsio {
 
 namespace {
 
-constexpr int kDecimals = 3;
+constexpr int kRaterDecimals = 3;
 
+/// As itemOf(): what stands in it belongs to single persons.
 template <typename Item>
-Item itemOf(const CohortInputs& in, const std::string& id, const Text& title, const Text& formula) {
-  Item item;
-  item.id = id;
-  item.title = title;
+Item individualItem(const CohortInputs& in, const std::string& id, const Text& title, const Text& formula) {
+  Item item = itemOf<Item>(in, id, title, formula);
   item.individual = true;
-  item.provenance.formula = formula;
-  item.provenance.formulaVersion = kTrainingFormulaVersion;
-  item.provenance.flags = commonFlags(in);
   return item;
 }
 
 /// Mean over the scoring points of what each rater gave each trainee.
 ReportFigure heatMap(const CohortInputs& in, const StudyAnalysis& study) {
-  ReportFigure figure = itemOf<ReportFigure>(in, "figure-marks", "Marks by trainee and rater, last occasion",
-                                             "marks as submitted");
+  ReportFigure figure = individualItem<ReportFigure>(
+      in, "figure-marks", "Marks by trainee and rater, last occasion", "marks as submitted");
   figure.kind = FigureKind::kHeatMap;
   figure.xLabel = "trainee";
   figure.yLabel = "mark (points)";
@@ -51,8 +47,8 @@ ReportFigure heatMap(const CohortInputs& in, const StudyAnalysis& study) {
 }
 
 ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study) {
-  ReportFigure figure = itemOf<ReportFigure>(in, "figure-severity", "Severity of the raters",
-                                             "mean of own mark minus mean of the other raters");
+  ReportFigure figure = individualItem<ReportFigure>(in, "figure-severity", "Severity of the raters",
+                                                     "mean of own mark minus mean of the other raters");
   figure.kind = FigureKind::kForest;
   figure.yLabel = "own mark minus the other raters' mean (points)";
   figure.references = {{0.0, "as the others"}};
@@ -77,9 +73,9 @@ ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study) 
 
 /// Every mark of the last scoring point against the mean of the other raters.
 std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const StudyAnalysis& study) {
-  ReportFigure figure =
-      itemOf<ReportFigure>(in, "figure-bland-altman", "Each mark against the other raters, last occasion",
-                           "Bland and Altman, each rater against the mean of the others");
+  ReportFigure figure = individualItem<ReportFigure>(
+      in, "figure-bland-altman", "Each mark against the other raters, last occasion",
+      "Bland and Altman, each rater against the mean of the others");
   figure.kind = FigureKind::kScatter;
   figure.xLabel = "mean of own mark and the others' mean (points)";
   figure.yLabel = "own minus others' mean";
@@ -92,19 +88,12 @@ std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Stud
       if (!row[r]) {
         continue;
       }
-      double sum = 0.0;
-      std::int64_t others = 0;
-      for (std::size_t k = 0; k < row.size(); ++k) {
-        if (k != r && row[k]) {
-          sum += *row[k];
-          ++others;
-        }
-      }
-      if (others == 0) {
+      const std::optional<double> others = meanOfOthers(row, r);
+      if (!others) {
         continue;
       }
       own.push_back(*row[r]);
-      panel.push_back(sum / static_cast<double>(others));
+      panel.push_back(*others);
       series.x.push_back(0.5 * (own.back() + panel.back()));
       series.y.emplace_back(own.back() - panel.back());
     }
@@ -125,8 +114,9 @@ std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Stud
 }
 
 ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study) {
-  ReportTable table = itemOf<ReportTable>(in, "table-raters", "Raters beside each other",
-                                          "Bland and Altman against the mean of the others, last occasion");
+  ReportTable table =
+      individualItem<ReportTable>(in, "table-raters", "Raters beside each other",
+                                  "Bland and Altman against the mean of the others, last occasion");
   table.columns = {"Rater", "Trainees", "Offset [95 %], all occasions", "Limits of agreement, last occasion"};
   for (const RaterSeverity& rater : study.severity) {
     const auto at = static_cast<std::size_t>(
@@ -134,8 +124,8 @@ ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study) {
     Text limits = Text("marks are missing");
     if (at < study.againstPanel.size()) {
       limits = study.againstPanel[at]
-                   ? Text("%1 to %2", formatFixed(study.againstPanel[at]->limits.lower, kDecimals),
-                          formatFixed(study.againstPanel[at]->limits.upper, kDecimals))
+                   ? Text("%1 to %2", formatFixed(study.againstPanel[at]->limits.lower, kRaterDecimals),
+                          formatFixed(study.againstPanel[at]->limits.upper, kRaterDecimals))
                    : notDefined(study.againstPanel[at].reason());
     }
     table.rows.push_back(

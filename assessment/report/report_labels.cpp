@@ -7,16 +7,17 @@ namespace torsio {
 
 namespace {
 
-constexpr int kDecimals = 3;
+constexpr int kLabelDecimals = 3;
 
 }  // namespace
 
 std::string withInterval(double value, const std::optional<Interval>& interval) {
   if (!interval) {
-    return formatFixed(value, kDecimals);
+    return formatFixed(value, kLabelDecimals);
   }
-  return filledIn("%1 [%2, %3]", {formatFixed(value, kDecimals), formatFixed(interval->lower, kDecimals),
-                                  formatFixed(interval->upper, kDecimals)});
+  return filledIn("%1 [%2, %3]",
+                  {formatFixed(value, kLabelDecimals), formatFixed(interval->lower, kLabelDecimals),
+                   formatFixed(interval->upper, kLabelDecimals)});
 }
 
 Text notDefined(const std::string& reason) {

@@ -21,4 +21,17 @@ namespace torsio {
 /// Returns the flags that every figure and table of a demonstration carries.
 [[nodiscard]] std::vector<Text> commonFlags(const CohortInputs& inputs);
 
+/// Begins a table or figure of the training study: its id, its title and where its numbers come from.
+template <typename Item>
+[[nodiscard]] Item itemOf(const CohortInputs& in, const std::string& id, const Text& title,
+                          const Text& formula) {
+  Item item;
+  item.id = id;
+  item.title = title;
+  item.provenance.formula = formula;
+  item.provenance.formulaVersion = kTrainingFormulaVersion;
+  item.provenance.flags = commonFlags(in);
+  return item;
+}
+
 }  // namespace torsio

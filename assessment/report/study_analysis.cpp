@@ -78,16 +78,8 @@ std::vector<RaterSeverity> severities(const StudyAnalysis& study) {
         if (!row[r]) {
           continue;
         }
-        double sum = 0.0;
-        std::int64_t others = 0;
-        for (std::size_t k = 0; k < row.size(); ++k) {
-          if (k != r && row[k]) {
-            sum += *row[k];
-            ++others;
-          }
-        }
-        if (others > 0) {
-          own.push_back(*row[r] - sum / static_cast<double>(others));
+        if (const std::optional<double> others = meanOfOthers(row, r)) {
+          own.push_back(*row[r] - *others);
         }
       }
       if (!own.empty()) {
@@ -150,6 +142,18 @@ Outcome<MixedAnova> courseOf(const std::vector<std::optional<Groups>>& scores, s
 }
 
 }  // namespace
+
+std::optional<double> meanOfOthers(const std::vector<std::optional<double>>& marks, std::size_t rater) {
+  double sum = 0.0;
+  std::int64_t others = 0;
+  for (std::size_t k = 0; k < marks.size(); ++k) {
+    if (k != rater && marks[k]) {
+      sum += *marks[k];
+      ++others;
+    }
+  }
+  return others > 0 ? std::optional(sum / static_cast<double>(others)) : std::nullopt;
+}
 
 StudyAnalysis analyseStudy(const CohortInputs& in) {
   StudyAnalysis out;

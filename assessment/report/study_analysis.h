@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -46,6 +47,10 @@ struct StudyAnalysis {
   Outcome<MixedAnova> course = Outcome<MixedAnova>::undefined("scores are missing at some scoring point");
   std::vector<Groups> wholeGains;  ///< one entry: exact gains by group; none when they cannot be formed
 };
+
+/// Gives the mean of the marks that others than `rater` gave a trainee, points; empty: nobody else scored.
+[[nodiscard]] std::optional<double> meanOfOthers(const std::vector<std::optional<double>>& marks,
+                                                 std::size_t rater);
 
 [[nodiscard]] StudyAnalysis analyseStudy(const CohortInputs& inputs);
 

@@ -12,7 +12,7 @@ namespace torsio {
 
 namespace {
 
-constexpr int kScoreDecimals = 2;
+constexpr int kMarkDecimals = 2;
 constexpr int kVarianceDecimals = 4;
 
 Provenance provenance(const CohortInputs& in, const Text& formula, std::int64_t n) {
@@ -195,9 +195,9 @@ ReportTable summaryTable(const CohortInputs& in) {
   for (const GroupSummary& s : in.summaries) {
     n += s.marks;
     table.rows.push_back({in.occasions[s.occasion], in.groups[s.group].name, std::to_string(s.trainees),
-                          std::to_string(s.marks), formatFixed(s.mean, kScoreDecimals),
-                          formatFixed(s.median, kScoreDecimals), formatFixed(s.min, kScoreDecimals),
-                          formatFixed(s.max, kScoreDecimals),
+                          std::to_string(s.marks), formatFixed(s.mean, kMarkDecimals),
+                          formatFixed(s.median, kMarkDecimals), formatFixed(s.min, kMarkDecimals),
+                          formatFixed(s.max, kMarkDecimals),
                           formatFixed(s.varianceOfScores, kVarianceDecimals),
                           formatFixed(s.sampleVarianceOfScores, kVarianceDecimals),
                           formatFixed(s.varianceOfMarks, kVarianceDecimals),
@@ -223,7 +223,7 @@ ReportTable scoresTable(const CohortInputs& in) {
       row = {in.groups[score.group].name, std::to_string(score.number), score.trainee};
       row.resize(table.columns.size(), Text("missing"));
     }
-    row[3 + score.occasion] = formatFixed(score.score, kScoreDecimals);
+    row[3 + score.occasion] = formatFixed(score.score, kMarkDecimals);
   }
   for (auto& [place, row] : rows) {
     table.rows.push_back(std::move(row));

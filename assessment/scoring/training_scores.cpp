@@ -16,7 +16,7 @@ namespace torsio {
 
 namespace {
 
-using BigInteger = boost::multiprecision::int256_t;  // sums of squares can pass 2^63, never 2^200
+using WideInteger = boost::multiprecision::int256_t;  // sums of squares can pass 2^63, never 2^200
 
 constexpr std::int64_t kMaxCommonRaters = 1'000'000;
 
@@ -58,21 +58,21 @@ std::int64_t sumOf(const std::vector<std::int64_t>& values) {
 }
 
 /// Sum of squares about the mean is spread / n, with spread a whole number.
-BigInteger spreadOf(const std::vector<std::int64_t>& values) {
-  BigInteger squares = 0;
+WideInteger spreadOf(const std::vector<std::int64_t>& values) {
+  WideInteger squares = 0;
   for (const std::int64_t x : values) {
-    squares += BigInteger(x) * x;
+    squares += WideInteger(x) * x;
   }
-  const BigInteger sum = sumOf(values);
+  const WideInteger sum = sumOf(values);
   return std::ssize(values) * squares - sum * sum;
 }
 
-double quotientOf(const BigInteger& spread, std::initializer_list<std::int64_t> divisors) {
-  BigInteger denominator = 1;
+double quotientOf(const WideInteger& spread, std::initializer_list<std::int64_t> divisors) {
+  WideInteger denominator = 1;
   for (const std::int64_t divisor : divisors) {
     denominator *= divisor;
   }
-  return nearestQuotient<BigInteger>(spread, denominator);
+  return nearestQuotient<WideInteger>(spread, denominator);
 }
 
 /// Trainee scores of a group in units of 1 / denominator points, all whole numbers.
@@ -111,14 +111,14 @@ GroupSummary summarise(std::size_t occasion, std::size_t group,
   const std::int64_t n = out.trainees;
   const std::int64_t d = scores.denominator;
   out.mean = roundedQuotient(sumOf(scores.values), n * d);
-  const BigInteger spread = spreadOf(scores.values);
+  const WideInteger spread = spreadOf(scores.values);
   out.varianceOfScores = quotientOf(spread, {n, n, d, d});
   if (n > 1) {
     out.sampleVarianceOfScores = quotientOf(spread, {n, n - 1, d, d});
   }
   std::vector<std::int64_t> all;
   double between = 0.0;
-  BigInteger betweenNumerator = 0;
+  WideInteger betweenNumerator = 0;
   bool betweenDefined = true;
   const std::int64_t k = std::ssize(*trainees.front());
   bool sameCount = true;

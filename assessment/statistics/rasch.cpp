@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr int kMaxIterations = 200;
+constexpr int kMostRaschRounds = 200;
 constexpr double kConverged = 1e-12;  // largest Newton step, logits
 
 /// Probabilities of the categories at location ability - severity.
@@ -167,7 +167,7 @@ std::optional<int> maximise(const JointModel& model, Eigen::VectorXd& x) {
   Eigen::VectorXd gradient;
   Eigen::MatrixXd information;
   double value = model.evaluate(x, &gradient, &information);
-  for (int iteration = 1; iteration <= kMaxIterations; ++iteration) {
+  for (int iteration = 1; iteration <= kMostRaschRounds; ++iteration) {
     const Eigen::LDLT<Eigen::MatrixXd> solver(information);
     if (solver.info() != Eigen::Success) {
       return std::nullopt;

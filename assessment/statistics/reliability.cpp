@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/distributions.h"
@@ -55,6 +57,19 @@ double spearmanBrown(double r, double k) {
   return k * r / (1.0 + (k - 1.0) * r);
 }
 
+/// Gives the coefficient of one rater and that of the mean of all, with their intervals, from the mean square
+/// between the targets over an error's mean square with `df2` degrees of freedom.
+std::pair<IccForm, IccForm> singleAndMean(const IccResult& of, double error, double df2, double tail) {
+  const double k = static_cast<double>(of.raters);
+  const double df1 = static_cast<double>(of.targets) - 1.0;
+  const double f = of.bms / error;
+  const double low = f / fQuantile(1.0 - tail, df1, df2);
+  const double high = f * fQuantile(1.0 - tail, df2, df1);
+  return {{(of.bms - error) / (of.bms + (k - 1.0) * error),
+           Interval{(low - 1.0) / (low + k - 1.0), (high - 1.0) / (high + k - 1.0)}},
+          {(of.bms - error) / of.bms, Interval{1.0 - 1.0 / low, 1.0 - 1.0 / high}}};
+}
+
 void addOneWay(IccResult& out, double tail) {
   const double n = static_cast<double>(out.targets);
   const double k = static_cast<double>(out.raters);
@@ -63,11 +78,7 @@ void addOneWay(IccResult& out, double tail) {
   const double f = out.bms / out.wms;
   out.fOneWay = f;
   out.pOneWay = fUpper(f, df1, df2);
-  const double low = f / fQuantile(1.0 - tail, df1, df2);
-  const double high = f * fQuantile(1.0 - tail, df2, df1);
-  out.oneWaySingle = {(out.bms - out.wms) / (out.bms + (k - 1.0) * out.wms),
-                      Interval{(low - 1.0) / (low + k - 1.0), (high - 1.0) / (high + k - 1.0)}};
-  out.oneWayMean = {(out.bms - out.wms) / out.bms, Interval{1.0 - 1.0 / low, 1.0 - 1.0 / high}};
+  std::tie(out.oneWaySingle, out.oneWayMean) = singleAndMean(out, out.wms, df2, tail);
 }
 
 void addConsistency(IccResult& out, double tail) {
@@ -80,11 +91,7 @@ void addConsistency(IccResult& out, double tail) {
   out.pTwoWay = fUpper(f, df1, df2);
   out.fRaters = out.jms / out.ems;
   out.pRaters = fUpper(out.fRaters, k - 1.0, df2);
-  const double low = f / fQuantile(1.0 - tail, df1, df2);
-  const double high = f * fQuantile(1.0 - tail, df2, df1);
-  out.consistencySingle = {(out.bms - out.ems) / (out.bms + (k - 1.0) * out.ems),
-                           Interval{(low - 1.0) / (low + k - 1.0), (high - 1.0) / (high + k - 1.0)}};
-  out.consistencyMean = {(out.bms - out.ems) / out.bms, Interval{1.0 - 1.0 / low, 1.0 - 1.0 / high}};
+  std::tie(out.consistencySingle, out.consistencyMean) = singleAndMean(out, out.ems, df2, tail);
 }
 
 /// McGraw and Wong's interval; the interval of the mean is its Spearman-Brown transform.

@@ -26,8 +26,7 @@ std::string minutesText(std::int64_t us) {
   return std::string(text.data(), end.ptr);
 }
 
-}  // namespace
-
+/// "before", "after 20 min", or the label where no time is known.
 Text occasionText(const Occasion& occasion) {
   if (!occasion.afterExposure_us) {
     return Text(occasion.label);
@@ -37,6 +36,8 @@ Text occasionText(const Occasion& occasion) {
   }
   return Text("after %1 min", minutesText(*occasion.afterExposure_us));
 }
+
+}  // namespace
 
 Occasions::Occasions(std::vector<Occasion> inOrder) : list_(std::move(inOrder)) {
   std::set<std::string> codes;
@@ -62,6 +63,17 @@ std::optional<std::size_t> Occasions::positionOf(const std::string& code) const 
 Occasion Occasions::named(const std::string& code) const {
   const std::optional<std::size_t> position = positionOf(code);
   return position ? list_[*position] : Occasion{code, code, {}};
+}
+
+std::vector<Text> occasionTexts(const Occasions& occasions) {
+  std::vector<Text> texts;
+  std::set<std::int64_t> times_us;
+  for (const Occasion& occasion : occasions) {
+    const bool timeIsTaken = occasion.afterExposure_us && !times_us.insert(*occasion.afterExposure_us).second;
+    const Text text = occasionText(occasion);
+    texts.push_back(timeIsTaken ? Text("%1 (%2)", text, occasion.label) : text);
+  }
+  return texts;
 }
 
 }  // namespace torsio

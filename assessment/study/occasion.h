@@ -20,10 +20,8 @@ struct Occasion {
   friend bool operator==(const Occasion&, const Occasion&) = default;
 };
 
-/// Names an occasion in reports: "before", "after 20 min", or its label where no time is known.
-[[nodiscard]] Text occasionText(const Occasion& occasion);
-
-/// The occasions of a record or of one study, in order of time. How many there are is data.
+/// The occasions of a record or of one study, in order of time: a later one has more training behind it, or
+/// as much where only days or weeks have passed (a follow-up). How many there are is data.
 class Occasions {
  public:
   Occasions() = default;
@@ -45,5 +43,10 @@ class Occasions {
  private:
   std::vector<Occasion> list_;
 };
+
+/// Names each occasion in reports: "before", "after 20 min", or its label where no time is known. One that
+/// comes after as much training as an earlier one has its label beside it: "after 40 min (six weeks later)".
+/// No two are called the same while their labels differ.
+[[nodiscard]] std::vector<Text> occasionTexts(const Occasions& occasions);
 
 }  // namespace torsio

@@ -13,10 +13,21 @@ namespace torsio {
 template <typename Value>
 struct Term {
   Value value;
-  std::string_view stored;   ///< in the database and in files; released texts never change
-  std::string_view label;    ///< English label, the key of its translation
-  std::string_view meaning;  ///< one line for documents
+  std::string_view stored;     ///< in the database and in files; released texts never change
+  std::string_view label;      ///< English label, the key of its translation
+  std::string_view meaning{};  ///< one line for documents; empty where the label says it all
 };
+
+/// Tells whether `table` has one row for each value below `end`, at the place of the value.
+template <typename Value, std::size_t kSize>
+[[nodiscard]] constexpr bool isWholeTable(const std::array<Term<Value>, kSize>& table, Value end) noexcept {
+  for (std::size_t i = 0; i < kSize; ++i) {
+    if (static_cast<std::size_t>(table[i].value) != i || table[i].stored.empty() || table[i].label.empty()) {
+      return false;
+    }
+  }
+  return kSize == static_cast<std::size_t>(end);
+}
 
 /// How a run of a module counts.
 enum class AttemptMode : std::uint8_t { kPractice, kGraded };
@@ -40,6 +51,22 @@ inline constexpr std::array<Term<EnrolmentState>, 3> kEnrolmentStates{{
     {EnrolmentState::kWithdrawn, "withdrawn", "withdrawn", "takes part no more; what was recorded stays"},
 }};
 
+/// Where a version of a curriculum stands. It moves forward only.
+enum class CurriculumState : std::uint8_t { kDraft, kRunning, kClosed };
+inline constexpr std::array<Term<CurriculumState>, 3> kCurriculumStates{{
+    {CurriculumState::kDraft, "draft", "published, not begun", "nobody trains by it yet"},
+    {CurriculumState::kRunning, "running", "running", "cohorts may follow it"},
+    {CurriculumState::kClosed, "closed", "closed", "no cohort is given it any more"},
+}};
+
+/// What a rater decides about an own mark that lies apart from the others.
+enum class DiscrepancyChoice : std::uint8_t { kKeep, kMove, kThird };
+inline constexpr std::array<Term<DiscrepancyChoice>, 3> kDiscrepancyChoices{{
+    {DiscrepancyChoice::kKeep, "keep", "kept", "the mark stays"},
+    {DiscrepancyChoice::kMove, "move", "moved", "a new version of the mark follows"},
+    {DiscrepancyChoice::kThird, "third", "adjudicator requested", "somebody else scores the case as well"},
+}};
+
 /// The table of each term.
 [[nodiscard]] constexpr const auto& termsOf(AttemptMode) noexcept {
   return kAttemptModes;
@@ -49,6 +76,12 @@ inline constexpr std::array<Term<EnrolmentState>, 3> kEnrolmentStates{{
 }
 [[nodiscard]] constexpr const auto& termsOf(EnrolmentState) noexcept {
   return kEnrolmentStates;
+}
+[[nodiscard]] constexpr const auto& termsOf(CurriculumState) noexcept {
+  return kCurriculumStates;
+}
+[[nodiscard]] constexpr const auto& termsOf(DiscrepancyChoice) noexcept {
+  return kDiscrepancyChoices;
 }
 
 /// Returns the text that stands for `value` in the database.

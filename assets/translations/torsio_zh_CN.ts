@@ -284,7 +284,7 @@
     </message>
 </context>
 <context>
-    <name>Office</name>
+    <name>Administration</name>
     <message>
         <source>no cohort yet</source>
         <translation>尚无批次</translation>
@@ -582,7 +582,7 @@
     </message>
 </context>
 <context>
-    <name>RecordDialogs</name>
+    <name>RetentionDialog</name>
     <message>
         <source>trainee</source>
         <translation>学员</translation>
@@ -627,6 +627,9 @@
         <source>Keep these rules</source>
         <translation>保存这些规则</translation>
     </message>
+</context>
+<context>
+    <name>GroupMoveDialog</name>
     <message>
         <source>Move to another group</source>
         <translation>调整到其他组</translation>
@@ -709,6 +712,14 @@
     <message>
         <source>%1: %2 → %3</source>
         <translation>%1：%2 → %3</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
     </message>
 </context>
 <context>
@@ -1952,8 +1963,8 @@
         <translation>请同时给出两端</translation>
     </message>
     <message>
-        <source>Give each a later time than the last</source>
-        <translation>请使每个时间都晚于前一个</translation>
+        <source>Give each the time of the last or a later one</source>
+        <translation>请使每个时间不早于前一个</translation>
     </message>
     <message>
         <source>Give each column a name of its own</source>
@@ -3400,8 +3411,8 @@
         <translation>设备“%1”</translation>
     </message>
     <message>
-        <source>does not come after the one before</source>
-        <translation>不晚于前一个</translation>
+        <source>comes before the one that it follows</source>
+        <translation>早于排在它前面的那个</translation>
     </message>
     <message>
         <source>does not finish, or needs far more time than is given</source>
@@ -8399,10 +8410,6 @@
         <translation>可担任的角色</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
         <source>Trainee</source>
         <translation>学员</translation>
     </message>
@@ -8477,6 +8484,13 @@
     <message>
         <source>Copied</source>
         <translation>已复制</translation>
+    </message>
+</context>
+<context>
+    <name>ReasonDialog</name>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>原因(&amp;R)</translation>
     </message>
 </context>
 <context>
@@ -10133,58 +10147,6 @@ MSM = 质点弹簧</translation>
         <translation>第 %1 版（%2）</translation>
     </message>
     <message>
-        <source>%1: changed, not saved. The draft is also saved when you leave.</source>
-        <translation>%1：已更改，未保存。离开时草稿也会保存。</translation>
-    </message>
-    <message>
-        <source>Everything may be changed; nobody is touched until it is published as version %1.</source>
-        <translation>一切均可更改；在发布为第 %1 版之前不影响任何人。</translation>
-    </message>
-    <message>
-        <source>Saved %1. %2</source>
-        <translation>已于 %1 保存。%2</translation>
-    </message>
-    <message>
-        <source>%1 The newest version is %2: %3.</source>
-        <translation>%1 最新版本为第 %2 版：%3。</translation>
-    </message>
-    <message>
-        <source>No cohort follows it.</source>
-        <translation>没有批次采用。</translation>
-    </message>
-    <message>
-        <source>Followed by: %1.</source>
-        <translation>采用的批次：%1。</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>、</translation>
-    </message>
-    <message>
-        <source>Published on %1 and never changes. Begin it, so that cohorts can follow it.</source>
-        <translation>已于 %1 发布，不再改变。启用后批次才能采用。</translation>
-    </message>
-    <message>
-        <source>Published on %1, running: cohorts can choose it. It never changes; to change anything, edit the draft and publish the next version.</source>
-        <translation>已于 %1 发布，进行中：批次可以选用。它不再改变；如需更改，请编辑草稿并发布下一版。</translation>
-    </message>
-    <message>
-        <source>Published on %1, closed: no further cohort can choose it; who follows it goes on. It is kept as it was.</source>
-        <translation>已于 %1 发布，已关闭：不再有新批次可选用；已采用的继续进行。内容保持原样。</translation>
-    </message>
-    <message>
-        <source>%1 Note: %2.</source>
-        <translation>%1 说明：%2。</translation>
-    </message>
-    <message>
-        <source>%1 Superseded by version %2.</source>
-        <translation>%1 已被第 %2 版取代。</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>The draft is saved.</source>
         <translation>草稿已保存。</translation>
     </message>
@@ -10296,6 +10258,65 @@ MSM = 质点弹簧</translation>
         <source>Occasion added: %1</source>
         <translation>已添加评分时点：%1</translation>
     </message>
+    <message>
+        <source>Create</source>
+        <translation>创建</translation>
+    </message>
+</context>
+<context>
+    <name>CurriculumState</name>
+    <message>
+        <source>%1: changed, not saved. The draft is also saved when you leave.</source>
+        <translation>%1：已更改，未保存。离开时草稿也会保存。</translation>
+    </message>
+    <message>
+        <source>Everything may be changed; nobody is touched until it is published as version %1.</source>
+        <translation>一切均可更改；在发布为第 %1 版之前不影响任何人。</translation>
+    </message>
+    <message>
+        <source>Saved %1. %2</source>
+        <translation>已于 %1 保存。%2</translation>
+    </message>
+    <message>
+        <source>%1 The newest version is %2: %3.</source>
+        <translation>%1 最新版本为第 %2 版：%3。</translation>
+    </message>
+    <message>
+        <source>No cohort follows it.</source>
+        <translation>没有批次采用。</translation>
+    </message>
+    <message>
+        <source>Followed by: %1.</source>
+        <translation>采用的批次：%1。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Published on %1 and never changes. Begin it, so that cohorts can follow it.</source>
+        <translation>已于 %1 发布，不再改变。启用后批次才能采用。</translation>
+    </message>
+    <message>
+        <source>Published on %1, running: cohorts can choose it. It never changes; to change anything, edit the draft and publish the next version.</source>
+        <translation>已于 %1 发布，进行中：批次可以选用。它不再改变；如需更改，请编辑草稿并发布下一版。</translation>
+    </message>
+    <message>
+        <source>Published on %1, closed: no further cohort can choose it; who follows it goes on. It is kept as it was.</source>
+        <translation>已于 %1 发布，已关闭：不再有新批次可选用；已采用的继续进行。内容保持原样。</translation>
+    </message>
+    <message>
+        <source>%1 Note: %2.</source>
+        <translation>%1 说明：%2。</translation>
+    </message>
+    <message>
+        <source>%1 Superseded by version %2.</source>
+        <translation>%1 已被第 %2 版取代。</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::CurriculumEditor</name>
@@ -10330,8 +10351,8 @@ MSM = 质点弹簧</translation>
         <translation>评分时点</translation>
     </message>
     <message>
-        <source>When the raters score everybody, counted in minutes of training (rest does not count). The paper scores before, after 20 and after 40 minutes.</source>
-        <translation>评分者何时为所有人评分，以训练分钟数计（休息不计）。论文在训练前、20 分钟后和 40 分钟后评分。</translation>
+        <source>When the raters score everybody, counted in minutes of training (rest does not count). The paper scores before, after 20 and after 40 minutes. A follow-up, weeks after the training, has the minutes of the occasion before it.</source>
+        <translation>评分者何时为所有人评分，以训练分钟数计（休息不计）。论文在训练前、20 分钟后和 40 分钟后评分。训练结束数周后的随访，沿用前一个时点的分钟数。</translation>
     </message>
     <message>
         <source>after </source>
@@ -10864,30 +10885,6 @@ MSM = 质点弹簧</translation>
         <translation>%1（该练习已不存在）</translation>
     </message>
     <message>
-        <source>at least</source>
-        <translation>不低于</translation>
-    </message>
-    <message>
-        <source>at most</source>
-        <translation>不超过</translation>
-    </message>
-    <message>
-        <source>What rule %1 is about</source>
-        <translation>标准 %1 的指标</translation>
-    </message>
-    <message>
-        <source>Direction of rule %1</source>
-        <translation>标准 %1 的方向</translation>
-    </message>
-    <message>
-        <source>Threshold of rule %1</source>
-        <translation>标准 %1 的阈值</translation>
-    </message>
-    <message>
-        <source>Attempts in a row of rule %1</source>
-        <translation>标准 %1 的连续次数</translation>
-    </message>
-    <message>
         <source>An exercise needs a code; it keeps %1.</source>
         <translation>练习需要代码；保留 %1。</translation>
     </message>
@@ -10914,6 +10911,33 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Exercises, in their order</source>
         <translation>练习（按顺序）</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::MasteryTable</name>
+    <message>
+        <source>at least</source>
+        <translation>不低于</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>不超过</translation>
+    </message>
+    <message>
+        <source>What rule %1 is about</source>
+        <translation>标准 %1 的指标</translation>
+    </message>
+    <message>
+        <source>Direction of rule %1</source>
+        <translation>标准 %1 的方向</translation>
+    </message>
+    <message>
+        <source>Threshold of rule %1</source>
+        <translation>标准 %1 的阈值</translation>
+    </message>
+    <message>
+        <source>Attempts in a row of rule %1</source>
+        <translation>标准 %1 的连续次数</translation>
     </message>
     <message>
         <source>Rules of mastery</source>
@@ -13549,18 +13573,6 @@ MSM = 质点弹簧</translation>
 </context>
 <context>
     <name>torsio::gui::RosterWizard</name>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1.</source>
-        <translation>%1。</translation>
-    </message>
-    <message>
-        <source>%1. %2.</source>
-        <translation>%1。%2。</translation>
-    </message>
     <message>
         <source>Import a roster</source>
         <translation>导入名单</translation>

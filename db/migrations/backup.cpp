@@ -4,6 +4,8 @@
 #include <array>
 #include <system_error>
 
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/migrations/migrations.h"
 #include "sim/base/contracts.h"
 #include "sim/base/file_io.h"
@@ -29,7 +31,7 @@ void removeWithLogs(const fs::path& file) noexcept {
   }
 }
 
-std::int64_t countOf(Connection& connection, const char* table) {
+std::int64_t rowsOf(Connection& connection, const char* table) {
   Statement row = connection.prepare(std::string("SELECT count(*) FROM ") + table);
   row.execute();
   return row.step() ? row.int64(0) : 0;
@@ -159,8 +161,8 @@ BackupContent checkBackup(const fs::path& backup) {
     throw Error(ErrorCode::kVerifyFailed, Text("backup is damaged: %1", findings.front()), backup.string(),
                 "Use an older backup");
   }
-  content.trials = countOf(connection, "trial");
-  content.marks = countOf(connection, "training_mark") + countOf(connection, "evaluation_mark");
+  content.trials = rowsOf(connection, "trial");
+  content.marks = rowsOf(connection, "training_mark") + rowsOf(connection, "evaluation_mark");
   return content;
 }
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "db/connection/connection.h"
-
 namespace torsio {
+
+class Connection;
 
 /// Writes a consistent copy of an open SQLite database while others go on working, checks it, and renames it
 /// to `target` (an older file of that name is replaced). On failure nothing is left behind and an older

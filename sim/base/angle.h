@@ -8,6 +8,7 @@ namespace torsio {
 // Inside Torsio every angle is in radians. Degrees stand in files that people write, on screens and in
 // reports; this is the one place that converts.
 
+inline constexpr double kTurn = 2.0 * kPi;  ///< a whole turn, radians
 inline constexpr double kRadiansPerDegree = kPi / 180.0;
 inline constexpr double kDegreesPerRadian =
     180.0 / kPi;  ///< as the scale of an axis; otherwise use degrees()

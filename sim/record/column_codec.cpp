@@ -16,9 +16,9 @@ constexpr std::size_t kLargestOrder = 4;
 constexpr std::size_t kLargestWidth = 8;
 constexpr std::size_t kLargestVarint = 10;
 
-[[noreturn]] void damaged() {
+[[noreturn]] void damagedColumn() {
   throw Error(ErrorCode::kBadData, "a column of samples does not unpack", "recorded chunk",
-              "The recording is damaged: restore it from a copy");
+              "The recording is damagedColumn: restore it from a copy");
 }
 
 /// Small numbers of either sign become small unsigned numbers: 0, -1, 1, -2 ... to 0, 1, 2, 3 ...
@@ -53,7 +53,7 @@ void putVarint(std::uint64_t value, std::vector<std::uint8_t>& out) {
 
 std::uint8_t takeByte(std::span<const std::uint8_t>& in) {
   if (in.empty()) {
-    damaged();
+    damagedColumn();
   }
   const std::uint8_t byte = in.front();
   in = in.subspan(1);
@@ -69,7 +69,7 @@ std::uint64_t takeVarint(std::span<const std::uint8_t>& in) {
       return value;
     }
   }
-  damaged();
+  damagedColumn();
 }
 
 }  // namespace
@@ -116,7 +116,7 @@ std::span<const std::uint8_t> unpackColumn(std::span<const std::uint8_t> packed,
   const std::size_t order = takeByte(packed);
   const std::size_t width = takeByte(packed);
   if (order > std::min(kLargestOrder, n) || width > kLargestWidth) {
-    damaged();
+    damagedColumn();
   }
   std::vector<std::uint64_t> values(n, 0);
   for (std::size_t i = 0; i < order; ++i) {
@@ -124,7 +124,7 @@ std::span<const std::uint8_t> unpackColumn(std::span<const std::uint8_t> packed,
   }
   const std::size_t coded = n - order;
   if (packed.size() < width * coded) {
-    damaged();
+    damagedColumn();
   }
   for (std::size_t plane = 0; plane < width; ++plane) {
     for (std::size_t i = 0; i < coded; ++i) {

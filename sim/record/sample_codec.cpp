@@ -19,9 +19,9 @@ namespace torsio {
 namespace {
 
 // bytes = magic, version, then one zstd frame (with its own checksum) over the columns in this order.
-constexpr std::array<std::uint8_t, 4> kMagic{'T', 'R', 'S', 'C'};
+constexpr std::array<std::uint8_t, 4> kChunkMagic{'T', 'R', 'S', 'C'};
 constexpr std::uint8_t kVersion = 1;
-constexpr std::size_t kHeaderSize = kMagic.size() + 1;
+constexpr std::size_t kHeaderSize = kChunkMagic.size() + 1;
 constexpr int kCompressionLevel = 3;
 
 enum Column : std::size_t {
@@ -206,10 +206,10 @@ TrialChunk encodeChunk(std::int64_t index, std::span<const Sample> samples) {
   chunk.firstTick = samples.front().tick;
   chunk.samples = static_cast<std::int64_t>(samples.size());
   chunk.bytes.resize(kHeaderSize + ZSTD_compressBound(packed.size()));
-  for (std::size_t i = 0; i < kMagic.size(); ++i) {
-    chunk.bytes[i] = std::byte{kMagic[i]};
+  for (std::size_t i = 0; i < kChunkMagic.size(); ++i) {
+    chunk.bytes[i] = std::byte{kChunkMagic[i]};
   }
-  chunk.bytes[kMagic.size()] = std::byte{kVersion};
+  chunk.bytes[kChunkMagic.size()] = std::byte{kVersion};
 
   ZSTD_CCtx* const context = ZSTD_createCCtx();
   TORSIO_EXPECTS(context != nullptr);
@@ -235,11 +235,11 @@ std::vector<Sample> decodeChunk(const TrialChunk& chunk) {
   }
   const std::span<const std::byte> bytes(chunk.bytes);
   if (bytes.size() < kHeaderSize ||
-      !std::equal(kMagic.begin(), kMagic.end(), bytes.begin(),
+      !std::equal(kChunkMagic.begin(), kChunkMagic.end(), bytes.begin(),
                   [](std::uint8_t a, std::byte b) { return std::byte{a} == b; })) {
     damaged("this is not a chunk of samples");
   }
-  const auto version = std::to_integer<std::uint8_t>(bytes[kMagic.size()]);
+  const auto version = std::to_integer<std::uint8_t>(bytes[kChunkMagic.size()]);
   if (version != kVersion) {
     throw Error(ErrorCode::kBadData, "the samples were written in another format version", "recorded chunk",
                 "Open the trial with the version that wrote it, or a newer one");

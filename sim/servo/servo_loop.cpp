@@ -8,6 +8,7 @@
 
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
+#include "sim/base/live_of_sample.h"
 
 namespace torsio {
 
@@ -202,23 +203,13 @@ void ServoLoop::publish() noexcept {
   if (links_.live == nullptr) {
     return;
   }
-  const ToolState tool = toolState(sample_.device);
-  LiveState live;
-  live.time_us = sample_.device.time_us;
-  live.tick = sample_.tick;
-  live.tool = tool.pose;
-  live.grip = tool.grip;
-  live.phase = sample_.phase;
-  live.response = sample_.response;
-  live.force_N = sample_.force_N;
-  live.limits = sample_.limits;
+  LiveState live = liveStateOf(sample_);
   live.targetAngle_rad = options_.targetAngle_rad;
   live.tickDuration_us = lastTickDuration_us_;
   live.refusedSamples =
       links_.recording != nullptr ? static_cast<std::int64_t>(links_.recording->refused()) : 0;
   live.lateTicks = lateTicks_;
   live.deviceStatus = sample_.device.status;
-  live.contact = sample_.contact;
   live.patches = patches_;
   live.times = times_;
   live.portEnergy_J = passivity_.energy_J();

@@ -9,10 +9,27 @@ namespace torsio {
 namespace {
 
 TEST(OccasionNames, FollowTheTimeOfTrainingOrElseTheLabel) {
-  EXPECT_EQ(occasionText({"pre", "before training", 0}).str(), "before");
-  EXPECT_EQ(occasionText({"mid", "half-way", 1'200'000'000}).str(), "after 20 min");  // 20 x 60e6 us
-  EXPECT_EQ(occasionText({"late", "later", 750'000'000}).str(), "after 12.5 min");    // 12.5 x 60e6 us
-  EXPECT_EQ(occasionText({"late", "six months later", {}}).str(), "six months later");
+  const Occasions occasions({{"pre", "before training", 0},
+                             {"late", "later", 750'000'000},      // 12.5 x 60e6 us
+                             {"mid", "half-way", 1'200'000'000},  // 20 x 60e6 us
+                             {"free", "six months later", {}}});
+
+  const std::vector<Text> names = occasionTexts(occasions);
+
+  EXPECT_EQ(names, (std::vector<Text>{"before", "after 12.5 min", "after 20 min", "six months later"}));
+}
+
+TEST(OccasionNames, AreNotTheSameAfterAsMuchTraining) {
+  const Occasions occasions({{"post", "after training", 2'400'000'000},
+                             {"weeks", "six weeks later", 2'400'000'000},
+                             {"months", "six months later", 2'400'000'000}});
+
+  const std::vector<Text> names = occasionTexts(occasions);
+
+  ASSERT_EQ(names.size(), 3U);
+  EXPECT_EQ(names[0].str(), "after 40 min");  // 2,400e6 us / 60e6
+  EXPECT_EQ(names[1].str(), "after 40 min (six weeks later)");
+  EXPECT_EQ(names[2].str(), "after 40 min (six months later)");
 }
 
 TEST(OccasionLists, FindByCodeAndKeepTheirOrder) {

@@ -11,7 +11,7 @@ namespace {
 
 template <typename Value>
 class ProtocolTerms : public ::testing::Test {};
-using Terms = ::testing::Types<AttemptMode, PhaseKind, EnrolmentState>;
+using Terms = ::testing::Types<AttemptMode, PhaseKind, EnrolmentState, CurriculumState, DiscrepancyChoice>;
 TYPED_TEST_SUITE(ProtocolTerms, Terms);
 
 TYPED_TEST(ProtocolTerms, StandForTheirTextAndBack) {
@@ -40,6 +40,12 @@ TEST(ProtocolTermsTexts, OfTheFirstReleaseStay) {
   EXPECT_EQ(storedText(EnrolmentState::kEnrolled), "enrolled");
   EXPECT_EQ(storedText(EnrolmentState::kCompleted), "completed");
   EXPECT_EQ(storedText(EnrolmentState::kWithdrawn), "withdrawn");
+  EXPECT_EQ(storedText(CurriculumState::kDraft), "draft");
+  EXPECT_EQ(storedText(CurriculumState::kRunning), "running");
+  EXPECT_EQ(storedText(CurriculumState::kClosed), "closed");
+  EXPECT_EQ(storedText(DiscrepancyChoice::kKeep), "keep");
+  EXPECT_EQ(storedText(DiscrepancyChoice::kMove), "move");
+  EXPECT_EQ(storedText(DiscrepancyChoice::kThird), "third");
 }
 
 }  // namespace

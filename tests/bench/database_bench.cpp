@@ -15,10 +15,14 @@
 
 #include <QCoreApplication>
 
+#include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "tests/db/large_record.h"
 
@@ -130,7 +134,7 @@ bool run(const std::string& file) {
   bench.list("queue of a rater",
              [&] { (void)SheetRepository(connection).queue(sample.chiefs[0].person.id); });
   bench.list("audit trail of trials",
-             [&] { (void)AuditRepository(connection).entries({.objectKind = "trial"}); });
+             [&] { (void)AuditRepository(connection).entries({.objectKind = AuditObject::kTrial}); });
   insertSeconds(bench, connection, sample);
   return bench.sound;
 }

@@ -18,7 +18,13 @@
 #include "app/reporting/report_data.h"
 #include "app/study/allocation_service.h"
 #include "app/study/cohort_service.h"
+#include "assessment/people/person.h"
+#include "assessment/people/retention.h"
+#include "assessment/rating/mark.h"
 #include "assessment/report/cohort_report.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -107,9 +113,9 @@ std::vector<Sample> twist() {
 std::string fill(testing::StudyCentre& centre) {
   Connection& connection = centre.connection();
   IdSource& ids = centre.session().ids();
-  std::vector<StoredTrainee> trainees;
+  std::vector<Trainee> trainees;
   for (int i = 0; i < kTrainees; ++i) {
-    StoredTrainee trainee;
+    Trainee trainee;
     trainee.person.id = ids.newUuid();
     trainee.person.code = "T-" + std::to_string(10'000 + i);
     trainee.person.sex = i % 2 == 0 ? "female" : "male";
@@ -120,8 +126,8 @@ std::string fill(testing::StudyCentre& centre) {
   Transaction transaction(connection);
   PeopleRepository(connection).addTrainees(trainees);
   StudyRepository study(connection);
-  StoredCohort cohort{.id = ids.newUuid(), .name = "Large", .createdUtc_us = testing::kStudyTime_us};
-  std::vector<StoredGroup> groups;
+  Cohort cohort{.id = ids.newUuid(), .name = "Large", .createdUtc_us = testing::kStudyTime_us};
+  std::vector<StudyGroup> groups;
   for (int g = 1; g <= 3; ++g) {
     groups.push_back({.id = ids.newUuid(),
                       .cohortId = cohort.id,
@@ -130,7 +136,7 @@ std::string fill(testing::StudyCentre& centre) {
                       .label = "arm"});
   }
   study.addCohort(cohort, groups);
-  std::vector<StoredEnrolment> enrolments;
+  std::vector<Enrolment> enrolments;
   for (int i = 0; i < kTrainees; ++i) {
     enrolments.push_back({.id = ids.newUuid(),
                           .cohortId = cohort.id,
@@ -140,11 +146,11 @@ std::string fill(testing::StudyCentre& centre) {
                           .enrolledUtc_us = testing::kStudyTime_us});
   }
   study.enrol(enrolments);
-  std::vector<StoredTrainingMark> marks;
-  for (const StoredEnrolment& enrolment : enrolments) {
+  std::vector<SubmittedMark> marks;
+  for (const Enrolment& enrolment : enrolments) {
     for (std::size_t r = 0; r < raters.size(); ++r) {
       for (const char* point : {"pre", "mid", "post"}) {
-        StoredTrainingMark mark;
+        SubmittedMark mark;
         mark.id = ids.newUuid();
         mark.enrolmentId = enrolment.id;
         mark.raterId = raters[r];

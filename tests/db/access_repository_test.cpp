@@ -3,6 +3,9 @@
 
 #include <map>
 
+#include "assessment/people/account.h"
+#include "assessment/people/password_rule.h"
+#include "db/connection/connection.h"
 #include "sim/base/error.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
@@ -19,7 +22,7 @@ class AccessRepositoryTest : public DatabaseTest {
   static AccessRepository access(Connection& connection) {
     return AccessRepository(connection, PasswordCost::kTest);
   }
-  static StoredUser anna() {
+  static UserAccount anna() {
     return {.id = "u1", .login = "anna", .createdUtc_us = kSampleTime_us, .roles = {"rater"}};
   }
 };
@@ -121,7 +124,7 @@ TEST_F(AccessRepositoryTest, StoresOnlyASaltedHash) {
   Connection connection = openWithSchema();
   AccessRepository repository = access(connection);
   repository.addUser(anna(), kPassword);
-  StoredUser ben = anna();
+  UserAccount ben = anna();
   ben.id = "u2";
   ben.login = "ben";
   repository.addUser(ben, kPassword);

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/people/audit_entry.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/discrepancy_repository.h"
 #include "db/repository/rating/sheet_repository.h"
@@ -14,10 +20,10 @@ class AlignmentRepositoryTest : public DatabaseTest {
   static std::string assignmentIn(Connection& connection, SampleRecord& sample) {
     SheetRepository sheets(connection);
     sheets.addRubric("rubric", "Twist", kSampleTime_us, true);
-    StoredRubricRevision revision{.id = "revision", .rubricId = "rubric"};
+    RubricRevision revision{.id = "revision", .rubricId = "rubric"};
     revision.overall = {10, 100, 10};
     sheets.addRevision(revision);
-    StoredAssignment assignment{.id = sample.ids.newUuid()};
+    Assignment assignment{.id = sample.ids.newUuid()};
     assignment.raterId = sample.chiefs[0].person.id;
     assignment.enrolmentId = sample.enrolments[0].id;
     assignment.occasionCode = "mid";
@@ -35,12 +41,12 @@ TEST_F(AlignmentRepositoryTest, TheNewestDecisionCountsAndAllAreKept) {
   DiscrepancyRepository decisions(connection, "room 1");
 
   EXPECT_FALSE(decisions.latest(id).has_value());
-  EXPECT_EQ(decisions.add({id, 0, "third", "far apart", "admin", kSampleTime_us}), 1);
-  EXPECT_EQ(decisions.add({id, 0, "keep", "looked again", "chief", kSampleTime_us + 1}), 2);
+  EXPECT_EQ(decisions.add({id, 0, DiscrepancyChoice::kThird, "far apart", "admin", kSampleTime_us}), 1);
+  EXPECT_EQ(decisions.add({id, 0, DiscrepancyChoice::kKeep, "looked again", "chief", kSampleTime_us + 1}), 2);
 
   ASSERT_EQ(decisions.history(id).size(), 2U);
   EXPECT_EQ(decisions.history(id)[0].reason, "far apart");
-  EXPECT_EQ(decisions.latest(id)->decision, "keep");
+  EXPECT_EQ(decisions.latest(id)->choice, DiscrepancyChoice::kKeep);
   ASSERT_EQ(decisions.ofCohort(sample.cohort.id).size(), 1U);
   EXPECT_EQ(decisions.ofCohort(sample.cohort.id)[0].sequence, 2);
   EXPECT_TRUE(decisions.ofCohort("another").empty());
@@ -55,8 +61,10 @@ TEST_F(AlignmentRepositoryTest, RefusesWhatIsNoDecisionAndLeavesNoEntry) {
   SampleRecord sample(connection, 1);
   const std::string id = assignmentIn(connection, sample);
   DiscrepancyRepository decisions(connection);
-  EXPECT_EQ(faultFrom([&] { decisions.add({id, 0, "perhaps", "", "admin", 0}); }), DbFault::kCheck);
-  EXPECT_EQ(faultFrom([&] { decisions.add({"none", 0, "keep", "", "admin", 0}); }), DbFault::kForeignKey);
+  EXPECT_EQ(faultFrom([&] {
+              decisions.add({"none", 0, DiscrepancyChoice::kKeep, "", "admin", 0});
+            }),
+            DbFault::kForeignKey);
   EXPECT_TRUE(AuditRepository(connection).entries().empty());
 }
 
@@ -66,21 +74,21 @@ TEST_F(FreezeRepositoryTest, AFrozenDataSetIsFoundByItsNameAndNeverChanges) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   FreezeRepository freezes(connection, "room 1");
-  const StoredFreeze freeze{sample.ids.newUuid(), sample.cohort.id, "Autumn, final", "0a1b",
-                            R"({"marks":12})",    "admin",          kSampleTime_us,  true};
+  const DataFreeze freeze{sample.ids.newUuid(), sample.cohort.id, "Autumn, final", "0a1b",
+                          R"({"marks":12})",    "admin",          kSampleTime_us,  true};
 
   freezes.add(freeze);
   freezes.add(freeze);
 
   ASSERT_EQ(freezes.list(sample.cohort.id).size(), 1U);
-  const StoredFreeze found = freezes.findByName("Autumn, final").value();
+  const DataFreeze found = freezes.findByName("Autumn, final").value();
   EXPECT_EQ(found.id, freeze.id);
   EXPECT_EQ(found.contentHash, "0a1b");
   EXPECT_EQ(found.manifestJson, R"({"marks":12})");
   EXPECT_EQ(found.createdUtc_us, kSampleTime_us);
   EXPECT_FALSE(freezes.findByName("Spring").has_value());
   EXPECT_EQ(AuditRepository(connection).entries().size(), 1U);
-  StoredFreeze other = freeze;
+  DataFreeze other = freeze;
   other.contentHash = "ffff";
   EXPECT_EQ(faultFrom([&] { freezes.add(other); }), DbFault::kUnique);
   other.id = sample.ids.newUuid();

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/base/audit_repository.h"
 
+#include "assessment/people/audit_entry.h"
+#include "assessment/rating/mark.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/trial/trial_repository.h"
@@ -14,18 +18,16 @@ namespace {
 
 class AuditRepositoryTest : public DatabaseTest {
  protected:
-  static AuditEntry entryOf(const std::string& action, std::int64_t atUtc_us) {
-    AuditEntry entry;
-    entry.atUtc_us = atUtc_us;
-    entry.actor = "admin";
-    entry.station = "office";
-    entry.action = action;
-    entry.objectKind = "person";
-    entry.objectId = "p1";
-    entry.oldJson = "{}";
-    entry.newJson = R"({"level":"2"})";
-    entry.reason = "typing error";
-    return entry;
+  static NewAuditEntry entryOf(AuditAction action, std::int64_t atUtc_us) {
+    return {.atUtc_us = atUtc_us,
+            .actor = "admin",
+            .station = "office",
+            .action = action,
+            .objectKind = AuditObject::kPerson,
+            .objectId = "p1",
+            .oldJson = "{}",
+            .newJson = R"({"level":"2"})",
+            .reason = "typing error"};
   }
 
   /// Gets past the triggers as somebody with the file in hand could.
@@ -39,7 +41,7 @@ class AuditRepositoryTest : public DatabaseTest {
   }
 
   static std::string recordMark(Connection& connection, SampleRecord& sample) {
-    StoredTrainingMark mark;
+    SubmittedMark mark;
     mark.id = sample.ids.newUuid();
     mark.enrolmentId = sample.enrolments[0].id;
     mark.raterId = sample.chiefs[0].person.id;
@@ -69,8 +71,8 @@ class AuditRepositoryTest : public DatabaseTest {
 TEST_F(AuditRepositoryTest, ChainsEntriesAndListsTheNewestFirst) {
   Connection connection = openWithSchema();
   AuditRepository audit(connection);
-  audit.append(entryOf("person.edit", 10));
-  audit.append(entryOf("report.export_named", 20));
+  audit.append(entryOf(AuditAction::kPersonChange, 10));
+  audit.append(entryOf(AuditAction::kReportExportNamed, 20));
 
   const std::vector<AuditEntry> entries = audit.entries();
 
@@ -81,7 +83,7 @@ TEST_F(AuditRepositoryTest, ChainsEntriesAndListsTheNewestFirst) {
   EXPECT_EQ(entries[1].reason, "typing error");
   EXPECT_EQ(entries[1].newJson, R"({"level":"2"})");
   EXPECT_EQ(audit.entries({.fromUtc_us = 11}).size(), 1U);
-  EXPECT_TRUE(audit.entries({.objectKind = "trial"}).empty());
+  EXPECT_TRUE(audit.entries({.objectKind = AuditObject::kTrial}).empty());
   EXPECT_TRUE(verifyAuditTrail(connection).empty());
 }
 
@@ -90,7 +92,7 @@ TEST_F(AuditRepositoryTest, ListsTheNewestOfATimeWhetherFewOrManyLieInIt) {
   AuditRepository audit(connection);
   // Stations' clocks differ: the third entry came later than the fourth, by its clock earlier.
   for (const std::int64_t at_us : {10, 20, 40, 30, 50}) {
-    audit.append(entryOf("person.edit", at_us));
+    audit.append(entryOf(AuditAction::kPersonChange, at_us));
   }
   const auto listed = [&audit](const AuditFilter& filter) {
     std::vector<std::int64_t> sequences;
@@ -113,14 +115,14 @@ TEST_F(AuditRepositoryTest, GoesBackWithTheChangeThatItTellsOf) {
   Connection connection = openWithSchema();
   {
     const Transaction transaction(connection);
-    AuditRepository(connection).append(entryOf("person.edit", 10));
+    AuditRepository(connection).append(entryOf(AuditAction::kPersonChange, 10));
   }
   EXPECT_TRUE(AuditRepository(connection).entries().empty());
 }
 
 TEST_F(AuditRepositoryTest, CannotBeChangedEvenWhileAPersonIsErased) {
   Connection connection = openWithSchema();
-  AuditRepository(connection).append(entryOf("person.edit", 10));
+  AuditRepository(connection).append(entryOf(AuditAction::kPersonChange, 10));
   connection.execute("INSERT INTO erasure_gate (id, reason, opened_utc_us) VALUES (?, ?, ?)", {"x", "", 0});
 
   EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM audit_entry"); }), DbFault::kAppendOnly);
@@ -132,7 +134,7 @@ TEST_F(AuditRepositoryTest, FindsAnEntryThatWasChangedAndOneThatWasRemoved) {
   Connection connection = openWithSchema();
   AuditRepository audit(connection);
   for (int i = 0; i < 4; ++i) {
-    audit.append(entryOf("person.edit", i));
+    audit.append(entryOf(AuditAction::kPersonChange, i));
   }
   dropTriggers(connection, "audit_entry");
 
@@ -152,7 +154,7 @@ TEST_F(AuditRepositoryTest, SealsEachMarkAndFindsOneThatWasChanged) {
   SampleRecord sample(connection, 1);
   const std::string id = recordMark(connection, sample);
   AuditRepository audit(connection);
-  const AuditEntry entry = audit.entries({.objectKind = "training_mark"}).at(0);
+  const AuditEntry entry = audit.entries({.objectKind = AuditObject::kTrainingMark}).at(0);
   EXPECT_EQ(entry.action, "mark.submit");
   EXPECT_EQ(entry.actor, sample.chiefs[0].person.id);
   EXPECT_EQ(entry.station, "ward");
@@ -220,8 +222,8 @@ TEST_F(AuditRepositoryTest, TwoStationsWriteOneChain) {
   Connection first = openWithSchema();
   Connection second = open();
   for (int i = 0; i < 5; ++i) {
-    AuditRepository(first).append(entryOf("a", i));
-    AuditRepository(second).append(entryOf("b", i));
+    AuditRepository(first).append(entryOf(AuditAction::kPersonAdd, i));
+    AuditRepository(second).append(entryOf(AuditAction::kPersonChange, i));
   }
   EXPECT_EQ(AuditRepository(first).entries().size(), 10U);
   EXPECT_TRUE(verifyAuditTrail(second).empty());

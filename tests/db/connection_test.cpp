@@ -6,6 +6,8 @@
 #include <limits>
 #include <thread>
 
+#include "db/connection/db_error.h"
+#include "db/connection/locator.h"
 #include "sim/base/error.h"
 #include "tests/db/test_database.h"
 

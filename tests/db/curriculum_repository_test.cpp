@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/study/curriculum_repository.h"
 
+#include "assessment/study/curriculum.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "sim/base/error.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
@@ -14,19 +17,19 @@ class CurriculumRepositoryTest : public DatabaseTest {
  protected:
   /// Paper section 6, groups 1 and 2: 40 min virtual; 20 min virtual and 20 min real; marks before, between,
   /// after.
-  static StoredCurriculumVersion versionFor(Connection& connection, SampleRecord& sample) {
-    const StoredCurriculum curriculum{sample.ids.newUuid(), "Paper protocol", "", kSampleTime_us, true};
+  static CurriculumVersion versionFor(Connection& connection, SampleRecord& sample) {
+    const Curriculum curriculum{sample.ids.newUuid(), "Paper protocol", "", kSampleTime_us, true};
     CurriculumRepository(connection).addCurriculum(curriculum);
-    StoredCurriculumVersion version;
+    CurriculumVersion version;
     version.id = sample.ids.newUuid();
     version.curriculumId = curriculum.id;
     version.note = "first";
     version.createdUtc_us = kSampleTime_us;
-    StoredModule basic{.id = sample.ids.newUuid(), .code = "basic", .title = "Turn to 30 degrees"};
+    TrainingModule basic{.id = sample.ids.newUuid(), .code = "basic", .title = "Turn to 30 degrees"};
     basic.targetAngle_rad = 1.0 / 3.0;
     basic.maxForce_N = 3.3;
     basic.mastery = {{"path length", "at_most", 0.25, "m", 2}, {"time", "at_most", 12.5, "s", 3}};
-    StoredModule hard{.id = sample.ids.newUuid(), .code = "hard", .title = "Turn and hold"};
+    TrainingModule hard{.id = sample.ids.newUuid(), .code = "hard", .title = "Turn and hold"};
     hard.mode = AttemptMode::kGraded;
     hard.attemptLimit = 5;
     hard.requires_ = {basic.id};
@@ -47,12 +50,12 @@ TEST_F(CurriculumRepositoryTest, ReturnsAVersionWithAllItsParts) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   CurriculumRepository curricula(connection);
-  const StoredCurriculumVersion version = versionFor(connection, sample);
+  const CurriculumVersion version = versionFor(connection, sample);
 
   curricula.addVersion(version, "admin");
 
-  const StoredCurriculumVersion stored = curricula.version(version.id).value();
-  EXPECT_EQ(stored.state, "draft");
+  const CurriculumVersion stored = curricula.version(version.id).value();
+  EXPECT_EQ(stored.state, CurriculumState::kDraft);
   ASSERT_EQ(stored.modules.size(), 2U);
   EXPECT_EQ(stored.modules[0].targetAngle_rad, 1.0 / 3.0);
   EXPECT_EQ(stored.modules[0].maxForce_N, 3.3);
@@ -77,7 +80,7 @@ TEST_F(CurriculumRepositoryTest, ReturnsAVersionWithAllItsParts) {
 TEST_F(CurriculumRepositoryTest, RefusesPrerequisitesInACircle) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
-  StoredCurriculumVersion version = versionFor(connection, sample);
+  CurriculumVersion version = versionFor(connection, sample);
   version.modules[0].requires_ = {version.modules[1].id};
   EXPECT_EQ(refusalFrom([&] { CurriculumRepository(connection).addVersion(version, "admin"); }).code,
             ErrorCode::kBadData);
@@ -92,16 +95,18 @@ TEST_F(CurriculumRepositoryTest, MovesFromDraftToRunningToClosedOnly) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   CurriculumRepository curricula(connection);
-  const StoredCurriculumVersion version = versionFor(connection, sample);
+  const CurriculumVersion version = versionFor(connection, sample);
   curricula.addVersion(version, "admin");
-  const auto move = [&](const char* state) { curricula.moveTo(version.id, state, "admin", kSampleTime_us); };
+  const auto move = [&](CurriculumState state) {
+    curricula.moveTo(version.id, state, "admin", kSampleTime_us);
+  };
 
-  EXPECT_EQ(refusalFrom([&] { move("closed"); }).code, ErrorCode::kBadData);
-  move("running");
-  EXPECT_EQ(refusalFrom([&] { move("draft"); }).code, ErrorCode::kBadData);
-  move("closed");
-  EXPECT_EQ(refusalFrom([&] { move("running"); }).code, ErrorCode::kBadData);
-  EXPECT_EQ(curricula.version(version.id)->state, "closed");
+  EXPECT_EQ(refusalFrom([&] { move(CurriculumState::kClosed); }).code, ErrorCode::kBadData);
+  move(CurriculumState::kRunning);
+  EXPECT_EQ(refusalFrom([&] { move(CurriculumState::kDraft); }).code, ErrorCode::kBadData);
+  move(CurriculumState::kClosed);
+  EXPECT_EQ(refusalFrom([&] { move(CurriculumState::kRunning); }).code, ErrorCode::kBadData);
+  EXPECT_EQ(curricula.version(version.id)->state, CurriculumState::kClosed);
 }
 
 TEST_F(CurriculumRepositoryTest, AVersionNeverChanges) {
@@ -120,10 +125,10 @@ TEST_F(CurriculumRepositoryTest, TiesACohortToARunningVersion) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   CurriculumRepository curricula(connection);
-  const StoredCurriculumVersion version = versionFor(connection, sample);
+  const CurriculumVersion version = versionFor(connection, sample);
   curricula.addVersion(version, "admin");
   EXPECT_EQ(refusalFrom([&] { curricula.assign(sample.cohort.id, version.id); }).code, ErrorCode::kBadData);
-  curricula.moveTo(version.id, "running", "admin", kSampleTime_us);
+  curricula.moveTo(version.id, CurriculumState::kRunning, "admin", kSampleTime_us);
 
   curricula.assign(sample.cohort.id, version.id);
 
@@ -139,7 +144,7 @@ TEST_F(CurriculumRepositoryTest, NeverOverwritesADraftThatSomebodyElseSaved) {
   CurriculumRepository curricula(connection);
   const std::string id = versionFor(connection, sample).curriculumId;
   EXPECT_FALSE(curricula.draft(id).has_value());
-  StoredDraft draft{0, "{}", "anna", kSampleTime_us};
+  CurriculumDraftRow draft{0, "{}", "anna", kSampleTime_us};
   EXPECT_EQ(curricula.saveDraft(id, draft), 1);
 
   Connection other = open();

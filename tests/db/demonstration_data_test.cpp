@@ -3,6 +3,9 @@
 
 #include <map>
 
+#include "assessment/people/audit_entry.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/system/audit_verification.h"
@@ -91,12 +94,12 @@ TEST_F(DemonstrationDataTest, TheAuditTrailTellsOfItAndStillVerifies) {
   const std::vector<AuditFinding> findings = verifyAuditTrail(connection);
   EXPECT_TRUE(findings.empty()) << findings.at(0).objectKind << ": " << findings.at(0).what;
   const AuditEntry last = audit.entries().at(0);
-  EXPECT_EQ(last.action, kDemonstrationRemoved);
+  EXPECT_EQ(last.action, storedText(AuditAction::kDemonstrationRemove));
   EXPECT_EQ(last.actor, "admin");
   EXPECT_EQ(last.station, "room 1");
   EXPECT_EQ(last.reason, "the real course begins");
-  EXPECT_EQ(audit.entries({.objectKind = "trial", .objectId = simulated.trialId}).at(0).action,
-            kDemonstrationRemoved);
+  EXPECT_EQ(audit.entries({.objectKind = AuditObject::kTrial, .objectId = simulated.trialId}).at(0).action,
+            storedText(AuditAction::kDemonstrationRemove));
   EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM erasure_gate"), 0);
   EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM trial"); }), DbFault::kAppendOnly);
 }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/rating/evaluation_repository.h"
 
+#include "assessment/people/person.h"
+#include "assessment/rating/campaign.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "sim/base/error.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
@@ -11,8 +15,8 @@ namespace {
 class EvaluationRepositoryTest : public DatabaseTest {
  protected:
   /// The paper's nine indices, two chiefs as the only raters, two models.
-  static StoredCampaign campaignFor(SampleRecord& sample) {
-    StoredCampaign campaign;
+  static Campaign campaignFor(SampleRecord& sample) {
+    Campaign campaign;
     campaign.id = sample.ids.newUuid();
     campaign.name = "Evaluation";
     campaign.instrument = paperInstrument();
@@ -20,16 +24,16 @@ class EvaluationRepositoryTest : public DatabaseTest {
                                    {"deputy_chief", "deputy chief physicians", 300},
                                    {"chief", "chief physicians", 500}};
     campaign.models = {{"PM", "proposed model", "Y", 1}, {"FEM", "finite elements", "X", 2}};
-    for (const StoredRater& chief : sample.chiefs) {
+    for (const Rater& chief : sample.chiefs) {
       campaign.raters.push_back({chief.person.id, "chief", "FEM,PM"});
     }
     campaign.createdUtc_us = kSampleTime_us;
     campaign.demonstration = true;
     return campaign;
   }
-  static StoredEvaluationMark markOf(SampleRecord& sample, std::size_t rater, const std::string& model,
-                                     std::int64_t index, std::int64_t score_steps) {
-    StoredEvaluationMark mark;
+  static EvaluationMark markOf(SampleRecord& sample, std::size_t rater, const std::string& model,
+                               std::int64_t index, std::int64_t score_steps) {
+    EvaluationMark mark;
     mark.id = sample.ids.newUuid();
     mark.raterId = sample.chiefs[rater].person.id;
     mark.modelCode = model;
@@ -44,12 +48,12 @@ class EvaluationRepositoryTest : public DatabaseTest {
 TEST_F(EvaluationRepositoryTest, ReturnsACampaignAsItWasPlanned) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
-  const StoredCampaign planned = campaignFor(sample);
+  const Campaign planned = campaignFor(sample);
   EvaluationRepository evaluations(connection);
 
   evaluations.addCampaign(planned);
 
-  const StoredCampaign stored = evaluations.campaign(planned.id).value();
+  const Campaign stored = evaluations.campaign(planned.id).value();
   ASSERT_EQ(stored.instrument.indices.size(), 9U);
   EXPECT_EQ(stored.instrument.indices[8].weight_milli, 50);
   EXPECT_EQ(stored.instrument.indices[0].name, planned.instrument.indices[0].name);
@@ -69,7 +73,7 @@ TEST_F(EvaluationRepositoryTest, ReturnsACampaignAsItWasPlanned) {
 TEST_F(EvaluationRepositoryTest, RefusesWeightsThatDoNotSumToOne) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
-  StoredCampaign campaign = campaignFor(sample);
+  Campaign campaign = campaignFor(sample);
   campaign.instrument.classes[0].weight_milli = 201;
 
   EXPECT_EQ(refusalFrom([&] { EvaluationRepository(connection).addCampaign(campaign); }).code,
@@ -79,10 +83,10 @@ TEST_F(EvaluationRepositoryTest, RefusesWeightsThatDoNotSumToOne) {
 TEST_F(EvaluationRepositoryTest, ReturnsMarksByModelClassRaterAndIndex) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
-  const StoredCampaign campaign = campaignFor(sample);
+  const Campaign campaign = campaignFor(sample);
   EvaluationRepository evaluations(connection);
   evaluations.addCampaign(campaign);
-  std::vector<StoredEvaluationMark> marks;
+  std::vector<EvaluationMark> marks;
   for (const char* model : {"FEM", "PM"}) {
     for (std::size_t rater = 0; rater < 2; ++rater) {
       for (std::int64_t index = 9; index >= 1; --index) {
@@ -93,7 +97,7 @@ TEST_F(EvaluationRepositoryTest, ReturnsMarksByModelClassRaterAndIndex) {
 
   evaluations.submit(campaign.id, marks);
 
-  const std::vector<StoredEvaluationMark> stored = evaluations.marks(campaign.id);
+  const std::vector<EvaluationMark> stored = evaluations.marks(campaign.id);
   ASSERT_EQ(stored.size(), 36U);
   EXPECT_EQ(stored[0].modelCode, "PM");
   EXPECT_EQ(stored[0].raterCode, "C-01");
@@ -107,13 +111,13 @@ TEST_F(EvaluationRepositoryTest, ReturnsMarksByModelClassRaterAndIndex) {
 TEST_F(EvaluationRepositoryTest, RefusesAScoreOutsideTheScaleNamingWhoAndWhat) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
-  const StoredCampaign campaign = campaignFor(sample);
+  const Campaign campaign = campaignFor(sample);
   EvaluationRepository evaluations(connection);
   evaluations.addCampaign(campaign);
 
   const Refusal refusal = refusalFrom([&] {
-    evaluations.submit(campaign.id, std::vector<StoredEvaluationMark>{markOf(sample, 0, "PM", 1, 50),
-                                                                      markOf(sample, 0, "PM", 2, 101)});
+    evaluations.submit(campaign.id, std::vector<EvaluationMark>{markOf(sample, 0, "PM", 1, 50),
+                                                                markOf(sample, 0, "PM", 2, 101)});
   });
 
   EXPECT_EQ(refusal.code, ErrorCode::kBadData);
@@ -124,15 +128,15 @@ TEST_F(EvaluationRepositoryTest, RefusesAScoreOutsideTheScaleNamingWhoAndWhat) {
 TEST_F(EvaluationRepositoryTest, RefusesMarksOfStrangersAndOfUnknownModels) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
-  const StoredCampaign campaign = campaignFor(sample);
+  const Campaign campaign = campaignFor(sample);
   EvaluationRepository evaluations(connection);
   evaluations.addCampaign(campaign);
-  StoredEvaluationMark stranger = markOf(sample, 0, "PM", 1, 50);
+  EvaluationMark stranger = markOf(sample, 0, "PM", 1, 50);
   stranger.raterId = sample.trainees[0].person.id;
-  const std::vector<StoredEvaluationMark> wrong[] = {
+  const std::vector<EvaluationMark> wrong[] = {
       {stranger}, {markOf(sample, 0, "MSM", 1, 50)}, {markOf(sample, 0, "PM", 10, 50)}};
 
-  for (const std::vector<StoredEvaluationMark>& marks : wrong) {
+  for (const std::vector<EvaluationMark>& marks : wrong) {
     EXPECT_EQ(faultFrom([&] { evaluations.submit(campaign.id, marks); }), DbFault::kForeignKey);
   }
 }
@@ -140,19 +144,19 @@ TEST_F(EvaluationRepositoryTest, RefusesMarksOfStrangersAndOfUnknownModels) {
 TEST_F(EvaluationRepositoryTest, MarksAreSealedAndCorrectedByVersions) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
-  const StoredCampaign campaign = campaignFor(sample);
+  const Campaign campaign = campaignFor(sample);
   EvaluationRepository evaluations(connection);
   evaluations.addCampaign(campaign);
-  evaluations.submit(campaign.id, std::vector<StoredEvaluationMark>{markOf(sample, 0, "PM", 1, 50)});
-  StoredEvaluationMark better = markOf(sample, 0, "PM", 1, 60);
-  EXPECT_EQ(faultFrom([&] { evaluations.submit(campaign.id, std::vector<StoredEvaluationMark>{better}); }),
+  evaluations.submit(campaign.id, std::vector<EvaluationMark>{markOf(sample, 0, "PM", 1, 50)});
+  EvaluationMark better = markOf(sample, 0, "PM", 1, 60);
+  EXPECT_EQ(faultFrom([&] { evaluations.submit(campaign.id, std::vector<EvaluationMark>{better}); }),
             DbFault::kUnique);
   EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE evaluation_mark SET score_steps = ?", {60}); }),
             DbFault::kAppendOnly);
 
   better.version = 2;
   better.amendReason = "mixed up two models";
-  evaluations.submit(campaign.id, std::vector<StoredEvaluationMark>{better});
+  evaluations.submit(campaign.id, std::vector<EvaluationMark>{better});
 
   ASSERT_EQ(evaluations.marks(campaign.id).size(), 1U);
   EXPECT_EQ(evaluations.marks(campaign.id)[0].score_steps, 60);
@@ -161,10 +165,10 @@ TEST_F(EvaluationRepositoryTest, MarksAreSealedAndCorrectedByVersions) {
 TEST_F(EvaluationRepositoryTest, ABatchGivenAgainAfterALostAnswerIsStoredOnce) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
-  const StoredCampaign campaign = campaignFor(sample);
+  const Campaign campaign = campaignFor(sample);
   EvaluationRepository evaluations(connection);
   evaluations.addCampaign(campaign);
-  std::vector<StoredEvaluationMark> marks{markOf(sample, 0, "PM", 1, 50), markOf(sample, 0, "PM", 2, 60)};
+  std::vector<EvaluationMark> marks{markOf(sample, 0, "PM", 1, 50), markOf(sample, 0, "PM", 2, 60)};
   evaluations.submit(campaign.id, std::span(marks.data(), 1));
 
   evaluations.submit(campaign.id, marks);
@@ -179,10 +183,10 @@ TEST_F(EvaluationRepositoryTest, ABatchGivenAgainAfterALostAnswerIsStoredOnce) {
 TEST_F(EvaluationRepositoryTest, EveryRunIsKeptWithItsResults) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
-  const StoredCampaign campaign = campaignFor(sample);
+  const Campaign campaign = campaignFor(sample);
   EvaluationRepository evaluations(connection);
   evaluations.addCampaign(campaign);
-  StoredEvaluationRun run;
+  EvaluationRunRows run;
   run.run.formulaVersion = "evaluation-1";
   run.run.policy = "available-case";
   run.run.flags = {"available-case"};

@@ -4,10 +4,13 @@
 #include <filesystem>
 #include <string>
 
+#include "assessment/people/audit_entry.h"
+#include "db/connection/connection.h"
 #include "db/migrations/backup.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/system/record_copy.h"
+#include "db/repository/system/schema_tables.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/servo/replay_trial.h"
 #include "tests/db/test_database.h"

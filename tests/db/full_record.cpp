@@ -5,6 +5,13 @@
 #include <ostream>
 #include <set>
 
+#include "assessment/people/person.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/campaign.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
+#include "assessment/study/cohort.h"
+#include "assessment/study/curriculum.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/sheet_repository.h"
@@ -154,15 +161,15 @@ class Filler {
 void addPeople(Connection& connection, const FullRecord& record, const std::string& prefix,
                bool demonstration) {
   PeopleRepository people(connection);
-  people.addRaterClasses(std::vector<StoredRaterClass>{{prefix + " chief", "chiefs", 1}});
-  StoredTrainee trainee;
+  people.addRaterClasses(std::vector<SeniorityClass>{{prefix + " chief", "chiefs", 1}});
+  Trainee trainee;
   trainee.person = {.id = record.traineeId,
                     .code = prefix + "-T",
                     .sex = "female",
                     .createdUtc_us = kSampleTime_us,
                     .demonstration = demonstration};
   people.addTrainees(std::span(&trainee, 1));
-  StoredRater rater;
+  Rater rater;
   rater.person = {.id = record.raterId,
                   .code = prefix + "-R",
                   .createdUtc_us = kSampleTime_us,
@@ -174,11 +181,11 @@ void addPeople(Connection& connection, const FullRecord& record, const std::stri
 void addCurriculum(Connection& connection, const std::string& prefix, bool demonstration) {
   CurriculumRepository curricula(connection);
   curricula.addCurriculum({prefix + " curriculum", prefix + " twists", "", kSampleTime_us, demonstration});
-  StoredCurriculumVersion version;
+  CurriculumVersion version;
   version.id = prefix + " version";
   version.curriculumId = prefix + " curriculum";
   for (const char* code : {"M1", "M2"}) {
-    StoredModule module;
+    TrainingModule module;
     module.id = prefix + " " + code;
     module.code = code;
     version.modules.push_back(module);
@@ -198,11 +205,11 @@ void addTrialAndMark(Connection& connection, const FullRecord& record, const std
                      bool demonstration) {
   StudyRepository study(connection);
   study.addCohort({prefix + " cohort", prefix + " autumn", "", kSampleTime_us, demonstration},
-                  std::vector<StoredGroup>{{prefix + " group", prefix + " cohort", 1, "G1", "virtual"}});
-  study.enrol(std::vector<StoredEnrolment>{{.id = prefix + " enrolment",
-                                            .cohortId = prefix + " cohort",
-                                            .traineeId = record.traineeId,
-                                            .demonstration = demonstration}});
+                  std::vector<StudyGroup>{{prefix + " group", prefix + " cohort", 1, "G1", "virtual"}});
+  study.enrol(std::vector<Enrolment>{{.id = prefix + " enrolment",
+                                      .cohortId = prefix + " cohort",
+                                      .traineeId = record.traineeId,
+                                      .demonstration = demonstration}});
   Trial trial;
   trial.header = sampleHeader(record.trialId, prefix + "-T");
   trial.header.demonstration = demonstration;
@@ -215,12 +222,12 @@ void addTrialAndMark(Connection& connection, const FullRecord& record, const std
 
   SheetRepository sheets(connection);
   sheets.addRubric(prefix + " rubric", prefix + " sheet", kSampleTime_us, demonstration);
-  StoredRubricRevision revision{.id = prefix + " revision", .rubricId = prefix + " rubric"};
+  RubricRevision revision{.id = prefix + " revision", .rubricId = prefix + " rubric"};
   revision.overall = {10, 100, 10};
   revision.rows = {{"time", "time", {10, 100, 10}, {{10, "slow"}}}};
   sheets.addRevision(revision);
   for (const char* point : {"pre", "mid"}) {
-    StoredAssignment assignment{.id = prefix + " " + point};
+    Assignment assignment{.id = prefix + " " + point};
     assignment.raterId = record.raterId;
     assignment.enrolmentId = prefix + " enrolment";
     assignment.occasionCode = point;
@@ -237,7 +244,7 @@ void addTrialAndMark(Connection& connection, const FullRecord& record, const std
 
 void addEvaluation(Connection& connection, const FullRecord& record, const std::string& prefix,
                    bool demonstration) {
-  StoredCampaign campaign;
+  Campaign campaign;
   campaign.id = prefix + " campaign";
   campaign.name = prefix + " evaluation";
   campaign.instrument = paperInstrument();
@@ -247,7 +254,7 @@ void addEvaluation(Connection& connection, const FullRecord& record, const std::
   campaign.demonstration = demonstration;
   EvaluationRepository evaluations(connection);
   evaluations.addCampaign(campaign);
-  StoredEvaluationMark mark;
+  EvaluationMark mark;
   mark.id = prefix + " evaluation mark";
   mark.raterId = record.raterId;
   mark.modelCode = "PM";

@@ -8,9 +8,16 @@
 #include <QProcess>
 #include <gtest/gtest.h>
 
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/rating/mark.h"
+#include "db/connection/connection.h"
+#include "db/connection/locator.h"
 #include "db/migrations/backup.h"
 #include "db/migrations/migrations.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/clock.h"
@@ -42,7 +49,7 @@ TrialChunk wholeChunk(std::int64_t index) {
   SystemIdSource ids;
   TrialRepository trials(connection, {"killed", ""});
   trials.begin(sampleHeader(ids.newUuid(), "T-01"));
-  StoredTrainingMark mark;
+  SubmittedMark mark;
   mark.enrolmentId =
       StudyRepository(connection).enrolments(StudyRepository(connection).cohorts().at(0).id).at(0).id;
   mark.raterId = people.raters().at(0).person.id;

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/db/large_record.h"
 
+#include "assessment/people/person.h"
+#include "assessment/rating/mark.h"
+#include "assessment/study/cohort.h"
+#include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/study/study_repository.h"
 
 namespace torsio {
 
@@ -10,13 +15,12 @@ namespace {
 constexpr int kTraineesPerCohort = 50;
 constexpr std::int64_t kVersions = 5;
 
-std::vector<StoredTrainingMark> marksFor(SampleRecord& sample,
-                                         const std::vector<StoredEnrolment>& enrolments) {
-  std::vector<StoredTrainingMark> marks;
-  for (const StoredEnrolment& enrolment : enrolments) {
-    for (const StoredRater& chief : sample.chiefs) {
+std::vector<SubmittedMark> marksFor(SampleRecord& sample, const std::vector<Enrolment>& enrolments) {
+  std::vector<SubmittedMark> marks;
+  for (const Enrolment& enrolment : enrolments) {
+    for (const Rater& chief : sample.chiefs) {
       for (std::int64_t version = 1; version <= kVersions; ++version) {
-        StoredTrainingMark mark;
+        SubmittedMark mark;
         mark.id = sample.ids.newUuid();
         mark.enrolmentId = enrolment.id;
         mark.raterId = chief.person.id;
@@ -40,10 +44,10 @@ std::string fillLargeRecord(Connection& connection, SampleRecord& sample) {
     Transaction transaction(connection);
     cohortId = sample.ids.newUuid();
     study.addCohort({cohortId, "cohort " + std::to_string(first), "", kSampleTime_us, true}, {});
-    std::vector<StoredTrainee> trainees;
-    std::vector<StoredEnrolment> enrolments;
+    std::vector<Trainee> trainees;
+    std::vector<Enrolment> enrolments;
     for (int i = 0; i < kTraineesPerCohort; ++i) {
-      StoredTrainee trainee;
+      Trainee trainee;
       trainee.person.id = sample.ids.newUuid();
       trainee.person.code = "S-" + std::to_string(first + i);
       trainees.push_back(trainee);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "db/connection/connection.h"
 #include "tests/db/sample_record.h"
 
 namespace torsio {

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/migrations/backup.h"
 #include "db/migrations/dialect.h"
 #include "sim/base/error.h"

@@ -3,6 +3,11 @@
 
 #include <regex>
 
+#include "assessment/people/consent.h"
+#include "assessment/people/person.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
+#include "db/repository/base/id_source.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 
@@ -15,10 +20,10 @@ TEST_F(PeopleRepositoryTest, ReturnsTraineesAsTheyWereEntered) {
   Connection connection = openWithSchema();
   const SampleRecord sample(connection, 3);
 
-  const std::vector<StoredTrainee> trainees = PeopleRepository(connection).trainees();
+  const std::vector<Trainee> trainees = PeopleRepository(connection).trainees();
 
   ASSERT_EQ(trainees.size(), 3U);
-  const StoredPerson& person = trainees[1].person;
+  const Person& person = trainees[1].person;
   EXPECT_EQ(person.id, sample.trainees[1].person.id);
   EXPECT_EQ(person.code, "T-02");
   EXPECT_EQ(person.sex, "male");
@@ -38,7 +43,7 @@ TEST_F(PeopleRepositoryTest, KeepsRatersWithTheirClassInTheOrderOfTheClasses) {
 
   people.makeRater(sample.trainees[0].person.id, "intern");  // interns use the simulator and rate it
 
-  const std::vector<StoredRater> raters = people.raters();
+  const std::vector<Rater> raters = people.raters();
   ASSERT_EQ(raters.size(), 3U);
   EXPECT_EQ(raters[0].person.code, "T-01");
   EXPECT_EQ(raters[0].classCode, "intern");
@@ -51,7 +56,7 @@ TEST_F(PeopleRepositoryTest, KeepsRatersWithTheirClassInTheOrderOfTheClasses) {
 TEST_F(PeopleRepositoryTest, KeepsNobodyOfARosterWithADoubleCode) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
-  std::vector<StoredTrainee> roster(2);
+  std::vector<Trainee> roster(2);
   roster[0].person = {.id = sample.ids.newUuid(), .code = "T-50"};
   roster[1].person = {.id = sample.ids.newUuid(), .code = "T-01"};
 
@@ -67,7 +72,7 @@ TEST_F(PeopleRepositoryTest, RefusesUnknownClassesAndSexes) {
 
   EXPECT_EQ(faultFrom([&] { people.makeRater(sample.trainees[0].person.id, "wizard"); }),
             DbFault::kForeignKey);
-  std::vector<StoredTrainee> odd(1);
+  std::vector<Trainee> odd(1);
   odd[0].person = {.id = sample.ids.newUuid(), .code = "T-60", .sex = "yes"};
   EXPECT_EQ(faultFrom([&] { people.addTrainees(odd); }), DbFault::kCheck);
 }
@@ -113,7 +118,7 @@ TEST_F(PeopleRepositoryTest, TheNewestConsentCounts) {
   people.recordConsent({id, "video", false, "2", kSampleTime_us + 1, "admin", true});
 
   EXPECT_FALSE(people.hasConsent(id, "video"));
-  const std::vector<StoredConsent> decisions = people.consents(id);
+  const std::vector<ConsentDecision> decisions = people.consents(id);
   ASSERT_EQ(decisions.size(), 2U);
   EXPECT_TRUE(decisions[0].granted);
   EXPECT_EQ(decisions[1].textVersion, "2");

@@ -4,11 +4,21 @@
 #include <algorithm>
 #include <set>
 
+#include "assessment/people/account.h"
+#include "assessment/people/audit_entry.h"
+#include "assessment/people/person.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/mark.h"
+#include "assessment/rating/rubric.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/access_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "db/repository/people/person_rules.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
@@ -84,7 +94,7 @@ class PersonDataTest : public DatabaseTest {
       TrialRepository trials(connection, {"s", sample.enrolments[i].id});
       trials.import(trial);
       trialIds.push_back(trial.header.trialId);
-      StoredTrainingMark mark;
+      SubmittedMark mark;
       mark.id = sample.ids.newUuid();
       mark.enrolmentId = sample.enrolments[i].id;
       mark.raterId = sample.chiefs[0].person.id;
@@ -102,12 +112,12 @@ class PersonDataTest : public DatabaseTest {
       SheetRepository sheets(connection);
       if (i == 0) {
         sheets.addRubric("rubric", "Twist", kSampleTime_us, true);
-        StoredRubricRevision revision{.id = "revision", .rubricId = "rubric"};
+        RubricRevision revision{.id = "revision", .rubricId = "rubric"};
         revision.overall = {10, 100, 10};
         revision.rows = {{"time", "time", {10, 100, 10}, {}}};
         sheets.addRevision(revision);
       }
-      StoredAssignment assignment{.id = sample.ids.newUuid()};
+      Assignment assignment{.id = sample.ids.newUuid()};
       assignment.raterId = sample.chiefs[1].person.id;
       assignment.enrolmentId = sample.enrolments[i].id;
       assignment.occasionCode = "mid";
@@ -189,7 +199,7 @@ TEST_F(PersonDataTest, ErasingLeavesNoTraceOfTheNameInAnyTable) {
   erase(connection, full);
 
   EXPECT_TRUE(tablesWithMarker(connection).empty()) << tablesWithMarker(connection).at(0);
-  const StoredTrainee left = PeopleRepository(connection).findTrainee("T-01").value();
+  const Trainee left = PeopleRepository(connection).findTrainee("T-01").value();
   EXPECT_EQ(left.person.state, "erased");
   EXPECT_EQ(left.person.sex, "");
   EXPECT_FALSE(left.person.age_years.has_value());
@@ -202,7 +212,7 @@ TEST_F(PersonDataTest, ErasingKeepsMarksForStatisticsAndEverybodyElse) {
 
   erase(connection, full);
 
-  const std::vector<StoredTrainingMark> marks = RatingRepository(connection).marks(full.sample.cohort.id);
+  const std::vector<SubmittedMark> marks = RatingRepository(connection).marks(full.sample.cohort.id);
   ASSERT_EQ(marks.size(), 2U);
   EXPECT_EQ(marks[0].score_steps, 73);
   EXPECT_EQ(marks[0].comment, "");

@@ -7,6 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "assessment/people/account.h"
+#include "assessment/people/audit_entry.h"
+#include "assessment/people/retention.h"
+#include "db/connection/connection.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
@@ -109,11 +113,16 @@ TEST_F(QueryPlanTest, TheQueueOfARaterAndTheAuditTrailAreFoundByIndex) {
   SheetRepository sheets(connection);
   expectNoWalk(plansOf(connection, [&] { (void)sheets.queue("r"); }));
   expectNoWalk(plansOf(connection, [&] { (void)sheets.allSubmitted("e", "pre"); }));
-  expectNoWalk(
-      plansOf(connection, [&] { (void)AuditRepository(connection).entries({.objectKind = "trial"}); }));
+  expectNoWalk(plansOf(
+      connection, [&] { (void)AuditRepository(connection).entries({.objectKind = AuditObject::kTrial}); }));
   expectNoWalk(plansOf(connection, [&] { (void)AuditRepository(connection).entries({.fromUtc_us = 1}); }));
   for (int i = 0; i < 2; ++i) {
-    AuditRepository(connection).append(AuditEntry{.atUtc_us = 5});
+    AuditRepository(connection)
+        .append({.atUtc_us = 5,
+                 .actor = "a",
+                 .station = "s",
+                 .action = AuditAction::kTrialFinish,
+                 .objectKind = AuditObject::kTrial});
   }
   const auto newest = plansOf(connection, [&] { (void)AuditRepository(connection).entries({.limit = 1}); });
   expectNoWalk(newest, true);  // LIMIT ends it

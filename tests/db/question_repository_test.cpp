@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/trial/question_repository.h"
 
+#include "assessment/rating/remark.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "tests/db/sample_record.h"
@@ -59,7 +62,7 @@ TEST_F(QuestionRepositoryTest, WhatWaitsComesFirstOldestFirst) {
   desk.ask(1, 4'000'000, kSampleTime_us + 300);
   desk.remark(chief, "reply", 3'000'000, "so", answered);
 
-  const std::vector<StoredQuestion> found = desk.questions.toRater(chief);
+  const std::vector<TraineeQuestion> found = desk.questions.toRater(chief);
 
   ASSERT_EQ(found.size(), 3U);
   EXPECT_EQ(found[0].remarkId, old);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/rating/rating_repository.h"
 
+#include "assessment/rating/mark.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 
@@ -9,9 +12,9 @@ namespace {
 
 class RatingRepositoryTest : public DatabaseTest {
  protected:
-  static StoredTrainingMark markOf(SampleRecord& sample, std::size_t trainee, std::size_t rater,
-                                   const std::string& point, std::int64_t score_steps) {
-    StoredTrainingMark mark;
+  static SubmittedMark markOf(SampleRecord& sample, std::size_t trainee, std::size_t rater,
+                              const std::string& point, std::int64_t score_steps) {
+    SubmittedMark mark;
     mark.id = sample.ids.newUuid();
     mark.enrolmentId = sample.enrolments[trainee].id;
     mark.raterId = sample.chiefs[rater].person.id;
@@ -27,7 +30,7 @@ TEST_F(RatingRepositoryTest, ReturnsMarksWithTheirPeopleByScoringPoint) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 2);
   RatingRepository ratings(connection);
-  std::vector<StoredTrainingMark> marks;
+  std::vector<SubmittedMark> marks;
   for (const char* point : {"post", "pre", "mid"}) {
     for (std::size_t trainee = 0; trainee < 2; ++trainee) {
       marks.push_back(markOf(sample, trainee, 1, point, 55));
@@ -38,7 +41,7 @@ TEST_F(RatingRepositoryTest, ReturnsMarksWithTheirPeopleByScoringPoint) {
 
   ratings.submit(marks);
 
-  const std::vector<StoredTrainingMark> stored = ratings.marks(sample.cohort.id);
+  const std::vector<SubmittedMark> stored = ratings.marks(sample.cohort.id);
   ASSERT_EQ(stored.size(), 12U);
   EXPECT_EQ(stored[0].occasionCode, "pre");
   EXPECT_EQ(stored[0].traineeCode, "T-01");
@@ -54,13 +57,13 @@ TEST_F(RatingRepositoryTest, ACorrectionIsANewVersionWithItsReason) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   RatingRepository ratings(connection);
-  ratings.submit(std::vector<StoredTrainingMark>{markOf(sample, 0, 0, "pre", 40)});
-  StoredTrainingMark better = markOf(sample, 0, 0, "pre", 45);
+  ratings.submit(std::vector<SubmittedMark>{markOf(sample, 0, 0, "pre", 40)});
+  SubmittedMark better = markOf(sample, 0, 0, "pre", 45);
   better.version = 2;
-  EXPECT_EQ(faultFrom([&] { ratings.submit(std::vector<StoredTrainingMark>{better}); }), DbFault::kCheck);
+  EXPECT_EQ(faultFrom([&] { ratings.submit(std::vector<SubmittedMark>{better}); }), DbFault::kCheck);
 
   better.amendReason = "typed the wrong key";
-  ratings.submit(std::vector<StoredTrainingMark>{better});
+  ratings.submit(std::vector<SubmittedMark>{better});
 
   EXPECT_EQ(ratings.marks(sample.cohort.id).size(), 1U);
   EXPECT_EQ(ratings.marks(sample.cohort.id)[0].score_steps, 45);
@@ -74,14 +77,13 @@ TEST_F(RatingRepositoryTest, TheSecondOfTwoEqualVersionsIsRefused) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   RatingRepository ratings(connection);
-  ratings.submit(std::vector<StoredTrainingMark>{markOf(sample, 0, 0, "pre", 40)});
+  ratings.submit(std::vector<SubmittedMark>{markOf(sample, 0, 0, "pre", 40)});
 
   Connection station = open();
-  EXPECT_EQ(
-      faultFrom([&] {
-        RatingRepository(station).submit(std::vector<StoredTrainingMark>{markOf(sample, 0, 0, "pre", 90)});
-      }),
-      DbFault::kUnique);
+  EXPECT_EQ(faultFrom([&] {
+              RatingRepository(station).submit(std::vector<SubmittedMark>{markOf(sample, 0, 0, "pre", 90)});
+            }),
+            DbFault::kUnique);
   EXPECT_EQ(ratings.marks(sample.cohort.id)[0].score_steps, 40);
 }
 
@@ -89,13 +91,13 @@ TEST_F(RatingRepositoryTest, AMarkIsAScoreOnItsScaleOrAReason) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   RatingRepository ratings(connection);
-  StoredTrainingMark mark = markOf(sample, 0, 0, "pre", 101);
-  EXPECT_EQ(faultFrom([&] { ratings.submit(std::vector<StoredTrainingMark>{mark}); }), DbFault::kCheck);
+  SubmittedMark mark = markOf(sample, 0, 0, "pre", 101);
+  EXPECT_EQ(faultFrom([&] { ratings.submit(std::vector<SubmittedMark>{mark}); }), DbFault::kCheck);
   mark.score_steps.reset();
-  EXPECT_EQ(faultFrom([&] { ratings.submit(std::vector<StoredTrainingMark>{mark}); }), DbFault::kCheck);
+  EXPECT_EQ(faultFrom([&] { ratings.submit(std::vector<SubmittedMark>{mark}); }), DbFault::kCheck);
 
   mark.notAssessableReason = "camera failed";
-  ratings.submit(std::vector<StoredTrainingMark>{mark});
+  ratings.submit(std::vector<SubmittedMark>{mark});
 
   EXPECT_FALSE(ratings.marks(sample.cohort.id)[0].score_steps.has_value());
   EXPECT_EQ(ratings.marks(sample.cohort.id)[0].notAssessableReason, "camera failed");
@@ -104,7 +106,7 @@ TEST_F(RatingRepositoryTest, AMarkIsAScoreOnItsScaleOrAReason) {
 TEST_F(RatingRepositoryTest, KeepsNoMarkOfABatchWithOneBadOne) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 2);
-  std::vector<StoredTrainingMark> marks{markOf(sample, 0, 0, "pre", 50), markOf(sample, 1, 0, "never", 50)};
+  std::vector<SubmittedMark> marks{markOf(sample, 0, 0, "pre", 50), markOf(sample, 1, 0, "never", 50)};
 
   EXPECT_EQ(faultFrom([&] { RatingRepository(connection).submit(marks); }), DbFault::kForeignKey);
   EXPECT_TRUE(RatingRepository(connection).marks(sample.cohort.id).empty());
@@ -113,7 +115,7 @@ TEST_F(RatingRepositoryTest, KeepsNoMarkOfABatchWithOneBadOne) {
 TEST_F(RatingRepositoryTest, SubmittedMarksAreSealed) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
-  RatingRepository(connection).submit(std::vector<StoredTrainingMark>{markOf(sample, 0, 0, "pre", 40)});
+  RatingRepository(connection).submit(std::vector<SubmittedMark>{markOf(sample, 0, 0, "pre", 40)});
 
   EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE training_mark SET score_steps = ?", {100}); }),
             DbFault::kAppendOnly);
@@ -124,7 +126,7 @@ TEST_F(RatingRepositoryTest, ResultsCarryTheirFormulaAndFlags) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   RatingRepository ratings(connection);
-  StoredTrainingRun run;
+  TrainingRunRows run;
   run.run = {.id = sample.ids.newUuid(),
              .formulaVersion = "training-1",
              .policy = "available-case",

@@ -3,6 +3,9 @@
 // lost or doubled. PostgreSQL only.
 #include <cstdlib>
 
+#include "assessment/rating/mark.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/system/audit_verification.h"
@@ -85,7 +88,7 @@ TEST_F(ReconnectTest, ATrialSurvivesTheLossOfItsConnectionAtEveryStep) {
     EXPECT_EQ(trial.chunks[static_cast<std::size_t>(i)].bytes, sampleChunk(i, 500).bytes);
   }
   EXPECT_EQ(trial.summary.contentHash, "hash");
-  EXPECT_EQ(AuditRepository(connection).entries({.objectKind = "trial"}).size(), 1U);
+  EXPECT_EQ(AuditRepository(connection).entries({.objectKind = AuditObject::kTrial}).size(), 1U);
 }
 
 TEST_F(ReconnectTest, ARecordingLosesNoSampleAndNeedsNoFile) {
@@ -119,7 +122,7 @@ TEST_F(ReconnectTest, ARecordingLosesNoSampleAndNeedsNoFile) {
 TEST_F(ReconnectTest, ACallerMaySubmitTheSameMarkAgainOverANewConnection) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
-  StoredTrainingMark mark;
+  SubmittedMark mark;
   mark.id = sample.ids.newUuid();
   mark.enrolmentId = sample.enrolments[0].id;
   mark.raterId = sample.chiefs[0].person.id;

@@ -5,9 +5,12 @@
 #include <optional>
 #include <set>
 
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/system/demonstration_data.h"
+#include "db/repository/system/schema_tables.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "tests/db/full_record.h"

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/trial/remark_repository.h"
 
+#include "assessment/rating/reference_run.h"
+#include "assessment/rating/remark.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/self_score.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "tests/db/sample_record.h"
@@ -19,8 +25,8 @@ class RemarkRepositoryTest : public DatabaseTest {
       chief = sample.chiefs[0].person.id;
       TrialRepository(connection).begin(sampleHeader(trialId, "T-01"));
     }
-    StoredRemark remark(const std::string& author, const std::string& purpose, std::int64_t time_us,
-                        const std::string& text, const std::string& replyTo = "") {
+    Remark remark(const std::string& author, const std::string& purpose, std::int64_t time_us,
+                  const std::string& text, const std::string& replyTo = "") {
       return {.id = sample.ids.newUuid(),
               .trialId = trialId,
               .author = author,
@@ -45,12 +51,12 @@ class RemarkRepositoryTest : public DatabaseTest {
 TEST_F(RemarkRepositoryTest, ReturnsRemarksByTheirTimeInTheTrial) {
   Connection connection = openWithSchema();
   Desk desk(connection);
-  const StoredRemark late = desk.remark(desk.chief, "remark", 9'000'000, "too fast here");
-  const StoredRemark early = desk.remark(desk.trainee, "bookmark", 2'000'000, "");
+  const Remark late = desk.remark(desk.chief, "remark", 9'000'000, "too fast here");
+  const Remark early = desk.remark(desk.trainee, "bookmark", 2'000'000, "");
   desk.remarks.add(late);
   desk.remarks.add(early);
 
-  const std::vector<StoredRemark> found = desk.remarks.remarks(desk.trialId);
+  const std::vector<Remark> found = desk.remarks.remarks(desk.trialId);
 
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].id, early.id);
@@ -69,7 +75,7 @@ TEST_F(RemarkRepositoryTest, ReturnsRemarksByTheirTimeInTheTrial) {
 TEST_F(RemarkRepositoryTest, ARemarkIsUnreadUntilItsFirstReading) {
   Connection connection = openWithSchema();
   Desk desk(connection);
-  const StoredRemark remark = desk.remark(desk.chief, "remark", 1, "look");
+  const Remark remark = desk.remark(desk.chief, "remark", 1, "look");
   desk.remarks.add(remark);
   desk.remarks.add(desk.remark(desk.trainee, "bookmark", 2, "mine"));
   ASSERT_EQ(desk.remarks.unreadOnTrialsOf(desk.trainee, desk.trainee).size(), 1U);
@@ -79,7 +85,7 @@ TEST_F(RemarkRepositoryTest, ARemarkIsUnreadUntilItsFirstReading) {
   desk.remarks.markRead({remark.id, desk.trainee, desk.trainee, kSampleTime_us + 20});
 
   EXPECT_TRUE(desk.remarks.unreadOnTrialsOf(desk.trainee, desk.trainee).empty());
-  const std::vector<StoredReceipt> receipts = desk.remarks.receipts(desk.trialId);
+  const std::vector<ReadReceipt> receipts = desk.remarks.receipts(desk.trialId);
   ASSERT_EQ(receipts.size(), 1U);
   EXPECT_EQ(receipts[0].remarkId, remark.id);
   EXPECT_EQ(receipts[0].readUtc_us, kSampleTime_us + 10);
@@ -88,13 +94,13 @@ TEST_F(RemarkRepositoryTest, ARemarkIsUnreadUntilItsFirstReading) {
 TEST_F(RemarkRepositoryTest, AnAnswerReachesWhoWasAnswered) {
   Connection connection = openWithSchema();
   Desk desk(connection);
-  const StoredRemark remark = desk.remark(desk.chief, "remark", 1, "why so fast?");
+  const Remark remark = desk.remark(desk.chief, "remark", 1, "why so fast?");
   desk.remarks.add(remark);
-  const StoredRemark reply = desk.remark(desk.trainee, "reply", 1, "it slipped", remark.id);
+  const Remark reply = desk.remark(desk.trainee, "reply", 1, "it slipped", remark.id);
 
   desk.remarks.add(reply);
 
-  const std::vector<StoredRemark> unread = desk.remarks.unreadReplies(desk.chief);
+  const std::vector<Remark> unread = desk.remarks.unreadReplies(desk.chief);
   ASSERT_EQ(unread.size(), 1U);
   EXPECT_EQ(unread[0].replyTo, remark.id);
   desk.remarks.markRead({reply.id, desk.chief, desk.chief, kSampleTime_us});
@@ -108,7 +114,7 @@ TEST_F(RemarkRepositoryTest, AnAnswerReachesWhoWasAnswered) {
 TEST_F(RemarkRepositoryTest, RemarksAreStoredOnceAndNeverChange) {
   Connection connection = openWithSchema();
   Desk desk(connection);
-  StoredRemark remark = desk.remark(desk.chief, "remark", 1, "look");
+  Remark remark = desk.remark(desk.chief, "remark", 1, "look");
   desk.remarks.add(remark);
   desk.remarks.add(remark);
   desk.remarks.markRead({remark.id, desk.trainee, desk.trainee, kSampleTime_us});
@@ -126,16 +132,16 @@ TEST_F(RemarkRepositoryTest, KeepsEveryVersionOfASelfScoreWithItsRows) {
   Desk desk(connection);
   SheetRepository sheets(connection);
   sheets.addRubric("rubric", "Twist", kSampleTime_us, true);
-  StoredRubricRevision revision{.id = "revision", .rubricId = "rubric"};
+  RubricRevision revision{.id = "revision", .rubricId = "rubric"};
   revision.overall = {10, 100, 10};
   revision.rows = {{"time", "time", {10, 100, 10}, {}}, {"force", "force", {10, 100, 10}, {}}};
   sheets.addRevision(revision);
-  StoredSelfScore first{.id = desk.sample.ids.newUuid(), .trialId = desk.trialId, .traineeId = desk.trainee};
+  SelfScore first{.id = desk.sample.ids.newUuid(), .trialId = desk.trialId, .traineeId = desk.trainee};
   first.rubricRevisionId = "revision";
   first.score_steps = 70;
   first.rows = {{"revision", "time", 60}, {"revision", "force", 80}};
   first.createdUtc_us = kSampleTime_us;
-  StoredSelfScore second = first;
+  SelfScore second = first;
   second.id = desk.sample.ids.newUuid();
   second.version = 2;
   second.score_steps = 55;
@@ -145,7 +151,7 @@ TEST_F(RemarkRepositoryTest, KeepsEveryVersionOfASelfScoreWithItsRows) {
   desk.remarks.addSelfScore(first);
   desk.remarks.addSelfScore(second);
 
-  const std::vector<StoredSelfScore> scores = desk.remarks.selfScores(desk.trialId);
+  const std::vector<SelfScore> scores = desk.remarks.selfScores(desk.trialId);
   ASSERT_EQ(scores.size(), 2U);
   EXPECT_EQ(scores[0].score_steps, 70);
   EXPECT_EQ(scores[0].scale.hi, 100);
@@ -163,14 +169,14 @@ TEST_F(RemarkRepositoryTest, KeepsEveryVersionOfASelfScoreWithItsRows) {
 TEST_F(RemarkRepositoryTest, KeepsTheWarmUpsOfARater) {
   Connection connection = openWithSchema();
   Desk desk(connection);
-  StoredWarmup warmup{
+  CalibrationScore warmup{
       .id = desk.sample.ids.newUuid(), .raterId = desk.chief, .referenceTrialId = desk.trialId};
   warmup.score_steps = 80;
   warmup.panelOffset_steps = 80.0 - 71.5;
   warmup.createdUtc_us = kSampleTime_us;
   desk.remarks.addWarmup(warmup);
 
-  const std::vector<StoredWarmup> found = desk.remarks.warmups(desk.chief);
+  const std::vector<CalibrationScore> found = desk.remarks.warmups(desk.chief);
 
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].referenceTrialId, desk.trialId);

@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/people/retention_repository.h"
 
+#include "assessment/people/person.h"
+#include "assessment/people/retention.h"
+#include "assessment/rating/mark.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "tests/db/sample_record.h"
@@ -19,7 +26,7 @@ class RetentionRepositoryTest : public DatabaseTest {
   /// A real trainee "R-<n>", entered on the sample day.
   static std::string addTrainee(Connection& connection, const std::string& code,
                                 const std::string& state = "active") {
-    StoredTrainee trainee;
+    Trainee trainee;
     trainee.person = {.id = "id of " + code, .code = code, .state = state, .createdUtc_us = kSampleTime_us};
     PeopleRepository(connection).addTrainees(std::span(&trainee, 1));
     return trainee.person.id;
@@ -71,14 +78,14 @@ TEST_F(RetentionRepositoryTest, TheLastMarkOfAnyEnrolmentIsAnActivity) {
   retention.setRule({kRetainTrainee, 30, "contract", 1});
   addTrainee(connection, "R-1");
   addTrainee(connection, "R-2");
-  const StoredEnrolment enrolment{.id = "enrolment",
-                                  .cohortId = sample.cohort.id,
-                                  .traineeId = "id of R-1",
-                                  .enrolledUtc_us = kSampleTime_us};
+  const Enrolment enrolment{.id = "enrolment",
+                            .cohortId = sample.cohort.id,
+                            .traineeId = "id of R-1",
+                            .enrolledUtc_us = kSampleTime_us};
   StudyRepository(connection).enrol(std::span(&enrolment, 1));
-  std::vector<StoredTrainingMark> marks;
+  std::vector<SubmittedMark> marks;
   for (const auto& [point, day] : {std::pair("pre", 5), std::pair("post", 20), std::pair("mid", 10)}) {
-    StoredTrainingMark mark;
+    SubmittedMark mark;
     mark.id = sample.ids.newUuid();
     mark.enrolmentId = enrolment.id;
     mark.raterId = sample.chiefs[0].person.id;
@@ -130,19 +137,26 @@ TEST_F(RetentionRepositoryTest, AReviewerLocksExtendsAndReleases) {
   const std::int64_t now_us = kSampleTime_us + 50 * kDay_us;
   const auto held = [&](std::int64_t at_us) { return retention.due(at_us).at(0).held; };
 
-  retention.addHold({id, "extend", now_us + 10 * kDay_us, "thesis", "admin", now_us});
+  retention.addHold({id, HoldKind::kExtend, now_us + 10 * kDay_us, "thesis", "admin", now_us});
   EXPECT_TRUE(held(now_us));
   EXPECT_FALSE(held(now_us + 10 * kDay_us));
-  retention.addHold({id, "lock", {}, "appeal", "admin", now_us});
+  retention.addHold({id, HoldKind::kLock, {}, "appeal", "admin", now_us});
   EXPECT_TRUE(held(now_us + 1000 * kDay_us));
   EXPECT_EQ(retention.due(now_us).at(0).hold->reason, "appeal");
-  retention.addHold({id, "release", {}, "appeal decided", "admin", now_us});
+  retention.addHold({id, HoldKind::kRelease, {}, "appeal decided", "admin", now_us});
   EXPECT_FALSE(held(now_us));
 
   EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM retention_hold"), 3);
-  EXPECT_EQ(faultFrom([&] { retention.addHold({id, "extend", {}, "", "admin", 1}); }), DbFault::kCheck);
   EXPECT_EQ(faultFrom([&] {
-              retention.addHold({"none", "lock", {}, "", "admin", 1});
+              retention.addHold({id, HoldKind::kExtend, {}, "", "admin", 1});
+            }),
+            DbFault::kCheck);
+  EXPECT_EQ(faultFrom([&] {
+              retention.addHold({id, HoldKind::kExtend, {}, "", "admin", 1});
+            }),
+            DbFault::kCheck);
+  EXPECT_EQ(faultFrom([&] {
+              retention.addHold({"none", HoldKind::kLock, {}, "", "admin", 1});
             }),
             DbFault::kForeignKey);
   EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM retention_hold"); }), DbFault::kAppendOnly);

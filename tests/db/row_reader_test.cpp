@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "db/connection/connection.h"
 #include "sim/base/contracts.h"
 #include "tests/db/test_database.h"
 

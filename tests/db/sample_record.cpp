@@ -20,11 +20,11 @@ std::string numbered(std::string prefix, int number) {
 
 SampleRecord::SampleRecord(Connection& connection, int traineeCount) {
   PeopleRepository people(connection);
-  people.addRaterClasses(std::vector<StoredRaterClass>{{"intern", "interns", 1},
-                                                       {"deputy_chief", "deputy chief physicians", 2},
-                                                       {"chief", "chief physicians", 3}});
+  people.addRaterClasses(std::vector<SeniorityClass>{{"intern", "interns", 1},
+                                                     {"deputy_chief", "deputy chief physicians", 2},
+                                                     {"chief", "chief physicians", 3}});
   for (int i = 1; i <= traineeCount; ++i) {
-    StoredTrainee trainee;
+    Trainee trainee;
     trainee.person = {.id = ids.newUuid(),
                       .code = numbered("T-", i),
                       .sex = i % 2 == 0 ? "male" : "female",
@@ -38,7 +38,7 @@ SampleRecord::SampleRecord(Connection& connection, int traineeCount) {
     trainees.push_back(trainee);
   }
   for (int i = 1; i <= 2; ++i) {
-    StoredRater chief;
+    Rater chief;
     chief.person.id = ids.newUuid();
     chief.person.code = numbered("C-", i);
     chief.person.createdUtc_us = kSampleTime_us;
@@ -54,8 +54,8 @@ SampleRecord::SampleRecord(Connection& connection, int traineeCount) {
             {ids.newUuid(), cohort.id, 2, "G2", "20 min virtual, 20 min real"}};
   StudyRepository study(connection);
   study.addCohort(cohort, groups);
-  for (const StoredTrainee& trainee : trainees) {
-    StoredEnrolment enrolment;
+  for (const Trainee& trainee : trainees) {
+    Enrolment enrolment;
     enrolment.id = ids.newUuid();
     enrolment.cohortId = cohort.id;
     enrolment.traineeId = trainee.person.id;

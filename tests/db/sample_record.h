@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "assessment/people/person.h"
+#include "assessment/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
@@ -20,11 +22,11 @@ struct SampleRecord {
   SampleRecord(Connection& connection, int traineeCount);
 
   SeededIdSource ids{20251121};
-  std::vector<StoredTrainee> trainees;
-  std::vector<StoredRater> chiefs;
-  StoredCohort cohort;
-  std::vector<StoredGroup> groups;
-  std::vector<StoredEnrolment> enrolments;
+  std::vector<Trainee> trainees;
+  std::vector<Rater> chiefs;
+  Cohort cohort;
+  std::vector<StudyGroup> groups;
+  std::vector<Enrolment> enrolments;
 };
 
 /// A header in which every field differs from its default.

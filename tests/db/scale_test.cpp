@@ -6,7 +6,10 @@
 #include <functional>
 #include <iostream>
 
+#include "db/connection/connection.h"
+#include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/clock.h"
 #include "tests/db/large_record.h"

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/rating/sheet_repository.h"
 
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/mark.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/repository/rating/rating_repository.h"
 #include "sim/base/error.h"
 #include "tests/db/sample_record.h"
@@ -26,7 +32,7 @@ class SheetRepositoryTest : public DatabaseTest {
       sheets.addRevision(rubric);
       for (std::size_t rater = 0; rater < 2; ++rater) {
         for (std::size_t trainee = 0; trainee < sample.enrolments.size(); ++trainee) {
-          StoredAssignment assignment;
+          Assignment assignment;
           assignment.id = sample.ids.newUuid();
           assignment.raterId = sample.chiefs[rater].person.id;
           assignment.enrolmentId = sample.enrolments[trainee].id;
@@ -43,8 +49,8 @@ class SheetRepositoryTest : public DatabaseTest {
     }
     SampleRecord sample;
     SheetRepository sheets;
-    StoredRubricRevision rubric;
-    std::vector<StoredAssignment> assignments;
+    RubricRevision rubric;
+    std::vector<Assignment> assignments;
   };
 
   static Sheet fullSheet() {
@@ -61,7 +67,7 @@ TEST_F(SheetRepositoryTest, ReturnsARubricRevisionWithItsAnchors) {
   Connection connection = openWithSchema();
   const Desk desk(connection);
 
-  const StoredRubricRevision stored = SheetRepository(connection).revision(desk.rubric.id).value();
+  const RubricRevision stored = SheetRepository(connection).revision(desk.rubric.id).value();
 
   ASSERT_EQ(stored.rows.size(), 2U);
   EXPECT_EQ(stored.rows[0].code, "time");
@@ -144,7 +150,7 @@ TEST_F(SheetRepositoryTest, AnAmendmentIsTheNextVersion) {
   desk.sheets.submit(id, desk.sample.ids.newUuid(), better, "looked again", kSampleTime_us + 1);
 
   EXPECT_EQ(desk.sheets.submitted(id)->overall_steps, 80);
-  const StoredTrainingMark mark = RatingRepository(connection).marks(desk.sample.cohort.id).at(0);
+  const SubmittedMark mark = RatingRepository(connection).marks(desk.sample.cohort.id).at(0);
   EXPECT_EQ(mark.version, 2);
   EXPECT_EQ(mark.amendReason, "looked again");
 }

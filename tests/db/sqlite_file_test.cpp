@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"

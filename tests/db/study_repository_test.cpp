@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/study/study_repository.h"
 
+#include "assessment/study/allocation_entry.h"
+#include "assessment/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "sim/base/error.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
@@ -10,7 +14,7 @@ namespace {
 
 class StudyRepositoryTest : public DatabaseTest {
  protected:
-  static StoredAllocationDesign designFor(SampleRecord& sample) {
+  static LockedDesign designFor(SampleRecord& sample) {
     return {.id = sample.ids.newUuid(),
             .cohortId = sample.cohort.id,
             .algorithm = "complete",
@@ -23,10 +27,10 @@ class StudyRepositoryTest : public DatabaseTest {
             .demonstration = true};
   }
   /// Trainees to the two groups in turn.
-  static std::vector<StoredAllocation> allocationsFor(SampleRecord& sample, const std::string& designId) {
-    std::vector<StoredAllocation> records;
+  static std::vector<AllocationEntry> allocationsFor(SampleRecord& sample, const std::string& designId) {
+    std::vector<AllocationEntry> records;
     for (std::size_t i = 0; i < sample.enrolments.size(); ++i) {
-      StoredAllocation record;
+      AllocationEntry record;
       record.id = sample.ids.newUuid();
       record.designId = designId;
       record.sequence = static_cast<std::int64_t>(i) + 1;
@@ -67,7 +71,7 @@ TEST_F(StudyRepositoryTest, KeepsCohortsWithTheirGroups) {
 
   ASSERT_EQ(study.cohorts().size(), 1U);
   EXPECT_EQ(study.cohorts()[0].name, "Autumn");
-  const std::vector<StoredGroup> groups = study.groups(sample.cohort.id);
+  const std::vector<StudyGroup> groups = study.groups(sample.cohort.id);
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_EQ(groups[1].code, "G2");
   EXPECT_EQ(groups[1].label, "20 min virtual, 20 min real");
@@ -76,10 +80,10 @@ TEST_F(StudyRepositoryTest, KeepsCohortsWithTheirGroups) {
 TEST_F(StudyRepositoryTest, EnrolsATraineeOncePerCohort) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
-  StoredEnrolment again = sample.enrolments[0];
+  Enrolment again = sample.enrolments[0];
   again.id = sample.ids.newUuid();
 
-  EXPECT_EQ(faultFrom([&] { StudyRepository(connection).enrol(std::vector<StoredEnrolment>{again}); }),
+  EXPECT_EQ(faultFrom([&] { StudyRepository(connection).enrol(std::vector<Enrolment>{again}); }),
             DbFault::kUnique);
 }
 
@@ -87,13 +91,13 @@ TEST_F(StudyRepositoryTest, AllocatesAndListsByGroupAndNumber) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 4);
   StudyRepository study(connection);
-  const StoredAllocationDesign design = designFor(sample);
+  const LockedDesign design = designFor(sample);
   study.lockDesign(design);
   EXPECT_EQ(study.enrolments(sample.cohort.id)[0].groupCode, "");
 
   study.allocate(allocationsFor(sample, design.id));
 
-  const std::vector<StoredEnrolment> enrolments = study.enrolments(sample.cohort.id);
+  const std::vector<Enrolment> enrolments = study.enrolments(sample.cohort.id);
   ASSERT_EQ(enrolments.size(), 4U);
   const std::vector<std::string> codes{enrolments[0].traineeCode, enrolments[1].traineeCode,
                                        enrolments[2].traineeCode, enrolments[3].traineeCode};
@@ -106,15 +110,15 @@ TEST_F(StudyRepositoryTest, ChainsTheRecordsOfAnAllocation) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 3);
   StudyRepository study(connection);
-  const StoredAllocationDesign design = designFor(sample);
+  const LockedDesign design = designFor(sample);
   study.lockDesign(design);
 
-  const std::vector<StoredAllocation> stored = study.allocate(allocationsFor(sample, design.id));
+  const std::vector<AllocationEntry> stored = study.allocate(allocationsFor(sample, design.id));
 
   EXPECT_EQ(stored[0].previousHash, "");
   EXPECT_EQ(stored[1].previousHash, stored[0].recordHash);
   EXPECT_FALSE(study.firstBrokenAllocation(design.id).has_value());
-  const std::vector<StoredAllocation> read = study.allocations(design.id);
+  const std::vector<AllocationEntry> read = study.allocations(design.id);
   ASSERT_EQ(read.size(), 3U);
   EXPECT_EQ(read[2].recordHash, stored[2].recordHash);
   EXPECT_EQ(read[2].drawAfter, 3);
@@ -125,7 +129,7 @@ TEST_F(StudyRepositoryTest, FindsARecordThatWasTamperedWith) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 3);
   StudyRepository study(connection);
-  const StoredAllocationDesign design = designFor(sample);
+  const LockedDesign design = designFor(sample);
   study.lockDesign(design);
   study.allocate(allocationsFor(sample, design.id));
 
@@ -140,9 +144,9 @@ TEST_F(StudyRepositoryTest, RefusesAllocationsOutOfTurn) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 2);
   StudyRepository study(connection);
-  const StoredAllocationDesign design = designFor(sample);
+  const LockedDesign design = designFor(sample);
   study.lockDesign(design);
-  std::vector<StoredAllocation> records = allocationsFor(sample, design.id);
+  std::vector<AllocationEntry> records = allocationsFor(sample, design.id);
   records[1].sequence = 3;
 
   EXPECT_EQ(refusalFrom([&] { study.allocate(records); }).code, ErrorCode::kBadData);
@@ -153,7 +157,7 @@ TEST_F(StudyRepositoryTest, HidesTheSeedUntilItIsRevealed) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   StudyRepository study(connection);
-  const StoredAllocationDesign design = designFor(sample);
+  const LockedDesign design = designFor(sample);
   study.lockDesign(design);
   EXPECT_EQ(study.designs(sample.cohort.id).at(0).seed, "");
   EXPECT_EQ(study.designs(sample.cohort.id).at(0).seedCommitment, "c0ffee");
@@ -167,7 +171,7 @@ TEST_F(StudyRepositoryTest, NeverChangesAnAllocation) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   StudyRepository study(connection);
-  const StoredAllocationDesign design = designFor(sample);
+  const LockedDesign design = designFor(sample);
   study.lockDesign(design);
   study.allocate(allocationsFor(sample, design.id));
 
@@ -184,17 +188,17 @@ TEST_F(StudyRepositoryTest, LogsExposureRestAndDeviations) {
   StudyRepository study(connection);
   const std::string enrolment = sample.enrolments[0].id;
 
-  study.addExposures(std::vector<StoredExposure>{
+  study.addExposures(std::vector<Exposure>{
       {sample.ids.newUuid(), enrolment, "", "virtual", kSampleTime_us, 600'000'000, "station-1", true},
       {sample.ids.newUuid(), enrolment, "", "rest", kSampleTime_us + 1, 300'000'000, "station-1", true}});
   study.addDeviation({sample.ids.newUuid(), sample.cohort.id, enrolment, "device failed", "cable",
                       kSampleTime_us, "admin", kSampleTime_us + 5, true});
 
-  const std::vector<StoredExposure> exposures = study.exposures(sample.cohort.id);
+  const std::vector<Exposure> exposures = study.exposures(sample.cohort.id);
   ASSERT_EQ(exposures.size(), 2U);
   EXPECT_EQ(exposures[1].kind, "rest");
   EXPECT_EQ(exposures[1].duration_us, 300'000'000);
-  const std::vector<StoredDeviation> deviations = study.deviations(sample.cohort.id);
+  const std::vector<ProtocolDeviation> deviations = study.deviations(sample.cohort.id);
   ASSERT_EQ(deviations.size(), 1U);
   EXPECT_EQ(deviations[0].description, "cable");
   EXPECT_EQ(deviations[0].enrolmentId, enrolment);

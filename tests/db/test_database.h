@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 
 namespace torsio {
 

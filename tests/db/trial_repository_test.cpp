@@ -3,6 +3,12 @@
 
 #include <thread>
 
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/study/curriculum.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
+#include "db/connection/row_reader.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/base/stored_term.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "sim/base/error.h"
@@ -305,10 +311,10 @@ TEST_F(TrialRepositoryTest, KeepsForWhatAndOnWhichMachineATrialWasRecorded) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   CurriculumRepository(connection).addCurriculum({"c", "Twist", "", kSampleTime_us, true});
-  StoredCurriculumVersion version;
+  CurriculumVersion version;
   version.id = "v";
   version.curriculumId = "c";
-  StoredModule module;
+  TrainingModule module;
   module.id = "m";
   module.code = "M1";
   module.mode = AttemptMode::kGraded;

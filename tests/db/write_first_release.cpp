@@ -9,6 +9,7 @@
 
 #include <QCoreApplication>
 
+#include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"

@@ -55,7 +55,7 @@ FigureCard::FigureCard(QWidget* parent)
   for (QPushButton* button : {picture_, values_}) {
     button->setCheckable(true);
     button->setStyleSheet(
-        QStringLiteral("QPushButton:checked { border: 2px solid palette(highlight); font-weight: 600; }"));
+        QStringLiteral("QPushButton:checked { border: 2px solid palette(highlight); padding: 6px 15px; }"));
   }
   picture_->setChecked(true);
   auto* both = new QButtonGroup(this);

@@ -46,7 +46,10 @@ class ShellContext : public QObject {
   ShellContext(SessionContext& session, std::filesystem::path assets, ThemeKind theme);
   ~ShellContext() override;
 
-  [[nodiscard]] SessionContext& session() const noexcept { return session_; }
+  [[nodiscard]] SessionContext& session() const noexcept {
+    session_.beginCall();
+    return session_;
+  }
   [[nodiscard]] const std::filesystem::path& assets() const noexcept { return assets_; }
   [[nodiscard]] ThemeKind themeKind() const noexcept { return theme_; }
   void setThemeKind(ThemeKind kind);

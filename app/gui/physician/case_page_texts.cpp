@@ -16,6 +16,7 @@
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
+#include "assessment/rating/rubric.h"
 
 namespace torsio::gui {
 
@@ -67,7 +68,7 @@ void CasePage::applyTheme(const Theme& theme) {
 }
 
 QString CasePage::rowName(const std::string& row) const {
-  for (const StoredRubricRow& line : opened_.rubric.rows) {
+  for (const RubricLine& line : opened_.rubric.rows) {
     if (line.code == row) {
       return toQString(Text(line.label));
     }

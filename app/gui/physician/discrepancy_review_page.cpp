@@ -21,6 +21,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/review/case_sheet.h"
+#include "assessment/rating/sheet.h"
 
 namespace torsio::gui {
 
@@ -113,7 +114,7 @@ void DiscrepancyReviewPage::enter(const QVariant&) {
   stopMoving();
   read();
   for (const DiscrepancyCase& one : cases_) {
-    if (!one.decision.empty()) {
+    if (one.decision) {
       continue;
     }
     chosen_ = one.shown.assignmentId;
@@ -131,10 +132,10 @@ void DiscrepancyReviewPage::read() {
 void DiscrepancyReviewPage::showList() {
   std::vector<Row> rows;
   for (const DiscrepancyCase& one : cases_) {
-    const QString decision = one.decision == "keep"    ? tr("kept")
-                             : one.decision == "move"  ? tr("moved")
-                             : one.decision == "third" ? tr("adjudicator requested")
-                                                       : tr("to be decided");
+    const QString decision = one.decision == DiscrepancyChoice::kKeep    ? tr("kept")
+                             : one.decision == DiscrepancyChoice::kMove  ? tr("moved")
+                             : one.decision == DiscrepancyChoice::kThird ? tr("adjudicator requested")
+                                                                         : tr("to be decided");
     rows.push_back({toQString(one.shown.assignmentId),
                     {{tr("Case %1").arg(toQString(one.shown.label)), static_cast<int>(rows.size())},
                      {QLocale().toString(one.largest, 'f', 1), one.largest},
@@ -165,7 +166,7 @@ void DiscrepancyReviewPage::showCase() {
     return;
   }
   case_->setText(tr("Case %1").arg(toQString(one->shown.label)));
-  state_->setText(one->decision.empty() ? QString()
+  state_->setText(!one->decision        ? QString()
                   : one->reason.empty() ? tr("Decided. You may decide anew.")
                                         : tr("Decided: %1").arg(toQString(one->reason)));
   bars_->setRows(one->rows);

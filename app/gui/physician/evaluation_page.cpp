@@ -3,30 +3,31 @@
 
 #include <algorithm>
 
-#include <QButtonGroup>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
+#include "app/gui/physician/choice_row.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
 
 namespace torsio::gui {
 
 namespace {
 
 /// The indices as rows, so that the same panel and the same keys serve.
-StoredRubricRevision rubricOf(const EvaluationForm& form) {
-  StoredRubricRevision rubric;
+RubricRevision rubricOf(const EvaluationForm& form) {
+  RubricRevision rubric;
   rubric.overall = form.scale;
   for (std::size_t i = 0; i < form.indices.size(); ++i) {
     rubric.rows.push_back({std::to_string(i + 1), form.indices[i], form.scale, {}});
@@ -48,8 +49,7 @@ EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
     : Page(shell, parent),
       heading_(new PageHeading(this)),
       campaigns_(new QComboBox(this)),
-      choices_(new QHBoxLayout),
-      group_(new QButtonGroup(this)),
+      choices_(new ChoiceRow(this)),
       scaleText_(sentence(this)),
       sheet_(new SheetEditorPanel(false, this)),
       said_(sentence(this)),
@@ -60,7 +60,7 @@ EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
   column->setContentsMargins(3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace);
   column->setSpacing(kSpace);
   column->addWidget(heading_);
-  column->addLayout(choices_);
+  column->addWidget(choices_);
   column->addWidget(scaleText_);
   auto* middle = new QHBoxLayout;
   sheet_->setMaximumWidth(110 * fontMetrics().averageCharWidth());
@@ -71,6 +71,7 @@ EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
   foot->addWidget(said_, 1);
   foot->addWidget(submit_);
   column->addLayout(foot);
+  connect(choices_, &ChoiceRow::chosen, this, &EvaluationPage::openModel);
   connect(sheet_, &SheetPanel::edited, this, &EvaluationPage::edited);
   connect(sheet_, &SheetEditorPanel::finishWanted, this, &EvaluationPage::submit);
   connect(submit_, &QPushButton::clicked, this, &EvaluationPage::submit);
@@ -174,29 +175,16 @@ void EvaluationPage::submit() {
 }
 
 void EvaluationPage::showModels() {
-  for (QAbstractButton* button : group_->buttons()) {
-    group_->removeButton(button);
-    button->hide();
-    button->deleteLater();
+  std::vector<QString> texts;
+  if (const EvaluationForm* one = form()) {
+    for (const EvaluationFormModel& model : one->models) {
+      const QString label = toQString(model.hiddenLabel);
+      const std::size_t number = texts.size() + 1;
+      texts.push_back(model.submitted ? tr("%1. Model %2, submitted").arg(number).arg(label)
+                                      : tr("%1. Model %2").arg(number).arg(label));
+    }
   }
-  while (QLayoutItem* item = choices_->takeAt(0)) {
-    delete item;
-  }
-  const EvaluationForm* one = form();
-  const std::size_t count = one != nullptr ? one->models.size() : 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    auto* button = new QToolButton(this);
-    button->setCheckable(true);
-    button->setChecked(i == model_);
-    const QString label = toQString(one->models[i].hiddenLabel);
-    button->setText(one->models[i].submitted ? tr("%1. Model %2, submitted").arg(i + 1).arg(label)
-                                             : tr("%1. Model %2").arg(i + 1).arg(label));
-    group_->addButton(button);
-    choices_->addWidget(button);
-    button->show();
-    connect(button, &QToolButton::clicked, this, [this, i] { openModel(i); });
-  }
-  choices_->addStretch(1);
+  choices_->setChoices(texts, model_);
 }
 
 void EvaluationPage::showAll() {

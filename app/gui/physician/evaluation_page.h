@@ -7,14 +7,13 @@
 #include "app/review/evaluation_form.h"
 #include "app/review/sheet_editor.h"
 
-class QButtonGroup;
 class QComboBox;
-class QHBoxLayout;
 class QLabel;
 class QPushButton;
 
 namespace torsio::gui {
 
+class ChoiceRow;
 class PageHeading;
 class SheetEditorPanel;
 
@@ -47,8 +46,7 @@ class EvaluationPage : public Page {
 
   PageHeading* heading_;
   QComboBox* campaigns_;
-  QHBoxLayout* choices_;
-  QButtonGroup* group_;
+  ChoiceRow* choices_;
   QLabel* scaleText_;
   SheetEditorPanel* sheet_;
   QLabel* said_;

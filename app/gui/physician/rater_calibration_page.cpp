@@ -4,17 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/physician/choice_row.h"
 #include "app/gui/physician/replay_panel.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_editor_panel.h"
@@ -22,6 +21,8 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
 
 namespace torsio::gui {
 
@@ -30,7 +31,7 @@ namespace {
 constexpr double kNear_points = 0.5;  // a step of the buttons' keys
 
 /// The overall mark alone: that is what a panel has agreed on.
-StoredRubricRevision overallOnly(StoredRubricRevision rubric) {
+RubricRevision overallOnly(RubricRevision rubric) {
   rubric.rows.clear();
   return rubric;
 }
@@ -41,8 +42,7 @@ RaterCalibrationPage::RaterCalibrationPage(ShellContext& shell, QWidget* parent)
     : Page(shell, parent),
       heading_(new PageHeading(this)),
       goOn_(new QPushButton(this)),
-      choices_(new QHBoxLayout),
-      group_(new QButtonGroup(this)),
+      choices_(new ChoiceRow(this)),
       replay_(new ReplayPanel(shell.assets(), this)),
       sheet_(new SheetEditorPanel(false, this)),
       compare_(primaryButton(this)),
@@ -52,18 +52,18 @@ RaterCalibrationPage::RaterCalibrationPage(ShellContext& shell, QWidget* parent)
       rubricCard_(new Card(QString(), this)),
       anchors_(sentence(this)) {
   replay_->setObjectName(QStringLiteral("replay"));
-  sheet_->setScoresOnly();
+  sheet_->setScoresOnly(RowShape::kLarge);
   heading_->addAction(goOn_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace);
   column->setSpacing(kSpace);
   column->addWidget(heading_);
-  column->addLayout(choices_);
+  column->addWidget(choices_);
   auto* row = new QHBoxLayout;
   row->setSpacing(2 * kSpace);
   row->addWidget(replay_, 3);
   auto* right = new QVBoxLayout;
-  sheet_->setMaximumHeight(9 * fontMetrics().height());
+  sheet_->setMaximumHeight(9 * fontMetrics().height());  // one row, with a reason below it
   right->addWidget(sheet_);
   right->addWidget(compare_);
   resultCard_->content()->addWidget(result_);
@@ -80,6 +80,7 @@ RaterCalibrationPage::RaterCalibrationPage(ShellContext& shell, QWidget* parent)
   right->addStretch(0);
   row->addLayout(right, 2);
   column->addLayout(row, 1);
+  connect(choices_, &ChoiceRow::chosen, this, [this](std::size_t at) { openRun(at + 1); });
   connect(compare_, &QPushButton::clicked, this, &RaterCalibrationPage::compare);
   // Success shows the recording right after; failure and cancelling end here.
   connect(&shell, &ShellContext::jobEnded, this, [this] {
@@ -146,26 +147,12 @@ void RaterCalibrationPage::openRun(std::size_t number) {
 }
 
 void RaterCalibrationPage::showRuns() {
-  for (QAbstractButton* button : group_->buttons()) {
-    group_->removeButton(button);
-    button->hide();
-    button->deleteLater();
-  }
-  while (QLayoutItem* item = choices_->takeAt(0)) {
-    delete item;
-  }
+  std::vector<QString> texts;
   for (const CalibrationRun& run : warmUp_.runs) {
-    auto* button = new QToolButton(this);
-    button->setCheckable(true);
-    button->setChecked(run.number == number_);
     const int number = static_cast<int>(run.number);
-    button->setText(run.own_steps ? tr("Reference %1, scored").arg(number) : tr("Reference %1").arg(number));
-    group_->addButton(button);
-    choices_->addWidget(button);
-    button->show();
-    connect(button, &QToolButton::clicked, this, [this, at = run.number] { openRun(at); });
+    texts.push_back(run.own_steps ? tr("Reference %1, scored").arg(number) : tr("Reference %1").arg(number));
   }
-  choices_->addStretch(1);
+  choices_->setChoices(texts, number_ - 1);  // no run is open at 0, and no button is pressed
 }
 
 void RaterCalibrationPage::showResult() {
@@ -248,9 +235,9 @@ void RaterCalibrationPage::goNext() {
 
 QString RaterCalibrationPage::anchorText() const {
   QStringList lines;
-  for (const StoredRubricRow& row : warmUp_.rubric.rows) {
+  for (const RubricLine& row : warmUp_.rubric.rows) {
     QStringList points;
-    for (const StoredAnchor& anchor : row.anchors) {
+    for (const RubricAnchor& anchor : row.anchors) {
       points << tr("%1: %2").arg(scoreText(anchor.score_steps, row.scale), toQString(Text(anchor.meaning)));
     }
     if (!points.isEmpty()) {

@@ -7,8 +7,6 @@
 #include "app/review/rater_calibration.h"
 #include "app/review/sheet_editor.h"
 
-class QButtonGroup;
-class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QScrollArea;
@@ -16,6 +14,7 @@ class QScrollArea;
 namespace torsio::gui {
 
 class Card;
+class ChoiceRow;
 class PageHeading;
 class ReplayPanel;
 class SheetEditorPanel;
@@ -51,8 +50,7 @@ class RaterCalibrationPage : public Page {
 
   PageHeading* heading_;
   QPushButton* goOn_;
-  QHBoxLayout* choices_;
-  QButtonGroup* group_;
+  ChoiceRow* choices_;
   ReplayPanel* replay_;
   SheetEditorPanel* sheet_;
   QPushButton* compare_;

@@ -16,6 +16,7 @@
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/form.h"
+#include "assessment/rating/rubric.h"
 
 namespace torsio::gui {
 
@@ -23,6 +24,7 @@ namespace {
 
 constexpr int kMostCells = 11;
 constexpr int kTouch_px = 44;
+constexpr int kLeastCell_px = 32;
 constexpr int kCellGap = 3;
 constexpr int kMarkWidth = 4;
 constexpr double kCorner = 4.0;
@@ -30,7 +32,7 @@ constexpr double kCorner = 4.0;
 }  // namespace
 
 ScoreRow::ScoreRow(std::string code, const QString& label, const ScoreScale& scale,
-                   std::vector<StoredAnchor> anchors, RowShape shape, QWidget* parent)
+                   std::vector<RubricAnchor> anchors, RowShape shape, QWidget* parent)
     : QWidget(parent),
       code_(std::move(code)),
       label_(label),
@@ -45,8 +47,10 @@ ScoreRow::ScoreRow(std::string code, const QString& label, const ScoreScale& sca
       reason_(new QLineEdit(this)) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
+  strip_->setObjectName(QStringLiteral("scale"));
   strip_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  strip_->setFixedHeight(shape_ == RowShape::kLarge ? kTouch_px : fontMetrics().height() + kSpace + 2);
+  strip_->setFixedHeight(shape_ == RowShape::kLarge ? kTouch_px : kLeastCell_px);
+  strip_->setMinimumWidth(cellCount() * (kLeastCell_px + kCellGap));
   name_->setProperty("subheading", shape_ == RowShape::kLarge);
   QFont bold = name_->font();
   bold.setBold(true);
@@ -161,7 +165,7 @@ void ScoreRow::showAnchor() {
     return;
   }
   QStringList all;
-  for (const StoredAnchor& anchor : anchors_) {
+  for (const RubricAnchor& anchor : anchors_) {
     all << tr("%1: %2").arg(scoreText(anchor.score_steps, scale_), toQString(Text(anchor.meaning)));
   }
   // Where the rater is, every anchor; elsewhere the one that was met.

@@ -25,7 +25,7 @@ namespace {
 constexpr double kDot = 5.0;
 constexpr double kAsThePanel_points = 0.25;
 
-QString tenths(double points) {
+QString oneDecimal(double points) {
   return QLocale().toString(points, 'f', 1);
 }
 
@@ -152,7 +152,8 @@ void SeverityPage::showSeverity() {
                            ? tr("95 % interval %1 to %2; cases: %3. Your mean is %4, the others' %5.")
                                  .arg(signedText(severity_.interval_points->lower),
                                       signedText(severity_.interval_points->upper), QLocale().toString(count),
-                                      tenths(*severity_.ownMean_points), tenths(*severity_.panelMean_points))
+                                      oneDecimal(*severity_.ownMean_points),
+                                      oneDecimal(*severity_.panelMean_points))
                            : tr("From one case; an interval needs two at least."));
   } else {
     figure_->setText(QStringLiteral("\u2013"));
@@ -167,8 +168,8 @@ void SeverityPage::showSeverity() {
   for (const SeverityCase& one : severity_.cases) {
     rows.push_back({toQString(one.label),
                     {{tr("Case %1").arg(toQString(one.label)), static_cast<int>(rows.size())},
-                     {tenths(one.own), one.own},
-                     {tenths(one.panel), one.panel},
+                     {oneDecimal(one.own), one.own},
+                     {oneDecimal(one.panel), one.panel},
                      {signedText(one.own - one.panel), one.own - one.panel}}});
   }
   table_->setRows(std::move(rows));

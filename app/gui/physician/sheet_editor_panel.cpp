@@ -19,7 +19,7 @@ SheetEditorPanel::SheetEditorPanel(bool largeTargets, QWidget* parent) : SheetPa
 
 SheetEditorPanel::~SheetEditorPanel() = default;
 
-void SheetEditorPanel::beginSheet(StoredRubricRevision rubric, Sheet sheet, bool withOverall) {
+void SheetEditorPanel::beginSheet(RubricRevision rubric, Sheet sheet, bool withOverall) {
   asking_ = false;
   auto fresh = std::make_unique<SheetEditor>(std::move(rubric), std::move(sheet), withOverall);
   setEditor(fresh.get());

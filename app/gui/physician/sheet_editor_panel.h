@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "app/gui/physician/sheet_panel.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
 
 class QKeyEvent;
 class QLabel;
@@ -25,7 +27,7 @@ class SheetEditorPanel : public SheetPanel {
   ~SheetEditorPanel() override;
 
   /// Shows a sheet and begins a new history. `withOverall`: false for forms of rows alone.
-  void beginSheet(StoredRubricRevision rubric, Sheet sheet, bool withOverall = true);
+  void beginSheet(RubricRevision rubric, Sheet sheet, bool withOverall = true);
   /// Shows nothing.
   void endSheet();
   /// Null when no sheet is shown.

@@ -78,9 +78,9 @@ void SheetPanel::setEditor(SheetEditor* editor) {
   build();
 }
 
-void SheetPanel::setScoresOnly() {
+void SheetPanel::setScoresOnly(RowShape shape) {
   scoresOnly_ = true;
-  shape_ = RowShape::kCompact;
+  shape_ = shape;
   commentLabel_->hide();
   comment_->hide();
 }
@@ -107,7 +107,7 @@ void SheetPanel::build() {
     return;
   }
   const auto add = [this](const std::string& code, const QString& label, const ScoreScale& scale,
-                          const std::vector<StoredAnchor>& anchors) {
+                          const std::vector<RubricAnchor>& anchors) {
     auto* row = new ScoreRow(code, label, scale, anchors, shape_, this);
     row->setTheme(*theme_);
     row->setReadOnly(readOnly_);
@@ -124,7 +124,7 @@ void SheetPanel::build() {
       }
     });
   };
-  for (const StoredRubricRow& row : editor_->rubric().rows) {
+  for (const RubricLine& row : editor_->rubric().rows) {
     add(row.code, toQString(Text(row.label)), row.scale, row.anchors);
   }
   if (editor_->order().back() == kOverallRow) {

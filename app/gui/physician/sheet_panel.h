@@ -9,6 +9,7 @@
 
 #include "app/gui/widgets/theme.h"
 #include "app/review/sheet_editor.h"
+#include "assessment/rating/rubric.h"
 
 class QLabel;
 class QLineEdit;
@@ -36,7 +37,7 @@ class SheetPanel : public QWidget {
   void setTheme(const Theme& theme);
   void retranslate();
   /// Scores alone, in compact rows: no comment, no "not assessable".
-  void setScoresOnly();
+  void setScoresOnly(RowShape shape = RowShape::kCompact);
   /// A sealed sheet is read only.
   void setReadOnly(bool readOnly);
   /// After undo, redo or another change from outside.
@@ -89,7 +90,7 @@ class ScoreRow : public QWidget {
   Q_OBJECT
 
  public:
-  ScoreRow(std::string code, const QString& label, const ScoreScale& scale, std::vector<StoredAnchor> anchors,
+  ScoreRow(std::string code, const QString& label, const ScoreScale& scale, std::vector<RubricAnchor> anchors,
            RowShape shape, QWidget* parent);
 
   [[nodiscard]] const std::string& code() const noexcept { return code_; }
@@ -128,7 +129,7 @@ class ScoreRow : public QWidget {
   std::string code_;
   QString label_;
   ScoreScale scale_;
-  std::vector<StoredAnchor> anchors_;
+  std::vector<RubricAnchor> anchors_;
   RowShape shape_;
   bool current_ = false;
   bool readOnly_ = false;

@@ -25,6 +25,7 @@
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/widgets/picture.h"
 #include "app/report/typeface.h"
+#include "assessment/people/account.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 
@@ -33,7 +34,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kSettle_ms = 250;
-constexpr int kPatience_ms = 60'000;
+constexpr int kScreenPatience_ms = 60'000;
 constexpr std::int64_t kSceneFrames = 3;
 constexpr const char* kCentre = "Skills laboratory";
 constexpr const char* kAdministrator = "administrator";
@@ -63,7 +64,7 @@ void settle(QWidget& window) {
     }
     return true;
   };
-  while (waited.elapsed() < kPatience_ms && (waited.elapsed() < kSettle_ms || !drawn())) {
+  while (waited.elapsed() < kScreenPatience_ms && (waited.elapsed() < kSettle_ms || !drawn())) {
     QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
   }
 }
@@ -286,7 +287,7 @@ std::vector<QSize> sizesOf(const QString& text) {
   return sizes;
 }
 
-ScreenshotsRequest parse(const QStringList& arguments) {
+ScreenshotsRequest parseScreenshots(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral("Pictures of every screen on the demonstration cohort"));
   parser.addHelpOption();
@@ -336,7 +337,7 @@ int runScreenshots(int argc, char** argv) {
   SceneView::prepareGraphics();
   QApplication application(argc, argv);
   useTypeface(application);
-  ScreenshotsRequest request = parse(QApplication::arguments());
+  ScreenshotsRequest request = parseScreenshots(QApplication::arguments());
   request.progress = [](const Progress& progress) {
     std::fprintf(stderr, "torsio: %s\n", progress.step.str().c_str());
   };

@@ -6,13 +6,13 @@
 #include <numbers>
 #include <utility>
 
+#include "sim/base/angle.h"
 #include "sim/base/contracts.h"
 
 namespace torsio::gui {
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 /// Nunez, Anderton, Renslow: Optimizing colormaps (PLOS ONE 2018), every sixth part of cividis.
 constexpr std::array<std::array<float, 3>, 7> kCividis{{{0.000F, 0.135F, 0.305F},
                                                         {0.148F, 0.245F, 0.423F},

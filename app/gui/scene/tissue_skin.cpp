@@ -8,8 +8,10 @@
 #include <unordered_map>
 #include <utility>
 
+#include "app/gui/scene/tissue_palette.h"
 #include "app/gui/scene/vessels.h"
 #include "app/gui/scene/view_frame.h"
+#include "sim/base/angle.h"
 
 namespace torsio::gui {
 
@@ -18,112 +20,10 @@ namespace {
 constexpr double kPixel_m = 0.00030;  // a fine vessel is two pixels wide
 constexpr int kMostPixels = 1'600'000;
 constexpr double kCell_m = 0.004;
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr std::uint32_t kNobody = 0xFFFFFFFFU;
-
-using Light = std::array<float, 3>;  // linear red, green, blue
-
-Light linear(const QColor& colour) {
-  const auto one = [](double c) {
-    return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
-  };
-  return {one(colour.redF()), one(colour.greenF()), one(colour.blueF())};
-}
-
-std::uint8_t encoded(float value) {
-  const double c = std::clamp(static_cast<double>(value), 0.0, 1.0);
-  const double s = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(s * 255.0));
-}
-
-/// The power above, looked up: a map has a million pixels.
-const std::array<std::uint8_t, 4096>& encodedTable() {
-  static const std::array<std::uint8_t, 4096> kTable = [] {
-    std::array<std::uint8_t, 4096> table{};
-    for (std::size_t i = 0; i < table.size(); ++i) {
-      table[i] = encoded(static_cast<float>(i) / 4095.0F);
-    }
-    return table;
-  }();
-  return kTable;
-}
-
-float ease(float low, float high, float x) {
-  const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
-  return t * t * (3.0F - 2.0F * t);
-}
-
-Light scaled(const Light& a, const Light& factor, float share) {
-  Light sum{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    sum[k] = a[k] * (1.0F + (factor[k] - 1.0F) * share);
-  }
-  return sum;
-}
-
-Light mixed(const Light& a, const Light& b, float share) {
-  Light sum{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    sum[k] = a[k] + (b[k] - a[k]) * share;
-  }
-  return sum;
-}
 
 float centre(std::size_t pixel) {
   return static_cast<float>(pixel) + 0.5F;
-}
-
-/// How the layers of a tissue are mixed.
-struct Palette {
-  Light vessel;  ///< factor in the middle of a vessel
-  float vesselShare;
-  Light blush;  ///< factor round a vessel
-  float blushShare;
-  Light fat;  ///< colour of the fat along the borders
-  float fatShare;
-  float fibres;
-  float folds;
-  float grain;
-  double softness_m;  ///< how deep the vessels lie
-};
-
-Palette paletteOf(TissueKind kind) {
-  switch (kind) {
-    case TissueKind::kSkin:
-      return {{0.74F, 0.90F, 0.98F},
-              0.55F,
-              {0.95F, 0.98F, 1.0F},
-              0.5F,
-              {1, 1, 1},
-              0.0F,
-              0.0F,
-              0.0F,
-              0.035F,
-              0.0016};
-    case TissueKind::kIntestine:
-      return {{0.60F, 0.20F, 0.22F},
-              0.62F,
-              {0.99F, 0.86F, 0.86F},
-              0.6F,
-              linear(QColor(236, 200, 140)),
-              0.55F,
-              0.03F,
-              0.07F,
-              0.035F,
-              0.00022};
-    case TissueKind::kSerosa:
-      break;
-  }
-  return {{0.60F, 0.20F, 0.22F},
-          0.62F,
-          {0.99F, 0.86F, 0.86F},
-          0.6F,
-          linear(QColor(236, 200, 140)),
-          0.5F,
-          0.06F,
-          0.0F,
-          0.035F,
-          0.00030};
 }
 
 /// One point of the skin at rest.
@@ -468,7 +368,7 @@ class Painter {
   const Scene& scene_;
   const TriangleMesh& mesh_;
   TissueLook look_;
-  Palette palette_;
+  TissuePalette palette_;
   Light base_;
   TissueSkin& skin_;
   std::vector<VesselPiece> vessels_;

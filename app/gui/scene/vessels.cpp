@@ -8,13 +8,13 @@
 #include <unordered_map>
 
 #include "app/gui/scene/surface_walk.h"
+#include "sim/base/angle.h"
 #include "sim/base/random.h"
 
 namespace torsio::gui {
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr std::uint64_t kSeed = 7;
 constexpr std::size_t kMostPieces = 60'000;
 constexpr std::size_t kTaper = 6;  // pieces over which a vessel that is stopped grows thin

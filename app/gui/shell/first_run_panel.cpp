@@ -21,12 +21,13 @@
 #include "app/gui/shell/job_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "assessment/people/password_rule.h"
 
 namespace torsio::gui {
 
 namespace {
 
-constexpr int kCardWidth = 620;
+constexpr int kFirstRunWidth = 620;
 constexpr int kCardHeight = 580;  // of the tallest step, so that the buttons stay where they are
 enum Step { kCentre, kAdministrator, kDatabase, kDemonstration, kAccounts };
 constexpr int kNumberedSteps = 4;
@@ -53,7 +54,7 @@ FirstRunPanel::FirstRunPanel(const QString& defaultFile, QWidget* parent)
       background_(new Background(this)),
       steps_(new QStackedWidget(this)),
       job_(new JobPanel(this)) {
-  QVBoxLayout* column = centredCard(this, kCardWidth);
+  QVBoxLayout* column = centredCard(this, kFirstRunWidth);
   column->parentWidget()->setMinimumHeight(kCardHeight);
   step_ = new QLabel(this);
   step_->setProperty("quiet", true);

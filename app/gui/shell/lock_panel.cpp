@@ -15,12 +15,12 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kCardWidth = 420;
+constexpr int kLockWidth = 420;
 
 }  // namespace
 
 LockPanel::LockPanel(QWidget* parent) : QWidget(parent) {
-  QVBoxLayout* column = centredCard(this, kCardWidth);
+  QVBoxLayout* column = centredCard(this, kLockWidth);
   heading_ = new QLabel(this);
   heading_->setProperty("heading", true);
   why_ = sentence(this);

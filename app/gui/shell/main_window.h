@@ -20,6 +20,7 @@
 #include "app/gui/shell/first_run_panel.h"
 #include "app/gui/shell/preferences.h"
 #include "app/recording/station_writer.h"
+#include "assessment/people/account.h"
 
 class QLabel;
 class QStackedWidget;

@@ -38,7 +38,7 @@ void MainWindow::tellKept() {
 void MainWindow::enterDesk() {
   leaveDesk();
   if (!setup_.idle) {
-    idle_.setLimits(centreIdleLimits(session_->connection()));
+    idle_.setLimits(centreIdleLimits(session_->connectionWithoutRight()));
   }
   const bool station = homeOf(session_->actor()) == Home::kStation;
   applyChoices(userId(), station);

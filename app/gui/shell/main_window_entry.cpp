@@ -18,6 +18,7 @@
 #include "app/gui/shell/trouble_panel.h"
 #include "app/recording/station_start.h"
 #include "app/recording/station_writer.h"
+#include "assessment/people/account.h"
 
 namespace torsio::gui {
 
@@ -53,11 +54,11 @@ void MainWindow::openDatabase() {
   try {
     session_ = std::make_unique<SessionContext>(key());
     session_->setPasswordCost(setup_.passwordCost);
-    if (needsFirstRun(session_->connection())) {
+    if (needsFirstRun(session_->connectionWithoutRight())) {
       enterFirstRun();
       return;
     }
-    const CentreSign sign = centreSign(session_->connection());
+    const CentreSign sign = centreSign(session_->connectionWithoutRight());
     centre_ = toQString(sign.name);
     if (!preferences_.language({})) {
       if (const auto language = languageOf(toQString(sign.language))) {
@@ -167,7 +168,7 @@ void MainWindow::setUp(const FirstRunChoice& choice) {
       [this, choice, key = key()]() -> Background::Finish {
         SessionContext own(key);
         own.setPasswordCost(setup_.passwordCost);
-        if (!needsFirstRun(own.connection())) {
+        if (!needsFirstRun(own.connectionWithoutRight())) {
           return [this, choice] {  // a centre is there already: its people sign in
             firstRun_->job().end();
             preferences_.setDatabase(choice.locator);

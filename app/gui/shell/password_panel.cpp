@@ -12,18 +12,19 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "assessment/people/password_rule.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
 
 namespace {
 
-constexpr int kCardWidth = 460;
+constexpr int kPasswordWidth = 460;
 
 }  // namespace
 
 PasswordPanel::PasswordPanel(QWidget* parent) : QWidget(parent) {
-  QVBoxLayout* column = centredCard(this, kCardWidth);
+  QVBoxLayout* column = centredCard(this, kPasswordWidth);
   heading_ = new QLabel(this);
   heading_->setProperty("heading", true);
   why_ = sentence(this);

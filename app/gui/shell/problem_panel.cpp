@@ -9,6 +9,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/theme.h"
 
@@ -17,12 +18,6 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kDetailLines = 4;
-
-QPushButton* linkButton(QWidget* parent) {
-  auto* button = new QPushButton(parent);
-  button->setProperty("link", true);
-  return button;
-}
 
 }  // namespace
 

@@ -16,14 +16,14 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kCardWidth = 420;
+constexpr int kSignInWidth = 420;
 constexpr int kSecond_ms = 1000;
 constexpr std::int64_t kSecond_us = 1'000'000;
 
 }  // namespace
 
 SignInPanel::SignInPanel(QWidget* parent) : QWidget(parent) {
-  QVBoxLayout* column = centredCard(this, kCardWidth);
+  QVBoxLayout* column = centredCard(this, kSignInWidth);
   auto* name = new QLabel(QStringLiteral("Torsio"), this);
   name->setProperty("figure", true);
   centre_ = sentence(this);

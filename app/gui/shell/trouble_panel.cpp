@@ -14,12 +14,12 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kCardWidth = 720;
+constexpr int kTroubleWidth = 720;
 
 }  // namespace
 
 TroublePanel::TroublePanel(QWidget* parent) : QWidget(parent), problem_(new ProblemPanel(this)) {
-  QVBoxLayout* column = centredCard(this, kCardWidth);
+  QVBoxLayout* column = centredCard(this, kTroubleWidth);
   problem_->setClosable(false);
   retry_ = primaryButton(this);
   other_ = linkButton(this);

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "app/base/refusal.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
+#include "sim/base/live_of_sample.h"
+#include "sim/base/refusal.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio::gui {
@@ -107,18 +108,7 @@ LiveState TrialPlayback::state() const {
   for (auto one = samples.begin(); one != at + 1; ++one) {
     target_rad = targetAfter(target_rad, *one);
   }
-  const Sample& now = *at;
-  const ToolState tool = toolState(now.device);
-  LiveState state;
-  state.time_us = now.device.time_us;
-  state.tick = now.tick;
-  state.tool = tool.pose;
-  state.grip = tool.grip;
-  state.phase = now.phase;
-  state.response = now.response;
-  state.force_N = now.force_N;
-  state.limits = now.limits;
-  state.contact = now.contact;
+  LiveState state = liveStateOf(*at);
   state.targetAngle_rad = target_rad;
   return state;
 }

@@ -25,7 +25,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kPanelWidth = 340;
+constexpr int kBriefingWidth = 340;
 
 }  // namespace
 
@@ -48,7 +48,7 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
   row->addLayout(left, 1);
 
   auto* panel = new QWidget(this);
-  panel->setFixedWidth(kPanelWidth);
+  panel->setFixedWidth(kBriefingWidth);
   auto* column = new QVBoxLayout(panel);
   column->setContentsMargins(2 * kSpace, 2 * kSpace, 2 * kSpace, 2 * kSpace);
   column->setSpacing(kSpace + 4);

@@ -23,7 +23,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kWidest = 860;
+constexpr int kCheckWidest = 860;
 
 const char* iconOf(Light light) {
   return light == Light::kGreen ? "check" : light == Light::kAmber ? "warning" : "stop";
@@ -37,7 +37,7 @@ QColor colourOf(Light light, const Theme& theme) {
 
 DeviceCheckPage::DeviceCheckPage(ShellContext& context, StationDesk& desk, QWidget* parent)
     : Page(context, parent), desk_(desk), theme_(&theme(context.themeKind())) {
-  const PageColumn page = pageColumn(this, kWidest);
+  const PageColumn page = pageColumn(this, kCheckWidest);
   heading_ = page.heading;
   card_ = new Card(QString(), this);
   verdict_ = plainLabel(card_, "heading");

@@ -22,7 +22,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kWidest = 1080;
+constexpr int kStepsWidest = 1080;
 
 const RunPhase* presentPhase(const RunPlan& plan) {
   const auto open = std::find_if(plan.phases.begin(), plan.phases.end(),
@@ -48,7 +48,7 @@ QString iconOf(StepState state) {
 
 NextStepPage::NextStepPage(ShellContext& context, StationDesk& desk, QWidget* parent)
     : Page(context, parent), desk_(desk), theme_(&theme(context.themeKind())) {
-  const PageColumn page = pageColumn(this, kWidest);
+  const PageColumn page = pageColumn(this, kStepsWidest);
   heading_ = page.heading;
   consent_ = linkButton(this);
   heading_->addAction(consent_);

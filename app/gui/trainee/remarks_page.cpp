@@ -60,6 +60,8 @@ RemarksPage::RemarksPage(ShellContext& context, QWidget* parent)
   row->setSpacing(2 * kSpace);
   list_ = new QListWidget(this);
   list_->setFixedWidth(kListWidth);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setWordWrap(true);
   row->addWidget(list_);
   right_ = new QWidget(this);
   auto* column = new QVBoxLayout(right_);

@@ -26,6 +26,7 @@
 #include "app/gui/widgets/level_bar.h"
 #include "app/recording/station_writer.h"
 #include "app/recording/unstored_trials.h"
+#include "assessment/study/curriculum.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
@@ -269,7 +270,7 @@ void RunPage::record() {
     return;
   }
   lastTrial_ = toQString(recording.trialId);
-  const StoredModule& module = runSession_->step().module;
+  const TrainingModule& module = runSession_->step().module;
   dial_->setTarget(scene_->controller().target_rad(), module.tolerance_rad);
   torque_->setLimit(module.maxTorque_Nm.value_or(0.0));
   force_->setLimit(module.maxForce_N.value_or(0.0));

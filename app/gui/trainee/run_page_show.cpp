@@ -16,6 +16,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/level_bar.h"
+#include "assessment/study/curriculum.h"
 
 namespace torsio::gui {
 
@@ -128,7 +129,7 @@ bool RunPage::showNotice() {
 }
 
 QString RunPage::cue(const LiveState& state) const {
-  const StoredModule& module = runSession_->step().module;
+  const TrainingModule& module = runSession_->step().module;
   const double target = module.targetAngle_rad;
   switch (state.phase) {
     case ExercisePhase::kTracking:

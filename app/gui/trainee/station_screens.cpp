@@ -29,7 +29,8 @@ constexpr double kHand_s = 60.0;
 constexpr double kExpertAt = 0.45;  // of the replay
 
 DemonstrationStation laidOut(SessionContext& session) {
-  return storeDemonstrationStation(session.connection(), session.ids(), assetsFolder(), session.now_us());
+  return storeDemonstrationStation(session.connectionWithoutRight(), session.ids(), assetsFolder(),
+                                   session.now_us());
 }
 
 template <typename Condition>

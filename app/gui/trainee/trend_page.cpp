@@ -18,6 +18,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "assessment/study/curriculum.h"
 
 namespace torsio::gui {
 
@@ -141,7 +142,7 @@ void TrendPage::fillChoices() {
     if (step.module.id != module_) {
       continue;
     }
-    for (const StoredMasteryRule& rule : step.module.mastery) {
+    for (const MasteryCriterion& rule : step.module.mastery) {
       if (std::find(metrics.begin(), metrics.end(), rule.metric) == metrics.end()) {
         metrics.push_back(rule.metric);
       }

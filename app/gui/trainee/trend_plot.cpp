@@ -14,10 +14,10 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr double kLeft = 62.0;
-constexpr double kRight = 20.0;
-constexpr double kTop = 26.0;
-constexpr double kBottom = 44.0;
+constexpr double kTrendLeft = 62.0;
+constexpr double kTrendRight = 20.0;
+constexpr double kTrendTop = 26.0;
+constexpr double kTrendBottom = 44.0;
 constexpr double kMark = 5.0;
 
 }  // namespace
@@ -75,11 +75,11 @@ void TrendPlot::findRange() {
 
 double TrendPlot::xOf(double attempt) const {
   const double last = std::max<double>(4.0, static_cast<double>(trend_.points.size()));
-  return kLeft + 14.0 + (attempt - 1.0) / (last - 1.0) * (width() - kLeft - kRight - 28.0);
+  return kTrendLeft + 14.0 + (attempt - 1.0) / (last - 1.0) * (width() - kTrendLeft - kTrendRight - 28.0);
 }
 
 double TrendPlot::yOf(double value) const {
-  return height() - kBottom - (value - low_) / (high_ - low_) * (height() - kTop - kBottom);
+  return height() - kTrendBottom - (value - low_) / (high_ - low_) * (height() - kTrendTop - kTrendBottom);
 }
 
 void TrendPlot::drawGrid(QPainter& painter) const {
@@ -97,19 +97,19 @@ void TrendPlot::drawGrid(QPainter& painter) const {
   const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
   for (double v = std::ceil(low_ / step) * step; v <= high_; v += step) {
     painter.setPen(theme_->line);
-    painter.drawLine(QPointF(kLeft, yOf(v)), QPointF(width() - kRight, yOf(v)));
+    painter.drawLine(QPointF(kTrendLeft, yOf(v)), QPointF(width() - kTrendRight, yOf(v)));
     painter.setPen(theme_->quietText);
-    painter.drawText(QRectF(0.0, yOf(v) - 9.0, kLeft - 8.0, 18.0), Qt::AlignRight | Qt::AlignVCenter,
+    painter.drawText(QRectF(0.0, yOf(v) - 9.0, kTrendLeft - 8.0, 18.0), Qt::AlignRight | Qt::AlignVCenter,
                      QLocale().toString(v, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212)));
   }
   const std::size_t last = std::max<std::size_t>(4, trend_.points.size());
   const std::size_t every = last > 20 ? last / 10 : 1;
   for (std::size_t a = 1; a <= last; a += every) {
-    painter.drawText(QRectF(xOf(static_cast<double>(a)) - 20.0, height() - kBottom + 4.0, 40.0, 16.0),
+    painter.drawText(QRectF(xOf(static_cast<double>(a)) - 20.0, height() - kTrendBottom + 4.0, 40.0, 16.0),
                      Qt::AlignHCenter, QString::number(a));
   }
-  painter.drawText(QRectF(kLeft, height() - 20.0, width() - kLeft - kRight, 18.0), Qt::AlignHCenter,
-                   tr("Attempt"));
+  painter.drawText(QRectF(kTrendLeft, height() - 20.0, width() - kTrendLeft - kTrendRight, 18.0),
+                   Qt::AlignHCenter, tr("Attempt"));
   const QString unit = StationLabels::unitOf(trend_.metric);
   painter.drawText(QRectF(0.0, 2.0, width(), 18.0), Qt::AlignLeft,
                    unit.isEmpty() ? StationLabels::metric(trend_.metric)
@@ -162,14 +162,15 @@ void TrendPlot::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   drawGrid(painter);
-  painter.setClipRect(QRectF(kLeft, kTop - 6.0, width() - kLeft - kRight, height() - kTop - kBottom + 12.0));
+  painter.setClipRect(QRectF(kTrendLeft, kTrendTop - 6.0, width() - kTrendLeft - kTrendRight,
+                             height() - kTrendTop - kTrendBottom + 12.0));
   if (trend_.threshold) {
     const double y = yOf(StationLabels::inDisplayUnit(trend_.metric, *trend_.threshold));
     painter.setPen(QPen(theme_->text, 1.4, Qt::DashLine));
-    painter.drawLine(QPointF(kLeft, y), QPointF(width() - kRight, y));
+    painter.drawLine(QPointF(kTrendLeft, y), QPointF(width() - kTrendRight, y));
     painter.setPen(theme_->text);
-    painter.drawText(QRectF(kLeft, y - 18.0, width() - kLeft - kRight - 6.0, 16.0), Qt::AlignRight,
-                     tr("threshold"));
+    painter.drawText(QRectF(kTrendLeft, y - 18.0, width() - kTrendLeft - kTrendRight - 6.0, 16.0),
+                     Qt::AlignRight, tr("threshold"));
   }
   drawCurve(painter);
   drawPoints(painter);

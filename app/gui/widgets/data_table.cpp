@@ -2,14 +2,12 @@
 #include "app/gui/widgets/data_table.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
-#include <QAbstractTableModel>
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
-#include <QCollator>
-#include <QDateTime>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -17,173 +15,26 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QPainter>
 #include <QSettings>
-#include <QSortFilterProxyModel>
-#include <QStyledItemDelegate>
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "app/gui/widgets/data_table_model.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
 
 namespace {
 
-constexpr int kSortRole = Qt::UserRole;
-constexpr int kIdRole = Qt::UserRole + 1;
 constexpr int kRowHeight = 32;
+constexpr int kLeastWidth = 12 * kSpace;  // a wider column gives way before a list scrolls sideways
 constexpr int kMeasuredRows = 200;  // for the widths of the columns: all of a long list would take too long
-
-/// Numbers by size, texts by the rules of the language ("T-2" before "T-10").
-class SortedRows final : public QSortFilterProxyModel {
- public:
-  explicit SortedRows(QObject* parent) : QSortFilterProxyModel(parent), collator_(collation()) {
-    setSortRole(kSortRole);
-    setFilterCaseSensitivity(Qt::CaseInsensitive);
-    setFilterKeyColumn(-1);
-    collator_.setNumericMode(true);
-    collator_.setCaseSensitivity(Qt::CaseInsensitive);
-  }
-
- protected:
-  [[nodiscard]] bool lessThan(const QModelIndex& left, const QModelIndex& right) const override {
-    const QVariant a = left.data(kSortRole);
-    const QVariant b = right.data(kSortRole);
-    if (a.typeId() == QMetaType::QString || b.typeId() == QMetaType::QString) {
-      return collator_.compare(a.toString(), b.toString()) < 0;
-    }
-    return a.toDouble() < b.toDouble();
-  }
-
- private:
-  /// The "C" locale compares bytes and knows no numbers.
-  static QLocale collation() {
-    const QLocale locale;
-    return locale.language() == QLocale::C ? QLocale(QLocale::English) : locale;
-  }
-
-  QCollator collator_;
-};
-
-/// Cells stand as far from their edges as the headers: a number never touches the text beside it.
-class PaddedCells final : public QStyledItemDelegate {
- public:
-  using QStyledItemDelegate::QStyledItemDelegate;
-
-  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    QStyleOptionViewItem cell = option;
-    initStyleOption(&cell, index);
-    const QString text = cell.text;
-    cell.text.clear();
-    const QStyle* style = cell.widget != nullptr ? cell.widget->style() : QApplication::style();
-    style->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
-    const bool enabled = cell.state.testFlag(QStyle::State_Enabled);
-    painter->save();
-    painter->setFont(cell.font);
-    painter->setPen(cell.palette.color(
-        enabled ? QPalette::Active : QPalette::Disabled,
-        cell.state.testFlag(QStyle::State_Selected) ? QPalette::HighlightedText : QPalette::Text));
-    const QRect place = cell.rect.adjusted(kSpace, 0, -kSpace, 0);
-    painter->drawText(place, static_cast<int>(cell.displayAlignment | Qt::TextSingleLine),
-                      cell.fontMetrics.elidedText(text, Qt::ElideRight, place.width()));
-    painter->restore();
-  }
-  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    return QStyledItemDelegate::sizeHint(option, index) + QSize(2 * kSpace, 0);
-  }
-};
 
 }  // namespace
 
 Cell timeCell(std::int64_t utc_us) {
   return {.text = {}, .sortKey = static_cast<qlonglong>(utc_us), .time = true};
 }
-
-class DataTable::Model final : public QAbstractTableModel {
- public:
-  explicit Model(DataTable* table) : QAbstractTableModel(table), table_(table) {}
-
-  void setColumns(const std::vector<Column>& columns) {
-    if (columns.size() == columns_.size()) {
-      columns_ = columns;
-      if (!columns_.empty()) {
-        Q_EMIT headerDataChanged(Qt::Horizontal, 0, columnCount({}) - 1);
-      }
-      return;
-    }
-    beginResetModel();
-    columns_ = columns;
-    rows_.clear();
-    endResetModel();
-  }
-
-  void setRows(std::vector<Row> rows) {
-    beginResetModel();
-    rows_ = std::move(rows);
-    endResetModel();
-  }
-
-  [[nodiscard]] const std::vector<Column>& columns() const noexcept { return columns_; }
-
-  [[nodiscard]] int rowCount(const QModelIndex& parent) const override {
-    return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-  }
-  [[nodiscard]] int columnCount(const QModelIndex& parent) const override {
-    return parent.isValid() ? 0 : static_cast<int>(columns_.size());
-  }
-
-  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override {
-    const Row& row = rows_[static_cast<std::size_t>(index.row())];
-    const auto column = static_cast<std::size_t>(index.column());
-    if (role == kIdRole) {
-      return row.id;
-    }
-    if (role == Qt::TextAlignmentRole && columns_[column].number) {
-      return QVariant(Qt::AlignRight | Qt::AlignVCenter);
-    }
-    if (column >= row.cells.size()) {
-      return {};
-    }
-    const Cell& cell = row.cells[column];
-    switch (role) {
-      case Qt::DisplayRole:
-        return cell.time ? timeText(cell.sortKey.toLongLong()) : cell.text;
-      case Qt::ToolTipRole:
-        return cell.tip.isEmpty() ? QVariant() : QVariant(cell.tip);
-      case kSortRole:
-        return cell.sortKey.isValid() ? cell.sortKey : QVariant(cell.text);
-      default:
-        return {};
-    }
-  }
-
-  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
-    if (orientation != Qt::Horizontal) {
-      return {};
-    }
-    const Column& column = columns_[static_cast<std::size_t>(section)];
-    if (role == Qt::DisplayRole) {
-      return column.title;
-    }
-    if (role == Qt::TextAlignmentRole) {
-      return QVariant((column.number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    }
-    return {};
-  }
-
- private:
-  [[nodiscard]] QString timeText(qlonglong utc_us) const {
-    if (utc_us == 0) {
-      return QStringLiteral("\u2013");
-    }
-    return table_->locale().toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
-  }
-
-  const DataTable* table_;
-  std::vector<Column> columns_;
-  std::vector<Row> rows_;
-};
 
 DataTable::DataTable(const QString& name, QWidget* parent)
     : QWidget(parent),
@@ -257,7 +108,7 @@ DataTable::DataTable(const QString& name, QWidget* parent)
   connect(header, &QHeaderView::customContextMenuRequested, this, &DataTable::showColumnMenu);
   connect(header, &QHeaderView::sectionMoved, this, [this] { touched_ = true; });
   connect(header, &QHeaderView::sectionResized, this, [this] {
-    if (QApplication::mouseButtons().testFlag(Qt::LeftButton)) {
+    if (!sharing_ && QApplication::mouseButtons().testFlag(Qt::LeftButton)) {
       touched_ = true;
     }
   });
@@ -321,18 +172,46 @@ void DataTable::setRows(std::vector<Row> rows) {
 /// still.
 void DataTable::fitColumns(bool first) {
   QHeaderView* header = view_->horizontalHeader();
-  std::vector<int> before;
-  for (int column = 0; column < header->count(); ++column) {
-    before.push_back(header->sectionSize(column));
-  }
   view_->resizeColumnsToContents();
-  for (int column = 0; !first && column + 1 < header->count(); ++column) {
-    header->resizeSection(column,
-                          std::max(before[static_cast<std::size_t>(column)], header->sectionSize(column)));
+  wanted_.resize(static_cast<std::size_t>(header->count()), 0);
+  for (int column = 0; column < header->count(); ++column) {
+    int& wanted = wanted_[static_cast<std::size_t>(column)];
+    wanted = first ? header->sectionSize(column) : std::max(wanted, header->sectionSize(column));
   }
+  shareWidth();
   // Sizing to contents shrinks the last column too: it takes the rest again.
   header->setStretchLastSection(false);
   header->setStretchLastSection(true);
+}
+
+/// Where the columns are wider than the list, the widest give way, so that nothing is scrolled sideways while
+/// it can be read.
+void DataTable::shareWidth() {
+  QHeaderView* header = view_->horizontalHeader();
+  if (touched_ || wanted_.size() != static_cast<std::size_t>(header->count())) {
+    return;
+  }
+  std::vector<int> widths = wanted_;
+  for (int column = 0; column < header->count(); ++column) {
+    if (header->isSectionHidden(column)) {
+      widths[static_cast<std::size_t>(column)] = 0;
+    }
+  }
+  int over = std::accumulate(widths.begin(), widths.end(), 0) - view_->viewport()->width();
+  for (; over > 0 && !widths.empty(); --over) {
+    const auto widest = std::max_element(widths.begin(), widths.end());
+    if (*widest <= kLeastWidth) {
+      break;
+    }
+    --*widest;
+  }
+  sharing_ = true;
+  for (int column = 0; column < header->count(); ++column) {
+    if (!header->isSectionHidden(column)) {
+      header->resizeSection(column, widths[static_cast<std::size_t>(column)]);
+    }
+  }
+  sharing_ = false;
 }
 
 void DataTable::setColumnHidden(int column, bool hidden) {
@@ -503,6 +382,7 @@ void DataTable::changeEvent(QEvent* event) {
 
 bool DataTable::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize && watched == view_->viewport()) {
+    shareWidth();
     showCount();
   }
   if (event->type() == QEvent::KeyPress && watched == view_) {

@@ -94,6 +94,7 @@ class DataTable : public QWidget {
   void showColumnMenu(const QPoint& at);
   void sortByCurrent();
   void fitColumns(bool first);
+  void shareWidth();
   void showCount();
   void retranslate();
   [[nodiscard]] QString settingsKey() const;
@@ -114,6 +115,8 @@ class DataTable : public QWidget {
   QAction* copyAction_ = nullptr;
   QAction* sortAction_ = nullptr;
   QAction* columnsAction_ = nullptr;
+  std::vector<int> wanted_;  // width of each column that shows all that is in it, px
+  bool sharing_ = false;     // the table sizes its columns, not somebody with the mouse
   bool restored_ = false;
   bool touched_ = false;  // somebody moved, sized, hid or sorted: only that is worth remembering
 };

@@ -29,6 +29,22 @@ AuditEntry entryOf(RowReader& row) {
           .entryHash = row.text()};
 }
 
+/// The line of the trail that `added` becomes behind the entry `previous`, still without its own hash.
+AuditEntry following(const NewAuditEntry& added, std::int64_t sequence, const std::string& previous) {
+  return {.sequence = sequence,
+          .atUtc_us = added.atUtc_us,
+          .actor = added.actor,
+          .station = added.station,
+          .action = std::string(storedText(added.action)),
+          .objectKind = std::string(storedText(added.objectKind)),
+          .objectId = added.objectId,
+          .oldJson = added.oldJson,
+          .newJson = added.newJson,
+          .reason = added.reason,
+          .objectHash = added.objectHash,
+          .previousHash = previous};
+}
+
 bool moreThanLimit(Connection& connection, const AuditFilter& filter) {
   return selectFirst(connection, std::string("SELECT 1 FROM audit_entry") + kInTime + " LIMIT 1 OFFSET ?",
                      {filter.fromUtc_us, filter.toUtc_us, filter.limit}, readInt64)
@@ -45,7 +61,7 @@ std::string auditHash(const AuditEntry& entry) {
   return digest.hex();
 }
 
-void AuditRepository::append(std::span<const AuditEntry> entries) {
+void AuditRepository::append(std::span<const NewAuditEntry> entries) {
   Transaction transaction(connection_);
   if (connection_.engine() == Engine::kPostgresql) {
     // SQLite holds its one write lock already.
@@ -59,9 +75,8 @@ void AuditRepository::append(std::span<const AuditEntry> entries) {
                   })
           .value_or(std::pair<std::int64_t, std::string>{});
   Statement insert = connection_.prepare(insertInto("audit_entry", kColumns));
-  for (AuditEntry entry : entries) {
-    entry.sequence = ++sequence;
-    entry.previousHash = previous;
+  for (const NewAuditEntry& added : entries) {
+    AuditEntry entry = following(added, ++sequence, previous);
     entry.entryHash = auditHash(entry);
     insert.execute({entry.sequence, entry.atUtc_us, entry.actor, entry.station, entry.action,
                     entry.objectKind, entry.objectId, entry.oldJson, entry.newJson, entry.reason,
@@ -74,13 +89,12 @@ void AuditRepository::append(std::span<const AuditEntry> entries) {
 std::vector<AuditEntry> AuditRepository::entries(const AuditFilter& filter) {
   // Many entries of a time are not sorted for the newest of them: the chain is walked backwards to the limit.
   // The sign keeps the index of the times out of the plan. Few are found by that index, wherever they lie.
-  const bool walk =
-      filter.objectKind.empty() && filter.objectId.empty() && moreThanLimit(connection_, filter);
+  const bool walk = !filter.objectKind && filter.objectId.empty() && moreThanLimit(connection_, filter);
   std::string where = walk ? " WHERE +at_utc_us >= ? AND +at_utc_us <= ?" : kInTime;
   std::vector<Value> values{filter.fromUtc_us, filter.toUtc_us};
-  if (!filter.objectKind.empty()) {
+  if (filter.objectKind) {
     where += " AND object_kind = ?";
-    values.emplace_back(filter.objectKind);
+    values.emplace_back(storedText(*filter.objectKind));
   }
   if (!filter.objectId.empty()) {
     where += " AND object_id = ?";

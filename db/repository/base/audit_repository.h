@@ -8,38 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "assessment/people/audit_entry.h"
+#include "assessment/people/audit_terms.h"
 #include "db/connection/connection.h"
 
 namespace torsio {
 
-/// One line of the audit trail: who, when, where, what, old, new, why. Ids and codes only, never a name.
-struct AuditEntry {
-  std::int64_t sequence = 0;  ///< given by append()
-  std::int64_t atUtc_us = 0;
-  std::string actor{};  ///< id of a user or rater; "torsio" for the program itself
-  std::string station{};
-  std::string action{};      ///< "mark.submit", "report.export_named" ...
-  std::string objectKind{};  ///< table of the object: "training_mark"
-  std::string objectId{};
-  std::string oldJson{};
-  std::string newJson{};
-  std::string reason{};
-  std::string objectHash{};    ///< seals the row that was written; empty: nothing sealed
-  std::string previousHash{};  ///< given by append()
-  std::string entryHash{};     ///< given by append()
-};
-
 /// Action of an entry that tells of a sealed row which went with the demonstration data: it is not missed.
 inline constexpr const char* kDemonstrationRemoved = "demonstration.remove";
-
-/// Which entries to list, newest first. Empty texts do not restrict.
-struct AuditFilter {
-  std::string objectKind{};
-  std::string objectId{};
-  std::int64_t fromUtc_us = 0;
-  std::int64_t toUtc_us = INT64_MAX;
-  std::int64_t limit = 500;
-};
 
 /// The hash-chained trail. append() belongs into the transaction of the change that it tells of.
 class AuditRepository {
@@ -47,8 +23,8 @@ class AuditRepository {
   explicit AuditRepository(Connection& connection) : connection_(connection) {}
 
   /// One transaction, or part of the one that is open. Stations wait for each other here.
-  void append(std::span<const AuditEntry> entries);
-  void append(const AuditEntry& entry) { append(std::span(&entry, 1)); }
+  void append(std::span<const NewAuditEntry> entries);
+  void append(const NewAuditEntry& entry) { append(std::span(&entry, 1)); }
   [[nodiscard]] std::vector<AuditEntry> entries(const AuditFilter& filter = {});
   /// Entries of a time, both ends included.
   [[nodiscard]] std::int64_t count(std::int64_t fromUtc_us, std::int64_t toUtc_us = INT64_MAX) const;

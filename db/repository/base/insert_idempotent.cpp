@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "db/connection/db_error.h"
+
 namespace torsio {
 
 namespace {

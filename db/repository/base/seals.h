@@ -9,13 +9,9 @@
 
 namespace torsio {
 
-/// What can be sealed: rows on which careers hang.
-inline constexpr const char* kSealedMark = "training_mark";
-inline constexpr const char* kSealedEvaluationMark = "evaluation_mark";
-inline constexpr const char* kSealedTrial = "trial";
-
-/// The hash of every submitted training mark with its rows, as the tables have them now; `markId` empty: of
-/// all. A comment enters by its stored hash, so that it may be erased.
+/// What can be sealed are rows on which careers hang: training marks, evaluation marks and trials. The hash
+/// of every submitted training mark with its rows, as the tables have them now; `markId` empty: of all. A
+/// comment enters by its stored hash, so that it may be erased.
 [[nodiscard]] std::map<std::string, std::string> markHashes(Connection& connection,
                                                             std::span<const std::string> ids = {});
 [[nodiscard]] std::map<std::string, std::string> evaluationMarkHashes(Connection& connection,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/base/stored_term.h"
 
+#include "db/connection/db_error.h"
+
 namespace torsio {
 
 void refuseStoredTerm(const std::string& column, const std::string& stored) {

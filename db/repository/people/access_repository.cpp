@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "assessment/people/password_rule.h"
 #include "db/connection/row_reader.h"
 #include "sim/base/error.h"
 
@@ -54,7 +55,7 @@ SealedSecret AccessRepository::sealPin(const std::string& pin) const {
   return {hashPassword(pin, cost_)};
 }
 
-void AccessRepository::addUser(const StoredUser& user, const SealedSecret& password) {
+void AccessRepository::addUser(const UserAccount& user, const SealedSecret& password) {
   Transaction transaction(connection_);
   connection_.execute(
       "INSERT INTO app_user (id, login, person_id, password_hash, must_change_password, state, failed_count,"
@@ -65,23 +66,23 @@ void AccessRepository::addUser(const StoredUser& user, const SealedSecret& passw
   transaction.commit();
 }
 
-std::vector<StoredUser> AccessRepository::users() const {
+std::vector<UserAccount> AccessRepository::users() const {
   Statement statement = connection_.prepare(
       "SELECT u.id, u.login, u.person_id, u.must_change_password, u.state, u.pin_hash, u.created_utc_us,"
       " u.demonstration, r.role_code FROM app_user u LEFT JOIN user_role r ON r.user_id = u.id"
       " ORDER BY u.login, r.role_code");
   statement.execute();
-  std::vector<StoredUser> users;
+  std::vector<UserAccount> users;
   while (statement.step()) {  // one row a role
     RowReader row(statement);
-    StoredUser user{.id = row.text(),
-                    .login = row.text(),
-                    .personId = row.text(),
-                    .mustChangePassword = row.boolean(),
-                    .active = row.text() == "active",
-                    .hasPin = row.hasValue(),
-                    .createdUtc_us = row.int64(),
-                    .demonstration = row.boolean()};
+    UserAccount user{.id = row.text(),
+                     .login = row.text(),
+                     .personId = row.text(),
+                     .mustChangePassword = row.boolean(),
+                     .active = row.text() == "active",
+                     .hasPin = row.hasValue(),
+                     .createdUtc_us = row.int64(),
+                     .demonstration = row.boolean()};
     const std::optional<std::string> role = row.maybeText();
     if (users.empty() || users.back().id != user.id) {
       users.push_back(std::move(user));

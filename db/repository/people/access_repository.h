@@ -6,31 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "assessment/people/account.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/password.h"
 
 namespace torsio {
-
-/// Somebody who may sign in. No default user and no default password exist.
-struct StoredUser {
-  std::string id{};
-  std::string login{};     ///< unique
-  std::string personId{};  ///< empty: nobody of the record (an administrator, say)
-  bool mustChangePassword = true;
-  bool active = true;
-  bool hasPin = false;  ///< filled when read
-  std::int64_t createdUtc_us = 0;
-  bool demonstration = false;
-  std::vector<std::string> roles{};  ///< codes
-};
-
-enum class SignIn {
-  kOk,
-  kMustChange,  ///< right, but nothing else is allowed before a new password is set
-  kWrong,       ///< unknown login or wrong password: which of the two is not told
-  kWait,        ///< too many failures: not even tried
-  kDisabled,    ///< right, but the user was disabled
-};
 
 struct SignInResult {
   SignIn outcome = SignIn::kWrong;
@@ -62,11 +42,11 @@ class AccessRepository {
   [[nodiscard]] SealedSecret sealPin(const std::string& pin) const;
 
   /// The password must be changed at the first sign-in.
-  void addUser(const StoredUser& user, const SealedSecret& password);
-  void addUser(const StoredUser& user, const std::string& password) {
+  void addUser(const UserAccount& user, const SealedSecret& password);
+  void addUser(const UserAccount& user, const std::string& password) {
     addUser(user, sealPassword(user.login, password));
   }
-  [[nodiscard]] std::vector<StoredUser> users() const;
+  [[nodiscard]] std::vector<UserAccount> users() const;
   void setRoles(const std::string& userId, const std::vector<std::string>& roles);
   void setActive(const std::string& userId, bool active);
 

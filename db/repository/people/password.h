@@ -3,23 +3,9 @@
 
 #include <string>
 
+#include "assessment/people/account.h"
+
 namespace torsio {
-
-/// How much time and memory one guess costs (Argon2id of libsodium).
-enum class PasswordCost {
-  kTest,         ///< the least that the library allows: tests only
-  kInteractive,  ///< 64 MiB, about 70 ms
-  kModerate,     ///< 256 MiB, about 0.4 s
-};
-
-/// Length counts, composition does not: no digit or capital is asked for, none is forbidden.
-inline constexpr int kShortestPassword = 15;   ///< characters, not bytes
-inline constexpr int kLongestPassword = 1024;  ///< bytes
-inline constexpr int kShortestPin = 4;
-
-/// Throws Error (kBadParameter) with a plain reason: too short, too long, one character or a short pattern
-/// over and over, or made of the login name.
-void checkPassword(const std::string& password, const std::string& login);
 
 /// Salted hash with its parameters, as one text. Runs off the GUI thread. Throws Error (kInternal) without
 /// memory.

@@ -24,13 +24,13 @@ Statement preparePersonInsert(Connection& connection) {
       "person", "id, code, sex, level, experience, age_years, state, created_utc_us, demonstration"));
 }
 
-void insertPerson(Statement& insert, const StoredPerson& person) {
+void insertPerson(Statement& insert, const Person& person) {
   insert.execute({person.id, person.code, textOrNull(person.sex), textOrNull(person.level),
                   textOrNull(person.experience), person.age_years, person.state, person.createdUtc_us,
                   person.demonstration});
 }
 
-StoredPerson personOf(RowReader& row) {
+Person personOf(RowReader& row) {
   return {.id = row.text(),
           .code = row.text(),
           .sex = row.text(),
@@ -42,19 +42,19 @@ StoredPerson personOf(RowReader& row) {
           .demonstration = row.boolean()};
 }
 
-StoredTrainee traineeOf(RowReader& row) {
+Trainee traineeOf(RowReader& row) {
   return {.person = personOf(row), .handedness = row.text()};
 }
 
-StoredRater raterOf(RowReader& row) {
+Rater raterOf(RowReader& row) {
   return {.person = personOf(row), .classCode = row.text()};
 }
 
-StoredIdentity identityOf(RowReader& row) {
+Identity identityOf(RowReader& row) {
   return {.personId = row.text(), .fullName = row.text(), .email = row.text(), .externalId = row.text()};
 }
 
-StoredConsent consentOf(RowReader& row) {
+ConsentDecision consentOf(RowReader& row) {
   return {.personId = row.text(),
           .purpose = row.text(),
           .granted = row.boolean(),
@@ -66,37 +66,37 @@ StoredConsent consentOf(RowReader& row) {
 
 }  // namespace
 
-void PeopleRepository::addRaterClasses(std::span<const StoredRaterClass> classes) {
+void PeopleRepository::addRaterClasses(std::span<const SeniorityClass> classes) {
   Transaction transaction(connection_);
   Statement insert = connection_.prepare(insertInto("rater_class", "code, label, position"));
-  for (const StoredRaterClass& raterClass : classes) {
+  for (const SeniorityClass& raterClass : classes) {
     insert.execute({raterClass.code, raterClass.label, raterClass.position});
   }
   transaction.commit();
 }
 
-std::vector<StoredRaterClass> PeopleRepository::raterClasses() const {
+std::vector<SeniorityClass> PeopleRepository::raterClasses() const {
   return selectAll(connection_, "SELECT code, label, position FROM rater_class ORDER BY position, code", {},
                    [](RowReader& row) {
-                     return StoredRaterClass{row.text(), row.text(), row.int64()};
+                     return SeniorityClass{row.text(), row.text(), row.int64()};
                    });
 }
 
-void PeopleRepository::addTrainees(std::span<const StoredTrainee> trainees) {
+void PeopleRepository::addTrainees(std::span<const Trainee> trainees) {
   Transaction transaction(connection_);
   Statement person = preparePersonInsert(connection_);
   Statement part = connection_.prepare(insertInto("trainee", "person_id, handedness"));
-  for (const StoredTrainee& trainee : trainees) {
+  for (const Trainee& trainee : trainees) {
     insertPerson(person, trainee.person);
     part.execute({trainee.person.id, textOrNull(trainee.handedness)});
   }
   transaction.commit();
 }
 
-void PeopleRepository::addRaters(std::span<const StoredRater> raters) {
+void PeopleRepository::addRaters(std::span<const Rater> raters) {
   Transaction transaction(connection_);
   Statement person = preparePersonInsert(connection_);
-  for (const StoredRater& rater : raters) {
+  for (const Rater& rater : raters) {
     insertPerson(person, rater.person);
     makeRater(rater.person.id, rater.classCode);
   }
@@ -111,7 +111,7 @@ void PeopleRepository::makeTrainee(const std::string& personId, const std::strin
   connection_.execute(insertInto("trainee", "person_id, handedness"), {personId, textOrNull(handedness)});
 }
 
-void PeopleRepository::updatePerson(const StoredPerson& person) {
+void PeopleRepository::updatePerson(const Person& person) {
   connection_.execute(
       "UPDATE person SET sex = ?, level = ?, experience = ?, age_years = ?, state = ? WHERE id = ?",
       {textOrNull(person.sex), textOrNull(person.level), textOrNull(person.experience), person.age_years,
@@ -127,7 +127,7 @@ void PeopleRepository::setRaterClass(const std::string& personId, const std::str
   connection_.execute("UPDATE rater SET class_code = ? WHERE person_id = ?", {classCode, personId});
 }
 
-std::optional<StoredPerson> PeopleRepository::find(const std::string& personId) const {
+std::optional<Person> PeopleRepository::find(const std::string& personId) const {
   return selectFirst(connection_, "SELECT " + kPersonColumns + " FROM person p WHERE p.id = ?", {personId},
                      personOf);
 }
@@ -136,27 +136,27 @@ std::vector<std::string> PeopleRepository::codes() const {
   return selectAll(connection_, "SELECT code FROM person", {}, readText);
 }
 
-std::vector<StoredTrainee> PeopleRepository::trainees() const {
+std::vector<Trainee> PeopleRepository::trainees() const {
   return selectAll(connection_, kTrainees + " ORDER BY p.code", {}, traineeOf);
 }
 
-std::vector<StoredRater> PeopleRepository::raters() const {
+std::vector<Rater> PeopleRepository::raters() const {
   return selectAll(connection_, kRaters + " ORDER BY c.position, p.code", {}, raterOf);
 }
 
-std::optional<StoredTrainee> PeopleRepository::findTrainee(const std::string& code) const {
+std::optional<Trainee> PeopleRepository::findTrainee(const std::string& code) const {
   return selectFirst(connection_, kTrainees + " WHERE p.code = ?", {code}, traineeOf);
 }
 
-std::optional<StoredRater> PeopleRepository::findRater(const std::string& code) const {
+std::optional<Rater> PeopleRepository::findRater(const std::string& code) const {
   return selectFirst(connection_, kRaters + " WHERE p.code = ?", {code}, raterOf);
 }
 
-std::optional<StoredIdentity> PeopleRepository::identity(const std::string& personId) const {
+std::optional<Identity> PeopleRepository::identity(const std::string& personId) const {
   return selectFirst(connection_, kIdentities + " WHERE person_id = ?", {personId}, identityOf);
 }
 
-void PeopleRepository::setIdentity(const StoredIdentity& identity) {
+void PeopleRepository::setIdentity(const Identity& identity) {
   connection_.execute(
       insertInto("person_identity", "person_id, full_name, email, external_id") +
           " ON CONFLICT (person_id) DO UPDATE SET full_name = excluded.full_name, email ="
@@ -164,15 +164,15 @@ void PeopleRepository::setIdentity(const StoredIdentity& identity) {
       {identity.personId, identity.fullName, textOrNull(identity.email), textOrNull(identity.externalId)});
 }
 
-std::optional<StoredIdentity> PeopleRepository::identityByExternalId(const std::string& externalId) const {
+std::optional<Identity> PeopleRepository::identityByExternalId(const std::string& externalId) const {
   return selectFirst(connection_, kIdentities + " WHERE external_id = ?", {externalId}, identityOf);
 }
 
-std::vector<StoredIdentity> PeopleRepository::identities() const {
+std::vector<Identity> PeopleRepository::identities() const {
   return selectAll(connection_, kIdentities, {}, identityOf);
 }
 
-void PeopleRepository::recordConsent(const StoredConsent& consent) {
+void PeopleRepository::recordConsent(const ConsentDecision& consent) {
   connection_.execute(
       "INSERT INTO consent (person_id, purpose, sequence, granted, text_version, decided_utc_us, recorded_by,"
       " demonstration) VALUES (?, ?, (SELECT COALESCE(MAX(c.sequence), 0) + 1 FROM consent c"
@@ -181,13 +181,13 @@ void PeopleRepository::recordConsent(const StoredConsent& consent) {
        consent.textVersion, consent.decidedUtc_us, consent.recordedBy, consent.demonstration});
 }
 
-std::vector<StoredConsent> PeopleRepository::consents(const std::string& personId) const {
+std::vector<ConsentDecision> PeopleRepository::consents(const std::string& personId) const {
   return selectAll(connection_,
                    kConsents + " WHERE c.person_id = ? ORDER BY c.decided_utc_us, c.purpose, c.sequence",
                    {personId}, consentOf);
 }
 
-std::vector<StoredConsent> PeopleRepository::newestConsents() const {
+std::vector<ConsentDecision> PeopleRepository::newestConsents() const {
   return selectAll(connection_,
                    kConsents +
                        " WHERE c.sequence = (SELECT MAX(n.sequence) FROM consent n"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "assessment/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/person_rules.h"
@@ -73,13 +74,13 @@ void erasePerson(Connection& connection, const std::string& personId, const std:
   connection.execute("DELETE FROM erasure_gate WHERE id = ?", {personId});
   connection.execute(insertInto("erasure", "person_id, requested_by, reason, erased_utc_us"),
                      {personId, requestedBy, reason, utc_us});
-  AuditEntry entry;
-  entry.atUtc_us = utc_us;
-  entry.actor = requestedBy;
-  entry.action = "person.erase";
-  entry.objectKind = "person";
-  entry.objectId = personId;
-  entry.reason = reason;
+  NewAuditEntry entry{.atUtc_us = utc_us,
+                      .actor = requestedBy,
+                      .station = {},
+                      .action = AuditAction::kPersonErase,
+                      .objectKind = AuditObject::kPerson,
+                      .objectId = personId,
+                      .reason = reason};
   AuditRepository(connection).append(entry);
   transaction.commit();
 }

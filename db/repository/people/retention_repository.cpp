@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "db/connection/row_reader.h"
+#include "db/repository/base/stored_term.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -78,7 +79,12 @@ std::optional<std::int64_t> since(const Activity& activity, std::string_view cat
 }
 
 RetentionHold holdOf(RowReader& row) {
-  return {row.text(), row.text(), row.maybeInt64(), row.text(), row.text(), row.int64()};
+  return {.personId = row.text(),
+          .kind = readTerm<HoldKind>(row, "kind"),
+          .untilUtc_us = row.maybeInt64(),
+          .reason = row.text(),
+          .decidedBy = row.text(),
+          .decidedUtc_us = row.int64()};
 }
 
 /// The newest decision about each person about whom there is one.
@@ -93,7 +99,8 @@ std::map<std::string, RetentionHold> newestHolds(Connection& connection) {
 }
 
 bool holdsAt(const RetentionHold& hold, std::int64_t utc_us) {
-  return hold.kind == "lock" || (hold.kind == "extend" && hold.untilUtc_us.value_or(0) > utc_us);
+  return hold.kind == HoldKind::kLock ||
+         (hold.kind == HoldKind::kExtend && hold.untilUtc_us.value_or(0) > utc_us);
 }
 
 }  // namespace
@@ -131,7 +138,7 @@ void RetentionRepository::addHold(const RetentionHold& hold) {
       "decided_utc_us)"
       " VALUES (?, (SELECT COALESCE(MAX(h.sequence), 0) + 1 FROM retention_hold h WHERE h.person_id = ?),"
       " ?, ?, ?, ?, ?)",
-      {hold.personId, hold.personId, hold.kind, hold.untilUtc_us, hold.reason, hold.decidedBy,
+      {hold.personId, hold.personId, storedText(hold.kind), hold.untilUtc_us, hold.reason, hold.decidedBy,
        hold.decidedUtc_us});
 }
 

@@ -1,50 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "assessment/people/retention.h"
 #include "db/connection/connection.h"
 
 namespace torsio {
-
-/// Why a person's record may be due.
-inline constexpr const char* kRetainTrainee = "trainee";              ///< since their last activity
-inline constexpr const char* kRetainRater = "rater";                  ///< since their last activity
-inline constexpr const char* kRetainLeft = "left";                    ///< left the centre; since the same
-inline constexpr const char* kRetainWithdrawn = "consent_withdrawn";  ///< since consent to the record ended
-
-/// How long the records of a category are kept, and on what lawful basis.
-struct RetentionRule {
-  std::string category{};  ///< one of the above
-  std::int64_t keep_days = 0;
-  std::string basis{};
-  std::int64_t changedUtc_us = 0;
-};
-
-/// What a reviewer decided about one person's record. Append-only; the newest counts.
-struct RetentionHold {
-  std::string personId{};
-  std::string kind{};                         ///< "lock" (for good), "extend" (until), "release"
-  std::optional<std::int64_t> untilUtc_us{};  ///< for "extend" only
-  std::string reason{};
-  std::string decidedBy{};
-  std::int64_t decidedUtc_us = 0;
-};
-
-/// One line of the review queue.
-struct RetentionItem {
-  std::string personId{};
-  std::string code{};
-  std::string category{};  ///< the rule that fell due first
-  std::string basis{};
-  std::int64_t sinceUtc_us = 0;  ///< last activity, or withdrawal
-  std::int64_t dueUtc_us = 0;
-  std::optional<RetentionHold> hold{};  ///< the newest decision
-  bool held = false;                    ///< locked, or extended beyond the time of the review
-};
 
 /// Retention rules, what is due, and what was decided about it. Erases nothing: erasePerson does. Simulated
 /// people are never due; they go with the demonstration.
@@ -58,7 +24,7 @@ class RetentionRepository {
   void removeRule(const std::string& category);
   [[nodiscard]] std::vector<RetentionRule> rules() const;
 
-  /// Throws DbError: kForeignKey (no such person), kCheck (unknown kind, or "extend" without its end).
+  /// Throws DbError: kForeignKey (no such person), kCheck (kExtend without its end).
   void addHold(const RetentionHold& hold);
 
   /// Everybody whose record is due at `utc_us` by some rule, those who are held among them; longest due

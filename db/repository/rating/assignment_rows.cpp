@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/rating/assignment_rows.h"
 
+#include "db/connection/connection.h"
+
 namespace torsio {
 
 namespace {
@@ -23,7 +25,7 @@ std::string selectAssignments(std::string_view more) {
   return select;
 }
 
-StoredAssignment readAssignment(RowReader& row) {
+Assignment readAssignment(RowReader& row) {
   return {.id = row.text(),
           .raterId = row.text(),
           .enrolmentId = row.text(),

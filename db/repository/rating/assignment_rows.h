@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/sheet.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/rating/sheet_repository.h"
 
@@ -15,7 +17,7 @@ namespace torsio {
 [[nodiscard]] std::string selectAssignments(std::string_view more = {});
 
 /// Reads the columns of selectAssignments().
-[[nodiscard]] StoredAssignment readAssignment(RowReader& row);
+[[nodiscard]] Assignment readAssignment(RowReader& row);
 
 /// Reads the rows of a sheet, by their code: those of a draft or of a sealed mark. Throws DbError.
 [[nodiscard]] std::vector<SheetRow> draftRows(Connection& connection, const std::string& assignmentId);

@@ -8,7 +8,7 @@
 
 namespace torsio {
 
-std::optional<StoredAssignment> DeskRepository::assignment(const std::string& assignmentId) const {
+std::optional<Assignment> DeskRepository::assignment(const std::string& assignmentId) const {
   return selectFirst(connection_, selectAssignments() + " WHERE a.id = ?", {assignmentId}, readAssignment);
 }
 
@@ -38,7 +38,7 @@ std::vector<CaseMark> DeskRepository::marksOfCase(const std::string& enrolmentId
   return marks;
 }
 
-std::vector<StoredAssignment> DeskRepository::committed(const std::string& raterId) const {
+std::vector<Assignment> DeskRepository::committed(const std::string& raterId) const {
   return selectAll(
       connection_,
       selectAssignments() +
@@ -64,7 +64,7 @@ std::optional<std::int64_t> DeskRepository::trialLength_us(const std::string& tr
       {trialId}, readInt64);
 }
 
-void DeskRepository::saveDraftViewing(const std::string& assignmentId, const StoredViewing& viewing) {
+void DeskRepository::saveDraftViewing(const std::string& assignmentId, const SheetViewing& viewing) {
   connection_.execute(
       insertInto("draft_viewing", "assignment_id, watched, slowest_permille, fastest_permille, worked_us") +
           " ON CONFLICT (assignment_id) DO UPDATE SET watched = excluded.watched,"
@@ -73,17 +73,17 @@ void DeskRepository::saveDraftViewing(const std::string& assignmentId, const Sto
       {assignmentId, viewing.watched, viewing.slowest_permille, viewing.fastest_permille, viewing.worked_us});
 }
 
-std::optional<StoredViewing> DeskRepository::draftViewing(const std::string& assignmentId) const {
+std::optional<SheetViewing> DeskRepository::draftViewing(const std::string& assignmentId) const {
   return selectFirst(connection_,
                      "SELECT watched, slowest_permille, fastest_permille, worked_us FROM draft_viewing"
                      " WHERE assignment_id = ?",
                      {assignmentId}, [](RowReader& row) {
-                       return StoredViewing{row.text(), {}, row.int64(), row.int64(), row.int64()};
+                       return SheetViewing{row.text(), {}, row.int64(), row.int64(), row.int64()};
                      });
 }
 
 void DeskRepository::sealViewing(const std::string& assignmentId, const std::string& markId,
-                                 const StoredViewing& viewing) {
+                                 const SheetViewing& viewing) {
   Transaction transaction(connection_);
   connection_.execute(
       insertInto("mark_viewing", "mark_id, watched_permille, slowest_permille, fastest_permille, worked_us"),
@@ -108,29 +108,29 @@ std::vector<std::string> DeskRepository::assignedTrials() const {
                    readText);
 }
 
-void DeskRepository::addReferenceRuns(std::span<const StoredReferenceRun> runs) {
+void DeskRepository::addReferenceRuns(std::span<const ReferenceRun> runs) {
   Transaction transaction(connection_);
   Statement insert = connection_.prepare(
       insertInto("reference_run",
                  "trial_id, position, rubric_revision_id, panel_steps, panel_raters, set_by, set_utc_us,"
                  " demonstration"));
-  for (const StoredReferenceRun& run : runs) {
+  for (const ReferenceRun& run : runs) {
     insert.execute({run.trialId, run.position, run.rubricRevisionId, run.panel_steps, run.panelRaters,
                     run.setBy, run.setUtc_us, run.demonstration});
   }
   transaction.commit();
 }
 
-std::vector<StoredReferenceRun> DeskRepository::referenceRuns() const {
+std::vector<ReferenceRun> DeskRepository::referenceRuns() const {
   return referenceRunsWhere(
       " WHERE NOT EXISTS (SELECT 1 FROM reference_run_withdrawal w WHERE w.trial_id = r.trial_id)");
 }
 
-std::vector<StoredReferenceRun> DeskRepository::allReferenceRuns() const {
+std::vector<ReferenceRun> DeskRepository::allReferenceRuns() const {
   return referenceRunsWhere("");
 }
 
-std::vector<StoredReferenceRun> DeskRepository::referenceRunsWhere(const char* condition) const {
+std::vector<ReferenceRun> DeskRepository::referenceRunsWhere(const char* condition) const {
   return selectAll(
       connection_,
       std::string(
@@ -138,23 +138,23 @@ std::vector<StoredReferenceRun> DeskRepository::referenceRunsWhere(const char* c
           " r.set_utc_us, r.demonstration FROM reference_run r") +
           condition + " ORDER BY r.position, r.trial_id",
       {}, [](RowReader& row) {
-        return StoredReferenceRun{row.text(),  row.int64(), row.text(),  row.real(),
-                                  row.int64(), row.text(),  row.int64(), row.boolean()};
+        return ReferenceRun{row.text(),  row.int64(), row.text(),  row.real(),
+                            row.int64(), row.text(),  row.int64(), row.boolean()};
       });
 }
 
-void DeskRepository::withdrawReferenceRun(const StoredReferenceWithdrawal& withdrawal) {
+void DeskRepository::withdrawReferenceRun(const ReferenceWithdrawal& withdrawal) {
   connection_.execute(
       insertInto("reference_run_withdrawal", "trial_id, reason, withdrawn_by, withdrawn_utc_us"),
       {withdrawal.trialId, withdrawal.reason, withdrawal.withdrawnBy, withdrawal.withdrawnUtc_us});
 }
 
-std::vector<StoredReferenceWithdrawal> DeskRepository::referenceWithdrawals() const {
+std::vector<ReferenceWithdrawal> DeskRepository::referenceWithdrawals() const {
   return selectAll(connection_,
                    "SELECT trial_id, reason, withdrawn_by, withdrawn_utc_us FROM reference_run_withdrawal"
                    " ORDER BY withdrawn_utc_us, trial_id",
                    {}, [](RowReader& row) {
-                     return StoredReferenceWithdrawal{row.text(), row.text(), row.text(), row.int64()};
+                     return ReferenceWithdrawal{row.text(), row.text(), row.text(), row.int64()};
                    });
 }
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/rating/discrepancy_repository.h"
 
+#include "assessment/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/base/stored_term.h"
+#include "sim/base/error.h"
 
 namespace torsio {
 
@@ -13,7 +16,24 @@ const std::string kDecisions =
     " FROM alignment_decision d";
 
 DiscrepancyDecision decisionOf(RowReader& row) {
-  return {row.text(), row.int64(), row.text(), row.text(), row.text(), row.int64()};
+  return {.assignmentId = row.text(),
+          .sequence = row.int64(),
+          .choice = readTerm<DiscrepancyChoice>(row, "decision"),
+          .reason = row.text(),
+          .decidedBy = row.text(),
+          .decidedUtc_us = row.int64()};
+}
+
+AuditAction actionOf(DiscrepancyChoice choice) {
+  switch (choice) {
+    case DiscrepancyChoice::kKeep:
+      return AuditAction::kAlignmentKeep;
+    case DiscrepancyChoice::kMove:
+      return AuditAction::kAlignmentMove;
+    case DiscrepancyChoice::kThird:
+      return AuditAction::kAlignmentThird;
+  }
+  throw ContractError("no such decision");
 }
 
 }  // namespace
@@ -24,16 +44,15 @@ std::int64_t DiscrepancyRepository::add(const DiscrepancyDecision& decision) {
   const std::int64_t sequence = before ? before->sequence + 1 : 1;
   connection_.execute(insertInto("alignment_decision",
                                  "assignment_id, sequence, decision, reason, decided_by, decided_utc_us"),
-                      {decision.assignmentId, sequence, decision.decision, decision.reason,
+                      {decision.assignmentId, sequence, storedText(decision.choice), decision.reason,
                        decision.decidedBy, decision.decidedUtc_us});
-  AuditEntry entry;
-  entry.atUtc_us = decision.decidedUtc_us;
-  entry.actor = decision.decidedBy;
-  entry.station = station_;
-  entry.action = "alignment." + decision.decision;
-  entry.objectKind = "assignment";
-  entry.objectId = decision.assignmentId;
-  entry.reason = decision.reason;
+  NewAuditEntry entry{.atUtc_us = decision.decidedUtc_us,
+                      .actor = decision.decidedBy,
+                      .station = station_,
+                      .action = actionOf(decision.choice),
+                      .objectKind = AuditObject::kAssignment,
+                      .objectId = decision.assignmentId,
+                      .reason = decision.reason};
   AuditRepository(connection_).append(entry);
   transaction.commit();
   return sequence;

@@ -7,19 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "assessment/rating/mark.h"
 #include "db/connection/connection.h"
 
 namespace torsio {
-
-/// What was decided about a mark that lies apart from the others.
-struct DiscrepancyDecision {
-  std::string assignmentId{};
-  std::int64_t sequence = 0;  ///< given by add(): 1, 2, 3 ... of the assignment
-  std::string decision{};     ///< "keep", "move" (a new version of the mark follows), "third" (a third rater)
-  std::string reason{};
-  std::string decidedBy{};
-  std::int64_t decidedUtc_us = 0;
-};
 
 /// Decisions about marks that lie apart. Append-only; the newest counts. Each is told of in the audit trail
 /// in the same transaction.
@@ -29,8 +20,7 @@ class DiscrepancyRepository {
   explicit DiscrepancyRepository(Connection& connection, std::string station = {})
       : connection_(connection), station_(std::move(station)) {}
 
-  /// Returns the sequence number. Throws DbError: kForeignKey (no such assignment), kCheck (no such
-  /// decision).
+  /// Returns the sequence number. Throws DbError: kForeignKey (no such assignment).
   std::int64_t add(const DiscrepancyDecision& decision);
   /// Oldest first.
   [[nodiscard]] std::vector<DiscrepancyDecision> history(const std::string& assignmentId) const;

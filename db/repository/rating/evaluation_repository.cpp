@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "assessment/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
@@ -13,7 +14,7 @@ namespace torsio {
 
 namespace {
 
-void insertInstrument(Connection& connection, const StoredCampaign& campaign) {
+void insertInstrument(Connection& connection, const Campaign& campaign) {
   Statement raterClass =
       connection.prepare(insertInto("evaluation_class", "campaign_id, class_code, position, weight_milli"));
   std::int64_t position = 0;
@@ -28,15 +29,15 @@ void insertInstrument(Connection& connection, const StoredCampaign& campaign) {
   }
 }
 
-void insertParticipants(Connection& connection, const StoredCampaign& campaign) {
+void insertParticipants(Connection& connection, const Campaign& campaign) {
   Statement model = connection.prepare(
       insertInto("evaluation_model", "campaign_id, model_code, label, hidden_label, position"));
-  for (const StoredModel& part : campaign.models) {
+  for (const CampaignModel& part : campaign.models) {
     model.execute({campaign.id, part.code, part.label, part.hiddenLabel, part.position});
   }
   Statement rater =
       connection.prepare(insertInto("evaluation_rater", "campaign_id, rater_id, class_code, model_order"));
-  for (const StoredCampaignRater& part : campaign.raters) {
+  for (const CampaignRater& part : campaign.raters) {
     rater.execute({campaign.id, part.raterId, part.classCode, part.modelOrder});
   }
 }
@@ -59,28 +60,28 @@ std::vector<EvaluationIndex> indicesOf(Connection& connection, const std::string
       });
 }
 
-std::vector<StoredModel> modelsOf(Connection& connection, const std::string& campaignId) {
+std::vector<CampaignModel> modelsOf(Connection& connection, const std::string& campaignId) {
   return selectAll(
       connection,
       "SELECT model_code, label, hidden_label, position FROM evaluation_model WHERE campaign_id = ?"
       " ORDER BY position",
       {campaignId}, [](RowReader& row) {
-        return StoredModel{row.text(), row.text(), row.text(), row.int64()};
+        return CampaignModel{row.text(), row.text(), row.text(), row.int64()};
       });
 }
 
-std::vector<StoredCampaignRater> ratersOf(Connection& connection, const std::string& campaignId) {
+std::vector<CampaignRater> ratersOf(Connection& connection, const std::string& campaignId) {
   return selectAll(connection,
                    "SELECT r.rater_id, r.class_code, r.model_order FROM evaluation_rater r"
                    " JOIN person p ON p.id = r.rater_id WHERE r.campaign_id = ? ORDER BY p.code",
                    {campaignId}, [](RowReader& row) {
-                     return StoredCampaignRater{row.text(), row.text(), row.text()};
+                     return CampaignRater{row.text(), row.text(), row.text()};
                    });
 }
 
 /// Id, name, scale, time and flag; the parts come from tables of their own.
-StoredCampaign campaignOf(RowReader& row) {
-  StoredCampaign campaign;
+Campaign campaignOf(RowReader& row) {
+  Campaign campaign;
   campaign.id = row.text();
   campaign.name = row.text();
   campaign.instrument.scale = {row.int64(), row.int64(), row.int64()};
@@ -89,7 +90,7 @@ StoredCampaign campaignOf(RowReader& row) {
   return campaign;
 }
 
-std::optional<StoredCampaign> findCampaign(Connection& connection, const std::string& campaignId) {
+std::optional<Campaign> findCampaign(Connection& connection, const std::string& campaignId) {
   return selectFirst(
       connection,
       "SELECT id, name, scale_lo_steps, scale_hi_steps, steps_per_point, created_utc_us, demonstration"
@@ -98,7 +99,7 @@ std::optional<StoredCampaign> findCampaign(Connection& connection, const std::st
 }
 
 ScoreScale scaleOf(Connection& connection, const std::string& campaignId) {
-  const std::optional<StoredCampaign> campaign = findCampaign(connection, campaignId);
+  const std::optional<Campaign> campaign = findCampaign(connection, campaignId);
   if (campaign) {
     return campaign->instrument.scale;
   }
@@ -106,7 +107,7 @@ ScoreScale scaleOf(Connection& connection, const std::string& campaignId) {
 }
 
 /// Whether a mark is there already; refuses another one under its id.
-bool isStored(Connection& connection, const std::string& campaignId, const StoredEvaluationMark& mark) {
+bool isStored(Connection& connection, const std::string& campaignId, const EvaluationMark& mark) {
   using Kind = IdempotentColumn::Kind;
   if (!selectFirst(connection, "SELECT id FROM evaluation_mark WHERE id = ?", {mark.id}, readText)) {
     return false;
@@ -127,7 +128,7 @@ bool isStored(Connection& connection, const std::string& campaignId, const Store
 
 }  // namespace
 
-void EvaluationRepository::addCampaign(const StoredCampaign& campaign) {
+void EvaluationRepository::addCampaign(const Campaign& campaign) {
   validateInstrument(campaign.instrument);
   Transaction transaction(connection_);
   const ScoreScale& scale = campaign.instrument.scale;
@@ -148,8 +149,8 @@ std::vector<std::pair<std::string, std::string>> EvaluationRepository::campaigns
                    });
 }
 
-std::optional<StoredCampaign> EvaluationRepository::campaign(const std::string& campaignId) const {
-  std::optional<StoredCampaign> campaign = findCampaign(connection_, campaignId);
+std::optional<Campaign> EvaluationRepository::campaign(const std::string& campaignId) const {
+  std::optional<Campaign> campaign = findCampaign(connection_, campaignId);
   if (!campaign) {
     return std::nullopt;
   }
@@ -160,8 +161,7 @@ std::optional<StoredCampaign> EvaluationRepository::campaign(const std::string& 
   return campaign;
 }
 
-void EvaluationRepository::submit(const std::string& campaignId,
-                                  std::span<const StoredEvaluationMark> marks) {
+void EvaluationRepository::submit(const std::string& campaignId, std::span<const EvaluationMark> marks) {
   if (marks.empty()) {
     return;
   }
@@ -172,8 +172,8 @@ void EvaluationRepository::submit(const std::string& campaignId,
                  "id, campaign_id, rater_id, model_code, index_number, version, score_steps, amend_reason,"
                  " submitted_utc_us, demonstration"));
   std::vector<std::string> ids;
-  std::vector<const StoredEvaluationMark*> added;
-  for (const StoredEvaluationMark& mark : marks) {
+  std::vector<const EvaluationMark*> added;
+  for (const EvaluationMark& mark : marks) {
     if (!isOnScale(mark.score_steps, scale)) {
       throw Error(ErrorCode::kBadData,
                   Text("mark of %1 steps lies outside %2 .. %3", mark.score_steps, scale.lo, scale.hi),
@@ -194,17 +194,17 @@ void EvaluationRepository::submit(const std::string& campaignId,
     return;
   }
   const std::map<std::string, std::string> hashes = evaluationMarkHashes(connection_, ids);
-  std::vector<AuditEntry> seals;
-  for (const StoredEvaluationMark* mark : added) {
-    AuditEntry seal;
-    seal.atUtc_us = mark->submittedUtc_us;
-    seal.actor = mark->raterId;
-    seal.station = station_;
-    seal.action = mark->version == 1 ? "evaluation.submit" : "evaluation.amend";
-    seal.objectKind = kSealedEvaluationMark;
-    seal.objectId = mark->id;
-    seal.reason = mark->amendReason;
-    seal.objectHash = hashes.at(mark->id);
+  std::vector<NewAuditEntry> seals;
+  for (const EvaluationMark* mark : added) {
+    NewAuditEntry seal{
+        .atUtc_us = mark->submittedUtc_us,
+        .actor = mark->raterId,
+        .station = station_,
+        .action = mark->version == 1 ? AuditAction::kEvaluationSubmit : AuditAction::kEvaluationAmend,
+        .objectKind = AuditObject::kEvaluationMark,
+        .objectId = mark->id,
+        .reason = mark->amendReason,
+        .objectHash = hashes.at(mark->id)};
     seals.push_back(seal);
   }
   AuditRepository(connection_).append(seals);
@@ -217,7 +217,7 @@ bool EvaluationRepository::hasMarks(const std::string& campaignId) const {
       .has_value();
 }
 
-std::vector<StoredEvaluationMark> EvaluationRepository::marks(const std::string& campaignId) const {
+std::vector<EvaluationMark> EvaluationRepository::marks(const std::string& campaignId) const {
   return selectAll(
       connection_,
       "SELECT m.id, m.rater_id, m.model_code, m.index_number, m.version, m.score_steps, m.amend_reason,"
@@ -231,35 +231,35 @@ std::vector<StoredEvaluationMark> EvaluationRepository::marks(const std::string&
       "  AND n.index_number = m.index_number AND n.version > m.version)"
       " ORDER BY o.position, c.position, p.code, m.index_number",
       {campaignId}, [](RowReader& row) {
-        return StoredEvaluationMark{.id = row.text(),
-                                    .raterId = row.text(),
-                                    .modelCode = row.text(),
-                                    .indexNumber = row.int64(),
-                                    .version = row.int64(),
-                                    .score_steps = row.int64(),
-                                    .amendReason = row.text(),
-                                    .submittedUtc_us = row.int64(),
-                                    .demonstration = row.boolean(),
-                                    .raterCode = row.text(),
-                                    .classCode = row.text()};
+        return EvaluationMark{.id = row.text(),
+                              .raterId = row.text(),
+                              .modelCode = row.text(),
+                              .indexNumber = row.int64(),
+                              .version = row.int64(),
+                              .score_steps = row.int64(),
+                              .amendReason = row.text(),
+                              .submittedUtc_us = row.int64(),
+                              .demonstration = row.boolean(),
+                              .raterCode = row.text(),
+                              .classCode = row.text()};
       });
 }
 
-void EvaluationRepository::storeRun(const std::string& campaignId, const StoredEvaluationRun& run) {
+void EvaluationRepository::storeRun(const std::string& campaignId, const EvaluationRunRows& run) {
   Transaction transaction(connection_);
   insertRun(connection_, RunOwner::kCampaign, campaignId, run.run);
   Statement result = connection_.prepare(insertInto(
       "evaluation_result",
       "run_id, model_code, index_number, weighted_mean, variance, rater_count, missing_count,"
       " lowest, highest, plain_mean, population_variance, sample_variance, standard_error, flags"));
-  for (const StoredEvaluationResult& row : run.results) {
+  for (const EvaluationResultRow& row : run.results) {
     result.execute({run.run.id, row.modelCode, row.indexNumber, row.weightedMean, row.variance,
                     row.raterCount, row.missingCount, row.lowest, row.highest, row.plainMean,
                     row.populationVariance, row.sampleVariance, row.standardError, joinFlags(row.flags)});
   }
   Statement composite = connection_.prepare(
       insertInto("composite_result", "run_id, model_code, composite, standard_error, flags"));
-  for (const StoredComposite& row : run.composites) {
+  for (const CompositeRow& row : run.composites) {
     composite.execute({run.run.id, row.modelCode, row.composite, row.standardError, joinFlags(row.flags)});
   }
   transaction.commit();

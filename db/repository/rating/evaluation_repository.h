@@ -8,56 +8,15 @@
 #include <utility>
 #include <vector>
 
+#include "assessment/rating/campaign.h"
 #include "assessment/scoring/instrument.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/assessment_run.h"
 
 namespace torsio {
 
-/// A model under test; raters see the hidden label only.
-struct StoredModel {
-  std::string code{};         ///< "PM", "FEM", "MSM"
-  std::string label{};        ///< "proposed model"
-  std::string hiddenLabel{};  ///< "X"
-  std::int64_t position = 0;
-};
-
-/// A rater of a campaign, with the class that counted then.
-struct StoredCampaignRater {
-  std::string raterId{};
-  std::string classCode{};
-  std::string modelOrder{};  ///< "FEM,PM,MSM": the order in which this rater met the models
-};
-
-/// A nine-index evaluation (paper section 5.3). Fixed once stored. In `instrument`, RaterClass::id is the
-/// code of a stored rater class; the order of classes and indices is kept.
-struct StoredCampaign {
-  std::string id{};
-  std::string name{};  ///< unique
-  EvaluationInstrument instrument{};
-  std::vector<StoredModel> models{};
-  std::vector<StoredCampaignRater> raters{};
-  std::int64_t createdUtc_us = 0;
-  bool demonstration = false;
-};
-
-/// One submitted mark: one rater, one model, one index. A correction is a new version with a reason.
-struct StoredEvaluationMark {
-  std::string id{};
-  std::string raterId{};
-  std::string modelCode{};
-  std::int64_t indexNumber = 0;  ///< 1 .. number of indices
-  std::int64_t version = 1;
-  std::int64_t score_steps = 0;
-  std::string amendReason{};
-  std::int64_t submittedUtc_us = 0;
-  bool demonstration = false;
-  std::string raterCode{};  ///< filled when read
-  std::string classCode{};  ///< filled when read
-};
-
 /// Eqs. 25 and 26 for one index of one model, with what stands beside them. In points.
-struct StoredEvaluationResult {
+struct EvaluationResultRow {
   std::string modelCode{};
   std::int64_t indexNumber = 0;
   double weightedMean = 0.0;  ///< M, Eq. 25
@@ -74,17 +33,17 @@ struct StoredEvaluationResult {
 };
 
 /// Eq. 27 for one model.
-struct StoredComposite {
+struct CompositeRow {
   std::string modelCode{};
   double composite = 0.0;  ///< N
   std::optional<double> standardError{};
   std::vector<std::string> flags{};
 };
 
-struct StoredEvaluationRun {
+struct EvaluationRunRows {
   AssessmentRun run{};
-  std::vector<StoredEvaluationResult> results{};
-  std::vector<StoredComposite> composites{};
+  std::vector<EvaluationResultRow> results{};
+  std::vector<CompositeRow> composites{};
 };
 
 /// Campaigns, their marks and results. One call, one transaction.
@@ -95,21 +54,21 @@ class EvaluationRepository {
       : connection_(connection), station_(std::move(station)) {}
 
   /// Throws Error (kBadParameter) when the instrument breaks its rules (weights that do not sum to 1).
-  void addCampaign(const StoredCampaign& campaign);
+  void addCampaign(const Campaign& campaign);
   /// Id and name, oldest first.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> campaigns() const;
-  [[nodiscard]] std::optional<StoredCampaign> campaign(const std::string& campaignId) const;
+  [[nodiscard]] std::optional<Campaign> campaign(const std::string& campaignId) const;
 
   /// Seals marks, each with an entry in the audit trail. Throws Error (kBadData) naming rater, model and
   /// index when a score lies outside the campaign's scale, DbError when a mark exists already or belongs to
   /// no rater, model or index of the campaign.
-  void submit(const std::string& campaignId, std::span<const StoredEvaluationMark> marks);
+  void submit(const std::string& campaignId, std::span<const EvaluationMark> marks);
   /// The newest version of every mark, ordered by model, class, rater code, index.
-  [[nodiscard]] std::vector<StoredEvaluationMark> marks(const std::string& campaignId) const;
+  [[nodiscard]] std::vector<EvaluationMark> marks(const std::string& campaignId) const;
   /// Whether anybody has submitted a mark.
   [[nodiscard]] bool hasMarks(const std::string& campaignId) const;
 
-  void storeRun(const std::string& campaignId, const StoredEvaluationRun& run);
+  void storeRun(const std::string& campaignId, const EvaluationRunRows& run);
 
  private:
   Connection& connection_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "assessment/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
@@ -22,7 +23,7 @@ const std::string kMarks =
     " JOIN person r ON r.id = m.rater_id JOIN occasion s ON s.code = m.occasion"
     " LEFT JOIN training_group g ON g.id = e.group_id";
 
-StoredTrainingMark markOf(RowReader& row) {
+SubmittedMark markOf(RowReader& row) {
   return {.id = row.text(),
           .enrolmentId = row.text(),
           .raterId = row.text(),
@@ -46,7 +47,7 @@ StoredTrainingMark markOf(RowReader& row) {
 
 /// Of a mark that is stored already: refuses another one under its id. When it was submitted does not count,
 /// and a comment may have been erased since: its hash is there.
-void requireSameMark(Connection& connection, const StoredTrainingMark& mark) {
+void requireSameMark(Connection& connection, const SubmittedMark& mark) {
   using Kind = IdempotentColumn::Kind;
   const std::array<IdempotentColumn, 16> columns{
       {{"id", mark.id, Kind::kKey},
@@ -66,12 +67,12 @@ void requireSameMark(Connection& connection, const StoredTrainingMark& mark) {
        {"assignment_id", textOrNull(mark.assignmentId)},
        {"comment_hash", textOrNull(textHash(mark.comment))}}};
   insertIdempotent(connection, "training_mark", columns, "this mark");
-  const std::vector<StoredMarkRow> stored =
+  const std::vector<MarkRow> stored =
       selectAll(connection,
                 "SELECT revision_id, row_code, score_steps, not_assessable_reason FROM training_mark_row"
                 " WHERE mark_id = ?",
                 {mark.id}, [](RowReader& row) {
-                  return StoredMarkRow{row.text(), row.text(), row.maybeInt64(), row.text()};
+                  return MarkRow{row.text(), row.text(), row.maybeInt64(), row.text()};
                 });
   const bool same = std::is_permutation(stored.begin(), stored.end(), mark.rows.begin(), mark.rows.end());
   if (!same) {
@@ -80,10 +81,10 @@ void requireSameMark(Connection& connection, const StoredTrainingMark& mark) {
 }
 
 /// Those that the database does not have yet.
-std::vector<StoredTrainingMark> newMarks(Connection& connection, std::span<const StoredTrainingMark> marks) {
-  std::vector<StoredTrainingMark> missing;
+std::vector<SubmittedMark> newMarks(Connection& connection, std::span<const SubmittedMark> marks) {
+  std::vector<SubmittedMark> missing;
   Statement stored = connection.prepare("SELECT id FROM training_mark WHERE id = ?");
-  for (const StoredTrainingMark& mark : marks) {
+  for (const SubmittedMark& mark : marks) {
     stored.execute({mark.id});
     if (!readRows(stored, readText).empty()) {
       requireSameMark(connection, mark);
@@ -96,9 +97,9 @@ std::vector<StoredTrainingMark> newMarks(Connection& connection, std::span<const
 
 }  // namespace
 
-void RatingRepository::submit(std::span<const StoredTrainingMark> marks) {
+void RatingRepository::submit(std::span<const SubmittedMark> marks) {
   Transaction transaction(connection_);
-  const std::vector<StoredTrainingMark> added = newMarks(connection_, marks);
+  const std::vector<SubmittedMark> added = newMarks(connection_, marks);
   if (added.empty()) {
     transaction.commit();
     return;
@@ -110,41 +111,40 @@ void RatingRepository::submit(std::span<const StoredTrainingMark> marks) {
                  " amend_reason, submitted_utc_us, demonstration, assignment_id, comment_hash"));
   Statement insertRow = connection_.prepare(
       insertInto("training_mark_row", "mark_id, revision_id, row_code, score_steps, not_assessable_reason"));
-  for (const StoredTrainingMark& mark : added) {
+  for (const SubmittedMark& mark : added) {
     insert.execute({mark.id, mark.enrolmentId, mark.raterId, mark.occasionCode, mark.version,
                     textOrNull(mark.trialId), mark.score_steps, mark.scale.lo, mark.scale.hi,
                     mark.scale.stepsPerPoint, textOrNull(mark.notAssessableReason), textOrNull(mark.comment),
                     textOrNull(mark.amendReason), mark.submittedUtc_us, mark.demonstration,
                     textOrNull(mark.assignmentId), textOrNull(textHash(mark.comment))});
-    for (const StoredMarkRow& row : mark.rows) {
+    for (const MarkRow& row : mark.rows) {
       insertRow.execute(
           {mark.id, row.rubricRevisionId, row.rowCode, row.score_steps, textOrNull(row.notAssessableReason)});
     }
   }
   std::vector<std::string> ids;
   ids.reserve(added.size());
-  for (const StoredTrainingMark& mark : added) {
+  for (const SubmittedMark& mark : added) {
     ids.push_back(mark.id);
   }
   const std::map<std::string, std::string> hashes = markHashes(connection_, ids);
-  std::vector<AuditEntry> seals;
-  for (const StoredTrainingMark& mark : added) {
-    AuditEntry seal;
-    seal.atUtc_us = mark.submittedUtc_us;
-    seal.actor = mark.raterId;
-    seal.station = station_;
-    seal.action = mark.version == 1 ? "mark.submit" : "mark.amend";
-    seal.objectKind = kSealedMark;
-    seal.objectId = mark.id;
-    seal.reason = mark.amendReason;
-    seal.objectHash = hashes.at(mark.id);
+  std::vector<NewAuditEntry> seals;
+  for (const SubmittedMark& mark : added) {
+    NewAuditEntry seal{.atUtc_us = mark.submittedUtc_us,
+                       .actor = mark.raterId,
+                       .station = station_,
+                       .action = mark.version == 1 ? AuditAction::kMarkSubmit : AuditAction::kMarkAmend,
+                       .objectKind = AuditObject::kTrainingMark,
+                       .objectId = mark.id,
+                       .reason = mark.amendReason,
+                       .objectHash = hashes.at(mark.id)};
     seals.push_back(seal);
   }
   AuditRepository(connection_).append(seals);
   transaction.commit();
 }
 
-std::vector<StoredTrainingMark> RatingRepository::marks(const std::string& cohortId) const {
+std::vector<SubmittedMark> RatingRepository::marks(const std::string& cohortId) const {
   return selectAll(
       connection_,
       kMarks +
@@ -155,22 +155,22 @@ std::vector<StoredTrainingMark> RatingRepository::marks(const std::string& cohor
       {cohortId}, markOf);
 }
 
-std::vector<StoredTrainingMark> RatingRepository::history(const std::string& enrolmentId,
-                                                          const std::string& raterId,
-                                                          const std::string& occasionCode) const {
+std::vector<SubmittedMark> RatingRepository::history(const std::string& enrolmentId,
+                                                     const std::string& raterId,
+                                                     const std::string& occasionCode) const {
   return selectAll(
       connection_,
       kMarks + " WHERE m.enrolment_id = ? AND m.rater_id = ? AND m.occasion = ? ORDER BY m.version",
       {enrolmentId, raterId, occasionCode}, markOf);
 }
 
-void RatingRepository::storeRun(const std::string& cohortId, const StoredTrainingRun& run) {
+void RatingRepository::storeRun(const std::string& cohortId, const TrainingRunRows& run) {
   Transaction transaction(connection_);
   insertRun(connection_, RunOwner::kCohort, cohortId, run.run);
   Statement trainee = connection_.prepare(
       insertInto("training_result",
                  "run_id, enrolment_id, occasion, mean, variance, rater_count, missing_count, flags"));
-  for (const StoredTrainingResult& result : run.trainees) {
+  for (const TrainingResultRow& result : run.trainees) {
     trainee.execute({run.run.id, result.enrolmentId, result.occasionCode, result.mean, result.variance,
                      result.raterCount, result.missingCount, joinFlags(result.flags)});
   }
@@ -178,7 +178,7 @@ void RatingRepository::storeRun(const std::string& cohortId, const StoredTrainin
       insertInto("training_group_result",
                  "run_id, group_id, occasion, trainee_count, mean, variance_n, variance_n_minus_1,"
                  " flags"));
-  for (const StoredGroupResult& result : run.groups) {
+  for (const GroupResultRow& result : run.groups) {
     group.execute({run.run.id, result.groupId, result.occasionCode, result.traineeCount, result.mean,
                    result.varianceN, result.varianceNMinus1, joinFlags(result.flags)});
   }

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "assessment/rating/mark.h"
 #include "assessment/rating/sheet_check.h"
+#include "db/connection/db_error.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/rating/assignment_rows.h"
 #include "db/repository/rating/rating_repository.h"
@@ -14,17 +16,17 @@ namespace torsio {
 namespace {
 
 /// One row a row of the rubric and an anchor of it.
-std::vector<StoredRubricRow> rowsOf(Connection& connection, const std::string& revisionId) {
+std::vector<RubricLine> rowsOf(Connection& connection, const std::string& revisionId) {
   Statement statement = connection.prepare(
       "SELECT r.row_code, r.label, r.scale_lo_steps, r.scale_hi_steps, r.steps_per_point, a.score_steps,"
       " a.meaning FROM rubric_row r"
       " LEFT JOIN rubric_anchor a ON a.revision_id = r.revision_id AND a.row_code = r.row_code"
       " WHERE r.revision_id = ? ORDER BY r.position, a.score_steps");
   statement.execute({revisionId});
-  std::vector<StoredRubricRow> rows;
+  std::vector<RubricLine> rows;
   while (statement.step()) {
     RowReader row(statement);
-    StoredRubricRow line{row.text(), row.text(), {row.int64(), row.int64(), row.int64()}, {}};
+    RubricLine line{row.text(), row.text(), {row.int64(), row.int64(), row.int64()}, {}};
     if (rows.empty() || rows.back().code != line.code) {
       rows.push_back(std::move(line));
     }
@@ -35,8 +37,8 @@ std::vector<StoredRubricRow> rowsOf(Connection& connection, const std::string& r
   return rows;
 }
 
-StoredAssignment assignmentOf(Connection& connection, const std::string& assignmentId) {
-  std::optional<StoredAssignment> found =
+Assignment assignmentOf(Connection& connection, const std::string& assignmentId) {
+  std::optional<Assignment> found =
       selectFirst(connection, selectAssignments() + " WHERE a.id = ?", {assignmentId}, readAssignment);
   if (!found) {
     throw Error(ErrorCode::kBadData, "no such assignment", assignmentId, "Read the queue again");
@@ -85,18 +87,18 @@ void checkAnswer(const std::optional<std::int64_t>& score_steps, const std::stri
 }
 
 /// A sheet may be sealed when every row of its rubric, and no other, has an answer on its scale.
-void checkComplete(const Sheet& sheet, const StoredRubricRevision& rubric, const std::string& caseLabel) {
+void checkComplete(const Sheet& sheet, const RubricRevision& rubric, const std::string& caseLabel) {
   const std::string where = "case " + caseLabel;
   checkAnswer(sheet.overall_steps, sheet.notAssessableReason, rubric.overall, where + ", overall mark");
   for (const SheetRow& row : sheet.rows) {
     const auto known = std::count_if(rubric.rows.begin(), rubric.rows.end(),
-                                     [&](const StoredRubricRow& line) { return line.code == row.code; });
+                                     [&](const RubricLine& line) { return line.code == row.code; });
     if (known == 0) {
       throw Error(ErrorCode::kBadData, Text("the rubric has no row %1", row.code), where,
                   "Use the assigned rubric");
     }
   }
-  for (const StoredRubricRow& line : rubric.rows) {
+  for (const RubricLine& line : rubric.rows) {
     const auto answer = std::find_if(sheet.rows.begin(), sheet.rows.end(),
                                      [&](const SheetRow& row) { return row.code == line.code; });
     if (answer == sheet.rows.end()) {
@@ -119,16 +121,16 @@ void SheetRepository::addRubric(const std::string& id, const std::string& name, 
                       {id, name, createdUtc_us, demonstration});
 }
 
-std::vector<StoredRubric> SheetRepository::rubrics() const {
+std::vector<Rubric> SheetRepository::rubrics() const {
   return selectAll(connection_, "SELECT id, name, created_utc_us, demonstration FROM rubric ORDER BY name",
                    {}, [](RowReader& row) {
-                     return StoredRubric{row.text(), row.text(), row.int64(), row.boolean()};
+                     return Rubric{row.text(), row.text(), row.int64(), row.boolean()};
                    });
 }
 
-void SheetRepository::addRevision(const StoredRubricRevision& revision) {
+void SheetRepository::addRevision(const RubricRevision& revision) {
   validateScale(revision.overall);
-  for (const StoredRubricRow& row : revision.rows) {
+  for (const RubricLine& row : revision.rows) {
     validateScale(row.scale);
   }
   Transaction transaction(connection_);
@@ -144,30 +146,30 @@ void SheetRepository::addRevision(const StoredRubricRevision& revision) {
   Statement anchor =
       connection_.prepare(insertInto("rubric_anchor", "revision_id, row_code, score_steps, meaning"));
   std::int64_t position = 0;
-  for (const StoredRubricRow& row : revision.rows) {
+  for (const RubricLine& row : revision.rows) {
     insert.execute(
         {revision.id, row.code, ++position, row.label, row.scale.lo, row.scale.hi, row.scale.stepsPerPoint});
-    for (const StoredAnchor& part : row.anchors) {
+    for (const RubricAnchor& part : row.anchors) {
       anchor.execute({revision.id, row.code, part.score_steps, part.meaning});
     }
   }
   transaction.commit();
 }
 
-std::optional<StoredRubricRevision> SheetRepository::revision(const std::string& revisionId) const {
+std::optional<RubricRevision> SheetRepository::revision(const std::string& revisionId) const {
   return selectFirst(
       connection_,
       "SELECT id, rubric_id, number, note, scale_lo_steps, scale_hi_steps, steps_per_point, created_by,"
       " created_utc_us FROM rubric_revision WHERE id = ?",
       {revisionId}, [&](RowReader& row) {
-        return StoredRubricRevision{.id = row.text(),
-                                    .rubricId = row.text(),
-                                    .number = row.int64(),
-                                    .note = row.text(),
-                                    .overall = {row.int64(), row.int64(), row.int64()},
-                                    .rows = rowsOf(connection_, revisionId),
-                                    .createdBy = row.text(),
-                                    .createdUtc_us = row.int64()};
+        return RubricRevision{.id = row.text(),
+                              .rubricId = row.text(),
+                              .number = row.int64(),
+                              .note = row.text(),
+                              .overall = {row.int64(), row.int64(), row.int64()},
+                              .rows = rowsOf(connection_, revisionId),
+                              .createdBy = row.text(),
+                              .createdUtc_us = row.int64()};
       });
 }
 
@@ -176,13 +178,13 @@ std::vector<std::string> SheetRepository::revisionIds(const std::string& rubricI
                    {rubricId}, readText);
 }
 
-void SheetRepository::assign(std::span<const StoredAssignment> assignments) {
+void SheetRepository::assign(std::span<const Assignment> assignments) {
   Transaction transaction(connection_);
   Statement insert = connection_.prepare(
       insertInto("assignment",
                  "id, rater_id, enrolment_id, occasion, trial_id, rubric_revision_id, case_label,"
                  " position, due_utc_us, assigned_by, assigned_utc_us, demonstration"));
-  for (const StoredAssignment& part : assignments) {
+  for (const Assignment& part : assignments) {
     insert.execute({part.id, part.raterId, part.enrolmentId, part.occasionCode, textOrNull(part.trialId),
                     part.rubricRevisionId, part.caseLabel, part.position, part.dueUtc_us, part.assignedBy,
                     part.assignedUtc_us, part.demonstration});
@@ -200,7 +202,7 @@ std::vector<AssignmentStatus> SheetRepository::assignments(const std::string& co
       {cohortId}, statusOf);
 }
 
-std::vector<StoredAssignment> SheetRepository::assignmentsOf(const std::string& raterId) const {
+std::vector<Assignment> SheetRepository::assignmentsOf(const std::string& raterId) const {
   return selectAll(connection_, selectAssignments() + " WHERE a.rater_id = ? ORDER BY a.position", {raterId},
                    readAssignment);
 }
@@ -297,14 +299,14 @@ std::optional<Sheet> SheetRepository::draft(const std::string& assignmentId) con
 void SheetRepository::submit(const std::string& assignmentId, const std::string& markId, const Sheet& sheet,
                              const std::string& amendReason, std::int64_t submittedUtc_us) {
   Transaction transaction(connection_);
-  const StoredAssignment assignment = assignmentOf(connection_, assignmentId);
+  const Assignment assignment = assignmentOf(connection_, assignmentId);
   const std::optional<std::int64_t> storedVersion = versionOf(connection_, markId);  // a retry
   if (!storedVersion && stateOf(assignmentId) == SheetState::kWithdrawn) {
     throw Error(ErrorCode::kBadData, "the sheet was withdrawn", assignment.caseLabel, "Read the queue again");
   }
-  const StoredRubricRevision rubric = revision(assignment.rubricRevisionId).value();
+  const RubricRevision rubric = revision(assignment.rubricRevisionId).value();
   checkComplete(sheet, rubric, assignment.caseLabel);
-  StoredTrainingMark mark;
+  SubmittedMark mark;
   mark.id = markId;
   mark.enrolmentId = assignment.enrolmentId;
   mark.raterId = assignment.raterId;

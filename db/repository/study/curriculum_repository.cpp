@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "db/connection/db_error.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/stored_term.h"
 #include "sim/base/error.h"
@@ -12,16 +13,16 @@ namespace torsio {
 
 namespace {
 
-const StoredModule* moduleWithId(const StoredCurriculumVersion& version, const std::string& id) {
+const TrainingModule* moduleWithId(const CurriculumVersion& version, const std::string& id) {
   const auto found = std::find_if(version.modules.begin(), version.modules.end(),
-                                  [&](const StoredModule& module) { return module.id == id; });
+                                  [&](const TrainingModule& module) { return module.id == id; });
   return found == version.modules.end() ? nullptr : &*found;
 }
 
 /// Takes away, again and again, the modules whose prerequisites are all gone; what stays runs in a circle.
-void checkPrerequisites(const StoredCurriculumVersion& version) {
+void checkPrerequisites(const CurriculumVersion& version) {
   std::map<std::string, std::vector<std::string>> open;
-  for (const StoredModule& module : version.modules) {
+  for (const TrainingModule& module : version.modules) {
     for (const std::string& id : module.requires_) {
       if (moduleWithId(version, id) == nullptr) {
         throw Error(ErrorCode::kBadData, "requires a module that is not in this version", module.code,
@@ -43,33 +44,32 @@ void checkPrerequisites(const StoredCurriculumVersion& version) {
   }
 }
 
-void insertModules(Connection& connection, const StoredCurriculumVersion& version) {
+void insertModules(Connection& connection, const CurriculumVersion& version) {
   Statement insert = connection.prepare(
       insertInto("module",
                  "id, version_id, position, code, title, scene_id, pattern_id, mode,"
                  " target_angle_rad, tolerance_rad, hold_us, max_force_n, max_torque_nm, attempt_limit"));
   std::int64_t position = 0;
-  for (const StoredModule& module : version.modules) {
+  for (const TrainingModule& module : version.modules) {
     insert.execute({module.id, version.id, ++position, module.code, module.title, module.sceneId,
-                    module.patternId, storedText(module.mode), module.targetAngle_rad,
-                    module.tolerance_rad, module.hold_us, module.maxForce_N, module.maxTorque_Nm,
-                    module.attemptLimit});
+                    module.patternId, storedText(module.mode), module.targetAngle_rad, module.tolerance_rad,
+                    module.hold_us, module.maxForce_N, module.maxTorque_Nm, module.attemptLimit});
   }
   Statement prerequisite =
       connection.prepare(insertInto("module_prerequisite", "module_id, requires_module_id"));
   Statement mastery = connection.prepare(
       insertInto("mastery_rule", "module_id, metric, comparison, threshold, unit, consecutive"));
-  for (const StoredModule& module : version.modules) {
+  for (const TrainingModule& module : version.modules) {
     for (const std::string& id : module.requires_) {
       prerequisite.execute({module.id, id});
     }
-    for (const StoredMasteryRule& rule : module.mastery) {
+    for (const MasteryCriterion& rule : module.mastery) {
       mastery.execute({module.id, rule.metric, rule.comparison, rule.threshold, rule.unit, rule.consecutive});
     }
   }
 }
 
-void insertArms(Connection& connection, const StoredCurriculumVersion& version) {
+void insertArms(Connection& connection, const CurriculumVersion& version) {
   Statement arm = connection.prepare(insertInto(
       "curriculum_arm", "id, version_id, number, code, label, rest_allowance_us, rest_splittable"));
   Statement phase = connection.prepare(
@@ -79,7 +79,7 @@ void insertArms(Connection& connection, const StoredCurriculumVersion& version) 
     arm.execute(
         {part.id, version.id, ++number, part.code, part.label, part.restAllowance_us, part.restSplittable});
     std::int64_t position = 0;
-    for (const StoredPhase& step : part.phases) {
+    for (const TrainingPhase& step : part.phases) {
       phase.execute({step.id, part.id, ++position, storedText(step.kind), step.label, step.duration_us,
                      textOrNull(step.moduleId)});
     }
@@ -91,7 +91,7 @@ void insertArms(Connection& connection, const StoredCurriculumVersion& version) 
   }
 }
 
-StoredModule moduleOf(RowReader& row) {
+TrainingModule moduleOf(RowReader& row) {
   return {.id = row.text(),
           .code = row.text(),
           .title = row.text(),
@@ -108,24 +108,24 @@ StoredModule moduleOf(RowReader& row) {
           .mastery = {}};
 }
 
-StoredMasteryRule masteryRuleOf(RowReader& row) {
+MasteryCriterion masteryRuleOf(RowReader& row) {
   return {row.text(), row.text(), row.real(), row.text(), row.int64()};
 }
 
-std::vector<StoredModule> modulesOf(Connection& connection, const std::string& versionId) {
-  std::vector<StoredModule> modules = selectAll(
-      connection,
-      "SELECT id, code, title, scene_id, pattern_id, mode, target_angle_rad, tolerance_rad,"
-      " hold_us, max_force_n, max_torque_nm, attempt_limit FROM module WHERE version_id = ?"
-      " ORDER BY position",
-      {versionId}, moduleOf);
+std::vector<TrainingModule> modulesOf(Connection& connection, const std::string& versionId) {
+  std::vector<TrainingModule> modules =
+      selectAll(connection,
+                "SELECT id, code, title, scene_id, pattern_id, mode, target_angle_rad, tolerance_rad,"
+                " hold_us, max_force_n, max_torque_nm, attempt_limit FROM module WHERE version_id = ?"
+                " ORDER BY position",
+                {versionId}, moduleOf);
   Statement prerequisites = connection.prepare(
       "SELECT p.requires_module_id FROM module_prerequisite p JOIN module r ON r.id = p.requires_module_id"
       " WHERE p.module_id = ? ORDER BY r.position");
   Statement mastery = connection.prepare(
       "SELECT metric, comparison, threshold, unit, consecutive FROM mastery_rule WHERE module_id = ?"
       " ORDER BY metric");
-  for (StoredModule& module : modules) {
+  for (TrainingModule& module : modules) {
     prerequisites.execute({module.id});
     module.requires_ = readRows(prerequisites, readText);
     mastery.execute({module.id});
@@ -134,7 +134,7 @@ std::vector<StoredModule> modulesOf(Connection& connection, const std::string& v
   return modules;
 }
 
-StoredPhase phaseOf(RowReader& row) {
+TrainingPhase phaseOf(RowReader& row) {
   return {row.text(), readTerm<PhaseKind>(row, "kind"), row.text(), row.int64(), row.text()};
 }
 
@@ -158,8 +158,9 @@ std::vector<StudyArm> armsOf(Connection& connection, const std::string& versionI
 
 std::vector<PlannedOccasion> plannedOccasionsOf(Connection& connection, const std::string& versionId) {
   return selectAll(connection,
-                   "SELECT occasion, after_exposure_us FROM curriculum_occasion WHERE version_id = ?"
-                   " ORDER BY after_exposure_us, occasion",
+                   "SELECT p.occasion, p.after_exposure_us FROM curriculum_occasion p"
+                   " JOIN occasion o ON o.code = p.occasion WHERE p.version_id = ?"
+                   " ORDER BY p.after_exposure_us, o.position",
                    {versionId}, [](RowReader& row) {
                      return PlannedOccasion{row.text(), row.int64()};
                    });
@@ -167,22 +168,23 @@ std::vector<PlannedOccasion> plannedOccasionsOf(Connection& connection, const st
 
 }  // namespace
 
-void CurriculumRepository::addCurriculum(const StoredCurriculum& curriculum) {
+void CurriculumRepository::addCurriculum(const Curriculum& curriculum) {
   connection_.execute(insertInto("curriculum", "id, name, description, created_utc_us, demonstration"),
                       {curriculum.id, curriculum.name, curriculum.description, curriculum.createdUtc_us,
                        curriculum.demonstration});
 }
 
-std::vector<StoredCurriculum> CurriculumRepository::curricula() const {
+std::vector<Curriculum> CurriculumRepository::curricula() const {
   return selectAll(
       connection_,
       "SELECT id, name, description, created_utc_us, demonstration FROM curriculum ORDER BY name", {},
       [](RowReader& row) {
-        return StoredCurriculum{row.text(), row.text(), row.text(), row.int64(), row.boolean()};
+        return Curriculum{row.text(), row.text(), row.text(), row.int64(), row.boolean()};
       });
 }
 
-std::int64_t CurriculumRepository::saveDraft(const std::string& curriculumId, const StoredDraft& draft) {
+std::int64_t CurriculumRepository::saveDraft(const std::string& curriculumId,
+                                             const CurriculumDraftRow& draft) {
   Transaction transaction(connection_);
   const std::int64_t next = draft.revision + 1;
   // Inserting revision 1 twice, or updating a revision that has moved on, changes no row: somebody was
@@ -207,16 +209,16 @@ std::int64_t CurriculumRepository::saveDraft(const std::string& curriculumId, co
   return next;
 }
 
-std::optional<StoredDraft> CurriculumRepository::draft(const std::string& curriculumId) const {
+std::optional<CurriculumDraftRow> CurriculumRepository::draft(const std::string& curriculumId) const {
   return selectFirst(connection_,
                      "SELECT revision, content_json, changed_by, changed_utc_us FROM curriculum_draft"
                      " WHERE curriculum_id = ?",
                      {curriculumId}, [](RowReader& row) {
-                       return StoredDraft{row.int64(), row.text(), row.text(), row.int64()};
+                       return CurriculumDraftRow{row.int64(), row.text(), row.text(), row.int64()};
                      });
 }
 
-void CurriculumRepository::addVersion(const StoredCurriculumVersion& version, const std::string& createdBy) {
+void CurriculumRepository::addVersion(const CurriculumVersion& version, const std::string& createdBy) {
   checkPrerequisites(version);
   Transaction transaction(connection_);
   connection_.execute(
@@ -231,20 +233,20 @@ void CurriculumRepository::addVersion(const StoredCurriculumVersion& version, co
   transaction.commit();
 }
 
-std::optional<StoredCurriculumVersion> CurriculumRepository::version(const std::string& versionId) const {
+std::optional<CurriculumVersion> CurriculumRepository::version(const std::string& versionId) const {
   return selectFirst(
       connection_,
       "SELECT id, curriculum_id, number, note, created_utc_us FROM curriculum_version WHERE id = ?",
       {versionId}, [&](RowReader& row) {
-        return StoredCurriculumVersion{.id = row.text(),
-                                       .curriculumId = row.text(),
-                                       .number = row.int64(),
-                                       .note = row.text(),
-                                       .createdUtc_us = row.int64(),
-                                       .modules = modulesOf(connection_, versionId),
-                                       .arms = armsOf(connection_, versionId),
-                                       .plannedOccasions = plannedOccasionsOf(connection_, versionId),
-                                       .state = stateOf(versionId)};
+        return CurriculumVersion{.id = row.text(),
+                                 .curriculumId = row.text(),
+                                 .number = row.int64(),
+                                 .note = row.text(),
+                                 .createdUtc_us = row.int64(),
+                                 .modules = modulesOf(connection_, versionId),
+                                 .arms = armsOf(connection_, versionId),
+                                 .plannedOccasions = plannedOccasionsOf(connection_, versionId),
+                                 .state = stateOf(versionId).value_or(CurriculumState::kDraft)};
       });
 }
 
@@ -253,35 +255,31 @@ std::vector<std::string> CurriculumRepository::versionIds(const std::string& cur
                    {curriculumId}, readText);
 }
 
-std::string CurriculumRepository::stateOf(const std::string& versionId) const {
+std::optional<CurriculumState> CurriculumRepository::stateOf(const std::string& versionId) const {
   return selectFirst(connection_,
                      "SELECT state FROM curriculum_state WHERE version_id = ? ORDER BY sequence DESC LIMIT 1",
-                     {versionId}, readText)
-      .value_or("");
+                     {versionId}, [](RowReader& row) { return readTerm<CurriculumState>(row, "state"); });
 }
 
-void CurriculumRepository::moveTo(const std::string& versionId, const std::string& state,
+void CurriculumRepository::moveTo(const std::string& versionId, CurriculumState state,
                                   const std::string& changedBy, std::int64_t changedUtc_us) {
-  static const std::map<std::string, std::pair<std::string, std::int64_t>> kNext{{"draft", {"running", 2}},
-                                                                                 {"running", {"closed", 3}}};
   Transaction transaction(connection_);
-  const std::string now = stateOf(versionId);
-  const auto next = kNext.find(now);
-  if (next == kNext.end() || next->second.first != state) {
+  const std::optional<CurriculumState> now = stateOf(versionId);
+  if (!now || static_cast<int>(state) != static_cast<int>(*now) + 1) {
     throw Error(ErrorCode::kBadData,
-                now.empty() ? Text("there is no such curriculum")
-                            : Text("a curriculum that is %1 cannot become %2", now, state),
+                !now ? Text("there is no such curriculum")
+                     : Text("a curriculum that is %1 cannot become %2", storedText(*now), storedText(state)),
                 versionId, "Draft becomes running, running becomes closed");
   }
   connection_.execute(
       insertInto("curriculum_state", "version_id, sequence, state, changed_by, changed_utc_us"),
-      {versionId, next->second.second, state, changedBy, changedUtc_us});
+      {versionId, static_cast<int>(state) + 1, storedText(state), changedBy, changedUtc_us});
   transaction.commit();
 }
 
 void CurriculumRepository::assign(const std::string& cohortId, const std::string& versionId) {
   Transaction transaction(connection_);
-  if (stateOf(versionId) != "running") {
+  if (stateOf(versionId) != CurriculumState::kRunning) {
     throw Error(ErrorCode::kBadData, "this version of the curriculum is not running", versionId,
                 "Start it first, or choose another version");
   }

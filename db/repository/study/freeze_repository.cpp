@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "assessment/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
@@ -15,7 +16,7 @@ const std::string kFreezes =
     "SELECT id, cohort_id, name, content_hash, manifest_json, created_by, created_utc_us, demonstration"
     " FROM frozen_dataset";
 
-StoredFreeze freezeOf(RowReader& row) {
+DataFreeze freezeOf(RowReader& row) {
   return {.id = row.text(),
           .cohortId = row.text(),
           .name = row.text(),
@@ -28,7 +29,7 @@ StoredFreeze freezeOf(RowReader& row) {
 
 }  // namespace
 
-void FreezeRepository::add(const StoredFreeze& freeze) {
+void FreezeRepository::add(const DataFreeze& freeze) {
   using Kind = IdempotentColumn::Kind;
   Transaction transaction(connection_);
   const std::array<IdempotentColumn, 8> columns{{{"id", freeze.id, Kind::kKey},
@@ -40,24 +41,23 @@ void FreezeRepository::add(const StoredFreeze& freeze) {
                                                  {"created_utc_us", freeze.createdUtc_us, Kind::kIgnored},
                                                  {"demonstration", freeze.demonstration}}};
   if (insertIdempotent(connection_, "frozen_dataset", columns, "this frozen data set") == Inserted::kNew) {
-    AuditEntry entry;
-    entry.atUtc_us = freeze.createdUtc_us;
-    entry.actor = freeze.createdBy;
-    entry.station = station_;
-    entry.action = "dataset.freeze";
-    entry.objectKind = "frozen_dataset";
-    entry.objectId = freeze.id;
-    entry.objectHash = freeze.contentHash;
+    NewAuditEntry entry{.atUtc_us = freeze.createdUtc_us,
+                        .actor = freeze.createdBy,
+                        .station = station_,
+                        .action = AuditAction::kDatasetFreeze,
+                        .objectKind = AuditObject::kFrozenDataset,
+                        .objectId = freeze.id,
+                        .objectHash = freeze.contentHash};
     AuditRepository(connection_).append(entry);
   }
   transaction.commit();
 }
 
-std::optional<StoredFreeze> FreezeRepository::findByName(const std::string& name) const {
+std::optional<DataFreeze> FreezeRepository::findByName(const std::string& name) const {
   return selectFirst(connection_, kFreezes + " WHERE name = ?", {name}, freezeOf);
 }
 
-std::vector<StoredFreeze> FreezeRepository::list(const std::string& cohortId) const {
+std::vector<DataFreeze> FreezeRepository::list(const std::string& cohortId) const {
   return selectAll(connection_, kFreezes + " WHERE cohort_id = ? ORDER BY created_utc_us, id", {cohortId},
                    freezeOf);
 }

@@ -7,21 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "assessment/study/cohort.h"
 #include "db/connection/connection.h"
 
 namespace torsio {
-
-/// A named state of a cohort's data. Append-only.
-struct StoredFreeze {
-  std::string id{};
-  std::string cohortId{};
-  std::string name{};         ///< unique in the record
-  std::string contentHash{};  ///< BLAKE2b-256 over what went into it
-  std::string manifestJson{};
-  std::string createdBy{};
-  std::int64_t createdUtc_us = 0;
-  bool demonstration = false;
-};
 
 /// Frozen data sets. Each is told of in the audit trail in the same transaction.
 class FreezeRepository {
@@ -32,10 +21,10 @@ class FreezeRepository {
 
   /// Stores a frozen data set; storing it once more is no error. Throws DbError (kUnique) when the name is
   /// taken or the id has other content.
-  void add(const StoredFreeze& freeze);
-  [[nodiscard]] std::optional<StoredFreeze> findByName(const std::string& name) const;
+  void add(const DataFreeze& freeze);
+  [[nodiscard]] std::optional<DataFreeze> findByName(const std::string& name) const;
   /// Of one cohort, oldest first.
-  [[nodiscard]] std::vector<StoredFreeze> list(const std::string& cohortId) const;
+  [[nodiscard]] std::vector<DataFreeze> list(const std::string& cohortId) const;
 
  private:
   Connection& connection_;

@@ -15,7 +15,7 @@ constexpr const char* kAllocationColumns =
     " scores_json, draw_before, draw_after, enrolled_by, allocated_by, software_version, override_reason,"
     " allocated_utc_us, demonstration, previous_hash, record_hash";
 
-StoredAllocation allocationOf(RowReader& row) {
+AllocationEntry allocationOf(RowReader& row) {
   return {.id = row.text(),
           .designId = row.text(),
           .sequence = row.int64(),
@@ -37,7 +37,7 @@ StoredAllocation allocationOf(RowReader& row) {
           .recordHash = row.text()};
 }
 
-void insertAllocation(Statement& insert, const StoredAllocation& record) {
+void insertAllocation(Statement& insert, const AllocationEntry& record) {
   insert.execute({record.id, record.designId, record.sequence, record.enrolmentId, record.groupId,
                   record.numberInGroup, record.covariatesJson, record.countsBeforeJson, record.scoresJson,
                   record.drawBefore, record.drawAfter, record.enrolledBy, record.allocatedBy,
@@ -47,7 +47,7 @@ void insertAllocation(Statement& insert, const StoredAllocation& record) {
 
 }  // namespace
 
-std::string allocationHash(const StoredAllocation& record) {
+std::string allocationHash(const AllocationEntry& record) {
   FieldDigest digest("torsio allocation 1");
   digest.add(record.previousHash).add(record.id).add(record.designId).add(record.sequence);
   digest.add(record.enrolmentId).add(record.groupId).add(record.numberInGroup).add(record.covariatesJson);
@@ -57,7 +57,7 @@ std::string allocationHash(const StoredAllocation& record) {
   return digest.hex();
 }
 
-void StudyRepository::setCentre(const StoredCentre& centre) {
+void StudyRepository::setCentre(const Centre& centre) {
   Transaction transaction(connection_);
   connection_.execute("DELETE FROM centre");
   connection_.execute(insertInto("centre", "id, name, created_utc_us, demonstration"),
@@ -65,37 +65,37 @@ void StudyRepository::setCentre(const StoredCentre& centre) {
   transaction.commit();
 }
 
-std::optional<StoredCentre> StudyRepository::centre() const {
+std::optional<Centre> StudyRepository::centre() const {
   return selectFirst(connection_, "SELECT id, name, created_utc_us, demonstration FROM centre", {},
                      [](RowReader& row) {
-                       return StoredCentre{row.text(), row.text(), row.int64(), row.boolean()};
+                       return Centre{row.text(), row.text(), row.int64(), row.boolean()};
                      });
 }
 
-void StudyRepository::addCohort(const StoredCohort& cohort, std::span<const StoredGroup> groups) {
+void StudyRepository::addCohort(const Cohort& cohort, std::span<const StudyGroup> groups) {
   Transaction transaction(connection_);
   connection_.execute(
       insertInto("cohort", "id, name, description, created_utc_us, demonstration"),
       {cohort.id, cohort.name, cohort.description, cohort.createdUtc_us, cohort.demonstration});
   Statement insert = connection_.prepare(insertInto("training_group", "id, cohort_id, number, code, label"));
-  for (const StoredGroup& group : groups) {
+  for (const StudyGroup& group : groups) {
     insert.execute({group.id, cohort.id, group.number, group.code, group.label});
   }
   transaction.commit();
 }
 
-std::vector<StoredCohort> StudyRepository::cohorts() const {
+std::vector<Cohort> StudyRepository::cohorts() const {
   return selectAll(
       connection_,
       "SELECT id, name, description, created_utc_us, demonstration, curriculum_version_id FROM cohort"
       " ORDER BY created_utc_us, name",
       {}, [](RowReader& row) {
-        return StoredCohort{row.text(), row.text(), row.text(), row.int64(), row.boolean(), row.text()};
+        return Cohort{row.text(), row.text(), row.text(), row.int64(), row.boolean(), row.text()};
       });
 }
 
-StoredCohort StudyRepository::cohort(const std::string& cohortId) const {
-  for (StoredCohort& one : cohorts()) {
+Cohort StudyRepository::cohort(const std::string& cohortId) const {
+  for (Cohort& one : cohorts()) {
     if (one.id == cohortId) {
       return std::move(one);
     }
@@ -103,23 +103,23 @@ StoredCohort StudyRepository::cohort(const std::string& cohortId) const {
   throw Error(ErrorCode::kBadData, "there is no such cohort", cohortId, "Choose one from the list");
 }
 
-std::vector<StoredGroup> StudyRepository::groups(const std::string& cohortId) const {
+std::vector<StudyGroup> StudyRepository::groups(const std::string& cohortId) const {
   return selectAll(connection_,
                    "SELECT id, cohort_id, number, code, label, arm_id FROM training_group WHERE cohort_id = ?"
                    " ORDER BY number",
                    {cohortId}, [](RowReader& row) {
-                     return StoredGroup{row.text(), row.text(), row.int64(),
-                                        row.text(), row.text(), row.text()};
+                     return StudyGroup{row.text(), row.text(), row.int64(),
+                                       row.text(), row.text(), row.text()};
                    });
 }
 
-void StudyRepository::enrol(std::span<const StoredEnrolment> enrolments) {
+void StudyRepository::enrol(std::span<const Enrolment> enrolments) {
   Transaction transaction(connection_);
   Statement insert = connection_.prepare(
       insertInto("enrolment",
                  "id, cohort_id, trainee_id, group_id, number_in_group, state, enrolled_utc_us,"
                  " demonstration"));
-  for (const StoredEnrolment& enrolment : enrolments) {
+  for (const Enrolment& enrolment : enrolments) {
     insert.execute({enrolment.id, enrolment.cohortId, enrolment.traineeId, textOrNull(enrolment.groupId),
                     enrolment.numberInGroup == 0 ? Value() : Value(enrolment.numberInGroup),
                     storedText(enrolment.state), enrolment.enrolledUtc_us, enrolment.demonstration});
@@ -127,7 +127,7 @@ void StudyRepository::enrol(std::span<const StoredEnrolment> enrolments) {
   transaction.commit();
 }
 
-std::vector<StoredEnrolment> StudyRepository::enrolments(const std::string& cohortId) const {
+std::vector<Enrolment> StudyRepository::enrolments(const std::string& cohortId) const {
   return selectAll(
       connection_,
       "SELECT e.id, e.cohort_id, e.trainee_id, e.group_id, e.number_in_group, e.state, e.enrolled_utc_us,"
@@ -135,16 +135,16 @@ std::vector<StoredEnrolment> StudyRepository::enrolments(const std::string& coho
       " LEFT JOIN training_group g ON g.id = e.group_id WHERE e.cohort_id = ?"
       " ORDER BY COALESCE(g.number, 0), COALESCE(e.number_in_group, 0), p.code",
       {cohortId}, [](RowReader& row) {
-        return StoredEnrolment{.id = row.text(),
-                               .cohortId = row.text(),
-                               .traineeId = row.text(),
-                               .groupId = row.text(),
-                               .numberInGroup = row.int64(),
-                               .state = readTerm<EnrolmentState>(row, "state"),
-                               .enrolledUtc_us = row.int64(),
-                               .demonstration = row.boolean(),
-                               .traineeCode = row.text(),
-                               .groupCode = row.text()};
+        return Enrolment{.id = row.text(),
+                         .cohortId = row.text(),
+                         .traineeId = row.text(),
+                         .groupId = row.text(),
+                         .numberInGroup = row.int64(),
+                         .state = readTerm<EnrolmentState>(row, "state"),
+                         .enrolledUtc_us = row.int64(),
+                         .demonstration = row.boolean(),
+                         .traineeCode = row.text(),
+                         .groupCode = row.text()};
       });
 }
 
@@ -152,7 +152,7 @@ void StudyRepository::setEnrolmentState(const std::string& enrolmentId, Enrolmen
   connection_.execute("UPDATE enrolment SET state = ? WHERE id = ?", {storedText(state), enrolmentId});
 }
 
-void StudyRepository::lockDesign(const StoredAllocationDesign& design) {
+void StudyRepository::lockDesign(const LockedDesign& design) {
   Transaction transaction(connection_);
   connection_.execute(
       insertInto("allocation_design",
@@ -175,7 +175,7 @@ std::string StudyRepository::sealedSeed(const std::string& designId) const {
       .value_or("");
 }
 
-std::vector<StoredAllocationDesign> StudyRepository::designs(const std::string& cohortId) const {
+std::vector<LockedDesign> StudyRepository::designs(const std::string& cohortId) const {
   return selectAll(
       connection_,
       "SELECT d.id, d.cohort_id, d.algorithm, d.algorithm_version, d.parameters_json, d.generator,"
@@ -183,27 +183,27 @@ std::vector<StoredAllocationDesign> StudyRepository::designs(const std::string& 
       " LEFT JOIN allocation_seed s ON s.design_id = d.id AND s.revealed_utc_us IS NOT NULL"
       " WHERE d.cohort_id = ? ORDER BY d.locked_utc_us, d.id",
       {cohortId}, [](RowReader& row) {
-        return StoredAllocationDesign{.id = row.text(),
-                                      .cohortId = row.text(),
-                                      .algorithm = row.text(),
-                                      .algorithmVersion = row.text(),
-                                      .parametersJson = row.text(),
-                                      .generator = row.text(),
-                                      .seedCommitment = row.text(),
-                                      .seed = row.text(),
-                                      .lockedUtc_us = row.int64(),
-                                      .demonstration = row.boolean()};
+        return LockedDesign{.id = row.text(),
+                            .cohortId = row.text(),
+                            .algorithm = row.text(),
+                            .algorithmVersion = row.text(),
+                            .parametersJson = row.text(),
+                            .generator = row.text(),
+                            .seedCommitment = row.text(),
+                            .seed = row.text(),
+                            .lockedUtc_us = row.int64(),
+                            .demonstration = row.boolean()};
       });
 }
 
-std::vector<StoredAllocation> StudyRepository::allocate(std::span<const StoredAllocation> records) {
-  std::vector<StoredAllocation> stored;
+std::vector<AllocationEntry> StudyRepository::allocate(std::span<const AllocationEntry> records) {
+  std::vector<AllocationEntry> stored;
   Transaction transaction(connection_);
   Statement last = connection_.prepare(
       "SELECT sequence, record_hash FROM allocation WHERE design_id = ? ORDER BY sequence DESC LIMIT 1");
   Statement insert = connection_.prepare(insertInto("allocation", kAllocationColumns));
   Statement move = connection_.prepare("UPDATE enrolment SET group_id = ?, number_in_group = ? WHERE id = ?");
-  for (StoredAllocation record : records) {
+  for (AllocationEntry record : records) {
     last.execute({record.designId});
     std::int64_t sequence = 0;
     record.previousHash.clear();
@@ -226,7 +226,7 @@ std::vector<StoredAllocation> StudyRepository::allocate(std::span<const StoredAl
   return stored;
 }
 
-std::vector<StoredAllocation> StudyRepository::allocations(const std::string& designId) const {
+std::vector<AllocationEntry> StudyRepository::allocations(const std::string& designId) const {
   return selectAll(
       connection_,
       std::string("SELECT ") + kAllocationColumns + " FROM allocation WHERE design_id = ? ORDER BY sequence",
@@ -236,7 +236,7 @@ std::vector<StoredAllocation> StudyRepository::allocations(const std::string& de
 std::optional<std::int64_t> StudyRepository::firstBrokenAllocation(const std::string& designId) const {
   std::string previous;
   std::int64_t sequence = 0;
-  for (const StoredAllocation& record : allocations(designId)) {
+  for (const AllocationEntry& record : allocations(designId)) {
     ++sequence;
     const bool fits = record.sequence == sequence && record.previousHash == previous &&
                       record.recordHash == allocationHash(record);
@@ -248,12 +248,12 @@ std::optional<std::int64_t> StudyRepository::firstBrokenAllocation(const std::st
   return std::nullopt;
 }
 
-void StudyRepository::addExposures(std::span<const StoredExposure> exposures) {
+void StudyRepository::addExposures(std::span<const Exposure> exposures) {
   Transaction transaction(connection_);
   Statement insert = connection_.prepare(insertInto(
       "exposure",
       "id, enrolment_id, phase_id, kind, started_utc_us, duration_us, recorded_by, demonstration"));
-  for (const StoredExposure& exposure : exposures) {
+  for (const Exposure& exposure : exposures) {
     insert.execute({exposure.id, exposure.enrolmentId, textOrNull(exposure.phaseId), exposure.kind,
                     exposure.startedUtc_us, exposure.duration_us, exposure.recordedBy,
                     exposure.demonstration});
@@ -261,15 +261,15 @@ void StudyRepository::addExposures(std::span<const StoredExposure> exposures) {
   transaction.commit();
 }
 
-std::vector<StoredExposure> StudyRepository::exposures(const std::string& cohortId) const {
+std::vector<Exposure> StudyRepository::exposures(const std::string& cohortId) const {
   return selectAll(
       connection_,
       "SELECT x.id, x.enrolment_id, x.phase_id, x.kind, x.started_utc_us, x.duration_us, x.recorded_by,"
       " x.demonstration FROM exposure x JOIN enrolment e ON e.id = x.enrolment_id WHERE e.cohort_id = ?"
       " ORDER BY x.enrolment_id, x.started_utc_us, x.id",
       {cohortId}, [](RowReader& row) {
-        return StoredExposure{row.text(),  row.text(),  row.text(), row.text(),
-                              row.int64(), row.int64(), row.text(), row.boolean()};
+        return Exposure{row.text(),  row.text(),  row.text(), row.text(),
+                        row.int64(), row.int64(), row.text(), row.boolean()};
       });
 }
 
@@ -290,7 +290,7 @@ std::vector<RunningTrial> StudyRepository::runningTrials(const std::string& coho
                    });
 }
 
-void StudyRepository::addDeviation(const StoredDeviation& deviation) {
+void StudyRepository::addDeviation(const ProtocolDeviation& deviation) {
   connection_.execute(
       insertInto("deviation",
                  "id, cohort_id, enrolment_id, kind, description, happened_utc_us, reported_by,"
@@ -300,14 +300,14 @@ void StudyRepository::addDeviation(const StoredDeviation& deviation) {
        deviation.reportedUtc_us, deviation.demonstration});
 }
 
-std::vector<StoredDeviation> StudyRepository::deviations(const std::string& cohortId) const {
+std::vector<ProtocolDeviation> StudyRepository::deviations(const std::string& cohortId) const {
   return selectAll(
       connection_,
       "SELECT id, cohort_id, enrolment_id, kind, description, happened_utc_us, reported_by, reported_utc_us,"
       " demonstration FROM deviation WHERE cohort_id = ? ORDER BY happened_utc_us, id",
       {cohortId}, [](RowReader& row) {
-        return StoredDeviation{row.text(),  row.text(), row.text(),  row.text(),   row.text(),
-                               row.int64(), row.text(), row.int64(), row.boolean()};
+        return ProtocolDeviation{row.text(),  row.text(), row.text(),  row.text(),   row.text(),
+                                 row.int64(), row.text(), row.int64(), row.boolean()};
       });
 }
 

@@ -17,6 +17,10 @@ namespace {
 
 constexpr std::int64_t kProgressEvery = 16;  // recordings
 
+const std::string kMark(storedText(AuditObject::kTrainingMark));
+const std::string kEvaluationMark(storedText(AuditObject::kEvaluationMark));
+const std::string kTrial(storedText(AuditObject::kTrial));
+
 using Hashes = std::map<std::string, std::string>;
 
 /// Ids of trials whose samples were erased with their trainee.
@@ -49,7 +53,7 @@ void checkChain(Connection& connection, std::map<std::string, Hashes>& sealed,
     if (!entry.objectHash.empty()) {
       sealed[entry.objectKind][entry.objectId] = entry.objectHash;
     }
-    if (entry.action == kDemonstrationRemoved) {
+    if (entry.action == storedText(AuditAction::kDemonstrationRemove)) {
       sealed[entry.objectKind].erase(entry.objectId);
     }
   });
@@ -91,7 +95,7 @@ void checkTrials(Connection& connection, const Hashes& trials, std::vector<Audit
       if (error.code() != ErrorCode::kVerifyFailed) {
         throw;
       }
-      findings.push_back({0, kSealedTrial, id, error.happened()});
+      findings.push_back({0, kTrial, id, error.happened()});
     }
   }
 }
@@ -105,7 +109,7 @@ void checkComments(Connection& connection, std::vector<AuditFinding>& findings) 
     const std::string id = row.text();
     const std::string hash = textHash(row.text());
     if (hash != row.text()) {
-      findings.push_back({0, kSealedMark, id, "its comment differs from what was recorded"});
+      findings.push_back({0, kMark, id, "its comment differs from what was recorded"});
     }
   }
 }
@@ -117,9 +121,9 @@ std::vector<AuditFinding> verifyAuditTrail(Connection& connection, const VerifyP
   std::map<std::string, Hashes> sealed;
   checkChain(connection, sealed, findings);
   const Hashes trials = trialHashes(connection);
-  compare(kSealedMark, sealed[kSealedMark], markHashes(connection), findings);
-  compare(kSealedEvaluationMark, sealed[kSealedEvaluationMark], evaluationMarkHashes(connection), findings);
-  compare(kSealedTrial, sealed[kSealedTrial], trials, findings);
+  compare(kMark, sealed[kMark], markHashes(connection), findings);
+  compare(kEvaluationMark, sealed[kEvaluationMark], evaluationMarkHashes(connection), findings);
+  compare(kTrial, sealed[kTrial], trials, findings);
   checkTrials(connection, trials, findings, progress);
   checkComments(connection, findings);
   return findings;

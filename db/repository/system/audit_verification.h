@@ -6,17 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "assessment/people/audit_entry.h"
 #include "db/connection/connection.h"
 
 namespace torsio {
-
-/// Something that verifyAuditTrail() found.
-struct AuditFinding {
-  std::int64_t sequence = 0;  ///< of the entry; 0: no entry
-  std::string objectKind{};
-  std::string objectId{};
-  std::string what{};
-};
 
 /// Hears how far verifyAuditTrail() is: recordings read, of all. May throw to give up.
 using VerifyProgress = std::function<void(std::int64_t done, std::int64_t all)>;

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "assessment/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/seals.h"
@@ -93,22 +94,22 @@ std::vector<DemonstrationUse> usesOf(Connection& connection, const std::vector<S
 }
 
 /// Entries for the sealed rows that go, so that the trail does not miss them.
-std::vector<AuditEntry> farewells(Connection& connection, const Conditions& conditions,
-                                  const AuditEntry& pattern) {
+std::vector<NewAuditEntry> farewells(Connection& connection, const Conditions& conditions,
+                                     const NewAuditEntry& pattern) {
   struct Sealed {
-    const char* kind;
+    AuditObject kind;
     const char* table;
     const char* id;
   };
-  constexpr std::array<Sealed, 3> kSealed{{{kSealedMark, "training_mark", "id"},
-                                           {kSealedEvaluationMark, "evaluation_mark", "id"},
-                                           {kSealedTrial, "trial_end", "trial_id"}}};
-  std::vector<AuditEntry> entries;
+  constexpr std::array<Sealed, 3> kSealed{{{AuditObject::kTrainingMark, "training_mark", "id"},
+                                           {AuditObject::kEvaluationMark, "evaluation_mark", "id"},
+                                           {AuditObject::kTrial, "trial_end", "trial_id"}}};
+  std::vector<NewAuditEntry> entries;
   for (const Sealed& sealed : kSealed) {
     const std::string select = std::string("SELECT ") + sealed.id + " FROM " + sealed.table + " WHERE " +
                                conditions.at(sealed.table) + " ORDER BY " + sealed.id;
     for (const std::string& id : selectAll(connection, select, {}, readText)) {
-      AuditEntry entry = pattern;
+      NewAuditEntry entry = pattern;
       entry.objectKind = sealed.kind;
       entry.objectId = id;
       entries.push_back(entry);
@@ -148,13 +149,13 @@ std::vector<DemonstrationRows> removeDemonstration(Connection& connection, const
   const std::vector<SchemaTable> tables = tablesInReferenceOrder(connection);
   const Conditions conditions = conditionsOf(tables);
   refuseUses(connection, usesOf(connection, tables, conditions));
-  AuditEntry entry;
-  entry.atUtc_us = utc_us;
-  entry.actor = requestedBy;
-  entry.station = station;
-  entry.action = kDemonstrationRemoved;
-  entry.reason = reason;
-  std::vector<AuditEntry> entries = farewells(connection, conditions, entry);
+  NewAuditEntry entry{.atUtc_us = utc_us,
+                      .actor = requestedBy,
+                      .station = station,
+                      .action = AuditAction::kDemonstrationRemove,
+                      .objectKind = AuditObject::kDemonstration,
+                      .reason = reason};
+  std::vector<NewAuditEntry> entries = farewells(connection, conditions, entry);
 
   constexpr const char* kGate = "demonstration";
   connection.execute(insertInto("erasure_gate", "id, reason, opened_utc_us"), {kGate, reason, utc_us});
@@ -175,7 +176,6 @@ std::vector<DemonstrationRows> removeDemonstration(Connection& connection, const
     all += rows;
   }
   connection.execute("DELETE FROM erasure_gate WHERE id = ?", {kGate});
-  entry.objectKind = "demonstration";
   entry.newJson = R"({"rows_removed":)" + std::to_string(all) + "}";
   entries.push_back(entry);
   AuditRepository(connection).append(entries);

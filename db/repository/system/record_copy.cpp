@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "assessment/people/audit_entry.h"
+#include "db/connection/connection.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/audit_verification.h"
@@ -15,7 +17,7 @@ namespace {
 
 /// Filled by the migrations themselves: rows here do not make a record a used one.
 constexpr std::array<std::string_view, 4> kSeeded{"occasion", "role", "operation", "role_operation"};
-constexpr std::int64_t kProgressEvery = 500;
+constexpr std::int64_t kRowsPerProgress = 500;
 
 bool isSeeded(const std::string& table) {
   return std::find(kSeeded.begin(), kSeeded.end(), table) != kSeeded.end();
@@ -103,7 +105,7 @@ void compareTables(Connection& from, Connection& to, const std::vector<SchemaTab
   std::int64_t done = 0;
   for (const SchemaTable& table : tables) {
     const auto step = [&] {
-      if (++done % kProgressEvery == 0 && progress) {
+      if (++done % kRowsPerProgress == 0 && progress) {
         progress({CopyPhase::kComparing, table.name, done, 2 * rows});
       }
     };
@@ -142,7 +144,7 @@ CopyReport copyRecord(Connection& from, Connection& to, const CopyProgress& prog
   CopyReport report;
   for (const SchemaTable& table : tables) {
     copyTable(from, to, table, [&] {
-      if (++report.rows % kProgressEvery == 0 && progress) {
+      if (++report.rows % kRowsPerProgress == 0 && progress) {
         progress({CopyPhase::kCopying, table.name, report.rows, all});
       }
     });

@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "db/connection/connection.h"
 #include "db/repository/system/schema_tables.h"
 
 namespace torsio {
+
+class Connection;
 
 /// What a copy does, in its order.
 enum class CopyPhase { kVerifying, kCopying, kComparing, kVerifyingCopy };

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "db/connection/connection.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/field_digest.h"
 #include "sim/base/contracts.h"

@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "db/connection/connection.h"
-
 namespace torsio {
+
+class Connection;
+class Statement;
 
 struct TableColumn {
   std::string name;

@@ -100,8 +100,8 @@ constexpr const char* kColumns =
     " d.model, d.duration_us, d.unfinished_twists, d.mean_absolute_error_deg, d.peak_torque_nm,"
     " d.peak_force_n, d.attempts, d.measures, d.computed_utc_us";
 
-StoredTrialDigest digestFrom(RowReader& row) {
-  StoredTrialDigest digest;
+TrialDigest digestFrom(RowReader& row) {
+  TrialDigest digest;
   digest.trialId = row.text();
   digest.formulaVersion = row.int64();
   digest.tolerance_rad = row.real();
@@ -122,7 +122,7 @@ StoredTrialDigest digestFrom(RowReader& row) {
 
 }  // namespace
 
-void DigestRepository::add(std::span<const StoredTrialDigest> digests) {
+void DigestRepository::add(std::span<const TrialDigest> digests) {
   Transaction transaction(connection_);
   Statement insert = connection_.prepare(
       insertInto("trial_digest",
@@ -130,7 +130,7 @@ void DigestRepository::add(std::span<const StoredTrialDigest> digests) {
                  " model, duration_us, unfinished_twists, mean_absolute_error_deg, peak_torque_nm,"
                  " peak_force_n, attempts, measures, computed_utc_us") +
       " ON CONFLICT (trial_id, formula_version, tolerance_rad, force_limit_n, torque_limit_nm) DO NOTHING");
-  for (const StoredTrialDigest& digest : digests) {
+  for (const TrialDigest& digest : digests) {
     insert.execute({digest.trialId, digest.formulaVersion, digest.tolerance_rad,
                     digest.forceLimit_N.value_or(kNoLimit), digest.torqueLimit_Nm.value_or(kNoLimit),
                     digest.contentHash, digest.model, digest.duration_us, digest.unfinishedTwists,
@@ -140,10 +140,10 @@ void DigestRepository::add(std::span<const StoredTrialDigest> digests) {
   transaction.commit();
 }
 
-std::multimap<std::string, StoredTrialDigest> DigestRepository::ofCohort(const std::string& cohortId,
-                                                                         std::int64_t formulaVersion) const {
-  std::multimap<std::string, StoredTrialDigest> digests;
-  for (StoredTrialDigest& digest :
+std::multimap<std::string, TrialDigest> DigestRepository::ofCohort(const std::string& cohortId,
+                                                                   std::int64_t formulaVersion) const {
+  std::multimap<std::string, TrialDigest> digests;
+  for (TrialDigest& digest :
        selectAll(connection_,
                  std::string("SELECT ") + kColumns +
                      " FROM enrolment e JOIN trial t ON t.enrolment_id = e.id"
@@ -156,19 +156,19 @@ std::multimap<std::string, StoredTrialDigest> DigestRepository::ofCohort(const s
   return digests;
 }
 
-std::vector<StoredTrialDigest> DigestRepository::ofTrial(const std::string& trialId,
-                                                         std::int64_t formulaVersion) const {
+std::vector<TrialDigest> DigestRepository::ofTrial(const std::string& trialId,
+                                                   std::int64_t formulaVersion) const {
   return selectAll(connection_,
                    std::string("SELECT ") + kColumns +
                        " FROM trial_digest d WHERE d.trial_id = ? AND d.formula_version = ?",
                    {trialId, formulaVersion}, digestFrom);
 }
 
-std::optional<StoredExerciseRules> DigestRepository::rulesOfModule(const std::string& moduleId) const {
+std::optional<ExerciseRulesRow> DigestRepository::rulesOfModule(const std::string& moduleId) const {
   return selectFirst(connection_,
                      "SELECT tolerance_rad, hold_us, max_force_n, max_torque_nm FROM module WHERE id = ?",
                      {moduleId}, [](RowReader& row) {
-                       StoredExerciseRules rules;
+                       ExerciseRulesRow rules;
                        rules.tolerance_rad = row.real();
                        rules.hold_us = row.int64();
                        rules.forceLimit_N = row.maybeReal();

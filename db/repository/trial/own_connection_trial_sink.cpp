@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <utility>
 
+#include "assessment/attempt/trial_listing.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
+#include "db/connection/locator.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/contracts.h"
 

@@ -13,33 +13,33 @@ const std::string kQuestions =
     "SELECT q.remark_id, q.rater_id, q.asked_utc_us, m.trial_id, m.author_person_id, m.time_us, m.text"
     " FROM trial_question q JOIN trial_remark m ON m.id = q.remark_id WHERE ";
 
-bool waits(const StoredQuestion& question) {
+bool waits(const TraineeQuestion& question) {
   return question.answerId.empty();
 }
 
 }  // namespace
 
-void QuestionRepository::add(const StoredQuestion& question) {
+void QuestionRepository::add(const TraineeQuestion& question) {
   connection_.execute(insertInto("trial_question", "remark_id, rater_id, asked_utc_us"),
                       {question.remarkId, question.raterId, question.askedUtc_us});
 }
 
-std::vector<StoredQuestion> QuestionRepository::read(const std::string& condition,
-                                                     const std::string& value) const {
-  std::vector<StoredQuestion> questions =
+std::vector<TraineeQuestion> QuestionRepository::read(const std::string& condition,
+                                                      const std::string& value) const {
+  std::vector<TraineeQuestion> questions =
       selectAll(connection_, kQuestions + condition, {value}, [](RowReader& row) {
-        return StoredQuestion{.remarkId = row.text(),
-                              .raterId = row.text(),
-                              .askedUtc_us = row.int64(),
-                              .trialId = row.text(),
-                              .personId = row.text(),
-                              .time_us = row.int64(),
-                              .text = row.text()};
+        return TraineeQuestion{.remarkId = row.text(),
+                               .raterId = row.text(),
+                               .askedUtc_us = row.int64(),
+                               .trialId = row.text(),
+                               .personId = row.text(),
+                               .time_us = row.int64(),
+                               .text = row.text()};
       });
   Statement answer = connection_.prepare(
       "SELECT id, text, created_utc_us FROM trial_remark WHERE reply_to = ? AND author_person_id = ?"
       " ORDER BY created_utc_us, id LIMIT 1");
-  for (StoredQuestion& question : questions) {
+  for (TraineeQuestion& question : questions) {
     answer.execute({question.remarkId, question.raterId});
     while (answer.step()) {
       RowReader row(answer);
@@ -51,17 +51,17 @@ std::vector<StoredQuestion> QuestionRepository::read(const std::string& conditio
   return questions;
 }
 
-std::optional<StoredQuestion> QuestionRepository::find(const std::string& remarkId) const {
-  std::vector<StoredQuestion> found = read("q.remark_id = ?", remarkId);
+std::optional<TraineeQuestion> QuestionRepository::find(const std::string& remarkId) const {
+  std::vector<TraineeQuestion> found = read("q.remark_id = ?", remarkId);
   return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
-std::vector<StoredQuestion> QuestionRepository::ofTrial(const std::string& trialId) const {
+std::vector<TraineeQuestion> QuestionRepository::ofTrial(const std::string& trialId) const {
   return read("m.trial_id = ? ORDER BY m.time_us, q.asked_utc_us, q.remark_id", trialId);
 }
 
-std::vector<StoredQuestion> QuestionRepository::toRater(const std::string& raterId) const {
-  std::vector<StoredQuestion> questions =
+std::vector<TraineeQuestion> QuestionRepository::toRater(const std::string& raterId) const {
+  std::vector<TraineeQuestion> questions =
       read("q.rater_id = ? ORDER BY q.asked_utc_us, q.remark_id", raterId);
   const auto answered = std::stable_partition(questions.begin(), questions.end(), waits);
   std::reverse(answered, questions.end());

@@ -20,7 +20,7 @@ const std::string kNotReadBy =
     " AND m.author <> ? AND NOT EXISTS (SELECT 1 FROM remark_receipt c WHERE c.remark_id = m.id"
     " AND c.reader = ?) ORDER BY m.created_utc_us, m.id";
 
-StoredRemark remarkOf(RowReader& row) {
+Remark remarkOf(RowReader& row) {
   return {.id = row.text(),
           .trialId = row.text(),
           .author = row.text(),
@@ -34,18 +34,18 @@ StoredRemark remarkOf(RowReader& row) {
           .demonstration = row.boolean()};
 }
 
-std::vector<StoredSelfScoreRow> selfScoreRows(Connection& connection, const std::string& selfScoreId) {
+std::vector<SelfScoreLine> selfScoreRows(Connection& connection, const std::string& selfScoreId) {
   return selectAll(connection,
                    "SELECT revision_id, row_code, score_steps FROM self_score_row WHERE self_score_id = ?"
                    " ORDER BY row_code",
                    {selfScoreId}, [](RowReader& row) {
-                     return StoredSelfScoreRow{row.text(), row.text(), row.int64()};
+                     return SelfScoreLine{row.text(), row.text(), row.int64()};
                    });
 }
 
 }  // namespace
 
-void RemarkRepository::add(const StoredRemark& remark) {
+void RemarkRepository::add(const Remark& remark) {
   Transaction transaction(connection_);
   const std::array<IdempotentColumn, 11> columns{{{"id", remark.id, Kind::kKey},
                                                   {"trial_id", remark.trialId},
@@ -62,35 +62,35 @@ void RemarkRepository::add(const StoredRemark& remark) {
   transaction.commit();
 }
 
-std::optional<StoredRemark> RemarkRepository::find(const std::string& remarkId) const {
+std::optional<Remark> RemarkRepository::find(const std::string& remarkId) const {
   return selectFirst(connection_, kRemarks + " WHERE m.id = ?", {remarkId}, remarkOf);
 }
 
-std::vector<StoredRemark> RemarkRepository::remarks(const std::string& trialId) const {
+std::vector<Remark> RemarkRepository::remarks(const std::string& trialId) const {
   return selectAll(connection_, kRemarks + " WHERE m.trial_id = ? ORDER BY m.time_us, m.created_utc_us, m.id",
                    {trialId}, remarkOf);
 }
 
-void RemarkRepository::markRead(const StoredReceipt& receipt) {
+void RemarkRepository::markRead(const ReadReceipt& receipt) {
   connection_.execute(
       insertInto("remark_receipt", "remark_id, reader, reader_person_id, read_utc_us") +
           " ON CONFLICT (remark_id, reader) DO NOTHING",
       {receipt.remarkId, receipt.reader, textOrNull(receipt.readerPersonId), receipt.readUtc_us});
 }
 
-std::vector<StoredReceipt> RemarkRepository::receipts(const std::string& trialId) const {
+std::vector<ReadReceipt> RemarkRepository::receipts(const std::string& trialId) const {
   return selectAll(
       connection_,
       "SELECT c.remark_id, c.reader, c.reader_person_id, c.read_utc_us FROM trial_remark m"
       " JOIN remark_receipt c ON c.remark_id = m.id WHERE m.trial_id = ? ORDER BY c.read_utc_us, c.remark_id,"
       " c.reader",
       {trialId}, [](RowReader& row) {
-        return StoredReceipt{row.text(), row.text(), row.text(), row.int64()};
+        return ReadReceipt{row.text(), row.text(), row.text(), row.int64()};
       });
 }
 
-std::vector<StoredRemark> RemarkRepository::unreadOnTrialsOf(const std::string& traineeId,
-                                                             const std::string& reader) const {
+std::vector<Remark> RemarkRepository::unreadOnTrialsOf(const std::string& traineeId,
+                                                       const std::string& reader) const {
   return selectAll(
       connection_,
       kRemarks + " JOIN trial t ON t.id = m.trial_id WHERE t.trainee_id = ? AND m.purpose <> 'bookmark'" +
@@ -98,13 +98,13 @@ std::vector<StoredRemark> RemarkRepository::unreadOnTrialsOf(const std::string& 
       {traineeId, reader, reader}, remarkOf);
 }
 
-std::vector<StoredRemark> RemarkRepository::unreadReplies(const std::string& author) const {
+std::vector<Remark> RemarkRepository::unreadReplies(const std::string& author) const {
   return selectAll(connection_,
                    kRemarks + " JOIN trial_remark o ON o.id = m.reply_to WHERE o.author = ?" + kNotReadBy,
                    {author, author, author}, remarkOf);
 }
 
-void RemarkRepository::addSelfScore(const StoredSelfScore& score) {
+void RemarkRepository::addSelfScore(const SelfScore& score) {
   Transaction transaction(connection_);
   const std::array<IdempotentColumn, 11> columns{{{"id", score.id, Kind::kKey},
                                                   {"trial_id", score.trialId},
@@ -120,41 +120,41 @@ void RemarkRepository::addSelfScore(const StoredSelfScore& score) {
   if (insertIdempotent(connection_, "self_score", columns, "this self-score") == Inserted::kNew) {
     Statement insert = connection_.prepare(
         insertInto("self_score_row", "self_score_id, revision_id, row_code, score_steps"));
-    for (const StoredSelfScoreRow& row : score.rows) {
+    for (const SelfScoreLine& row : score.rows) {
       insert.execute({score.id, row.rubricRevisionId, row.rowCode, row.score_steps});
     }
-  } else if (const std::vector<StoredSelfScoreRow> stored = selfScoreRows(connection_, score.id);
+  } else if (const std::vector<SelfScoreLine> stored = selfScoreRows(connection_, score.id);
              !std::is_permutation(stored.begin(), stored.end(), score.rows.begin(), score.rows.end())) {
     refuseOtherContent(connection_, "self_score_row", "this self-score");
   }
   transaction.commit();
 }
 
-std::vector<StoredSelfScore> RemarkRepository::selfScores(const std::string& trialId) const {
-  std::vector<StoredSelfScore> scores = selectAll(
+std::vector<SelfScore> RemarkRepository::selfScores(const std::string& trialId) const {
+  std::vector<SelfScore> scores = selectAll(
       connection_,
       "SELECT id, trial_id, trainee_id, version, rubric_revision_id, score_steps, scale_lo_steps,"
       " scale_hi_steps, steps_per_point, created_utc_us, demonstration FROM self_score WHERE trial_id = ?"
       " ORDER BY trainee_id, version",
       {trialId}, [](RowReader& row) {
-        return StoredSelfScore{.id = row.text(),
-                               .trialId = row.text(),
-                               .traineeId = row.text(),
-                               .version = row.int64(),
-                               .rubricRevisionId = row.text(),
-                               .score_steps = row.int64(),
-                               .scale = {row.int64(), row.int64(), row.int64()},
-                               .rows = {},
-                               .createdUtc_us = row.int64(),
-                               .demonstration = row.boolean()};
+        return SelfScore{.id = row.text(),
+                         .trialId = row.text(),
+                         .traineeId = row.text(),
+                         .version = row.int64(),
+                         .rubricRevisionId = row.text(),
+                         .score_steps = row.int64(),
+                         .scale = {row.int64(), row.int64(), row.int64()},
+                         .rows = {},
+                         .createdUtc_us = row.int64(),
+                         .demonstration = row.boolean()};
       });
-  for (StoredSelfScore& score : scores) {
+  for (SelfScore& score : scores) {
     score.rows = selfScoreRows(connection_, score.id);
   }
   return scores;
 }
 
-void RemarkRepository::addWarmup(const StoredWarmup& warmup) {
+void RemarkRepository::addWarmup(const CalibrationScore& warmup) {
   Transaction transaction(connection_);
   const std::array<IdempotentColumn, 11> columns{{{"id", warmup.id, Kind::kKey},
                                                   {"rater_id", warmup.raterId},
@@ -171,22 +171,22 @@ void RemarkRepository::addWarmup(const StoredWarmup& warmup) {
   transaction.commit();
 }
 
-std::vector<StoredWarmup> RemarkRepository::warmups(const std::string& raterId) const {
+std::vector<CalibrationScore> RemarkRepository::warmups(const std::string& raterId) const {
   return selectAll(
       connection_,
       "SELECT id, rater_id, reference_trial_id, rubric_revision_id, score_steps, scale_lo_steps,"
       " scale_hi_steps, steps_per_point, panel_offset_steps, created_utc_us, demonstration FROM rater_warmup"
       " WHERE rater_id = ? ORDER BY created_utc_us, id",
       {raterId}, [](RowReader& row) {
-        return StoredWarmup{.id = row.text(),
-                            .raterId = row.text(),
-                            .referenceTrialId = row.text(),
-                            .rubricRevisionId = row.text(),
-                            .score_steps = row.int64(),
-                            .scale = {row.int64(), row.int64(), row.int64()},
-                            .panelOffset_steps = row.real(),
-                            .createdUtc_us = row.int64(),
-                            .demonstration = row.boolean()};
+        return CalibrationScore{.id = row.text(),
+                                .raterId = row.text(),
+                                .referenceTrialId = row.text(),
+                                .rubricRevisionId = row.text(),
+                                .score_steps = row.int64(),
+                                .scale = {row.int64(), row.int64(), row.int64()},
+                                .panelOffset_steps = row.real(),
+                                .createdUtc_us = row.int64(),
+                                .demonstration = row.boolean()};
       });
 }
 

@@ -6,31 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "assessment/study/station_state.h"
 #include "db/connection/connection.h"
 
 namespace torsio {
-
-/// What a station does now.
-struct StationState {
-  std::string station{};
-  std::string trialId{};  ///< that runs there; empty: none
-  std::string userId{};   ///< signed in there; empty: nobody
-  std::string softwareVersion{};
-  std::int64_t heartbeatUtc_us = 0;  ///< last sign of life
-  std::string deviceJson{};          ///< app/devices/station_device.h; empty: no training station
-  bool deviceHaptic = false;
-  std::string deviceLight{};             ///< of the last check: "green", "amber", "red"; empty: not checked
-  std::string deviceProblemJson{};       ///< empty: none
-  std::int64_t deviceCheckedUtc_us = 0;  ///< 0: not checked
-  std::string traineeCode{};             ///< filled when read: of the running trial
-  std::string sceneId{};                 ///< filled when read
-  std::string phaseLabel{};              ///< filled when read
-  std::int64_t startedUtc_us = 0;        ///< filled when read: of the running trial; 0: none
-  bool ended = false;                    ///< filled when read: the trial has its closing row already
-};
-
-/// A station that gave no sign of life for so long is shown as not answering.
-inline constexpr std::int64_t kStationSilence_us = 30'000'000;
 
 /// Signs of life of all stations: who records what where, for the board and for whoever wants to take over.
 class StationRepository {

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "assessment/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
@@ -243,14 +244,14 @@ void TrialRepository::end(const std::string& trialId, const std::string& station
     transaction.commit();  // its entry in the audit trail came in the same transaction
     return;
   }
-  AuditEntry seal;
-  seal.atUtc_us = now_us;
-  seal.actor = "torsio";
-  seal.station = station;
-  seal.action = summary.outcome == TrialOutcome::kCompleted ? "trial.finish" : "trial.interrupted";
-  seal.objectKind = kSealedTrial;
-  seal.objectId = trialId;
-  seal.objectHash = trialHashes(connection_, std::span(&trialId, 1)).at(trialId);
+  NewAuditEntry seal{.atUtc_us = now_us,
+                     .actor = "torsio",
+                     .station = station,
+                     .action = summary.outcome == TrialOutcome::kCompleted ? AuditAction::kTrialFinish
+                                                                           : AuditAction::kTrialInterrupted,
+                     .objectKind = AuditObject::kTrial,
+                     .objectId = trialId,
+                     .objectHash = trialHashes(connection_, std::span(&trialId, 1)).at(trialId)};
   AuditRepository(connection_).append(seal);
   transaction.commit();
 }

@@ -9,58 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "assessment/attempt/trial_listing.h"
 #include "assessment/study/protocol_terms.h"
 #include "db/connection/connection.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
-
-/// The machine that recorded, in words: what a late tick is explained by. Empty: not known.
-struct RecordingHost {
-  std::string name{};
-  std::string os{};
-  std::string cpu{};
-  std::string gpu{};
-  friend bool operator==(const RecordingHost&, const RecordingHost&) = default;
-};
-
-/// What the database adds to a trial's header.
-struct TrialContext {
-  std::string station{};      ///< which machine records: it alone may close its interrupted trials
-  std::string enrolmentId{};  ///< the cohort for which the trial counts; empty for free practice
-  std::string moduleId{};     ///< of the curriculum version that was running; empty for free practice
-  std::string phaseId{};      ///< empty: outside any phase
-  std::optional<AttemptMode> attemptMode{};  ///< as it counted then; empty for free practice
-  RecordingHost host{};
-  friend bool operator==(const TrialContext&, const TrialContext&) = default;
-};
-
-/// One line of a list of trials.
-struct TrialListing {
-  std::string trialId{};
-  std::string traineeCode{};  ///< empty: nobody (free practice)
-  std::string enrolmentId{};
-  std::string station{};
-  std::string sceneId{};
-  std::string patternId{};
-  std::string phaseLabel{};
-  std::int64_t startedUtc_us = 0;
-  bool demonstration = false;
-  std::optional<TrialSummary> summary{};  ///< empty: running, or interrupted and not closed yet
-  std::string moduleId{};
-  std::string phaseId{};
-  std::optional<AttemptMode> attemptMode{};  ///< empty: free practice
-};
-
-/// Which trials to list, newest first. Empty texts do not restrict.
-struct TrialFilter {
-  std::string traineeCode{};
-  std::string enrolmentId{};
-  std::string sceneId{};
-  std::int64_t limit = 200;
-  std::int64_t offset = 0;
-  std::string moduleId{};
-};
 
 /// Recorded trials. Append-only: header at begin(), one row a chunk, a closing row at finish(); each is on
 /// the disk when the call returns. A trial without its closing row is running or was interrupted.

@@ -8,7 +8,6 @@ namespace torsio {
 
 namespace {
 
-constexpr double kMillimetre_m = 1e-3;
 constexpr double kLink_mm = 133.35;
 constexpr double kBaseHeight_mm = 23.35;
 constexpr double kBaseDepth_mm = 168.35;

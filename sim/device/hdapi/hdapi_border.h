@@ -9,6 +9,8 @@
 
 namespace torsio {
 
+inline constexpr double kMillimetre_m = 1e-3;  ///< the vendor counts in millimetres
+
 /// One frame as the vendor's library gives it. Device frame: x to the user's right, y up, z towards the user.
 struct HdapiFrame {
   std::array<double, 16> transform_mm{};  ///< column-major; 12 to 14: middle of the gimbal, mm

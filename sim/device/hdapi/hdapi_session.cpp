@@ -7,6 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/tick_period.h"
+#include "sim/device/hdapi/hdapi_border.h"
 
 namespace torsio {
 
@@ -17,7 +18,6 @@ namespace {
 constexpr hd::Handle kLargestHandle = 1024;
 constexpr int kInitTries = 3;
 constexpr hd::ULong kWantedRate_Hz = 1'000'000 / kTickPeriod_us;
-constexpr double kMillimetre_m = 1e-3;
 constexpr double kPerMillimetre_per_m = 1e3;
 // Nominal box of the Omni and the Touch about the device's origin: 160 x 120 x 70 mm.
 constexpr std::array<double, 6> kNominalBox_mm{-80.0, -60.0, -35.0, 80.0, 60.0, 35.0};

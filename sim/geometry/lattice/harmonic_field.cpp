@@ -8,6 +8,7 @@
 
 #include <Eigen/SparseCholesky>
 
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
 #include "sim/geometry/lattice/level_loops.h"
@@ -23,7 +24,6 @@ constexpr Index kNone = std::numeric_limits<Index>::max();
 /// Positive weights keep the maximum principle; small ones keep linear fields on flat sides exact to the same
 /// order.
 constexpr double kSmallestWeight = 1e-6;
-constexpr double kTurn = 2.0 * kPi;
 constexpr double kLargestCotangent = 1e5;  // slivers must not spoil the conditioning
 
 double cotangent(const Vec3& apex, const Vec3& a, const Vec3& b) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
 
@@ -12,7 +13,6 @@ namespace torsio {
 
 namespace {
 
-constexpr double kTurn = 2.0 * kPi;
 constexpr double kSamePoint = 1e-6;  // of the perimeter: points nearer to each other are one
 constexpr double kCollinear = 1e-9;  // of the perimeter: a corner nearer to its chord is none
 

@@ -28,7 +28,7 @@ constexpr double kSlenderness = 1.2;   // least ratio of the longest to the next
 constexpr double kBarParallel = 1e-3;  // of the length: how far a flat end of a bar may lean
 constexpr double kBarStraight = 0.01;  // of the length: how far its sections may lie aside
 constexpr int kBarPlanes = 64;
-constexpr const char* kGiveEnds = "Give the two end points of the axis, or use the harmonic mode.";
+constexpr const char* kGiveAxisEnds = "Give the two end points of the axis, or use the harmonic mode.";
 
 /// The direction of the largest spread of the surface, weighted by area.
 Vec3 principalAxis(const TriangleMesh& mesh) {
@@ -58,7 +58,7 @@ Vec3 principalAxis(const TriangleMesh& mesh) {
                 Text("the organ has no longest direction: its two largest extents are as %1 to 1, at least "
                      "1.2 is needed",
                      std::to_string(ratio)),
-                "", kGiveEnds);
+                "", kGiveAxisEnds);
   }
   const Eigen::Vector3d axis = solver.eigenvectors().col(2);
   return normalized({axis.x(), axis.y(), axis.z()});

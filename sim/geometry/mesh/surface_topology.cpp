@@ -15,7 +15,7 @@ namespace torsio {
 
 namespace {
 
-constexpr SurfaceTopology::Index kNone = std::numeric_limits<SurfaceTopology::Index>::max();
+constexpr SurfaceTopology::Index kNoIndex = std::numeric_limits<SurfaceTopology::Index>::max();
 
 std::string placeOf(const Vec3& point_m) {
   const auto mm = [](double value_m) { return std::to_string(value_m * 1000.0); };
@@ -75,7 +75,7 @@ void SurfaceTopology::pairEdges(const TriangleMesh& mesh) {
   for (Index v = 0; v < vertices(); ++v) {
     std::sort(outgoing_.begin() + firstOutgoing_[v], outgoing_.begin() + firstOutgoing_[v + 1], byTarget);
   }
-  opposite_.assign(origin_.size(), kNone);
+  opposite_.assign(origin_.size(), kNoIndex);
   for (Index half = 0; half < halfEdges(); ++half) {
     const Index from = origin(half);
     const std::span<const Index> candidates = outgoing(target(half));

@@ -6,14 +6,11 @@
 #include <cstdint>
 
 #include "sim/base/contracts.h"
+#include "sim/base/index.h"
 
 namespace torsio {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct HalfEdge {
   int low = 0;

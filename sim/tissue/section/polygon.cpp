@@ -10,7 +10,7 @@ namespace torsio {
 
 namespace {
 
-struct Edge {
+struct PolygonEdge {
   Point2 a;
   Point2 b;
   double left = 0.0;
@@ -18,15 +18,15 @@ struct Edge {
   int index = 0;
 };
 
-std::vector<Edge> edgesFromLeft(std::span<const Point2> polygon) {
-  std::vector<Edge> edges;
+std::vector<PolygonEdge> edgesFromLeft(std::span<const Point2> polygon) {
+  std::vector<PolygonEdge> edges;
   edges.reserve(polygon.size());
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point2& a = polygon[i];
     const Point2& b = polygon[(i + 1) % polygon.size()];
     edges.push_back({a, b, std::min(a[0], b[0]), std::max(a[0], b[0]), static_cast<int>(i)});
   }
-  std::sort(edges.begin(), edges.end(), [](const Edge& p, const Edge& q) {
+  std::sort(edges.begin(), edges.end(), [](const PolygonEdge& p, const PolygonEdge& q) {
     return p.left != q.left ? p.left < q.left : p.index < q.index;
   });
   return edges;
@@ -38,7 +38,7 @@ bool withinBox(const Point2& a, const Point2& b, const Point2& p) {
          p[1] <= std::max(a[1], b[1]);
 }
 
-bool meet(const Edge& p, const Edge& q) {
+bool meet(const PolygonEdge& p, const PolygonEdge& q) {
   const double a = orientation(p.a, p.b, q.a);
   const double b = orientation(p.a, p.b, q.b);
   const double c = orientation(q.a, q.b, p.a);
@@ -103,7 +103,7 @@ double perimeter(std::span<const Point2> polygon) {
 
 std::optional<std::pair<int, int>> firstSelfCrossing(std::span<const Point2> polygon) {
   const int n = static_cast<int>(polygon.size());
-  const std::vector<Edge> edges = edgesFromLeft(polygon);
+  const std::vector<PolygonEdge> edges = edgesFromLeft(polygon);
   for (int i = 0; i < n; ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
     const std::size_t next = (k + 1) % polygon.size();
@@ -126,10 +126,10 @@ std::optional<std::pair<int, int>> firstSelfCrossing(std::span<const Point2> pol
 }
 
 std::optional<std::pair<int, int>> firstCrossing(std::span<const Point2> a, std::span<const Point2> b) {
-  const std::vector<Edge> first = edgesFromLeft(a);
-  const std::vector<Edge> second = edgesFromLeft(b);
-  for (const Edge& p : first) {
-    for (const Edge& q : second) {
+  const std::vector<PolygonEdge> first = edgesFromLeft(a);
+  const std::vector<PolygonEdge> second = edgesFromLeft(b);
+  for (const PolygonEdge& p : first) {
+    for (const PolygonEdge& q : second) {
       if (q.left > p.right) {
         break;
       }

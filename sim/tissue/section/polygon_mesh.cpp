@@ -8,13 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/index.h"
+
 namespace torsio {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 double squaredDistance(const Point2& a, const Point2& b) {
   const double dx = b[0] - a[0], dy = b[1] - a[1];

@@ -8,6 +8,7 @@
 #include <Eigen/SparseCholesky>
 
 #include "sim/base/contracts.h"
+#include "sim/base/index.h"
 
 namespace torsio {
 
@@ -16,10 +17,6 @@ namespace {
 using Vector2 = Eigen::Vector2d;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// The two corners that the middle node facing corner k lies between.
 constexpr int next(int k) {

@@ -10,6 +10,7 @@
 
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
+#include "sim/base/index.h"
 #include "sim/tissue/section/boundary_elements.h"
 #include "sim/tissue/section/boundary_values.h"
 #include "sim/tissue/section/plane_mesh.h"
@@ -28,10 +29,6 @@ constexpr double kLeastGrazingSine = 0.25;
 constexpr std::size_t kMostRays = 1024;
 /// Part of the gap that the elements split in one round hold (Doerfler marking).
 constexpr double kMarkedShare = 0.7;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 void requireRange(double value, double low, double high, const char* name) {
   if (value >= low && value <= high) {

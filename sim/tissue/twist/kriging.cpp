@@ -13,7 +13,9 @@
 
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
+#include "sim/base/index.h"
 #include "sim/base/portable_math.h"
+#include "sim/base/refusal.h"
 
 namespace torsio {
 
@@ -26,46 +28,38 @@ constexpr double kWorstCondition = 1e14;
 constexpr double kFirstNugget = 1e-12;
 constexpr double kLastNugget = 0.999e-8;  // 1e-8 up to rounding
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
-  throw Error(ErrorCode::kBadParameter, what, where, remedy);
-}
-
 void checkOptions(const KrigingOptions& options) {
   const auto text = [](double value) { return std::to_string(value); };
   if (!(options.rangeInSpacings > 0.0) || !(options.rangeInSpacings <= 1e6)) {
-    refuse(Text("kriging range is %1 spacings, outside 0 to 1e6", text(options.rangeInSpacings)),
-           "kriging options", "Choose a range above 0, usually 20");
+    refuseParameter(Text("kriging range is %1 spacings, outside 0 to 1e6", text(options.rangeInSpacings)),
+                    "kriging options", "Choose a range above 0, usually 20");
   }
   if (!(options.nugget >= 0.0) || !(options.nugget <= 1.0)) {
-    refuse(Text("kriging nugget is %1, outside 0 to 1", text(options.nugget)), "kriging options",
-           "Choose 0 unless the samples carry noise");
+    refuseParameter(Text("kriging nugget is %1, outside 0 to 1", text(options.nugget)), "kriging options",
+                    "Choose 0 unless the samples carry noise");
   }
   if (options.window < 0 || options.window == 1) {
-    refuse(Text("kriging window is %1 samples, it must be 0 (all) or at least 2",
-                std::to_string(options.window)),
-           "kriging options", "Choose 8");
+    refuseParameter(Text("kriging window is %1 samples, it must be 0 (all) or at least 2",
+                         std::to_string(options.window)),
+                    "kriging options", "Choose 8");
   }
 }
 
 void checkSamples(std::span<const double> samples) {
   if (samples.size() < 2) {
-    refuse(Text("kriging needs at least 2 samples, there are %1", std::to_string(samples.size())),
-           "kriging samples", "Give more sections");
+    refuseParameter(Text("kriging needs at least 2 samples, there are %1", std::to_string(samples.size())),
+                    "kriging samples", "Give more sections");
   }
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!std::isfinite(samples[i])) {
-      refuse("an abscissa is not a finite number", Text("kriging sample %1", std::to_string(i + 1)),
-             "Correct the sample");
+      refuseParameter("an abscissa is not a finite number", Text("kriging sample %1", std::to_string(i + 1)),
+                      "Correct the sample");
     }
     if (i > 0 && !(samples[i] > samples[i - 1])) {
-      refuse(Text("abscissae must increase: %1 follows %2", std::to_string(samples[i]),
-                  std::to_string(samples[i - 1])),
-             Text("kriging sample %1", std::to_string(i + 1)),
-             "Sort the samples and leave out repeated ones");
+      refuseParameter(Text("abscissae must increase: %1 follows %2", std::to_string(samples[i]),
+                           std::to_string(samples[i - 1])),
+                      Text("kriging sample %1", std::to_string(i + 1)),
+                      "Sort the samples and leave out repeated ones");
     }
   }
 }
@@ -223,8 +217,8 @@ void Kriging1d::chooseNugget(Systems& systems) {
       return;
     }
     if (nuggetUsed_ >= kLastNugget) {
-      refuse("the covariance matrix is singular even with a nugget of 1e-8", "kriging options",
-             "Choose a shorter range or another covariance");
+      refuseParameter("the covariance matrix is singular even with a nugget of 1e-8", "kriging options",
+                      "Choose a shorter range or another covariance");
     }
     nuggetUsed_ = std::max(10.0 * nuggetUsed_, kFirstNugget);
   }

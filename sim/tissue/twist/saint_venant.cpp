@@ -11,6 +11,7 @@
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
+#include "sim/base/refusal.h"
 
 namespace torsio {
 
@@ -35,10 +36,6 @@ double fourthRoot(double x) {
 
 bool positive(double x) {
   return x > 0.0 && std::isfinite(x);
-}
-
-[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
-  throw Error(ErrorCode::kBadParameter, what, where, remedy);
 }
 
 struct Factors {
@@ -85,8 +82,8 @@ SectionProfile::SectionProfile(std::span<const double> arcs_m, std::span<const T
   for (std::size_t j = 0; j < sections.size(); ++j) {
     const TorsionSection& s = sections[j];
     if (!positive(s.torsionConstant_m4) || !positive(s.polarMoment_m4) || !positive(s.area_m2)) {
-      refuse("a section has no area or no torsion constant",
-             Text("arc length %1 m", std::to_string(arcs_m[j])), "Check the organ's surface there.");
+      refuseParameter("a section has no area or no torsion constant",
+                      Text("arc length %1 m", std::to_string(arcs_m[j])), "Check the organ's surface there.");
     }
     torsionLength_.push_back(fourthRoot(s.torsionConstant_m4));
     polarLength_.push_back(fourthRoot(s.polarMoment_m4));
@@ -113,11 +110,11 @@ std::vector<double> sectionCompliances(const SectionProfile& profile, int sectio
                                        const TorsionCorrections& corrections) {
   TORSIO_EXPECTS(sections >= 2);
   if (!positive(shearModulus_Pa)) {
-    refuse(Text("the shear modulus is %1 Pa, but must be above 0", std::to_string(shearModulus_Pa)),
-           "material", "Give G in pascal; for nearly incompressible tissue it is E / 3.");
+    refuseParameter(Text("the shear modulus is %1 Pa, but must be above 0", std::to_string(shearModulus_Pa)),
+                    "material", "Give G in pascal; for nearly incompressible tissue it is E / 3.");
   }
   if (!positive(length_m)) {
-    refuse("the organ's length is not above 0", "lattice", "Check the organ's ends.");
+    refuseParameter("the organ's length is not above 0", "lattice", "Check the organ's ends.");
   }
   const int perSection = (kFewestIntegrationIntervals + sections - 2) / (sections - 1);
   const double step = length_m / static_cast<double>((sections - 1) * perSection);

@@ -12,7 +12,6 @@ namespace torsio {
 
 namespace {
 
-constexpr double kBlendPerRadius = 0.5;  // of the twist rate about the grasp
 constexpr int kInverseSteps = 12;
 constexpr double kInverseTolerance = 1e-14;  // of the organ's length
 constexpr double kLargestStep = 0.1;         // of the organ's length

@@ -7,6 +7,9 @@
 
 namespace torsio {
 
+/// Width over which the twist rate changes about the grasp, in radii of the section there.
+inline constexpr double kBlendPerRadius = 0.5;
+
 /// One state of a twist as a map of space; values common to all points are computed on construction. Lives
 /// on the stack of a query; noexcept, allocation-free, portable arithmetic only.
 class TwistMap {

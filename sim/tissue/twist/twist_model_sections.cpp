@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "sim/base/angle.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
@@ -14,8 +15,6 @@
 namespace torsio {
 
 namespace {
-
-constexpr double kTurn = 2.0 * kPi;
 
 // `count` of M sections, both ends among them, as evenly as whole numbers allow.
 std::vector<int> chosenSections(int available, int count) {

@@ -8,7 +8,9 @@
 
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
+#include "sim/base/index.h"
 #include "sim/base/portable_math.h"
+#include "sim/base/refusal.h"
 #include "sim/tissue/twist/twist_model_map.h"
 #include "sim/tissue/twist/twist_model_sections.h"
 
@@ -19,28 +21,20 @@ namespace {
 constexpr int kStrainNodes = 65;
 constexpr double kHeldFade = 0.5;  // of the radius
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
-  throw Error(ErrorCode::kBadParameter, what, where, remedy);
-}
-
 void checkNumber(double value, double low, double high, const char* name) {
   if (value >= low && value <= high) {
     return;  // false for NaN
   }
-  refuse(Text("%1 is %2, but must lie in %3..%4", std::string(name), std::to_string(value),
-              std::to_string(low), std::to_string(high)),
-         "twist model options", "Choose a value inside the range.");
+  refuseParameter(Text("%1 is %2, but must lie in %3..%4", std::string(name), std::to_string(value),
+                       std::to_string(low), std::to_string(high)),
+                  "twist model options", "Choose a value inside the range.");
 }
 
 void checkOptions(const TwistModelOptions& o, const Material& material) {
   if (!(material.shearModulus_Pa > 0.0) || !std::isfinite(material.shearModulus_Pa)) {
-    refuse(Text("the shear modulus is %1 Pa, but must be above 0", std::to_string(material.shearModulus_Pa)),
-           Text("material %1", material.id),
-           "Give G in pascal; for nearly incompressible tissue it is E / 3.");
+    refuseParameter(
+        Text("the shear modulus is %1 Pa, but must be above 0", std::to_string(material.shearModulus_Pa)),
+        Text("material %1", material.id), "Give G in pascal; for nearly incompressible tissue it is E / 3.");
   }
   checkOperations(o.operations);
   checkNumber(o.foundationLengths, 0.0, 1e6, "foundationLengths");
@@ -53,16 +47,16 @@ void checkOptions(const TwistModelOptions& o, const Material& material) {
   checkNumber(o.solvedSections, 2.0, kMostSections, "solvedSections");
   const bool paper = o.formulation == Formulation::kPaper;
   if (o.poynting && (paper || o.ends != EndCondition::kClampedFree || !o.operations.empty())) {
-    refuse("the axial stretch needs a free end and one Saint-Venant twist about the centreline",
-           "twist model options", "Switch poynting off or leave the operations empty.");
+    refuseParameter("the axial stretch needs a free end and one Saint-Venant twist about the centreline",
+                    "twist model options", "Switch poynting off or leave the operations empty.");
   }
   if (paper && (o.foundationLengths > 0.0 || o.centre == TwistCentre::kShearCentre)) {
-    refuse("the paper's formulation knows neither a foundation nor a shear centre", "twist model options",
-           "Use the Saint-Venant formulation.");
+    refuseParameter("the paper's formulation knows neither a foundation nor a shear centre",
+                    "twist model options", "Use the Saint-Venant formulation.");
   }
   if (paper && o.paperInterpolation == PaperInterpolation::kComponents && !o.operations.empty()) {
-    refuse("component kriging knows no twist operations", "twist model options",
-           "Krige the angle, or leave the operations empty.");
+    refuseParameter("component kriging knows no twist operations", "twist model options",
+                    "Krige the angle, or leave the operations empty.");
   }
 }
 

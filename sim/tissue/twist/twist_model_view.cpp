@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/base/contracts.h"
+#include "sim/base/index.h"
 #include "sim/tissue/twist/twist_model_map.h"
 #include "sim/tissue/twist/twist_model_tables.h"
 #include "sim/tissue/view/twist_kernels.h"
@@ -17,11 +18,6 @@ constexpr int kShareEntries = 2048;
 constexpr int kCurvedStreams = 11;
 constexpr int kCurvedOnlyStreams = 10;
 constexpr int kPaperStreams = 11;
-constexpr double kBlendPerRadius = 0.5;  // as in twist_model_map.cpp
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 void put(float* lane, const Vec3& v) {
   lane[0] = static_cast<float>(v.x);

@@ -5,6 +5,9 @@
 
 #include "app/access/first_run.h"
 #include "app/access/settings_service.h"
+#include "assessment/people/account.h"
+#include "assessment/people/audit_entry.h"
+#include "db/connection/connection.h"
 #include "db/repository/base/audit_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/support/study_centre.h"

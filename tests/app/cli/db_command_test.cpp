@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "sim/base/error.h"
 #include "tests/app/cli/program.h"

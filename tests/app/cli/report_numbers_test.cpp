@@ -11,6 +11,7 @@
 #include "app/base/csv_table.h"
 #include "app/scoring/scoring_service.h"
 #include "assessment/report/number_format.h"
+#include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/file_io.h"

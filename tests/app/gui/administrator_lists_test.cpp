@@ -8,12 +8,15 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "app/gui/administrator/audit_page.h"
-#include "app/gui/administrator/maintenance_page.h"
+#include "app/gui/administrator/station/audit_page.h"
+#include "app/gui/administrator/station/maintenance_page.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/maintenance/retention.h"
 #include "app/people/people_service.h"
+#include "assessment/people/audit_entry.h"
+#include "assessment/people/retention.h"
+#include "db/repository/base/audit_repository.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {
@@ -66,9 +69,13 @@ TEST(AuditPage, TellsWhatWasDoneInWordsAndFindsItByItsCodeToo) {
 TEST(AuditPage, ShowsTheNewestThousandAndSaysHowManyThereAre) {
   AdministratorDesk office;
   office.centre.as("administrator");
-  const AuditEntry one{.atUtc_us = office.centre.session().now_us(), .actor = "u", .action = "person.add"};
+  const NewAuditEntry one{.atUtc_us = office.centre.session().now_us(),
+                          .actor = "u",
+                          .station = "s",
+                          .action = AuditAction::kPersonAdd,
+                          .objectKind = AuditObject::kPerson};
   AuditRepository audit(office.centre.connection());
-  audit.append(std::vector<AuditEntry>(2'500, one));
+  audit.append(std::vector<NewAuditEntry>(2'500, one));
   const std::int64_t newest = audit.length();
   auto page = office.open<AuditPage>("administrator");
   auto& table = *page->findChild<DataTable*>();

@@ -24,22 +24,22 @@
 #include <QToolButton>
 #include <gtest/gtest.h>
 
-#include "app/gui/administrator/accounts_dialog.h"
 #include "app/gui/administrator/administrator_pages.h"
-#include "app/gui/administrator/allocation_page.h"
-#include "app/gui/administrator/audit_page.h"
-#include "app/gui/administrator/campaigns_page.h"
-#include "app/gui/administrator/cohorts_page.h"
-#include "app/gui/administrator/curricula_page.h"
-#include "app/gui/administrator/curriculum_editor.h"
-#include "app/gui/administrator/maintenance_page.h"
-#include "app/gui/administrator/report_preview.h"
-#include "app/gui/administrator/reports_page.h"
-#include "app/gui/administrator/results_page.h"
-#include "app/gui/administrator/roster_wizard.h"
-#include "app/gui/administrator/run_day_page.h"
-#include "app/gui/administrator/scoring_page.h"
-#include "app/gui/administrator/users_page.h"
+#include "app/gui/administrator/curriculum/curricula_page.h"
+#include "app/gui/administrator/curriculum/curriculum_editor.h"
+#include "app/gui/administrator/people/accounts_dialog.h"
+#include "app/gui/administrator/people/roster_wizard.h"
+#include "app/gui/administrator/people/users_page.h"
+#include "app/gui/administrator/reporting/report_preview.h"
+#include "app/gui/administrator/reporting/reports_page.h"
+#include "app/gui/administrator/reporting/results_page.h"
+#include "app/gui/administrator/scoring/campaigns_page.h"
+#include "app/gui/administrator/scoring/scoring_page.h"
+#include "app/gui/administrator/station/audit_page.h"
+#include "app/gui/administrator/station/maintenance_page.h"
+#include "app/gui/administrator/study/allocation_page.h"
+#include "app/gui/administrator/study/cohorts_page.h"
+#include "app/gui/administrator/study/run_day_page.h"
 #include "app/gui/base/figure_canvas.h"
 #include "app/gui/base/figure_card.h"
 #include "app/gui/base/language.h"
@@ -51,8 +51,14 @@
 #include "app/report/wording.h"
 #include "app/reporting/report_export.h"
 #include "app/study/curriculum_service.h"
+#include "assessment/people/account.h"
+#include "assessment/people/audit_entry.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
 #include "assessment/report/cohort_report.h"
 #include "assessment/report/figure_table.h"
+#include "assessment/study/cohort.h"
 #include "assessment/study/demonstration_marks.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/sheet_repository.h"
@@ -64,8 +70,8 @@ namespace torsio::gui {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::answer;
 using testing::AdministratorDesk;
+using testing::answer;
 using testing::press;
 using testing::StudyCentre;
 using testing::type;
@@ -112,7 +118,7 @@ void submitSimulatedMarks(StudyCentre& centre, const std::string& cohortId) {
   DemonstrationPeople people;
   people.groups.resize(3);
   std::map<std::string, std::string> codeOf;
-  for (const StoredEnrolment& enrolment : enrolments(centre.as("allocator"), cohortId)) {
+  for (const Enrolment& enrolment : enrolments(centre.as("allocator"), cohortId)) {
     people.groups.at(static_cast<std::size_t>(enrolment.groupCode.back() - '1'))
         .push_back(enrolment.traineeCode);
     codeOf[enrolment.id] = enrolment.traineeCode;
@@ -131,12 +137,12 @@ void submitSimulatedMarks(StudyCentre& centre, const std::string& cohortId) {
   }
   const std::map<std::string, std::size_t> occasions{{"pre", 0}, {"mid", 1}, {"post", 2}};
   for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
-    const StoredAssignment& one = status.assignment;
+    const Assignment& one = status.assignment;
     Sheet sheet;
     sheet.overall_steps =
         marks.at({codeOf.at(one.enrolmentId), raterCode.at(one.raterId), occasions.at(one.occasionCode)});
-    const StoredRubricRevision rubric = sheets.revision(one.rubricRevisionId).value();
-    for (const StoredRubricRow& row : rubric.rows) {
+    const RubricRevision rubric = sheets.revision(one.rubricRevisionId).value();
+    for (const RubricLine& row : rubric.rows) {
       sheet.rows.push_back({row.code, row.scale.lo, ""});
     }
     sheets.submit(one.id, centre.session().ids().newUuid(), sheet, "", centre.session().now_us());
@@ -449,11 +455,12 @@ TEST(UsersPage, MakesTheAccountsOfTheWholeRosterAndTellsTheirPasswordsOnce) {
 
 TEST(AuditPage, ShowsTheNewestThousandAtOnceAndTheOthersOnRequest) {
   AdministratorDesk office;
-  std::vector<AuditEntry> entries(2'500);
-  for (AuditEntry& entry : entries) {
-    entry.atUtc_us = office.centre.session().now_us();
-    entry.action = "long.record";
-  }
+  const NewAuditEntry one{.atUtc_us = office.centre.session().now_us(),
+                          .actor = "u",
+                          .station = "s",
+                          .action = AuditAction::kPersonChange,
+                          .objectKind = AuditObject::kPerson};
+  const std::vector<NewAuditEntry> entries(2'500, one);
   AuditRepository trail(office.centre.connection());
   trail.append(entries);
   const std::int64_t all = trail.length();

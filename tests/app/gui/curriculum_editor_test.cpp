@@ -1,30 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The curriculum editor through its real widgets: nothing is lost, everything can be set, published versions
 // stay as they are.
-#include "app/gui/administrator/curriculum_editor.h"
+#include "app/gui/administrator/curriculum/curriculum_editor.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSpinBox>
 #include <QTableWidget>
 #include <QTest>
 
-#include "app/gui/administrator/curricula_page.h"
+#include "app/gui/administrator/curriculum/curricula_page.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
+#include "assessment/study/curriculum.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {
 namespace {
 
-using testing::answer;
 using testing::AdministratorDesk;
+using testing::answer;
 using testing::press;
 using testing::type;
 
@@ -114,10 +118,30 @@ TEST(CurriculumEditor, SavesWhatWasNotTouchedExactlyAsItWas) {
   EXPECT_EQ(curriculumJson(after.content), before);
 }
 
+TEST(CurriculumEditor, FitsASmallScreenWithoutScrollingItsForms) {
+  AdministratorDesk office;
+  addEverything(office);
+  auto page = office.open<CurriculaPage>("administrator");
+
+  page->resize(1162, 716);  // what a 1366 x 768 screen leaves beside navigation and header
+  page->show();
+  QApplication::processEvents();
+
+  auto& editor = child<CurriculumEditor>(*page, "editor");
+  for (int tab = 0; tab < editor.count(); ++tab) {
+    editor.setCurrentIndex(tab);
+    QApplication::processEvents();
+    for (const QScrollArea* area : editor.currentWidget()->findChildren<QScrollArea*>()) {
+      EXPECT_EQ(area->horizontalScrollBar()->maximum(), 0) << "tab " << tab;
+      EXPECT_EQ(area->verticalScrollBar()->maximum(), 0) << "tab " << tab;
+    }
+  }
+}
+
 TEST(CurriculumEditor, ChangesOnlyTheFieldThatWasTyped) {
   AdministratorDesk office;
   const std::string id = addEverything(office);
-  StoredCurriculumVersion expected = curriculumDraft(office.centre.session(), id).content;
+  CurriculumVersion expected = curriculumDraft(office.centre.session(), id).content;
   auto page = office.open<CurriculaPage>("administrator");
 
   auto* title = named<QLineEdit>(*page, "Title");
@@ -144,7 +168,7 @@ TEST(CurriculumEditor, PublishedVersionsComeBackThroughTheEditorTheSame) {
 
   const auto versions = curricula(office.centre.session()).front().versions;
   ASSERT_EQ(versions.size(), 2U);
-  EXPECT_EQ(versions[0].state, "running");  // superseded, not erased
+  EXPECT_EQ(versions[0].state, CurriculumState::kRunning);  // superseded, not erased
   EXPECT_EQ(curriculumJson(publishedContent(office.centre.session(), versions[0].id)),
             curriculumJson(publishedContent(office.centre.session(), versions[1].id)));
   EXPECT_EQ(curriculumJson(publishedContent(office.centre.session(), versions[0].id)),
@@ -173,7 +197,7 @@ TEST(CurriculumEditor, SetsSeveralRulesPrerequisitesAndLimits) {
   after->item(0)->setCheckState(Qt::Checked);
   ASSERT_TRUE(page->save());
 
-  const StoredModule stored = curriculumDraft(office.centre.session(), id).content.modules[1];
+  const TrainingModule stored = curriculumDraft(office.centre.session(), id).content.modules[1];
   ASSERT_EQ(stored.mastery.size(), 2U);
   EXPECT_EQ(stored.mastery[1].metric, "force.peak");
   EXPECT_EQ(stored.mastery[1].comparison, "at_least");
@@ -203,7 +227,7 @@ TEST(CurriculumEditor, MovesRenamesAndKeepsReferencesWhole) {
   EXPECT_EQ(code->text(), QStringLiteral("F1"));
   ASSERT_TRUE(page->save());
 
-  const StoredCurriculumVersion stored = curriculumDraft(office.centre.session(), id).content;
+  const CurriculumVersion stored = curriculumDraft(office.centre.session(), id).content;
   EXPECT_EQ(stored.modules[1].code, "F1");
   EXPECT_EQ(stored.modules[2].code, "A2");
   EXPECT_EQ(stored.arms[0].phases[1].moduleId, "F1");
@@ -230,7 +254,7 @@ TEST(CurriculumEditor, SetsGroupsPhasesRestAndScoringPoints) {
   }
   ASSERT_TRUE(page->save());
 
-  const StoredCurriculumVersion stored = curriculumDraft(office.centre.session(), id).content;
+  const CurriculumVersion stored = curriculumDraft(office.centre.session(), id).content;
   EXPECT_EQ(stored.arms[1].restAllowance_us, 600'000'000);
   ASSERT_EQ(stored.arms[1].phases.size(), 2U);
   EXPECT_EQ(stored.arms[1].phases[0].moduleId, "A2");

@@ -6,6 +6,7 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTableView>
 #include <QTest>
@@ -42,6 +43,21 @@ TEST(DataTable, SortsCodesByTheirNumbersAndMarksBySize) {
 
   EXPECT_EQ(byCode, "Code\tMark\nT-1\t9.0\nT-2\t8.5\nT-10\t10.0\n");
   EXPECT_EQ(byMark, "Code\tMark\nT-10\t10.0\nT-1\t9.0\nT-2\t8.5\n");
+}
+
+TEST(DataTable, NarrowsTheWidestColumnBeforeItScrollsSideways) {
+  DataTable table{QString()};
+  table.resize(500, 200);
+  table.setColumns({{"Code"}, {"What was done"}, {"Mark", true}});
+
+  table.setRows({{"a", {{"T-2"}, {QString(200, QLatin1Char('w'))}, {"8.5", 8.5}}}});
+  table.show();
+  QApplication::processEvents();
+
+  const QHeaderView& header = *table.view().horizontalHeader();
+  EXPECT_EQ(table.view().horizontalScrollBar()->maximum(), 0);
+  EXPECT_GE(header.sectionSize(0), table.fontMetrics().horizontalAdvance("Code"));
+  EXPECT_GT(header.sectionSize(1), header.sectionSize(0));
 }
 
 TEST(DataTable, FiltersWhileTyping) {

@@ -82,7 +82,10 @@ class DeskOf {
   /// Gone without leave(), save or anything else: a crash as far as the page knows.
   void drop() { page_.reset(); }
 
-  [[nodiscard]] SessionContext& session() { return *session_; }
+  [[nodiscard]] SessionContext& session() {
+    session_->beginCall();
+    return *session_;
+  }
   [[nodiscard]] ShellContext& shell() { return shell_; }
   [[nodiscard]] Page& page() { return *page_; }
   [[nodiscard]] const QStringList& failures() const { return failures_; }

@@ -22,11 +22,12 @@
 #include <QTranslator>
 #include <gtest/gtest.h>
 
-#include "app/gui/administrator/report_preview.h"
+#include "app/gui/administrator/reporting/report_preview.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/program/screenshots.h"
 #include "app/report/typeface.h"
+#include "assessment/people/audit_terms.h"
 #include "tests/support/service_texts.h"
 
 namespace torsio::gui {
@@ -312,6 +313,18 @@ TEST(ServiceTexts, AllHaveAChineseSentence) {
     ASSERT_TRUE(chinese.load(QStringLiteral(":/torsio/translations/torsio_zh_CN.qm")));
     EXPECT_FALSE(chinese.translate("Services", pattern.c_str()).isEmpty()) << pattern;
   }
+}
+
+TEST(AuditTerms, AllHaveAChineseLabel) {
+  QTranslator chinese;
+  ASSERT_TRUE(chinese.load(QStringLiteral(":/torsio/translations/torsio_zh_CN.qm")));
+  const auto expectChinese = [&chinese](const auto& terms) {
+    for (const auto& term : terms) {
+      EXPECT_FALSE(chinese.translate("Services", std::string(term.label).c_str()).isEmpty()) << term.label;
+    }
+  };
+  expectChinese(kAuditActions);
+  expectChinese(kAuditObjects);
 }
 
 TEST(ServiceTexts, AreNeverGluedTogether) {

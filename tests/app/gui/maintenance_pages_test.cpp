@@ -2,10 +2,11 @@
 // Restoring a backup through the program's window, as an administrator does it.
 #include <fstream>
 
-#include "app/gui/administrator/move_page.h"
-#include "app/gui/administrator/restore_page.h"
+#include "app/gui/administrator/station/move_page.h"
+#include "app/gui/administrator/station/restore_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
+#include "db/connection/connection.h"
 #include "db/repository/system/audit_verification.h"
 #include "tests/app/gui/maintenance_window.h"
 

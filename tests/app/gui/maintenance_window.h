@@ -15,10 +15,14 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/administrator/administrator_pages.h"
-#include "app/gui/administrator/maintenance_page.h"
+#include "app/gui/administrator/station/maintenance_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/main_window.h"
 #include "app/people/people_service.h"
+#include "assessment/people/account.h"
+#include "assessment/people/audit_entry.h"
+#include "assessment/study/station_state.h"
+#include "db/connection/connection.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/trial/station_repository.h"
 #include "tests/app/gui/shown_screen.h"
@@ -164,7 +168,7 @@ class CarePages : public ::testing::Test {
 
   void showsOtherStation() {
     StationState other{.station = "room 2", .heartbeatUtc_us = window_->session()->now_us()};
-    StationRepository(window_->session()->connection()).heartbeat(other);
+    StationRepository(window_->session()->connectionWithoutRight()).heartbeat(other);
   }
 
   [[nodiscard]] int filesBeside() const {

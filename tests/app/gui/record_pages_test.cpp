@@ -10,11 +10,11 @@
 #include <QPushButton>
 #include <QSpinBox>
 
-#include "app/gui/administrator/allocation_page.h"
-#include "app/gui/administrator/curricula_page.h"
-#include "app/gui/administrator/maintenance_page.h"
-#include "app/gui/administrator/roster_page.h"
-#include "app/gui/administrator/scoring_page.h"
+#include "app/gui/administrator/curriculum/curricula_page.h"
+#include "app/gui/administrator/people/roster_page.h"
+#include "app/gui/administrator/scoring/scoring_page.h"
+#include "app/gui/administrator/station/maintenance_page.h"
+#include "app/gui/administrator/study/allocation_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
@@ -24,6 +24,9 @@
 #include "app/study/cohort_service.h"
 #include "app/study/occasion_service.h"
 #include "app/study/rubric_service.h"
+#include "assessment/people/consent.h"
+#include "assessment/people/retention.h"
+#include "assessment/study/allocation_entry.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {
@@ -121,7 +124,8 @@ TEST(RosterPage, EntersWhatWasSignedOnPaperAndShowsEveryDecision) {
   named(*page, "consents").click();
 
   EXPECT_EQ(shown, 2);
-  const std::vector<StoredConsent> kept = consentHistory(office.centre.as("administrator"), trainees.front());
+  const std::vector<ConsentDecision> kept =
+      consentHistory(office.centre.as("administrator"), trainees.front());
   ASSERT_EQ(kept.size(), 2U);
   EXPECT_EQ(kept[0].purpose, "training_record");
   EXPECT_TRUE(kept[0].granted);
@@ -150,7 +154,7 @@ TEST(AllocationPage, MovesATraineeByHandBesideTheDrawnRecord) {
   plan.cohortId = cohort;
   const std::string design = lockAllocation(office.centre.as("allocator"), plan).stored.id;
   allocateAll(office.centre.as("allocator"), cohort);
-  const StoredAllocation drawn = allocations(office.centre.as("allocator"), design).front();
+  const AllocationEntry drawn = allocations(office.centre.as("allocator"), design).front();
   auto page = office.open<AllocationPage>("allocator");
   child<DataTable>(*page, "records").select(toQString(drawn.id));
   std::string to;
@@ -161,7 +165,7 @@ TEST(AllocationPage, MovesATraineeByHandBesideTheDrawnRecord) {
 
   named(*page, "moveByHand").click();
 
-  const std::vector<StoredAllocation> records = allocations(office.centre.as("allocator"), design);
+  const std::vector<AllocationEntry> records = allocations(office.centre.as("allocator"), design);
   ASSERT_EQ(records.size(), 4U);  // three drawn, one moved
   EXPECT_EQ(records.back().enrolmentId, drawn.enrolmentId);
   EXPECT_NE(to, drawn.groupId);

@@ -20,6 +20,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/review/discrepancy_review.h"
 #include "app/review/rater_calibration.h"
+#include "assessment/rating/campaign.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "tests/app/gui/desk_of.h"
 #include "tests/app/gui/visible_texts.h"
@@ -75,7 +76,7 @@ class Gathering {
 };
 
 void addCampaign(ReviewCentre& centre) {
-  StoredCampaign campaign;
+  Campaign campaign;
   campaign.id = "campaign";
   campaign.name = "Three models";
   campaign.instrument = paperInstrument();

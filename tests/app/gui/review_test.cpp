@@ -32,6 +32,7 @@
 #include "app/review/discrepancy_review.h"
 #include "app/review/evaluation_form.h"
 #include "app/review/rater_calibration.h"
+#include "assessment/rating/campaign.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/record/sample_codec.h"
@@ -423,6 +424,22 @@ TEST(RaterCalibrationPage, ShowsTheOwnOffsetAfterTheMark) {
   EXPECT_DOUBLE_EQ(*warmUp(desk.session()).runs[0].offset_points, 2.0);
 }
 
+TEST(RaterCalibrationPage, HasScoreButtonsThatAFingerOrAMouseHits) {
+  constexpr int kLeast_px = 32;
+  constexpr int kButtons = 10;  // the paper's scale from 1 to 10
+  ReviewCentre centre(ReviewCentre::Setup{});
+  addReferenceRuns(*centre.administrator(),
+                   {{centre.trialIds()[0], centre.rubricRevisionId(), 6.0, 5, false}});
+  DeskOf desk(centre, 0);
+
+  auto& page = desk.open<RaterCalibrationPage>();
+  QApplication::processEvents();
+
+  const auto& scale = child<QWidget>(page, "scale");
+  EXPECT_GE(scale.width(), kButtons * kLeast_px);
+  EXPECT_GE(scale.height(), kLeast_px);
+}
+
 TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
   ReviewCentre::Setup setup;
   setup.trainees = 1;
@@ -461,12 +478,12 @@ TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
 
   EXPECT_EQ(sheetVersions(desk.session(), centre.caseAbout(0, 0)).size(), 2U);
   ASSERT_EQ(alignmentCases(desk.session()).size(), 1U);  // two rows still lie apart
-  EXPECT_EQ(alignmentCases(desk.session())[0].decision, "move");
+  EXPECT_EQ(alignmentCases(desk.session())[0].decision, DiscrepancyChoice::kMove);
 }
 
 TEST(EvaluationPage, FillsNineIndicesByKeysAndKeepsTheDraft) {
   ReviewCentre centre(ReviewCentre::Setup{});
-  StoredCampaign campaign;
+  Campaign campaign;
   campaign.id = "campaign";
   campaign.name = "Three models";
   campaign.instrument = paperInstrument();

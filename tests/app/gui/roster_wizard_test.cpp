@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The roster wizard through its real buttons, from the file to the people in the record.
-#include "app/gui/administrator/roster_wizard.h"
+#include "app/gui/administrator/people/roster_wizard.h"
 
 #include <chrono>
 #include <filesystem>
@@ -11,7 +11,7 @@
 #include <QLabel>
 #include <QRadioButton>
 
-#include "app/gui/administrator/roster_page.h"
+#include "app/gui/administrator/people/roster_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/people/people_service.h"

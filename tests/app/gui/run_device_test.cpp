@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/gui/widgets/child.h"
+#include "assessment/attempt/trial_listing.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/gui/trainee_station.h"

@@ -12,8 +12,8 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
-#include "app/gui/administrator/rater_calibration_dialog.h"
-#include "app/gui/administrator/scoring_page.h"
+#include "app/gui/administrator/scoring/rater_calibration_dialog.h"
+#include "app/gui/administrator/scoring/scoring_page.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
@@ -21,7 +21,9 @@
 #include "app/review/discrepancy_review.h"
 #include "app/review/rater_calibration.h"
 #include "app/review/review_queue.h"
+#include "assessment/people/person.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "tests/app/support/review_centre.h"
 
@@ -77,7 +79,7 @@ class ScoringPages : public ::testing::Test {
 };
 
 TEST_F(ScoringPages, FindsAThirdRaterInTwoClicks) {
-  StoredRater rater;
+  Rater rater;
   rater.person = {.id = "rater-900", .code = "CH-900", .createdUtc_us = torsio::testing::kReviewTime_us};
   rater.classCode = "chief";
   PeopleRepository(centre_.connection()).addRaters(std::span(&rater, 1));

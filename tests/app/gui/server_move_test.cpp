@@ -3,8 +3,10 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "app/gui/administrator/move_page.h"
+#include "app/gui/administrator/station/move_page.h"
 #include "app/gui/widgets/child.h"
+#include "db/connection/connection.h"
+#include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
 #include "tests/app/gui/maintenance_window.h"
 
@@ -66,7 +68,7 @@ class ServerMove : public CarePages {
   /// Gives up when all rows are on the server and are being compared.
   void giveUpWhileComparing() {
     for (int i = 0; i < 600; ++i) {  // progress is told every 500 rows
-      window_->session()->connection().execute(
+      window_->session()->connectionWithoutRight().execute(
           "INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)",
           {std::string("s").append(std::to_string(i)), "", 1});
     }

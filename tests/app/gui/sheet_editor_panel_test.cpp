@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/widgets/child.h"
+#include "assessment/rating/rubric.h"
 #include "tests/app/gui/desk_of.h"
 
 namespace torsio::gui {
@@ -17,8 +18,8 @@ namespace {
 using torsio::testing::ReviewCentre;
 
 /// Ten points of ten steps each, for one row and the overall mark.
-StoredRubricRevision oneRow() {
-  StoredRubricRevision rubric;
+RubricRevision oneRow() {
+  RubricRevision rubric;
   rubric.overall = {.lo = 0, .hi = 100, .stepsPerPoint = 10};
   rubric.rows.push_back({"time", "Time", rubric.overall, {}});
   return rubric;

@@ -16,6 +16,7 @@
 #include "app/access/first_run.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/main_window.h"
+#include "assessment/people/account.h"
 #include "tests/app/gui/shown_screen.h"
 #include "tests/db/test_database.h"
 
@@ -113,11 +114,12 @@ TEST_F(FirstRunOnServer, MakesTheCentreOnTheServerAndSignsItsAdministratorIn) {
   testing::waitFor(window_->background());
 
   ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk")) << address_.toStdString();
-  EXPECT_EQ(window_->session()->connection().engine(), Engine::kPostgresql);
-  EXPECT_EQ(centreSign(window_->session()->connection()).name, "City hospital");
+  EXPECT_EQ(window_->session()->connectionWithoutRight().engine(), Engine::kPostgresql);
+  EXPECT_EQ(centreSign(window_->session()->connectionWithoutRight()).name, "City hospital");
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "unused.sqlite-wal"));
   ASSERT_TRUE(window_->line()->settled(std::chrono::seconds(20)));
-  EXPECT_EQ(numberFrom(window_->session()->connection(), "SELECT count(*) FROM station_state"), 1);
+  EXPECT_EQ(numberFrom(window_->session()->connectionWithoutRight(), "SELECT count(*) FROM station_state"),
+            1);
 }
 
 TEST_F(FirstRunOnServer, SaysThatACentreIsThereAlreadyAndLetsItsPeopleSignIn) {

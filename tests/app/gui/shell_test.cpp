@@ -29,6 +29,9 @@
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/shell/rail.h"
 #include "app/gui/shell/sign_in_panel.h"
+#include "assessment/people/account.h"
+#include "assessment/people/person.h"
+#include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/base/error.h"
@@ -538,7 +541,7 @@ TEST_F(Shell, ARecordingThatCannotBeStoredIsSaidBeforeTheSignInAndToWhoeverSigns
 
 TEST_F(Shell, AnOpenStationGivesSignsOfLifeUntilItIsClosed) {
   openFoundedCentre(setup());
-  Connection& connection = window_->session()->connection();
+  Connection& connection = window_->session()->connectionWithoutRight();
   ASSERT_TRUE(window_->line()->settled(kLong));
   ASSERT_TRUE(stationOnBoard(connection, "test").has_value());
   EXPECT_EQ(stationOnBoard(connection, "test")->userId, "");
@@ -604,10 +607,10 @@ TEST_F(Shell, TheKioskEndsWithTheNameAndPasswordOfAnAdministratorOnly) {
 
 TEST_F(Shell, OneChoiceInTheMenuRemovesTheDemonstration) {
   openFoundedCentre(setup());
-  Connection& connection = window_->session()->connection();
-  StoredTrainee simulated;
+  Connection& connection = window_->session()->connectionWithoutRight();
+  Trainee simulated;
   simulated.person = {.id = "simulated", .code = "T-99", .demonstration = true};
-  StoredTrainee real;
+  Trainee real;
   real.person = {.id = "real", .code = "T-01"};
   PeopleRepository(connection).addTrainees({&simulated, 1});
   PeopleRepository(connection).addTrainees({&real, 1});

@@ -16,6 +16,7 @@
 #include <QWidget>
 
 #include "app/gui/widgets/data_table.h"
+#include "sim/base/text.h"
 
 namespace torsio::gui {
 

@@ -17,16 +17,16 @@
 
 #include "app/base/csv_table.h"
 #include "app/devices/station_device.h"
-#include "app/gui/administrator/allocation_page.h"
-#include "app/gui/administrator/campaigns_page.h"
-#include "app/gui/administrator/cohorts_page.h"
-#include "app/gui/administrator/curricula_page.h"
-#include "app/gui/administrator/curriculum_editor.h"
-#include "app/gui/administrator/reports_page.h"
-#include "app/gui/administrator/results_page.h"
-#include "app/gui/administrator/roster_wizard.h"
-#include "app/gui/administrator/run_day_page.h"
-#include "app/gui/administrator/scoring_page.h"
+#include "app/gui/administrator/curriculum/curricula_page.h"
+#include "app/gui/administrator/curriculum/curriculum_editor.h"
+#include "app/gui/administrator/people/roster_wizard.h"
+#include "app/gui/administrator/reporting/reports_page.h"
+#include "app/gui/administrator/reporting/results_page.h"
+#include "app/gui/administrator/scoring/campaigns_page.h"
+#include "app/gui/administrator/scoring/scoring_page.h"
+#include "app/gui/administrator/study/allocation_page.h"
+#include "app/gui/administrator/study/cohorts_page.h"
+#include "app/gui/administrator/study/run_day_page.h"
 #include "app/gui/base/figure_canvas.h"
 #include "app/gui/base/figure_card.h"
 #include "app/gui/base/translated_text.h"
@@ -36,7 +36,14 @@
 #include "app/reporting/report_export.h"
 #include "app/study/campaign_service.h"
 #include "app/study/cohort_service.h"
+#include "assessment/people/person.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/campaign.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
+#include "assessment/study/cohort.h"
 #include "assessment/study/demonstration_marks.h"
+#include "assessment/study/station_state.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/trial/station_repository.h"
@@ -271,7 +278,7 @@ Crowd crowdOf(AdministratorDesk& office, const std::string& cohortId,
   Crowd crowd;
   crowd.people.groups.resize(3);
   crowd.people.raters = chiefs;
-  for (const StoredEnrolment& enrolment : enrolments(office.centre.as("allocator"), cohortId)) {
+  for (const Enrolment& enrolment : enrolments(office.centre.as("allocator"), cohortId)) {
     crowd.people.groups.at(static_cast<std::size_t>(enrolment.groupCode.back() - '1'))
         .push_back(enrolment.traineeCode);
     crowd.codeOf[enrolment.id] = enrolment.traineeCode;
@@ -305,12 +312,12 @@ void submitSheets(AdministratorDesk& office, const std::string& cohortId, const 
   }
   const std::map<std::string, std::size_t> occasions{{"pre", 0}, {"mid", 1}, {"post", 2}};
   for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
-    const StoredAssignment& one = status.assignment;
+    const Assignment& one = status.assignment;
     Sheet sheet;
     sheet.overall_steps = marks.at(
         {crowd.codeOf.at(one.enrolmentId), codeOfRater.at(one.raterId), occasions.at(one.occasionCode)});
-    const StoredRubricRevision rubric = sheets.revision(one.rubricRevisionId).value();
-    for (const StoredRubricRow& row : rubric.rows) {
+    const RubricRevision rubric = sheets.revision(one.rubricRevisionId).value();
+    for (const RubricLine& row : rubric.rows) {
       sheet.rows.push_back({row.code, row.scale.lo, ""});
     }
     sheets.submit(one.id, office.centre.session().ids().newUuid(), sheet, "",
@@ -320,12 +327,12 @@ void submitSheets(AdministratorDesk& office, const std::string& cohortId, const 
 
 /// 40 raters, three models, nine indices.
 void submitEvaluationMarks(AdministratorDesk& office, const Crowd& crowd) {
-  const StoredCampaign campaign = campaigns(office.centre.session()).front().campaign;
+  const Campaign campaign = campaigns(office.centre.session()).front().campaign;
   std::vector<std::string> models;
-  for (const StoredModel& model : campaign.models) {
+  for (const CampaignModel& model : campaign.models) {
     models.push_back(model.code);
   }
-  std::vector<StoredEvaluationMark> marks;
+  std::vector<EvaluationMark> marks;
   for (const EvaluationRating& rating :
        demonstrationEvaluationMarks(campaign.instrument, crowd.people, models, kMarkSeed)) {
     if (!rating.steps) {

@@ -13,8 +13,15 @@
 #include "app/maintenance/person_package.h"
 #include "app/maintenance/record_restore.h"
 #include "app/maintenance/retention.h"
+#include "assessment/people/audit_entry.h"
+#include "assessment/people/person.h"
+#include "assessment/people/retention.h"
+#include "assessment/study/station_state.h"
+#include "db/connection/connection.h"
+#include "db/migrations/backup.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/trial/station_repository.h"
@@ -274,11 +281,11 @@ TEST_F(CareTest, RemovingTheDemonstrationLeavesTheRealPeople) {
 
 TEST_F(CareTest, TheRetentionQueueIsReviewedBeforeAnythingIsErased) {
   SessionContext office = sessionOf("administrator");
-  StoredTrainee other;
+  Trainee other;
   other.person = {.id = "other", .code = "R-2", .createdUtc_us = kSampleTime_us};
-  StoredTrainee appeal;
+  Trainee appeal;
   appeal.person = {.id = "appeal", .code = "R-3", .createdUtc_us = kSampleTime_us};
-  PeopleRepository(connection_).addTrainees(std::vector<StoredTrainee>{other, appeal});
+  PeopleRepository(connection_).addTrainees(std::vector<Trainee>{other, appeal});
   setRetentionRule(office, kRetainTrainee, 30, "contract");
   now_us_ += 31 * kDay_us;
   lockRecord(office, "appeal", "an appeal is open");
@@ -307,7 +314,7 @@ TEST_F(CareTest, TheRetentionQueueIsReviewedBeforeAnythingIsErased) {
 
 TEST_F(CareTest, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
   SessionContext office = sessionOf("administrator");
-  StoredTrainee due;
+  Trainee due;
   due.person = {.id = "due", .code = "R-2", .createdUtc_us = kSampleTime_us};
   PeopleRepository(connection_).addTrainees({&due, 1});
   const auto audited = [&](const char* action, const std::function<void()>& change) {

@@ -5,6 +5,7 @@
 
 #include "app/people/consent_service.h"
 #include "app/people/roster_accounts.h"
+#include "assessment/people/account.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "tests/app/support/study_centre.h"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/people/people_service.h"
+#include "assessment/people/audit_entry.h"
 #include "db/repository/base/audit_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/support/study_centre.h"

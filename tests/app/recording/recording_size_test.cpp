@@ -8,6 +8,7 @@
 #include "app/base/assets.h"
 #include "app/recording/pipeline.h"
 #include "app/recording/unstored_trials.h"
+#include "db/connection/connection.h"
 #include "sim/scene/scene.h"
 #include "tests/app/support/training_centre.h"
 

@@ -13,9 +13,15 @@
 #include "app/recording/station_heartbeat.h"
 #include "app/recording/unstored_trials.h"
 #include "app/training/run_session.h"
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/people/audit_entry.h"
+#include "assessment/study/cohort.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/study/study_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/trial/station_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
@@ -132,15 +138,14 @@ class StationStartTest : public ::testing::Test {
   }
   std::int64_t logged_us() {
     std::int64_t total_us = 0;
-    for (const StoredExposure& exposure :
-         StudyRepository(centre_.connection()).exposures(centre_.cohort().id)) {
+    for (const Exposure& exposure : StudyRepository(centre_.connection()).exposures(centre_.cohort().id)) {
       total_us += exposure.duration_us;
     }
     return total_us;
   }
   std::optional<AuditEntry> note(const std::string& action) {
     const std::vector<AuditEntry> entries =
-        AuditRepository(centre_.connection()).entries({.objectKind = "trial"});
+        AuditRepository(centre_.connection()).entries({.objectKind = AuditObject::kTrial});
     for (const AuditEntry& entry : entries) {
       if (entry.action == action) {
         return entry;

@@ -9,6 +9,10 @@
 
 #include "app/recording/timed_sink.h"
 #include "app/training/run_session.h"
+#include "assessment/study/cohort.h"
+#include "assessment/study/station_state.h"
+#include "db/connection/db_error.h"
+#include "db/repository/study/study_repository.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/base/error.h"
 #include "sim/record/memory_trial_sink.h"
@@ -237,7 +241,7 @@ TEST(StationWriter, ARunGoesOnWhileTheServerHangsAndItsTimeIsLoggedAfterwards) {
   gate.open();
   ASSERT_TRUE(line.settled(kLong));
   std::int64_t logged_us = 0;
-  for (const StoredExposure& exposure : studies.exposures(centre.cohort().id)) {
+  for (const Exposure& exposure : studies.exposures(centre.cohort().id)) {
     logged_us += exposure.duration_us;
   }
   EXPECT_EQ(logged_us, 60 * kSecond_us);

@@ -11,11 +11,16 @@
 #include "app/study/campaign_service.h"
 #include "app/study/cohort_service.h"
 #include "app/study/frozen_data.h"
+#include "assessment/attempt/trial_digest.h"
 #include "assessment/metrics/metric_cards.h"
+#include "assessment/people/audit_entry.h"
+#include "assessment/rating/campaign.h"
 #include "assessment/report/cohort_report.h"
+#include "assessment/study/cohort.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/study/study_repository.h"
+#include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
@@ -104,7 +109,7 @@ TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
   }
   study.request.campaignId = addCampaign(session, plan);
   const auto submit = [&](const std::string& raterId, const std::string& model) {
-    std::vector<StoredEvaluationMark> marks;
+    std::vector<EvaluationMark> marks;
     for (std::int64_t index = 1; index <= 9; ++index) {
       marks.push_back({.id = session.ids().newUuid(),
                        .raterId = raterId,
@@ -155,7 +160,7 @@ void record(SmallStudy& study, const std::string& trialId, std::size_t ticks) {
     samples[i].response.angle_rad = twisting ? 0.01 * static_cast<double>(i - 50) : 0.0;
     samples[i].response.torque_Nm = twisting ? 0.3 : 0.0;
   }
-  const StoredEnrolment enrolment =
+  const Enrolment enrolment =
       StudyRepository(study.centre.connection()).enrolments(study.request.cohortId).at(0);
   TrialHeader header;
   header.trialId = trialId;
@@ -219,7 +224,7 @@ TEST(TrialDigests, AreMeasuredOnceAndAreTheSameToTheLastBitAfterwards) {
 TEST(TrialDigests, OfAnotherFormulaAreLeftWhereTheyAreAndMeasuredAnew) {
   SmallStudy study;
   record(study, "first", 100);
-  StoredTrialDigest older{
+  TrialDigest older{
       .trialId = "first", .formulaVersion = kMetricsVersion - 1, .contentHash = "hash of first"};
   DigestRepository(study.centre.connection()).add({&older, 1});
 
@@ -237,17 +242,17 @@ TEST(TrialDigests, ComeBackToTheLastBitWithTheirRules) {
   SmallStudy study;
   record(study, "first", 100);
   DigestRepository repository(study.centre.connection());
-  StoredTrialDigest free;
+  TrialDigest free;
   free.trialId = "first";
   free.formulaVersion = kMetricsVersion;
   free.tolerance_rad = 0.1;
   free.contentHash = "hash of first";
   free.attempts = {{1.0 / 3.0, true}, {20.0, false}};
   free.measures = {{"force.peak", 0.1 + 0.2}, {"twist.sparc", -1.4}};
-  StoredTrialDigest limited = free;
+  TrialDigest limited = free;
   limited.forceLimit_N = 0.0;  // a limit of nothing is not the same as none
   limited.torqueLimit_Nm = 0.5;
-  const std::vector<StoredTrialDigest> both{free, limited};
+  const std::vector<TrialDigest> both{free, limited};
 
   repository.add(both);
   repository.add(both);
@@ -258,7 +263,7 @@ TEST(TrialDigests, ComeBackToTheLastBitWithTheirRules) {
 TEST(TrialDigests, OfARecordingWithOtherContentAreNotBelieved) {
   SmallStudy study;
   record(study, "first", 100);
-  StoredTrialDigest other{.trialId = "first", .formulaVersion = kMetricsVersion, .contentHash = "of another"};
+  TrialDigest other{.trialId = "first", .formulaVersion = kMetricsVersion, .contentHash = "of another"};
   other.tolerance_rad = 1.0;
   DigestRepository(study.centre.connection()).add({&other, 1});
 

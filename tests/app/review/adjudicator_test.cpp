@@ -10,6 +10,8 @@
 #include "app/review/rater_calibration.h"
 #include "app/review/review_queue.h"
 #include "app/study/scoring_plan.h"
+#include "assessment/people/person.h"
+#include "assessment/rating/assignment.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -60,9 +62,9 @@ class Disagreement : public ::testing::Test {
   std::string addRater(const std::string& code, const std::string& classCode) {
     PeopleRepository people(centre_.connection());
     if (classCode != "chief") {
-      people.addRaterClasses(std::vector<StoredRaterClass>{{classCode, classCode, 2}});
+      people.addRaterClasses(std::vector<SeniorityClass>{{classCode, classCode, 2}});
     }
-    StoredRater rater;
+    Rater rater;
     rater.person.id = "rater-" + code;
     rater.person.code = code;
     rater.person.createdUtc_us = testing::kReviewTime_us;
@@ -105,8 +107,8 @@ TEST_F(Disagreement, IsTakenToAThirdRaterUnderAnotherLabelAndIsThenDone) {
                          [&] { made = assignThird(*office, cohortId_, asked, chiefId_); });
 
   DeskRepository desk(centre_.connection());
-  const StoredAssignment before = desk.assignment(asked).value();
-  const StoredAssignment third = desk.assignment(made).value();
+  const Assignment before = desk.assignment(asked).value();
+  const Assignment third = desk.assignment(made).value();
   EXPECT_EQ(third.raterId, chiefId_);
   EXPECT_EQ(third.trialId, before.trialId);
   EXPECT_EQ(third.rubricRevisionId, before.rubricRevisionId);

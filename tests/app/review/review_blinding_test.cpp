@@ -14,8 +14,11 @@
 #include "app/review/own_severity.h"
 #include "app/review/rater_calibration.h"
 #include "app/review/review_queue.h"
+#include "assessment/rating/campaign.h"
+#include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
@@ -158,9 +161,9 @@ TEST(Alignment, ShowsDisagreementsOnlyAndRemembersWhatWasDecided) {
   EXPECT_EQ(refusal([&] { askForThird(*first, id, ""); }).first, ErrorCode::kBadParameter);
 
   askForThird(*first, id, "I cannot explain the distance");
-  EXPECT_EQ(alignmentCases(*first)[0].decision, "third");
+  EXPECT_EQ(alignmentCases(*first)[0].decision, DiscrepancyChoice::kThird);
   keepMark(*first, id, "");
-  EXPECT_EQ(alignmentCases(*first)[0].decision, "keep");
+  EXPECT_EQ(alignmentCases(*first)[0].decision, DiscrepancyChoice::kKeep);
   moveMark(*first, id, reviewSheet(8, 8, 7.5), "missed the second grip");
 
   EXPECT_TRUE(alignmentCases(*first).empty());  // nothing lies apart any more
@@ -262,7 +265,7 @@ TEST(RaterCalibration, TakesAWithdrawnRunNeitherBackNorOutTwice) {
 
 TEST(EvaluationForm, HidesTheModelsAndKeepsTheOwnOrder) {
   ReviewCentre centre(ReviewCentre::Setup{});
-  StoredCampaign campaign;
+  Campaign campaign;
   campaign.id = "campaign";
   campaign.name = "Three models";
   campaign.instrument = paperInstrument();
@@ -300,7 +303,7 @@ TEST(ReviewDesk, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
   const auto desk = centre.physician(0);
   const auto office = centre.administrator();
   const std::string own = centre.caseAbout(0, 0);
-  StoredCampaign campaign{.id = "campaign", .name = "One model", .instrument = paperInstrument()};
+  Campaign campaign{.id = "campaign", .name = "One model", .instrument = paperInstrument()};
   campaign.instrument.classes = {{"chief", "chief physicians", 1000}};
   campaign.models = {{"PM", "proposed model", "K", 1}};
   campaign.raters = {{centre.raterId(0), "chief", "PM"}};

@@ -10,8 +10,12 @@
 #include "app/review/range_pyramid.h"
 #include "app/review/review_queue.h"
 #include "app/review/sheet_editor.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
+#include "db/connection/connection.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
@@ -35,8 +39,8 @@ ErrorCode refusal(const Action& action) {
   return ErrorCode::kInternal;
 }
 
-StoredRubricRevision twoRows() {
-  StoredRubricRevision rubric;
+RubricRevision twoRows() {
+  RubricRevision rubric;
   rubric.overall = {10, 100, 10};
   rubric.rows = {{"time", "Time", {10, 100, 10}, {}}, {"care", "Care", {0, 5, 1}, {}}};
   return rubric;
@@ -137,7 +141,7 @@ TEST(WatchLog, CountsWhatWentByOnceAndSurvivesStorage) {
   EXPECT_DOUBLE_EQ(again.share(), 0.5);
   EXPECT_DOUBLE_EQ(again.fastest(), 1.5);
   EXPECT_EQ(log.stored().watched_permille, 500);
-  StoredViewing broken;
+  SheetViewing broken;
   broken.watched = "x-3;;17";
   EXPECT_EQ(WatchLog(10'000'000, broken).share(), 0.0);
 }
@@ -247,7 +251,7 @@ TEST(CaseSheet, NotAssessableNeedsAReasonAndNoWatching) {
 }
 
 TEST(CaseSheet, PointsAtAnswersThatLookLikeASlip) {
-  StoredRubricRevision rubric = twoRows();
+  RubricRevision rubric = twoRows();
   rubric.rows = {{"a", "A", {10, 100, 10}, {}}, {"b", "B", {10, 100, 10}, {}}, {"c", "C", {10, 100, 10}, {}}};
   Sheet flat;
   flat.rows = {{"a", 50, ""}, {"b", 50, ""}, {"c", 50, ""}};

@@ -9,6 +9,8 @@
 #include "app/demonstration/demonstration_people.h"
 #include "app/people/people_service.h"
 #include "app/study/cohort_service.h"
+#include "assessment/study/allocation_entry.h"
+#include "assessment/study/cohort.h"
 #include "sim/base/error.h"
 #include "tests/app/support/study_centre.h"
 
@@ -43,7 +45,7 @@ struct Study {
   }
   [[nodiscard]] std::map<std::string, std::size_t> groupSizes() {
     std::map<std::string, std::size_t> sizes;
-    for (const StoredEnrolment& enrolment : enrolments(centre.as("allocator"), cohortId)) {
+    for (const Enrolment& enrolment : enrolments(centre.as("allocator"), cohortId)) {
       ++sizes[enrolment.groupCode];
     }
     return sizes;
@@ -88,10 +90,10 @@ TEST(AllocationService, OneByOneGivesWhatAllAtOnceGives) {
       }
     }
     SessionContext& allocator = study.centre.as("allocator");
-    std::vector<StoredEnrolment> list = enrolments(allocator, study.cohortId);
+    std::vector<Enrolment> list = enrolments(allocator, study.cohortId);
     std::sort(list.begin(), list.end(),
               [](const auto& a, const auto& b) { return a.traineeCode < b.traineeCode; });
-    for (const StoredEnrolment& enrolment : list) {
+    for (const Enrolment& enrolment : list) {
       groups[together ? 0 : 1].push_back(enrolment.groupCode);
     }
   }
@@ -107,11 +109,11 @@ TEST(AllocationService, PaperSizedPermutationFollowsThePublishedVector) {
   allocateAll(allocator, study.cohortId);
 
   std::map<std::string, std::string> groupOf;
-  for (const StoredEnrolment& e : enrolments(allocator, study.cohortId)) {
+  for (const Enrolment& e : enrolments(allocator, study.cohortId)) {
     groupOf[e.id] = e.groupCode.substr(1);
   }
   std::string arms;
-  for (const StoredAllocation& record : allocations(allocator, design.stored.id)) {
+  for (const AllocationEntry& record : allocations(allocator, design.stored.id)) {
     arms += groupOf[record.enrolmentId];
   }
 
@@ -172,10 +174,10 @@ TEST(AllocationService, OverrideIsARecordBesideTheDrawnOne) {
   SessionContext& allocator = study.centre.as("allocator");
   const AllocationDesignRow design = lockAllocation(allocator, study.plan(AllocationMethod::kPermutedBlocks));
   allocateAll(allocator, study.cohortId);
-  const StoredAllocation drawn = allocations(allocator, design.stored.id).at(0);
+  const AllocationEntry drawn = allocations(allocator, design.stored.id).at(0);
   std::string other;
   const CohortRow cohort = cohorts(allocator).at(0);
-  for (const StoredGroup& group : cohort.groups) {
+  for (const StudyGroup& group : cohort.groups) {
     if (group.id != drawn.groupId) {
       other = group.id;
     }
@@ -188,7 +190,7 @@ TEST(AllocationService, OverrideIsARecordBesideTheDrawnOne) {
   EXPECT_TRUE(check.sound) << check.finding;
   EXPECT_EQ(check.overrides, 1U);
   EXPECT_EQ(check.records, 7U);
-  for (const StoredEnrolment& enrolment : enrolments(allocator, study.cohortId)) {
+  for (const Enrolment& enrolment : enrolments(allocator, study.cohortId)) {
     if (enrolment.id == drawn.enrolmentId) {
       EXPECT_EQ(enrolment.groupId, other);
     }
@@ -200,7 +202,7 @@ TEST(AllocationService, CheckFindsAGroupThatWasChangedBehindItsBack) {
   SessionContext& allocator = study.centre.as("allocator");
   const AllocationDesignRow design = lockAllocation(allocator, study.plan(AllocationMethod::kPermutedBlocks));
   allocateAll(allocator, study.cohortId);
-  const std::vector<StoredEnrolment> list = enrolments(allocator, study.cohortId);
+  const std::vector<Enrolment> list = enrolments(allocator, study.cohortId);
 
   study.centre.connection().execute("UPDATE enrolment SET group_id = ?, number_in_group = 99 WHERE id = ?",
                                     {list.back().groupId, list.front().id});

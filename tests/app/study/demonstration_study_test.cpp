@@ -10,6 +10,7 @@
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/run_day.h"
+#include "assessment/attempt/trial_listing.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/trial/trial_repository.h"
@@ -65,7 +66,7 @@ TEST(DemonstrationStudy, EveryTrialNamesItsExerciseAndItsPhase) {
 
   const auto curriculum = curricula(centre.as("administrator"));
   ASSERT_EQ(curriculum.size(), 1U);
-  ASSERT_EQ(curriculum.front().versions.front().state, "running");
+  ASSERT_EQ(curriculum.front().versions.front().state, CurriculumState::kRunning);
   EXPECT_EQ(curriculum.front().versions.front().cohorts.size(), 1U);
   const auto version =
       CurriculumRepository(centre.connection()).version(curriculum.front().versions.front().id);

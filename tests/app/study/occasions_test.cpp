@@ -14,10 +14,17 @@
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/occasion_service.h"
+#include "app/study/run_day.h"
 #include "app/study/scoring_plan.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
 #include "assessment/report/cohort_csv.h"
+#include "assessment/study/curriculum.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/support/study_centre.h"
 
@@ -28,16 +35,17 @@ using testing::StudyCentre;
 
 constexpr std::int64_t kMinute_us = 60'000'000;
 
-/// The paper's protocol with 20 minutes more in every arm and a fourth occasion after them.
-StoredCurriculumVersion longerPaperProtocol(StudyCentre& centre, const Occasion& fourth) {
+/// The paper's protocol with so much more training in every arm and a fourth occasion after it.
+CurriculumVersion longerPaperProtocol(StudyCentre& centre, const Occasion& fourth,
+                                      std::int64_t longer_us = 20 * kMinute_us) {
   const auto templates = curriculumTemplates(centre.assets());
   const auto paper = std::find_if(templates.begin(), templates.end(),
                                   [](const CurriculumTemplate& one) { return one.id == "paper-three-arms"; });
-  StoredCurriculumVersion content = paper->content;
+  CurriculumVersion content = paper->content;
   for (StudyArm& arm : content.arms) {
-    arm.phases.back().duration_us += 20 * kMinute_us;
+    arm.phases.back().duration_us += longer_us;
   }
-  content.plannedOccasions.push_back({fourth.code, 60 * kMinute_us});
+  content.plannedOccasions.push_back({fourth.code, 40 * kMinute_us + longer_us});
   return content;
 }
 
@@ -49,13 +57,16 @@ struct StudyOfFour {
   std::string rubric;
   std::string cohortId;
 
-  StudyOfFour() {
+  /// `longer_us`: training between the third occasion and the fourth; 0: only time passes.
+  explicit StudyOfFour(const std::string& label = "after another 20 minutes",
+                       std::int64_t longer_us = 20 * kMinute_us) {
     const std::vector<std::string> trainees = centre.addTrainees(3);
     chiefs = centre.addChiefs(2);
     rubric = centre.addPaperRubric();
     SessionContext& office = centre.as("administrator");
-    fourth = addOccasion(office, "after another 20 minutes");
-    const std::string curriculum = addCurriculum(office, "Longer", "", longerPaperProtocol(centre, fourth));
+    fourth = addOccasion(office, label);
+    const std::string curriculum =
+        addCurriculum(office, "Longer", "", longerPaperProtocol(centre, fourth, longer_us));
     const std::string version = publishCurriculum(office, curriculum, "", centre.assets());
     runCurriculum(office, version);
     cohortId = addCohort(office, {.name = "Four", .curriculumVersionId = version});
@@ -65,16 +76,28 @@ struct StudyOfFour {
     lockAllocation(centre.as("allocator"), plan);
     allocateAll(centre.as("allocator"), cohortId);
   }
-  /// Fills in and submits every sheet: 5, 6, 7 and 8 points at the four occasions.
-  void submitAll() {
+  /// Asks the chiefs for a sheet of every trainee at every occasion.
+  ScoringPlanOutcome askAll() {
+    return createAssignments(centre.as("administrator"),
+                             {.cohortId = cohortId,
+                              .occasionCodes = {"pre", "mid", "post", fourth.code},
+                              .raterIds = chiefs,
+                              .rubricRevisionId = rubric,
+                              .seed = 3});
+  }
+  /// Fills in and submits the sheets of an occasion, or of all: 5, 6, 7 and 8 points at the four occasions.
+  void submitAll(const std::string& occasionCode = {}) {
     SheetRepository sheets(centre.connection());
-    const StoredRubricRevision revision = sheets.revision(rubric).value();
+    const RubricRevision revision = sheets.revision(rubric).value();
     const Occasions occasions = occasionsOfCohort(centre.connection(), cohortId);
     for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
+      if (!occasionCode.empty() && status.assignment.occasionCode != occasionCode) {
+        continue;
+      }
       const std::size_t at = occasions.positionOf(status.assignment.occasionCode).value();
       const std::int64_t steps = 50 + 10 * static_cast<std::int64_t>(at);
       Sheet sheet{.overall_steps = steps};
-      for (const StoredRubricRow& row : revision.rows) {
+      for (const RubricLine& row : revision.rows) {
         sheet.rows.push_back({row.code, steps, ""});
       }
       sheets.submit(status.assignment.id, centre.session().ids().newUuid(), sheet, "",
@@ -87,12 +110,7 @@ TEST(Occasions, AFourthOneGoesThroughPlanReleaseReportAndExport) {
   StudyOfFour study;
   SessionContext& office = study.centre.as("administrator");
 
-  const ScoringPlanOutcome asked =
-      createAssignments(office, {.cohortId = study.cohortId,
-                                 .occasionCodes = {"pre", "mid", "post", study.fourth.code},
-                                 .raterIds = study.chiefs,
-                                 .rubricRevisionId = study.rubric,
-                                 .seed = 3});
+  const ScoringPlanOutcome asked = study.askAll();
   study.submitAll();
   const ScoringMatrix matrix = scoringMatrix(office, study.cohortId);
   const std::vector<ReleaseState> releases = releaseStates(office, study.cohortId);
@@ -118,6 +136,59 @@ TEST(Occasions, AFourthOneGoesThroughPlanReleaseReportAndExport) {
     EXPECT_DOUBLE_EQ(score.score, 5.0 + static_cast<double>(score.occasion));
   }
   EXPECT_TRUE(exported.contains("after 60 min"));
+}
+
+TEST(Occasions, AFollowUpAfterAsMuchTrainingHasItsOwnPlaceInReportAndExport) {
+  StudyOfFour study("six weeks later", 0);
+  study.askAll();
+  study.submitAll();
+
+  TrialDigests digests(study.centre.assets());
+  const CohortInputs inputs =
+      reportInputs(study.centre.as("statistician"), {.cohortId = study.cohortId}, digests);
+  const std::vector<CohortCsvRow> exported = cohortCsvRows(inputs);
+
+  EXPECT_EQ(inputs.occasions,
+            (std::vector<Text>{"before", "after 20 min", "after 40 min",
+                               Text("%1 (%2)", Text("after %1 min", "40"), std::string("six weeks later"))}));
+  const auto scoresAt = [&](const std::string& occasion) {
+    return std::count_if(exported.begin(), exported.end(), [&](const CohortCsvRow& row) {
+      return row.occasion == occasion && row.statistic == "score";
+    });
+  };
+  EXPECT_EQ(scoresAt("after 40 min"), 3);  // one of each trainee
+  EXPECT_EQ(scoresAt("after 40 min (six weeks later)"), 3);
+}
+
+TEST(Occasions, AFollowUpIsDueWhenTheOccasionAfterAsMuchTrainingIsDone) {
+  StudyOfFour study("six weeks later", 0);
+  SessionContext& office = study.centre.as("administrator");
+  study.askAll();
+  const std::string first = runDayBoard(office, study.cohortId).rows.front().enrolmentId;
+  recordExposure(office, {study.cohortId, first, "", "virtual", 0, 40 * kMinute_us});
+  recordExposure(office, {study.cohortId, first, "", "real", 0, 40 * kMinute_us});
+
+  const RunDayRow trained = runDayBoard(office, study.cohortId).rows.front();
+  study.submitAll("post");
+  const RunDayRow scored = runDayBoard(office, study.cohortId).rows.front();
+
+  EXPECT_EQ(trained.occasionDue.code, "post");
+  EXPECT_EQ(trained.sheetsMissing, 2U);  // of two chiefs
+  EXPECT_EQ(scored.occasionDue.code, study.fourth.code);
+  EXPECT_EQ(scored.sheetsMissing, 2U);
+}
+
+TEST(Occasions, OfACurriculumKeepTheirOrderAfterAsMuchTraining) {
+  StudyOfFour study("six weeks later", 0);
+
+  const auto version =
+      CurriculumRepository(study.centre.connection())
+          .version(StudyRepository(study.centre.connection()).cohort(study.cohortId).curriculumVersionId);
+
+  // By their codes "occasion-4" would come before "post".
+  ASSERT_EQ(version->plannedOccasions.size(), 4U);
+  EXPECT_EQ(version->plannedOccasions[2].code, "post");
+  EXPECT_EQ(version->plannedOccasions[3].code, study.fourth.code);
 }
 
 TEST(Occasions, OfAnotherStudyAreNotAskedForInThePapersProtocol) {
@@ -150,7 +221,7 @@ TEST(Occasions, NeedANameOfTheirOwnAndAreAudited) {
 TEST(Occasions, OfACurriculumMustBeKnownToTheRecord) {
   StudyCentre centre;
   const Occasions known = OccasionRepository(centre.connection()).all();
-  const StoredCurriculumVersion content = longerPaperProtocol(centre, {"never heard of", "", {}});
+  const CurriculumVersion content = longerPaperProtocol(centre, {"never heard of", "", {}});
 
   const std::vector<CurriculumProblem> problems = curriculumProblems(content, centre.assets(), known);
 

@@ -19,10 +19,19 @@
 #include "app/study/frozen_data.h"
 #include "app/study/run_day.h"
 #include "app/study/scoring_plan.h"
+#include "assessment/people/audit_entry.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/campaign.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
+#include "assessment/study/cohort.h"
+#include "assessment/study/curriculum.h"
+#include "assessment/study/station_state.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/station_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/support/study_centre.h"
@@ -68,12 +77,12 @@ struct Study {
     SessionContext& session = centre.as("administrator");
     const CohortRow cohort = cohorts(session).at(0);
     const auto version =
-        CurriculumRepository(session.connection()).version(cohort.cohort.curriculumVersionId);
-    for (const StoredEnrolment& enrolment : enrolments(session, cohortId)) {
+        CurriculumRepository(session.connectionWithoutRight()).version(cohort.cohort.curriculumVersionId);
+    for (const Enrolment& enrolment : enrolments(session, cohortId)) {
       if (enrolment.id != enrolmentId) {
         continue;
       }
-      for (const StoredGroup& group : cohort.groups) {
+      for (const StudyGroup& group : cohort.groups) {
         for (const StudyArm& arm : version->arms) {
           if (group.id == enrolment.groupId && arm.id == group.armId) {
             return arm;
@@ -86,13 +95,13 @@ struct Study {
   /// Fills in and submits every open sheet as the raters would.
   void submitAll(const std::string& occasionCode) {
     SheetRepository sheets(centre.connection());
-    const StoredRubricRevision revision = sheets.revision(rubric).value();
+    const RubricRevision revision = sheets.revision(rubric).value();
     for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
       if (status.assignment.occasionCode != occasionCode || status.state != SheetState::kOpen) {
         continue;
       }
       Sheet sheet{.overall_steps = 70};
-      for (const StoredRubricRow& row : revision.rows) {
+      for (const RubricLine& row : revision.rows) {
         sheet.rows.push_back({row.code, 70, ""});
       }
       sheets.submit(status.assignment.id, centre.session().ids().newUuid(), sheet, "",
@@ -130,7 +139,7 @@ TEST(ScoringPlan, LiveCasesHaveOneLabelForAllAndOrdersDiffer) {
   std::vector<std::vector<std::string>> orders;
   for (const std::string& chief : study.chiefs) {
     orders.emplace_back();
-    for (const StoredAssignment& one : sheets.assignmentsOf(chief)) {
+    for (const Assignment& one : sheets.assignmentsOf(chief)) {
       labelsOfCase[one.enrolmentId + one.occasionCode].insert(one.caseLabel);
       orders.back().push_back(one.enrolmentId + one.occasionCode);
     }
@@ -149,8 +158,7 @@ TEST(ScoringPlan, LabelsDoNotFollowStageOrGroup) {
 
   // Cases of a stage, sorted by label, would stand together if labels followed the stage.
   std::vector<std::pair<std::string, std::string>> byLabel;
-  for (const StoredAssignment& one :
-       SheetRepository(study.centre.connection()).assignmentsOf(study.chiefs[0])) {
+  for (const Assignment& one : SheetRepository(study.centre.connection()).assignmentsOf(study.chiefs[0])) {
     byLabel.emplace_back(one.caseLabel, one.occasionCode);
   }
   std::sort(byLabel.begin(), byLabel.end());
@@ -225,7 +233,7 @@ TEST(CampaignService, OrdersAreCounterbalancedWithinEachClass) {
 
   const CampaignRow row = campaigns(session).at(0);
   std::map<std::string, std::set<std::string>> orders;
-  for (const StoredCampaignRater& rater : row.campaign.raters) {
+  for (const CampaignRater& rater : row.campaign.raters) {
     orders[rater.classCode].insert(rater.modelOrder);
   }
   for (const auto& [code, seen] : orders) {
@@ -233,7 +241,7 @@ TEST(CampaignService, OrdersAreCounterbalancedWithinEachClass) {
   }
   EXPECT_EQ(row.marksExpected, 18U * 3U * 9U);
   std::set<std::string> hidden;
-  for (const StoredModel& model : row.campaign.models) {
+  for (const CampaignModel& model : row.campaign.models) {
     hidden.insert(model.hiddenLabel);
   }
   EXPECT_EQ(hidden, (std::set<std::string>{"X", "Y", "Z"}));
@@ -258,10 +266,10 @@ TEST(PhaseProgress, CountsNamedUnnamedAndRestTime) {
                      .phases = {{"p1", PhaseKind::kVirtual, "first", 20 * kMinute_us, ""},
                                 {"p2", PhaseKind::kReal, "second", 20 * kMinute_us, ""}}};
   const auto spent = [](const char* kind, const char* phase, std::int64_t minutes) {
-    return StoredExposure{.phaseId = phase, .kind = kind, .duration_us = minutes * kMinute_us};
+    return Exposure{.phaseId = phase, .kind = kind, .duration_us = minutes * kMinute_us};
   };
-  const std::vector<StoredExposure> exposures{spent("virtual", "p1", 12), spent("rest", "p1", 3),
-                                              spent("virtual", "", 8), spent("real", "p2", 5)};
+  const std::vector<Exposure> exposures{spent("virtual", "p1", 12), spent("rest", "p1", 3),
+                                        spent("virtual", "", 8), spent("real", "p2", 5)};
 
   const PhaseProgress progress = phaseProgress(arm, exposures);
 
@@ -406,9 +414,9 @@ TEST(RunDayBoard, NotesASwapForBothOrForNobody) {
   EXPECT_TRUE(deviations(session, study.cohortId).empty());
   swapTurns(session, study.cohortId, first, second, "on call");
 
-  const std::vector<StoredDeviation> noted = deviations(session, study.cohortId);
+  const std::vector<ProtocolDeviation> noted = deviations(session, study.cohortId);
   ASSERT_EQ(noted.size(), 2U);
-  for (const StoredDeviation& deviation : noted) {
+  for (const ProtocolDeviation& deviation : noted) {
     EXPECT_EQ(deviation.kind, "swapped");
     EXPECT_NE(deviation.description.find("on call"), std::string::npos);
     EXPECT_EQ(deviation.description.find("T-"), std::string("turn swapped with ").size());
@@ -449,7 +457,7 @@ TEST(CohortService, WhoMayNotSeeTheAllocationSeesNoGroups) {
   study.centre.connection().execute(
       "DELETE FROM role_operation WHERE role_code = 'statistician' AND operation_code = 'allocation.view'");
 
-  for (const StoredEnrolment& enrolment : enrolments(study.centre.as("statistician"), study.cohortId)) {
+  for (const Enrolment& enrolment : enrolments(study.centre.as("statistician"), study.cohortId)) {
     EXPECT_TRUE(enrolment.groupCode.empty());
     EXPECT_EQ(enrolment.numberInGroup, 0);
   }
@@ -485,7 +493,7 @@ TEST(Audit, AWholeStudyLeavesAnEntryForEveryChangeAndVerifies) {
   recordConsent(session, people(session).at(3).person.id, "training_record", true, version);
   createAssignments(session, study.plan());
   for (const std::string& enrolment : study.enrolmentIds) {
-    for (const StoredPhase& phase : study.armOf(enrolment).phases) {
+    for (const TrainingPhase& phase : study.armOf(enrolment).phases) {
       recordExposure(session, {study.cohortId, enrolment, phase.id, std::string(storedText(phase.kind)), 0,
                                phase.duration_us});
     }

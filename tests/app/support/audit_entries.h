@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "assessment/people/audit_entry.h"
+#include "db/connection/connection.h"
 #include "db/repository/base/audit_repository.h"
 
 namespace torsio::testing {

@@ -6,6 +6,12 @@
 
 #include "app/base/build_info.h"
 #include "app/recording/pipeline.h"
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/people/account.h"
+#include "assessment/people/person.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/study/cohort.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
@@ -31,7 +37,7 @@ const Scene& bar() {
 
 Actor actorIn(Connection& connection, const std::string& login) {
   Actor actor;
-  for (const StoredUser& user : AccessRepository(connection).users()) {
+  for (const UserAccount& user : AccessRepository(connection).users()) {
     if (user.login == login) {
       actor = {user.id, user.login, user.personId, user.roles, false};
     }
@@ -84,22 +90,22 @@ void ReviewCentre::fill(const Setup& setup) {
 void ReviewCentre::addPeople(const Setup& setup) {
   PeopleRepository people(*connection_);
   AccessRepository access(*connection_, PasswordCost::kTest);
-  people.addRaterClasses(std::vector<StoredRaterClass>{{"chief", "chief physicians", 1}});
+  people.addRaterClasses(std::vector<SeniorityClass>{{"chief", "chief physicians", 1}});
   StudyRepository study(*connection_);
-  const StoredCohort cohort{ids_->newUuid(), "Autumn intake", "", kReviewTime_us, false, {}};
-  const StoredGroup group{ids_->newUuid(), cohort.id, 1, "G1", kGroupLabel, {}};
+  const Cohort cohort{ids_->newUuid(), "Autumn intake", "", kReviewTime_us, false, {}};
+  const StudyGroup group{ids_->newUuid(), cohort.id, 1, "G1", kGroupLabel, {}};
   study.addCohort(cohort, std::span(&group, 1));
   for (int i = 0; i < setup.trainees; ++i) {
-    StoredTrainee trainee;
+    Trainee trainee;
     trainee.person.id = ids_->newUuid();
     trainee.person.code = "TR-4" + std::to_string(100 + i);
     trainee.person.createdUtc_us = kReviewTime_us;
     people.addTrainees(std::span(&trainee, 1));
-    const StoredIdentity identity{trainee.person.id, kSurnames[i % 10],
-                                  std::string(kSurnames[i % 10]) + "@example.org",
-                                  "staff-" + std::to_string(7000 + i)};
+    const Identity identity{trainee.person.id, kSurnames[i % 10],
+                            std::string(kSurnames[i % 10]) + "@example.org",
+                            "staff-" + std::to_string(7000 + i)};
     people.setIdentity(identity);
-    StoredEnrolment enrolment;
+    Enrolment enrolment;
     enrolment.id = ids_->newUuid();
     enrolment.cohortId = cohort.id;
     enrolment.traineeId = trainee.person.id;
@@ -109,7 +115,7 @@ void ReviewCentre::addPeople(const Setup& setup) {
     traineeCodes_.push_back(trainee.person.code);
   }
   for (int i = 0; i < setup.raters; ++i) {
-    StoredRater rater;
+    Rater rater;
     rater.person.id = ids_->newUuid();
     rater.person.code = "CH-" + std::to_string(100 + i);
     rater.person.createdUtc_us = kReviewTime_us;
@@ -146,7 +152,7 @@ void ReviewCentre::addAssignments(const Setup& setup) {
   SheetRepository sheets(*connection_);
   const std::string rubric = ids_->newUuid();
   sheets.addRubric(rubric, "Twist", kReviewTime_us, false);
-  StoredRubricRevision revision{.id = ids_->newUuid(), .rubricId = rubric};
+  RubricRevision revision{.id = ids_->newUuid(), .rubricId = rubric};
   revision.overall = {10, 100, 10};
   revision.rows = {
       {"time", "Training time", {10, 100, 10}, {{10, "very slow"}, {100, "as an expert"}}},
@@ -155,13 +161,13 @@ void ReviewCentre::addAssignments(const Setup& setup) {
   revision.createdUtc_us = kReviewTime_us;
   sheets.addRevision(revision);
   rubricId_ = revision.id;
-  std::vector<StoredAssignment> assignments;
+  std::vector<Assignment> assignments;
   const std::size_t trainees = enrolmentIds_.size();
   for (std::size_t rater = 0; rater < static_cast<std::size_t>(setup.raters); ++rater) {
     for (std::size_t k = 0; k < (setup.live ? 2 : 1) * trainees; ++k) {
       const bool live = k >= trainees;
       const std::size_t trainee = live ? k - trainees : (k + rater) % trainees;
-      StoredAssignment one;
+      Assignment one;
       one.id = ids_->newUuid();
       one.raterId = raterId(rater);
       one.enrolmentId = enrolmentIds_[trainee];
@@ -218,7 +224,7 @@ std::string ReviewCentre::caseAbout(std::size_t index, std::size_t trainee) {
 std::vector<std::string> ReviewCentre::secrets() {
   std::vector<std::string> found{kPhase,         kGroupLabel, "Autumn intake", "20-40",
                                  "after 20 min", "station-7", "staff-70"};
-  for (const StoredTrainee& trainee : PeopleRepository(*connection_).trainees()) {
+  for (const Trainee& trainee : PeopleRepository(*connection_).trainees()) {
     found.push_back(trainee.person.code);
     found.push_back(trainee.person.id);
     if (const auto identity = PeopleRepository(*connection_).identity(trainee.person.id)) {

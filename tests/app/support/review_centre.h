@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "app/access/session_context.h"
+#include "assessment/rating/sheet.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/scene/scene.h"
 

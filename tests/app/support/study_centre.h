@@ -27,7 +27,10 @@ class StudyCentre {
   StudyCentre(const StudyCentre&) = delete;
   StudyCentre& operator=(const StudyCentre&) = delete;
 
-  [[nodiscard]] SessionContext& session() { return *session_; }
+  [[nodiscard]] SessionContext& session() {
+    session_->beginCall();
+    return *session_;
+  }
   [[nodiscard]] Connection& connection() { return *connection_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] std::filesystem::path assets() const {

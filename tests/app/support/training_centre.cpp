@@ -5,6 +5,8 @@
 
 #include "app/base/build_info.h"
 #include "app/recording/recorded_run.h"
+#include "assessment/people/account.h"
+#include "assessment/people/person.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
@@ -21,9 +23,9 @@ namespace {
 
 constexpr const char* kPassword = "a long enough password";
 
-StoredModule moduleOf(const std::string& id, const std::string& code, const std::string& mode,
-                      std::int64_t inARow, const TrainingCentre::Setup& setup) {
-  StoredModule module;
+TrainingModule moduleOf(const std::string& id, const std::string& code, const std::string& mode,
+                        std::int64_t inARow, const TrainingCentre::Setup& setup) {
+  TrainingModule module;
   module.id = id;
   module.code = code;
   module.title = "Quarter turn, " + code;
@@ -89,18 +91,18 @@ void TrainingCentre::fill(const Setup& setup) {
   AccessRepository access(*connection_, PasswordCost::kTest);
   StudyRepository studies(*connection_);
   studies.setCentre({ids_->newUuid(), "Skills laboratory", now_us_, false});
-  const StoredRaterClass chiefs{"chief", "chief physician", 1};
+  const SeniorityClass chiefs{"chief", "chief physician", 1};
   people.addRaterClasses({&chiefs, 1});
-  std::vector<StoredTrainee> trainees;
+  std::vector<Trainee> trainees;
   for (const char* code : {"T-01", "T-02"}) {
-    StoredTrainee trainee;
+    Trainee trainee;
     trainee.person.id = ids_->newUuid();
     trainee.person.code = code;
     trainee.person.createdUtc_us = now_us_;
     trainees.push_back(trainee);
   }
   people.addTrainees(trainees);
-  StoredRater chief;
+  Rater chief;
   chief.person.id = ids_->newUuid();
   chief.person.code = "R-01";
   chief.person.createdUtc_us = now_us_;
@@ -117,7 +119,7 @@ void TrainingCentre::fill(const Setup& setup) {
   addUser("T-02", trainees[1].person.id, "trainee");
   addUser("chief", chief.person.id, "rater");
 
-  StoredCurriculumVersion version;
+  CurriculumVersion version;
   version.id = ids_->newUuid();
   version.curriculumId = ids_->newUuid();
   version.createdUtc_us = now_us_;
@@ -133,7 +135,7 @@ void TrainingCentre::fill(const Setup& setup) {
   arm.label = "virtual, then real arm";
   arm.restAllowance_us = setup.restAllowance_us;
   arm.restSplittable = setup.restSplittable;
-  for (StoredPhase phase : setup.phases) {
+  for (TrainingPhase phase : setup.phases) {
     phase.id = ids_->newUuid();
     arm.phases.push_back(phase);
   }
@@ -141,15 +143,15 @@ void TrainingCentre::fill(const Setup& setup) {
   CurriculumRepository curricula(*connection_);
   curricula.addCurriculum({version.curriculumId, "Twist basics", "", now_us_, false});
   curricula.addVersion(version, "office");
-  curricula.moveTo(version.id, "running", "office", now_us_);
+  curricula.moveTo(version.id, CurriculumState::kRunning, "office", now_us_);
 
   const std::string cohortId = ids_->newUuid();
-  const StoredGroup group{ids_->newUuid(), cohortId, 1, "G1", arm.label};
+  const StudyGroup group{ids_->newUuid(), cohortId, 1, "G1", arm.label};
   studies.addCohort({cohortId, "Autumn course", "", now_us_, false}, {&group, 1});
   curricula.assign(cohortId, version.id);
-  std::vector<StoredEnrolment> enrolments;
+  std::vector<Enrolment> enrolments;
   for (std::size_t i = 0; i < trainees.size(); ++i) {
-    StoredEnrolment enrolment;
+    Enrolment enrolment;
     enrolment.id = ids_->newUuid();
     enrolment.cohortId = cohortId;
     enrolment.traineeId = trainees[i].person.id;
@@ -172,19 +174,19 @@ void TrainingCentre::fill(const Setup& setup) {
 }
 
 void TrainingCentre::become(const std::string& who) {
-  for (const StoredUser& user : AccessRepository(*connection_, PasswordCost::kTest).users()) {
+  for (const UserAccount& user : AccessRepository(*connection_, PasswordCost::kTest).users()) {
     if (user.login == who) {
       session_->setActor({user.id, user.login, user.personId, user.roles, false});
     }
   }
 }
 
-StoredCohort TrainingCentre::cohort() {
+Cohort TrainingCentre::cohort() {
   return StudyRepository(*connection_).cohorts().front();
 }
 
 std::string TrainingCentre::enrolment(const std::string& traineeCode) {
-  for (const StoredEnrolment& enrolment : StudyRepository(*connection_).enrolments(cohort().id)) {
+  for (const Enrolment& enrolment : StudyRepository(*connection_).enrolments(cohort().id)) {
     if (enrolment.traineeCode == traineeCode) {
       return enrolment.id;
     }
@@ -194,7 +196,7 @@ std::string TrainingCentre::enrolment(const std::string& traineeCode) {
 
 std::string TrainingCentre::module(const std::string& code) {
   const auto version = CurriculumRepository(*connection_).version(cohort().curriculumVersionId);
-  for (const StoredModule& module : version->modules) {
+  for (const TrainingModule& module : version->modules) {
     if (module.code == code) {
       return module.id;
     }

@@ -9,6 +9,10 @@
 
 #include "app/access/session_context.h"
 #include "app/devices/device_readiness.h"
+#include "assessment/study/cohort.h"
+#include "assessment/study/curriculum.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/scene/scene.h"
@@ -31,7 +35,7 @@ class TrainingCentre {
  public:
   struct Setup {
     /// Phases of the one arm of the study; empty: the cohort has no arm, modules at any time.
-    std::vector<StoredPhase> phases{};
+    std::vector<TrainingPhase> phases{};
     std::int64_t restAllowance_us = 0;
     bool restSplittable = false;
     bool consent = true;
@@ -46,7 +50,10 @@ class TrainingCentre {
   TrainingCentre(const TrainingCentre&) = delete;
   TrainingCentre& operator=(const TrainingCentre&) = delete;
 
-  [[nodiscard]] SessionContext& session() { return *session_; }
+  [[nodiscard]] SessionContext& session() {
+    session_->beginCall();
+    return *session_;
+  }
   [[nodiscard]] Connection& connection() { return *connection_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] std::string locator() const { return (folder_ / "centre.sqlite").string(); }
@@ -56,7 +63,7 @@ class TrainingCentre {
   /// Signs "T-01", "T-02" or "chief" in.
   void become(const std::string& who);
   void passTime_us(std::int64_t span_us) { now_us_ += span_us; }
-  [[nodiscard]] StoredCohort cohort();
+  [[nodiscard]] Cohort cohort();
   [[nodiscard]] std::string enrolment(const std::string& traineeCode = "T-01");
 
   /// A finished attempt of the signed-in trainee by a scripted hand: 0 a beginner .. 1 an expert.

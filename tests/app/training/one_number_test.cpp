@@ -11,9 +11,13 @@
 #include "app/training/debrief.h"
 #include "app/training/transcript.h"
 #include "app/training/trend.h"
+#include "assessment/attempt/trial_digest.h"
+#include "assessment/people/account.h"
 #include "assessment/report/cohort_csv.h"
 #include "assessment/study/protocol_terms.h"
+#include "db/connection/connection.h"
 #include "db/repository/people/access_repository.h"
+#include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/random.h"
 #include "sim/record/content_hash.h"
@@ -231,7 +235,7 @@ class OneNumber : public ::testing::Test {
   }
 
   AttemptMeasures byTheCommandLine(const std::string& trialId) {
-    const StoredRun run = loadStoredRun(centre_.locator(), trialId);
+    const LoadedRun run = loadStoredRun(centre_.locator(), trialId);
     const std::vector<Sample> samples = decodeTrial(run.trial);
     return measureAttempt(samples, measureTwists(run.trial.header, samples, run.rules));
   }
@@ -368,7 +372,7 @@ TEST_F(OneNumber, IsTheSameInTheExportedTable) {
 TEST_F(OneNumber, AnOlderVersionOfTheFormulasIsMeasuredAnew) {
   const std::string trialId = truths_.begin()->first;
   const std::string hash = TrialRepository(centre_.connection()).load(trialId).summary.contentHash;
-  StoredTrialDigest older;
+  TrialDigest older;
   older.trialId = trialId;
   older.formulaVersion = kMetricsVersion - 1;
   older.tolerance_rad = radians(kTolerance_deg);

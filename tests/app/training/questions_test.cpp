@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "app/training/remarks.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/rubric.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/base/error.h"
@@ -42,20 +44,20 @@ class QuestionsTest : public ::testing::Test {
   void giveToRaters(const std::string& trialId) {
     SheetRepository sheets(centre_.connection());
     sheets.addRubric("rubric", "Twist sheet", kCentreTime_us, false);
-    StoredRubricRevision revision;
+    RubricRevision revision;
     revision.id = "revision";
     revision.rubricId = "rubric";
     revision.overall = {.lo = 10, .hi = 100, .stepsPerPoint = 10};
     revision.createdBy = "office";
     sheets.addRevision(revision);
-    const StoredAssignment assignment{.id = "assignment",
-                                      .raterId = chief_,
-                                      .enrolmentId = centre_.enrolment(),
-                                      .occasionCode = "pre",
-                                      .trialId = trialId,
-                                      .rubricRevisionId = "revision",
-                                      .caseLabel = "7F",
-                                      .assignedBy = "office"};
+    const Assignment assignment{.id = "assignment",
+                                .raterId = chief_,
+                                .enrolmentId = centre_.enrolment(),
+                                .occasionCode = "pre",
+                                .trialId = trialId,
+                                .rubricRevisionId = "revision",
+                                .caseLabel = "7F",
+                                .assignedBy = "office"};
     sheets.assign({&assignment, 1});
   }
 };

@@ -11,6 +11,8 @@
 #include "app/recording/recorded_run.h"
 #include "app/recording/unstored_trials.h"
 #include "app/training/run_session.h"
+#include "assessment/study/cohort.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
@@ -66,7 +68,7 @@ void trainAndKill(const TrainingCentre& centre, int seconds) {
 
 std::int64_t logged_us(TrainingCentre& centre) {
   std::int64_t total_us = 0;
-  for (const StoredExposure& exposure : StudyRepository(centre.connection()).exposures(centre.cohort().id)) {
+  for (const Exposure& exposure : StudyRepository(centre.connection()).exposures(centre.cohort().id)) {
     total_us += exposure.duration_us;
   }
   return total_us;

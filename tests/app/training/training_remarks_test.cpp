@@ -7,8 +7,13 @@
 #include "app/training/remarks.h"
 #include "app/training/run_session.h"
 #include "app/training/transcript.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
+#include "assessment/study/cohort.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/trial/remark_repository.h"
 #include "sim/base/clock.h"
@@ -33,7 +38,7 @@ class RemarksTest : public ::testing::Test {
   void SetUp() override {
     SheetRepository sheets(centre_.connection());
     sheets.addRubric("rubric", "Twist sheet", kCentreTime_us, false);
-    StoredRubricRevision revision;
+    RubricRevision revision;
     revision.id = "revision";
     revision.rubricId = "rubric";
     revision.overall = {.lo = 10, .hi = 100, .stepsPerPoint = 10};
@@ -41,14 +46,14 @@ class RemarksTest : public ::testing::Test {
         {.code = "proficiency", .label = "Proficiency", .scale = {.lo = 1, .hi = 10, .stepsPerPoint = 1}});
     revision.createdBy = "office";
     sheets.addRevision(revision);
-    const StoredAssignment assignment{.id = "assignment",
-                                      .raterId = chief_,
-                                      .enrolmentId = centre_.enrolment(),
-                                      .occasionCode = "pre",
-                                      .trialId = trial_,
-                                      .rubricRevisionId = "revision",
-                                      .caseLabel = "7F",
-                                      .assignedBy = "office"};
+    const Assignment assignment{.id = "assignment",
+                                .raterId = chief_,
+                                .enrolmentId = centre_.enrolment(),
+                                .occasionCode = "pre",
+                                .trialId = trial_,
+                                .rubricRevisionId = "revision",
+                                .caseLabel = "7F",
+                                .assignedBy = "office"};
     sheets.assign({&assignment, 1});
     Sheet sheet;
     sheet.overall_steps = 70;
@@ -169,12 +174,12 @@ TEST(Transcript, HoldsEveryAttemptAndTheTimeSpent) {
   for (int i = 0; i < 2; ++i) {
     centre.attempt("first", "practice", 1.0);
   }
-  const StoredExposure hour{.id = "33333333-3333-4333-8333-333333333333",
-                            .enrolmentId = centre.enrolment(),
-                            .kind = "real",
-                            .startedUtc_us = kCentreTime_us,
-                            .duration_us = 12 * testing::kMinute_us,
-                            .recordedBy = "office"};
+  const Exposure hour{.id = "33333333-3333-4333-8333-333333333333",
+                      .enrolmentId = centre.enrolment(),
+                      .kind = "real",
+                      .startedUtc_us = kCentreTime_us,
+                      .duration_us = 12 * testing::kMinute_us,
+                      .recordedBy = "office"};
   StudyRepository(centre.connection()).addExposures({&hour, 1});
 
   const Transcript sheet = transcript(centre.session(), centre.person());

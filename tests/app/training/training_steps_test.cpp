@@ -4,7 +4,9 @@
 #include "app/training/next_steps.h"
 #include "app/training/run_session.h"
 #include "assessment/metrics/metric_cards.h"
+#include "assessment/study/cohort.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "db/repository/trial/digest_repository.h"
 #include "sim/base/error.h"
@@ -212,7 +214,7 @@ TEST(RunSession, LogsTheDoseOfEveryPhaseAndTheRest) {
   EXPECT_TRUE(runSession.run().over());
 
   std::map<std::string, std::int64_t> dose_us;
-  for (const StoredExposure& exposure : StudyRepository(centre.connection()).exposures(centre.cohort().id)) {
+  for (const Exposure& exposure : StudyRepository(centre.connection()).exposures(centre.cohort().id)) {
     dose_us[exposure.kind] += exposure.duration_us;
   }
   EXPECT_EQ(dose_us["virtual"], kMinute_us);

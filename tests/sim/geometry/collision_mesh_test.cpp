@@ -13,6 +13,7 @@
 #include <fcl/narrowphase/distance.h>
 #include <gtest/gtest.h>
 
+#include "assessment/people/person.h"
 #include "sim/base/portable_math.h"
 #include "sim/base/random.h"
 #include "tests/sim/geometry/shapes.h"

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "assessment/people/person.h"
 #include "sim/base/angle.h"
 #include "sim/base/file_io.h"
 #include "sim/base/random.h"

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/base/administrator_parts.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/theme.h"
+#include "app/reporting/report_data.h"
+#include "app/study/cohort_service.h"
+
+namespace torsio::gui {
+
+QVBoxLayout* pageColumn(QWidget* page) {
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+  column->setSpacing(2 * kSpace);
+  return column;
+}
+
+QVBoxLayout* scrolledColumn(QWidget* page) {
+  auto* outer = new QVBoxLayout(page);
+  outer->setContentsMargins(0, 0, 0, 0);
+  auto* scroll = new QScrollArea(page);
+  scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  outer->addWidget(scroll);
+  auto* content = new QWidget;
+  scroll->setWidget(content);
+  return pageColumn(content);
+}
+
+QPushButton* listButton(DataTable* table) {
+  auto* button = new QPushButton(table);
+  table->addTool(button);
+  return button;
+}
+
+QLabel* fieldBeside(QBoxLayout* row, QWidget* field) {
+  auto* label = new QLabel;
+  label->setBuddy(field);
+  row->addWidget(label);
+  row->addWidget(field);
+  return label;
+}
+
+void fillCohorts(QComboBox* chooser, SessionContext& session) {
+  const std::string before = chosenId(chooser);
+  const QSignalBlocker quiet(chooser);
+  chooser->clear();
+  chooser->setPlaceholderText(QCoreApplication::translate("Administration", "no cohort yet"));
+  int first = -1;
+  for (const CohortRow& row : cohorts(session)) {
+    chooser->addItem(toQString(row.cohort.name), toQString(row.cohort.id));
+    if (row.allocated > 0) {
+      first = chooser->count() - 1;
+    }
+  }
+  chooser->setCurrentIndex(first >= 0 ? first : chooser->count() - 1);
+  if (!before.empty()) {
+    chooseId(chooser, before);
+  }
+}
+
+void fillCampaigns(QComboBox* chooser, SessionContext& session, const QString& none) {
+  const std::string before = chosenId(chooser);
+  const QSignalBlocker quiet(chooser);
+  chooser->clear();
+  chooser->addItem(none, QString());
+  int first = 0;
+  for (const ReportableCampaign& campaign : reportableCampaigns(session)) {
+    chooser->addItem(toQString(campaign.name), toQString(campaign.id));
+    if (campaign.hasMarks) {
+      first = chooser->count() - 1;
+    }
+  }
+  chooser->setCurrentIndex(first);
+  if (!before.empty()) {
+    chooseId(chooser, before);
+  }
+}
+
+std::string chosenId(const QComboBox* chooser) {
+  return chooser->currentData().toString().toStdString();
+}
+
+void chooseId(QComboBox* chooser, const std::string& id) {
+  const int at = chooser->findData(toQString(id));
+  if (at >= 0) {
+    chooser->setCurrentIndex(at);
+  }
+}
+
+QString orDash(const std::string& text) {
+  return text.empty() ? QStringLiteral("\u2013") : toQString(text);
+}
+
+QString shownTime(std::int64_t utc_us, const QLocale& locale) {
+  if (utc_us == 0) {
+    return QStringLiteral("\u2013");
+  }
+  return locale.toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
+}
+
+QString shownSpan(std::int64_t duration_us) {
+  const std::int64_t seconds = duration_us / 1'000'000;
+  return QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0'));
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/base/printed_cards.h"
+
+#include <array>
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QPageLayout>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/report/typeface.h"
+#include "sim/base/file_io.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kDotsPerInch = 150;
+constexpr double kMargin_mm = 12.0;
+constexpr int kCardsOnPage = 4;
+constexpr std::array kLineHeights{0.25, 0.55, 0.78};  // of a strip's height
+
+struct PrintedCards {
+  Q_DECLARE_TR_FUNCTIONS(PrintedCards)
+};
+
+struct CardLine {
+  QString text;
+  double points = 9.0;
+  bool bold = false;
+};
+
+/// One strip of a page: what stands on the envelope, and what goes into it.
+struct PrintedCard {
+  std::array<CardLine, 3> label;
+  std::array<CardLine, 3> inside;
+};
+
+void drawHalf(QPainter& painter, const QRectF& half, const std::array<CardLine, 3>& lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    QFont font = typeface();
+    font.setPointSizeF(lines[i].points);
+    font.setBold(lines[i].bold);
+    painter.setFont(font);
+    const QRectF place(half.left(), half.top() + (kLineHeights[i] - 0.1) * half.height(), half.width(),
+                       0.2 * half.height());
+    painter.drawText(
+        place, Qt::AlignCenter,
+        painter.fontMetrics().elidedText(lines[i].text, Qt::ElideRight, static_cast<int>(half.width())));
+  }
+}
+
+void drawCard(QPainter& painter, const QRectF& strip, const PrintedCard& card) {
+  QRectF label = strip;
+  label.setWidth(strip.width() / 2.0);
+  QRectF inside = label.translated(strip.width() / 2.0, 0.0);
+  painter.setPen(QPen(Qt::gray, 0, Qt::DashLine));
+  painter.drawRect(strip);
+  painter.drawLine(label.topRight(), label.bottomRight());
+  painter.setPen(Qt::black);
+  const double inset = 0.04 * strip.width();
+  drawHalf(painter, label.adjusted(inset, 0.0, -inset, 0.0), card.label);
+  drawHalf(painter, inside.adjusted(inset, 0.0, -inset, 0.0), card.inside);
+}
+
+void writeCards(const std::vector<PrintedCard>& cards, const QString& title,
+                const std::filesystem::path& file) {
+  QBuffer out;
+  out.open(QIODevice::WriteOnly);
+  {
+    QPdfWriter writer(&out);
+    writer.setResolution(kDotsPerInch);
+    writer.setTitle(title);
+    writer.setPageLayout(QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Portrait,
+                                     QMarginsF(kMargin_mm, kMargin_mm, kMargin_mm, kMargin_mm),
+                                     QPageLayout::Millimeter));
+    QPainter painter(&writer);
+    const QRectF page(painter.viewport());
+    const double height = page.height() / kCardsOnPage;
+    for (std::size_t i = 0; i < cards.size(); ++i) {
+      const auto place = static_cast<int>(i % kCardsOnPage);
+      if (i > 0 && place == 0) {
+        writer.newPage();
+      }
+      drawCard(painter, QRectF(0.0, place * height, page.width(), height), cards[i]);
+    }
+  }
+  writeFileAtomically(file, out.data().toStdString());
+}
+
+}  // namespace
+
+void writeSealedCards(const std::vector<SealedCard>& cards, const std::string& cohort,
+                      const std::filesystem::path& file) {
+  std::vector<PrintedCard> printed;
+  for (const SealedCard& card : cards) {
+    printed.push_back(
+        {.label = {{{toQString(cohort)},
+                    {toQString(card.traineeCode), 24.0, true},
+                    {PrintedCards::tr("No. %1. Open when the training begins.").arg(card.sequence)}}},
+         .inside = {{{PrintedCards::tr("%1 trains in group").arg(toQString(card.traineeCode))},
+                     {toQString(card.groupCode), 24.0, true},
+                     {toQString(card.groupLabel), 11.0}}}});
+  }
+  writeCards(printed, PrintedCards::tr("Sealed cards: %1").arg(toQString(cohort)), file);
+}
+
+void writeAccountCards(const std::vector<StartAccount>& accounts, const std::string& centre,
+                       const std::filesystem::path& file) {
+  std::vector<PrintedCard> printed;
+  for (const StartAccount& account : accounts) {
+    printed.push_back({.label = {{{toQString(centre)},
+                                  {toQString(account.personCode), 24.0, true},
+                                  {PrintedCards::tr("Your way into Torsio. For you alone.")}}},
+                       .inside = {{{PrintedCards::tr("Sign-in name: %1").arg(toQString(account.login)), 11.0},
+                                   {toQString(account.startPassword), 15.0, true},
+                                   {PrintedCards::tr("Choose your own password at the first sign-in.")}}}});
+  }
+  writeCards(printed, PrintedCards::tr("Start passwords: %1").arg(toQString(centre)), file);
+}
+
+}  // namespace torsio::gui

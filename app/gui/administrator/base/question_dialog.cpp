@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/base/question_dialog.h"
+
+#include <QCoreApplication>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kDialogWidth = 440;
+
+struct ReasonDialog {
+  Q_DECLARE_TR_FUNCTIONS(ReasonDialog)
+};
+
+}  // namespace
+
+QuestionDialog::QuestionDialog(QWidget* parent, const QString& title, const QString& question)
+    : QDialog(parent), column_(new QVBoxLayout(this)) {
+  setWindowTitle(title);
+  setMinimumWidth(kDialogWidth);
+  column_->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+  column_->setSpacing(2 * kSpace);
+  if (!question.isEmpty()) {
+    addNote(question);
+  }
+}
+
+void QuestionDialog::addNote(const QString& text) {
+  auto* label = new QLabel(text, this);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  label->setProperty("quiet", true);
+  column_->addWidget(label);
+}
+
+QPushButton* QuestionDialog::finish(const QString& accept) {
+  return addButtons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this), accept);
+}
+
+QPushButton* QuestionDialog::finishWithoutCancel(const QString& accept) {
+  return addButtons(new QDialogButtonBox(QDialogButtonBox::Ok, this), accept);
+}
+
+QPushButton* QuestionDialog::addButtons(QDialogButtonBox* buttons, const QString& accept) {
+  QPushButton* ok = buttons->button(QDialogButtonBox::Ok);
+  ok->setText(accept);
+  ok->setDefault(true);
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  column_->addWidget(buttons);
+  return ok;
+}
+
+std::optional<std::string> askReason(QWidget* parent, const QString& title, const QString& question) {
+  QuestionDialog dialog(parent, title, question);
+  auto* reason = new QLineEdit(&dialog);
+  reason->setObjectName(QStringLiteral("reason"));
+  auto* form = new QFormLayout;
+  form->addRow(ReasonDialog::tr("&Reason"), reason);
+  dialog.column()->addLayout(form);
+  QPushButton* ok = dialog.finish(title);
+  const auto check = [ok, reason] { ok->setEnabled(!reason->text().trimmed().isEmpty()); };
+  QObject::connect(reason, &QLineEdit::textChanged, ok, check);
+  check();
+  reason->setFocus();
+  if (dialog.exec() != QDialog::Accepted) {
+    return std::nullopt;
+  }
+  return reason->text().trimmed().toStdString();
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/base/study_labels.h"
+
+#include <span>
+#include <utility>
+
+#include <QCoreApplication>
+
+#include "app/gui/base/translated_text.h"
+#include "app/training/attempts.h"
+#include "assessment/metrics/metric_cards.h"
+#include "assessment/rating/sheet_state.h"
+
+namespace torsio::gui {
+
+namespace {
+
+using Names = std::span<const std::pair<const char*, const char*>>;
+
+QString translated(const char* text) {
+  return QCoreApplication::translate("Study", text);
+}
+
+QString named(Names names, const std::string& code) {
+  if (code.empty()) {
+    return QStringLiteral("\u2013");
+  }
+  for (const auto& [known, name] : names) {
+    if (code == known) {
+      return translated(name);
+    }
+  }
+  return toQString(code);
+}
+
+}  // namespace
+
+QString occasionName(const Occasion& occasion) {
+  static const std::pair<const char*, const char*> kNames[] = {
+      {"pre", QT_TRANSLATE_NOOP("Study", "before training")},
+      {"mid", QT_TRANSLATE_NOOP("Study", "half-way")},
+      {"post", QT_TRANSLATE_NOOP("Study", "after training")}};
+  for (const auto& [known, name] : kNames) {
+    if (occasion.code == known) {
+      return translated(name);
+    }
+  }
+  return named({}, occasion.label);
+}
+
+QString enrolmentStateName(EnrolmentState state) {
+  static const std::pair<const char*, const char*> kNames[] = {
+      {"enrolled", QT_TRANSLATE_NOOP("Study", "enrolled")},
+      {"completed", QT_TRANSLATE_NOOP("Study", "completed")},
+      {"withdrawn", QT_TRANSLATE_NOOP("Study", "withdrew")}};
+  return named(kNames, std::string(storedText(state)));
+}
+
+QString factorName(const std::string& code) {
+  static const std::pair<const char*, const char*> kNames[] = {
+      {"sex", QT_TRANSLATE_NOOP("Study", "sex")},
+      {"level", QT_TRANSLATE_NOOP("Study", "level of education")},
+      {"experience", QT_TRANSLATE_NOOP("Study", "experience")},
+      {"handedness", QT_TRANSLATE_NOOP("Study", "handedness")}};
+  return named(kNames, code);
+}
+
+QString levelName(const std::string& code) {
+  static const std::pair<const char*, const char*> kNames[] = {
+      {"female", QT_TRANSLATE_NOOP("Study", "female")},
+      {"male", QT_TRANSLATE_NOOP("Study", "male")},
+      {"other", QT_TRANSLATE_NOOP("Study", "other")},
+      {"left", QT_TRANSLATE_NOOP("Study", "left-handed")},
+      {"right", QT_TRANSLATE_NOOP("Study", "right-handed")}};
+  return code.empty() ? translated(QT_TRANSLATE_NOOP("Study", "not known")) : named(kNames, code);
+}
+
+QString raterClassName(const std::string& code) {
+  static const std::pair<const char*, const char*> kNames[] = {
+      {"intern", QT_TRANSLATE_NOOP("Study", "intern")},
+      {"deputy_chief", QT_TRANSLATE_NOOP("Study", "deputy chief physician")},
+      {"chief", QT_TRANSLATE_NOOP("Study", "chief physician")}};
+  return named(kNames, code);
+}
+
+QString methodName(AllocationMethod method) {
+  switch (method) {
+    case AllocationMethod::kCompletePermutation:
+      return translated(QT_TRANSLATE_NOOP("Study", "One shuffle of everybody (the paper's case)"));
+    case AllocationMethod::kPermutedBlocks:
+      return translated(QT_TRANSLATE_NOOP("Study", "Shuffled blocks, one after another"));
+    case AllocationMethod::kStratifiedBlocks:
+      return translated(QT_TRANSLATE_NOOP("Study", "Shuffled blocks within strata"));
+    case AllocationMethod::kMinimisation:
+      return translated(QT_TRANSLATE_NOOP("Study", "Minimisation (Pocock and Simon)"));
+  }
+  return {};
+}
+
+QString sheetStateName(SheetState state) {
+  switch (state) {
+    case SheetState::kOpen:
+      return translated(QT_TRANSLATE_NOOP("Study", "open"));
+    case SheetState::kDraft:
+      return translated(QT_TRANSLATE_NOOP("Study", "draft"));
+    case SheetState::kSubmitted:
+      return translated(QT_TRANSLATE_NOOP("Study", "submitted"));
+    case SheetState::kWithdrawn:
+      return translated(QT_TRANSLATE_NOOP("Study", "taken back"));
+  }
+  return {};
+}
+
+QString versionStateName(CurriculumState state) {
+  static const std::pair<const char*, const char*> kNames[] = {
+      {"draft", QT_TRANSLATE_NOOP("Study", "published, not begun")},
+      {"running", QT_TRANSLATE_NOOP("Study", "running")},
+      {"closed", QT_TRANSLATE_NOOP("Study", "closed")}};
+  return named(kNames, std::string(storedText(state)));
+}
+
+QString phaseKindName(PhaseKind kind) {
+  static const std::pair<const char*, const char*> kNames[] = {
+      {"virtual", QT_TRANSLATE_NOOP("Study", "simulator")}, {"real", QT_TRANSLATE_NOOP("Study", "real arm")}};
+  return named(kNames, std::string(storedText(kind)));
+}
+
+std::vector<std::pair<std::string, QString>> masteryMetrics() {
+  static const std::pair<const char*, const char*> kNames[] = {
+      {kOnTargetMetric, QT_TRANSLATE_NOOP("Study", "share of twists on target")},
+      {kTargetsReachedMetric, QT_TRANSLATE_NOOP("Study", "targets reached")},
+      {"time.total", QT_TRANSLATE_NOOP("Study", "time")},
+      {"twist.overshoot", QT_TRANSLATE_NOOP("Study", "overshoot")},
+      {"twist.settling", QT_TRANSLATE_NOOP("Study", "settling time")},
+      {"twist.hold_steadiness", QT_TRANSLATE_NOOP("Study", "steadiness of the hold")},
+      {"twist.sparc", QT_TRANSLATE_NOOP("Study", "smoothness")},
+      {"force.peak", QT_TRANSLATE_NOOP("Study", "peak force")},
+      {"force.violations", QT_TRANSLATE_NOOP("Study", "force violations")},
+      {"torque.peak", QT_TRANSLATE_NOOP("Study", "peak torque")},
+  };
+  std::vector<std::pair<std::string, QString>> out;
+  for (const auto& [id, name] : kNames) {
+    out.emplace_back(id, metricUnit(id) == "1"
+                             ? translated(name)
+                             : QStringLiteral("%1 (%2)").arg(translated(name), toQString(metricUnit(id))));
+  }
+  return out;
+}
+
+std::string metricBetter(const std::string& id) {
+  if (id == kOnTargetMetric || id == kTargetsReachedMetric) {
+    return "at_least";
+  }
+  return metricCard(id).direction == Direction::kLowerIsBetter ? "at_most" : "at_least";
+}
+
+std::string metricUnit(const std::string& id) {
+  if (id == kOnTargetMetric) {
+    return "1";
+  }
+  if (id == kTargetsReachedMetric) {
+    return "count";
+  }
+  return std::string(metricCard(id).unit);
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <QString>
+
+#include "app/study/scoring_plan.h"
+#include "assessment/rating/sheet_state.h"
+#include "assessment/study/allocation.h"
+#include "assessment/study/occasion.h"
+#include "assessment/study/protocol_terms.h"
+
+namespace torsio::gui {
+
+// Codes of the record in the user's language; an unknown code is shown as it is, an empty one as a dash.
+
+/// "half-way"; occasions that a centre added are called as it named them.
+[[nodiscard]] QString occasionName(const Occasion& occasion);
+[[nodiscard]] QString enrolmentStateName(EnrolmentState state);
+[[nodiscard]] QString factorName(const std::string& code);
+[[nodiscard]] QString raterClassName(const std::string& code);
+[[nodiscard]] QString levelName(const std::string& code);
+/// "chief physician"; classes of a centre's own keep their code.
+[[nodiscard]] QString raterClassName(const std::string& code);
+[[nodiscard]] QString methodName(AllocationMethod method);
+[[nodiscard]] QString sheetStateName(SheetState state);
+[[nodiscard]] QString versionStateName(CurriculumState state);
+[[nodiscard]] QString phaseKindName(PhaseKind kind);
+
+/// What a mastery rule may be about: id and name.
+[[nodiscard]] std::vector<std::pair<std::string, QString>> masteryMetrics();
+/// "at_least" or "at_most", as it is better, and the unit of such a metric.
+[[nodiscard]] std::string metricBetter(const std::string& id);
+[[nodiscard]] std::string metricUnit(const std::string& id);
+
+}  // namespace torsio::gui

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/gui/base/page.h"
+#include "app/study/curriculum_service.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace torsio::gui {
+
+class CurriculumEditor;
+class DataTable;
+class PageHeading;
+
+/// Curricula: from a template to a version that never changes, which cohorts can follow.
+class CurriculaPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit CurriculaPage(ShellContext& shell);
+
+  void enter(const QVariant& argument) override;
+  [[nodiscard]] bool leave() override;
+  void retranslate() override;
+
+  /// From a template of the assets, under a name of the centre's own. Empty `templateId`: nothing in it yet.
+  bool add(const std::string& name, const std::string& templateId);
+  bool save();
+  bool publish(const std::string& note);
+  /// Begins the version that is shown (with the draft shown: the newest), so that cohorts can follow it.
+  bool begin();
+  /// What is shown of the chosen curriculum: a published version, or with an empty id the draft.
+  void showVersion(const std::string& versionId);
+  /// What the shown version contains becomes the draft; the draft before is asked for first when it differs.
+  bool takeAsDraft();
+
+ private:
+  void read();
+  void showContent();
+  void showDraft();
+  void showChosenVersion();
+  void fillVersions();
+  void showButtons();
+  void sayState();
+  void askNew();
+  void askOccasion();
+  void askPublish();
+  void askClose();
+  [[nodiscard]] const CurriculumRow* current() const;
+  /// The published version that is shown; null: the draft is.
+  [[nodiscard]] const CurriculumVersionRow* shownVersion() const;
+  /// The one that Begin and Close are about: the shown one, or the newest.
+  [[nodiscard]] const CurriculumVersionRow* versionAtHand() const;
+
+  std::vector<CurriculumRow> rows_;
+  CurriculumDraft draft_;
+  std::string shownId_;  // whose draft stands in the editor
+  bool dirty_ = false;
+  PageHeading* heading_;
+  QPushButton* add_;
+  DataTable* table_;
+  QLabel* showing_;
+  QComboBox* versions_;
+  QLabel* state_;
+  QPushButton* take_;
+  QPushButton* save_;
+  QPushButton* publish_;
+  QPushButton* begin_;
+  QPushButton* close_;
+  QWidget* editing_ = nullptr;
+  CurriculumEditor* editor_;
+};
+
+}  // namespace torsio::gui

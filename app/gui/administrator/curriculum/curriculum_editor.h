@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include <QTabWidget>
+
+#include "app/study/curriculum_content.h"
+#include "assessment/study/curriculum.h"
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QLabel;
+class QGridLayout;
+class QListWidget;
+class QPushButton;
+
+namespace torsio::gui {
+
+class ExerciseEditor;
+class GroupEditor;
+
+/// The parts of a curriculum to fill in: exercises with targets and mastery, groups with phases and rest,
+/// occasions, and in words what still keeps it from being published. What is shown and not touched comes
+/// out as it went in.
+class CurriculumEditor : public QTabWidget {
+  Q_OBJECT
+
+ public:
+  CurriculumEditor(std::filesystem::path assets, QWidget* parent = nullptr);
+
+  /// Offers these occasions; call it before setContent().
+  void setOccasions(Occasions occasions);
+  void setContent(const CurriculumVersion& content);
+  [[nodiscard]] const CurriculumVersion& content() const noexcept { return content_; }
+  [[nodiscard]] const std::vector<CurriculumProblem>& problems() const noexcept { return problems_; }
+  void setReadOnly(bool readOnly);
+  void retranslate();
+
+ Q_SIGNALS:
+  void edited();
+  /// Somebody wants an occasion that the record does not know yet.
+  void occasionWanted();
+
+ private:
+  struct PointRow {
+    QCheckBox* wanted;
+    QDoubleSpinBox* after;
+  };
+
+  QWidget* pointsTab();
+  void fillPoints();
+  void addPointRow(std::size_t point);
+  void takePoint(std::size_t point);
+  void namePoints();
+  void changed();
+  void judge();
+
+  std::filesystem::path assets_;
+  Occasions occasions_;
+  CurriculumVersion content_;
+  std::vector<CurriculumProblem> problems_;
+  bool filling_ = false;
+
+  ExerciseEditor* exercises_;
+  GroupEditor* groups_;
+  QLabel* pointsText_;
+  QGridLayout* pointGrid_ = nullptr;
+  std::vector<PointRow> points_;  // one an occasion
+  QPushButton* addOccasion_;
+  QListWidget* problemList_;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/curriculum/curriculum_parts.h"
+
+#include <algorithm>
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kRowHeight = 5 * kSpace;
+constexpr int kFieldWidth = 9 * kSpace;
+
+}  // namespace
+
+QDoubleSpinBox* numberField(double least, double most, int decimals, QWidget* parent) {
+  auto* field = new QDoubleSpinBox(parent);
+  field->setRange(least, most);
+  field->setDecimals(decimals);
+  field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  field->setMinimumWidth(kFieldWidth);  // not that of the largest number it would take
+  return field;
+}
+
+QBoxLayout* buttonRow(std::initializer_list<QPushButton*> buttons) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kSpace / 2);
+  for (QPushButton* button : buttons) {
+    button->setAutoDefault(false);
+    row->addWidget(button);
+  }
+  row->addStretch(1);
+  return row;
+}
+
+void prepareFieldTable(QTableWidget* table) {
+  table->verticalHeader()->setVisible(false);
+  table->verticalHeader()->setDefaultSectionSize(kRowHeight);
+  table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  table->setTabKeyNavigation(false);
+  table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table->setSelectionMode(QAbstractItemView::SingleSelection);
+  table->setEditTriggers(QAbstractItemView::AllEditTriggers);
+}
+
+void setFieldRows(QTableWidget* table, int rows) {
+  for (int row = 0; row < table->rowCount(); ++row) {
+    for (int column = 0; column < table->columnCount(); ++column) {
+      if (QWidget* before = table->cellWidget(row, column)) {
+        before->hide();  // it goes a moment later
+      }
+    }
+  }
+  table->setRowCount(rows);
+}
+
+void fitRows(QTableWidget* table, int leastRows) {
+  const int rows = std::max(leastRows, table->rowCount());
+  const int height = table->horizontalHeader()->sizeHint().height() + rows * kRowHeight + 2;
+  table->setMinimumHeight(height);
+  table->setMaximumHeight(height);
+}
+
+void chooseOrAdd(QComboBox* box, const std::string& value) {
+  if (box->findData(toQString(value)) < 0) {
+    box->addItem(orDash(value), toQString(value));
+  }
+  box->setCurrentIndex(box->findData(toQString(value)));
+}
+
+int rowOf(const QTableWidget* table, const QWidget* cell) {
+  for (int row = 0; row < table->rowCount(); ++row) {
+    for (int column = 0; column < table->columnCount(); ++column) {
+      if (table->cellWidget(row, column) == cell) {
+        return row;
+      }
+    }
+  }
+  return -1;
+}
+
+std::string freeCode(const std::string& prefix, const std::vector<std::string>& taken) {
+  for (std::size_t number = taken.size() + 1;; ++number) {
+    std::string code = prefix + std::to_string(number);
+    if (std::find(taken.begin(), taken.end(), code) == taken.end()) {
+      return code;
+    }
+  }
+}
+
+QLabel* FormTexts::add(QWidget* field, const char* source) {
+  auto* label = new QLabel;
+  label->setBuddy(field);
+  labels_.emplace_back(label, source);
+  return label;
+}
+
+void FormTexts::row(QFormLayout* form, QWidget* field, const char* source) {
+  form->addRow(add(field, source), field);
+}
+
+void FormTexts::row(QFormLayout* form, std::initializer_list<std::pair<QWidget*, const char*>> fields) {
+  auto* box = new QHBoxLayout;
+  box->setSpacing(kSpace);
+  QLabel* first = nullptr;
+  for (const auto& [field, source] : fields) {
+    QLabel* label = add(field, source);
+    if (first == nullptr) {
+      first = label;
+    } else {
+      box->addSpacing(kSpace);
+      box->addWidget(label);
+    }
+    box->addWidget(field, 1);
+  }
+  form->addRow(first, box);
+}
+
+void FormTexts::title(QFormLayout* form, const char* source, QLayout* beside) {
+  QLabel* label = add(nullptr, source);
+  label->setObjectName(QStringLiteral("cardTitle"));
+  label->setContentsMargins(0, kSpace, 0, 0);
+  label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  if (beside == nullptr) {
+    form->addRow(label);
+    return;
+  }
+  auto* row = new QHBoxLayout;
+  row->addWidget(label, 1);
+  row->addLayout(beside);
+  form->addRow(row);
+}
+
+void FormTexts::retranslate(const char* context) {
+  for (const auto& [label, source] : labels_) {
+    nameField(label, QCoreApplication::translate(context, source));
+  }
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <QWidget>
+
+#include "app/gui/administrator/curriculum/curriculum_parts.h"
+#include "app/gui/administrator/curriculum/ordered_list.h"
+#include "app/study/curriculum_content.h"
+#include "assessment/study/curriculum.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QListWidgetItem;
+class QSpinBox;
+
+namespace torsio::gui {
+
+class MasteryTable;
+
+/// The exercises of a curriculum, in their order: what is twisted and how far, limits, which exercises must
+/// be mastered first and when this one is. A field writes only what it shows: opening changes nothing.
+class ExerciseEditor : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `content` outlives this.
+  ExerciseEditor(std::filesystem::path assets, CurriculumVersion& content, QWidget* parent = nullptr);
+
+  void select(int row);
+  /// Everything can be looked at and nothing changed.
+  void setReadOnly(bool readOnly);
+  void retranslate();
+
+ Q_SIGNALS:
+  void edited();
+
+ private:
+  QWidget* form();
+  void connectFields();
+  void connectLists();
+  void showContent();
+  void showPlaces(const TrainingModule& module);
+  void showPrerequisites(const TrainingModule& module);
+  void take(const std::function<void(TrainingModule&)>& change);
+  void takeCode();
+  void takeScene();
+  void takePrerequisite(const QListWidgetItem* item);
+  void add();
+  void remove();
+  void move(int by);
+  void showOrder(std::optional<int> row);
+  [[nodiscard]] TrainingModule* exercise();
+  [[nodiscard]] QStringList lines() const;
+
+  std::filesystem::path assets_;
+  CurriculumVersion& content_;
+  bool filling_ = false;
+  bool readOnly_ = false;
+  FormTexts texts_;
+
+  CodeField code_;
+  OrderedList* list_ = nullptr;
+  QLineEdit* title_;
+  QComboBox* scene_;
+  QComboBox* pattern_;
+  QComboBox* mode_;
+  QDoubleSpinBox* target_;
+  QDoubleSpinBox* tolerance_;
+  QDoubleSpinBox* hold_;
+  QDoubleSpinBox* force_;
+  QDoubleSpinBox* torque_;
+  QSpinBox* attempts_;
+  QListWidget* after_;
+  MasteryTable* mastery_;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/curriculum/mastery_table.h"
+
+#include <algorithm>
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHeaderView>
+#include <QPushButton>
+#include <QSpinBox>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/administrator/curriculum/curriculum_parts.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kFewRows = 2;
+constexpr int kMostInARow = 1'000'000;
+
+enum RuleColumn { kMetric, kDirection, kThreshold, kInARow };
+
+}  // namespace
+
+MasteryTable::MasteryTable(QWidget* parent)
+    : QTableWidget(0, 4, parent), add_(new QPushButton), remove_(new QPushButton) {
+  setObjectName(QStringLiteral("mastery"));
+  prepareFieldTable(this);
+  horizontalHeader()->setSectionResizeMode(kMetric, QHeaderView::Stretch);
+  setColumnWidth(kDirection, 15 * kSpace);
+  for (const int column : {kThreshold, kInARow}) {
+    setColumnWidth(column, 12 * kSpace);
+  }
+  connect(add_, &QPushButton::clicked, this, &MasteryTable::addRule);
+  connect(remove_, &QPushButton::clicked, this, &MasteryTable::removeRule);
+  retranslate();
+}
+
+QBoxLayout* MasteryTable::buttons() {
+  return buttonRow({add_, remove_});
+}
+
+void MasteryTable::setRules(const std::vector<MasteryCriterion>& rules) {
+  rules_ = rules;
+  fill();
+}
+
+void MasteryTable::setEditable(bool editable) {
+  editable_ = editable;
+  setEnabled(editable);
+  enableButtons();
+}
+
+void MasteryTable::enableButtons() {
+  add_->setEnabled(editable_);
+  remove_->setEnabled(editable_ && !rules_.empty());
+}
+
+void MasteryTable::fill() {
+  setFieldRows(this, static_cast<int>(rules_.size()));
+  for (int row = 0; row < rowCount(); ++row) {
+    addFields(row, rules_[static_cast<std::size_t>(row)]);
+  }
+  fitRows(this, kFewRows);
+  enableButtons();
+}
+
+void MasteryTable::addFields(int row, const MasteryCriterion& rule) {
+  auto* metric = new QComboBox;
+  for (const auto& [id, name] : masteryMetrics()) {
+    metric->addItem(name, toQString(id));
+  }
+  chooseOrAdd(metric, rule.metric);
+  auto* direction = new QComboBox;
+  direction->addItem(tr("at least"), QStringLiteral("at_least"));
+  direction->addItem(tr("at most"), QStringLiteral("at_most"));
+  chooseOrAdd(direction, rule.comparison);
+  QDoubleSpinBox* threshold = numberField(-1e9, 1e9, 4);
+  threshold->setValue(rule.threshold);
+  auto* inARow = new QSpinBox;
+  inARow->setRange(1, kMostInARow);
+  inARow->setValue(static_cast<int>(rule.consecutive));
+  inARow->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  setCellWidget(row, kMetric, metric);
+  setCellWidget(row, kDirection, direction);
+  setCellWidget(row, kThreshold, threshold);
+  setCellWidget(row, kInARow, inARow);
+  nameFields(row);
+  connect(metric, &QComboBox::activated, this, [this, metric] { takeMetric(metric, chosenId(metric)); });
+  connect(direction, &QComboBox::activated, this, [this, direction] {
+    take(direction, [direction](MasteryCriterion& changed) { changed.comparison = chosenId(direction); });
+  });
+  connect(threshold, &QDoubleSpinBox::valueChanged, this, [this, threshold](double value) {
+    take(threshold, [value](MasteryCriterion& changed) { changed.threshold = value; });
+  });
+  connect(inARow, &QSpinBox::valueChanged, this, [this, inARow](int value) {
+    take(inARow, [value](MasteryCriterion& changed) { changed.consecutive = value; });
+  });
+}
+
+void MasteryTable::nameFields(int row) {
+  cellWidget(row, kMetric)->setAccessibleName(tr("What rule %1 is about").arg(row + 1));
+  cellWidget(row, kDirection)->setAccessibleName(tr("Direction of rule %1").arg(row + 1));
+  cellWidget(row, kThreshold)->setAccessibleName(tr("Threshold of rule %1").arg(row + 1));
+  cellWidget(row, kInARow)->setAccessibleName(tr("Attempts in a row of rule %1").arg(row + 1));
+}
+
+void MasteryTable::take(const QWidget* cell, const std::function<void(MasteryCriterion&)>& change) {
+  const int row = rowOf(this, cell);
+  if (row < 0 || row >= std::ssize(rules_)) {
+    return;
+  }
+  change(rules_[static_cast<std::size_t>(row)]);
+  Q_EMIT edited();
+}
+
+void MasteryTable::takeMetric(const QWidget* cell, const std::string& metric) {
+  take(cell, [&metric](MasteryCriterion& changed) {
+    if (changed.metric == metric) {
+      return;
+    }
+    changed.metric = metric;
+    changed.comparison = metricBetter(metric);
+    changed.unit = metricUnit(metric);
+  });
+  fill();
+}
+
+void MasteryTable::addRule() {
+  for (const auto& [id, name] : masteryMetrics()) {
+    const bool used = std::any_of(rules_.begin(), rules_.end(),
+                                  [&id = id](const MasteryCriterion& known) { return known.metric == id; });
+    if (used) {
+      continue;
+    }
+    MasteryCriterion rule;
+    rule.metric = id;
+    rule.comparison = metricBetter(id);
+    rule.unit = metricUnit(id);
+    rules_.push_back(rule);
+    Q_EMIT edited();
+    fill();
+    break;  // where every metric has its rule, none is added
+  }
+  if (rowCount() > 0) {
+    cellWidget(rowCount() - 1, kMetric)->setFocus();
+  }
+}
+
+void MasteryTable::removeRule() {
+  const int row = currentRow() >= 0 ? currentRow() : rowCount() - 1;
+  if (row < 0 || row >= std::ssize(rules_)) {
+    return;
+  }
+  rules_.erase(rules_.begin() + row);
+  Q_EMIT edited();
+  fill();
+}
+
+void MasteryTable::retranslate() {
+  setAccessibleName(tr("Rules of mastery"));
+  add_->setText(tr("Add rule"));
+  remove_->setText(tr("Remove rule"));
+  setHorizontalHeaderLabels({tr("Metric"), tr("is"), tr("Threshold"), tr("In a row")});
+  fill();
+}
+
+}  // namespace torsio::gui

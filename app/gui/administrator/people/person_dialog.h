@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QString>
+
+#include "app/people/people_service.h"
+#include "assessment/people/person.h"
+
+class QWidget;
+
+namespace torsio::gui {
+
+struct PersonEdit {
+  PersonEntry entry{};
+  std::string reason{};  ///< of a change; empty for a new person
+};
+
+/// Asks for everything about one person. `present`: the person to change; empty: a new one. Empty: given up.
+[[nodiscard]] std::optional<PersonEdit> askPerson(QWidget* parent, const std::optional<PersonEntry>& present,
+                                                  const std::vector<SeniorityClass>& classes);
+
+}  // namespace torsio::gui

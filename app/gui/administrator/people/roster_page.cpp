@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/people/roster_page.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <QCheckBox>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/list_dialogs.h"
+#include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/administrator/people/person_dialog.h"
+#include "app/gui/administrator/people/roster_wizard.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/file_choice.h"
+#include "app/gui/widgets/page_heading.h"
+#include "app/maintenance/person_package.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr const char* kTrainingRecord = "training_record";
+
+QString orDash(const std::string& text) {
+  return text.empty() ? QStringLiteral("\u2013") : toQString(text);
+}
+
+QPushButton* listButton(DataTable* table) {
+  auto* button = new QPushButton(table);
+  table->addTool(button);
+  return button;
+}
+
+}  // namespace
+
+RosterPage::RosterPage(ShellContext& shell)
+    : Page(shell),
+      heading_(new PageHeading(this)),
+      import_(new QPushButton(this)),
+      add_(new QPushButton(this)),
+      table_(new DataTable(QStringLiteral("roster"), this)),
+      names_(new QCheckBox(this)),
+      edit_(nullptr),
+      state_(nullptr),
+      export_(nullptr),
+      consents_(nullptr),
+      package_(nullptr),
+      erase_(nullptr) {
+  table_->addTool(names_);
+  edit_ = listButton(table_);
+  state_ = listButton(table_);
+  export_ = listButton(table_);
+  consents_ = listButton(table_);
+  package_ = listButton(table_);
+  erase_ = listButton(table_);
+  consents_->setObjectName(QStringLiteral("consents"));
+  package_->setObjectName(QStringLiteral("exportPerson"));
+  erase_->setObjectName(QStringLiteral("erasePerson"));
+  import_->setProperty("primary", true);
+  heading_->addAction(add_);
+  heading_->addAction(import_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+  column->setSpacing(2 * kSpace);
+  column->addWidget(heading_);
+  column->addWidget(table_, 1);
+
+  connect(import_, &QPushButton::clicked, this, &RosterPage::import);
+  connect(add_, &QPushButton::clicked, this, &RosterPage::add);
+  connect(edit_, &QPushButton::clicked, this, &RosterPage::edit);
+  connect(state_, &QPushButton::clicked, this, &RosterPage::switchState);
+  connect(export_, &QPushButton::clicked, this, &RosterPage::exportList);
+  connect(consents_, &QPushButton::clicked, this, [this] {
+    if (const NamedPersonRow* person = current(); person != nullptr) {
+      ConsentDialog(this->shell(), person->row.person.id, toQString(person->row.person.code), this).exec();
+      read();
+    }
+  });
+  connect(package_, &QPushButton::clicked, this, &RosterPage::askExportPerson);
+  connect(erase_, &QPushButton::clicked, this, &RosterPage::askErasePerson);
+  connect(names_, &QCheckBox::toggled, this, &RosterPage::read);
+  connect(table_, &DataTable::currentChanged, this, &RosterPage::showButtons);
+  connect(table_, &DataTable::activated, this, &RosterPage::edit);
+  retranslate();
+}
+
+void RosterPage::enter(const QVariant&) {
+  names_->setVisible(shell().may(Operation::kPersonViewIdentity));
+  package_->setVisible(shell().may(Operation::kPersonExport));
+  erase_->setVisible(shell().may(Operation::kPersonErase));
+  for (QPushButton* button : {import_, add_, edit_, state_}) {
+    button->setVisible(shell().may(Operation::kPersonEdit));
+  }
+  read();
+}
+
+void RosterPage::retranslate() {
+  heading_->setTexts(tr("People"),
+                     tr("Who trains and who scores. Everything else in the record knows them by their "
+                        "code only."));
+  import_->setText(tr("&Import a roster\u2026"));
+  add_->setText(tr("&New person\u2026"));
+  names_->setText(tr("Show na&mes"));
+  edit_->setText(tr("&Change\u2026"));
+  export_->setText(tr("&Export\u2026"));
+  consents_->setText(tr("C&onsents\u2026"));
+  package_->setText(tr("Export this person\u2019s recor&d\u2026"));
+  package_->setToolTip(tr("Everything the record holds about one person, for themselves"));
+  erase_->setText(tr("Erase on re&quest\u2026"));
+  table_->setColumns({{tr("Code")},
+                      {tr("Name")},
+                      {tr("Number")},
+                      {tr("Trains")},
+                      {tr("Scores as")},
+                      {tr("Sex")},
+                      {tr("Level")},
+                      {tr("Experience")},
+                      {tr("Consent to the record")},
+                      {tr("State")}});
+  table_->setEmptyText(tr("Nobody yet. Import the roster of your centre, or add people by hand."));
+  showContent();
+}
+
+void RosterPage::read() {
+  attempt(shell(), [&] {
+    people_.clear();
+    if (names_->isChecked()) {
+      people_ = namedPeople(shell().session());
+    } else {
+      for (PersonRow& row : people(shell().session())) {
+        people_.push_back({std::move(row), {}});
+      }
+    }
+    showContent();
+  });
+}
+
+void RosterPage::showContent() {
+  std::vector<Row> rows;
+  rows.reserve(people_.size());
+  for (const NamedPersonRow& named : people_) {
+    const PersonRow& row = named.row;
+    const bool consents =
+        std::find(row.consents.begin(), row.consents.end(), kTrainingRecord) != row.consents.end();
+    rows.push_back({toQString(row.person.id),
+                    {{toQString(row.person.code)},
+                     {orDash(named.identity.fullName)},
+                     {orDash(named.identity.externalId)},
+                     {row.trainee ? tr("yes") : QStringLiteral("\u2013")},
+                     {raterClassName(row.raterClass)},
+                     {row.person.sex.empty() ? orDash({}) : levelName(row.person.sex)},
+                     {orDash(row.person.level)},
+                     {orDash(row.person.experience)},
+                     {consents ? tr("given") : tr("not given")},
+                     {row.person.state == "active" ? tr("active") : tr("left")}}});
+  }
+  table_->setRows(std::move(rows));
+  for (const int column : {1, 2}) {
+    table_->setColumnHidden(column, !names_->isChecked());
+  }
+  showButtons();
+}
+
+const NamedPersonRow* RosterPage::current() const {
+  const std::string id = table_->currentId().toStdString();
+  const auto person = std::find_if(people_.begin(), people_.end(),
+                                   [&id](const NamedPersonRow& named) { return named.row.person.id == id; });
+  return person == people_.end() ? nullptr : &*person;
+}
+
+void RosterPage::showButtons() {
+  const std::string id = table_->currentId().toStdString();
+  const auto person = std::find_if(people_.begin(), people_.end(),
+                                   [&id](const NamedPersonRow& named) { return named.row.person.id == id; });
+  edit_->setEnabled(person != people_.end());
+  state_->setEnabled(person != people_.end());
+  consents_->setEnabled(person != people_.end());
+  package_->setEnabled(person != people_.end());
+  erase_->setEnabled(person != people_.end());
+  const bool left = person != people_.end() && person->row.person.state != "active";
+  state_->setText(left ? tr("Came &back\u2026") : tr("Has &left\u2026"));
+}
+
+void RosterPage::import() {
+  RosterWizard wizard(shell(), this);
+  if (wizard.exec() != QDialog::Accepted || !wizard.outcome()) {
+    return;
+  }
+  shell().notify(
+      tr("%1 people added, %2 changed").arg(wizard.outcome()->added).arg(wizard.outcome()->changed));
+  read();
+}
+
+void RosterPage::add() {
+  attempt(shell(), [&] {
+    const std::optional<PersonEdit> edit =
+        askPerson(this, std::nullopt, ensureRaterClasses(shell().session()));
+    if (!edit) {
+      return;
+    }
+    const std::string id = addPerson(shell().session(), edit->entry);
+    read();
+    table_->select(toQString(id));
+  });
+}
+
+void RosterPage::edit() {
+  const std::string id = table_->currentId().toStdString();
+  if (id.empty() || !edit_->isVisible()) {
+    return;
+  }
+  attempt(shell(), [&] {
+    const std::optional<PersonEdit> edit =
+        askPerson(this, personEntry(shell().session(), id), ensureRaterClasses(shell().session()));
+    if (!edit) {
+      return;
+    }
+    changePerson(shell().session(), id, edit->entry, edit->reason);
+    read();
+  });
+}
+
+void RosterPage::switchState() {
+  const std::string id = table_->currentId().toStdString();
+  const auto person = std::find_if(people_.begin(), people_.end(),
+                                   [&id](const NamedPersonRow& named) { return named.row.person.id == id; });
+  if (person == people_.end()) {
+    return;
+  }
+  attempt(shell(), [&] {
+    const bool active = person->row.person.state == "active";
+    const QString code = toQString(person->row.person.code);
+    const std::optional<std::string> reason =
+        active ? askReason(this, tr("Has left"),
+                           tr("%1 keeps the record and is offered nowhere any more.").arg(code))
+               : askReason(this, tr("Came back"), tr("%1 is offered again.").arg(code));
+    if (!reason) {
+      return;
+    }
+    setPersonState(shell().session(), id, active ? "left" : "active", *reason);
+    read();
+  });
+}
+
+void RosterPage::askExportPerson() {
+  const NamedPersonRow* person = current();
+  if (person == nullptr) {
+    return;
+  }
+  const QString code = toQString(person->row.person.code);
+  const std::optional<std::string> reason =
+      askReason(this, tr("Export this person\u2019s record"),
+                tr("A new folder takes everything about %1: tables, recordings and a list of all files. It "
+                   "holds the name; hand it to nobody else.")
+                    .arg(code));
+  if (!reason) {
+    return;
+  }
+  const QString folder = askFileToSave(this, tr("New folder for the record of %1").arg(code),
+                                       QStringLiteral("record-%1").arg(code), tr("Folder (*)"));
+  if (!folder.isEmpty()) {
+    exportPerson(toPath(folder), *reason);
+  }
+}
+
+void RosterPage::exportPerson(const std::filesystem::path& folder, const std::string& reason) {
+  const NamedPersonRow* person = current();
+  if (person == nullptr) {
+    return;
+  }
+  const auto package = std::make_shared<PersonPackage>();
+  shell().run(
+      tr("Exporting a record"),
+      [id = person->row.person.id, folder, reason, package](SessionContext& session,
+                                                            const ProgressCallback&) {
+        *package = exportPersonPackage(session, id, folder, reason);
+      },
+      [this, package] {
+        shell().notify(tr("%1 tables and %2 recordings written to %3")
+                           .arg(package->tables)
+                           .arg(package->recordings)
+                           .arg(toQString(package->folder.string())));
+      });
+}
+
+void RosterPage::askErasePerson() {
+  const NamedPersonRow* person = current();
+  if (person == nullptr) {
+    return;
+  }
+  const std::optional<std::string> reason =
+      askReason(this, tr("Erase on request"),
+                tr("Name, number and recordings of %1 are erased for good. Marks stay without a person, so "
+                   "that statistics remain right. This cannot be taken back.")
+                    .arg(toQString(person->row.person.code)));
+  if (!reason) {
+    return;
+  }
+  attempt(shell(), [&] {
+    erasePersonRecord(shell().session(), person->row.person.id, *reason);
+    read();
+    shell().notify(tr("The record is erased"));
+  });
+}
+
+void RosterPage::exportList() {
+  const bool withNames = names_->isChecked();
+  const QString file = askFileToSave(
+      this, withNames ? tr("Export with names") : tr("Export under codes"),
+      withNames ? QStringLiteral("people-named.csv") : QStringLiteral("people.csv"), tr("Tables (*.csv)"));
+  if (file.isEmpty()) {
+    return;
+  }
+  const auto count = std::make_shared<std::size_t>(0);
+  shell().run(
+      tr("Exporting people"),
+      [file, withNames, count](SessionContext& session, const ProgressCallback&) {
+        *count = exportPeople(session, toPath(file), withNames);
+      },
+      [this, file, count] { shell().notify(tr("%1 people written to %2").arg(*count).arg(file)); });
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/people/user_dialogs.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/access/first_run.h"
+#include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/base/translated_text.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr std::array kRoles = {"trainee", "rater", "administrator", "allocator", "statistician"};
+
+struct UserDialogs {
+  Q_DECLARE_TR_FUNCTIONS(UserDialogs)
+};
+
+/// One box a role.
+class RoleBoxes : public QGroupBox {
+ public:
+  explicit RoleBoxes(QWidget* parent) : QGroupBox(UserDialogs::tr("May work as"), parent) {
+    auto* column = new QVBoxLayout(this);
+    for (const char* role : kRoles) {
+      auto* box = new QCheckBox(roleName(role), this);
+      box->setObjectName(QLatin1String(role));
+      column->addWidget(box);
+      boxes_.emplace_back(role, box);
+    }
+  }
+
+  void set(const std::vector<std::string>& roles) {
+    for (const auto& [role, box] : boxes_) {
+      box->setChecked(std::find(roles.begin(), roles.end(), role) != roles.end());
+    }
+  }
+  [[nodiscard]] std::vector<std::string> get() const {
+    std::vector<std::string> roles;
+    for (const auto& [role, box] : boxes_) {
+      if (box->isChecked()) {
+        roles.push_back(role);
+      }
+    }
+    return roles;
+  }
+  [[nodiscard]] const std::vector<std::pair<std::string, QCheckBox*>>& boxes() const { return boxes_; }
+
+ private:
+  std::vector<std::pair<std::string, QCheckBox*>> boxes_;
+};
+
+}  // namespace
+
+QString roleName(const std::string& code) {
+  if (code == "trainee") {
+    return UserDialogs::tr("Trainee");
+  }
+  if (code == "rater") {
+    return UserDialogs::tr("Physician who scores");
+  }
+  if (code == "administrator") {
+    return UserDialogs::tr("Administrator");
+  }
+  if (code == "allocator") {
+    return UserDialogs::tr("Allocator");
+  }
+  if (code == "statistician") {
+    return UserDialogs::tr("Statistician");
+  }
+  return toQString(code);
+}
+
+std::optional<NewUser> askNewUser(QWidget* parent, const std::vector<PersonChoice>& people) {
+  QuestionDialog dialog(parent, UserDialogs::tr("New user"));
+  auto* login = new QLineEdit(&dialog);
+  login->setObjectName(QStringLiteral("login"));
+  auto* person = new QComboBox(&dialog);
+  person->addItem(UserDialogs::tr("Nobody of the record"), QString());
+  for (const PersonChoice& choice : people) {
+    person->addItem(choice.label, toQString(choice.personId));
+  }
+  auto* form = new QFormLayout;
+  form->addRow(UserDialogs::tr("&Sign-in name"), login);
+  form->addRow(UserDialogs::tr("&Person"), person);
+  dialog.column()->addLayout(form);
+  auto* roles = new RoleBoxes(&dialog);
+  dialog.column()->addWidget(roles);
+  dialog.addNote(
+      UserDialogs::tr("Trainees and physicians need a person of the record. The "
+                      "start password is shown once, and must be changed at the "
+                      "first sign-in."));
+  QPushButton* ok = dialog.finish(UserDialogs::tr("Add user"));
+  const auto check = [&] {
+    const std::vector<std::string> chosen = roles->get();
+    const bool needsPerson = std::any_of(chosen.begin(), chosen.end(), [](const std::string& role) {
+      return role == "trainee" || role == "rater";
+    });
+    ok->setEnabled(!login->text().trimmed().isEmpty() && !chosen.empty() &&
+                   (!needsPerson || !person->currentData().toString().isEmpty()));
+  };
+  QObject::connect(login, &QLineEdit::textChanged, &dialog, check);
+  QObject::connect(person, &QComboBox::currentIndexChanged, &dialog, check);
+  for (const auto& [role, box] : roles->boxes()) {
+    QObject::connect(box, &QCheckBox::toggled, &dialog, check);
+  }
+  check();
+  login->setFocus();
+  if (dialog.exec() != QDialog::Accepted) {
+    return std::nullopt;
+  }
+  return NewUser{.login = login->text().trimmed().toStdString(),
+                 .personId = person->currentData().toString().toStdString(),
+                 .roles = roles->get(),
+                 .startPassword = randomStartPassword()};
+}
+
+std::optional<RolesChange> askRoles(QWidget* parent, const QString& login,
+                                    const std::vector<std::string>& roles) {
+  QuestionDialog dialog(parent, UserDialogs::tr("Roles of %1").arg(login));
+  auto* boxes = new RoleBoxes(&dialog);
+  boxes->set(roles);
+  dialog.column()->addWidget(boxes);
+  auto* reason = new QLineEdit(&dialog);
+  reason->setObjectName(QStringLiteral("reason"));
+  auto* form = new QFormLayout;
+  form->addRow(UserDialogs::tr("&Reason"), reason);
+  dialog.column()->addLayout(form);
+  QPushButton* ok = dialog.finish(UserDialogs::tr("Change roles"));
+  const auto check = [&] { ok->setEnabled(!reason->text().trimmed().isEmpty() && boxes->get() != roles); };
+  QObject::connect(reason, &QLineEdit::textChanged, &dialog, check);
+  for (const auto& [role, box] : boxes->boxes()) {
+    QObject::connect(box, &QCheckBox::toggled, &dialog, check);
+  }
+  check();
+  reason->setFocus();
+  if (dialog.exec() != QDialog::Accepted) {
+    return std::nullopt;
+  }
+  return RolesChange{boxes->get(), reason->text().trimmed().toStdString()};
+}
+
+void showStartPassword(QWidget* parent, const QString& login, const QString& password) {
+  QuestionDialog dialog(parent, UserDialogs::tr("Start password"));
+  dialog.addNote(
+      UserDialogs::tr(
+          "Hand this start password to %1. It is shown only now, and must be changed at the first sign-in.")
+          .arg(login));
+  auto* shown = new QLineEdit(password, &dialog);
+  shown->setObjectName(QStringLiteral("password"));
+  shown->setReadOnly(true);
+  shown->setAccessibleName(UserDialogs::tr("Start password"));
+  dialog.column()->addWidget(shown);
+  auto* copy = new QPushButton(UserDialogs::tr("&Copy"), &dialog);
+  QObject::connect(copy, &QPushButton::clicked, shown, [shown, copy] {
+    QApplication::clipboard()->setText(shown->text());
+    copy->setText(UserDialogs::tr("Copied"));
+  });
+  dialog.column()->addWidget(copy, 0, Qt::AlignLeft);
+  // Another Enter, typed in haste, must not close what is shown only once.
+  dialog.finishWithoutCancel(UserDialogs::tr("Done"))->setAutoDefault(false);
+  copy->setDefault(true);
+  copy->setFocus();
+  dialog.exec();
+}
+
+}  // namespace torsio::gui

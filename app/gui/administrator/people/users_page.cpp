@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/people/users_page.h"
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <optional>
+
+#include <QPointer>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/access/access_service.h"
+#include "app/access/first_run.h"
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/people_dialog.h"
+#include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/administrator/people/accounts_dialog.h"
+#include "app/gui/administrator/people/user_dialogs.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/page_heading.h"
+#include "app/people/people_service.h"
+#include "app/people/roster_accounts.h"
+
+namespace torsio::gui {
+
+namespace {
+
+/// Everybody of the record, with names where the actor may see them.
+std::vector<PersonChoice> peopleToChoose(ShellContext& shell) {
+  std::vector<PersonChoice> choices;
+  SessionContext& session = shell.session();
+  if (shell.may(Operation::kPersonViewIdentity)) {
+    for (const NamedPersonRow& person : namedPeople(session)) {
+      const QString code = toQString(person.row.person.code);
+      const QString name = toQString(person.identity.fullName);
+      choices.push_back(
+          {person.row.person.id, name.isEmpty() ? code : QStringLiteral("%1 \u00B7 %2").arg(code, name)});
+    }
+    return choices;
+  }
+  for (const PersonRow& person : people(session)) {
+    choices.push_back({person.person.id, toQString(person.person.code)});
+  }
+  return choices;
+}
+
+/// The accounts made so far, and what kept the others from being made.
+struct IssuedAccounts {
+  std::vector<StartAccount> made;
+  std::exception_ptr problem;
+};
+
+}  // namespace
+
+UsersPage::UsersPage(ShellContext& shell)
+    : Page(shell),
+      heading_(new PageHeading(this)),
+      table_(new DataTable(QStringLiteral("users"), this)),
+      add_(new QPushButton(this)),
+      addForRoster_(new QPushButton(this)),
+      roles_(listButton(table_)),
+      password_(listButton(table_)),
+      active_(listButton(table_)) {
+  add_->setProperty("primary", true);
+  heading_->addAction(addForRoster_);
+  heading_->addAction(add_);
+  QVBoxLayout* column = pageColumn(this);
+  column->addWidget(heading_);
+  column->addWidget(table_, 1);
+
+  connect(add_, &QPushButton::clicked, this, &UsersPage::add);
+  connect(addForRoster_, &QPushButton::clicked, this, &UsersPage::addForRoster);
+  connect(roles_, &QPushButton::clicked, this, &UsersPage::changeRoles);
+  connect(password_, &QPushButton::clicked, this, &UsersPage::newPassword);
+  connect(active_, &QPushButton::clicked, this, &UsersPage::switchActive);
+  connect(table_, &DataTable::currentChanged, this, &UsersPage::showButtons);
+  connect(table_, &DataTable::activated, this, &UsersPage::changeRoles);
+  retranslate();
+}
+
+void UsersPage::enter(const QVariant&) {
+  attempt(shell(), [&] {
+    users_ = users(shell().session());
+    personCodes_.clear();
+    for (const PersonRow& row : people(shell().session())) {
+      personCodes_[row.person.id] = row.person.code;
+    }
+    showContent();
+  });
+}
+
+void UsersPage::retranslate() {
+  heading_->setTexts(tr("Users and roles"),
+                     tr("Who may sign in, and as what. Every change is kept in the audit trail."));
+  add_->setText(tr("&New user\u2026"));
+  addForRoster_->setText(tr("&Accounts for the roster\u2026"));
+  roles_->setText(tr("&Roles\u2026"));
+  password_->setText(tr("New &password\u2026"));
+  table_->setColumns({{tr("Sign-in name")},
+                      {tr("Person")},
+                      {tr("Roles")},
+                      {tr("State")},
+                      {tr("Password")},
+                      {tr("Station PIN")},
+                      {tr("Since")}});
+  table_->setEmptyText(tr("No users yet."));
+  showContent();
+}
+
+void UsersPage::showContent() {
+  std::vector<Row> rows;
+  for (const UserAccount& user : users_) {
+    QStringList roles;
+    for (const std::string& role : user.roles) {
+      roles << roleName(role);
+    }
+    rows.push_back({toQString(user.id),
+                    {{toQString(user.login)},
+                     {orDash(personCodes_[user.personId])},
+                     {roles.join(QStringLiteral(", "))},
+                     {user.active ? tr("active") : tr("disabled")},
+                     {user.mustChangePassword ? tr("to be changed") : tr("own")},
+                     {user.hasPin ? tr("set") : QStringLiteral("\u2013")},
+                     timeCell(user.createdUtc_us)}});
+  }
+  table_->setRows(std::move(rows));
+  showButtons();
+}
+
+void UsersPage::showButtons() {
+  const UserAccount* user = current();
+  for (QPushButton* button : {roles_, password_, active_}) {
+    button->setEnabled(user != nullptr);
+  }
+  active_->setText(user != nullptr && !user->active ? tr("&Enable") : tr("&Disable\u2026"));
+}
+
+const UserAccount* UsersPage::current() const {
+  const std::string id = table_->currentId().toStdString();
+  const auto found =
+      std::find_if(users_.begin(), users_.end(), [&id](const UserAccount& user) { return user.id == id; });
+  return found == users_.end() ? nullptr : &*found;
+}
+
+void UsersPage::add() {
+  attempt(shell(), [&] {
+    const std::optional<NewUser> user = askNewUser(this, peopleToChoose(shell()));
+    if (!user) {
+      return;
+    }
+    const auto id = std::make_shared<std::string>();
+    storeAndShow([user = *user, id](SessionContext& session) { *id = addUser(session, user); },
+                 toQString(user->login), user->startPassword, id);
+  });
+}
+
+void UsersPage::addForRoster() {
+  attempt(shell(), [&] {
+    const std::vector<PersonRow> without = peopleWithoutAccount(shell().session());
+    if (without.empty()) {
+      shell().notify(tr("Everybody of the roster has an account"));
+      return;
+    }
+    PeopleDialog dialog(
+        tr("Accounts for the roster"),
+        tr("These people have no account yet. Each gets one: the code in small letters is the "
+           "sign-in name, trainees train, raters score."),
+        without, this);
+    if (dialog.exec() != QDialog::Accepted) {
+      return;
+    }
+    const auto issued = std::make_shared<IssuedAccounts>();
+    shell().run(
+        tr("Making accounts"),
+        [issued, chosen = dialog.chosen(), cost = shell().session().passwordCost()](
+            SessionContext& session, const ProgressCallback& progress) {
+          session.setPasswordCost(cost);
+          try {
+            addAccounts(session, chosen, issued->made, progress);
+          } catch (...) {
+            if (issued->made.empty()) {
+              throw;
+            }
+            issued->problem = std::current_exception();
+          }
+        },
+        [page = QPointer<UsersPage>(this), issued] {
+          if (page.isNull()) {
+            return;
+          }
+          page->enter({});
+          AccountsDialog(issued->made, centreSign(page->shell().session().connectionWithoutRight()).name,
+                         page)
+              .exec();
+          if (!page.isNull() && issued->problem) {
+            page->sayWhyNotAll(issued->problem);
+          }
+        });
+  });
+}
+
+void UsersPage::sayWhyNotAll(const std::exception_ptr& problem) {
+  attempt(
+      shell(), [&] { std::rethrow_exception(problem); }, tr("Cancelled; the accounts that were shown stay"));
+}
+
+void UsersPage::storeAndShow(const std::function<void(SessionContext&)>& store, const QString& login,
+                             const std::string& password, const std::shared_ptr<std::string>& id) {
+  // Sealing a password takes a second on purpose: not in the window's thread.
+  const PasswordCost cost = shell().session().passwordCost();
+  shell().run(
+      tr("Sealing the start password"),
+      [store, cost](SessionContext& session, const ProgressCallback&) {
+        session.setPasswordCost(cost);
+        store(session);
+      },
+      [page = QPointer<UsersPage>(this), login, password, id] {
+        if (page.isNull()) {
+          return;
+        }
+        page->enter({});
+        page->table_->select(toQString(*id));
+        showStartPassword(page, login, toQString(password));
+      });
+}
+
+void UsersPage::changeRoles() {
+  const UserAccount* user = current();
+  if (user == nullptr) {
+    return;
+  }
+  attempt(shell(), [&] {
+    const std::optional<RolesChange> change = askRoles(this, toQString(user->login), user->roles);
+    if (!change) {
+      return;
+    }
+    setUserRoles(shell().session(), user->id, change->roles, change->reason);
+    shell().readRights();
+    enter({});
+  });
+}
+
+void UsersPage::newPassword() {
+  const UserAccount* user = current();
+  if (user == nullptr) {
+    return;
+  }
+  attempt(shell(), [&] {
+    const QString login = toQString(user->login);
+    const std::optional<std::string> reason = askReason(
+        this, tr("New start password"), tr("The present password of %1 stops working at once.").arg(login));
+    if (!reason) {
+      return;
+    }
+    const std::string password = randomStartPassword();
+    const auto id = std::make_shared<std::string>(user->id);
+    storeAndShow([id, password, reason = *reason](
+                     SessionContext& session) { resetPassword(session, *id, password, reason); },
+                 login, password, id);
+  });
+}
+
+void UsersPage::switchActive() {
+  const UserAccount* user = current();
+  if (user == nullptr) {
+    return;
+  }
+  attempt(shell(), [&] {
+    const QString login = toQString(user->login);
+    const std::optional<std::string> reason =
+        user->active ? askReason(this, tr("Disable user"),
+                                 tr("%1 cannot sign in any more; everything recorded stays.").arg(login))
+                     : askReason(this, tr("Enable user"), tr("%1 can sign in again.").arg(login));
+    if (!reason) {
+      return;
+    }
+    setUserActive(shell().session(), user->id, !user->active, *reason);
+    enter({});
+  });
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <exception>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/access/access_service.h"
+#include "app/gui/base/page.h"
+#include "assessment/people/account.h"
+
+class QPushButton;
+
+namespace torsio::gui {
+
+class DataTable;
+class PageHeading;
+
+/// Who may sign in, with which roles. Everything done here is audited by the service.
+class UsersPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit UsersPage(ShellContext& shell);
+
+  void enter(const QVariant& argument) override;
+  void retranslate() override;
+
+ private:
+  void showContent();
+  void showButtons();
+  [[nodiscard]] const UserAccount* current() const;
+  void add();
+  void addForRoster();
+  void sayWhyNotAll(const std::exception_ptr& problem);
+  void changeRoles();
+  void newPassword();
+  /// Stores away from the window's thread, then shows the start password of the user `id`.
+  void storeAndShow(const std::function<void(SessionContext&)>& store, const QString& login,
+                    const std::string& password, const std::shared_ptr<std::string>& id);
+  void switchActive();
+
+  std::vector<UserAccount> users_;
+  std::map<std::string, std::string> personCodes_;  // by id
+  PageHeading* heading_;
+  DataTable* table_;
+  QPushButton* add_;
+  QPushButton* addForRoster_;
+  QPushButton* roles_;
+  QPushButton* password_;
+  QPushButton* active_;
+};
+
+}  // namespace torsio::gui

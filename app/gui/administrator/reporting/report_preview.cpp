@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/reporting/report_preview.h"
+
+#include <algorithm>
+
+#include <QGraphicsScene>
+#include <QGraphicsWidget>
+#include <QImage>
+#include <QPainter>
+#include <QTextDocument>
+#include <QUrl>
+
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/theme.h"
+#include "app/report/chart_builder.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr QSize kFigure(640, 300);
+constexpr std::size_t kRowsShown = 15;  // long tables are told of, not shown
+
+QImage drawn(const ReportFigure& figure, const Wording& wording) {
+  const bool tall = figure.kind == FigureKind::kHeatMap || figure.kind == FigureKind::kForest;
+  const std::size_t rows =
+      figure.kind == FigureKind::kHeatMap ? figure.series.size() : figure.categories.size();
+  const QSize size(kFigure.width(),
+                   tall ? std::clamp(100 + 24 * static_cast<int>(rows), 180, 700) : kFigure.height());
+  QImage image(2 * size, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QGraphicsScene scene;
+  QGraphicsWidget* item = buildFigure(figure, {}, wording).release();
+  scene.addItem(item);
+  item->resize(size);
+  scene.setSceneRect(item->geometry());
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  scene.render(&painter, QRectF(image.rect()), scene.sceneRect());
+  return image;
+}
+
+}  // namespace
+
+ReportPreview::ReportPreview(QWidget* parent) : QTextBrowser(parent) {
+  setOpenLinks(false);
+  QPalette paper = palette();
+  paper.setColor(QPalette::Base, Qt::white);
+  paper.setColor(QPalette::Text, QColor(0x17, 0x22, 0x2B));
+  setPalette(paper);
+  setStyleSheet(QStringLiteral("QTextBrowser { background: #ffffff; color: #17222b; border-radius: 6px; }"));
+  document()->setDocumentMargin(3 * kSpace);
+}
+
+QString ReportPreview::tableHtml(const ReportTable& table, const Wording& wording) {
+  const auto html = [&wording](const Text& text) { return wording(text).toHtmlEscaped(); };
+  QString text = QStringLiteral("<p><b>%1</b></p><table cellpadding='4' cellspacing='0' border='0'><tr>")
+                     .arg(html(table.title));
+  for (const Text& column : table.columns) {
+    text += QStringLiteral("<th align='left' bgcolor='#e4ecf2'>%1</th>").arg(html(column));
+  }
+  text += QStringLiteral("</tr>");
+  for (std::size_t r = 0; r < std::min(table.rows.size(), kRowsShown); ++r) {
+    text += QStringLiteral("<tr>");
+    for (const Text& cell : table.rows[r]) {
+      text += QStringLiteral("<td>%1</td>").arg(html(cell));
+    }
+    text += QStringLiteral("</tr>");
+  }
+  text += QStringLiteral("</table>");
+  if (table.rows.size() > kRowsShown) {
+    text += QStringLiteral("<p><i>%1</i></p>")
+                .arg(html(Text("further rows in the report: %1", table.rows.size() - kRowsShown)));
+  }
+  for (const Text& note : table.notes) {
+    text += QStringLiteral("<p style='color:#51606c'>%1</p>").arg(html(note));
+  }
+  return text;
+}
+
+void ReportPreview::setReport(const ReportModel& model, const Wording& wording) {
+  clear();
+  const auto html = [&wording](const Text& text) { return wording(text).toHtmlEscaped(); };
+  QString text = QStringLiteral("<h1>%1</h1><p>%2</p>").arg(html(model.title), html(model.subtitle));
+  if (model.demonstration) {
+    text += QStringLiteral("<p style='color:#a04a00'><b>%1</b></p>")
+                .arg(html(Text("Demonstration data: nothing in it is a result.")));
+  }
+  text += QStringLiteral("<table cellpadding='3'>");
+  for (const auto& [label, value] : model.facts) {
+    text += QStringLiteral("<tr><td>%1</td><td><b>%2</b></td></tr>").arg(html(label), html(value));
+  }
+  text += QStringLiteral("</table>");
+  for (const ReportSection& section : model.sections) {
+    text += QStringLiteral("<h2>%1</h2>").arg(html(section.title));
+    for (const Text& paragraph : section.paragraphs) {
+      text += QStringLiteral("<p>%1</p>").arg(html(paragraph));
+    }
+    for (const ReportFigure& figure : section.figures) {
+      const QImage image = drawn(figure, wording);
+      const QString name = QStringLiteral("figure:%1").arg(toQString(figure.id).toHtmlEscaped());
+      document()->addResource(QTextDocument::ImageResource, QUrl(name), image);
+      text += QStringLiteral("<p><b>%1</b></p><p><img src='%2' width='%3'></p>")
+                  .arg(html(figure.title), name)
+                  .arg(image.width() / 2);
+      for (const Text& note : figure.notes) {
+        text += QStringLiteral("<p style='color:#51606c'>%1</p>").arg(html(note));
+      }
+    }
+    for (const ReportTable& table : section.tables) {
+      text += tableHtml(table, wording);
+    }
+  }
+  // setHtml() would forget the pictures: they belong to the document that is there.
+  QTextCursor(document()).insertHtml(text);
+  moveCursor(QTextCursor::Start);
+}
+
+}  // namespace torsio::gui

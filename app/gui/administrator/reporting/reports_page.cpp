@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/reporting/reports_page.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QInputDialog>
+#include <QLabel>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/reporting/report_preview.h"
+#include "app/gui/base/language.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/widgets/file_choice.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+#include "app/report/wording.h"
+#include "app/reporting/coded_tables.h"
+#include "app/study/frozen_data.h"
+#include "assessment/report/cohort_report.h"
+#include "sim/base/file_io.h"
+
+namespace torsio::gui {
+
+namespace {
+
+QLabel* gridField(QGridLayout* grid, int column, QWidget* field) {
+  auto* label = new QLabel;
+  label->setBuddy(field);
+  grid->addWidget(label, 0, column);
+  grid->addWidget(field, 1, column);
+  return label;
+}
+
+}  // namespace
+
+ReportsPage::ReportsPage(ShellContext& shell)
+    : Page(shell),
+      digests_(std::make_shared<TrialDigests>(shell.assets())),
+      heading_(new PageHeading(this)),
+      pdf_(new QPushButton(this)),
+      csv_(new QPushButton(this)),
+      tables_(new QPushButton(this)),
+      cohort_(new QComboBox(this)),
+      campaign_(new QComboBox(this)),
+      frozen_(new QComboBox(this)),
+      freeze_(new QPushButton(this)),
+      identity_(new QComboBox(this)),
+      language_(new QComboBox(this)),
+      warning_(sentence(this)),
+      preview_(new ReportPreview(this)) {
+  frozen_->setObjectName(QStringLiteral("dataSet"));
+  preview_->setObjectName(QStringLiteral("preview"));
+  language_->setObjectName(QStringLiteral("language"));
+  identity_->setObjectName(QStringLiteral("identity"));
+  pdf_->setProperty("primary", true);
+  tables_->setObjectName(QStringLiteral("codedTables"));
+  tables_->setVisible(shell.may(Operation::kTrialViewCoded) || shell.may(Operation::kMarkViewCoded));
+  heading_->addAction(tables_);
+  heading_->addAction(csv_);
+  heading_->addAction(pdf_);
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(2 * kSpace);
+  grid->setVerticalSpacing(kSpace / 2);
+  cohortLabel_ = gridField(grid, 0, cohort_);
+  campaignLabel_ = gridField(grid, 1, campaign_);
+  frozenLabel_ = gridField(grid, 2, frozen_);
+  grid->addWidget(freeze_, 1, 3);
+  identityLabel_ = gridField(grid, 4, identity_);
+  languageLabel_ = gridField(grid, 5, language_);
+  for (const auto& [column, share] : {std::pair(0, 3), std::pair(1, 3), std::pair(2, 2), std::pair(4, 1)}) {
+    grid->setColumnStretch(column, share);  // names of cohorts and campaigns are long
+  }
+  for (QComboBox* box : {cohort_, campaign_, frozen_, identity_}) {
+    box->setMinimumContentsLength(10);
+  }
+  QVBoxLayout* column = pageColumn(this);
+  column->addWidget(heading_);
+  column->addLayout(grid);
+  column->addWidget(warning_);
+  column->addWidget(preview_, 1);
+
+  connect(cohort_, &QComboBox::currentIndexChanged, this, [this] {
+    fillFrozen();
+    compute();
+  });
+  for (QComboBox* box : {campaign_, frozen_, identity_}) {
+    connect(box, &QComboBox::currentIndexChanged, this, &ReportsPage::compute);
+  }
+  connect(language_, &QComboBox::currentIndexChanged, this, &ReportsPage::showReport);
+  connect(freeze_, &QPushButton::clicked, this, &ReportsPage::askFreeze);
+  connect(pdf_, &QPushButton::clicked, this, [this] { askExport(ReportFormat::kPdf); });
+  connect(tables_, &QPushButton::clicked, this, &ReportsPage::askTables);
+  connect(csv_, &QPushButton::clicked, this, [this] { askExport(ReportFormat::kCsv); });
+  const QSignalBlocker quietLanguage(language_);
+  language_->addItem(QString(), QString());  // that of the window
+  for (const Language language : {Language::kEnglish, Language::kSimplifiedChinese}) {
+    language_->addItem(languageName(language), languageCode(language));
+  }
+  const QSignalBlocker quiet(identity_);
+  identity_->addItem(QString(), static_cast<int>(ReportIdentity::kCoded));
+  identity_->addItem(QString(), static_cast<int>(ReportIdentity::kAggregated));
+  if (shell.may(Operation::kReportExportNamed) && shell.may(Operation::kPersonViewIdentity)) {
+    identity_->addItem(QString(), static_cast<int>(ReportIdentity::kNamed));
+  }
+  retranslate();
+}
+
+void ReportsPage::enter(const QVariant&) {
+  attempt(shell(), [&] {
+    SessionContext& session = shell().session();
+    fillCohorts(cohort_, session);
+    fillCampaigns(campaign_, session, tr("none"));
+    fillFrozen();
+    compute();
+  });
+}
+
+void ReportsPage::fillFrozen() {
+  attempt(shell(), [&] {
+    const std::string before = chosenId(frozen_);
+    const QSignalBlocker quiet(frozen_);
+    frozen_->clear();
+    frozen_->addItem(tr("as they are now"), QString());
+    const std::string cohort = chosenId(cohort_);
+    if (cohort.empty()) {
+      return;
+    }
+    for (const FrozenRow& row : frozenData(shell().session(), cohort)) {
+      frozen_->addItem(
+          QStringLiteral("%1 (%2)").arg(toQString(row.name), shownTime(row.createdUtc_us, locale())),
+          toQString(row.id));
+    }
+    if (!before.empty()) {
+      chooseId(frozen_, before);
+    }
+  });
+}
+
+ReportRequest ReportsPage::request() const {
+  ReportRequest request;
+  request.cohortId = chosenId(cohort_);
+  request.campaignId = chosenId(campaign_);
+  request.frozenId = chosenId(frozen_);
+  request.identity = static_cast<ReportIdentity>(identity_->currentData().toInt());
+  return request;
+}
+
+void ReportsPage::compute() {
+  inputs_.reset();
+  model_.reset();
+  showButtons();
+  const ReportRequest wanted = request();
+  if (wanted.cohortId.empty()) {
+    preview_->clear();
+    return;
+  }
+  auto inputs = std::make_shared<CohortInputs>();
+  auto model = std::make_shared<ReportModel>();
+  shell().run(
+      tr("Preparing the report"),
+      [wanted, inputs, model, digests = digests_](SessionContext& session, const ProgressCallback& progress) {
+        *inputs = reportInputs(session, wanted, *digests, progress);
+        *model = cohortReport(*inputs);
+      },
+      [this, inputs, model] {
+        inputs_ = inputs;
+        model_ = model;
+        showReport();
+        showButtons();
+      });
+}
+
+std::string ReportsPage::reportLanguage() const {
+  const QString chosen = language_->currentData().toString();
+  return (chosen.isEmpty() ? languageCode(presentLanguage()) : chosen).toStdString();
+}
+
+void ReportsPage::showReport() {
+  if (!model_) {
+    return;
+  }
+  shownLanguage_ = reportLanguage();
+  preview_->setReport(*model_, wordingIn(shownLanguage_));
+}
+
+void ReportsPage::settle() {
+  shell().waitForJobs();
+}
+
+void ReportsPage::showButtons() {
+  const bool ready = inputs_ != nullptr;
+  pdf_->setEnabled(ready);
+  csv_->setEnabled(ready);
+  freeze_->setEnabled(cohort_->count() > 0);
+  tables_->setEnabled(cohort_->count() > 0);
+  QString words;
+  if (ready && inputs_->identity == ReportIdentity::kNamed) {
+    words = tr("This report will name the trainees. That you took it out is kept in the audit trail.");
+  } else if (ready && inputs_->freeze && !inputs_->freeze->unchanged) {
+    words = tr("The record has changed since this data set was frozen; the report says so.");
+  } else if (ready && !inputs_->freeze) {
+    words =
+        tr("For a report that others rely on, freeze the data first: then anybody can check later that "
+           "nothing changed.");
+  }
+  warning_->setText(words);
+  warning_->setVisible(!words.isEmpty());
+}
+
+void ReportsPage::askFreeze() {
+  bool given = false;
+  const QString name = QInputDialog::getText(
+      this, tr("Freeze data"),
+      tr("Name of the data set. It keeps a list of everything the report is made of, with hashes."),
+      QLineEdit::Normal, QString(), &given);
+  if (given && !name.trimmed().isEmpty()) {
+    freeze(name.trimmed().toStdString());
+  }
+}
+
+bool ReportsPage::freeze(const std::string& name) {
+  return attempt(shell(), [&] {
+    std::vector<std::string> campaigns;
+    if (const std::string campaign = chosenId(campaign_); !campaign.empty()) {
+      campaigns.push_back(campaign);
+    }
+    const FrozenRow row = freezeData(shell().session(), chosenId(cohort_), name, campaigns);
+    fillFrozen();
+    chooseId(frozen_, row.id);
+    shell().notify(tr("Frozen as \u201C%1\u201D").arg(toQString(row.name)));
+  });
+}
+
+void ReportsPage::askExport(ReportFormat format) {
+  if (!inputs_) {
+    return;
+  }
+  const bool pdf = format == ReportFormat::kPdf;
+  const QString suggestion = QStringLiteral("%1.%2").arg(cohort_->currentText(),
+                                                         pdf ? QStringLiteral("pdf") : QStringLiteral("csv"));
+  const QString file = askFileToSave(this, pdf ? tr("Save report") : tr("Save table of numbers"), suggestion,
+                                     pdf ? tr("PDF (*.pdf)") : tr("Table, comma-separated (*.csv)"));
+  if (!file.isEmpty()) {
+    exportTo(format, toPath(file));
+  }
+}
+
+void ReportsPage::askTables() {
+  const QString folder = askFileToSave(this, tr("New folder for the tables"),
+                                       tr("tables-%1").arg(cohort_->currentText()), tr("Folder (*)"));
+  if (!folder.isEmpty()) {
+    exportTables(toPath(folder));
+  }
+}
+
+bool ReportsPage::exportTables(const std::filesystem::path& folder) {
+  return attempt(shell(), [&] {
+    ensureFolder(folder);
+    SessionContext& session = shell().session();
+    const std::string cohort = chosenId(cohort_);
+    std::size_t recordings = 0;
+    std::size_t marks = 0;
+    if (shell().may(Operation::kTrialViewCoded)) {
+      recordings = exportRecordings(session, cohort, folder / "recordings.csv");
+    }
+    if (shell().may(Operation::kMarkViewCoded)) {
+      marks = exportMarks(session, cohort, folder / "marks.csv");
+    }
+    shell().notify(tr("%1 recordings and %2 marks written to %3")
+                       .arg(recordings)
+                       .arg(marks)
+                       .arg(toQString(folder.string())));
+  });
+}
+
+bool ReportsPage::exportTo(ReportFormat format, const std::filesystem::path& file) {
+  if (!inputs_) {
+    return false;
+  }
+  QProgressDialog wait(tr("Writing the report\u2026"), tr("Cancel"), 0, 0, this);
+  wait.setWindowModality(Qt::WindowModal);
+  wait.setMinimumDuration(400);
+  // Charts belong to the GUI thread: pages are drawn here, and between two of them the window answers.
+  const auto oneMore = [&wait](std::size_t page, std::size_t pages) {
+    wait.setMaximum(static_cast<int>(pages));
+    wait.setValue(static_cast<int>(page));
+    QApplication::processEvents();
+    if (wait.wasCanceled()) {
+      throw Cancelled{};
+    }
+  };
+  return attempt(
+      shell(),
+      [&] {
+        const ReportExport done =
+            exportReport(shell().session(), request(), *inputs_, format, file, reportLanguage(), oneMore);
+        shell().notify(tr("Written: %1").arg(toQString(done.file)));
+      },
+      tr("Cancelled; no file was written"));
+}
+
+void ReportsPage::retranslate() {
+  heading_->setTexts(tr("Reports"),
+                     tr("Choose a cohort, freeze its data, look through the report, and write it."));
+  pdf_->setText(tr("Save &PDF\u2026"));
+  csv_->setText(tr("Save &numbers (CSV)\u2026"));
+  tables_->setText(tr("Coded &tables\u2026"));
+  tables_->setToolTip(tr("Recordings and single marks under their codes, as far as you may see them"));
+  cohortLabel_->setText(tr("&Cohort"));
+  campaignLabel_->setText(tr("&Evaluation of models"));
+  frozenLabel_->setText(tr("&Data"));
+  freeze_->setText(tr("&Freeze\u2026"));
+  identityLabel_->setText(tr("People are &shown"));
+  identity_->setItemText(0, tr("by code"));
+  identity_->setItemText(1, tr("aggregated only"));
+  if (identity_->count() > 2) {
+    identity_->setItemText(2, tr("trainees with names"));
+  }
+  if (campaign_->count() > 0) {
+    campaign_->setItemText(0, tr("none"));
+  }
+  if (frozen_->count() > 0) {
+    frozen_->setItemText(0, tr("as they are now"));
+  }
+  languageLabel_->setText(tr("&Language of the report"));
+  language_->setItemText(0, tr("as the window"));
+  if (shownLanguage_ != reportLanguage()) {
+    showReport();
+  }
+  preview_->setAccessibleName(tr("Preview of the report"));
+  showButtons();
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/scoring/campaign_dialog.h"
+
+#include <cmath>
+#include <set>
+
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr std::int64_t kWhole_milli = 1000;
+
+std::int64_t milli(const QDoubleSpinBox* field) {
+  return std::llround(field->value() * static_cast<double>(kWhole_milli));
+}
+
+std::int64_t sumOf(const std::vector<QDoubleSpinBox*>& fields) {
+  std::int64_t sum = 0;
+  for (const QDoubleSpinBox* field : fields) {
+    sum += milli(field);
+  }
+  return sum;
+}
+
+QDoubleSpinBox* weightField(std::int64_t weight_milli, QWidget* parent) {
+  auto* field = new QDoubleSpinBox(parent);
+  field->setRange(0.0, 1.0);
+  field->setDecimals(3);
+  field->setSingleStep(0.05);
+  field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  field->setValue(static_cast<double>(weight_milli) / static_cast<double>(kWhole_milli));
+  return field;
+}
+
+}  // namespace
+
+CampaignDialog::CampaignDialog(const std::vector<PersonRow>& raters, QWidget* parent)
+    : QDialog(parent),
+      instrument_(paperEvaluationInstrument()),
+      name_(new QLineEdit(this)),
+      models_(new QPlainTextEdit(this)),
+      sums_(new QLabel(this)),
+      raters_(new DataTable(QString(), this)),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
+  setWindowTitle(tr("New evaluation"));
+  resize(900, 620);
+  models_->setTabChangesFocus(true);
+  models_->setPlainText(tr("PM = proposed model\nFEM = finite elements\nMSM = mass-spring"));
+  auto* form = new QFormLayout;
+  form->setSpacing(kSpace);
+  form->addRow(tr("&Name"), name_);
+  form->addRow(tr("&Models, one a line"), models_);
+  raters_->setColumns({{tr("Rater")}, {tr("Class")}});
+  raters_->setEmptyText(tr("No raters yet: import them under Roster."));
+  std::vector<Row> rows;
+  for (const PersonRow& rater : raters) {
+    rows.push_back(
+        {toQString(rater.person.id), {{toQString(rater.person.code)}, {raterClassName(rater.raterClass)}}});
+  }
+  raters_->setRows(std::move(rows));
+  raters_->view().setSelectionMode(QAbstractItemView::ExtendedSelection);
+  for (const PersonRow& rater : raters) {
+    classOf_[toQString(rater.person.id)] = rater.raterClass;
+  }
+  raters_->view().selectAll();
+  connect(raters_, &DataTable::currentChanged, this, &CampaignDialog::check);
+  auto* left = new QVBoxLayout;
+  left->addLayout(form);
+  left->addWidget(raters_, 1);
+  auto* both = new QHBoxLayout;
+  both->setSpacing(3 * kSpace);
+  both->addLayout(left, 3);
+  both->addWidget(weightFields(), 2);
+  buttons_->button(QDialogButtonBox::Ok)->setText(tr("Create"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+  column->addLayout(both, 1);
+  column->addWidget(buttons_);
+  connect(name_, &QLineEdit::textChanged, this, &CampaignDialog::check);
+  connect(models_, &QPlainTextEdit::textChanged, this, &CampaignDialog::check);
+  connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  check();
+}
+
+QWidget* CampaignDialog::weightFields() {
+  auto* box = new QWidget(this);
+  auto* form = new QFormLayout(box);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setSpacing(kSpace / 2);
+  const auto add = [&](const std::string& name, std::int64_t weight, std::vector<QDoubleSpinBox*>& fields) {
+    fields.push_back(weightField(weight, box));
+    form->addRow(toQString(Text(name)), fields.back());
+    connect(fields.back(), &QDoubleSpinBox::valueChanged, this, &CampaignDialog::check);
+  };
+  auto* indices = new QLabel(tr("Weights of the indices"), box);
+  indices->setObjectName(QStringLiteral("cardTitle"));
+  form->addRow(indices);
+  for (const EvaluationIndex& index : instrument_.indices) {
+    add(index.name, index.weight_milli, indexWeights_);
+  }
+  auto* classes = new QLabel(tr("Weights of the classes of raters"), box);
+  classes->setObjectName(QStringLiteral("cardTitle"));
+  form->addRow(classes);
+  for (const RaterClass& raterClass : instrument_.classes) {
+    add(raterClass.name, raterClass.weight_milli, classWeights_);
+  }
+  sums_->setWordWrap(true);
+  form->addRow(sums_);
+  return box;
+}
+
+void CampaignDialog::check() {
+  const bool even = sumOf(indexWeights_) == kWhole_milli && sumOf(classWeights_) == kWhole_milli;
+  std::set<std::string> present;
+  for (const QString& id : raters_->selectedIds()) {
+    present.insert(classOf_[id]);
+  }
+  QStringList empty;
+  for (std::size_t i = 0; i < classWeights_.size(); ++i) {
+    if (milli(classWeights_[i]) > 0 && !present.contains(instrument_.classes[i].id)) {
+      empty << raterClassName(instrument_.classes[i].id);
+    }
+  }
+  if (!even) {
+    sums_->setText(tr("The weights must sum to 1: indices %1, classes %2.")
+                       .arg(locale().toString(static_cast<double>(sumOf(indexWeights_)) / 1000.0, 'f', 3),
+                            locale().toString(static_cast<double>(sumOf(classWeights_)) / 1000.0, 'f', 3)));
+  } else if (!empty.isEmpty()) {
+    sums_->setText(
+        tr("Choose raters of every class that has a weight. Missing: %1.").arg(empty.join(tr(", "))));
+  } else {
+    sums_->setText(
+        tr("Both lists of weights sum to 1; %1 raters are chosen.").arg(raters_->selectedIds().size()));
+  }
+  buttons_->button(QDialogButtonBox::Ok)
+      ->setEnabled(even && empty.isEmpty() && !name_->text().trimmed().isEmpty() &&
+                   plan().models.size() >= 2);
+}
+
+CampaignPlan CampaignDialog::plan() const {
+  CampaignPlan out;
+  out.name = name_->text().trimmed().toStdString();
+  out.instrument = instrument_;
+  for (std::size_t i = 0; i < indexWeights_.size(); ++i) {
+    out.instrument.indices[i].weight_milli = milli(indexWeights_[i]);
+  }
+  for (std::size_t i = 0; i < classWeights_.size(); ++i) {
+    out.instrument.classes[i].weight_milli = milli(classWeights_[i]);
+  }
+  for (const QString& line : models_->toPlainText().split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
+    const QString code = line.section(QLatin1Char('='), 0, 0).trimmed();
+    const QString label = line.section(QLatin1Char('='), 1).trimmed();
+    if (!code.isEmpty()) {
+      out.models.push_back({code.toStdString(), (label.isEmpty() ? code : label).toStdString()});
+    }
+  }
+  for (const QString& id : raters_->selectedIds()) {
+    out.raterIds.push_back(id.toStdString());
+  }
+  return out;
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include <QDialog>
+#include <QString>
+
+#include "app/review/rater_calibration.h"
+#include "app/study/rubric_service.h"
+#include "assessment/rating/rubric.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+
+namespace torsio::gui {
+
+class DataTable;
+class ShellContext;
+
+/// The reference runs of the physicians' warm-up: which there are, one more with the mark that a panel gave
+/// it, and one less with a reason. Each change is stored at once.
+class RaterCalibrationDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// `rubrics`: at least one, each with a revision.
+  RaterCalibrationDialog(ShellContext& shell, std::vector<RubricRow> rubrics, QWidget* parent);
+
+ private:
+  void createForm();
+  void read();
+  void check();
+  void add();
+  void withdraw();
+  void showScale();
+  [[nodiscard]] const RubricRevision& revision() const;
+
+  ShellContext& shell_;
+  std::vector<RubricRow> rubrics_;
+  QLabel* state_;
+  DataTable* present_;
+  std::set<QString> withdrawn_;  // of the runs that are listed
+  DataTable* candidates_;
+  QComboBox* rubric_;
+  QDoubleSpinBox* mark_;
+  QSpinBox* panel_;
+  QPushButton* withdraw_;
+  QPushButton* add_;
+  QPushButton* close_;
+};
+
+}  // namespace torsio::gui

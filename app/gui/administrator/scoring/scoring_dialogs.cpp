@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/scoring/scoring_dialogs.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QFormLayout>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/theme.h"
+#include "assessment/people/person.h"
+#include "assessment/rating/sheet_state.h"
+
+namespace torsio::gui {
+
+namespace {
+
+QString translated(const char* text) {
+  return QCoreApplication::translate("Scoring", text);
+}
+
+}  // namespace
+
+std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<PersonRow>& raters,
+                                        const ScoringMatrix& matrix) {
+  QuestionDialog dialog(
+      parent, translated(QT_TRANSLATE_NOOP("Scoring", "Ask raters")),
+      translated(QT_TRANSLATE_NOOP("Scoring",
+                                   "Every rater gets an order of their own and case labels that tell "
+                                   "neither name, group nor stage.")));
+  dialog.resize(620, 560);
+  auto* table = new DataTable(QString(), &dialog);
+  table->setColumns({{translated(QT_TRANSLATE_NOOP("Scoring", "Rater"))},
+                     {translated(QT_TRANSLATE_NOOP("Scoring", "Class"))}});
+  std::vector<Row> rows;
+  for (const PersonRow& rater : raters) {
+    rows.push_back(
+        {toQString(rater.person.id), {{toQString(rater.person.code)}, {raterClassName(rater.raterClass)}}});
+  }
+  table->setRows(std::move(rows));
+  table->view().setSelectionMode(QAbstractItemView::ExtendedSelection);
+  QStringList atWork;
+  for (const ScoringMatrix::Rater& rater : matrix.raters) {
+    if (rater.open > 0) {
+      atWork << toQString(rater.id);
+    }
+  }
+  table->selectAll(atWork);
+  dialog.column()->addWidget(table, 1);
+  auto* boxes = new QVBoxLayout;
+  boxes->setSpacing(kSpace);
+  dialog.column()->addLayout(boxes);
+  std::vector<std::pair<std::string, QCheckBox*>> points;
+  for (const Occasion& occasion : matrix.occasions) {
+    auto* box = new QCheckBox(occasionName(occasion), &dialog);
+    box->setChecked(true);
+    boxes->addWidget(box);
+    points.emplace_back(occasion.code, box);
+  }
+  QPushButton* ask = dialog.finish(translated(QT_TRANSLATE_NOOP("Scoring", "Ask")));
+  const auto showAsk = [ask, table] { ask->setEnabled(!table->selectedIds().isEmpty()); };
+  QObject::connect(table, &DataTable::currentChanged, ask, showAsk);
+  showAsk();
+  if (dialog.exec() != QDialog::Accepted) {
+    return std::nullopt;
+  }
+  RatersAsked asked;
+  for (const QString& id : table->selectedIds()) {
+    asked.raterIds.push_back(id.toStdString());
+  }
+  for (const auto& [code, box] : points) {
+    if (box->isChecked()) {
+      asked.occasionCodes.push_back(code);
+    }
+  }
+  return asked;
+}
+
+std::optional<SheetMoved> askReassignment(QWidget* parent, const ScoringMatrix& matrix,
+                                          const ScoringMatrix::Line& line) {
+  QuestionDialog dialog(parent, translated(QT_TRANSLATE_NOOP("Scoring", "Reassign a sheet")),
+                        translated(QT_TRANSLATE_NOOP("Scoring", "%1, %2"))
+                            .arg(toQString(line.traineeCode), occasionName(line.occasion)));
+  auto* from = new QComboBox(&dialog);
+  auto* to = new QComboBox(&dialog);
+  to->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "nobody: take it back only")), QString());
+  for (std::size_t r = 0; r < matrix.raters.size(); ++r) {
+    const ScoringCell& cell = line.cells[r];
+    const bool open = isOutstanding(cell.state);
+    if (!cell.assignmentId.empty() && open) {
+      from->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "%1 (%2)"))
+                        .arg(toQString(matrix.raters[r].code), sheetStateName(cell.state)),
+                    toQString(cell.assignmentId));
+    }
+    if (cell.assignmentId.empty() || cell.state == SheetState::kWithdrawn) {
+      to->addItem(toQString(matrix.raters[r].code), toQString(matrix.raters[r].id));
+    }
+  }
+  auto* reason = new QLineEdit(&dialog);
+  auto* form = new QFormLayout;
+  form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&From")), from);
+  form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&To")), to);
+  form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&Reason")), reason);
+  dialog.column()->addLayout(form);
+  QPushButton* ok = dialog.finish(translated(QT_TRANSLATE_NOOP("Scoring", "Reassign")));
+  ok->setEnabled(false);
+  QObject::connect(reason, &QLineEdit::textChanged, ok, [ok, from](const QString& text) {
+    ok->setEnabled(!text.trimmed().isEmpty() && from->count() > 0);
+  });
+  if (dialog.exec() != QDialog::Accepted) {
+    return std::nullopt;
+  }
+  return SheetMoved{chosenId(from), chosenId(to), reason->text().trimmed().toStdString()};
+}
+
+std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<ReleaseState>& states) {
+  QuestionDialog dialog(parent, translated(QT_TRANSLATE_NOOP("Scoring", "Release marks")),
+                        translated(QT_TRANSLATE_NOOP(
+                            "Scoring", "Trainees see their marks of an occasion from the release on.")));
+  auto* point = new QComboBox(&dialog);
+  for (const ReleaseState& state : states) {
+    point->addItem(
+        translated(state.released ? QT_TRANSLATE_NOOP("Scoring", "%1: released, take back")
+                                  : QT_TRANSLATE_NOOP("Scoring", "%1: release, %2 of %3 sheets missing"))
+            .arg(occasionName(state.occasion))
+            .arg(state.missing)
+            .arg(state.sheets),
+        toQString(state.occasion.code));
+  }
+  auto* reason = new QLineEdit(&dialog);
+  auto* form = new QFormLayout;
+  form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "Occa&sion")), point);
+  form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&Reason")), reason);
+  dialog.column()->addLayout(form);
+  QPushButton* ok = dialog.finish(translated(QT_TRANSLATE_NOOP("Scoring", "Do it")));
+  const auto check = [=, &states] {
+    const auto at = static_cast<std::size_t>(point->currentIndex());
+    const bool needed = at < states.size() && (states[at].released || states[at].missing > 0);
+    ok->setEnabled(at < states.size() && (!needed || !reason->text().trimmed().isEmpty()));
+  };
+  QObject::connect(reason, &QLineEdit::textChanged, ok, check);
+  QObject::connect(point, &QComboBox::currentIndexChanged, ok, check);
+  check();
+  if (dialog.exec() != QDialog::Accepted) {
+    return std::nullopt;
+  }
+  const ReleaseState& chosen = states[static_cast<std::size_t>(point->currentIndex())];
+  return ReleaseChange{chosen.occasion.code, !chosen.released, reason->text().trimmed().toStdString()};
+}
+
+namespace {
+
+Row rowOf(const ThirdRequest& request) {
+  QStringList by;
+  QStringList reasons;
+  for (const std::string& code : request.askedBy) {
+    by << toQString(code);
+  }
+  for (const std::string& reason : request.reasons) {
+    reasons << toQString(reason);
+  }
+  const QString point = occasionName(request.occasion);
+  return {toQString(request.assignmentId),
+          {{toQString(request.traineeCode)},
+           {request.live ? translated(QT_TRANSLATE_NOOP("Scoring", "%1, live")).arg(point) : point,
+            toQString(request.occasion.code)},
+           {by.join(QStringLiteral(", "))},
+           {reasons.join(QStringLiteral(" \u00B7 ")), {}, reasons.join(QLatin1Char('\n'))},
+           timeCell(request.askedUtc_us)}};
+}
+
+void fillThirds(QComboBox* box, const ThirdRequest& request) {
+  box->clear();
+  for (const Adjudicator& rater : request.free) {
+    box->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "%1, %2: %3 sheets wait"))
+                     .arg(toQString(rater.code), orDash(rater.classCode))
+                     .arg(rater.open),
+                 toQString(rater.id));
+  }
+}
+
+}  // namespace
+
+std::optional<ThirdChosen> askThirdRater(QWidget* parent, const std::vector<ThirdRequest>& requests) {
+  QuestionDialog dialog(parent, translated(QT_TRANSLATE_NOOP("Scoring", "Assign an adjudicator")),
+                        translated(QT_TRANSLATE_NOOP(
+                            "Scoring",
+                            "Physicians could not agree about these cases and ask for one more. The freest "
+                            "one of the same class is suggested; nobody learns who asked.")));
+  dialog.resize(860, 460);
+  auto* table = new DataTable(QString(), &dialog);
+  table->setColumns({{translated(QT_TRANSLATE_NOOP("Scoring", "Trainee"))},
+                     {translated(QT_TRANSLATE_NOOP("Scoring", "Occasion"))},
+                     {translated(QT_TRANSLATE_NOOP("Scoring", "Asked by"))},
+                     {translated(QT_TRANSLATE_NOOP("Scoring", "Why"))},
+                     {translated(QT_TRANSLATE_NOOP("Scoring", "Since"))}});
+  table->view().setAccessibleName(translated(QT_TRANSLATE_NOOP("Scoring", "Cases that need an adjudicator")));
+  std::vector<Row> rows;
+  for (const ThirdRequest& request : requests) {
+    rows.push_back(rowOf(request));
+  }
+  table->setRows(std::move(rows));
+  dialog.column()->addWidget(table, 1);
+  auto* to = new QComboBox(&dialog);
+  auto* form = new QFormLayout;
+  form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&Rater")), to);
+  dialog.column()->addLayout(form);
+  QPushButton* ok = dialog.finish(translated(QT_TRANSLATE_NOOP("Scoring", "Assign")));
+  const auto choose = [&](const QString& id) {
+    to->clear();
+    for (const ThirdRequest& request : requests) {
+      if (toQString(request.assignmentId) == id) {
+        fillThirds(to, request);
+      }
+    }
+    ok->setEnabled(to->count() > 0);
+  };
+  QObject::connect(table, &DataTable::currentChanged, &dialog, choose);
+  table->select(toQString(requests.front().assignmentId));
+  choose(table->currentId());
+  ok->setFocus(Qt::OtherFocusReason);
+  if (dialog.exec() != QDialog::Accepted || to->count() == 0) {
+    return std::nullopt;
+  }
+  return ThirdChosen{table->currentId().toStdString(), chosenId(to)};
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/scoring/scoring_page.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/administrator/scoring/rater_calibration_dialog.h"
+#include "app/gui/administrator/scoring/scoring_dialogs.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/file_choice.h"
+#include "app/gui/widgets/page_heading.h"
+#include "app/people/people_service.h"
+#include "app/study/rubric_service.h"
+#include "assessment/people/person.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+
+namespace torsio::gui {
+
+namespace {
+
+/// A sign that differs in shape, not in colour alone; the tip says it in words.
+QString stateSign(const ScoringCell& cell) {
+  if (cell.assignmentId.empty()) {
+    return QString();
+  }
+  switch (cell.state) {
+    case SheetState::kOpen:
+      return QStringLiteral("\u25CB");
+    case SheetState::kDraft:
+      return QStringLiteral("\u25D0");
+    case SheetState::kSubmitted:
+      return QStringLiteral("\u25CF");
+    case SheetState::kWithdrawn:
+      return QStringLiteral("\u00D7");
+  }
+  return {};
+}
+
+}  // namespace
+
+ScoringPage::ScoringPage(ShellContext& shell)
+    : Page(shell),
+      heading_(new PageHeading(this)),
+      warmUp_(new QPushButton(this)),
+      revise_(new QPushButton(this)),
+      ask_(new QPushButton(this)),
+      cohortLabel_(nullptr),
+      cohort_(new QComboBox(this)),
+      summary_(new QLabel(this)),
+      table_(new DataTable(QStringLiteral("scoring-matrix"), this)),
+      reassign_(listButton(table_)),
+      release_(listButton(table_)),
+      third_(listButton(table_)) {
+  table_->setObjectName(QStringLiteral("matrix"));
+  ask_->setProperty("primary", true);
+  revise_->setObjectName(QStringLiteral("reviseRubric"));
+  heading_->addAction(revise_);
+  heading_->addAction(warmUp_);
+  heading_->addAction(ask_);
+  auto* choices = new QHBoxLayout;
+  choices->setSpacing(kSpace);
+  cohortLabel_ = fieldBeside(choices, cohort_);
+  choices->addSpacing(2 * kSpace);
+  choices->addWidget(summary_, 1);
+  cohort_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  QVBoxLayout* column = pageColumn(this);
+  column->addWidget(heading_);
+  column->addLayout(choices);
+  column->addWidget(table_, 1);
+
+  connect(cohort_, &QComboBox::currentIndexChanged, this, &ScoringPage::read);
+  connect(ask_, &QPushButton::clicked, this, &ScoringPage::askRaters);
+  connect(reassign_, &QPushButton::clicked, this, &ScoringPage::reassignSheet);
+  connect(release_, &QPushButton::clicked, this, &ScoringPage::release);
+  connect(third_, &QPushButton::clicked, this, &ScoringPage::assignThirdRater);
+  connect(revise_, &QPushButton::clicked, this, &ScoringPage::askRevision);
+  connect(warmUp_, &QPushButton::clicked, this, &ScoringPage::showWarmUp);
+  connect(table_, &DataTable::currentChanged, this, &ScoringPage::showButtons);
+  retranslate();
+}
+
+void ScoringPage::enter(const QVariant& argument) {
+  attempt(shell(), [&] {
+    fillCohorts(cohort_, shell().session());
+    if (argument.isValid()) {
+      chooseId(cohort_, argument.toString().toStdString());
+    }
+    read();
+  });
+}
+
+void ScoringPage::read() {
+  attempt(shell(), [&] {
+    const std::string cohort = chosenId(cohort_);
+    matrix_.reset();
+    releases_.clear();
+    thirds_.clear();
+    if (!cohort.empty()) {
+      matrix_ = scoringMatrix(shell().session(), cohort);
+      thirds_ = thirdRequests(shell().session(), cohort);
+      if (shell().may(Operation::kMarkRelease)) {
+        releases_ = releaseStates(shell().session(), cohort);
+      }
+    }
+    showContent();
+  });
+}
+
+void ScoringPage::showContent() {
+  std::vector<Column> columns = {{tr("Trainee")}, {tr("Occasion")}, {tr("Missing"), true, true}};
+  std::vector<Row> rows;
+  std::size_t open = 0;
+  std::size_t submitted = 0;
+  if (matrix_) {
+    for (const ScoringMatrix::Rater& rater : matrix_->raters) {
+      columns.push_back({toQString(rater.code)});
+      open += rater.open;
+      submitted += rater.submitted;
+    }
+    for (std::size_t i = 0; i < matrix_->lines.size(); ++i) {
+      const ScoringMatrix::Line& line = matrix_->lines[i];
+      Row row{QString::number(i),
+              {{toQString(line.traineeCode)},
+               {occasionName(line.occasion), toQString(line.occasion.code)},
+               {line.missing == 0 ? QStringLiteral("\u2013") : QString::number(line.missing),
+                static_cast<qlonglong>(line.missing)}}};
+      for (const ScoringCell& cell : line.cells) {
+        row.cells.push_back(
+            {stateSign(cell), static_cast<int>(cell.state),
+             cell.assignmentId.empty()
+                 ? tr("not asked")
+                 : tr("case %1: %2").arg(toQString(cell.caseLabel), sheetStateName(cell.state))});
+      }
+      rows.push_back(std::move(row));
+    }
+  }
+  table_->setColumns(columns);
+  table_->setRows(std::move(rows));
+  summary_->setText(
+      matrix_ ? tr("\u25CF submitted %1 \u00B7 \u25CB open or \u25D0 draft %2").arg(submitted).arg(open)
+              : QString());
+  showButtons();
+}
+
+void ScoringPage::showButtons() {
+  ask_->setEnabled(cohort_->count() > 0 && shell().may(Operation::kStudySetup));
+  const std::size_t at = table_->currentId().isEmpty() ? SIZE_MAX : table_->currentId().toULongLong();
+  reassign_->setEnabled(matrix_ && at < matrix_->lines.size() && matrix_->lines[at].missing > 0);
+  release_->setEnabled(!releases_.empty());
+  revise_->setEnabled(shell().may(Operation::kCurriculumEdit));
+  warmUp_->setEnabled(shell().may(Operation::kStudySetup));
+  // A number that is not 0 calls; without requests there is nothing to press.
+  third_->setVisible(!thirds_.empty());
+  third_->setText(tr("Ad&judicator (%1)\u2026").arg(thirds_.size()));
+}
+
+std::string ScoringPage::rubricRevision() {
+  std::vector<RubricRow> all = rubrics(shell().session());
+  if (all.empty()) {
+    const std::vector<RubricTemplate> templates = rubricTemplates(shell().assets());
+    if (templates.empty()) {
+      throw Error(ErrorCode::kBadData, "there is no rubric", "assets/rubrics", "Add a rubric first");
+    }
+    return addRubric(shell().session(), templates.front().title, templates.front().revision);
+  }
+  return all.front().revisions.back().id;
+}
+
+bool ScoringPage::revise(const std::filesystem::path& file, const std::string& note) {
+  return attempt(shell(), [&] {
+    static_cast<void>(rubricRevision());  // the shipped one, when there is none yet
+    const RubricTemplate next = parseRubric(readFile(file), file.stem().string());
+    const RubricRow rubric = rubrics(shell().session()).front();
+    reviseRubric(shell().session(), rubric.id, next.revision, note);
+    shell().notify(tr("%1: revision %2 is used from now on")
+                       .arg(toQString(rubric.name))
+                       .arg(rubric.revisions.back().number + 1));
+  });
+}
+
+void ScoringPage::askRevision() {
+  const QString file = askFileToOpen(this, tr("Revise the scoring sheet"), tr("Scoring sheet (*.json)"));
+  if (file.isEmpty()) {
+    return;
+  }
+  const std::optional<std::string> note = askReason(
+      this, tr("Revise the scoring sheet"),
+      tr("Raters who are asked from now on fill in the new sheet. Sheets that were asked for before "
+         "stay as they are; both revisions are kept for good."));
+  if (note) {
+    revise(toPath(file), *note);
+  }
+}
+
+bool ScoringPage::ask(const std::vector<std::string>& raterIds,
+                      const std::vector<std::string>& occasionCodes) {
+  return attempt(shell(), [&] {
+    ScoringPlan plan;
+    plan.cohortId = chosenId(cohort_);
+    plan.raterIds = raterIds;
+    plan.occasionCodes = occasionCodes;
+    plan.rubricRevisionId = rubricRevision();
+    const ScoringPlanOutcome done = createAssignments(shell().session(), plan);
+    read();
+    shell().notify(tr("%n sheet(s) asked for", nullptr, static_cast<int>(done.created)));
+  });
+}
+
+void ScoringPage::askRaters() {
+  attempt(shell(), [&] {
+    std::vector<PersonRow> raters;
+    for (PersonRow& person : people(shell().session())) {
+      if (person.rater && person.person.state == "active") {
+        raters.push_back(std::move(person));
+      }
+    }
+    if (const std::optional<RatersAsked> asked =
+            askRatersFor(this, raters, matrix_.value_or(ScoringMatrix{}))) {
+      ask(asked->raterIds, asked->occasionCodes);
+    }
+  });
+}
+
+void ScoringPage::reassignSheet() {
+  const std::size_t at = table_->currentId().toULongLong();
+  if (!matrix_ || at >= matrix_->lines.size()) {
+    return;
+  }
+  const std::optional<SheetMoved> moved = askReassignment(this, *matrix_, matrix_->lines[at]);
+  if (!moved) {
+    return;
+  }
+  attempt(shell(), [&] {
+    reassign(shell().session(), moved->assignmentId, moved->newRaterId, moved->reason);
+    read();
+  });
+}
+
+void ScoringPage::release() {
+  const std::optional<ReleaseChange> change = askRelease(this, releases_);
+  if (!change) {
+    return;
+  }
+  attempt(shell(), [&] {
+    if (change->release) {
+      releaseMarks(shell().session(), chosenId(cohort_), change->occasionCode, change->reason);
+    } else {
+      retractMarks(shell().session(), chosenId(cohort_), change->occasionCode, change->reason);
+    }
+    read();
+  });
+}
+
+void ScoringPage::assignThirdRater() {
+  if (thirds_.empty()) {
+    return;
+  }
+  const std::optional<ThirdChosen> chosen = askThirdRater(this, thirds_);
+  if (!chosen) {
+    return;
+  }
+  attempt(shell(), [&] {
+    assignThird(shell().session(), chosenId(cohort_), chosen->assignmentId, chosen->raterId);
+    read();
+    shell().notify(tr("The adjudicator finds the case in their queue"));
+  });
+}
+
+void ScoringPage::showWarmUp() {
+  attempt(shell(), [&] {
+    static_cast<void>(rubricRevision());  // the first one comes from the shipped files
+    RaterCalibrationDialog dialog(shell(), rubrics(shell().session()), this);
+    dialog.exec();
+  });
+}
+
+void ScoringPage::retranslate() {
+  heading_->setTexts(tr("Scoring"),
+                     tr("Who scores whom, and how far it has come. Marks are not shown here."));
+  warmUp_->setText(tr("Rater cali&bration\u2026"));
+  revise_->setText(tr("Scoring &sheet\u2026"));
+  revise_->setToolTip(tr("Takes the next revision of the scoring sheet from a file"));
+  warmUp_->setToolTip(tr("The reference runs that every physician scores first"));
+  ask_->setText(tr("&Ask raters\u2026"));
+  third_->setToolTip(tr("Physicians could not agree and ask for one more"));
+  cohortLabel_->setText(tr("&Cohort"));
+  reassign_->setText(tr("&Reassign\u2026"));
+  release_->setText(tr("Re&lease marks\u2026"));
+  table_->setEmptyText(
+      tr("No rater has been asked yet. Press Ask raters: each gets the cases in an order of their own."));
+  showContent();
+}
+
+}  // namespace torsio::gui

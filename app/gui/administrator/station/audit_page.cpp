@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/station/audit_page.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include <QComboBox>
+#include <QDateTime>
+#include <QJsonDocument>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/page_heading.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr std::int64_t kDay_us = 86'400'000'000;
+constexpr std::int64_t kFirstEntries = 1'000;  // on the screen at once, however long the record is
+constexpr int kCode = 7;                       // column: hidden until somebody asks for it, always searched
+
+QDateTime timeOf(const AuditEntry& entry) {
+  return QDateTime::fromMSecsSinceEpoch(entry.atUtc_us / 1000);
+}
+
+QString indented(const std::string& json) {
+  const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(json));
+  if (document.isNull()) {
+    return toQString(json);
+  }
+  return QString::fromUtf8(document.toJson(QJsonDocument::Indented)).trimmed();
+}
+
+}  // namespace
+
+AuditPage::AuditPage(ShellContext& shell)
+    : Page(shell),
+      most_(kFirstEntries),
+      heading_(new PageHeading(this)),
+      verify_(new QPushButton(this)),
+      verdict_(new QLabel(this)),
+      days_(new QComboBox(this)),
+      more_(new QToolButton(this)),
+      table_(new DataTable(QStringLiteral("audit"), this)),
+      entry_(new QPlainTextEdit(this)) {
+  verify_->setProperty("primary", true);
+  heading_->addAction(verify_);
+  verdict_->setWordWrap(true);
+  verdict_->hide();
+  more_->setObjectName(QStringLiteral("more"));
+  more_->hide();
+  table_->addTool(more_);
+  table_->addTool(days_);
+  entry_->setReadOnly(true);
+  auto* splitter = new QSplitter(Qt::Vertical, this);
+  splitter->addWidget(table_);
+  splitter->addWidget(entry_);
+  splitter->setStretchFactor(0, 3);
+  splitter->setStretchFactor(1, 1);
+  splitter->setChildrenCollapsible(false);
+  splitter->setHandleWidth(2 * kSpace);
+  QVBoxLayout* column = pageColumn(this);
+  column->addWidget(heading_);
+  column->addWidget(verdict_);
+  column->addWidget(splitter, 1);
+
+  for (const int days : {1, 7, 30, 0}) {
+    days_->addItem(QString(), days);
+  }
+  days_->setCurrentIndex(1);
+  connect(verify_, &QPushButton::clicked, this, &AuditPage::verify);
+  connect(days_, &QComboBox::currentIndexChanged, this, [this] {
+    most_ = kFirstEntries;
+    read();
+  });
+  connect(more_, &QToolButton::clicked, this, &AuditPage::readMore);
+  connect(table_, &DataTable::currentChanged, this, &AuditPage::showEntry);
+  retranslate();
+  table_->hideAtFirst(kCode);
+}
+
+void AuditPage::enter(const QVariant&) {
+  most_ = kFirstEntries;
+  read();
+}
+
+/// Counted from the newest again: stations' clocks differ, so the time of the oldest entry shown is no
+/// border.
+void AuditPage::readMore() {
+  most_ *= 2;
+  read();
+}
+
+void AuditPage::retranslate() {
+  heading_->setTexts(
+      tr("Audit trail"),
+      tr("Who did what, when, where and why. Entries are chained: none can be changed or taken out "
+         "without being found."));
+  verify_->setText(tr("&Verify"));
+  verify_->setToolTip(tr("Checks every entry, every sealed mark and every recorded trial"));
+  const QStringList spans{tr("Last day"), tr("Last week"), tr("Last month"), tr("Everything")};
+  for (int index = 0; index < spans.size(); ++index) {
+    days_->setItemText(index, spans[index]);
+  }
+  more_->setToolTip(tr("Only the newest entries of this time are shown; this shows twice as many"));
+  days_->setAccessibleName(tr("Time span"));
+  entry_->setAccessibleName(tr("Chosen entry"));
+  entry_->setPlaceholderText(tr("Choose an entry to see what was changed."));
+  table_->setColumns({{tr("No."), true},
+                      {tr("When")},
+                      {tr("Who")},
+                      {tr("Station")},
+                      {tr("What")},
+                      {tr("Object")},
+                      {tr("Why")},
+                      {tr("Code")}});
+  table_->setEmptyText(tr("Nothing happened in this time."));
+  showContent();
+  showVerdict();
+}
+
+void AuditPage::read() {
+  attempt(shell(), [&] {
+    const int days = days_->currentData().toInt();
+    AuditFilter filter{.limit = most_ + 1};  // one more tells whether there are older ones
+    if (days > 0) {
+      filter.fromUtc_us = shell().session().now_us() - days * kDay_us;
+    }
+    entries_ = auditEntries(shell().session(), filter);
+    const bool older = std::ssize(entries_) > most_;
+    if (older) {
+      entries_.pop_back();
+    }
+    all_ = older ? auditEntryCount(shell().session(), filter.fromUtc_us) : std::ssize(entries_);
+    more_->setVisible(older);
+    logins_ = auditActors(shell().session());
+    showContent();
+  });
+}
+
+void AuditPage::showContent() {
+  std::vector<Row> rows;
+  rows.reserve(entries_.size());
+  for (const AuditEntry& entry : entries_) {
+    const auto login = logins_.find(entry.actor);
+    const QString actor = toQString(login == logins_.end() ? entry.actor : login->second);
+    const auto sequence = static_cast<qlonglong>(entry.sequence);
+    rows.push_back({QString::number(sequence),
+                    {{locale().toString(sequence), sequence},
+                     timeCell(entry.atUtc_us),
+                     {actor},
+                     {toQString(entry.station)},
+                     {toQString(auditActionLabel(entry.action)), {}, toQString(entry.action)},
+                     {toQString(auditObjectLabel(entry.objectKind)), {}, toQString(entry.objectId)},
+                     {toQString(entry.reason)},
+                     {toQString(entry.action)}}});
+  }
+  more_->setText(tr("Show &more of %1").arg(locale().toString(static_cast<qlonglong>(all_))));
+  table_->setRows(std::move(rows));
+}
+
+void AuditPage::showEntry(const QString& id) {
+  const auto found = std::find_if(entries_.begin(), entries_.end(), [&id](const AuditEntry& entry) {
+    return QString::number(static_cast<qlonglong>(entry.sequence)) == id;
+  });
+  if (found == entries_.end()) {
+    entry_->clear();
+    return;
+  }
+  QStringList lines;
+  const auto add = [&lines](const QString& name, const QString& value) {
+    if (!value.isEmpty()) {
+      lines << QStringLiteral("%1: %2").arg(name, value);
+    }
+  };
+  add(tr("When (UTC)"), timeOf(*found).toUTC().toString(Qt::ISODateWithMs));
+  const auto withCode = [](const Text& words, const std::string& code) {
+    const QString spelt = toQString(code);
+    return toQString(words) == spelt ? spelt : QStringLiteral("%1 (%2)").arg(toQString(words), spelt);
+  };
+  add(tr("What"), withCode(auditActionLabel(found->action), found->action));
+  add(tr("Object"),
+      QStringLiteral("%1 %2").arg(withCode(auditObjectLabel(found->objectKind), found->objectKind),
+                                  toQString(found->objectId)));
+  add(tr("Before"), indented(found->oldJson));
+  add(tr("After"), indented(found->newJson));
+  add(tr("Why"), toQString(found->reason));
+  add(tr("Seal"), toQString(found->entryHash));
+  entry_->setPlainText(lines.join(QLatin1Char('\n')));
+}
+
+void AuditPage::verify() {
+  const auto findings = std::make_shared<std::vector<AuditFinding>>();
+  shell().run(
+      tr("Verifying the audit trail"),
+      [findings](SessionContext& session, const ProgressCallback&) { *findings = verifyAudit(session); },
+      [this, findings] {
+        findings_ = *findings;
+        showVerdict();
+        read();
+      });
+}
+
+void AuditPage::showVerdict() {
+  verdict_->setVisible(findings_.has_value());
+  if (!findings_) {
+    return;
+  }
+  const bool sound = findings_->empty();
+  verdict_->setProperty("good", sound);
+  verdict_->setProperty("caution", !sound);
+  if (sound) {
+    verdict_->setText(tr("\u2713 Everything is as it was written: entries, marks and trials."));
+  } else {
+    QStringList lines{tr("\u26A0 %n finding(s). Do not report from this record before they are explained.",
+                         nullptr, static_cast<int>(findings_->size()))};
+    constexpr std::size_t kShown = 10;
+    for (std::size_t i = 0; i < std::min(findings_->size(), kShown); ++i) {
+      const AuditFinding& finding = (*findings_)[i];
+      lines << QStringLiteral("\u2022 %1 %2: %3")
+                   .arg(toQString(auditObjectLabel(finding.objectKind)), toQString(finding.objectId),
+                        toQString(finding.what));
+    }
+    verdict_->setText(lines.join(QLatin1Char('\n')));
+  }
+  verdict_->style()->unpolish(verdict_);
+  verdict_->style()->polish(verdict_);
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/access/audit_service.h"
+#include "app/gui/base/page.h"
+#include "assessment/people/audit_entry.h"
+
+class QComboBox;
+class QLabel;
+class QPlainTextEdit;
+class QPushButton;
+class QToolButton;
+
+namespace torsio::gui {
+
+class DataTable;
+class PageHeading;
+
+/// Who did what when, and whether anything was changed behind the program's back.
+class AuditPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit AuditPage(ShellContext& shell);
+
+  void enter(const QVariant& argument) override;
+  void retranslate() override;
+
+ private:
+  void read();
+  void readMore();
+  void showContent();
+  void showEntry(const QString& id);
+  void verify();
+  void showVerdict();
+
+  std::vector<AuditEntry> entries_;
+  std::int64_t most_;     // of them are read
+  std::int64_t all_ = 0;  // of the chosen time are there
+  std::map<std::string, std::string> logins_;
+  std::optional<std::vector<AuditFinding>> findings_;  // empty: not looked for yet
+  PageHeading* heading_;
+  QPushButton* verify_;
+  QLabel* verdict_;
+  QComboBox* days_;
+  QToolButton* more_;
+  DataTable* table_;
+  QPlainTextEdit* entry_;
+};
+
+}  // namespace torsio::gui

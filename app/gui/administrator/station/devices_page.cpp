@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/station/devices_page.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/devices/haptic_station.h"
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/station/station_settings_card.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+#include "app/recording/station_writer.h"
+
+namespace torsio::gui {
+
+DevicesPage::DevicesPage(ShellContext& shell)
+    : Page(shell),
+      heading_(new PageHeading(this)),
+      check_(new QPushButton(this)),
+      nameLabel_(nullptr),
+      name_(new QLineEdit(this)),
+      force_(new QCheckBox(this)),
+      verdict_(sentence(this, false)),
+      table_(new DataTable(QStringLiteral("devices"), this)),
+      settings_(new StationSettingsCard(shell, this)) {
+  table_->setObjectName(QStringLiteral("findings"));
+  check_->setProperty("primary", true);
+  heading_->addAction(check_);
+  auto* choices = new QHBoxLayout;
+  choices->setSpacing(kSpace);
+  nameLabel_ = fieldBeside(choices, name_);
+  name_->setMaximumWidth(280);
+  choices->addSpacing(2 * kSpace);
+  choices->addWidget(force_);
+  choices->addStretch(1);
+  QVBoxLayout* column = pageColumn(this);
+  column->addWidget(heading_);
+  column->addLayout(choices);
+  column->addWidget(verdict_);
+  column->addWidget(table_, 1);
+  column->addWidget(settings_);
+  connect(check_, &QPushButton::clicked, this, &DevicesPage::check);
+  retranslate();
+}
+
+void DevicesPage::enter(const QVariant&) {
+  settings_->read();
+  showContent();
+}
+
+void DevicesPage::check() {
+  DeviceCheckRequest request;
+  request.choice.name = name_->text().trimmed().toStdString();
+  request.forceTest = force_->isChecked();
+  auto result = std::make_shared<DeviceCheckResult>();
+  check_->setEnabled(false);
+  shell().run(
+      tr("Checking the device"),
+      [request, result](SessionContext&, const ProgressCallback& progress) mutable {
+        request.say = [&progress](const Text& sentence) { progress({sentence, 0.5, -1.0}); };
+        progress({"Looking for the device", 0.1, -1.0});
+        *result = checkDevice(request);
+      },
+      [this, result] {
+        result_ = *result;
+        if (StationWriter* line = shell().line(); line != nullptr) {
+          line->showDevice(stationDevice(hapticReadiness(*result), shell().session().now_us()));
+        }
+        showContent();
+      });
+  check_->setEnabled(true);
+}
+
+void DevicesPage::showContent() {
+  std::vector<Row> rows;
+  if (result_) {
+    for (const DeviceFinding& finding : result_->findings) {
+      // Sign and word: never colour alone.
+      const QString grade = finding.grade == FindingGrade::kGood   ? tr("\u2713 good")
+                            : finding.grade == FindingGrade::kNote ? tr("! note")
+                                                                   : tr("\u2717 not usable");
+      rows.push_back({toQString(finding.subject),
+                      {{grade, static_cast<int>(finding.grade)},
+                       {toQString(Text(finding.subject))},
+                       {toQString(finding.sentence)},
+                       {finding.remedy.empty() ? orDash({}) : toQString(finding.remedy)}}});
+    }
+  }
+  table_->setRows(std::move(rows));
+  if (!result_) {
+    verdict_->setText(
+        tr("Not checked yet in this session. The check takes a few seconds; put the stylus into the inkwell "
+           "first."));
+  } else if (result_->usable()) {
+    verdict_->setText(tr("This station can do graded runs with the device: %1 servo ticks a second.")
+                          .arg(locale().toString(result_->rate_Hz, 'f', 0)));
+  } else {
+    verdict_->setText(tr("No graded run with the device now: %1. Practice with the mouse works meanwhile.")
+                          .arg(toQString(result_->worst()->sentence)));
+  }
+  setLook(verdict_, "caution", result_ && !result_->usable());
+  setLook(verdict_, "good", result_ && result_->usable());
+}
+
+void DevicesPage::retranslate() {
+  settings_->retranslate();
+  heading_->setTexts(tr("Devices"), tr("Whether the haptic device of this station is fit for a graded run."));
+  check_->setText(tr("&Check the device"));
+  nameLabel_->setText(tr("Device &name"));
+  name_->setPlaceholderText(tr("the usual one"));
+  force_->setText(tr("&Force test: somebody holds the stylus"));
+  table_->setColumns(
+      {{tr("Result")}, {tr("What was looked at")}, {tr("What was found")}, {tr("What to do")}});
+  table_->setEmptyText(tr("Press Check the device."));
+  showContent();
+}
+
+}  // namespace torsio::gui

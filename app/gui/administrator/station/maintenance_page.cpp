@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/station/maintenance_page.h"
+
+#include <algorithm>
+#include <array>
+
+#include <QDate>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStorageInfo>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/administrator/station/retention_dialog.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/file_choice.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kDiskParts = 1000;
+constexpr std::int64_t kYear_us = 365LL * 86'400 * 1'000'000;
+
+bool isFile(const std::string& locator) {
+  return QFileInfo(toQString(locator)).isFile();
+}
+
+}  // namespace
+
+MaintenancePage::MaintenancePage(ShellContext& shell)
+    : Page(shell),
+      heading_(new PageHeading(this)),
+      record_(new Card(QString(), this)),
+      recordText_(sentence(this, false)),
+      disk_(new QProgressBar(this)),
+      checkButton_(new QPushButton(this)),
+      backup_(new Card(QString(), this)),
+      backupText_(sentence(this, false)),
+      backupButton_(new QPushButton(this)),
+      testButton_(new QPushButton(this)),
+      simulated_(new Card(QString(), this)),
+      simulatedText_(sentence(this, false)),
+      removeButton_(new QPushButton(this)),
+      move_(new Card(QString(), this)),
+      moveText_(sentence(this, false)),
+      restoreButton_(new QPushButton(this)),
+      moveButton_(new QPushButton(this)),
+      queueTitle_(new QLabel(this)),
+      queue_(new DataTable(QStringLiteral("retention"), this)),
+      keep_(listButton(queue_)),
+      lock_(listButton(queue_)),
+      erase_(listButton(queue_)),
+      rules_(listButton(queue_)) {
+  rules_->setObjectName(QStringLiteral("retentionRules"));
+  recordText_->setObjectName(QStringLiteral("recordText"));
+  backupText_->setObjectName(QStringLiteral("backupText"));
+  queue_->setObjectName(QStringLiteral("queue"));
+  queueTitle_->setObjectName(QStringLiteral("cardTitle"));
+  QVBoxLayout* column = pageColumn(this);
+  column->addWidget(heading_);
+  column->addWidget(cards());
+  column->addWidget(queueTitle_);
+  column->addWidget(queue_, 1);
+  connect(checkButton_, &QPushButton::clicked, this, &MaintenancePage::checkRecord);
+  connect(backupButton_, &QPushButton::clicked, this, &MaintenancePage::askBackUp);
+  connect(testButton_, &QPushButton::clicked, this, &MaintenancePage::askTest);
+  connect(removeButton_, &QPushButton::clicked, this, &MaintenancePage::askRemoveDemonstration);
+  connect(restoreButton_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kRestore); });
+  connect(moveButton_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kMove); });
+  connect(keep_, &QPushButton::clicked, this, &MaintenancePage::keepLonger);
+  connect(lock_, &QPushButton::clicked, this, &MaintenancePage::lock);
+  connect(erase_, &QPushButton::clicked, this, &MaintenancePage::erase);
+  connect(rules_, &QPushButton::clicked, this, &MaintenancePage::changeRules);
+  connect(queue_, &DataTable::currentChanged, this, &MaintenancePage::showButtons);
+  retranslate();
+}
+
+QWidget* MaintenancePage::cards() {
+  auto* box = new QWidget(this);
+  auto* grid = new QGridLayout(box);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(2 * kSpace);
+  disk_->setRange(0, kDiskParts);
+  disk_->setTextVisible(false);
+  disk_->setFixedHeight(kSpace);
+  backupButton_->setProperty("primary", true);
+  const auto fill = [](Card* card, std::initializer_list<QWidget*> content,
+                       std::initializer_list<QPushButton*> acts) {
+    for (QWidget* widget : content) {
+      card->content()->addWidget(widget);
+    }
+    card->content()->addStretch(1);
+    auto* row = new QHBoxLayout;
+    for (QPushButton* button : acts) {
+      row->addWidget(button);
+    }
+    row->addStretch(1);
+    card->content()->addLayout(row);
+  };
+  fill(backup_, {backupText_}, {backupButton_, testButton_});
+  fill(record_, {recordText_, disk_}, {checkButton_});
+  fill(simulated_, {simulatedText_}, {removeButton_});
+  fill(move_, {moveText_}, {restoreButton_, moveButton_});
+  int place = 0;
+  for (Card* card : {backup_, record_, simulated_, move_}) {
+    grid->addWidget(card, 0, place);
+    grid->setColumnStretch(place++, 1);
+  }
+  return box;
+}
+
+void MaintenancePage::enter(const QVariant&) {
+  read();
+}
+
+void MaintenancePage::read() {
+  attempt(shell(), [&] {
+    if (shell().may(Operation::kPersonErase)) {
+      demonstration_ = demonstrationSize(shell().session());
+    }
+    due_.clear();
+    if (shell().may(Operation::kRetentionManage)) {
+      due_ = retentionQueue(shell().session());
+    }
+    showRecord();
+    std::vector<Row> rows;
+    for (const RetentionItem& item : due_) {
+      rows.push_back({toQString(item.personId),
+                      {{toQString(item.code)},
+                       {retentionCategoryName(item.category)},
+                       {orDash(item.basis)},
+                       timeCell(item.sinceUtc_us),
+                       timeCell(item.dueUtc_us),
+                       {!item.held ? tr("to be reviewed")
+                        : item.hold->kind == HoldKind::kLock
+                            ? tr("locked: %1").arg(toQString(item.hold->reason))
+                            : tr("kept longer: %1").arg(toQString(item.hold->reason))}}});
+    }
+    queue_->setRows(std::move(rows));
+    showButtons();
+  });
+}
+
+void MaintenancePage::showRecord() {
+  const std::string locator = shell().session().key().locator;
+  QStringList lines;
+  if (isFile(locator)) {
+    const QFileInfo file(toQString(locator));
+    const QStorageInfo disk(file.absolutePath());
+    lines << file.absoluteFilePath();
+    lines << tr("%1, %2 free on the disk")
+                 .arg(locale().formattedDataSize(file.size()),
+                      locale().formattedDataSize(disk.bytesAvailable()));
+    if (disk.bytesTotal() > 0) {
+      disk_->setValue(static_cast<int>(kDiskParts * (1.0 - static_cast<double>(disk.bytesAvailable()) /
+                                                               static_cast<double>(disk.bytesTotal()))));
+    }
+    disk_->setAccessibleName(tr("Disk in use"));
+    disk_->setVisible(true);
+  } else {
+    lines << tr("On a database server");
+    disk_->setVisible(false);
+  }
+  if (check_) {
+    lines << (check_->sound() ? tr("\u2713 Checked: sound, schema %1, %2 audit entries")
+                                    .arg(check_->schemaVersion)
+                                    .arg(check_->auditEntries)
+                              : tr("\u2717 Checked: %1 finding(s), first: %2")
+                                    .arg(check_->damage.size() + check_->audit.size())
+                                    .arg(check_->damage.empty() ? toQString(check_->audit.front().what)
+                                                                : toQString(check_->damage.front())));
+  }
+  recordText_->setText(lines.join(QLatin1Char('\n')));
+  setLook(recordText_, "caution", check_ && !check_->sound());
+  simulatedText_->setText(demonstration_.people == 0
+                              ? tr("There are no simulated people in this record.")
+                              : tr("%1 simulated people, %2 recordings, %3 marks. They are marked everywhere "
+                                   "and can go at once; real data stay.")
+                                    .arg(demonstration_.people)
+                                    .arg(demonstration_.trials)
+                                    .arg(demonstration_.marks));
+}
+
+void MaintenancePage::showButtons() {
+  const bool file = isFile(shell().session().key().locator);
+  backupButton_->setEnabled(file && shell().may(Operation::kDatabaseBackup));
+  testButton_->setEnabled(shell().may(Operation::kDatabaseBackup));
+  checkButton_->setEnabled(shell().may(Operation::kDatabaseBackup));
+  removeButton_->setEnabled(demonstration_.people > 0 && shell().may(Operation::kPersonErase));
+  restoreButton_->setEnabled(file && shell().may(Operation::kDatabaseRestore));
+  moveButton_->setEnabled(file && shell().may(Operation::kDatabaseRestore));
+  moveText_->setText(
+      file
+          ? tr("A backup takes the place of this record, or the record goes to a database server for several "
+               "stations. Both ask first and show what they will do.")
+          : tr("This record lies on a database server. Its administrator backs it up and restores it with "
+               "the "
+               "server's own tools."));
+  rules_->setEnabled(shell().may(Operation::kRetentionManage));
+  const RetentionItem* item = current();
+  for (QPushButton* button : {keep_, lock_}) {
+    button->setEnabled(item != nullptr);
+  }
+  lock_->setText(item != nullptr && item->held ? tr("&Release\u2026") : tr("&Lock\u2026"));
+  erase_->setEnabled(item != nullptr && !item->held && shell().may(Operation::kPersonErase));
+}
+
+const RetentionItem* MaintenancePage::current() const {
+  const std::string id = queue_->currentId().toStdString();
+  const auto found =
+      std::find_if(due_.begin(), due_.end(), [&](const RetentionItem& item) { return item.personId == id; });
+  return found == due_.end() ? nullptr : &*found;
+}
+
+void MaintenancePage::backUp(const std::filesystem::path& file) {
+  auto content = std::make_shared<BackupContent>();
+  shell().run(
+      tr("Backing up"),
+      [file, content](SessionContext& session, const ProgressCallback& progress) {
+        *content = backUpDatabase(session, file, progress);
+      },
+      [this, file, content] {
+        backupText_->setText(tr("\u2713 Written and read back: %1 recordings, %2 marks.\n%3")
+                                 .arg(content->trials)
+                                 .arg(content->marks)
+                                 .arg(toQString(file)));
+      });
+}
+
+void MaintenancePage::testBackup(const std::filesystem::path& file) {
+  auto found = std::make_shared<BackupCheck>();
+  shell().run(
+      tr("Testing a backup"),
+      [file, found](SessionContext&, const ProgressCallback& progress) {
+        *found = verifyBackup(file, progress);
+      },
+      [this, file, found] {
+        backupText_->setText(
+            found->database.sound()
+                ? tr("\u2713 This backup can be restored: %1 recordings, %2 marks.\n%3")
+                      .arg(found->content.trials)
+                      .arg(found->content.marks)
+                      .arg(toQString(file))
+                : tr("\u2717 This backup is not sound. Make a new one.\n%1").arg(toQString(file)));
+      });
+}
+
+void MaintenancePage::checkRecord() {
+  auto found = std::make_shared<DatabaseCheck>();
+  shell().run(
+      tr("Checking the database"),
+      [found](SessionContext& session, const ProgressCallback& progress) {
+        *found = checkDatabase(session, progress);
+      },
+      [this, found] {
+        check_ = *found;
+        showRecord();
+      });
+}
+
+bool MaintenancePage::removeDemonstration(const std::string& reason) {
+  return attempt(shell(), [&] {
+    const DemonstrationSize gone = removeDemonstrationData(shell().session(), reason);
+    read();
+    shell().notify(tr("Removed: %1 simulated people, %2 recordings").arg(gone.people).arg(gone.trials));
+  });
+}
+
+void MaintenancePage::askBackUp() {
+  const QString name = QStringLiteral("torsio-%1.sqlite").arg(QDate::currentDate().toString(Qt::ISODate));
+  const QString file = askFileToSave(this, tr("Back up to"), name, tr("Backup (*.sqlite)"));
+  if (!file.isEmpty()) {
+    backUp(toPath(file));
+  }
+}
+
+void MaintenancePage::askTest() {
+  const QString file = askFileToOpen(this, tr("Test a backup"), tr("Backup (*.sqlite)"));
+  if (!file.isEmpty()) {
+    testBackup(toPath(file));
+  }
+}
+
+void MaintenancePage::askRemoveDemonstration() {
+  const std::optional<std::string> reason =
+      askReason(this, tr("Remove the demonstration"),
+                tr("%1 simulated people and all that belongs to them go at once. This cannot be taken back.")
+                    .arg(demonstration_.people));
+  if (reason) {
+    removeDemonstration(*reason);
+  }
+}
+
+void MaintenancePage::changeRules() {
+  attempt(shell(), [&] {
+    const std::optional<RetentionRulesEdit> edit = askRetentionRules(this, retentionRules(shell().session()));
+    if (!edit) {
+      return;
+    }
+    for (const RetentionRule& rule : edit->set) {
+      setRetentionRule(shell().session(), rule.category, rule.keep_days, rule.basis);
+    }
+    for (const std::string& category : edit->removed) {
+      removeRetentionRule(shell().session(), category);
+    }
+    read();
+  });
+}
+
+void MaintenancePage::keepLonger() {
+  const RetentionItem* item = current();
+  if (item == nullptr) {
+    return;
+  }
+  const std::optional<std::string> reason = askReason(
+      this, tr("Keep longer"), tr("The record of %1 is kept for another year.").arg(toQString(item->code)));
+  if (!reason) {
+    return;
+  }
+  attempt(shell(), [&] {
+    extendRecord(shell().session(), item->personId, shell().session().now_us() + kYear_us, *reason);
+    read();
+  });
+}
+
+void MaintenancePage::lock() {
+  const RetentionItem* item = current();
+  if (item == nullptr) {
+    return;
+  }
+  const std::optional<std::string> reason =
+      item->held
+          ? askReason(this, tr("Release"),
+                      tr("The record of %1 is no longer held.").arg(toQString(item->code)))
+          : askReason(this, tr("Lock"),
+                      tr("The record of %1 is kept until somebody releases it.").arg(toQString(item->code)));
+  if (!reason) {
+    return;
+  }
+  attempt(shell(), [&] {
+    if (item->held) {
+      releaseRecord(shell().session(), item->personId, *reason);
+    } else {
+      lockRecord(shell().session(), item->personId, *reason);
+    }
+    read();
+  });
+}
+
+void MaintenancePage::erase() {
+  const RetentionItem* item = current();
+  if (item == nullptr) {
+    return;
+  }
+  attempt(shell(), [&] {
+    const std::array<std::string, 1> who = {item->personId};
+    const RetentionOutcome tried = eraseDue(shell().session(), who, "dry run", true);
+    const std::optional<std::string> reason =
+        askReason(this, tr("Erase a record"),
+                  tr("The identity of %1 and %2 recording(s) are erased for good. Marks stay without a "
+                     "person, so that statistics remain right.")
+                      .arg(toQString(item->code))
+                      .arg(tried.recordings));
+    if (!reason) {
+      return;
+    }
+    static_cast<void>(eraseDue(shell().session(), who, *reason, false));
+    read();
+  });
+}
+
+void MaintenancePage::retranslate() {
+  heading_->setTexts(tr("Maintenance of the record"),
+                     tr("Back up, test the backup, and review what is due."));
+  backup_->setTitle(tr("Backup"));
+  backupText_->setText(
+      tr("A backup is one file, made while others work and read back at once. Keep it on another machine."));
+  backupButton_->setText(tr("&Back up\u2026"));
+  testButton_->setText(tr("&Test a backup\u2026"));
+  record_->setTitle(tr("This record"));
+  checkButton_->setText(tr("&Check the database"));
+  simulated_->setTitle(tr("Demonstration"));
+  removeButton_->setText(tr("Re&move\u2026"));
+  move_->setTitle(tr("Restore or move"));
+  restoreButton_->setText(tr("Re&store\u2026"));
+  moveButton_->setText(tr("Mo&ve to PostgreSQL\u2026"));
+  queueTitle_->setText(tr("Records due for review"));
+  keep_->setText(tr("&Keep longer\u2026"));
+  erase_->setText(tr("&Erase\u2026"));
+  rules_->setText(tr("R&ules\u2026"));
+  rules_->setToolTip(tr("How long records are kept, and on what lawful basis"));
+  queue_->setColumns({{tr("Person")},
+                      {tr("Why")},
+                      {tr("Lawful basis")},
+                      {tr("Last activity")},
+                      {tr("Due since")},
+                      {tr("State")}});
+  queue_->setEmptyText(tr("No record is due."));
+  showRecord();
+  showButtons();
+}
+
+}  // namespace torsio::gui

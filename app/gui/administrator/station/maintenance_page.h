@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/gui/base/page.h"
+#include "app/maintenance/database_maintenance.h"
+#include "app/maintenance/demonstration_removal.h"
+#include "app/maintenance/retention.h"
+#include "assessment/people/retention.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace torsio::gui {
+
+class Card;
+class DataTable;
+class PageHeading;
+
+/// Care of the record: backup and its test, check of the database, room on the disk, simulated data, and
+/// whose record is due for review.
+class MaintenancePage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit MaintenancePage(ShellContext& shell);
+
+  void enter(const QVariant& argument) override;
+  void retranslate() override;
+
+  void backUp(const std::filesystem::path& file);
+  void testBackup(const std::filesystem::path& file);
+  void checkRecord();
+  bool removeDemonstration(const std::string& reason);
+
+ private:
+  QWidget* cards();
+  void read();
+  void showRecord();
+  void showButtons();
+  void askBackUp();
+  void askTest();
+  void askRemoveDemonstration();
+  void changeRules();
+  void keepLonger();
+  void lock();
+  void erase();
+  [[nodiscard]] const RetentionItem* current() const;
+
+  std::optional<DatabaseCheck> check_;
+  DemonstrationSize demonstration_;
+  std::vector<RetentionItem> due_;
+  PageHeading* heading_;
+  Card* record_;
+  QLabel* recordText_;
+  QProgressBar* disk_;
+  QPushButton* checkButton_;
+  Card* backup_;
+  QLabel* backupText_;
+  QPushButton* backupButton_;
+  QPushButton* testButton_;
+  Card* simulated_;
+  QLabel* simulatedText_;
+  QPushButton* removeButton_;
+  Card* move_;
+  QLabel* moveText_;
+  QPushButton* restoreButton_;
+  QPushButton* moveButton_;
+  QLabel* queueTitle_;
+  DataTable* queue_;
+  QPushButton* keep_;
+  QPushButton* lock_;
+  QPushButton* erase_;
+  QPushButton* rules_;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/station/restore_page.h"
+
+#include <array>
+#include <utility>
+
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/file_choice.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kWordWidth = 220;
+constexpr int kNumberColumns = 4;
+
+QString number(std::int64_t value, const QLocale& locale) {
+  return locale.toString(static_cast<qlonglong>(value));
+}
+
+}  // namespace
+
+RestorePage::RestorePage(ShellContext& shell)
+    : Page(shell),
+      heading_(new PageHeading(this)),
+      back_(new QPushButton(this)),
+      backup_(new Card(QString(), this)),
+      backupText_(sentence(this)),
+      fileLabel_(new QLabel(this)),
+      file_(new QLineEdit(this)),
+      choose_(new QPushButton(this)),
+      check_(new QPushButton(this)),
+      compare_(new Card(QString(), this)),
+      loss_(sentence(this, false)),
+      confirm_(new Card(QString(), this)),
+      confirmText_(sentence(this, false)),
+      wordLabel_(new QLabel(this)),
+      word_(new QLineEdit(this)),
+      restore_(new QPushButton(this)) {
+  loss_->setObjectName(QStringLiteral("lossText"));
+  restore_->setObjectName(QStringLiteral("restoreButton"));
+  check_->setObjectName(QStringLiteral("checkButton"));
+  word_->setObjectName(QStringLiteral("word"));
+  file_->setObjectName(QStringLiteral("file"));
+  layOut();
+  connect(back_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kCare); });
+  connect(choose_, &QPushButton::clicked, this, &RestorePage::choose);
+  connect(check_, &QPushButton::clicked, this, &RestorePage::check);
+  connect(file_, &QLineEdit::returnPressed, this, &RestorePage::check);
+  connect(file_, &QLineEdit::textChanged, this, &RestorePage::fileChanged);
+  connect(word_, &QLineEdit::textChanged, this, &RestorePage::showButtons);
+  connect(restore_, &QPushButton::clicked, this, &RestorePage::restore);
+  connect(&shell, &ShellContext::jobStarted, this, &RestorePage::showButtons);
+  connect(&shell, &ShellContext::jobEnded, this, &RestorePage::showButtons);
+  retranslate();
+}
+
+void RestorePage::layOut() {
+  heading_->addAction(back_);
+  QVBoxLayout* column = scrolledColumn(this);
+  column->addWidget(heading_);
+  for (Card* card : {backup_, compare_, confirm_}) {
+    column->addWidget(card);
+  }
+  column->addStretch(1);
+
+  check_->setProperty("primary", true);
+  fileLabel_->setBuddy(file_);
+  auto* fileRow = new QHBoxLayout;
+  fileRow->setSpacing(kSpace);
+  fileRow->addWidget(fileLabel_);
+  fileRow->addWidget(file_, 1);
+  fileRow->addWidget(choose_);
+  fileRow->addWidget(check_);
+  backup_->content()->addWidget(backupText_);
+  backup_->content()->addLayout(fileRow);
+
+  numbers_ = new QGridLayout;
+  numbers_->setHorizontalSpacing(4 * kSpace);
+  numbers_->setVerticalSpacing(kSpace / 2);
+  numbers_->setColumnStretch(kNumberColumns, 1);
+  compare_->content()->addLayout(numbers_);
+  compare_->content()->addSpacing(kSpace / 2);
+  compare_->content()->addWidget(loss_);
+
+  restore_->setProperty("primary", true);
+  wordLabel_->setBuddy(word_);
+  word_->setMaximumWidth(kWordWidth);
+  auto* wordRow = new QHBoxLayout;
+  wordRow->setSpacing(kSpace);
+  wordRow->addWidget(wordLabel_);
+  wordRow->addWidget(word_);
+  wordRow->addWidget(restore_);
+  wordRow->addStretch(1);
+  confirm_->content()->addWidget(confirmText_);
+  confirm_->content()->addLayout(wordRow);
+}
+
+void RestorePage::enter(const QVariant& argument) {
+  file_->setText(argument.toString());
+  fileChanged();
+  file_->setFocus();
+  check();
+}
+
+void RestorePage::choose() {
+  const QString chosen = askFileToOpen(this, tr("Choose a backup"), tr("Backup (*.sqlite)"), file_->text());
+  if (chosen.isEmpty()) {
+    return;
+  }
+  file_->setText(chosen);
+  check();
+}
+
+void RestorePage::fileChanged() {
+  plan_.reset();
+  word_->clear();
+  showPlan();
+}
+
+void RestorePage::check() {
+  if (file_->text().trimmed().isEmpty() || shell().working()) {
+    return;
+  }
+  const std::filesystem::path file(file_->text().trimmed().toStdString());
+  auto plan = std::make_shared<RestorePlan>();
+  shell().run(
+      tr("Checking the backup"),
+      [file, plan](SessionContext& session, const ProgressCallback& progress) {
+        *plan = planRestore(session, file, progress);
+      },
+      [this, plan] {
+        plan_ = *plan;
+        showPlan();
+        word_->setFocus();
+      });
+}
+
+void RestorePage::restore() {
+  if (!plan_ || shell().working()) {
+    return;
+  }
+  auto prepared = std::make_shared<std::shared_ptr<PreparedRestore>>();
+  shell().run(
+      tr("Restoring the backup"),
+      [plan = *plan_, prepared](SessionContext& session, const ProgressCallback& progress) {
+        *prepared = prepareRestore(session, plan, progress);
+      },
+      [this, prepared, name = QFileInfo(toQString(plan_->backup)).fileName()] {
+        const QString kept = toQString((*prepared)->safety());
+        RecordChange change;
+        change.swap = [ready = *prepared] { ready->takeOver(); };
+        change.sentence =
+            tr("The record was restored from %1. As it was before, it is kept in %2").arg(name, kept);
+        shell().changeRecord(change);
+      });
+}
+
+void RestorePage::showPlan() {
+  while (QLayoutItem* item = numbers_->takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+  compare_->setVisible(plan_.has_value());
+  confirm_->setVisible(plan_.has_value());
+  showButtons();
+  if (!plan_) {
+    return;
+  }
+  const RestorePlan& plan = *plan_;
+  using Line = std::array<QString, kNumberColumns>;
+  const auto line = [this](const QString& what, std::int64_t now, std::int64_t then, std::int64_t lost) {
+    return Line{what, number(now, locale()), number(then, locale()), number(lost, locale())};
+  };
+  const std::vector<Line> lines = {
+      {QString(), tr("Now"), tr("In the backup"), tr("Lost")},
+      line(tr("Recordings"), plan.present.trials, plan.restored.trials, plan.lostTrials),
+      line(tr("Marks"), plan.present.marks, plan.restored.marks, plan.lostMarks),
+      line(tr("People"), plan.present.people, plan.restored.people, plan.lostPeople),
+      {tr("Newest recording or mark"), shownTime(plan.present.newestUtc_us, locale()),
+       shownTime(plan.restored.newestUtc_us, locale()), QString()}};
+  for (std::size_t row = 0; row < lines.size(); ++row) {
+    for (std::size_t place = 0; place < lines[row].size(); ++place) {
+      auto* label = new QLabel(lines[row][place], compare_);
+      if (row == 0 || place == 0) {
+        setLook(label, "quiet", true);
+      }
+      numbers_->addWidget(label, static_cast<int>(row), static_cast<int>(place),
+                          place == 0 ? Qt::AlignLeft : Qt::AlignRight);
+    }
+  }
+  const bool loses = plan.lostTrials + plan.lostMarks + plan.lostPeople > 0;
+  QString words =
+      loses ? tr("What was added after the backup is no longer in the record: %1 recordings, %2 marks and %3 "
+                 "people. It stays in the safety backup.")
+                  .arg(number(plan.lostTrials, locale()), number(plan.lostMarks, locale()),
+                       number(plan.lostPeople, locale()))
+            : tr("Nothing recorded is lost: the backup has every recording, mark and person of today.");
+  words +=
+      QLatin1Char('\n') +
+      tr("Passwords, accounts, settings and consents are those of the backup. Look at consents afterwards.");
+  if (plan.erasedSince > 0) {
+    words += QLatin1Char('\n') +
+             tr("%1 people were erased after this backup. They stay erased.").arg(plan.erasedSince);
+  }
+  loss_->setText(words);
+  setLook(loss_, "caution", loses);
+}
+
+void RestorePage::showButtons() {
+  const bool free = !shell().working();
+  const bool given = !file_->text().trimmed().isEmpty();
+  check_->setEnabled(free && given);
+  choose_->setEnabled(free);
+  file_->setEnabled(free);
+  word_->setEnabled(free);
+  restore_->setEnabled(free && plan_ && word_->text().trimmed() == tr("RESTORE"));
+}
+
+void RestorePage::retranslate() {
+  heading_->setTexts(tr("Restore from a backup"),
+                     tr("The record of all people at all stations goes back to the day of the backup."));
+  back_->setText(tr("&Back to maintenance"));
+  backup_->setTitle(tr("1  The backup"));
+  backupText_->setText(
+      tr("It is first read from end to end in a copy; your record is not touched. Nobody may be at work: "
+         "close Torsio at all other stations."));
+  nameField(fileLabel_, tr("Backup &file"));
+  choose_->setText(tr("C&hoose\u2026"));
+  check_->setText(tr("&Check this backup"));
+  compare_->setTitle(tr("2  What is kept and what is lost"));
+  confirm_->setTitle(tr("3  Restore"));
+  confirmText_->setText(
+      tr("A safety backup of the record as it is now is made first, beside the record. Then the backup takes "
+         "its place, and everybody signs in again."));
+  nameField(wordLabel_, tr("&Type %1 to go on").arg(tr("RESTORE")));
+  restore_->setText(tr("&Restore now"));
+  showPlan();
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/station/station_settings_card.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+
+#include "app/access/first_run.h"
+#include "app/access/settings_service.h"
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/theme.h"
+#include "app/training/run_session.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr std::int64_t kMinute_us = 60'000'000;
+
+}  // namespace
+
+StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
+    : Card(QString(), parent),
+      shell_(shell),
+      nameLabel_(nullptr),
+      name_(new QLineEdit(this)),
+      warnLabel_(nullptr),
+      warn_(new QSpinBox(this)),
+      lockLabel_(nullptr),
+      lock_(new QSpinBox(this)),
+      mouse_(new QCheckBox(this)),
+      note_(sentence(this)),
+      keep_(new QPushButton(this)) {
+  name_->setObjectName(QStringLiteral("centreName"));
+  warn_->setObjectName(QStringLiteral("idleWarn"));
+  lock_->setObjectName(QStringLiteral("idleLock"));
+  keep_->setObjectName(QStringLiteral("keepSettings"));
+  mouse_->setObjectName(QStringLiteral("gradedWithMouse"));
+  lock_->setRange(kShortestIdleLock_min, kLongestIdleLock_min);
+  warn_->setRange(1, kLongestIdleLock_min - 1);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kSpace);
+  nameLabel_ = fieldBeside(row, name_);
+  row->setStretchFactor(name_, 1);
+  row->addSpacing(2 * kSpace);
+  warnLabel_ = fieldBeside(row, warn_);
+  row->addSpacing(2 * kSpace);
+  lockLabel_ = fieldBeside(row, lock_);
+  row->addSpacing(2 * kSpace);
+  row->addWidget(keep_);
+  content()->addLayout(row);
+  content()->addWidget(mouse_);
+  content()->addWidget(note_);
+  connect(lock_, &QSpinBox::valueChanged, this, &StationSettingsCard::keepInBounds);
+  connect(keep_, &QPushButton::clicked, this, &StationSettingsCard::keep);
+  retranslate();
+}
+
+void StationSettingsCard::keepInBounds() {
+  warn_->setMaximum(lock_->value() - 1);
+}
+
+void StationSettingsCard::read() {
+  attempt(shell_, [this] {
+    name_->setText(toQString(centreSign(shell_.session().connectionWithoutRight()).name));
+    const IdleLimits limits = centreIdleLimits(shell_.session().connectionWithoutRight());
+    lock_->setValue(static_cast<int>(limits.lock_us / kMinute_us));
+    keepInBounds();
+    warn_->setValue(static_cast<int>(limits.warn_us / kMinute_us));
+    mouse_->setChecked(gradesWithMouse(shell_.session()));
+  });
+}
+
+void StationSettingsCard::keep() {
+  attempt(shell_, [this] {
+    setCentreName(shell_.session(), name_->text().trimmed().toStdString());
+    setCentreIdleLimits(shell_.session(), warn_->value(), lock_->value());
+    setGradedWithMouse(shell_.session(), mouse_->isChecked());
+    shell_.notify(tr("Kept. It holds at every station from the next sign-in on"));
+  });
+}
+
+void StationSettingsCard::retranslate() {
+  setTitle(tr("At every station"));
+  nameField(nameLabel_, tr("&Name of the centre"));
+  nameField(warnLabel_, tr("When nobody is there, &warn after"));
+  nameField(lockLabel_, tr("and &lock after"));
+  warn_->setSuffix(tr(" min"));
+  lock_->setSuffix(tr(" min"));
+  mouse_->setText(tr("&Grade runs with mouse and keyboard"));
+  note_->setText(tr("A run is never interrupted by this. A kiosk signs out instead of locking."));
+  keep_->setText(tr("&Keep"));
+}
+
+}  // namespace torsio::gui

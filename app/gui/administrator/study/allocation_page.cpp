@@ -1,0 +1,464 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/study/allocation_page.h"
+
+#include <algorithm>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/printed_cards.h"
+#include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/administrator/study/group_move_dialog.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/file_choice.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+#include "app/study/cohort_service.h"
+#include "assessment/study/cohort.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr AllocationMethod kMethods[] = {AllocationMethod::kCompletePermutation,
+                                         AllocationMethod::kStratifiedBlocks,
+                                         AllocationMethod::kPermutedBlocks, AllocationMethod::kMinimisation};
+
+}  // namespace
+
+AllocationPage::AllocationPage(ShellContext& shell)
+    : Page(shell),
+      heading_(new PageHeading(this)),
+      cohortLabel_(nullptr),
+      cohort_(new QComboBox(this)),
+      design_(new Card(QString(), this)),
+      methodLabel_(new QLabel(this)),
+      method_(new QComboBox(this)),
+      factorsLabel_(new QLabel(this)),
+      blocksLabel_(new QLabel(this)),
+      blocks_(new QLineEdit(QStringLiteral("3, 6"), this)),
+      previewButton_(new QPushButton(this)),
+      lock_(new QPushButton(this)),
+      state_(new Card(QString(), this)),
+      stateText_(sentence(this, false)),
+      allocate_(new QPushButton(this)),
+      reveal_(new QPushButton(this)),
+      check_(new QPushButton(this)),
+      cards_(new QPushButton(this)),
+      balanceTitle_(new QLabel(this)),
+      balance_(new DataTable(QStringLiteral("allocation-balance"), this)),
+      recordsTitle_(new QLabel(this)),
+      records_(new DataTable(QStringLiteral("allocation-records"), this)),
+      move_(listButton(records_)) {
+  move_->setObjectName(QStringLiteral("moveByHand"));
+  allocate_->setObjectName(QStringLiteral("allocateButton"));
+  lock_->setObjectName(QStringLiteral("lockButton"));
+  records_->setObjectName(QStringLiteral("records"));
+  balance_->setObjectName(QStringLiteral("balance"));
+  method_->setObjectName(QStringLiteral("method"));
+  for (const AllocationMethod method : kMethods) {
+    method_->addItem(QString(), static_cast<int>(method));
+  }
+  for (const std::string& name : allocationFactorNames()) {
+    factors_[name] = new QCheckBox(this);
+  }
+  auto* choices = new QHBoxLayout;
+  choices->setSpacing(kSpace);
+  cohortLabel_ = fieldBeside(choices, cohort_);
+  choices->addStretch(1);
+  cohort_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  auto* cards = new QHBoxLayout;
+  cards->setSpacing(2 * kSpace);
+  cards->addWidget(designForm(), 1);
+  stateText_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  state_->content()->addWidget(stateText_, 1);
+  auto* acts = new QHBoxLayout;
+  for (QPushButton* button : {allocate_, cards_, reveal_, check_}) {
+    acts->addWidget(button);
+  }
+  acts->addStretch(1);
+  state_->content()->addLayout(acts);
+  cards->addWidget(state_, 1);
+  for (QLabel* title : {balanceTitle_, recordsTitle_}) {
+    title->setObjectName(QStringLiteral("cardTitle"));
+  }
+  auto* lists = new QGridLayout;
+  lists->setHorizontalSpacing(2 * kSpace);
+  lists->setVerticalSpacing(kSpace);
+  lists->addWidget(balanceTitle_, 0, 0);
+  lists->addWidget(recordsTitle_, 0, 1);
+  lists->addWidget(balance_, 1, 0);
+  lists->addWidget(records_, 1, 1);
+  lists->setColumnStretch(0, 4);  // the differences are what one looks for
+  lists->setColumnStretch(1, 3);
+  QVBoxLayout* column = pageColumn(this);
+  column->addWidget(heading_);
+  column->addLayout(choices);
+  column->addLayout(cards);
+  column->addLayout(lists, 1);
+
+  connect(cohort_, &QComboBox::currentIndexChanged, this, &AllocationPage::read);
+  connect(method_, &QComboBox::currentIndexChanged, this, &AllocationPage::showFields);
+  connect(previewButton_, &QPushButton::clicked, this, &AllocationPage::preview);
+  connect(lock_, &QPushButton::clicked, this, &AllocationPage::askLock);
+  connect(allocate_, &QPushButton::clicked, this, &AllocationPage::allocateEverybody);
+  connect(reveal_, &QPushButton::clicked, this, &AllocationPage::askReveal);
+  connect(cards_, &QPushButton::clicked, this, &AllocationPage::askCards);
+  connect(check_, &QPushButton::clicked, this, &AllocationPage::check);
+  connect(move_, &QPushButton::clicked, this, &AllocationPage::askMove);
+  connect(records_, &DataTable::currentChanged, this, &AllocationPage::showFields);
+  retranslate();
+}
+
+QWidget* AllocationPage::designForm() {
+  methodLabel_->setBuddy(method_);
+  blocksLabel_->setBuddy(blocks_);
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(2 * kSpace);
+  grid->setVerticalSpacing(kSpace);
+  grid->setColumnStretch(1, 1);
+  grid->addWidget(methodLabel_, 0, 0);
+  grid->addWidget(method_, 0, 1);
+  grid->addWidget(factorsLabel_, 1, 0);
+  auto* checks = new QHBoxLayout;
+  checks->setSpacing(2 * kSpace);
+  for (const std::string& name : allocationFactorNames()) {
+    checks->addWidget(factors_.at(name));
+  }
+  checks->addStretch(1);
+  grid->addLayout(checks, 1, 1);
+  grid->addWidget(blocksLabel_, 2, 0);
+  grid->addWidget(blocks_, 2, 1);
+  design_->content()->addLayout(grid);
+  design_->content()->addStretch(1);
+  auto* acts = new QHBoxLayout;
+  lock_->setProperty("primary", true);
+  acts->addWidget(previewButton_);
+  acts->addWidget(lock_);
+  acts->addStretch(1);
+  design_->content()->addLayout(acts);
+  return design_;
+}
+
+void AllocationPage::enter(const QVariant& argument) {
+  attempt(shell(), [&] {
+    fillCohorts(cohort_, shell().session());
+    if (argument.isValid()) {
+      chooseId(cohort_, argument.toString().toStdString());
+    }
+    read();
+  });
+}
+
+void AllocationPage::read() {
+  attempt(shell(), [&] {
+    const std::string cohort = chosenId(cohort_);
+    designs_ =
+        cohort.empty() ? std::vector<AllocationDesignRow>{} : allocationDesigns(shell().session(), cohort);
+    preview_.reset();
+    showFields();
+    showDesign();
+    showBalance();
+  });
+}
+
+AllocationPlan AllocationPage::plan() const {
+  AllocationPlan plan;
+  plan.cohortId = chosenId(cohort_);
+  plan.method = static_cast<AllocationMethod>(method_->currentData().toInt());
+  if (usesFactors(plan.method)) {
+    for (const std::string& name : allocationFactorNames()) {
+      if (factors_.at(name)->isChecked()) {
+        plan.factors.push_back(name);
+      }
+    }
+  }
+  if (usesBlocks(plan.method)) {
+    for (const QString& size : blocks_->text().split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+      plan.blockSizes.push_back(static_cast<std::size_t>(size.trimmed().toUInt()));
+    }
+  }
+  return plan;
+}
+
+void AllocationPage::showFields() {
+  const auto method = static_cast<AllocationMethod>(method_->currentData().toInt());
+  for (const auto& [name, box] : factors_) {
+    box->setEnabled(usesFactors(method));
+  }
+  blocks_->setEnabled(usesBlocks(method));
+  const bool some = cohort_->count() > 0;
+  const bool run = shell().may(Operation::kAllocationRun);
+  previewButton_->setEnabled(some && run);
+  lock_->setEnabled(some && run);
+  allocate_->setEnabled(!designs_.empty() && run);
+  reveal_->setEnabled(!designs_.empty() && designs_.back().stored.seed.empty() &&
+                      shell().may(Operation::kAllocationReveal));
+  cards_->setEnabled(!designs_.empty() && designs_.back().records > 0 && run);
+  check_->setEnabled(!designs_.empty());
+  move_->setEnabled(run && !records_->currentId().isEmpty());
+}
+
+bool AllocationPage::preview() {
+  return attempt(shell(), [&] {
+    preview_ = previewBalance(shell().session(), plan());
+    showBalance();
+  });
+}
+
+void AllocationPage::showBalance() {
+  std::vector<Row> rows;
+  if (preview_) {
+    for (const BalancePreview::Level& level : preview_->levels) {
+      QStringList expected;
+      for (const double people : level.expected) {
+        expected << locale().toString(people, 'f', 1);
+      }
+      rows.push_back(
+          {QStringLiteral("%1/%2").arg(toQString(level.factor), toQString(level.level)),
+           {{factorName(level.factor)},
+            {levelName(level.level)},
+            {QString::number(level.people), static_cast<qlonglong>(level.people)},
+            {expected.join(QStringLiteral("  "))},
+            {locale().toString(level.meanDifference, 'f', 1), level.meanDifference},
+            {QString::number(level.worstDifference), static_cast<qlonglong>(level.worstDifference)}}});
+    }
+  }
+  balance_->setRows(std::move(rows));
+  QString title = tr("How even it would come out");
+  if (preview_) {
+    title = tr("How even it would come out, over %1 tries with other seeds").arg(preview_->tries);
+    if (!preview_->missing.empty()) {
+      title = tr("%1 trainee(s) lack one of these details: %2")
+                  .arg(preview_->missing.size())
+                  .arg(toQString(preview_->missing.front()));
+    }
+  }
+  balanceTitle_->setText(title);
+}
+
+void AllocationPage::showDesign() {
+  drawn_.clear();
+  std::vector<Row> rows;
+  QString text =
+      tr("No design is locked yet. Preview the balance, then lock: the seed is drawn and sealed at that "
+         "moment.");
+  if (!designs_.empty()) {
+    const AllocationDesignRow& row = designs_.back();
+    text = tr("Locked %1 \u00B7 %2 allocated, %3 moved by hand\n%4\nCommitment: %5\nSeed: %6")
+               .arg(shownTime(row.stored.lockedUtc_us, locale()))
+               .arg(row.records)
+               .arg(row.overrides)
+               .arg(methodName(row.design.method), toQString(row.stored.seedCommitment.substr(0, 32)),
+                    row.stored.seed.empty() ? tr("sealed") : toQString(row.stored.seed));
+    std::map<std::string, std::string> codes;
+    std::map<std::string, std::string> groups;
+    for (const Enrolment& enrolment : enrolments(shell().session(), chosenId(cohort_))) {
+      codes[enrolment.id] = enrolment.traineeCode;
+    }
+    for (const CohortRow& cohort : cohorts(shell().session())) {
+      for (const StudyGroup& group : cohort.groups) {
+        groups[group.id] = group.code;
+      }
+    }
+    drawn_ = allocations(shell().session(), row.stored.id);
+    for (const AllocationEntry& record : drawn_) {
+      rows.push_back({toQString(record.id),
+                      {{QString::number(record.sequence), static_cast<qlonglong>(record.sequence)},
+                       {toQString(codes[record.enrolmentId])},
+                       {toQString(groups[record.groupId])},
+                       {QString::number(record.numberInGroup), static_cast<qlonglong>(record.numberInGroup)},
+                       {record.overrideReason.empty() ? tr("as drawn") : toQString(record.overrideReason)},
+                       {toQString(record.recordHash.substr(0, 12))}}});
+    }
+  }
+  if (cohort_->count() == 0) {
+    text = tr("There is no cohort yet. Make one under Cohorts and enrol its trainees.");
+  } else if (!shell().may(Operation::kAllocationRun)) {
+    text = tr("%1\n\nOnly an allocator previews, locks and draws. An administrator gives this role to "
+              "somebody under Users.")
+               .arg(text);
+  }
+  stateText_->setText(text);
+  records_->setRows(std::move(rows));
+}
+
+bool AllocationPage::lock(const std::string& supersedeReason) {
+  return attempt(shell(), [&] {
+    lockAllocation(shell().session(), plan(), supersedeReason);
+    read();
+    shell().notify(tr("The design is locked and its seed is sealed"));
+  });
+}
+
+void AllocationPage::askLock() {
+  std::string reason;
+  if (!designs_.empty() && designs_.back().records > 0) {
+    const std::optional<std::string> given =
+        askReason(this, tr("Replace the design"),
+                  tr("Trainees were already allocated by the present design; they stay where they are."));
+    if (!given) {
+      return;
+    }
+    reason = *given;
+  } else if (QMessageBox::question(
+                 this, tr("Lock the design"),
+                 tr("After locking, the design cannot be changed without a trace. Lock it?")) !=
+             QMessageBox::Yes) {
+    return;
+  }
+  lock(reason);
+}
+
+bool AllocationPage::allocateEverybody() {
+  return attempt(shell(), [&] {
+    const std::size_t people = allocateAll(shell().session(), chosenId(cohort_));
+    read();
+    shell().notify(tr("%n trainee(s) allocated", nullptr, static_cast<int>(people)));
+  });
+}
+
+bool AllocationPage::moveByHand(const std::string& enrolmentId, const std::string& groupId,
+                                const std::string& reason) {
+  return attempt(shell(), [&] {
+    overrideAllocation(shell().session(), chosenId(cohort_), enrolmentId, groupId, reason);
+    read();
+    shell().notify(tr("Moved by hand; the drawn record stays beside it"));
+  });
+}
+
+void AllocationPage::askMove() {
+  const std::string id = records_->currentId().toStdString();
+  const auto record =
+      std::find_if(drawn_.begin(), drawn_.end(), [&](const AllocationEntry& one) { return one.id == id; });
+  if (record == drawn_.end()) {
+    return;
+  }
+  attempt(shell(), [&] {
+    const std::string enrolmentId = record->enrolmentId;
+    std::string present;  // where the newest record puts them
+    for (const AllocationEntry& one : drawn_) {
+      if (one.enrolmentId == enrolmentId) {
+        present = one.groupId;
+      }
+    }
+    QString code;
+    for (const Enrolment& one : enrolments(shell().session(), chosenId(cohort_))) {
+      if (one.id == enrolmentId) {
+        code = toQString(one.traineeCode);
+      }
+    }
+    std::vector<StudyGroup> groups;
+    for (const CohortRow& cohort : cohorts(shell().session())) {
+      if (cohort.cohort.id == chosenId(cohort_)) {
+        groups = cohort.groups;
+      }
+    }
+    std::erase_if(groups, [&](const StudyGroup& group) { return group.id == present; });
+    if (const std::optional<GroupMove> move = askGroupMove(this, code, groups)) {
+      moveByHand(enrolmentId, move->groupId, move->reason);
+    }
+  });
+}
+
+bool AllocationPage::reveal(const std::string& reason) {
+  return attempt(shell(), [&] {
+    if (designs_.empty()) {
+      return;
+    }
+    revealSeed(shell().session(), designs_.back().stored.id, reason);
+    read();
+  });
+}
+
+void AllocationPage::askReveal() {
+  const std::optional<std::string> reason =
+      askReason(this, tr("Open the seal"),
+                tr("From now on anybody can repeat the draw, and foresee what is left of it."));
+  if (reason) {
+    reveal(*reason);
+  }
+}
+
+bool AllocationPage::writeCards(const std::filesystem::path& file) {
+  return attempt(shell(), [&] {
+    writeSealedCards(takeOutCards(shell().session(), chosenId(cohort_)), cohort_->currentText().toStdString(),
+                     file);
+    shell().notify(tr("Written: %1").arg(toQString(file)));
+  });
+}
+
+void AllocationPage::askCards() {
+  const QString file =
+      askFileToSave(this, tr("Sealed cards"), QStringLiteral("cards.pdf"), tr("PDF (*.pdf)"));
+  if (!file.isEmpty()) {
+    writeCards(toPath(file));
+  }
+}
+
+void AllocationPage::check() {
+  attempt(shell(), [&] {
+    const AllocationCheck found = checkAllocation(shell().session(), designs_.back().stored.id);
+    QMessageBox::information(this, tr("Check of the draw"),
+                             found.sound
+                                 ? tr("The whole draw was repeated: every one of %1 records is as drawn, %2 "
+                                      "of them moved by hand.")
+                                       .arg(found.records)
+                                       .arg(found.overrides)
+                                 : tr("The draw does not fit its record: %1").arg(toQString(found.finding)));
+  });
+}
+
+void AllocationPage::retranslate() {
+  heading_->setTexts(tr("Allocation"),
+                     tr("Random groups that anybody can check afterwards: design, lock, draw, proof."));
+  cohortLabel_->setText(tr("&Cohort"));
+  design_->setTitle(tr("Design"));
+  methodLabel_->setText(tr("&Method"));
+  factorsLabel_->setText(tr("Balanced by"));
+  blocksLabel_->setText(tr("&Block sizes"));
+  blocks_->setToolTip(tr("Multiples of the number of groups; several are mixed at random"));
+  for (const auto& [name, box] : factors_) {
+    box->setText(factorName(name));
+  }
+  for (int i = 0; i < method_->count(); ++i) {
+    method_->setItemText(i, methodName(static_cast<AllocationMethod>(method_->itemData(i).toInt())));
+  }
+  previewButton_->setText(tr("&Preview balance"));
+  lock_->setText(tr("&Lock design\u2026"));
+  state_->setTitle(tr("What counts now"));
+  allocate_->setText(tr("&Allocate everybody"));
+  cards_->setText(tr("Ca&rds\u2026"));
+  cards_->setToolTip(tr("A page with a label and a card for each envelope, to print"));
+  reveal_->setText(tr("&Open the seal\u2026"));
+  check_->setText(tr("Chec&k the draw"));
+  move_->setText(tr("Mo&ve by hand\u2026"));
+  move_->setToolTip(tr("Puts a trainee into another group than the draw did, with a reason"));
+  balance_->setColumns({{tr("Detail")},
+                        {tr("Value")},
+                        {tr("Trainees"), true},
+                        {tr("Expected in the groups")},
+                        {tr("Usual difference"), true},
+                        {tr("Worst"), true}});
+  balance_->setEmptyText(tr("Preview the balance to see how even the groups would be."));
+  records_->setColumns(
+      {{tr("No."), true}, {tr("Trainee")}, {tr("Group")}, {tr("Number"), true}, {tr("How")}, {tr("Hash")}});
+  records_->setEmptyText(tr("Nobody is allocated yet."));
+  recordsTitle_->setText(tr("Who was put where"));
+  showBalance();
+  attempt(shell(), [&] { showDesign(); });
+}
+
+}  // namespace torsio::gui

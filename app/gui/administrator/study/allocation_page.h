@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/gui/base/page.h"
+#include "app/study/allocation_service.h"
+#include "assessment/study/allocation_entry.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace torsio::gui {
+
+class Card;
+class DataTable;
+class PageHeading;
+
+/// Random allocation to groups: design, a look at how even it would come out, the lock, the draw, and the
+/// proof afterwards. The real seed is drawn when the design is locked: nobody can choose among outcomes.
+class AllocationPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit AllocationPage(ShellContext& shell);
+
+  void enter(const QVariant& argument) override;
+  void retranslate() override;
+
+  [[nodiscard]] AllocationPlan plan() const;
+  bool preview();
+  /// Locks the plan that is set; an earlier design that somebody was allocated by needs a reason.
+  bool lock(const std::string& supersedeReason = {});
+  bool allocateEverybody();
+  /// The sealed cards as a PDF to print.
+  bool writeCards(const std::filesystem::path& file);
+  bool reveal(const std::string& reason = {});
+  /// Puts a trainee into another group than the draw did.
+  bool moveByHand(const std::string& enrolmentId, const std::string& groupId, const std::string& reason);
+
+ private:
+  QWidget* designForm();
+  void read();
+  void showDesign();
+  void showBalance();
+  void showFields();
+  void askLock();
+  void askReveal();
+  void askCards();
+  void askMove();
+  void check();
+
+  std::vector<AllocationDesignRow> designs_;
+  std::vector<AllocationEntry> drawn_;  // of the design that counts
+  std::optional<BalancePreview> preview_;
+  std::map<std::string, QCheckBox*> factors_;
+  PageHeading* heading_;
+  QLabel* cohortLabel_;
+  QComboBox* cohort_;
+  Card* design_;
+  QLabel* methodLabel_;
+  QComboBox* method_;
+  QLabel* factorsLabel_;
+  QLabel* blocksLabel_;
+  QLineEdit* blocks_;
+  QPushButton* previewButton_;
+  QPushButton* lock_;
+  Card* state_;
+  QLabel* stateText_;
+  QPushButton* allocate_;
+  QPushButton* reveal_;
+  QPushButton* check_;
+  QPushButton* cards_;
+  QLabel* balanceTitle_;
+  DataTable* balance_;
+  QLabel* recordsTitle_;
+  DataTable* records_;
+  QPushButton* move_;
+};
+
+}  // namespace torsio::gui

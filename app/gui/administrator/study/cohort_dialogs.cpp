@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/study/cohort_dialogs.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QInputDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+CohortDialog::CohortDialog(const std::vector<CurriculumRow>& curricula, QWidget* parent)
+    : QDialog(parent),
+      name_(new QLineEdit(this)),
+      description_(new QLineEdit(this)),
+      curriculum_(new QComboBox(this)),
+      groups_(new QLineEdit(this)),
+      groupsLabel_(new QLabel(tr("&Groups"), this)),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
+  name_->setObjectName(QStringLiteral("name"));
+  setWindowTitle(tr("New cohort"));
+  curriculum_->addItem(tr("none yet"), QString());
+  for (const auto& [id, title] : runningVersions(curricula)) {
+    curriculum_->addItem(title, toQString(id));
+  }
+  curriculum_->setCurrentIndex(curriculum_->count() > 1 ? 1 : 0);
+  groups_->setPlaceholderText(tr("Group 1, Group 2, Group 3"));
+  groupsLabel_->setBuddy(groups_);
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+  form->setSpacing(kSpace);
+  form->addRow(tr("&Name"), name_);
+  form->addRow(tr("&Description"), description_);
+  form->addRow(tr("&Curriculum"), curriculum_);
+  form->addRow(groupsLabel_, groups_);
+  buttons_->button(QDialogButtonBox::Ok)->setText(tr("Create"));
+  form->addRow(buttons_);
+  name_->setMinimumWidth(360);
+  connect(name_, &QLineEdit::textChanged, this, &CohortDialog::check);
+  connect(groups_, &QLineEdit::textChanged, this, &CohortDialog::check);
+  connect(curriculum_, &QComboBox::currentIndexChanged, this, &CohortDialog::check);
+  connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  check();
+}
+
+void CohortDialog::check() {
+  const bool byName = chosenId(curriculum_).empty();
+  groups_->setVisible(byName);
+  groupsLabel_->setVisible(byName);
+  const bool whole = !name_->text().trimmed().isEmpty() && (!byName || !cohort().groups.empty());
+  buttons_->button(QDialogButtonBox::Ok)->setEnabled(whole);
+}
+
+NewCohort CohortDialog::cohort() const {
+  NewCohort out;
+  out.name = name_->text().trimmed().toStdString();
+  out.description = description_->text().trimmed().toStdString();
+  out.curriculumVersionId = chosenId(curriculum_);
+  if (!out.curriculumVersionId.empty()) {
+    return out;
+  }
+  int number = 0;
+  for (const QString& label : groups_->text().split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+    out.groups.push_back({QStringLiteral("G%1").arg(++number).toStdString(), label.trimmed().toStdString()});
+  }
+  return out;
+}
+
+std::vector<std::pair<std::string, QString>> runningVersions(const std::vector<CurriculumRow>& curricula) {
+  std::vector<std::pair<std::string, QString>> out;
+  for (const CurriculumRow& row : curricula) {
+    for (auto version = row.versions.rbegin(); version != row.versions.rend(); ++version) {
+      if (version->state == CurriculumState::kRunning) {
+        out.emplace_back(
+            version->id,
+            CohortDialog::tr("%1, version %2").arg(toQString(row.curriculum.name)).arg(version->number));
+      }
+    }
+  }
+  return out;
+}
+
+std::optional<std::string> askCurriculum(QWidget* parent, const std::vector<CurriculumRow>& curricula) {
+  const auto running = runningVersions(curricula);
+  QStringList titles;
+  for (const auto& [id, title] : running) {
+    titles << title;
+  }
+  bool given = false;
+  const QString title = QInputDialog::getItem(
+      parent, CohortDialog::tr("Follow a curriculum"),
+      CohortDialog::tr("The groups of the cohort go through its arms, number by number."), titles, 0, false,
+      &given);
+  if (!given) {
+    return std::nullopt;
+  }
+  for (const auto& [id, known] : running) {
+    if (known == title) {
+      return id;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QDialog>
+
+#include "app/study/cohort_service.h"
+#include "app/study/curriculum_service.h"
+
+class QComboBox;
+class QDialogButtonBox;
+class QLabel;
+class QLineEdit;
+
+namespace torsio::gui {
+
+/// Asks for a new cohort: name, words, and the running curriculum whose arms become its groups; without one,
+/// the groups by name.
+class CohortDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  CohortDialog(const std::vector<CurriculumRow>& curricula, QWidget* parent);
+
+  [[nodiscard]] NewCohort cohort() const;
+
+ private:
+  void check();
+
+  QLineEdit* name_;
+  QLineEdit* description_;
+  QComboBox* curriculum_;
+  QLineEdit* groups_;
+  QLabel* groupsLabel_;
+  QDialogButtonBox* buttons_;
+};
+
+/// Running versions, newest first: id and "Name, version 2".
+[[nodiscard]] std::vector<std::pair<std::string, QString>> runningVersions(
+    const std::vector<CurriculumRow>& curricula);
+/// Asks which running curriculum to follow. Empty: given up.
+[[nodiscard]] std::optional<std::string> askCurriculum(QWidget* parent,
+                                                       const std::vector<CurriculumRow>& curricula);
+
+}  // namespace torsio::gui

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/study/cohorts_page.h"
+
+#include <algorithm>
+#include <set>
+
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/people_dialog.h"
+#include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/administrator/study/cohort_dialogs.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/page_heading.h"
+
+namespace torsio::gui {
+
+CohortsPage::CohortsPage(ShellContext& shell)
+    : Page(shell),
+      heading_(new PageHeading(this)),
+      add_(new QPushButton(this)),
+      table_(new DataTable(QStringLiteral("cohorts"), this)),
+      enrol_(listButton(table_)),
+      follow_(listButton(table_)),
+      allocate_(listButton(table_)),
+      membersTitle_(new QLabel(this)),
+      members_(new DataTable(QStringLiteral("cohort-members"), this)),
+      state_(listButton(members_)) {
+  members_->setObjectName(QStringLiteral("members"));
+  table_->setObjectName(QStringLiteral("cohorts"));
+  add_->setProperty("primary", true);
+  heading_->addAction(add_);
+  membersTitle_->setObjectName(QStringLiteral("cardTitle"));
+  QVBoxLayout* column = pageColumn(this);
+  column->addWidget(heading_);
+  column->addWidget(table_, 2);
+  column->addWidget(membersTitle_);
+  column->addWidget(members_, 3);
+
+  connect(add_, &QPushButton::clicked, this, &CohortsPage::addNew);
+  connect(enrol_, &QPushButton::clicked, this, &CohortsPage::enrol);
+  connect(follow_, &QPushButton::clicked, this, &CohortsPage::follow);
+  connect(allocate_, &QPushButton::clicked, this, [this] {
+    if (const CohortRow* row = current()) {
+      this->shell().open(PageId::kAllocation, toQString(row->cohort.id));
+    }
+  });
+  connect(state_, &QPushButton::clicked, this, &CohortsPage::changeState);
+  connect(table_, &DataTable::currentChanged, this, &CohortsPage::showMembers);
+  connect(members_, &DataTable::currentChanged, this, [this](const QString& id) {
+    state_->setEnabled(!id.isEmpty() && this->shell().may(Operation::kStudyEnrol));
+  });
+  retranslate();
+}
+
+void CohortsPage::enter(const QVariant& argument) {
+  read();
+  if (argument.isValid()) {
+    table_->select(argument.toString());
+  }
+  if (table_->currentId().isEmpty() && !rows_.empty()) {
+    table_->select(toQString(rows_.back().cohort.id));
+  }
+}
+
+void CohortsPage::read() {
+  attempt(shell(), [&] {
+    rows_ = torsio::cohorts(shell().session());
+    showContent();
+  });
+}
+
+void CohortsPage::showContent() {
+  std::vector<Row> rows;
+  for (const CohortRow& row : rows_) {
+    rows.push_back(
+        {toQString(row.cohort.id),
+         {{toQString(row.cohort.name)},
+          {row.curriculumName.empty()
+               ? tr("none yet")
+               : tr("%1, version %2").arg(toQString(row.curriculumName)).arg(row.curriculumNumber)},
+          {QString::number(row.groups.size()), static_cast<qlonglong>(row.groups.size())},
+          {QString::number(row.enrolled), static_cast<qlonglong>(row.enrolled)},
+          {QString::number(row.allocated), static_cast<qlonglong>(row.allocated)},
+          {QString::number(row.withdrawn), static_cast<qlonglong>(row.withdrawn)},
+          {row.cohort.demonstration ? tr("demonstration") : QStringLiteral("\u2013")},
+          timeCell(row.cohort.createdUtc_us)}});
+  }
+  table_->setRows(std::move(rows));
+  showMembers();
+}
+
+const CohortRow* CohortsPage::current() const {
+  const std::string id = table_->currentId().toStdString();
+  const auto found =
+      std::find_if(rows_.begin(), rows_.end(), [&](const CohortRow& row) { return row.cohort.id == id; });
+  return found == rows_.end() ? nullptr : &*found;
+}
+
+void CohortsPage::showMembers() {
+  const CohortRow* row = current();
+  SessionContext& session = shell().session();
+  add_->setEnabled(shell().may(Operation::kStudySetup));
+  enrol_->setEnabled(row != nullptr && shell().may(Operation::kStudyEnrol));
+  follow_->setEnabled(row != nullptr && shell().may(Operation::kStudySetup));
+  allocate_->setEnabled(row != nullptr && shell().may(Operation::kAllocationView));
+  state_->setEnabled(false);
+  membersTitle_->setText(row != nullptr ? tr("Trainees of %1").arg(toQString(row->cohort.name)) : QString());
+  enrolments_.clear();
+  if (row != nullptr) {
+    attempt(shell(), [&] { enrolments_ = enrolments(session, row->cohort.id); });
+  }
+  std::vector<Row> rows;
+  for (const Enrolment& enrolment : enrolments_) {
+    rows.push_back(
+        {toQString(enrolment.id),
+         {{toQString(enrolment.traineeCode)},
+          {orDash(enrolment.groupCode)},
+          {enrolment.numberInGroup > 0 ? QString::number(enrolment.numberInGroup) : QStringLiteral("\u2013"),
+           static_cast<qlonglong>(enrolment.numberInGroup)},
+          {enrolmentStateName(enrolment.state)},
+          timeCell(enrolment.enrolledUtc_us)}});
+  }
+  members_->setRows(std::move(rows));
+}
+
+void CohortsPage::addNew() {
+  attempt(shell(), [&] {
+    CohortDialog dialog(curricula(shell().session()), this);
+    if (dialog.exec() != QDialog::Accepted) {
+      return;
+    }
+    const std::string id = addCohort(shell().session(), dialog.cohort());
+    read();
+    table_->select(toQString(id));
+  });
+}
+
+void CohortsPage::enrol() {
+  const CohortRow* row = current();
+  if (row == nullptr) {
+    return;
+  }
+  attempt(shell(), [&] {
+    std::set<std::string> there;
+    for (const Enrolment& enrolment : enrolments_) {
+      there.insert(enrolment.traineeId);
+    }
+    std::vector<PersonRow> free;
+    for (PersonRow& person : people(shell().session())) {
+      if (person.trainee && person.person.state == "active" && !there.contains(person.person.id) &&
+          person.person.demonstration == row->cohort.demonstration) {
+        free.push_back(std::move(person));
+      }
+    }
+    PeopleDialog dialog(tr("Enrol trainees"),
+                        tr("Who takes part in %1? Groups are drawn later.").arg(toQString(row->cohort.name)),
+                        free, this);
+    if (dialog.exec() != QDialog::Accepted || dialog.chosen().empty()) {
+      return;
+    }
+    const std::string cohort = row->cohort.id;
+    enrolTrainees(shell().session(), cohort, dialog.chosen());
+    read();
+    table_->select(toQString(cohort));
+  });
+}
+
+void CohortsPage::follow() {
+  const CohortRow* row = current();
+  if (row == nullptr) {
+    return;
+  }
+  attempt(shell(), [&] {
+    const std::vector<CurriculumRow> all = curricula(shell().session());
+    if (runningVersions(all).empty()) {
+      QMessageBox::information(this, tr("Follow a curriculum"),
+                               tr("No curriculum is running. Publish one under Curricula and begin it."));
+      return;
+    }
+    const std::optional<std::string> version = askCurriculum(this, all);
+    if (!version) {
+      return;
+    }
+    const std::string cohort = row->cohort.id;
+    assignCurriculum(shell().session(), cohort, *version);
+    read();
+    table_->select(toQString(cohort));
+  });
+}
+
+void CohortsPage::changeState() {
+  const CohortRow* row = current();
+  const std::string id = members_->currentId().toStdString();
+  const auto enrolment =
+      std::find_if(enrolments_.begin(), enrolments_.end(), [&](const Enrolment& e) { return e.id == id; });
+  if (row == nullptr || enrolment == enrolments_.end()) {
+    return;
+  }
+  const bool back = enrolment->state == EnrolmentState::kWithdrawn;
+  const std::optional<std::string> reason = askReason(
+      this, back ? tr("Back into the study") : tr("Withdraw from the study"),
+      back ? tr("%1 takes part again.").arg(toQString(enrolment->traineeCode))
+           : tr("%1 trains no further; what was recorded stays.").arg(toQString(enrolment->traineeCode)));
+  if (!reason) {
+    return;
+  }
+  attempt(shell(), [&] {
+    setEnrolmentState(shell().session(), row->cohort.id, id,
+                      back ? EnrolmentState::kEnrolled : EnrolmentState::kWithdrawn, *reason);
+    read();
+  });
+}
+
+void CohortsPage::retranslate() {
+  heading_->setTexts(tr("Cohorts"), tr("Who trains together, by which curriculum, and in which group."));
+  add_->setText(tr("&New cohort\u2026"));
+  enrol_->setText(tr("&Enrol trainees\u2026"));
+  follow_->setText(tr("&Curriculum\u2026"));
+  allocate_->setText(tr("&Allocation"));
+  state_->setText(tr("&Withdraw or take back\u2026"));
+  table_->setColumns({{tr("Name")},
+                      {tr("Curriculum")},
+                      {tr("Groups"), true},
+                      {tr("Enrolled"), true, true},
+                      {tr("In a group"), true, true},
+                      {tr("Withdrew"), true, true},
+                      {tr("Kind")},
+                      {tr("Since")}});
+  table_->setEmptyText(tr("No cohort yet. A cohort is a group of trainees who go through one study."));
+  members_->setColumns(
+      {{tr("Trainee")}, {tr("Group")}, {tr("Number"), true}, {tr("State")}, {tr("Enrolled")}});
+  members_->setEmptyText(tr("Nobody is enrolled yet."));
+  showContent();
+}
+
+}  // namespace torsio::gui

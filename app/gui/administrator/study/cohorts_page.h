@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "app/gui/base/page.h"
+#include "app/study/cohort_service.h"
+#include "assessment/study/cohort.h"
+
+class QLabel;
+class QPushButton;
+
+namespace torsio::gui {
+
+class DataTable;
+class PageHeading;
+
+/// Cohorts, the curriculum they follow, and who is enrolled.
+class CohortsPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit CohortsPage(ShellContext& shell);
+
+  void enter(const QVariant& argument) override;
+  void retranslate() override;
+
+ private:
+  void read();
+  void showContent();
+  void showMembers();
+  void addNew();
+  void enrol();
+  void follow();
+  void changeState();
+  [[nodiscard]] const CohortRow* current() const;
+
+  std::vector<CohortRow> rows_;
+  std::vector<Enrolment> enrolments_;
+  PageHeading* heading_;
+  QPushButton* add_;
+  DataTable* table_;
+  QPushButton* enrol_;
+  QPushButton* follow_;
+  QPushButton* allocate_;
+  QLabel* membersTitle_;
+  DataTable* members_;
+  QPushButton* state_;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/study/group_move_dialog.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QFormLayout>
+#include <QLineEdit>
+#include <QPushButton>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/base/translated_text.h"
+
+namespace torsio::gui {
+
+namespace {
+
+struct GroupMoveDialog {
+  Q_DECLARE_TR_FUNCTIONS(GroupMoveDialog)
+};
+
+}  // namespace
+
+std::optional<GroupMove> askGroupMove(QWidget* parent, const QString& traineeCode,
+                                      const std::vector<StudyGroup>& groups) {
+  QuestionDialog asked(
+      parent, GroupMoveDialog::tr("Move to another group"),
+      GroupMoveDialog::tr("%1 was put into a group by the draw. A move by hand stands beside the drawn "
+                          "record for good, with its reason, and weakens the study.")
+          .arg(traineeCode));
+  auto* group = new QComboBox(&asked);
+  group->setObjectName(QStringLiteral("group"));
+  for (const StudyGroup& one : groups) {
+    group->addItem(toQString(one.code), toQString(one.id));
+  }
+  auto* reason = new QLineEdit(&asked);
+  reason->setObjectName(QStringLiteral("reason"));
+  auto* form = new QFormLayout;
+  form->addRow(GroupMoveDialog::tr("&Group"), group);
+  form->addRow(GroupMoveDialog::tr("&Reason"), reason);
+  asked.column()->addLayout(form);
+  QPushButton* ok = asked.finish(GroupMoveDialog::tr("Move"));
+  const auto check = [=] { ok->setEnabled(group->count() > 0 && !reason->text().trimmed().isEmpty()); };
+  QObject::connect(reason, &QLineEdit::textChanged, ok, check);
+  check();
+  if (asked.exec() != QDialog::Accepted) {
+    return std::nullopt;
+  }
+  return GroupMove{chosenId(group), reason->text().trimmed().toStdString()};
+}
+
+}  // namespace torsio::gui

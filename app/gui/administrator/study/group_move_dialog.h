@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QString>
+
+#include "app/study/cohort_service.h"
+#include "assessment/study/cohort.h"
+
+class QWidget;
+
+namespace torsio::gui {
+
+/// A trainee who is moved to another group by hand.
+struct GroupMove {
+  std::string groupId{};
+  std::string reason{};
+};
+/// Asks where a trainee goes and why. `groups`: those that can be chosen. Empty: given up.
+[[nodiscard]] std::optional<GroupMove> askGroupMove(QWidget* parent, const QString& traineeCode,
+                                                    const std::vector<StudyGroup>& groups);
+
+}  // namespace torsio::gui

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/study/run_day_dialogs.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+
+#include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+namespace {
+
+QString translated(const char* text) {
+  return QCoreApplication::translate("RunDay", text);
+}
+
+/// A form that opens with the trainee's code.
+class FormDialog : public QuestionDialog {
+ public:
+  FormDialog(QWidget* parent, const QString& title, const QString& trainee) : QuestionDialog(parent, title) {
+    form = new QFormLayout;
+    form->setSpacing(kSpace);
+    form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "Trainee")), new QLabel(trainee, this));
+    column()->addLayout(form);
+  }
+
+  bool ask(const QString& accept) {
+    finish(accept);
+    return exec() == QDialog::Accepted;
+  }
+
+  QFormLayout* form;
+};
+
+}  // namespace
+
+QString exposureName(const std::string& kind) {
+  if (kind == "virtual") {
+    return translated(QT_TRANSLATE_NOOP("RunDay", "on the simulator"));
+  }
+  if (kind == "real") {
+    return translated(QT_TRANSLATE_NOOP("RunDay", "on the real arm"));
+  }
+  if (kind == "rest") {
+    return translated(QT_TRANSLATE_NOOP("RunDay", "rest"));
+  }
+  return toQString(kind);
+}
+
+QString deviationName(const std::string& kind) {
+  static const std::pair<const char*, const char*> kNames[] = {
+      {"late", QT_TRANSLATE_NOOP("RunDay", "came late")},
+      {"absent", QT_TRANSLATE_NOOP("RunDay", "did not come")},
+      {"device failed", QT_TRANSLATE_NOOP("RunDay", "device failed")},
+      {"swapped", QT_TRANSLATE_NOOP("RunDay", "swapped with somebody")},
+      {"phase cut short", QT_TRANSLATE_NOOP("RunDay", "phase cut short")},
+      {"phase too long", QT_TRANSLATE_NOOP("RunDay", "phase too long")},
+      {"rest too long", QT_TRANSLATE_NOOP("RunDay", "rest too long")},
+      {"other", QT_TRANSLATE_NOOP("RunDay", "something else")},
+  };
+  for (const auto& [code, name] : kNames) {
+    if (kind == code) {
+      return translated(name);
+    }
+  }
+  return toQString(kind);
+}
+
+std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee) {
+  FormDialog dialog(parent, translated(QT_TRANSLATE_NOOP("RunDay", "Log time")), trainee);
+  auto* kind = new QComboBox(&dialog);
+  for (const char* code : {"real", "virtual", "rest"}) {
+    kind->addItem(exposureName(code), QString::fromLatin1(code));
+  }
+  auto* minutes = new QDoubleSpinBox(&dialog);
+  minutes->setRange(0.5, 240.0);
+  minutes->setDecimals(1);
+  minutes->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  minutes->setValue(20.0);
+  minutes->setSuffix(translated(QT_TRANSLATE_NOOP("RunDay", " min")));
+  dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&What")), kind);
+  dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&How long")), minutes);
+  if (!dialog.ask(translated(QT_TRANSLATE_NOOP("RunDay", "Log time")))) {
+    return std::nullopt;
+  }
+  NewExposure exposure;
+  exposure.kind = kind->currentData().toString().toStdString();
+  exposure.duration_us = static_cast<std::int64_t>(minutes->value() * 60e6);
+  return exposure;
+}
+
+std::optional<NewDeviation> askDeviation(QWidget* parent, const QString& trainee) {
+  FormDialog dialog(parent, translated(QT_TRANSLATE_NOOP("RunDay", "Report a deviation")), trainee);
+  auto* kind = new QComboBox(&dialog);
+  for (const std::string& code : deviationKinds()) {
+    kind->addItem(deviationName(code), toQString(code));
+  }
+  auto* text = new QPlainTextEdit(&dialog);
+  text->setTabChangesFocus(true);
+  text->setPlaceholderText(translated(QT_TRANSLATE_NOOP("RunDay", "What happened, without names")));
+  dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&Kind")), kind);
+  dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&What happened")), text);
+  if (!dialog.ask(translated(QT_TRANSLATE_NOOP("RunDay", "Report")))) {
+    return std::nullopt;
+  }
+  NewDeviation deviation;
+  deviation.kind = kind->currentData().toString().toStdString();
+  deviation.description = text->toPlainText().trimmed().toStdString();
+  return deviation;
+}
+
+std::optional<Swap> askSwap(QWidget* parent, const QString& trainee,
+                            const std::vector<std::pair<std::string, QString>>& others) {
+  FormDialog dialog(parent, translated(QT_TRANSLATE_NOOP("RunDay", "Swap turns")), trainee);
+  auto* other = new QComboBox(&dialog);
+  for (const auto& [id, code] : others) {
+    other->addItem(code, toQString(id));
+  }
+  auto* reason = new QLineEdit(&dialog);
+  reason->setPlaceholderText(translated(QT_TRANSLATE_NOOP("RunDay", "Why, without names")));
+  dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&With")), other);
+  dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&Reason")), reason);
+  dialog.addNote(translated(QT_TRANSLATE_NOOP(
+      "RunDay", "Their groups stay as drawn; a deviation is noted for both and appears in the report.")));
+  other->setFocus();
+  if (!dialog.ask(translated(QT_TRANSLATE_NOOP("RunDay", "Swap")))) {
+    return std::nullopt;
+  }
+  return Swap{other->currentData().toString().toStdString(), reason->text().trimmed().toStdString()};
+}
+
+}  // namespace torsio::gui

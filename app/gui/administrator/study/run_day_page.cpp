@@ -1,0 +1,428 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/study/run_day_page.h"
+
+#include <algorithm>
+
+#include <QComboBox>
+#include <QDateTime>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/list_dialogs.h"
+#include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/administrator/study/run_day_dialogs.h"
+#include "app/gui/base/background.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+#include "app/study/cohort_service.h"
+#include "assessment/study/station_state.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kReadAgain_ms = 10'000;
+constexpr int kStationsFrame = 74;  // count of rows, headings, borders
+constexpr int kStationHeight = 32;
+constexpr std::size_t kMostStations = 4;
+constexpr qsizetype kMostAlerts = 3;
+
+}  // namespace
+
+RunDayPage::RunDayPage(ShellContext& shell)
+    : Page(shell),
+      clock_(new QTimer(this)),
+      heading_(new PageHeading(this)),
+      cohortLabel_(nullptr),
+      cohort_(new QComboBox(this)),
+      summary_(new QLabel(this)),
+      table_(new DataTable(QStringLiteral("run-day"), this)),
+      alerts_(sentence(this, false)),
+      stationsTitle_(new QLabel(this)),
+      stations_(new DataTable(QStringLiteral("run-day-stations"), this)),
+      reader_(new Background(this)),
+      time_(listButton(table_)),
+      swap_(listButton(table_)),
+      deviation_(listButton(table_)),
+      deviations_(listButton(table_)),
+      state_(listButton(table_)) {
+  alerts_->setObjectName(QStringLiteral("alerts"));
+  stations_->setObjectName(QStringLiteral("stations"));
+  table_->setObjectName(QStringLiteral("table"));
+  auto* choices = new QHBoxLayout;
+  choices->setSpacing(kSpace);
+  cohortLabel_ = fieldBeside(choices, cohort_);
+  choices->addSpacing(2 * kSpace);
+  choices->addWidget(summary_, 1);
+  cohort_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  QVBoxLayout* column = pageColumn(this);
+  column->addWidget(heading_);
+  column->addLayout(choices);
+  setLook(alerts_, "caution", true);
+  alerts_->hide();
+  stationsTitle_->setObjectName(QStringLiteral("cardTitle"));
+  stations_->filter().hide();
+  column->addWidget(alerts_);
+  column->addWidget(table_, 1);
+  column->addWidget(stationsTitle_);
+  column->addWidget(stations_);
+
+  clock_->setInterval(kReadAgain_ms);
+  connect(clock_, &QTimer::timeout, this, &RunDayPage::refresh);
+  connect(swap_, &QPushButton::clicked, this, &RunDayPage::swap);
+  connect(cohort_, &QComboBox::currentIndexChanged, this, &RunDayPage::read);
+  connect(table_, &DataTable::currentChanged, this, &RunDayPage::showButtons);
+  connect(time_, &QPushButton::clicked, this, &RunDayPage::logTime);
+  connect(deviation_, &QPushButton::clicked, this, &RunDayPage::reportDeviation);
+  connect(deviations_, &QPushButton::clicked, this, [this] {
+    attempt(this->shell(), [this] { showDeviations(this->shell(), chosenId(cohort_), this); });
+  });
+  connect(state_, &QPushButton::clicked, this, &RunDayPage::changeState);
+  retranslate();
+}
+
+void RunDayPage::enter(const QVariant&) {
+  attempt(shell(), [&] {
+    fillCohorts(cohort_, shell().session());
+    read();
+    clock_->start();
+  });
+}
+
+bool RunDayPage::leave() {
+  clock_->stop();
+  return true;
+}
+
+void RunDayPage::read() {
+  if (shell().databaseAway()) {
+    return;  // the window has said so
+  }
+  const bool good = attempt(shell(), [&] {
+    const std::string cohort = chosenId(cohort_);
+    board_ = cohort.empty() ? std::nullopt : std::optional(runDayBoard(shell().session(), cohort));
+    showContent();
+  });
+  if (!good) {
+    clock_->stop();  // one message, not one every few seconds
+  }
+}
+
+void RunDayPage::refresh() {
+  const std::string cohort = chosenId(cohort_);
+  if (cohort.empty() || reader_->working()) {
+    return;
+  }
+  reader_->run(
+      [this, key = shell().session().key(), cohort]() -> Background::Finish {
+        SessionContext own(key);
+        return [this, cohort, board = runDayBoard(own, cohort)] {
+          if (cohort != chosenId(cohort_)) {
+            return;  // another one was chosen meanwhile
+          }
+          board_ = board;
+          showContent();
+        };
+      },
+      [this](const std::exception_ptr& problem) {
+        clock_->stop();  // one message, not one every few seconds
+        shell().report(problem);
+      });
+}
+
+QString RunDayPage::nowText(const RunDayRow& row) const {
+  if (row.state == EnrolmentState::kWithdrawn) {
+    return tr("withdrew");
+  }
+  if (row.done) {
+    return tr("all phases done");
+  }
+  if (row.phaseLabel.empty()) {
+    return tr("no curriculum");
+  }
+  return toQString(row.phaseLabel);
+}
+
+void RunDayPage::showContent() {
+  std::vector<Row> rows;
+  std::size_t running = 0;
+  std::size_t done = 0;
+  std::size_t sheets = 0;
+  if (board_) {
+    for (const RunDayRow& row : board_->rows) {
+      running += row.runningTrialId.empty() ? 0 : 1;
+      done += row.done ? 1 : 0;
+      sheets += row.sheetsMissing;
+      const bool open = !row.done && !row.phaseLabel.empty() && row.state != EnrolmentState::kWithdrawn;
+      rows.push_back(
+          {toQString(row.enrolmentId),
+           {{toQString(row.traineeCode)},
+            {orDash(row.groupCode), {}, toQString(row.armLabel)},
+            {nowText(row)},
+            {open ? shownSpan(row.progress.left_us) : QStringLiteral("\u2013"),
+             static_cast<qlonglong>(open ? row.progress.left_us : -1)},
+            {open ? shownSpan(row.progress.restLeft_us) : QStringLiteral("\u2013"),
+             static_cast<qlonglong>(open ? row.progress.restLeft_us : -1)},
+            {row.runningTrialId.empty() ? QStringLiteral("\u2013")
+                                        : tr("records at %1").arg(toQString(row.station))},
+            {occasionName(row.occasionDue)},
+            {row.sheetsMissing == 0 ? QStringLiteral("\u2013") : QString::number(row.sheetsMissing),
+             static_cast<qlonglong>(row.sheetsMissing)},
+            {row.deviations == 0 ? QStringLiteral("\u2013") : QString::number(row.deviations),
+             static_cast<qlonglong>(row.deviations)}}});
+    }
+  }
+  table_->setRows(std::move(rows));
+  summary_->setText(board_ ? tr("%1 recording now \u00B7 %2 of %3 done \u00B7 %4 sheets missing")
+                                 .arg(running)
+                                 .arg(done)
+                                 .arg(board_->rows.size())
+                                 .arg(sheets)
+                           : QString());
+  table_->setEmptyText(cohort_->count() == 0
+                           ? tr("Nothing to run yet. Go through the pages at the left in their order: Roster "
+                                "(bring people in), "
+                                "Curricula, Cohorts, Allocation, Scoring.")
+                           : tr("Nobody is enrolled in this cohort yet. Enrol trainees under Cohorts."));
+  showAlerts();
+  showStations();
+  showButtons();
+}
+
+QString RunDayPage::alertText(const RunDayAlert& alert) const {
+  using Kind = RunDayAlert::Kind;
+  switch (alert.kind) {
+    case Kind::kTrialOpen:
+      return tr("%1 was recording at %2, which does not answer since %3. Go and look.")
+          .arg(toQString(alert.subject), toQString(alert.station), shownTime(alert.sinceUtc_us, locale()));
+    case Kind::kStationSilent:
+      return tr("%1 does not answer since %2.")
+          .arg(toQString(alert.subject), shownTime(alert.sinceUtc_us, locale()));
+    case Kind::kDeviceUnfit:
+      return tr("%1: the device is not fit for graded runs: %2.")
+          .arg(toQString(alert.subject), toQString(alert.reason));
+    case Kind::kRestTooLong:
+      return tr("%1 has rested longer than allowed.").arg(toQString(alert.subject));
+    case Kind::kSheetsMissing:
+      return tr("%1: sheets still missing: %2.").arg(occasionName(alert.occasion)).arg(alert.count);
+    case Kind::kNoGroup:
+      return tr("Trainees without a group: %1. Draw them under Allocation.").arg(alert.count);
+  }
+  return {};
+}
+
+void RunDayPage::showAlerts() {
+  QStringList lines;
+  if (board_) {
+    for (const RunDayAlert& alert : runDayAlerts(*board_)) {
+      lines << alertText(alert);
+    }
+  }
+  const qsizetype more = lines.size() - kMostAlerts;
+  if (more > 0) {
+    lines.resize(kMostAlerts);
+    lines << tr("and %n more", nullptr, static_cast<int>(more));
+  }
+  alerts_->setText(lines.isEmpty() ? QString()
+                                   : QStringLiteral("\u26A0 ") + lines.join(QStringLiteral("\n\u26A0 ")));
+  alerts_->setVisible(!lines.isEmpty());
+}
+
+QString RunDayPage::checkText(const StationDevice& device) const {
+  if (device.device.empty()) {
+    return QStringLiteral("\u2013");
+  }
+  const QDateTime checked = QDateTime::fromMSecsSinceEpoch(device.checkedUtc_us / 1000);
+  const QDateTime now = QDateTime::fromMSecsSinceEpoch(board_->asOfUtc_us / 1000);
+  if (!device.light) {
+    return tr("\u25CB not checked yet");
+  }
+  if (checked.date() != now.date()) {
+    return tr("\u25CB not checked today, last on %1")
+        .arg(locale().toString(checked.date(), QLocale::ShortFormat));
+  }
+  const QString time = locale().toString(checked.time(), QLocale::ShortFormat);
+  switch (*device.light) {
+    case Light::kGreen:
+      return tr("\u2713 fit at %1").arg(time);
+    case Light::kAmber:
+      return tr("! practice only at %1: %2").arg(time, toQString(device.problem));
+    case Light::kRed:
+      break;
+  }
+  return tr("\u2717 not fit at %1: %2").arg(time, toQString(device.problem));
+}
+
+void RunDayPage::showStations() {
+  std::vector<Row> rows;
+  if (board_) {
+    for (const StationState& station : board_->stations) {
+      const bool silent = board_->asOfUtc_us - station.heartbeatUtc_us > kStationSilence_us;
+      const bool records = !station.trialId.empty() && !station.ended;
+      const StationDevice device = storedDevice(station);
+      const QString check = checkText(device);
+      rows.push_back(
+          {toQString(station.station),
+           {{toQString(station.station)},
+            {silent    ? tr("! does not answer")
+             : records ? tr("\u25CF records")
+                       : tr("\u25CB free")},
+            {records ? toQString(station.traineeCode) : QStringLiteral("\u2013")},
+            {records ? orDash(station.phaseLabel) : QStringLiteral("\u2013")},
+            {records ? shownSpan(board_->asOfUtc_us - station.startedUtc_us) : QStringLiteral("\u2013")},
+            timeCell(station.heartbeatUtc_us),
+            {orDash(station.softwareVersion)},
+            {device.device.empty() ? orDash({}) : toQString(device.device)},
+            {check, {}, check}}});
+    }
+  }
+  const bool some = !rows.empty();
+  stations_->setFixedHeight(kStationsFrame + kStationHeight * static_cast<int>(std::clamp<std::size_t>(
+                                                                  rows.size(), 1, kMostStations)));
+  stations_->setRows(std::move(rows));
+  stations_->setVisible(some);
+  stationsTitle_->setVisible(some);
+}
+
+void RunDayPage::swap() {
+  const RunDayRow* row = current();
+  if (row == nullptr) {
+    return;
+  }
+  std::vector<std::pair<std::string, QString>> others;
+  for (const RunDayRow& other : board_->rows) {
+    if (other.enrolmentId != row->enrolmentId && other.state != EnrolmentState::kWithdrawn) {
+      others.emplace_back(other.enrolmentId, toQString(other.traineeCode));
+    }
+  }
+  const std::string id = row->enrolmentId;
+  const std::optional<Swap> wanted = askSwap(this, toQString(row->traineeCode), others);
+  if (!wanted) {
+    return;
+  }
+  attempt(shell(), [&] {
+    swapTurns(shell().session(), chosenId(cohort_), id, wanted->enrolmentId, wanted->reason);
+    read();
+    shell().notify(tr("Swapped; both deviations are noted."));
+  });
+}
+
+const RunDayRow* RunDayPage::current() const {
+  if (!board_) {
+    return nullptr;
+  }
+  const std::string id = table_->currentId().toStdString();
+  const auto found = std::find_if(board_->rows.begin(), board_->rows.end(),
+                                  [&](const RunDayRow& row) { return row.enrolmentId == id; });
+  return found == board_->rows.end() ? nullptr : &*found;
+}
+
+void RunDayPage::showButtons() {
+  const RunDayRow* row = current();
+  time_->setEnabled(row != nullptr);
+  swap_->setEnabled(row != nullptr && row->state != EnrolmentState::kWithdrawn && board_->rows.size() > 1);
+  deviation_->setEnabled(board_.has_value());
+  deviations_->setEnabled(board_.has_value());
+  state_->setEnabled(row != nullptr);
+  state_->setText(row != nullptr && row->state == EnrolmentState::kWithdrawn ? tr("&Back in\u2026")
+                                                                             : tr("&Withdraw\u2026"));
+}
+
+void RunDayPage::logTime() {
+  const RunDayRow* row = current();
+  if (row == nullptr) {
+    return;
+  }
+  std::optional<NewExposure> exposure = askExposure(this, toQString(row->traineeCode));
+  if (!exposure) {
+    return;
+  }
+  attempt(shell(), [&] {
+    exposure->cohortId = chosenId(cohort_);
+    exposure->enrolmentId = row->enrolmentId;
+    exposure->startedUtc_us = shell().session().now_us() - exposure->duration_us;
+    recordExposure(shell().session(), *exposure);
+    read();
+  });
+}
+
+void RunDayPage::reportDeviation() {
+  const RunDayRow* row = current();
+  std::optional<NewDeviation> deviation =
+      askDeviation(this, row != nullptr ? toQString(row->traineeCode) : tr("the whole cohort"));
+  if (!deviation) {
+    return;
+  }
+  attempt(shell(), [&] {
+    deviation->cohortId = chosenId(cohort_);
+    if (row != nullptr) {
+      deviation->enrolmentId = row->enrolmentId;
+    }
+    torsio::reportDeviation(shell().session(), *deviation);
+    read();
+  });
+}
+
+void RunDayPage::changeState() {
+  const RunDayRow* row = current();
+  if (row == nullptr) {
+    return;
+  }
+  const bool back = row->state == EnrolmentState::kWithdrawn;
+  const std::optional<std::string> reason =
+      back ? askReason(this, tr("Back into the study"),
+                       tr("%1 takes part again.").arg(toQString(row->traineeCode)))
+           : askReason(this, tr("Withdraw from the study"),
+                       tr("%1 trains no further; what was recorded stays.").arg(toQString(row->traineeCode)));
+  if (!reason) {
+    return;
+  }
+  attempt(shell(), [&] {
+    setEnrolmentState(shell().session(), chosenId(cohort_), row->enrolmentId,
+                      back ? EnrolmentState::kEnrolled : EnrolmentState::kWithdrawn, *reason);
+    read();
+  });
+}
+
+void RunDayPage::retranslate() {
+  heading_->setTexts(
+      tr("Run day"),
+      tr("Who is at what, what is left, which sheets are missing, and whether the devices are fit."));
+  cohortLabel_->setText(tr("&Cohort"));
+  time_->setText(tr("&Log time\u2026"));
+  swap_->setText(tr("S&wap turns\u2026"));
+  stationsTitle_->setText(tr("Stations"));
+  stations_->setColumns({{tr("Station")},
+                         {tr("Now")},
+                         {tr("Trainee")},
+                         {tr("Phase")},
+                         {tr("For"), true},
+                         {tr("Last sign of life")},
+                         {tr("Version")},
+                         {tr("Device")},
+                         {tr("Device check")}});
+  deviation_->setText(tr("&Deviation\u2026"));
+  deviations_->setText(tr("&Noted\u2026"));
+  deviations_->setToolTip(tr("All deviations of this cohort"));
+  table_->setColumns({{tr("Trainee")},
+                      {tr("Group")},
+                      {tr("Now at")},
+                      {tr("Time left"), true},
+                      {tr("Rest left"), true},
+                      {tr("Station")},
+                      {tr("Scoring due")},
+                      {tr("Sheets missing"), true, true},
+                      {tr("Deviations"), true, true}});
+  showContent();
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window asks and tells in boxes of its own.
+#include <utility>
+
+#include <QDateTime>
+#include <QInputDialog>
+#include <QLocale>
+#include <QMessageBox>
+
+#include "app/base/build_info.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/practice/simulator_window.h"
+#include "app/gui/simulator/exercise_panel.h"
+#include "app/gui/simulator/pointer_controls.h"
+#include "app/gui/widgets/file_choice.h"
+#include "sim/base/error.h"
+
+namespace torsio::gui {
+
+namespace {
+
+QString localTime(std::int64_t utc_us) {
+  return QLocale().toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
+}
+
+}  // namespace
+
+void SimulatorWindow::chooseOrganFile() {
+  const QString file = askFileToOpen(
+      this, tr("Open organ"), tr("Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)"));
+  if (file.isEmpty()) {
+    return;
+  }
+  const QStringList units{tr("millimetres"), tr("centimetres"), tr("metres")};
+  const double scales_m[] = {0.001, 0.01, 1.0};
+  bool chosen = false;
+  const QString unit =
+      QInputDialog::getItem(this, tr("Open organ"), tr("The file's numbers are"), units, 0, false, &chosen);
+  if (!chosen) {
+    return;
+  }
+  SceneRequest request = controller_->request();
+  request.organFile = toPath(file);
+  request.organScale_m = scales_m[units.indexOf(unit)];
+  controller_->load(request);
+}
+
+void SimulatorWindow::chooseReplay() {
+  try {
+    const std::vector<RecordedTrial> trials = setup_.recording.list();
+    if (trials.empty()) {
+      Q_EMIT controller_->noticed(tr("Nothing has been recorded yet."));
+      return;
+    }
+    QStringList lines;
+    for (const RecordedTrial& trial : trials) {
+      lines << tr("%1   %2, %3   %4 s")
+                   .arg(localTime(trial.startedUtc_us), ExercisePanel::readable(trial.sceneId),
+                        ExercisePanel::readable(trial.patternId),
+                        QLocale().toString(trial.duration_s, 'f', 1));
+    }
+    bool chosen = false;
+    const QString line =
+        QInputDialog::getItem(this, tr("Replay"), tr("Recorded trial"), lines, 0, false, &chosen);
+    if (!chosen) {
+      return;
+    }
+    controller_->openReplay(setup_.recording.load(trials[static_cast<std::size_t>(lines.indexOf(line))].id));
+  } catch (const Error& error) {
+    const TranslatedError said = translated(error);
+    showProblem(said.happened, said.remedy, said.details);
+  }
+}
+
+void SimulatorWindow::showProblem(const QString& happened, const QString& remedy, const QString& details) {
+  QMessageBox box(QMessageBox::Warning, tr("Torsio"), happened, QMessageBox::Ok, this);
+  box.setInformativeText(remedy);
+  box.setDetailedText(details);
+  box.exec();
+}
+
+std::vector<std::pair<QString, QString>> SimulatorWindow::pointerKeys() {
+  return {
+      {tr("Move the instrument"), tr("Mouse, or arrow keys")},
+      {tr("Depth"), tr("Wheel, or Page Up and Page Down")},
+      {tr("Grip"), tr("Left button or Space (hold), G (keep)")},
+      {tr("Twist what is held"), tr("Drag, Shift + wheel, or Q and E")},
+      {tr("Tilt the instrument"), tr("A, D, W, S")},
+      {tr("Let go"), tr("Release the button, or Esc")},
+      {tr("Bookmark"), tr("B")},
+      {tr("Turn the view"), tr("Right drag, or Ctrl + arrow keys")},
+      {tr("Move the view"), tr("Middle drag")},
+      {tr("Zoom"), tr("Ctrl + wheel, or + and \u2212")},
+  };
+}
+
+void SimulatorWindow::chooseKeys() {
+  if (askPointerKeys(this)) {
+    pointer_->setKeys(PointerKeys::stored());
+  }
+}
+
+void SimulatorWindow::showHelp() {
+  QString text = QStringLiteral("<table cellspacing='6'>");
+  for (const auto& [what, how] : pointerKeys()) {
+    text +=
+        QStringLiteral("<tr><td style='padding-right:24px'><b>%1</b></td><td>%2</td></tr>").arg(what, how);
+  }
+  text += QStringLiteral("</table>");
+  QMessageBox box(QMessageBox::NoIcon, tr("Controls"), text, QMessageBox::Close, this);
+  box.setTextFormat(Qt::RichText);
+  box.exec();
+}
+
+void SimulatorWindow::showAbout() {
+  QMessageBox::about(this, tr("About Torsio"),
+                     tr("<h3>Torsio %1</h3><p>Training and assessment of surgical twist skills.</p>"
+                        "<p>A training tool; not a medical device.</p>"
+                        "<p>Free software under the GNU General Public License, version 3 or later.</p>")
+                         .arg(toQString(softwareVersion())));
+}
+
+}  // namespace torsio::gui

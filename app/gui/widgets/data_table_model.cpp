@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/widgets/data_table_model.h"
+
+#include <utility>
+
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QDateTime>
+#include <QHelpEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+namespace {
+
+/// The "C" locale compares bytes and knows no numbers.
+QLocale collation() {
+  const QLocale locale;
+  return locale.language() == QLocale::C ? QLocale(QLocale::English) : locale;
+}
+
+}  // namespace
+
+DataTable::Model::Model(DataTable* table) : QAbstractTableModel(table), table_(table) {}
+
+void DataTable::Model::setColumns(const std::vector<Column>& columns) {
+  if (columns.size() == columns_.size()) {
+    columns_ = columns;
+    if (!columns_.empty()) {
+      Q_EMIT headerDataChanged(Qt::Horizontal, 0, columnCount({}) - 1);
+    }
+    return;
+  }
+  beginResetModel();
+  columns_ = columns;
+  rows_.clear();
+  endResetModel();
+}
+
+void DataTable::Model::setRows(std::vector<Row> rows) {
+  beginResetModel();
+  rows_ = std::move(rows);
+  endResetModel();
+}
+
+int DataTable::Model::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+int DataTable::Model::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(columns_.size());
+}
+
+QVariant DataTable::Model::data(const QModelIndex& index, int role) const {
+  const Row& row = rows_[static_cast<std::size_t>(index.row())];
+  const auto column = static_cast<std::size_t>(index.column());
+  if (role == kIdRole) {
+    return row.id;
+  }
+  if (role == Qt::TextAlignmentRole && columns_[column].number) {
+    return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+  }
+  if (column >= row.cells.size()) {
+    return {};
+  }
+  const Cell& cell = row.cells[column];
+  switch (role) {
+    case Qt::DisplayRole:
+      return cell.time ? timeText(cell.sortKey.toLongLong()) : cell.text;
+    case Qt::ToolTipRole:
+      return cell.tip.isEmpty() ? QVariant() : QVariant(cell.tip);
+    case kSortRole:
+      return cell.sortKey.isValid() ? cell.sortKey : QVariant(cell.text);
+    default:
+      return {};
+  }
+}
+
+QVariant DataTable::Model::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) {
+    return {};
+  }
+  const Column& column = columns_[static_cast<std::size_t>(section)];
+  if (role == Qt::DisplayRole) {
+    return column.title;
+  }
+  if (role == Qt::TextAlignmentRole) {
+    return QVariant((column.number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+  }
+  return {};
+}
+
+QString DataTable::Model::timeText(qlonglong utc_us) const {
+  if (utc_us == 0) {
+    return QStringLiteral("\u2013");
+  }
+  return table_->locale().toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
+}
+
+SortedRows::SortedRows(QObject* parent) : QSortFilterProxyModel(parent), collator_(collation()) {
+  setSortRole(kSortRole);
+  setFilterCaseSensitivity(Qt::CaseInsensitive);
+  setFilterKeyColumn(-1);
+  collator_.setNumericMode(true);
+  collator_.setCaseSensitivity(Qt::CaseInsensitive);
+}
+
+bool SortedRows::lessThan(const QModelIndex& left, const QModelIndex& right) const {
+  const QVariant a = left.data(kSortRole);
+  const QVariant b = right.data(kSortRole);
+  if (a.typeId() == QMetaType::QString || b.typeId() == QMetaType::QString) {
+    return collator_.compare(a.toString(), b.toString()) < 0;
+  }
+  return a.toDouble() < b.toDouble();
+}
+
+void PaddedCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                        const QModelIndex& index) const {
+  QStyleOptionViewItem cell = option;
+  initStyleOption(&cell, index);
+  const QString text = cell.text;
+  cell.text.clear();
+  const QStyle* style = cell.widget != nullptr ? cell.widget->style() : QApplication::style();
+  style->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
+  const bool enabled = cell.state.testFlag(QStyle::State_Enabled);
+  painter->save();
+  painter->setFont(cell.font);
+  painter->setPen(cell.palette.color(
+      enabled ? QPalette::Active : QPalette::Disabled,
+      cell.state.testFlag(QStyle::State_Selected) ? QPalette::HighlightedText : QPalette::Text));
+  const QRect place = cell.rect.adjusted(kSpace, 0, -kSpace, 0);
+  painter->drawText(place, static_cast<int>(cell.displayAlignment | Qt::TextSingleLine),
+                    cell.fontMetrics.elidedText(text, Qt::ElideRight, place.width()));
+  painter->restore();
+}
+
+QSize PaddedCells::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  return QStyledItemDelegate::sizeHint(option, index) + QSize(2 * kSpace, 0);
+}
+
+bool PaddedCells::helpEvent(QHelpEvent* event, QAbstractItemView* view, const QStyleOptionViewItem& option,
+                            const QModelIndex& index) {
+  const QString text = index.data().toString();
+  const bool cut = option.fontMetrics.horizontalAdvance(text) > option.rect.width() - 2 * kSpace;
+  if (event->type() == QEvent::ToolTip && cut && !index.data(Qt::ToolTipRole).isValid()) {
+    QToolTip::showText(event->globalPos(), text, view);
+    return true;
+  }
+  return QStyledItemDelegate::helpEvent(event, view, option, index);
+}
+
+}  // namespace torsio::gui

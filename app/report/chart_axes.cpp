@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/report/chart_axes.h"
+
+#include <cmath>
+
+#include <QBarCategoryAxis>
+#include <QCategoryAxis>
+#include <QChart>
+#include <QValueAxis>
+
+#include "app/report/category_labels.h"
+#include "app/report/typeface.h"
+#include "app/report/upright_title.h"
+
+namespace torsio {
+
+namespace {
+
+/// Marks at whole numbers, some air at both ends, so that the first and the last point are drawn whole.
+void countAlong(QValueAxis& axis, const AxisRange& range) {
+  constexpr double kMostTicks = 8.0;
+  const double span = range.high - range.low;
+  double step = 1.0;
+  for (const double wider : {2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0}) {
+    if (span / step > kMostTicks) {
+      step = wider;
+    }
+  }
+  axis.setTickType(QValueAxis::TicksDynamic);
+  axis.setTickAnchor(0.0);
+  axis.setTickInterval(step);
+  axis.setRange(range.low - 0.03 * span, range.high + 0.03 * span);
+}
+
+}  // namespace
+
+QFont chartFont(int pixels) {
+  QFont out = typeface();
+  out.setPixelSize(pixels);
+  return out;
+}
+
+ChartAxes::ChartAxes(const ReportFigure& figure, const ChartLook& look, const Wording& wording, QChart& chart)
+    : figure_(figure), look_(look), say_(wording), chart_(chart) {}
+
+void ChartAxes::addUprightTitle(const Text& words) const {
+  if (words.empty()) {
+    return;
+  }
+  auto* title = new UprightTitle(say_(words), look_, &chart_);  // the chart owns it
+  QMargins margins = chart_.margins();
+  margins.setLeft(margins.left() + static_cast<int>(std::ceil(title->width())));
+  chart_.setMargins(margins);
+  QObject::connect(&chart_, &QChart::plotAreaChanged, &chart_,
+                   [title](const QRectF& plot) { title->place(plot); });
+}
+
+template <typename Axis>
+Axis* ChartAxes::styled(Axis* axis, const Text& title) const {
+  axis->setLabelsFont(chartFont(look_.label_px - 1));
+  axis->setTitleFont(chartFont(look_.label_px));
+  axis->setTitleText(say_(title).toHtmlEscaped());
+  axis->setLabelsColor(look_.ink);
+  axis->setTitleBrush(look_.ink);
+  axis->setGridLineColor(look_.grid);
+  axis->setLinePenColor(look_.ink);
+  return axis;
+}
+
+AxisRange ChartAxes::valueRange() const {
+  AxisRange range;
+  for (const FigureSeries& series : figure_.series) {
+    for (const auto& y : series.y) {
+      if (y) {
+        range.take(*y);
+      }
+    }
+    for (const double v : series.low) {
+      range.take(v);
+    }
+    for (const double v : series.high) {
+      range.take(v);
+    }
+  }
+  for (const FigureReference& reference : figure_.references) {
+    range.take(reference.value);
+  }
+  if (range.empty()) {
+    range = {0.0, 1.0};
+  }
+  if (figure_.kind == FigureKind::kGroupedBars) {
+    range.take(0.0);
+  }
+  if (range.low == range.high) {
+    range.high = range.low + 1.0;
+  }
+  return range;
+}
+
+QValueAxis* ChartAxes::addValues(Qt::Alignment side) {
+  const bool upright = side == Qt::AlignLeft;
+  auto* axis = styled(new QValueAxis, upright ? Text() : figure_.yLabel);
+  const AxisRange range = valueRange();
+  axis->setRange(figure_.yMin.value_or(range.low), figure_.yMax.value_or(range.high));
+  axis->setTickCount(6);
+  if (!figure_.yMin || !figure_.yMax) {
+    axis->applyNiceNumbers();
+  }
+  const double span = axis->max() - axis->min();
+  axis->setLabelFormat(span >= 8.0 ? "%.0f" : span >= 0.8 ? "%.1f" : "%.2f");
+  if (upright) {
+    addUprightTitle(figure_.yLabel);
+  }
+  chart_.addAxis(axis, side);
+  return axis;
+}
+
+QCategoryAxis* ChartAxes::addCategories() {
+  auto* axis = styled(new QCategoryAxis, figure_.xLabel);
+  axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
+  QStringList categories;
+  for (const Text& category : figure_.categories) {
+    categories << say_(category);
+  }
+  const auto [names, letters] = categoryLabels(categories, look_.label_px - 1);
+  for (qsizetype i = 0; i < names.size(); ++i) {
+    axis->append(names[i], static_cast<double>(i + 1));
+  }
+  axis->setLabelsFont(letters);
+  axis->setRange(0.5, static_cast<double>(figure_.categories.size()) + 0.5);
+  axis->setGridLineVisible(false);
+  chart_.addAxis(axis, Qt::AlignBottom);
+  across_ = {0.5, static_cast<double>(figure_.categories.size()) + 0.5};
+  return axis;
+}
+
+QValueAxis* ChartAxes::addNumbers() {
+  auto* axis = styled(new QValueAxis, figure_.xLabel);
+  AxisRange range;
+  for (const FigureSeries& series : figure_.series) {
+    for (const double x : series.x) {
+      range.take(x);
+    }
+  }
+  if (range.empty()) {
+    range = {0.0, 1.0};
+  }
+  if (range.low == range.high) {
+    range.high = range.low + 1.0;
+  }
+  axis->setRange(range.low, range.high);
+  if (figure_.kind == FigureKind::kScatter) {
+    axis->setTickCount(6);
+    axis->applyNiceNumbers();
+  } else {
+    countAlong(*axis, range);
+  }
+  const bool whole = figure_.kind != FigureKind::kScatter || axis->max() - axis->min() >= 4.0;
+  axis->setLabelFormat(whole ? "%.0f" : "%.1f");
+  chart_.addAxis(axis, Qt::AlignBottom);
+  across_ = {axis->min(), axis->max()};
+  return axis;
+}
+
+QCategoryAxis* ChartAxes::addRows() {
+  const auto rows = static_cast<double>(figure_.categories.size());
+  auto* axis = styled(new QCategoryAxis, figure_.xLabel);
+  axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
+  for (std::size_t i = 0; i < figure_.categories.size(); ++i) {
+    axis->append(say_(figure_.categories[i]).toHtmlEscaped(), static_cast<double>(i + 1));
+  }
+  axis->setRange(0.4, rows + 0.6);
+  axis->setReverse(true);  // first row on top
+  axis->setGridLineVisible(false);
+  chart_.addAxis(axis, Qt::AlignLeft);
+  across_ = {0.4, rows + 0.6};
+  return axis;
+}
+
+QBarCategoryAxis* ChartAxes::addBoxes() {
+  auto* axis = styled(new QBarCategoryAxis, figure_.xLabel);
+  axis->setGridLineVisible(false);
+  chart_.addAxis(axis, Qt::AlignBottom);
+  return axis;
+}
+
+}  // namespace torsio

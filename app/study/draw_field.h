@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/study/allocation_service.h"
+#include "assessment/people/person.h"
+#include "assessment/study/cohort.h"
+
+namespace torsio {
+
+/// A cohort as the draw sees it.
+struct DrawField {
+  Cohort cohort;
+  std::vector<StudyGroup> groups;
+  std::vector<Enrolment> enrolments;        ///< not withdrawn
+  std::map<std::string, Trainee> trainees;  ///< by id
+
+  /// Gives the codes of the groups, in their order.
+  [[nodiscard]] std::vector<std::string> groupCodes() const;
+  /// Gives who is enrolled without a group, in the order of codes.
+  [[nodiscard]] std::vector<Enrolment> waiting() const;
+};
+
+/// Reads a cohort for the draw. Throws Error{kBadData} when there is no such cohort.
+[[nodiscard]] DrawField readDrawField(SessionContext& session, const std::string& cohortId);
+/// Gives the levels that a factor has among the people who wait.
+[[nodiscard]] AllocationFactor factorOf(const DrawField& field, const std::string& name);
+/// Makes the design that a plan means for the people who wait. Throws Error{kBadParameter} where it cannot be
+/// drawn by.
+[[nodiscard]] AllocationDesign designOf(const DrawField& field, const AllocationPlan& plan);
+
+}  // namespace torsio

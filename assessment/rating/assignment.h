@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "assessment/rating/sheet_state.h"
+
+namespace torsio {
+
+/// One rater is asked for one sheet about one trainee at one scoring point.
+struct Assignment {
+  std::string id{};
+  std::string raterId{};
+  std::string enrolmentId{};
+  std::string occasionCode{};
+  std::string trialId{};  ///< empty: live, on the real arm
+  std::string rubricRevisionId{};
+  std::string caseLabel{};    ///< all that the rater sees: "7F"
+  std::int64_t position = 0;  ///< shuffled order of this rater
+  std::optional<std::int64_t> dueUtc_us{};
+  std::string assignedBy{};
+  std::int64_t assignedUtc_us = 0;
+  bool demonstration = false;
+};
+
+/// One line of a rater's queue: nothing in it tells who, which group or which stage.
+struct QueueEntry {
+  std::string assignmentId{};
+  std::string caseLabel{};
+  std::string trialId{};
+  std::string rubricRevisionId{};
+  std::optional<std::int64_t> dueUtc_us{};
+  SheetState state = SheetState::kOpen;
+  std::int64_t submittedUtc_us = 0;  ///< of the newest version; 0: not submitted
+};
+
+/// An assignment and how far its sheet has come; no marks.
+struct AssignmentStatus {
+  Assignment assignment{};
+  SheetState state = SheetState::kOpen;
+  std::int64_t changedUtc_us = 0;  ///< of the draft or the newest mark; 0: neither
+};
+
+}  // namespace torsio

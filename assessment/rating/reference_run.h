@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "assessment/scoring/instrument.h"
+
+namespace torsio {
+
+/// A run with the mark of a panel, for the warm-up.
+struct ReferenceRun {
+  std::string trialId{};
+  std::int64_t position = 0;
+  std::string rubricRevisionId{};
+  double panel_steps = 0.0;  ///< mean of the panel, steps of the rubric's overall scale
+  std::int64_t panelRaters = 1;
+  std::string setBy{};
+  std::int64_t setUtc_us = 0;
+  bool demonstration = false;
+};
+
+/// A reference run that is given to nobody any more.
+struct ReferenceWithdrawal {
+  std::string trialId{};
+  std::string reason{};
+  std::string withdrawnBy{};
+  std::int64_t withdrawnUtc_us = 0;
+};
+
+/// A rater's score of a reference trial before the real ones. Append-only.
+struct CalibrationScore {
+  std::string id{};
+  std::string raterId{};
+  std::string referenceTrialId{};
+  std::string rubricRevisionId{};  ///< empty: the overall mark only
+  std::int64_t score_steps = 0;
+  ScoreScale scale{.lo = 10, .hi = 100, .stepsPerPoint = 10};
+  double panelOffset_steps = 0.0;  ///< rater minus panel
+  std::int64_t createdUtc_us = 0;
+  bool demonstration = false;
+};
+
+}  // namespace torsio

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "assessment/scoring/instrument.h"
+
+namespace torsio {
+
+/// What a score of a row means, in words.
+struct RubricAnchor {
+  std::int64_t score_steps = 0;
+  std::string meaning{};
+};
+
+/// One line of a rubric.
+struct RubricLine {
+  std::string code{};  ///< "proficiency"
+  std::string label{};
+  ScoreScale scale{};
+  std::vector<RubricAnchor> anchors{};
+};
+
+/// A rubric as it was at one time. Never changes once stored.
+struct RubricRevision {
+  std::string id{};
+  std::string rubricId{};
+  std::int64_t number = 1;
+  std::string note{};
+  ScoreScale overall{};  ///< of the overall mark
+  std::vector<RubricLine> rows{};
+  std::string createdBy{};
+  std::int64_t createdUtc_us = 0;
+};
+
+/// A rubric in a list.
+struct Rubric {
+  std::string id{};
+  std::string name{};  ///< unique
+  std::int64_t createdUtc_us = 0;
+  bool demonstration = false;
+};
+
+}  // namespace torsio

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace torsio {
+
+/// One row of a sheet: a score, or why there is none. Both empty: not answered yet (drafts only).
+struct SheetRow {
+  std::string code{};
+  std::optional<std::int64_t> score_steps{};
+  std::string notAssessableReason{};
+};
+
+/// What a rater has filled in.
+struct Sheet {
+  std::int64_t revision = 0;  ///< of the draft: counts the saves; 0: never saved
+  std::optional<std::int64_t> overall_steps{};
+  std::string notAssessableReason{};
+  std::string comment{};
+  std::vector<SheetRow> rows{};
+  std::int64_t changedUtc_us = 0;
+};
+
+/// How a sheet came about: what of the recording was played, how fast, and how long the rater worked.
+struct SheetViewing {
+  std::string watched{};  ///< "0-1200;1500-1600": stretches in hundredths of a second; drafts only
+  std::optional<std::int64_t> watched_permille{};  ///< of the recording; empty: live. Sealed marks only
+  std::int64_t slowest_permille = 1000;            ///< speed, 1000 is as it happened
+  std::int64_t fastest_permille = 1000;
+  std::int64_t worked_us = 0;
+};
+
+}  // namespace torsio

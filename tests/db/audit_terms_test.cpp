@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/people/audit_terms.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace torsio {
+namespace {
+
+template <typename TermValue>
+class AuditTerms : public ::testing::Test {};
+using Kinds = ::testing::Types<AuditAction, AuditObject>;
+TYPED_TEST_SUITE(AuditTerms, Kinds);
+
+TYPED_TEST(AuditTerms, StandForTheirTextAndBack) {
+  for (const Term<TypeParam>& term : termsOf(TypeParam{})) {
+    EXPECT_EQ(storedText(term.value), term.stored);
+    EXPECT_EQ(fromStoredText<TypeParam>(term.stored), term.value);
+  }
+  EXPECT_EQ(fromStoredText<TypeParam>(""), std::nullopt);
+  EXPECT_EQ(fromStoredText<TypeParam>("mark.polish"), std::nullopt);
+}
+
+TYPED_TEST(AuditTerms, HaveEachATextAndALabelOfTheirOwn) {
+  std::set<std::string_view> texts;
+  std::set<std::string_view> labels;
+  for (const Term<TypeParam>& term : termsOf(TypeParam{})) {
+    EXPECT_TRUE(texts.insert(term.stored).second) << term.stored;
+    EXPECT_TRUE(labels.insert(term.label).second) << term.label;
+    EXPECT_EQ(term.label.find_first_of("._"), std::string_view::npos) << term.label;
+  }
+}
+
+TYPED_TEST(AuditTerms, AreNotAWholeTableWithoutOneOfThem) {
+  constexpr auto& kWhole = termsOf(TypeParam{});
+  std::array<Term<TypeParam>, kWhole.size() - 1> tooShort{};
+  std::copy(kWhole.begin(), kWhole.end() - 1, tooShort.begin());
+  std::array<Term<TypeParam>, kWhole.size()> swapped = kWhole;
+  std::swap(swapped[0], swapped[1]);
+
+  EXPECT_TRUE(isWholeTable(kWhole, TypeParam::kEnd));
+  EXPECT_FALSE(isWholeTable(tooShort, TypeParam::kEnd));
+  EXPECT_FALSE(isWholeTable(swapped, TypeParam::kEnd));
+}
+
+// Nobody may change these: records of the first release hold them.
+TEST(AuditTermTexts, OfTheFirstReleaseStay) {
+  EXPECT_EQ(storedText(AuditAction::kMarkSubmit), "mark.submit");
+  EXPECT_EQ(storedText(AuditAction::kUserSignInFailed), "user.sign_in_failed");
+  EXPECT_EQ(storedText(AuditAction::kRetentionExtend), "retention.extend");
+  EXPECT_EQ(storedText(AuditAction::kAlignmentThird), "alignment.third");
+  EXPECT_EQ(storedText(AuditAction::kCurriculumClosed), "curriculum.closed");
+  EXPECT_EQ(storedText(AuditAction::kDatabaseRestore), "database.restore");
+  EXPECT_EQ(storedText(AuditAction::kDemonstrationRemove), "demonstration.remove");
+  EXPECT_EQ(storedText(AuditObject::kTrainingMark), "training_mark");
+  EXPECT_EQ(storedText(AuditObject::kEvaluationMark), "evaluation_mark");
+  EXPECT_EQ(storedText(AuditObject::kTrial), "trial");
+}
+
+TEST(AuditLabels, TellInPlainWordsWhatWasDoneToWhat) {
+  EXPECT_EQ(auditActionLabel("mark.submit").str(), "Mark submitted");
+  EXPECT_EQ(auditObjectLabel("training_mark").str(), "mark");
+}
+
+TEST(AuditLabels, KeepTheCodeThatOnlyAnotherVersionKnows) {
+  EXPECT_EQ(auditActionLabel("mark.polish").str(), "mark.polish");
+  EXPECT_EQ(auditObjectLabel("polish").str(), "polish");
+}
+
+}  // namespace
+}  // namespace torsio
