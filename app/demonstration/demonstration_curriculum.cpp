@@ -19,7 +19,6 @@ namespace torsio {
 namespace {
 
 constexpr const char* kTemplate = "paper-three-arms";
-constexpr const char* kBy = "demonstration";
 constexpr std::uint64_t kCurriculumStream = 0x63'7572'7269'6375ULL;
 constexpr std::uint64_t kExposureStream = 0x65'7870'6f73'75ULL;
 
@@ -82,8 +81,8 @@ CurriculumVersion storeDemonstrationCurriculum(Connection& connection, const Dem
   version.createdUtc_us = utc_us;
   fitTo(version.modules.front(), training);
   giveIds(version, ids);
-  curricula.addVersion(version, kBy);
-  curricula.moveTo(version.id, CurriculumState::kRunning, kBy, utc_us);
+  curricula.addVersion(version, kDemonstrationName);
+  curricula.moveTo(version.id, CurriculumState::kRunning, kDemonstrationName, utc_us);
   curricula.assign(study.cohortId, version.id);
   return version;
 }
@@ -107,7 +106,7 @@ void storeDemonstrationExposures(Connection& connection, const DemonstrationStud
     const StudyArm& arm = curriculum.arms.at(trainee.group);
     std::int64_t at_us = utc_us;
     const auto spend = [&](const std::string& phaseId, const std::string& kind, std::int64_t duration_us) {
-      exposures.push_back({ids.newUuid(), trainee.enrolmentId, phaseId, kind, at_us, duration_us, kBy, true});
+      exposures.push_back({ids.newUuid(), trainee.enrolmentId, phaseId, kind, at_us, duration_us, kDemonstrationName, true});
       at_us += duration_us;
     };
     for (std::size_t i = 0; i < arm.phases.size(); ++i) {

@@ -11,6 +11,8 @@
 
 namespace torsio {
 
+inline constexpr const char* kDemonstrationName = "demonstration";  ///< who made what the demonstration makes
+
 class Connection;
 
 /// Where a simulated trial belongs in the curriculum; empty ids: nowhere.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/demonstration/demonstration_station.h"
 
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -26,7 +27,6 @@ namespace {
 
 constexpr const char* kCohort = "First steps (demonstration)";
 constexpr const char* kStationTemplate = "first-steps";
-constexpr const char* kBy = "demonstration";
 constexpr double kAttempt_s = 20.0;
 constexpr std::int64_t kBetween_us = 600'000'000;
 constexpr std::size_t kFirstAttempts = 10;
@@ -65,8 +65,8 @@ CurriculumVersion storeCurriculum(Connection& connection, IdSource& ids, const s
     const std::string id = ids.newUuid();
     curricula.addCurriculum({id, found.title + " (demonstration)", found.description, utc_us, true});
     const CurriculumVersion version = versionFrom(found.content, ids, id, utc_us);
-    curricula.addVersion(version, kBy);
-    curricula.moveTo(version.id, CurriculumState::kRunning, kBy, utc_us);
+    curricula.addVersion(version, kDemonstrationName);
+    curricula.moveTo(version.id, CurriculumState::kRunning, kDemonstrationName, utc_us);
     return version;
   }
   throw Error(ErrorCode::kFileMissing, "there is no such curriculum", kStationTemplate,
@@ -95,7 +95,7 @@ std::string recordAttempts(Connection& connection, IdSource& ids, const std::fil
         .startedUtc_us = utc_us,
         .demonstration = true,
         .context = {
-            .station = kBy, .enrolmentId = enrolmentId, .moduleId = module.id, .attemptMode = module.mode}};
+            .station = kDemonstrationName, .enrolmentId = enrolmentId, .moduleId = module.id, .attemptMode = module.mode}};
     trial.personSeed = kPersonSeed;
     trial.trialSeed = kPersonSeed + 17 * i + static_cast<std::uint64_t>(practised_min);
     trial.duration_s = kAttempt_s;
@@ -107,7 +107,7 @@ std::string recordAttempts(Connection& connection, IdSource& ids, const std::fil
                          .kind = "virtual",
                          .startedUtc_us = utc_us,
                          .duration_us = std::llround(kAttempt_s * 1e6),
-                         .recordedBy = kBy,
+                         .recordedBy = kDemonstrationName,
                          .demonstration = true});
     utc_us += kBetween_us;
   }
@@ -160,7 +160,7 @@ DemonstrationStation storeDemonstrationStation(Connection& connection, IdSource&
       station.firstModuleId = version->modules.front().id;
     }
     for (const TrialListing& trial : TrialRepository(connection).list({.traineeCode = person.code})) {
-      const bool own = trial.station == kBy && !trial.moduleId.empty();
+      const bool own = trial.station == kDemonstrationName && !trial.moduleId.empty();
       if (own && station.newestTrialId.empty()) {
         station.newestTrialId = trial.trialId;
       }
@@ -189,9 +189,9 @@ DemonstrationStation storeDemonstrationStation(Connection& connection, IdSource&
   people.recordConsent({.personId = person.id,
                         .purpose = "training_record",
                         .granted = true,
-                        .textVersion = kBy,
+                        .textVersion = kDemonstrationName,
                         .decidedUtc_us = utc_us,
-                        .recordedBy = kBy,
+                        .recordedBy = kDemonstrationName,
                         .demonstration = true});
   std::int64_t at_us = utc_us - static_cast<std::int64_t>(kFirstAttempts + kSecondAttempts + 1) * kBetween_us;
   station.newestTrialId = recordAttempts(connection, ids, assets, version.modules.front(), enrolment.id,

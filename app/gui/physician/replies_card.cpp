@@ -20,7 +20,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr std::size_t kShown = 3;
+constexpr std::size_t kShownReplies = 3;
 
 }  // namespace
 
@@ -34,10 +34,10 @@ RepliesCard::RepliesCard(ShellContext& shell, QWidget* parent)
 void RepliesCard::read() {
   const std::vector<RemarkReply> replies = repliesToMe(shell_.session());
   setVisible(!replies.empty());
-  setTitle(replies.size() > kShown ? tr("Answers to your remarks: %1").arg(replies.size())
+  setTitle(replies.size() > kShownReplies ? tr("Answers to your remarks: %1").arg(replies.size())
                                    : tr("Answers to your remarks"));
   emptyLayout(list_);
-  for (std::size_t i = 0; i < std::min(kShown, replies.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kShownReplies, replies.size()); ++i) {
     const RemarkReply& reply = replies[i];
     auto* row = new QHBoxLayout;
     auto* words = sentence(this, false);

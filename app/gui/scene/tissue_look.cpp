@@ -19,7 +19,7 @@ float latticeNoise(std::int64_t x, std::int64_t y, std::int64_t z) {
   return static_cast<float>(h >> 40U) / static_cast<float>(1ULL << 23U) - 1.0F;
 }
 
-float ease(float t) {
+float quintic(float t) {
   return t * t * t * (t * (6.0F * t - 15.0F) + 10.0F);
 }
 
@@ -36,9 +36,9 @@ float tissueNoise(const Vec3& p) {
   const auto x = static_cast<std::int64_t>(floorX);
   const auto y = static_cast<std::int64_t>(floorY);
   const auto z = static_cast<std::int64_t>(floorZ);
-  const float tx = ease(static_cast<float>(p.x - floorX));
-  const float ty = ease(static_cast<float>(p.y - floorY));
-  const float tz = ease(static_cast<float>(p.z - floorZ));
+  const float tx = quintic(static_cast<float>(p.x - floorX));
+  const float ty = quintic(static_cast<float>(p.y - floorY));
+  const float tz = quintic(static_cast<float>(p.z - floorZ));
   const auto plane = [&](std::int64_t level) {
     const float near = mix(latticeNoise(x, y, level), latticeNoise(x + 1, y, level), tx);
     const float far = mix(latticeNoise(x, y + 1, level), latticeNoise(x + 1, y + 1, level), tx);

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/list_dialogs.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/study_labels.h"
@@ -27,16 +28,6 @@ namespace torsio::gui {
 namespace {
 
 constexpr const char* kTrainingRecord = "training_record";
-
-QString orDash(const std::string& text) {
-  return text.empty() ? QStringLiteral("\u2013") : toQString(text);
-}
-
-QPushButton* listButton(DataTable* table) {
-  auto* button = new QPushButton(table);
-  table->addTool(button);
-  return button;
-}
 
 }  // namespace
 
