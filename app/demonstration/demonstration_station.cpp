@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/demonstration/demonstration_station.h"
 
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "app/demonstration/demonstration_curriculum.h"
 #include "app/recording/pipeline.h"
 #include "app/study/curriculum_content.h"
 #include "assessment/attempt/trial_listing.h"
