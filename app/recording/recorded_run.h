@@ -52,6 +52,8 @@ class RecordedRun {
   [[nodiscard]] const TrialHeader& header() const noexcept { return header_; }
   /// Tells whether the run is recorded.
   [[nodiscard]] bool recorded() const noexcept { return recorder_.has_value(); }
+  /// Returns the thread of the servo, for its timing. After start().
+  [[nodiscard]] const ServoThread& thread() const { return *thread_; }
 
   /// Stops the servo and hands the rest of the recording to its sink. Once, and only when recorded. Throws
   /// what Recorder::finish throws.

@@ -21,7 +21,6 @@ using nlohmann::json;
 constexpr const char* kFormat = "torsio curriculum 1";
 constexpr double kMinute_us = 60e6;
 constexpr double kSecond_us = 1e6;
-constexpr double kMostMinutes = 100'000.0;
 constexpr double kMostSeconds = 1e6;
 constexpr double kMostDegrees = 3600.0;
 constexpr double kMost = 1e9;

@@ -11,12 +11,12 @@
 #include "tools/organs/forearm_shape.h"
 #include "tools/organs/marching_tetrahedra.h"
 #include "tools/organs/remesh.h"
+#include "tools/organs/millimetre.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr double kMillimetre_m = 0.001;
 constexpr double kVoxel_mm = 2.0;  // fingers are further apart than two of them
 constexpr double kSlope = 1.35;    // of the field, which is a distance to first order only
 

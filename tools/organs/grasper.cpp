@@ -8,12 +8,12 @@
 
 #include "sim/base/angle.h"
 #include "sim/base/portable_math.h"
+#include "tools/organs/millimetre.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr double kMillimetre_m = 0.001;
 
 // Joins closed outlines of equally many points, one behind the other, and closes both ends with a fan about
 // their middle. Outlines run anticlockwise seen from +z, heights ascend.

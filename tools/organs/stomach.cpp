@@ -11,12 +11,12 @@
 #include "tools/organs/curves.h"
 #include "tools/organs/remesh.h"
 #include "tools/organs/tube.h"
+#include "tools/organs/millimetre.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr double kMillimetre_m = 0.001;
 
 // Gentle waves that no two places share: amplitude, periods along the organ and around it, phases.
 struct Wave {

@@ -22,13 +22,13 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/error.h"
+#include "app/study/curriculum_content.h"
 
 namespace torsio::gui {
 
 namespace {
 
 constexpr double kUsualStep_min = 20.0;  // paper section 6: before, after 20 and after 40 minutes
-constexpr double kMostMinutes = 100'000.0;
 
 std::vector<PlannedOccasion>::iterator pointOf(CurriculumVersion& content, const std::string& code) {
   return std::find_if(content.plannedOccasions.begin(), content.plannedOccasions.end(),

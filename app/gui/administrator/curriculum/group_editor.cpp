@@ -24,18 +24,18 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "app/study/curriculum_content.h"
 
 namespace torsio::gui {
 
 namespace {
 
-constexpr double kMostMinutes = 100'000.0;
 constexpr double kUsualPhase_min = 20.0;
 constexpr int kFewRows = 2;
 
 enum PhaseColumn { kWhere, kName, kMinutes, kExercise };
 
-std::vector<std::string> codesOf(const CurriculumVersion& content) {
+std::vector<std::string> groupCodesOf(const CurriculumVersion& content) {
   std::vector<std::string> codes;
   for (const StudyArm& arm : content.arms) {
     codes.push_back(arm.code);
@@ -268,7 +268,7 @@ void GroupEditor::takeCode() {
   }
   const std::string before = arm->code;
   const std::optional<std::string> code = code_.changed(
-      before, codesOf(content_), tr("A group needs a code; it keeps %1.").arg(toQString(before)),
+      before, groupCodesOf(content_), tr("A group needs a code; it keeps %1.").arg(toQString(before)),
       tr("Another group has this code; this one keeps %1.").arg(toQString(before)));
   if (!code) {
     return;
@@ -278,7 +278,7 @@ void GroupEditor::takeCode() {
 
 void GroupEditor::add() {
   StudyArm arm = group() != nullptr ? *group() : StudyArm{};
-  arm.code = freeCode("G", codesOf(content_));
+  arm.code = freeCode("G", groupCodesOf(content_));
   arm.id = arm.code;
   arm.label = tr("New group").toStdString();
   content_.arms.push_back(std::move(arm));
