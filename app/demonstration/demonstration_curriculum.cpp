@@ -106,7 +106,8 @@ void storeDemonstrationExposures(Connection& connection, const DemonstrationStud
     const StudyArm& arm = curriculum.arms.at(trainee.group);
     std::int64_t at_us = utc_us;
     const auto spend = [&](const std::string& phaseId, const std::string& kind, std::int64_t duration_us) {
-      exposures.push_back({ids.newUuid(), trainee.enrolmentId, phaseId, kind, at_us, duration_us, kDemonstrationName, true});
+      exposures.push_back(
+          {ids.newUuid(), trainee.enrolmentId, phaseId, kind, at_us, duration_us, kDemonstrationName, true});
       at_us += duration_us;
     };
     for (std::size_t i = 0; i < arm.phases.size(); ++i) {

@@ -88,14 +88,15 @@ std::string recordAttempts(Connection& connection, IdSource& ids, const std::fil
   for (std::size_t i = 0; i < count; ++i) {
     ScriptedTrial trial;
     last = ids.newUuid();
-    trial.recording = {
-        .trialId = last,
-        .traineeCode = traineeCode,
-        .phaseLabel = module.title,
-        .startedUtc_us = utc_us,
-        .demonstration = true,
-        .context = {
-            .station = kDemonstrationName, .enrolmentId = enrolmentId, .moduleId = module.id, .attemptMode = module.mode}};
+    trial.recording = {.trialId = last,
+                       .traineeCode = traineeCode,
+                       .phaseLabel = module.title,
+                       .startedUtc_us = utc_us,
+                       .demonstration = true,
+                       .context = {.station = kDemonstrationName,
+                                   .enrolmentId = enrolmentId,
+                                   .moduleId = module.id,
+                                   .attemptMode = module.mode}};
     trial.personSeed = kPersonSeed;
     trial.trialSeed = kPersonSeed + 17 * i + static_cast<std::uint64_t>(practised_min);
     trial.duration_s = kAttempt_s;

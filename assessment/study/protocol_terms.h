@@ -19,14 +19,14 @@ struct Term {
 };
 
 /// Tells whether `table` has one row for each value below `end`, at the place of the value.
-template <typename Value, std::size_t kSize>
-[[nodiscard]] constexpr bool isWholeTable(const std::array<Term<Value>, kSize>& table, Value end) noexcept {
-  for (std::size_t i = 0; i < kSize; ++i) {
+template <typename Value, std::size_t Size>
+[[nodiscard]] constexpr bool isWholeTable(const std::array<Term<Value>, Size>& table, Value end) noexcept {
+  for (std::size_t i = 0; i < Size; ++i) {
     if (static_cast<std::size_t>(table[i].value) != i || table[i].stored.empty() || table[i].label.empty()) {
       return false;
     }
   }
-  return kSize == static_cast<std::size_t>(end);
+  return Size == static_cast<std::size_t>(end);
 }
 
 /// How a run of a module counts.

@@ -4859,6 +4859,10 @@
         <translation>没有评分标准</translation>
     </message>
     <message>
+        <source>there is no such answer</source>
+        <translation>没有这条答复</translation>
+    </message>
+    <message>
         <source>there is no such category of records</source>
         <translation>没有该类记录</translation>
     </message>

@@ -10,8 +10,8 @@
 #include "sim/geometry/query/collision_mesh.h"
 #include "tools/organs/forearm_shape.h"
 #include "tools/organs/marching_tetrahedra.h"
-#include "tools/organs/remesh.h"
 #include "tools/organs/millimetre.h"
+#include "tools/organs/remesh.h"
 
 namespace torsio {
 

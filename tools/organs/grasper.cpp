@@ -14,7 +14,6 @@ namespace torsio {
 
 namespace {
 
-
 // Joins closed outlines of equally many points, one behind the other, and closes both ends with a fan about
 // their middle. Outlines run anticlockwise seen from +z, heights ascend.
 TriangleMesh loft(const std::vector<std::vector<Vec3>>& outlines) {

@@ -9,14 +9,13 @@
 #include "sim/base/portable_math.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "tools/organs/curves.h"
+#include "tools/organs/millimetre.h"
 #include "tools/organs/remesh.h"
 #include "tools/organs/tube.h"
-#include "tools/organs/millimetre.h"
 
 namespace torsio {
 
 namespace {
-
 
 // Gentle waves that no two places share: amplitude, periods along the organ and around it, phases.
 struct Wave {

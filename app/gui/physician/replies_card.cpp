@@ -35,7 +35,7 @@ void RepliesCard::read() {
   const std::vector<RemarkReply> replies = repliesToMe(shell_.session());
   setVisible(!replies.empty());
   setTitle(replies.size() > kShownReplies ? tr("Answers to your remarks: %1").arg(replies.size())
-                                   : tr("Answers to your remarks"));
+                                          : tr("Answers to your remarks"));
   emptyLayout(list_);
   for (std::size_t i = 0; i < std::min(kShownReplies, replies.size()); ++i) {
     const RemarkReply& reply = replies[i];

@@ -227,7 +227,7 @@ TEST(StationPages, TheDebriefTellsOfATwistThatTheEndCutOff) {
   std::string cutOff;
   std::string whole;
   for (double end_s = 12.0; end_s < 24.0 && (cutOff.empty() || whole.empty()); end_s += 1.0) {
-    const std::string trial = centre.attempt("first", "practice", 1.0, end_s);
+    const std::string trial = centre.attempt("first", "practice", 1.0, end_s, "", 60.0);
     (unfinishedIn(trial) == 1 ? cutOff : whole) = trial;
   }
   ASSERT_FALSE(cutOff.empty());

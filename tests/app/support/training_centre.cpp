@@ -205,12 +205,12 @@ std::string TrainingCentre::module(const std::string& code) {
 }
 
 std::string TrainingCentre::attempt(const std::string& moduleCode, const std::string& mode, double skill,
-                                    double duration_s, const std::string& phaseId) {
+                                    double duration_s, const std::string& phaseId, double planned_s) {
   const Scene& scene = trainingBar();
   ScriptedHandOptions hand;
   hand.task = handTask(scene);
   hand.profile = {.initialSkill = skill, .finalSkill = skill, .learningTime_min = 1.0};
-  hand.duration_s = duration_s;
+  hand.duration_s = planned_s > 0.0 ? planned_s : duration_s;
   hand.seed = static_cast<std::uint64_t>(now_us_);
   const RecordingSpec recording{.trialId = ids_->newUuid(),
                                 .traineeCode = session_->actor().login,

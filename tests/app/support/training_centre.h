@@ -66,9 +66,10 @@ class TrainingCentre {
   [[nodiscard]] Cohort cohort();
   [[nodiscard]] std::string enrolment(const std::string& traineeCode = "T-01");
 
-  /// A finished attempt of the signed-in trainee by a scripted hand: 0 a beginner .. 1 an expert.
+  /// A finished attempt of the signed-in trainee by a scripted hand: 0 a beginner .. 1 an expert. A hand that
+  /// plans for a longer time (planned_s) may be cut off in the middle of a twist.
   std::string attempt(const std::string& moduleCode, const std::string& mode, double skill,
-                      double duration_s = 12.0, const std::string& phaseId = {});
+                      double duration_s = 12.0, const std::string& phaseId = {}, double planned_s = 0.0);
 
  private:
   void open();

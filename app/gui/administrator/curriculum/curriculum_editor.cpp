@@ -21,8 +21,8 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "sim/base/error.h"
 #include "app/study/curriculum_content.h"
+#include "sim/base/error.h"
 
 namespace torsio::gui {
 
