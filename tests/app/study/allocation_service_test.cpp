@@ -19,17 +19,20 @@ namespace {
 
 using testing::StudyCentre;
 
-/// Thirty trainees in a cohort of three groups.
+/// Thirty trainees, enrolled in a cohort of three groups.
 struct Study {
   StudyCentre centre;
   std::string cohortId;
+  std::vector<std::string> people;
   std::vector<std::string> enrolmentIds;
 
-  explicit Study(std::size_t trainees = 30) {
-    const std::vector<std::string> people = centre.addTrainees(trainees);
+  explicit Study(std::size_t trainees = 30, std::size_t enrolled = 30)
+      : people(centre.addTrainees(trainees)) {
     cohortId = addCohort(centre.session(),
                          {.name = "Study", .groups = {{"G1", "one"}, {"G2", "two"}, {"G3", "three"}}});
-    enrolmentIds = enrolTrainees(centre.session(), cohortId, people);
+    const std::size_t first = std::min(enrolled, trainees);
+    enrolmentIds = enrolTrainees(centre.session(), cohortId,
+                                 {people.begin(), people.begin() + static_cast<std::ptrdiff_t>(first)});
   }
   [[nodiscard]] AllocationPlan plan(AllocationMethod method) const {
     AllocationPlan plan;
@@ -75,11 +78,11 @@ TEST(AllocationService, EveryMethodDividesEvenlyAndCanBeRepeatedFromTheSeed) {
 TEST(AllocationService, OneByOneGivesWhatAllAtOnceGives) {
   std::vector<std::string> groups[2];
   for (const bool together : {true, false}) {
-    Study study(1);  // a sequence is locked for somebody who waits
+    Study study(30, 1);  // a sequence is locked for somebody who waits
     AllocationPlan plan = study.plan(AllocationMethod::kStratifiedBlocks);
     plan.seed = 20240601;
     lockAllocation(study.centre.as("allocator"), plan);
-    const std::vector<std::string> people = study.centre.addTrainees(29);
+    const std::vector<std::string> people(study.people.begin() + 1, study.people.end());
     if (together) {
       enrolTrainees(study.centre.session(), study.cohortId, people);
       allocateAll(study.centre.as("allocator"), study.cohortId);
