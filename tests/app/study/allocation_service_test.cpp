@@ -84,12 +84,12 @@ TEST(AllocationService, OneByOneGivesWhatAllAtOnceGives) {
     lockAllocation(study.centre.as("allocator"), plan);
     const std::vector<std::string> people(study.people.begin() + 1, study.people.end());
     if (together) {
-      enrolTrainees(study.centre.session(), study.cohortId, people);
+      enrolTrainees(study.centre.as("administrator"), study.cohortId, people);
       allocateAll(study.centre.as("allocator"), study.cohortId);
     } else {
       allocateAll(study.centre.as("allocator"), study.cohortId);
       for (const std::string& person : people) {
-        enrolTrainees(study.centre.session(), study.cohortId, {person});
+        enrolTrainees(study.centre.as("administrator"), study.cohortId, {person});
         allocateAll(study.centre.as("allocator"), study.cohortId);
       }
     }
