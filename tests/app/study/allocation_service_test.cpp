@@ -78,11 +78,11 @@ TEST(AllocationService, EveryMethodDividesEvenlyAndCanBeRepeatedFromTheSeed) {
 TEST(AllocationService, OneByOneGivesWhatAllAtOnceGives) {
   std::vector<std::string> groups[2];
   for (const bool together : {true, false}) {
-    Study study(30, 1);  // a sequence is locked for somebody who waits
+    Study study(30, 6);  // a design is locked for those who wait, with their sexes and levels
     AllocationPlan plan = study.plan(AllocationMethod::kStratifiedBlocks);
     plan.seed = 20240601;
     lockAllocation(study.centre.as("allocator"), plan);
-    const std::vector<std::string> people(study.people.begin() + 1, study.people.end());
+    const std::vector<std::string> people(study.people.begin() + 6, study.people.end());
     if (together) {
       enrolTrainees(study.centre.as("administrator"), study.cohortId, people);
       allocateAll(study.centre.as("allocator"), study.cohortId);
