@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include "app/gui/base/translated_text.h"
@@ -131,6 +132,9 @@ void SheetPanel::build() {
     add(kOverallRow, tr("Overall"), editor_->rubric().overall, {});
   }
   rowsLayout_->addStretch(1);
+  // Nothing scrolls sideways: a score that cannot be seen could not be given.
+  scroll_->setMinimumWidth(rowsLayout_->minimumSize().width() +
+                           scroll_->verticalScrollBar()->sizeHint().width());
   QWidget* before = nullptr;
   for (ScoreRow* row : rows_) {
     if (before != nullptr) {

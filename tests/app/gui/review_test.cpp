@@ -123,6 +123,23 @@ TEST(CasePage, LosesNoKeystrokeWhenItVanishes) {
   EXPECT_EQ(editorOf(page)->sheet().comment, "calm");
 }
 
+TEST(CasePage, ShowsAllTenScoresOnASmallScreen) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+
+  auto& page = desk.open<CasePage>(inputOf(centre.caseAbout(0, 0)));
+  QApplication::processEvents();
+
+  const QList<QWidget*> scales = page.findChildren<QWidget*>(QStringLiteral("scale"));
+  ASSERT_FALSE(scales.isEmpty());
+  for (const QWidget* scale : scales) {
+    const int right = scale->mapTo(&page, QPoint(scale->width(), 0)).x();
+    EXPECT_LE(right, page.width());
+    const QRect seen = scale->visibleRegion().boundingRect();
+    EXPECT_TRUE(seen.isEmpty() || seen.width() == scale->width()) << seen.width() << " of " << scale->width();
+  }
+}
+
 TEST(CasePage, UndoesToTheFirstMarkAndRedoes) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
@@ -438,6 +455,7 @@ TEST(RaterCalibrationPage, HasScoreButtonsThatAFingerOrAMouseHits) {
   const auto& scale = child<QWidget>(page, "scale");
   EXPECT_GE(scale.width(), kButtons * kLeast_px);
   EXPECT_GE(scale.height(), kLeast_px);
+  EXPECT_EQ(scale.visibleRegion().boundingRect(), scale.rect());
 }
 
 TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
