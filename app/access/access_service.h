@@ -68,8 +68,8 @@ void resetPassword(SessionContext& session, const std::string& userId, const std
 /// One's own station PIN; empty removes it.
 void setOwnPin(SessionContext& session, const std::string& pin);
 
-/// What an actor reaches first: "station" (trainee), "review" (rater), "office" (administrator, allocator,
-/// statistician).
+/// Which pages an actor reaches first: the trainee's, the rater's or the administrator's (administrator,
+/// allocator, statistician).
 enum class Home { kStation, kReview, kAdministrator };
 [[nodiscard]] Home homeOf(const Actor& actor);
 

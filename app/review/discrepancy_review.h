@@ -47,7 +47,7 @@ void keepMark(SessionContext& session, const std::string& assignmentId, const st
 /// not all have committed. kMarkSubmit, own committed case; audited.
 void moveMark(SessionContext& session, const std::string& assignmentId, const Sheet& sheet,
               const std::string& reason);
-/// The office is asked for a further rater; needs a reason. kMarkSubmit, own committed case; audited.
+/// The administrator is asked for a further rater; needs a reason. kMarkSubmit, own committed case; audited.
 void askForThird(SessionContext& session, const std::string& assignmentId, const std::string& reason);
 
 }  // namespace torsio

@@ -55,7 +55,7 @@ struct ReferenceCandidate {
 /// Newest first. kStudySetup.
 [[nodiscard]] std::vector<ReferenceCandidate> referenceCandidates(SessionContext& session);
 
-/// A reference run as the office sees it.
+/// A reference run as the administrator sees it.
 struct ReferenceRow {
   std::size_t number = 0;  ///< what raters call it: 1, 2 ...; 0: withdrawn
   std::string trialId{};
@@ -71,7 +71,7 @@ struct ReferenceRow {
 /// In the order of the warm-up, those that were withdrawn last. kStudySetup.
 [[nodiscard]] std::vector<ReferenceRow> referenceRows(SessionContext& session);
 
-/// A run for the warm-up, chosen by the office.
+/// A run for the warm-up, chosen by the administrator.
 struct ReferenceChoice {
   std::string trialId{};
   std::string rubricRevisionId{};

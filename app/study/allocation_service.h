@@ -50,7 +50,7 @@ struct BalancePreview {
 /// kAllocationRun. Throws Error{kBadParameter} for a plan that breaks the rules of its method.
 [[nodiscard]] BalancePreview previewBalance(SessionContext& session, const AllocationPlan& plan);
 
-/// A locked design as the office sees it.
+/// A locked design as the administrator sees it.
 struct AllocationDesignRow {
   LockedDesign stored{};  ///< seed empty until it was revealed
   AllocationDesign design{};

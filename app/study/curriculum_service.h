@@ -30,7 +30,7 @@ struct CurriculumRow {
   std::vector<CurriculumVersionRow> versions{};  ///< oldest first
 };
 
-/// All curricula by name. kPersonViewCoded (whoever works in the office).
+/// All curricula by name. kPersonViewCoded (whoever administers the study).
 [[nodiscard]] std::vector<CurriculumRow> curricula(SessionContext& session);
 /// A published version with codes in place of ids: as it looks in the editor, and as a start of the next
 /// draft. kPersonViewCoded. Throws Error{kBadData} for an unknown id.

@@ -8,8 +8,8 @@
 
 namespace torsio {
 
-/// Lists the occasions that curricula can name, in order of time. kPersonViewCoded (whoever works in the
-/// office).
+/// Lists the occasions that curricula can name, in order of time. kPersonViewCoded (whoever administers
+/// the study).
 [[nodiscard]] Occasions knownOccasions(SessionContext& session);
 
 /// Adds an occasion after all others, for every later curriculum ("six months later"). Returns it. Audited.

@@ -26,7 +26,7 @@ struct RubricRow {
   std::string name{};
   std::vector<RubricRevision> revisions{};  ///< oldest first; the last one is offered
 };
-/// All rubrics by name. kPersonViewCoded (whoever works in the office).
+/// All rubrics by name. kPersonViewCoded (whoever administers the study).
 [[nodiscard]] std::vector<RubricRow> rubrics(SessionContext& session);
 
 /// Stores a rubric with its first revision. Returns the id of the revision. Audited. kCurriculumEdit. Throws

@@ -59,7 +59,7 @@ struct RunDayBoard {
   std::vector<StationState> stations{};  ///< by name; silent for kStationSilence_us: not answering
   std::int64_t asOfUtc_us = 0;
 };
-/// Something that the day's office should look at.
+/// Something that whoever runs the day should look at.
 struct RunDayAlert {
   enum class Kind {
     kStationSilent,  ///< no sign of life; `subject` is the station

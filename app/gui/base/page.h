@@ -21,10 +21,10 @@ namespace torsio::gui {
 class ShellContext;
 struct Theme;
 
-/// One place of the navigation: a trainee's "Next step", a physician's "Queue", the office's "Roster". Pages
-/// hold no logic: they show what services of app give them, through ShellContext::session().
-/// Texts are set in retranslate(), colours that the style sheet does not give in applyTheme(); both are
-/// called after construction and whenever language or theme change.
+/// One place of the navigation: a trainee's "Next step", a physician's "Queue", the administrator's "Roster".
+/// Pages hold no logic: they show what services of app give them, through ShellContext::session(). Texts are
+/// set in retranslate(), colours that the style sheet does not give in applyTheme(); both are called after
+/// construction and whenever language or theme change.
 class Page : public QWidget {
   Q_OBJECT
 

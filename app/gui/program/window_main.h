@@ -11,10 +11,10 @@ namespace torsio::gui {
 ///            [--quality fast|fine] [--orbit DEG]
 ///     torsio --frame-rate SECONDS [...]   measures and prints frames per second
 ///
-/// The first is the whole program: sign-in, stations, review, office. With an organ only the simulator opens,
-/// without record or sign-in; its recordings are files of the user. With --screenshot a scripted hand twists
-/// the organ on a manual clock up to the angle, one picture is written, and 0 is returned. Throws Error for
-/// unknown options, files that cannot be used, and a display that cannot draw.
+/// The first is the whole program: sign-in, stations, review, administration. With an organ only the
+/// simulator opens, without record or sign-in; its recordings are files of the user. With --screenshot a
+/// scripted hand twists the organ on a manual clock up to the angle, one picture is written, and 0 is
+/// returned. Throws Error for unknown options, files that cannot be used, and a display that cannot draw.
 [[nodiscard]] int runWindow(int argc, char** argv);
 
 }  // namespace torsio::gui

@@ -47,7 +47,7 @@ void focusInto(QWidget& page) {
   }
 }
 
-/// Which of the groups (training, review, office) an actor's home is in.
+/// Which of the groups (training, review, administration) an actor's home is in.
 std::size_t homeGroup(const Actor& actor) {
   switch (homeOf(actor)) {
     case Home::kReview:

@@ -27,7 +27,7 @@ class ProblemPanel;
 class Rail;
 class Toast;
 
-/// Pages of one line of work: training, review, office.
+/// Pages of one line of work: training, review, administration.
 struct PageGroup {
   std::function<QString()> title;
   std::vector<PageEntry> pages;

@@ -306,7 +306,7 @@ void MainWindow::applyChoices(const QString& user, bool station) {
   if (language || stations) {
     language_.choose(language ? *language : *stations);
   }
-  // The station stands in a dark room; offices follow the desktop.
+  // The station stands in a dark room; other rooms follow the desktop.
   const ThemeKind usual = station || setup_.systemIsDark ? ThemeKind::kDark : ThemeKind::kLight;
   const auto remembered = preferences_.themeKind(user);
   theme_ = setup_.theme.value_or(remembered.value_or(usual));

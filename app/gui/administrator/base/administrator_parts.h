@@ -28,7 +28,7 @@ namespace torsio::gui {
 class DataTable;
 class ShellContext;
 
-/// The column in which the parts of an office page stand, with the margins all of them share.
+/// The column in which the parts of an administrator's page stand, with the margins all of them share.
 QVBoxLayout* pageColumn(QWidget* page);
 /// The same for pages whose content may be taller than the window.
 QVBoxLayout* scrolledColumn(QWidget* page);
