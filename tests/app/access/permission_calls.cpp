@@ -317,6 +317,8 @@ std::vector<ServiceCall> trainingCalls() {
       {O::kTrialRecordOwn, "decideOwnConsent",
        [](SessionContext& w, Path) { decideOwnConsent(w, kNoSuch, true, "1"); }},
       {O::kPractice, "gradesWithMouse", [](SessionContext& w, Path) { (void)gradesWithMouse(w); }},
+      {O::kTrialRecordOwn, "recordExposure", [](SessionContext& w, Path) { (void)recordExposure(w, {}); },
+       O::kStudySetup},
       {O::kTrialRecordOwn, "RunSession",
        [](SessionContext& w, Path) {
          const ManualClock clock;
