@@ -17,8 +17,8 @@ CredentialsDialog::CredentialsDialog(const QString& title, const QString& why, Q
   QLabel* reason = sentence(this);
   reason->setText(why);
   column->addWidget(reason);
-  nameField(fieldAbove(column, login_), tr("Sign-in &name"));
-  nameField(fieldAbove(column, password_), tr("&Password"));
+  nameField(addField(column, login_), tr("Sign-in &name"));
+  nameField(addField(column, password_), tr("&Password"));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

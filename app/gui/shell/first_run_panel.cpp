@@ -97,8 +97,8 @@ QWidget* FirstRunPanel::createCentreStep() {
     language_->addItem(languageName(language), static_cast<int>(language));
   }
   centre_ = new QLineEdit(widget);
-  languageLabel_ = fieldAbove(column, language_);
-  centreLabel_ = fieldAbove(column, centre_);
+  languageLabel_ = addField(column, language_);
+  centreLabel_ = addField(column, centre_);
   column->addStretch(1);
   connect(language_, &QComboBox::activated, this, [this](int index) {
     Q_EMIT languageWanted(static_cast<Language>(language_->itemData(index).toInt()));
@@ -113,9 +113,9 @@ QWidget* FirstRunPanel::createAdministratorStep() {
   login_ = new QLineEdit(widget);
   password_ = secretField(widget);
   again_ = secretField(widget);
-  loginLabel_ = fieldAbove(column, login_);
-  passwordLabel_ = fieldAbove(column, password_);
-  againLabel_ = fieldAbove(column, again_);
+  loginLabel_ = addField(column, login_);
+  passwordLabel_ = addField(column, password_);
+  againLabel_ = addField(column, again_);
   column->addStretch(1);
   for (QLineEdit* field : {login_, password_, again_}) {
     connect(field, &QLineEdit::textChanged, this, [this] { say({}); });

@@ -32,7 +32,7 @@ LockPanel::LockPanel(QWidget* parent) : QWidget(parent) {
   column->addWidget(heading_);
   column->addWidget(why_);
   column->addSpacing(kSpace);
-  label_ = fieldAbove(column, secret_);
+  label_ = addField(column, secret_);
   column->addWidget(answer_);
   auto* row = new QHBoxLayout;
   row->addWidget(signOut_);

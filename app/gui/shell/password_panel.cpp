@@ -34,9 +34,9 @@ PasswordPanel::PasswordPanel(QWidget* parent) : QWidget(parent) {
   column->addWidget(heading_);
   column->addWidget(why_);
   column->addSpacing(kSpace);
-  oldLabel_ = fieldAbove(column, old_);
-  newLabel_ = fieldAbove(column, new_);
-  againLabel_ = fieldAbove(column, again_);
+  oldLabel_ = addField(column, old_);
+  newLabel_ = addField(column, new_);
+  againLabel_ = addField(column, again_);
   answer_ = sentence(this, false);
   column->addWidget(answer_);
   column->addSpacing(kSpace);

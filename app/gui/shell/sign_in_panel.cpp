@@ -36,9 +36,9 @@ SignInPanel::SignInPanel(QWidget* parent) : QWidget(parent) {
   column->addSpacing(2 * kSpace);
   column->addWidget(heading_);
   column->addSpacing(kSpace);
-  loginLabel_ = fieldAbove(column, login_);
+  loginLabel_ = addField(column, login_);
   column->addSpacing(4);
-  secretLabel_ = fieldAbove(column, secret_);
+  secretLabel_ = addField(column, secret_);
   column->addSpacing(kSpace);
   enter_ = primaryButton(this);
   answer_ = sentence(this, false);

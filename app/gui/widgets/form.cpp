@@ -59,11 +59,11 @@ QVBoxLayout* centredCard(QWidget* ground, int width) {
   return content;
 }
 
-QLabel* fieldAbove(QVBoxLayout* column, QWidget* field) {
+QLabel* addField(QBoxLayout* layout, QWidget* field) {
   auto* label = new QLabel;
   label->setBuddy(field);
-  column->addWidget(label);
-  column->addWidget(field);
+  layout->addWidget(label);
+  layout->addWidget(field);
   return label;
 }
 

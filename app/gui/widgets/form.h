@@ -3,6 +3,7 @@
 
 #include <QString>
 
+class QBoxLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -15,8 +16,9 @@ namespace torsio::gui {
 /// button would be cut. Returns where its content goes.
 QVBoxLayout* centredCard(QWidget* ground, int width);
 
-/// A label above its field, both in `column`; a mnemonic of the label leads to the field.
-QLabel* fieldAbove(QVBoxLayout* column, QWidget* field);
+/// Adds a label and its field to `layout`: above it in a column, beside it in a row. A mnemonic of the label
+/// leads to the field. Returns the label, whose text the caller sets.
+QLabel* addField(QBoxLayout* layout, QWidget* field);
 /// Text of such a label; the field's accessible name is the same without its mnemonic.
 void nameField(QLabel* label, const QString& text);
 

@@ -5,7 +5,6 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
@@ -42,14 +41,6 @@ QPushButton* listButton(DataTable* table) {
   auto* button = new QPushButton(table);
   table->addTool(button);
   return button;
-}
-
-QLabel* fieldBeside(QBoxLayout* row, QWidget* field) {
-  auto* label = new QLabel;
-  label->setBuddy(field);
-  row->addWidget(label);
-  row->addWidget(field);
-  return label;
 }
 
 void fillCohorts(QComboBox* chooser, SessionContext& session) {

@@ -11,10 +11,8 @@
 
 #include "app/gui/base/translated_text.h"
 
-class QBoxLayout;
 class QComboBox;
 class QHBoxLayout;
-class QLabel;
 class QPushButton;
 class QVBoxLayout;
 class QWidget;
@@ -34,9 +32,6 @@ QVBoxLayout* pageColumn(QWidget* page);
 QVBoxLayout* scrolledColumn(QWidget* page);
 /// A button among the tools of a list.
 QPushButton* listButton(DataTable* table);
-/// A row "label, field" above a list; the label is the field's buddy. Texts are set by the page.
-QLabel* fieldBeside(QBoxLayout* row, QWidget* field);
-
 /// The cohorts of the record, newest last; keeps the choice when filled anew. Chosen first: the newest whose
 /// people are in groups, since there is something to see; else the newest.
 void fillCohorts(QComboBox* chooser, SessionContext& session);

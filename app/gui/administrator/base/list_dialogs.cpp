@@ -84,7 +84,7 @@ ConsentDialog::ConsentDialog(ShellContext& shell, PersonId personId, const QStri
   decisions_->setEmptyText(tr("Nothing was decided yet."));
   auto* row = new QHBoxLayout;
   row->setSpacing(kSpace);
-  QLabel* label = fieldBeside(row, purpose_);
+  QLabel* label = addField(row, purpose_);
   label->setText(tr("On &paper"));
   row->addWidget(granted_);
   row->addWidget(withdrawn_);

@@ -66,9 +66,9 @@ ResultsPage::ResultsPage(ShellContext& shell)
   contents_->setObjectName(QStringLiteral("contents"));
   auto* choices = new QHBoxLayout;
   choices->setSpacing(kSpace);
-  cohortLabel_ = fieldBeside(choices, cohort_);
+  cohortLabel_ = addField(choices, cohort_);
   choices->addSpacing(2 * kSpace);
-  campaignLabel_ = fieldBeside(choices, campaign_);
+  campaignLabel_ = addField(choices, campaign_);
   choices->addStretch(1);
   for (QComboBox* box : {cohort_, campaign_}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToContents);

@@ -15,6 +15,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/file_choice.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/people/people_service.h"
 #include "app/study/rubric_service.h"
@@ -67,7 +68,7 @@ ScoringPage::ScoringPage(ShellContext& shell)
   heading_->addAction(ask_);
   auto* choices = new QHBoxLayout;
   choices->setSpacing(kSpace);
-  cohortLabel_ = fieldBeside(choices, cohort_);
+  cohortLabel_ = addField(choices, cohort_);
   choices->addSpacing(2 * kSpace);
   choices->addWidget(summary_, 1);
   cohort_->setSizeAdjustPolicy(QComboBox::AdjustToContents);

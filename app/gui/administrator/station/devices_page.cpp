@@ -35,7 +35,7 @@ DevicesPage::DevicesPage(ShellContext& shell)
   heading_->addAction(check_);
   auto* choices = new QHBoxLayout;
   choices->setSpacing(kSpace);
-  nameLabel_ = fieldBeside(choices, name_);
+  nameLabel_ = addField(choices, name_);
   name_->setMaximumWidth(280);
   choices->addSpacing(2 * kSpace);
   choices->addWidget(force_);

@@ -45,12 +45,12 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
   warn_->setRange(1, kLongestIdleLock_min - 1);
   auto* row = new QHBoxLayout;
   row->setSpacing(kSpace);
-  nameLabel_ = fieldBeside(row, name_);
+  nameLabel_ = addField(row, name_);
   row->setStretchFactor(name_, 1);
   row->addSpacing(2 * kSpace);
-  warnLabel_ = fieldBeside(row, warn_);
+  warnLabel_ = addField(row, warn_);
   row->addSpacing(2 * kSpace);
-  lockLabel_ = fieldBeside(row, lock_);
+  lockLabel_ = addField(row, lock_);
   row->addSpacing(2 * kSpace);
   row->addWidget(keep_);
   content()->addLayout(row);

@@ -77,7 +77,7 @@ AllocationPage::AllocationPage(ShellContext& shell)
   }
   auto* choices = new QHBoxLayout;
   choices->setSpacing(kSpace);
-  cohortLabel_ = fieldBeside(choices, cohort_);
+  cohortLabel_ = addField(choices, cohort_);
   choices->addStretch(1);
   cohort_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   auto* cards = new QHBoxLayout;

@@ -60,7 +60,7 @@ RunDayPage::RunDayPage(ShellContext& shell)
   table_->setObjectName(QStringLiteral("table"));
   auto* choices = new QHBoxLayout;
   choices->setSpacing(kSpace);
-  cohortLabel_ = fieldBeside(choices, cohort_);
+  cohortLabel_ = addField(choices, cohort_);
   choices->addSpacing(2 * kSpace);
   choices->addWidget(summary_, 1);
   cohort_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
