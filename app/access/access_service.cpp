@@ -34,7 +34,8 @@ UserAccount userOf(const AccessRepository& access, const UserId& userId) {
       return user;
     }
   }
-  throw Error(ErrorCode::kBadParameter, "there is no such user", userId, "Choose one from the list");
+  throw Error(ErrorCode::kBadParameter, Text::tr("there is no such user"), userId,
+              Text::tr("Choose one from the list"));
 }
 
 bool isActiveAdministrator(const UserAccount& user) {
@@ -50,8 +51,8 @@ void keepAnAdministrator(SessionContext& session, const std::string& withoutUser
   if (remains) {
     return;
   }
-  throw Error(ErrorCode::kBadParameter, "this is the last administrator who can sign in", "",
-              "Make somebody else an administrator first");
+  throw Error(ErrorCode::kBadParameter, Text::tr("this is the last administrator who can sign in"), "",
+              Text::tr("Make somebody else an administrator first"));
 }
 
 const char* failureName(SignIn outcome) {
@@ -109,19 +110,20 @@ bool needsFirstRun(Connection& connection) {
 
 void setUpCentre(SessionContext& session, const FirstRun& first) {
   if (first.centre.empty()) {
-    throw Error(ErrorCode::kBadParameter, "the centre has no name", "centre",
-                "Enter the name of your centre");
+    throw Error(ErrorCode::kBadParameter, Text::tr("the centre has no name"), Text::tr("centre"),
+                Text::tr("Enter the name of your centre"));
   }
   if (first.login.empty()) {
-    throw Error(ErrorCode::kBadParameter, "the administrator has no sign-in name", "login", "Enter one");
+    throw Error(ErrorCode::kBadParameter, Text::tr("the administrator has no sign-in name"),
+                Text::tr("login"), Text::tr("Enter one"));
   }
   AccessRepository access = entrance(session);
   const SealedSecret password = access.sealPassword(first.login, first.password);
   const std::int64_t now_us = session.now_us();
   Transaction transaction(session.connectionWithoutRight());
   if (!needsFirstRun(session.connectionWithoutRight())) {
-    throw Error(ErrorCode::kPermission, "this database belongs to a centre already", "first run",
-                "Sign in, or choose another database");
+    throw Error(ErrorCode::kPermission, Text::tr("this database belongs to a centre already"),
+                Text::tr("first run"), Text::tr("Sign in, or choose another database"));
   }
   StudyRepository(session.connectionWithoutRight())
       .setCentre({session.ids().newUuid(), first.centre, now_us, false});
@@ -152,11 +154,12 @@ SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login
   const SignInResult old = access.signIn(login, oldPassword, session.now_us());
   if (old.outcome != SignIn::kOk && old.outcome != SignIn::kMustChange) {
     noteFailure(session, login, old.outcome, "password");
-    throw Error(ErrorCode::kPermission, "the present password is not right", "password", "Try again");
+    throw Error(ErrorCode::kPermission, Text::tr("the present password is not right"), Text::tr("password"),
+                Text::tr("Try again"));
   }
   if (newPassword == oldPassword) {
-    throw Error(ErrorCode::kBadParameter, "the new password is the old one", "password",
-                "Choose another one");
+    throw Error(ErrorCode::kBadParameter, Text::tr("the new password is the old one"), Text::tr("password"),
+                Text::tr("Choose another one"));
   }
   const SealedSecret password = access.sealPassword(login, newPassword);
   Transaction transaction(session.connectionWithoutRight());
@@ -254,8 +257,8 @@ void resetPassword(SessionContext& session, const UserId& userId, const std::str
 void setOwnPin(SessionContext& session, const std::string& pin) {
   session.require(Operation::kPractice);
   if (session.actor().practiceOnly) {
-    throw Error(ErrorCode::kPermission, "you came in with the PIN", "PIN",
-                "Sign in with your password to change it");
+    throw Error(ErrorCode::kPermission, Text::tr("you came in with the PIN"), Text::tr("PIN"),
+                Text::tr("Sign in with your password to change it"));
   }
   AccessRepository access = repository(session);
   const SealedSecret sealed = access.sealPin(pin);

@@ -78,10 +78,11 @@ void SessionContext::require(Operation operation) const {
   }
   const std::string code(operationCode(operation));
   if (key_.actor.userId.empty()) {
-    throw Error(ErrorCode::kPermission, "nobody is signed in", code, "Sign in first");
+    throw Error(ErrorCode::kPermission, Text::tr("nobody is signed in"), code, Text::tr("Sign in first"));
   }
-  throw Error(ErrorCode::kPermission, Text("you are signed in as %1, who may not do this", key_.actor.login),
-              code, "Ask an administrator, or sign in as somebody who may");
+  throw Error(ErrorCode::kPermission,
+              Text::tr("you are signed in as %1, who may not do this", key_.actor.login), code,
+              Text::tr("Ask an administrator, or sign in as somebody who may"));
 }
 
 void SessionContext::requireEither(Operation first, Operation second) const {
@@ -93,8 +94,8 @@ void SessionContext::requireOwn(Operation operation, const PersonId& personId) c
   if (!key_.actor.personId.empty() && key_.actor.personId == personId) {
     return;
   }
-  throw Error(ErrorCode::kPermission, "this belongs to somebody else", std::string(operationCode(operation)),
-              "Open your own record");
+  throw Error(ErrorCode::kPermission, Text::tr("this belongs to somebody else"),
+              std::string(operationCode(operation)), Text::tr("Open your own record"));
 }
 
 void SessionContext::note(const AuditNote& note) const {

@@ -42,10 +42,11 @@ void setCentreSetting(SessionContext& session, const std::string& name, const st
                       const std::string& reason) {
   session.require(Operation::kSettingsEdit);
   if (name.empty() || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos) {
-    throw Error(ErrorCode::kBadParameter, "this is no name of a setting", name, "Choose one from the list");
+    throw Error(ErrorCode::kBadParameter, Text::tr("this is no name of a setting"), name,
+                Text::tr("Choose one from the list"));
   }
   if (value.size() > kLongestValue) {
-    throw Error(ErrorCode::kBadParameter, "the value is too long", name, "Shorten it");
+    throw Error(ErrorCode::kBadParameter, Text::tr("the value is too long"), name, Text::tr("Shorten it"));
   }
   Transaction transaction(session.connection());
   SettingRepository settings(session.connection());
@@ -63,8 +64,8 @@ void setCentreSetting(SessionContext& session, const std::string& name, const st
 void setCentreName(SessionContext& session, const std::string& name) {
   session.require(Operation::kSettingsEdit);
   if (name.empty()) {
-    throw Error(ErrorCode::kBadParameter, "the centre has no name", "centre",
-                "Enter the name of your centre");
+    throw Error(ErrorCode::kBadParameter, Text::tr("the centre has no name"), Text::tr("centre"),
+                Text::tr("Enter the name of your centre"));
   }
   Transaction transaction(session.connection());
   StudyRepository studies(session.connection());
@@ -100,9 +101,9 @@ IdleLimits centreIdleLimits(Connection& connection) {
 void setCentreIdleLimits(SessionContext& session, int warn_min, int lock_min) {
   session.require(Operation::kSettingsEdit);
   if (!sensible(warn_min, lock_min)) {
-    throw Error(ErrorCode::kBadParameter, "these minutes make no sense", "idle lock",
-                Text("Lock after %1 to %2 minutes, and warn at least one minute before",
-                     kShortestIdleLock_min, kLongestIdleLock_min));
+    throw Error(ErrorCode::kBadParameter, Text::tr("these minutes make no sense"), Text::tr("idle lock"),
+                Text::tr("Lock after %1 to %2 minutes, and warn at least one minute before",
+                         kShortestIdleLock_min, kLongestIdleLock_min));
   }
   Transaction transaction(session.connection());
   setCentreSetting(session, kIdleWarn, std::to_string(warn_min));

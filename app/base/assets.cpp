@@ -27,8 +27,9 @@ fs::path assetsFolder() {
     if (holdsScenes(chosen)) {
       return chosen;
     }
-    throw Error(ErrorCode::kFileMissing, "no folder 'scenes' in it", Text("TORSIO_ASSETS=%1", chosen),
-                "Point TORSIO_ASSETS at the assets folder, or unset it");
+    throw Error(ErrorCode::kFileMissing, Text::tr("no folder 'scenes' in it"),
+                Text::verbatim("TORSIO_ASSETS=%1", chosen),
+                Text::tr("Point TORSIO_ASSETS at the assets folder, or unset it"));
   }
   std::array<fs::path, 2> candidates{fs::path(), fs::path(TORSIO_SOURCE_ASSETS)};
   if (QCoreApplication::instance() != nullptr) {
@@ -40,8 +41,8 @@ fs::path assetsFolder() {
       return fs::weakly_canonical(folder);
     }
   }
-  throw Error(ErrorCode::kFileMissing, "organs and scenes are not installed", TORSIO_SOURCE_ASSETS,
-              "Set TORSIO_ASSETS to the assets folder");
+  throw Error(ErrorCode::kFileMissing, Text::tr("organs and scenes are not installed"),
+              std::string(TORSIO_SOURCE_ASSETS), Text::tr("Set TORSIO_ASSETS to the assets folder"));
 }
 
 }  // namespace torsio

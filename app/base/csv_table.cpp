@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kShown = 60;  // characters of a bad value that a message repeats
 
 [[noreturn]] void refuseAt(const std::string& name, std::size_t line, const Text& what, const Text& remedy) {
-  throw Error(ErrorCode::kBadData, what, Text("%1, line %2", name, line), remedy);
+  throw Error(ErrorCode::kBadData, what, Text::tr("%1, line %2", name, line), remedy);
 }
 
 std::string inQuotes(std::string_view value) {
@@ -107,8 +107,8 @@ class Reader {
     const std::string_view raw = text_.substr(at_, end - at_);
     if (raw.find('"') != std::string_view::npos) {
       refuseAt(name_, line_,
-               Text("a quote stands inside the value %1", std::string(trimmed(raw).substr(0, kShown))),
-               "Put the whole value in quotes and double each quote in it");
+               Text::tr("a quote stands inside the value %1", std::string(trimmed(raw).substr(0, kShown))),
+               Text::tr("Put the whole value in quotes and double each quote in it"));
     }
     at_ = end;
     return std::string(trimmed(raw));
@@ -129,12 +129,12 @@ class Reader {
       value.push_back(text_[at_]);
     }
     if (at_ >= text_.size()) {
-      refuseAt(name_, begun, "a quote does not close", "Close the quoted value");
+      refuseAt(name_, begun, Text::tr("a quote does not close"), Text::tr("Close the quoted value"));
     }
     at_ = std::min(text_.find_first_not_of(blanks(), at_ + 1), text_.size());
     if (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n' && text_[at_] != '\r') {
-      refuseAt(name_, line_, Text("text follows the quoted value %1", inQuotes(value)),
-               "End the value at the closing quote");
+      refuseAt(name_, line_, Text::tr("text follows the quoted value %1", inQuotes(value)),
+               Text::tr("End the value at the closing quote"));
     }
     return value;
   }
@@ -176,7 +176,8 @@ std::string_view checkedText(std::string_view text, const std::string& name) {
   }
   if (const std::size_t bad = firstNoUtf8(text); bad != std::string_view::npos) {
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(bad), '\n');
-    refuseAt(name, static_cast<std::size_t>(line), "the text is not UTF-8", "Save the table as UTF-8 CSV");
+    refuseAt(name, static_cast<std::size_t>(line), Text::tr("the text is not UTF-8"),
+             Text::tr("Save the table as UTF-8 CSV"));
   }
   return text;
 }
@@ -223,15 +224,16 @@ CsvTable CsvTable::parse(std::string_view text, const std::string& name,
   Reader reader(checkedText(text, name), table.name_, ',');
   Row row;
   if (!reader.next(row.values, row.line)) {
-    throw Error(ErrorCode::kBadData, "the table is empty", name,
-                Text("Begin with the header %1", listed(required)));
+    throw Error(ErrorCode::kBadData, Text::tr("the table is empty"), name,
+                Text::tr("Begin with the header %1", listed(required)));
   }
   table.takeHeader(row.values, row.line, required, optional);
   while (reader.next(row.values, row.line)) {
     table.takeRow(row);
   }
   if (table.rows_.empty()) {
-    throw Error(ErrorCode::kBadData, "the table has a header but no rows", name, "Add one row a value");
+    throw Error(ErrorCode::kBadData, Text::tr("the table has a header but no rows"), name,
+                Text::tr("Add one row a value"));
   }
   return table;
 }
@@ -241,17 +243,17 @@ void CsvTable::takeHeader(std::vector<std::string> header, std::size_t line,
                           std::initializer_list<std::string_view> optional) {
   const std::string remedy = "Begin with the header " + listed(required) + ", in any order";
   if (header.size() == 1 && required.size() > 1 && header[0].find_first_of(";\t") != std::string::npos) {
-    refuseAt(name_, line, Text("the columns are not separated by commas: %1", inQuotes(header[0])),
-             "Save the table with commas and decimal points");
+    refuseAt(name_, line, Text::tr("the columns are not separated by commas: %1", inQuotes(header[0])),
+             Text::tr("Save the table with commas and decimal points"));
   }
   for (auto name = header.begin(); name != header.end(); ++name) {
     if (std::find(header.begin(), name, *name) != name) {
-      refuseAt(name_, line, Text("the header names the column %1 twice", inQuotes(*name)), remedy);
+      refuseAt(name_, line, Text::tr("the header names the column %1 twice", inQuotes(*name)), remedy);
     }
   }
   for (const std::string_view name : required) {
     if (std::find(header.begin(), header.end(), name) == header.end()) {
-      refuseAt(name_, line, Text("the header has no column %1", inQuotes(name)), remedy);
+      refuseAt(name_, line, Text::tr("the header has no column %1", inQuotes(name)), remedy);
     }
   }
   for (const std::string& name : header) {
@@ -275,7 +277,7 @@ void CsvTable::takeRow(Row row) {
       what += "; is " + inQuotes(row.values[i] + "," + row.values[i + 1]) + " a decimal comma?";
       break;
     }
-    refuseAt(name_, row.line, what, "Give one value a column and write decimals with a point");
+    refuseAt(name_, row.line, what, Text::tr("Give one value a column and write decimals with a point"));
   }
   rows_.push_back(std::move(row));
 }
@@ -301,14 +303,15 @@ const std::string& CsvTable::cell(std::size_t row, std::string_view column) cons
 const std::string& CsvTable::text(std::size_t row, std::string_view column) const {
   const std::string& value = cell(row, column);
   if (value.empty()) {
-    refuse(row, Text("the column \"%1\" is empty", std::string(column)), "Fill it in or remove the line");
+    refuse(row, Text::tr("the column \"%1\" is empty", std::string(column)),
+           Text::tr("Fill it in or remove the line"));
   }
   return value;
 }
 
 double CsvTable::number(std::size_t row, std::string_view column) const {
   const std::string& shown = text(row, column);
-  const Text rule("Write a decimal number with a point, such as 7.5");
+  const Text rule = Text::tr("Write a decimal number with a point, such as 7.5");
   const std::string named = std::string(column) + " " + inQuotes(shown);
   std::string_view digits = shown;
   if (digits.front() == '+') {
@@ -317,16 +320,16 @@ double CsvTable::number(std::size_t row, std::string_view column) const {
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error == std::errc::result_out_of_range) {
-    refuse(row, Text("%1 is too large or too small", named), rule);
+    refuse(row, Text::tr("%1 is too large or too small", named), rule);
   }
   if (hasDecimalComma(shown)) {
-    refuse(row, Text("%1 has a decimal comma", named), rule);
+    refuse(row, Text::tr("%1 has a decimal comma", named), rule);
   }
   if (error != std::errc() || end != digits.data() + digits.size() || digits.front() == '+') {
-    refuse(row, Text("%1 is not a number", named), rule);
+    refuse(row, Text::tr("%1 is not a number", named), rule);
   }
   if (!std::isfinite(value)) {
-    refuse(row, Text("%1 is not a finite number", named), rule);
+    refuse(row, Text::tr("%1 is not a finite number", named), rule);
   }
   return value;
 }
@@ -343,9 +346,9 @@ std::int64_t CsvTable::whole(std::size_t row, std::string_view column, std::int6
   const double value = number(row, column);
   if (value != std::floor(value) || value < static_cast<double>(low) || value > static_cast<double>(high)) {
     refuse(row,
-           Text("%1 %2 is not a whole number from %3 to %4", std::string(column), inQuotes(cell(row, column)),
-                low, high),
-           "Correct the value");
+           Text::tr("%1 %2 is not a whole number from %3 to %4", std::string(column),
+                    inQuotes(cell(row, column)), low, high),
+           Text::tr("Correct the value"));
   }
   return static_cast<std::int64_t>(value);
 }

@@ -32,7 +32,7 @@ Json formJson(const IccForm& form) {
 Json formsJson(const Outcome<IccResult>& icc) {
   Json out;
   const auto add = [&](const char* name, IccForm IccResult::*form) {
-    out[name] = icc ? formJson((*icc).*form) : undefinedJson(icc.reason());
+    out[name] = icc ? formJson((*icc).*form) : undefinedJson(icc.reason().str());
   };
   add("ICC(1,1)", &IccResult::oneWaySingle);
   add("ICC(2,1)", &IccResult::agreementSingle);
@@ -82,7 +82,7 @@ Json limitsJson(const BlandAltmanResult& result) {
 Json panelJson(const RatingGrid& grid) {
   const Outcome<NumberTable> complete = completeTable(grid);
   if (!complete) {
-    return undefinedJson(complete.reason());
+    return undefinedJson(complete.reason().str());
   }
   if (grid.raters.size() < 3) {
     return undefinedJson("two raters make no panel: see the pair");

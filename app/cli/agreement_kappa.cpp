@@ -24,13 +24,14 @@ class CategoryList {
     for (auto value = values_.begin(); value != values_.end(); ++value) {
       if (std::find(values_.begin(), value, *value) != value) {
         throw Error(ErrorCode::kBadParameter, "the category " + shown(*value) + " stands twice",
-                    "--categories", "Name every category once");
+                    Text::verbatim("--categories"), Text::verbatim("Name every category once"));
       }
     }
     for (const double score : distinctScores(grid)) {
       if (!find(score)) {
         throw Error(ErrorCode::kBadData, "the score " + shown(score) + " is none of the categories",
-                    "--categories", "Name every category that raters could give");
+                    Text::verbatim("--categories"),
+                    Text::verbatim("Name every category that raters could give"));
       }
     }
   }
@@ -61,19 +62,19 @@ NumberTable readDisagreement(const std::string& file, const CategoryList& catego
     const auto second = categories.find(table.number(row, "second"));
     const double weight = table.number(row, "disagreement");
     if (!first || !second) {
-      table.refuse(row, "this is no pair of categories",
-                   "Give two of the categories, or name them in --categories");
+      table.refuse(row, Text::verbatim("this is no pair of categories"),
+                   Text::verbatim("Give two of the categories, or name them in --categories"));
     }
     if (weight < 0.0 || (first == second && weight != 0.0)) {
       table.refuse(row,
                    "the disagreement " + table.cell(row, "disagreement") +
                        " is negative, or of a category with itself",
-                   "Give 0 for equal categories and a positive number for others");
+                   Text::verbatim("Give 0 for equal categories and a positive number for others"));
     }
     for (std::optional<double>* place : {&weights[*first][*second], &weights[*second][*first]}) {
       if (*place && **place != weight) {
-        table.refuse(row, "these two categories have another disagreement further up",
-                     "Give one for each pair");
+        table.refuse(row, Text::verbatim("these two categories have another disagreement further up"),
+                     Text::verbatim("Give one for each pair"));
       }
       *place = weight;
     }
@@ -85,7 +86,7 @@ NumberTable readDisagreement(const std::string& file, const CategoryList& catego
         throw Error(ErrorCode::kBadData,
                     "no disagreement of " + CategoryList::shown(categories.values()[i]) + " and " +
                         CategoryList::shown(categories.values()[j]),
-                    table.name(), "Give one for each pair of categories");
+                    table.name(), Text::verbatim("Give one for each pair of categories"));
       }
       out.at(i, j) = out.at(j, i) = *weights[i][j];
     }

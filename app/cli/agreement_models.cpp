@@ -30,13 +30,15 @@ struct Scale {
 Scale scaleOf(const RatingGrid& grid, const AgreementOptions& options) {
   const std::vector<double> scores = distinctScores(grid);
   if (scores.empty()) {
-    throw Error(ErrorCode::kBadData, "every score is missing", "the ratings", "Give scores");
+    throw Error(ErrorCode::kBadData, Text::verbatim("every score is missing"), Text::verbatim("the ratings"),
+                Text::verbatim("Give scores"));
   }
   for (const double score : scores) {
     if (score != std::floor(score) || std::abs(score) > kLargestScore) {
       throw Error(ErrorCode::kBadData,
-                  "the score " + Json(score).dump() + " is no whole number up to a million", "the ratings",
-                  "Give categories in whole numbers; collapse finer steps first");
+                  "the score " + Json(score).dump() + " is no whole number up to a million",
+                  Text::verbatim("the ratings"),
+                  Text::verbatim("Give categories in whole numbers; collapse finer steps first"));
     }
   }
   const Scale scale{options.lowest.value_or(static_cast<std::int64_t>(scores.front())),
@@ -45,11 +47,11 @@ Scale scaleOf(const RatingGrid& grid, const AgreementOptions& options) {
       static_cast<double>(scale.highest) < scores.back()) {
     throw Error(ErrorCode::kBadData,
                 "scores run from " + Json(scores.front()).dump() + " to " + Json(scores.back()).dump(),
-                "--lowest, --highest", "Give a scale that holds them all");
+                Text::verbatim("--lowest, --highest"), Text::verbatim("Give a scale that holds them all"));
   }
   if (scale.highest - scale.lowest >= kMostCategories) {
-    throw Error(ErrorCode::kBadData, "the scale has more than 100 categories", "--lowest, --highest",
-                "Collapse categories first");
+    throw Error(ErrorCode::kBadData, Text::verbatim("the scale has more than 100 categories"),
+                Text::verbatim("--lowest, --highest"), Text::verbatim("Collapse categories first"));
   }
   return scale;
 }
@@ -177,7 +179,7 @@ Json facetStudyJson(const CsvTable& table, const FacetDesign& design, const std:
 void refuseWithout(const CsvTable& table, const std::vector<double>& numbers, const std::string& column) {
   if (!numbers.empty() && !table.has(column)) {
     throw Error(ErrorCode::kBadParameter, "the table has no column \"" + column + "\"", "--" + column + "s",
-                "Add the column or leave the option out");
+                Text::verbatim("Add the column or leave the option out"));
   }
 }
 
@@ -209,9 +211,9 @@ Json generalizabilityJson(const CsvTable& table, const AgreementOptions& options
   refuseWithout(table, options.occasions, "occasion");
   refuseWithout(table, options.tasks, "task");
   if (table.has("occasion") && table.has("task")) {
-    throw Error(
-        ErrorCode::kBadData, "the table has both occasions and tasks", table.name(),
-        "Keep one of the two columns: occasions are crossed with raters, tasks have raters of their own");
+    throw Error(ErrorCode::kBadData, Text::verbatim("the table has both occasions and tasks"), table.name(),
+                Text::verbatim("Keep one of the two columns: occasions are crossed with raters, tasks have "
+                               "raters of their own"));
   }
   if (table.has("occasion")) {
     return facetStudyJson(table,

@@ -62,7 +62,7 @@ void requireKnownCommand(const CLI::App& program, const std::string& first) {
     }
     names.append(names.empty() ? "" : ", ").append(command->get_name());
   }
-  throw Error(ErrorCode::kUsage, "no such command", first, "Commands: " + names);
+  throw Error(ErrorCode::kUsage, Text::verbatim("no such command"), first, "Commands: " + names);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ Input parsed(const std::string& file) {
     return Input::parse(readFile(file));
   } catch (const Input::parse_error& error) {
     throw Error(ErrorCode::kBadData, "this is not JSON: " + std::string(error.what()), file,
-                "Correct the file");
+                Text::verbatim("Correct the file"));
   }
 }
 
@@ -49,7 +49,8 @@ T as(JsonFields& fields, const std::string& name) {
   try {
     return fields.child(name).get<T>();
   } catch (const Input::exception&) {
-    fields.refuse(name, "has the wrong kind of value", "See docs/cli.md, allocate");
+    fields.refuse(name, Text::verbatim("has the wrong kind of value"),
+                  Text::verbatim("See docs/cli.md, allocate"));
   }
 }
 
@@ -57,7 +58,7 @@ T as(JsonFields& fields, const std::string& name) {
 std::uint64_t count(JsonFields& fields, const std::string& name) {
   const Input& value = fields.child(name);
   if (!value.is_number_unsigned()) {
-    fields.refuse(name, "is no whole number of at least 0", "Correct it");
+    fields.refuse(name, Text::verbatim("is no whole number of at least 0"), Text::verbatim("Correct it"));
   }
   return value.get<std::uint64_t>();
 }
@@ -68,7 +69,8 @@ std::vector<std::uint64_t> counts(JsonFields& fields, const std::string& name) {
                        return value.is_number_unsigned();
                      });
   if (!sound) {
-    fields.refuse(name, "is no list of whole numbers of at least 0", "Correct it");
+    fields.refuse(name, Text::verbatim("is no list of whole numbers of at least 0"),
+                  Text::verbatim("Correct it"));
   }
   return list.get<std::vector<std::uint64_t>>();
 }
@@ -76,7 +78,7 @@ std::vector<std::uint64_t> counts(JsonFields& fields, const std::string& name) {
 const Input& listAt(JsonFields& fields, const std::string& name) {
   const Input& list = fields.child(name);
   if (!list.is_array()) {
-    fields.refuse(name, "is no list", "Write it in square brackets");
+    fields.refuse(name, Text::verbatim("is no list"), Text::verbatim("Write it in square brackets"));
   }
   return list;
 }
@@ -113,7 +115,8 @@ AllocationDesign designOf(JsonFields& fields) {
     design.bestArm_tenths = std::llround(tenths);
     constexpr double kRounding = 1e-9;
     if (std::abs(tenths - static_cast<double>(design.bestArm_tenths)) > kRounding) {
-      fields.refuse("best_arm_probability", "is no multiple of 0.1", "Give 0.5, 0.6, 0.7, 0.8 or 0.9");
+      fields.refuse("best_arm_probability", Text::verbatim("is no multiple of 0.1"),
+                    Text::verbatim("Give 0.5, 0.6, 0.7, 0.8 or 0.9"));
     }
   }
   design.imbalance = static_cast<Imbalance>(fields.choice("imbalance", kImbalances, 0));
@@ -162,7 +165,8 @@ std::vector<AllocationPerson> personsOf(const Input& list, const AllocationDesig
       const std::string level = levels.text(factor.name);
       const auto found = std::find(factor.levels.begin(), factor.levels.end(), level);
       if (found == factor.levels.end()) {
-        levels.refuse(factor.name, "\"" + level + "\" is none of its levels", "Give a level of the design");
+        levels.refuse(factor.name, "\"" + level + "\" is none of its levels",
+                      Text::verbatim("Give a level of the design"));
       }
       person.levels.push_back(static_cast<std::size_t>(found - factor.levels.begin()));
     }
@@ -201,7 +205,8 @@ AllocationRecord recordOf(const Input& json, const AllocationDesign& design, con
   }
   for (std::size_t f = 0; f < record.levels.size(); ++f) {
     if (f >= design.factors.size() || record.levels[f] >= design.factors[f].levels.size()) {
-      fields.refuse("levels", "do not fit the factors of the design", "Check the file against the original");
+      fields.refuse("levels", Text::verbatim("do not fit the factors of the design"),
+                    Text::verbatim("Check the file against the original"));
     }
   }
   record.stratum = as<std::string>(fields, "stratum");
@@ -277,22 +282,23 @@ void runReplay(const std::string& file) {
   printJson(out);
   if (!finding.sound) {
     throw Error(ErrorCode::kVerifyFailed, "the allocation cannot be repeated: " + finding.reason, file,
-                "Compare the file with the one that was kept");
+                Text::verbatim("Compare the file with the one that was kept"));
   }
 }
 
 void run(const AllocateArguments& arguments) {
   if (!arguments.replay.empty()) {
     if (!arguments.design.empty() || arguments.seed) {
-      throw Error(ErrorCode::kUsage, "--replay stands alone: design and seed are in the file",
-                  arguments.replay, "Leave out --design and --seed");
+      throw Error(ErrorCode::kUsage, Text::verbatim("--replay stands alone: design and seed are in the file"),
+                  arguments.replay, Text::verbatim("Leave out --design and --seed"));
     }
     runReplay(arguments.replay);
     return;
   }
   if (arguments.design.empty() || !arguments.seed) {
-    throw Error(ErrorCode::kUsage, "an allocation needs --design and --seed, or --replay", "allocate",
-                "Give the design and draw a seed at random: it is never chosen for you");
+    throw Error(ErrorCode::kUsage, Text::verbatim("an allocation needs --design and --seed, or --replay"),
+                Text::verbatim("allocate"),
+                Text::verbatim("Give the design and draw a seed at random: it is never chosen for you"));
   }
   runAllocation(arguments);
 }

@@ -35,7 +35,7 @@ void verify(const AuditArguments& arguments) {
   const DatabaseCheck check = checkDatabase(arguments.database);
   if (!check.damage.empty()) {
     throw Error(ErrorCode::kVerifyFailed, "the database is damaged: " + check.damage.front(), check.location,
-                "Run torsio db check, and restore a backup");
+                Text::verbatim("Run torsio db check, and restore a backup"));
   }
   if (arguments.json) {
     printJson(jsonOf(check));
@@ -57,7 +57,7 @@ void verify(const AuditArguments& arguments) {
                 (check.audit.size() == 1 ? std::string("one row is")
                                          : std::to_string(check.audit.size()) + " rows are") +
                     " not as recorded",
-                check.location, "Keep this file as it is, and compare it with a backup");
+                check.location, Text::verbatim("Keep this file as it is, and compare it with a backup"));
   }
 }
 

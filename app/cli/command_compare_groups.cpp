@@ -56,8 +56,8 @@ void comparePaired(const CompareArguments& arguments) {
   noteIgnoredColumns(table);
   const Study study = readStudy(table);
   if (study.occasions.size() < 2) {
-    throw Error(ErrorCode::kBadData, "a paired comparison needs two occasions", table.name(),
-                "Give the scores of at least two occasions");
+    throw Error(ErrorCode::kBadData, Text::verbatim("a paired comparison needs two occasions"), table.name(),
+                Text::verbatim("Give the scores of at least two occasions"));
   }
   Json out{{"paired", arguments.paired}};
   out["groups"] = pairedJson(study, kPairedTests.at(arguments.paired));
@@ -76,7 +76,7 @@ void compareGroups(const CompareArguments& arguments) {
   const std::string occasion = arguments.occasion.empty() ? study.occasions.back() : arguments.occasion;
   if (std::find(study.occasions.begin(), study.occasions.end(), occasion) == study.occasions.end()) {
     throw Error(ErrorCode::kBadParameter, "the table has no occasion \"" + occasion + "\"", table.name(),
-                "Give one of its occasions after --occasion");
+                Text::verbatim("Give one of its occasions after --occasion"));
   }
   const Groups groups = scoresAt(study, occasion);
   Json out;
@@ -101,14 +101,15 @@ void compareGroups(const CompareArguments& arguments) {
 void requireOptionsThatCount(const CLI::App& command) {
   for (const char* name : {"--resamples", "--seed", "--every-resample"}) {
     if (command.count(name) > 0 && command.count("--bootstrap") == 0) {
-      throw Error(ErrorCode::kUsage, std::string(name) + " belongs to a bootstrap", "compare-groups",
-                  "Give --bootstrap mean or --bootstrap median too");
+      throw Error(ErrorCode::kUsage, std::string(name) + " belongs to a bootstrap",
+                  Text::verbatim("compare-groups"),
+                  Text::verbatim("Give --bootstrap mean or --bootstrap median too"));
     }
   }
   for (const char* name : {"--occasion", "--adjust"}) {
     if (command.count(name) > 0 && command.count("--paired") > 0) {
       throw Error(ErrorCode::kUsage, std::string(name) + " belongs to a comparison between groups",
-                  "compare-groups --paired", "Leave one of the two out");
+                  Text::verbatim("compare-groups --paired"), Text::verbatim("Leave one of the two out"));
     }
   }
 }

@@ -123,7 +123,8 @@ void runCheck(const DeviceArguments& arguments) {
   request.say = [](const Text& text) { std::cerr << text << "." << std::endl; };
   request.cancelled = [] { return stopAsked != 0; };
   if (arguments.forceTest) {
-    request.say("Warning: the device will push against the hand. Keep face and objects out of its reach");
+    request.say(Text::verbatim(
+        "Warning: the device will push against the hand. Keep face and objects out of its reach"));
   }
   const DeviceCheckResult result = checkDevice(request);
   printCheck(result, arguments.json);

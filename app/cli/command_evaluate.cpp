@@ -45,7 +45,7 @@ std::pair<std::string, double> namedWeight(const std::string& text, const std::s
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), weight);
   if (error != std::errc() || end != digits.data() + digits.size()) {
     throw Error(ErrorCode::kUsage, "\"" + text + "\" is no weight", option,
-                "Give weights such as 0.2,0.3,0.5 or A=0.2,B=0.3,C=0.5");
+                Text::verbatim("Give weights such as 0.2,0.3,0.5 or A=0.2,B=0.3,C=0.5"));
   }
   return {name, weight};
 }
@@ -62,8 +62,8 @@ std::vector<std::pair<std::string, std::int64_t>> weightList(const std::vector<s
   }
   const auto unnamed = std::count(names.begin(), names.end(), "");
   if (unnamed != 0 && unnamed != std::ssize(names)) {
-    throw Error(ErrorCode::kUsage, "some weights have a name and some have none", option,
-                "Name all of them or none");
+    throw Error(ErrorCode::kUsage, Text::verbatim("some weights have a name and some have none"), option,
+                Text::verbatim("Name all of them or none"));
   }
   std::vector<std::pair<std::string, std::int64_t>> list;
   const std::vector<std::int64_t> milli = weightsInMilli(weights);
@@ -104,8 +104,8 @@ EvaluationInstrument instrumentOf(const EvaluateArguments& arguments) {
     }
     constexpr std::size_t kLetters = 26;
     if (weights.size() > kLetters) {
-      throw Error(ErrorCode::kBadParameter, "there are more than 26 rater classes", "--class-weights",
-                  "Give fewer classes");
+      throw Error(ErrorCode::kBadParameter, Text::verbatim("there are more than 26 rater classes"),
+                  Text::verbatim("--class-weights"), Text::verbatim("Give fewer classes"));
     }
     for (std::size_t c = 0; c < weights.size(); ++c) {
       RaterClass& raterClass = instrument.classes[c];
@@ -183,14 +183,14 @@ class MarkReader {
                     "rater \"" + rating.rater + "\" scores index \"" + table_.cell(row, "index") +
                         "\" of model \"" + rating.model + "\" a second time, first in " +
                         table_.where(first->second),
-                    "Keep one score for each rater, index and model");
+                    Text::verbatim("Keep one score for each rater, index and model"));
     }
     const auto [known, newRater] = classOf_.emplace(rating.rater, std::pair{rating.raterClass, row});
     if (!newRater && known->second.first != rating.raterClass) {
       table_.refuse(row,
                     "rater \"" + rating.rater + "\" is in class \"" + table_.cell(row, "class") +
                         "\", but in another in " + table_.where(known->second.second),
-                    "A rater belongs to one class");
+                    Text::verbatim("A rater belongs to one class"));
     }
     return rating;
   }

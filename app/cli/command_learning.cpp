@@ -63,7 +63,7 @@ std::vector<Attempts> readAttempts(const CsvTable& table) {
       table.refuse(row,
                    "attempt " + std::to_string(attempt) + " of subject \"" + name +
                        "\" is given a second time, first in " + table.where(first->second),
-                   "Keep one value for each subject and attempt");
+                   Text::verbatim("Keep one value for each subject and attempt"));
     }
   }
   return list;
@@ -88,7 +88,7 @@ bool holdsOutcomes(const CsvTable& table) {
       table.refuse(row,
                    "value \"" + table.cell(row, "value") + "\" stands among " +
                        (outcomes ? "pass and fail" : "numbers"),
-                   "Give either numbers or pass and fail in the whole column");
+                   Text::verbatim("Give either numbers or pass and fail in the whole column"));
     }
   }
   return outcomes;
@@ -184,7 +184,7 @@ std::vector<bool> outcomesOf(const CsvTable& table, const Attempts& subject) {
       table.refuse(row,
                    "subject \"" + subject.subject + "\" has attempt " + std::to_string(attempt) +
                        " but no attempt " + std::to_string(failed.size() + 1),
-                   "Number the attempts 1, 2, 3 ... without gaps");
+                   Text::verbatim("Number the attempts 1, 2, 3 ... without gaps"));
     }
     failed.push_back(failedAt(table, row).value_or(false));
   }
@@ -234,7 +234,8 @@ Json outcomesJson(const LearningArguments& arguments, const CsvTable& table,
     throw Error(ErrorCode::kBadData,
                 "no limit keeps the false pass rate below " + std::to_string(arguments.falsePass) +
                     " in so few attempts",
-                table.name(), "Record more attempts, or give --limit or a larger --false-pass");
+                table.name(),
+                Text::verbatim("Record more attempts, or give --limit or a larger --false-pass"));
   }
   const LcCusumDesign design{arguments.adequate, arguments.inadequate, *limit};
   Json out{{"kind", "pass/fail"}};
@@ -254,12 +255,14 @@ Json outcomesJson(const LearningArguments& arguments, const CsvTable& table,
 
 void runLearning(const LearningArguments& arguments) {
   if (!(arguments.adequate < arguments.inadequate)) {
-    throw Error(ErrorCode::kBadParameter, "the adequate failure rate must be below the inadequate one",
-                "--adequate " + std::to_string(arguments.adequate), "Give for example 0.1 and 0.2");
+    throw Error(ErrorCode::kBadParameter,
+                Text::verbatim("the adequate failure rate must be below the inadequate one"),
+                "--adequate " + std::to_string(arguments.adequate),
+                Text::verbatim("Give for example 0.1 and 0.2"));
   }
   if (arguments.target.has_value() != arguments.sigma.has_value()) {
-    throw Error(ErrorCode::kUsage, "a CUSUM of values needs both --target and --sigma", "learning",
-                "Give both or none");
+    throw Error(ErrorCode::kUsage, Text::verbatim("a CUSUM of values needs both --target and --sigma"),
+                Text::verbatim("learning"), Text::verbatim("Give both or none"));
   }
   const CsvTable table = CsvTable::read(arguments.file, {"subject", "attempt", "value"});
   noteIgnoredColumns(table);
@@ -322,8 +325,8 @@ void addLearning(CLI::App& program) {
   command->callback([arguments, command] {
     for (const char* name : {"--better", "--consecutive", "--further"}) {
       if (command->count(name) > 0 && !arguments->threshold) {
-        throw Error(ErrorCode::kUsage, std::string(name) + " belongs to a threshold", "learning",
-                    "Give --threshold too");
+        throw Error(ErrorCode::kUsage, std::string(name) + " belongs to a threshold",
+                    Text::verbatim("learning"), Text::verbatim("Give --threshold too"));
       }
     }
     runLearning(*arguments);

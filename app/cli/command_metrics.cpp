@@ -151,8 +151,9 @@ Scene sceneOf(const MetricsArguments& arguments, const TrialHeader& header) {
   wanted.organScale_m = chosen.organScale_m;
   Scene scene = loadScene(wanted);
   if (scene.organHash != header.organHash) {
-    throw Error(ErrorCode::kBadData, "this is not the organ on which the trial was recorded",
-                "trial " + header.trialId, "Give the mesh file of the recording with --organ");
+    throw Error(ErrorCode::kBadData, Text::verbatim("this is not the organ on which the trial was recorded"),
+                "trial " + header.trialId,
+                Text::verbatim("Give the mesh file of the recording with --organ"));
   }
   return scene;
 }

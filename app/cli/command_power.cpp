@@ -60,11 +60,13 @@ Design designOf(const PowerArguments& arguments) {
 void requireTwoOfThree(const PowerArguments& arguments) {
   const int given = (arguments.n ? 1 : 0) + (arguments.effect ? 1 : 0) + (arguments.power ? 1 : 0);
   if (given != 2) {
-    throw Error(ErrorCode::kUsage, "one of size, effect and power follows from the other two",
-                "power --test " + arguments.test, "Give exactly two of --n, --effect and --power");
+    throw Error(ErrorCode::kUsage, Text::verbatim("one of size, effect and power follows from the other two"),
+                "power --test " + arguments.test,
+                Text::verbatim("Give exactly two of --n, --effect and --power"));
   }
   if (arguments.power && *arguments.power <= arguments.alpha) {
-    throw Error(ErrorCode::kBadParameter, "a power not above alpha needs nobody", "--power",
+    throw Error(ErrorCode::kBadParameter, Text::verbatim("a power not above alpha needs nobody"),
+                Text::verbatim("--power"),
                 "Give a power above " + Json(arguments.alpha).dump() + ", for example 0.8");
   }
 }
@@ -102,9 +104,10 @@ Json questionJson(const PowerArguments& arguments) {
 
 Json intraclassJson(const PowerArguments& arguments) {
   if (!arguments.icc || !arguments.width) {
-    throw Error(ErrorCode::kUsage,
-                "the size of a study of agreement needs the ICC and the width of its interval",
-                "power --test icc", "Give --icc and --width");
+    throw Error(
+        ErrorCode::kUsage,
+        Text::verbatim("the size of a study of agreement needs the ICC and the width of its interval"),
+        Text::verbatim("power --test icc"), Text::verbatim("Give --icc and --width"));
   }
   Json out{{"test", "icc"}, {"wanted", "targets"}};
   addSize(out, "targets", sizeIccWidth(*arguments.icc, arguments.raters, *arguments.width));

@@ -43,10 +43,11 @@ nlohmann::ordered_json fieldAt(const SectionField& field, const std::vector<std:
     const std::optional<SectionField::Value> value = field.at(point);
     if (!value) {
       throw Error(ErrorCode::kBadParameter,
-                  field.elements.empty() ? "boundary elements know no point inside"
-                                         : "the point lies outside the section",
+                  field.elements.empty() ? Text::verbatim("boundary elements know no point inside")
+                                         : Text::verbatim("the point lies outside the section"),
                   "--at " + std::to_string(point[0]) + "," + std::to_string(point[1]),
-                  field.elements.empty() ? "Use --method fem" : "Give a point in the material");
+                  field.elements.empty() ? Text::verbatim("Use --method fem")
+                                         : Text::verbatim("Give a point in the material"));
     }
     all.push_back({{"x", point[0]},
                    {"y", point[1]},

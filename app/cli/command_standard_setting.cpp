@@ -58,7 +58,8 @@ Json contrastingGroupsJson(const CsvTable& table) {
     subjects.take(row);
     const std::string& group = table.text(row, "group");
     if (group != "novice" && group != "master") {
-      table.refuse(row, "\"" + group + "\" is no group of this method", "Write novice or master");
+      table.refuse(row, "\"" + group + "\" is no group of this method",
+                   Text::verbatim("Write novice or master"));
     }
     (group == "novice" ? novices : masters).push_back(table.number(row, "score"));
   }
@@ -103,7 +104,7 @@ Json angoffJson(const CsvTable& table) {
       table.refuse(row,
                    "judge \"" + judges[judge] + "\" judges item \"" + items[item] +
                        "\" a second time, first in " + table.where(first->second),
-                   "Keep one percentage for each judge and item");
+                   Text::verbatim("Keep one percentage for each judge and item"));
     }
   }
   NumberTable percent(judges.size(), items.size());
@@ -113,13 +114,13 @@ Json angoffJson(const CsvTable& table) {
       if (found == rowOf.end()) {
         throw Error(ErrorCode::kBadData,
                     "judge \"" + judges[judge] + "\" has no percentage for item \"" + items[item] + "\"",
-                    table.name(), "Every judge judges every item");
+                    table.name(), Text::verbatim("Every judge judges every item"));
       }
       const double value = table.number(found->second, "percent");
       if (value < 0.0 || value > 100.0) {
         table.refuse(found->second,
                      "the percentage " + table.cell(found->second, "percent") + " lies outside 0 to 100",
-                     "Give the chance of a borderline trainee in percent");
+                     Text::verbatim("Give the chance of a borderline trainee in percent"));
       }
       percent.at(judge, item) = value;
     }
@@ -191,8 +192,10 @@ Json standardJson(const StandardArguments& arguments) {
   }
   if (arguments.method == "borderline-regression") {
     if (!arguments.borderline) {
-      throw Error(ErrorCode::kUsage, "the method needs the global rating of a borderline trainee",
-                  "standard-setting --method borderline-regression", "Give --borderline");
+      throw Error(ErrorCode::kUsage,
+                  Text::verbatim("the method needs the global rating of a borderline trainee"),
+                  Text::verbatim("standard-setting --method borderline-regression"),
+                  Text::verbatim("Give --borderline"));
     }
     return borderlineJson(read({"subject", "global", "score"}), *arguments.borderline);
   }

@@ -53,15 +53,17 @@ void runTwist(const TwistArguments& arguments) {
   const double length_m = scene.lattice().length_m();
   const double grasp = arguments.grasp.value_or(scene.pattern.graspArc);
   if (!(grasp > 0.0 && grasp <= 1.0)) {
-    throw Error(ErrorCode::kBadParameter, "the grasp must lie in (0, 1], as a fraction of the organ's length",
-                "--grasp " + std::to_string(grasp), "Give a fraction such as 0.8");
+    throw Error(ErrorCode::kBadParameter,
+                Text::verbatim("the grasp must lie in (0, 1], as a fraction of the organ's length"),
+                "--grasp " + std::to_string(grasp), Text::verbatim("Give a fraction such as 0.8"));
   }
   const double angle_rad =
       arguments.angle_deg ? radians(*arguments.angle_deg) : scene.pattern.targetAngle_rad;
   constexpr double kLargestAngle_deg = 3600.0;
   if (!(std::abs(angle_rad) <= radians(kLargestAngle_deg))) {
-    throw Error(ErrorCode::kBadParameter, "the angle must lie within 3600 degrees",
-                "--angle " + std::to_string(arguments.angle_deg.value_or(0.0)), "Give the angle in degrees");
+    throw Error(ErrorCode::kBadParameter, Text::verbatim("the angle must lie within 3600 degrees"),
+                "--angle " + std::to_string(arguments.angle_deg.value_or(0.0)),
+                Text::verbatim("Give the angle in degrees"));
   }
   const TwistState state{grasp * length_m, angle_rad};
 

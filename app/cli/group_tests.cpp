@@ -186,7 +186,8 @@ class Comparison {
   Json welchAnovaJson() const {
     return outcomeJson(welchAnova(groups_), [&](const FTest& test) {
       const auto equal = oneWayAnova(groups_);
-      Json effect = equal ? namedValue("omega_squared", equal->omegaSquared) : undefinedJson(equal.reason());
+      Json effect =
+          equal ? namedValue("omega_squared", equal->omegaSquared) : undefinedJson(equal.reason().str());
       return testJson(test.f, {test.df1, test.df2}, test.p, std::move(effect), noInterval());
     });
   }

@@ -37,7 +37,7 @@ void noteIgnoredColumns(const CsvTable& table);
 /// Gives what `show` makes of the value, or {"undefined": reason}.
 template <class T, class Show>
 [[nodiscard]] nlohmann::ordered_json outcomeJson(const Outcome<T>& outcome, const Show& show) {
-  return outcome ? nlohmann::ordered_json(show(*outcome)) : undefinedJson(outcome.reason());
+  return outcome ? nlohmann::ordered_json(show(*outcome)) : undefinedJson(outcome.reason().str());
 }
 
 }  // namespace torsio::cli

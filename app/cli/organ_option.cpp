@@ -55,7 +55,7 @@ SceneRequest sceneRequest(const OrganArguments& arguments) {
     for (const std::string& id : known) {
       names += (names.empty() ? "" : ", ") + id;
     }
-    throw Error(ErrorCode::kUsage, "no such organ", "--organ " + arguments.organ,
+    throw Error(ErrorCode::kUsage, Text::verbatim("no such organ"), "--organ " + arguments.organ,
                 "Choose one of " + names + ", or give a mesh file with its ending");
   }
   const auto point_m = [&request](const std::vector<double>& xyz) {
@@ -65,7 +65,8 @@ SceneRequest sceneRequest(const OrganArguments& arguments) {
     request.fixedEnd_m = point_m(arguments.fixedEnd);
     request.freeEnd_m = point_m(arguments.freeEnd);
   } else if (!arguments.fixedEnd.empty()) {
-    throw Error(ErrorCode::kUsage, "one end alone decides nothing", "--fixed-end", "Give --free-end too");
+    throw Error(ErrorCode::kUsage, Text::verbatim("one end alone decides nothing"),
+                Text::verbatim("--fixed-end"), Text::verbatim("Give --free-end too"));
   }
   request.material = arguments.material;
   request.pattern = arguments.pattern;

@@ -118,7 +118,8 @@ FacetTables readFacetTables(const CsvTable& table, const std::string& levelColum
   out.raters = raters.front().size();
   if (std::any_of(raters.begin(), raters.end(),
                   [&](const auto& list) { return list.size() != out.raters; })) {
-    out.tables = Outcome<std::vector<NumberTable>>::undefined("the tasks have different numbers of raters");
+    out.tables =
+        Outcome<std::vector<NumberTable>>::undefined(Text::tr("the tasks have different numbers of raters"));
     return out;
   }
   const std::size_t wanted = out.levels.size() * out.targets * out.raters;

@@ -42,7 +42,8 @@ struct FacetTables {
   std::vector<std::string> levels;
   std::size_t targets = 0;
   std::size_t raters = 0;  ///< on each level
-  Outcome<std::vector<NumberTable>> tables = Outcome<std::vector<NumberTable>>::undefined("not read");
+  Outcome<std::vector<NumberTable>> tables =
+      Outcome<std::vector<NumberTable>>::undefined(Text::tr("not read"));
 };
 
 /// Reads target, rater, score and the column that names the level. Raters are the same on every level

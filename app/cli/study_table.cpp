@@ -39,11 +39,12 @@ Study readStudy(const CsvTable& table) {
     placeName(study.occasions, occasion);
     const auto [first, isNew] = rowOf.emplace(std::pair{name, occasion}, row);
     if (!isNew) {
-      table.refuse(row,
-                   "subject \"" + name + "\" has a second score" +
-                       (table.has("occasion") ? " at occasion \"" + occasion + "\"" : "") + ", first in " +
-                       table.where(first->second),
-                   "Average marks over the raters first: one score for each subject and occasion");
+      table.refuse(
+          row,
+          "subject \"" + name + "\" has a second score" +
+              (table.has("occasion") ? " at occasion \"" + occasion + "\"" : "") + ", first in " +
+              table.where(first->second),
+          Text::verbatim("Average marks over the raters first: one score for each subject and occasion"));
     }
     const std::size_t s = place(
         study.subjects, [&](const Subject& other) { return other.name == name; },
@@ -52,7 +53,7 @@ Study readStudy(const CsvTable& table) {
       table.refuse(row,
                    "subject \"" + name + "\" is in group \"" + study.groups[group] +
                        "\", but in another in " + table.where(study.subjects[s].row),
-                   "A subject belongs to one group");
+                   Text::verbatim("A subject belongs to one group"));
     }
     if (const auto score = table.numberIfGiven(row, "score")) {
       study.subjects[s].scores[occasion] = *score;

@@ -83,8 +83,8 @@ class TemporaryDatabase {
     }
     fs::rename(temporary_, file_, failed);
     if (failed) {
-      throw Error(ErrorCode::kFileUnwritable, "cannot be written", file_.string(),
-                  "Close other programs that use it");
+      throw Error(ErrorCode::kFileUnwritable, Text::tr("cannot be written"), file_.string(),
+                  Text::tr("Close other programs that use it"));
     }
   }
 
@@ -211,23 +211,26 @@ class Demonstration {
     const CampaignResult campaign = evaluateCampaign(connection_, study_.campaignId, ids_, stamp);
     const TrainingResult marks = scoreTraining(connection_, study_.cohortId, ids_, stamp);
     CohortInputs inputs = cohortInputs(connection_, study_.cohortId, campaign, marks);
-    inputs.title = Text("Twist training: cohort report");
+    inputs.title = Text::tr("Twist training: cohort report");
     inputs.createdUtc_us = options_.createdUtc_us;
     inputs.demonstration = true;
     inputs.trainingTimeDivisor = options_.shortening;
     inputs.simulated = {
-        Text("The trainees' movements come from a scripted hand with a seed; the simulator, the recorder and "
-             "every computation are the real ones."),
+        Text::tr(
+            "The trainees' movements come from a scripted hand with a seed; the simulator, the recorder and "
+            "every computation are the real ones."),
         demonstrationTimeRule(), demonstrationTrainingRule(), demonstrationEvaluationRule()};
     inputs.facts = {
-        {"Organ of the training", Text("%1 (%2)", Text(training.title), Text(training.provenance))},
-        {"Second organ", Text("%1 (%2)", Text(example.title), Text(example.provenance))},
-        {"Seed", std::to_string(options_.seed)},
-        {"Simulated date", Text("%1, the same in every run", "2026-01-05 08:00 UTC")}};
+        {Text::tr("Organ of the training"),
+         Text::tr("%1 (%2)", Text(training.title), Text(training.provenance))},
+        {Text::tr("Second organ"), Text::tr("%1 (%2)", Text(example.title), Text(example.provenance))},
+        {Text::tr("Seed"), std::to_string(options_.seed)},
+        {Text::tr("Simulated date"),
+         Text::tr("%1, the same in every run", Text::verbatim("2026-01-05 08:00 UTC"))}};
     inputs.trials = digests_;
     for (const Scene* scene : {&training, &example}) {
-      inputs.provenance.emplace_back(Text("organ %1", scene->id), scene->organHash);
-      inputs.provenance.emplace_back(Text("model parameters %1", scene->id), scene->parameterHash);
+      inputs.provenance.emplace_back(Text::tr("organ %1", scene->id), scene->organHash);
+      inputs.provenance.emplace_back(Text::tr("model parameters %1", scene->id), scene->parameterHash);
     }
     return inputs;
   }
@@ -247,8 +250,8 @@ void requireShortening(const DemonstrationOptions& options) {
   if (options.shortening >= 1 && options.shortening <= 600) {
     return;
   }
-  throw Error(ErrorCode::kBadParameter, "the shortening must lie between 1 and 600",
-              std::to_string(options.shortening), "Give 60 for twenty seconds a phase");
+  throw Error(ErrorCode::kBadParameter, Text::tr("the shortening must lie between 1 and 600"),
+              std::to_string(options.shortening), Text::tr("Give 60 for twenty seconds a phase"));
 }
 
 }  // namespace
@@ -277,7 +280,7 @@ DemonstrationSummary runDemonstration(const DemonstrationOptions& options) {
     const CohortInputs inputs = demonstration.run();
     summary = demonstration.summary();
     if (options.progress) {
-      options.progress({"Writing the report", 0.95, -1.0});
+      options.progress({Text::tr("Writing the report"), 0.95, -1.0});
     }
     summary.report = options.out / "cohort.pdf";
     summary.table = options.out / "cohort.csv";
@@ -287,7 +290,7 @@ DemonstrationSummary runDemonstration(const DemonstrationOptions& options) {
   }
   database.keep();
   if (options.progress) {
-    options.progress({"Done", 1.0, 0.0});
+    options.progress({Text::tr("Done"), 1.0, 0.0});
   }
   return summary;
 }

@@ -35,7 +35,7 @@ DemonstrationUsers fillWithPeople(SessionContext& session, const std::filesystem
   static_cast<void>(fillDemonstration(options, session.connectionWithoutRight()));
   // What the trainee and the physician of the demonstration find when they sign in.
   if (progress) {
-    progress({"Laying out the desks", kDesksAt, -1.0});
+    progress({Text::tr("Laying out the desks"), kDesksAt, -1.0});
   }
   const DemonstrationStation station =
       storeDemonstrationStation(session.connectionWithoutRight(), session.ids(), assets, session.now_us());

@@ -29,7 +29,8 @@ CurriculumTemplate paperTemplate(const std::filesystem::path& assets) {
       return std::move(found);
     }
   }
-  throw Error(ErrorCode::kFileMissing, "there is no such curriculum", kTemplate, "Repair the installation");
+  throw Error(ErrorCode::kFileMissing, Text::tr("there is no such curriculum"), std::string(kTemplate),
+              Text::tr("Repair the installation"));
 }
 
 /// What the simulated trainees twist, in place of the template's own exercise.
@@ -100,7 +101,7 @@ void storeDemonstrationExposures(Connection& connection, const DemonstrationStud
 }
 
 Text demonstrationTimeRule() {
-  return Text(
+  return Text::tr(
       "The times of training are those of the protocol, in full; every second trainee of a group takes the "
       "whole rest between the two halves.");
 }

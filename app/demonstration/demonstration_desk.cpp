@@ -60,8 +60,8 @@ class DeskMaker {
       }
     }
     if (desk_.raterIds.empty()) {
-      throw Error(ErrorCode::kBadData, "there are no demonstration physicians", "the record",
-                  "Make the demonstration people first");
+      throw Error(ErrorCode::kBadData, Text::tr("there are no demonstration physicians"),
+                  Text::tr("the record"), Text::tr("Make the demonstration people first"));
     }
     addRubric();
     addTrainees();
@@ -281,32 +281,31 @@ RubricRevision demonstrationRubric() {
   rubric.number = 1;
   rubric.note = "demonstration";
   rubric.overall = scale;
-  // Read out of the source by their parameter's name, so that the window has them in its language.
-  const auto words = [](const char* sentence) { return std::string(sentence); };
+  const auto words = [](Phrase sentence) { return std::string(sentence.english()); };
   rubric.rows = {{"time",
-                  words("Training time"),
+                  words(Text::tr("Training time")),
                   scale,
-                  {{10, words("Does not finish; long stops")},
-                   {50, words("Finishes with some waiting")},
-                   {100, words("Brisk, no idle moment")}}},
+                  {{10, words(Text::tr("Does not finish; long stops"))},
+                   {50, words(Text::tr("Finishes with some waiting"))},
+                   {100, words(Text::tr("Brisk, no idle moment"))}}},
                  {"proficiency",
-                  words("Proficiency"),
+                  words(Text::tr("Proficiency")),
                   scale,
-                  {{10, words("Searches for the grip")},
-                   {50, words("Knows the steps, corrects often")},
-                   {100, words("Fluent, one movement")}}},
+                  {{10, words(Text::tr("Searches for the grip"))},
+                   {50, words(Text::tr("Knows the steps, corrects often"))},
+                   {100, words(Text::tr("Fluent, one movement"))}}},
                  {"accuracy",
-                  words("Operational accuracy"),
+                  words(Text::tr("Operational accuracy")),
                   scale,
-                  {{10, words("Far from the angle, slips")},
-                   {50, words("Near the angle, wavers")},
-                   {100, words("Reaches and holds the angle")}}},
+                  {{10, words(Text::tr("Far from the angle, slips"))},
+                   {50, words(Text::tr("Near the angle, wavers"))},
+                   {100, words(Text::tr("Reaches and holds the angle"))}}},
                  {"tissue",
-                  words("Care for the tissue"),
+                  words(Text::tr("Care for the tissue")),
                   scale,
-                  {{10, words("Tears and jerks")},
-                   {50, words("Some force peaks")},
-                   {100, words("Soft build-up, soft release")}}}};
+                  {{10, words(Text::tr("Tears and jerks"))},
+                   {50, words(Text::tr("Some force peaks"))},
+                   {100, words(Text::tr("Soft build-up, soft release"))}}}};
   return rubric;
 }
 

@@ -62,8 +62,8 @@ CurriculumVersion storeCurriculum(Connection& connection, IdSource& ids, const s
     curricula.moveTo(version.id, CurriculumState::kRunning, kDemonstrationName, utc_us);
     return version;
   }
-  throw Error(ErrorCode::kFileMissing, "there is no such curriculum", kStationTemplate,
-              "Repair the installation");
+  throw Error(ErrorCode::kFileMissing, Text::tr("there is no such curriculum"), std::string(kStationTemplate),
+              Text::tr("Repair the installation"));
 }
 
 /// Simulated attempts at one module; returns the last trial.
@@ -139,8 +139,8 @@ DemonstrationStation storeDemonstrationStation(Connection& connection, IdSource&
   std::vector<Trainee> trainees = people.trainees();
   std::erase_if(trainees, [](const Trainee& t) { return !t.person.demonstration; });
   if (trainees.empty()) {
-    throw Error(ErrorCode::kBadData, "there are no simulated trainees", "demonstration",
-                "Make the demonstration people first");
+    throw Error(ErrorCode::kBadData, Text::tr("there are no simulated trainees"), Text::tr("demonstration"),
+                Text::tr("Make the demonstration people first"));
   }
   const Person& person = trainees.front().person;
   station.personId = person.id;

@@ -12,6 +12,7 @@
 #include "assessment/report/number_format.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
+#include "sim/base/text_list.h"
 #include "sim/device/hdapi/hdapi_library.h"
 
 namespace torsio {
@@ -32,14 +33,14 @@ void pause_s(double seconds) {
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
-void requireTime(double seconds, double longest, const char* what) {
+void requireTime(double seconds, double longest, Phrase what) {
   if (seconds > 0.0 && seconds <= longest) {
     return;
   }
   throw Error(ErrorCode::kBadParameter,
-              Text("%1 must lie above 0 s and not above %2 s, got %3", std::string(what),
-                   formatFixed(longest, 0), formatFixed(seconds, 2)),
-              "device", "Give another number of seconds");
+              Text::tr("%1 must lie above 0 s and not above %2 s, got %3", what, formatFixed(longest, 0),
+                       formatFixed(seconds, 2)),
+              Text::tr("device"), Text::tr("Give another number of seconds"));
 }
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -51,7 +52,7 @@ std::string joined(const std::vector<std::string>& parts) {
 }
 
 Text orNotReported(const std::string& value) {
-  return value.empty() ? Text("not reported") : Text(value);
+  return value.empty() ? Text::tr("not reported") : Text(value);
 }
 
 /// One check, step by step; every step returns false when the next ones make no sense.
@@ -74,8 +75,8 @@ class Check {
   }
 
  private:
-  void add(FindingGrade grade, const char* subject, const Text& sentence, const Text& remedy = "") {
-    result_.findings.push_back({subject, grade, sentence, remedy});
+  void add(FindingGrade grade, Phrase subject, const Text& sentence, const Text& remedy = "") {
+    result_.findings.push_back({std::string(subject.english()), grade, sentence, remedy});
   }
   void say(const Text& sentence) const {
     if (request_.say) {
@@ -90,20 +91,20 @@ class Check {
   bool openDevice() {
     const HdapiLibrary library = loadHdapi(request_.choice.library);
     if (library.status != HdapiLoadStatus::kLoaded) {
-      add(FindingGrade::kBad, "Library", library.sentence, library.remedy);
+      add(FindingGrade::kBad, Text::tr("Library"), library.sentence, library.remedy);
       return false;
     }
-    add(FindingGrade::kGood, "Library", library.sentence);
+    add(FindingGrade::kGood, Text::tr("Library"), library.sentence);
     if (!library.absentOptionals.empty()) {
-      add(FindingGrade::kNote, "Library",
-          Text("it lacks %1, which Torsio can do without", joined(library.absentOptionals)));
+      add(FindingGrade::kNote, Text::tr("Library"),
+          Text::tr("it lacks %1, which Torsio can do without", joined(library.absentOptionals)));
     }
     HdapiOptions options;
     options.deviceName = request_.choice.name;
     try {
       device_ = std::make_unique<HdapiDevice>(library.api, options);
     } catch (const Error& error) {
-      add(FindingGrade::kBad, "Device", error.happenedText(), error.remedyText());
+      add(FindingGrade::kBad, Text::tr("Device"), error.happenedText(), error.remedyText());
       return false;
     }
     describeDevice();
@@ -114,30 +115,30 @@ class Check {
     result_.capabilities = device_->capabilities();
     result_.identity = device_->identity();
     const HdapiIdentity& id = result_.identity;
-    add(FindingGrade::kGood, "Device",
-        Text("%1, serial number %2, driver %3, library %4, opened as %5", result_.capabilities.model,
-             orNotReported(id.serial), orNotReported(id.driverVersion), orNotReported(id.libraryVersion),
-             id.openedAs));
-    add(FindingGrade::kGood, "Licence", "the library works on this computer");
+    add(FindingGrade::kGood, Text::tr("Device"),
+        Text::tr("%1, serial number %2, driver %3, library %4, opened as %5", result_.capabilities.model,
+                 orNotReported(id.serial), orNotReported(id.driverVersion), orNotReported(id.libraryVersion),
+                 id.openedAs));
+    add(FindingGrade::kGood, Text::tr("Licence"), Text::tr("the library works on this computer"));
     for (const Text& note : id.notes) {
-      add(FindingGrade::kNote, "Device", note);
+      add(FindingGrade::kNote, Text::tr("Device"), note);
     }
     if (!id.assumed.empty()) {
-      add(FindingGrade::kNote, "Device",
-          Text("not reported in a form that makes sense, so a cautious value is assumed: %1",
-               joined(id.assumed)));
+      add(FindingGrade::kNote, Text::tr("Device"),
+          Text::tr("not reported in a form that makes sense, so a cautious value is assumed: %1",
+                   listed(id.assumed)));
     }
-    add(FindingGrade::kGood, "Limits",
-        Text("force up to %1 N, sustained %2 N, three axes, no torque about the stylus",
-             formatFixed(result_.capabilities.maxForce_N, 2),
-             formatFixed(result_.capabilities.continuousForce_N, 2)));
+    add(FindingGrade::kGood, Text::tr("Limits"),
+        Text::tr("force up to %1 N, sustained %2 N, three axes, no torque about the stylus",
+                 formatFixed(result_.capabilities.maxForce_N, 2),
+                 formatFixed(result_.capabilities.continuousForce_N, 2)));
   }
 
   bool startServo() {
     try {
       device_->start();
     } catch (const Error& error) {
-      add(FindingGrade::kBad, "Servo", error.happenedText(), error.remedyText());
+      add(FindingGrade::kBad, Text::tr("Servo"), error.happenedText(), error.remedyText());
       device_.reset();
       return false;
     }
@@ -148,13 +149,14 @@ class Check {
   /// False, with a finding, when the device was lost or the user gave up.
   bool stillThere(const HdapiSnapshot& now) {
     if (now.state == HdapiState::kLost) {
-      add(FindingGrade::kBad, "Connection",
-          Text("%1 after %2 s", hdapiErrorText(now.lostBecause), formatFixed(elapsed_s(begun_us_), 1)),
-          "Check cable and power, then plug the device in again and repeat the check");
+      add(FindingGrade::kBad, Text::tr("Connection"),
+          Text::tr("%1 after %2 s", hdapiErrorText(now.lostBecause), formatFixed(elapsed_s(begun_us_), 1)),
+          Text::tr("Check cable and power, then plug the device in again and repeat the check"));
       return false;
     }
     if (cancelled()) {
-      add(FindingGrade::kBad, "Check", "stopped before its end", "Repeat the check");
+      add(FindingGrade::kBad, Text::tr("Check"), Text::tr("stopped before its end"),
+          Text::tr("Repeat the check"));
       return false;
     }
     return true;
@@ -172,12 +174,13 @@ class Check {
         break;
       }
       if (now.calibration == CalibrationState::kFailed) {
-        add(FindingGrade::kBad, "Calibration", "the device refused to be calibrated several times",
-            "Put the stylus firmly into the inkwell and repeat the check");
+        add(FindingGrade::kBad, Text::tr("Calibration"),
+            Text::tr("the device refused to be calibrated several times"),
+            Text::tr("Put the stylus firmly into the inkwell and repeat the check"));
         return false;
       }
       if (now.calibration == CalibrationState::kDockStylus && !asked) {
-        say("Put the stylus into the inkwell and leave it there");
+        say(Text::tr("Put the stylus into the inkwell and leave it there"));
         asked = true;
       }
       if (elapsed_s(from_us) > request_.calibrationWait_s) {
@@ -187,24 +190,24 @@ class Check {
       pause_s(kPollEvery_s);
     }
     result_.calibrated = true;
-    add(FindingGrade::kGood, "Calibration",
-        asked ? Text("done in the inkwell") : Text("the device is calibrated"));
+    add(FindingGrade::kGood, Text::tr("Calibration"),
+        asked ? Text::tr("done in the inkwell") : Text::tr("the device is calibrated"));
     return true;
   }
 
   void noteNoCalibration(const HdapiSnapshot& now) {
     if (now.timing.ticks == 0) {
-      add(FindingGrade::kBad, "Servo", "the library's servo loop never called",
-          "Close every other program that uses the device; restart the computer");
+      add(FindingGrade::kBad, Text::tr("Servo"), Text::tr("the library's servo loop never called"),
+          Text::tr("Close every other program that uses the device; restart the computer"));
     } else {
-      add(FindingGrade::kBad, "Calibration",
-          "the device is not calibrated; its position would be wrong and its force stays off",
-          "Put the stylus into the inkwell and repeat the check");
+      add(FindingGrade::kBad, Text::tr("Calibration"),
+          Text::tr("the device is not calibrated; its position would be wrong and its force stays off"),
+          Text::tr("Put the stylus into the inkwell and repeat the check"));
     }
   }
 
   bool measure() {
-    say(Text("Measuring the servo for %1 s", formatFixed(request_.seconds, 1)));
+    say(Text::tr("Measuring the servo for %1 s", formatFixed(request_.seconds, 1)));
     const HdapiSnapshot first = device_->snapshot();
     const std::int64_t from_us = clock_.now_us();
     bool docked = true;
@@ -242,47 +245,50 @@ class Check {
 
   void judgeServo() {
     const std::string rate = formatFixed(result_.rate_Hz, 0) + " Hz";
-    const Text slowRemedy(
-        "Close other programs; on Linux allow real-time scheduling for this user (docs/devices.md)");
+    const Text slowRemedy =
+        Text::tr("Close other programs; on Linux allow real-time scheduling for this user (docs/devices.md)");
     if (result_.rate_Hz < kLowestRate_Hz) {
-      add(FindingGrade::kBad, "Rate",
-          Text("%1; below %2 Hz no force is rendered", rate, formatFixed(kLowestRate_Hz, 0)), slowRemedy);
+      add(FindingGrade::kBad, Text::tr("Rate"),
+          Text::tr("%1; below %2 Hz no force is rendered", rate, formatFixed(kLowestRate_Hz, 0)), slowRemedy);
     } else if (result_.rate_Hz < kGoodRate_Hz) {
-      add(FindingGrade::kNote, "Rate", Text("%1; 1000 Hz are wanted", rate), slowRemedy);
+      add(FindingGrade::kNote, Text::tr("Rate"), Text::tr("%1; 1000 Hz are wanted", rate), slowRemedy);
     } else {
-      add(FindingGrade::kGood, "Rate", rate);
+      add(FindingGrade::kGood, Text::tr("Rate"), rate);
     }
-    const Text jitter(
+    const Text jitter = Text::tr(
         "%1 % of the ticks came within 0.1 ms of their time, %2 late, %3 after a pause of more than 5 ms "
         "(the "
         "force is cut then)",
         formatFixed(100.0 * result_.regularShare, 1), lateTicks_, gaps_);
     const bool calm = result_.regularShare >= kGoodRegularShare && gaps_ == 0;
-    add(calm ? FindingGrade::kGood : FindingGrade::kNote, "Jitter", jitter, calm ? Text() : slowRemedy);
+    add(calm ? FindingGrade::kGood : FindingGrade::kNote, Text::tr("Jitter"), jitter,
+        calm ? Text() : slowRemedy);
   }
 
   void judgeStylus() {
     result_.rollReferenced = last_.rollReferenced;
     if (!last_.rollReferenced) {
-      add(FindingGrade::kNote, "Roll", "the turn of the stylus has no reference yet",
-          "Rest the stylus in the inkwell for a moment before training");
+      add(FindingGrade::kNote, Text::tr("Roll"), Text::tr("the turn of the stylus has no reference yet"),
+          Text::tr("Rest the stylus in the inkwell for a moment before training"));
     } else if (rollNoise_deg_ && *rollNoise_deg_ > kRollNoise_deg) {
-      add(FindingGrade::kNote, "Roll",
-          Text("the turn of the resting stylus wanders by %1 degrees", formatFixed(*rollNoise_deg_, 1)),
-          "Angles are not known better than that on this device; have it serviced");
+      add(FindingGrade::kNote, Text::tr("Roll"),
+          Text::tr("the turn of the resting stylus wanders by %1 degrees", formatFixed(*rollNoise_deg_, 1)),
+          Text::tr("Angles are not known better than that on this device; have it serviced"));
     } else {
-      add(FindingGrade::kGood, "Roll",
-          rollNoise_deg_ ? Text("the resting stylus wanders by %1 degrees", formatFixed(*rollNoise_deg_, 2))
-                         : Text("the docked reference is taken"));
+      add(FindingGrade::kGood, Text::tr("Roll"),
+          rollNoise_deg_
+              ? Text::tr("the resting stylus wanders by %1 degrees", formatFixed(*rollNoise_deg_, 2))
+              : Text::tr("the docked reference is taken"));
     }
     if (last_.geometryError_m > kGeometryTolerance_m) {
-      add(FindingGrade::kNote, "Geometry",
-          Text("position and joint angles differ by %1 mm from what is published for a Touch",
-               formatFixed(1e3 * last_.geometryError_m, 1)),
-          "Calibrate again in the inkwell; on another model this is to be expected");
+      add(FindingGrade::kNote, Text::tr("Geometry"),
+          Text::tr("position and joint angles differ by %1 mm from what is published for a Touch",
+                   formatFixed(1e3 * last_.geometryError_m, 1)),
+          Text::tr("Calibrate again in the inkwell; on another model this is to be expected"));
     }
     if (last_.warmest > kWarmAbove) {
-      add(FindingGrade::kNote, "Motors", "warm; the force is folded back", "Let the device rest for a while");
+      add(FindingGrade::kNote, Text::tr("Motors"), Text::tr("warm; the force is folded back"),
+          Text::tr("Let the device rest for a while"));
     }
   }
 
@@ -290,8 +296,8 @@ class Check {
     if (!waitUntilUndocked()) {
       return;
     }
-    say(Text("Hold the stylus: it will push upwards with %1 N for %2 s", formatFixed(kSelfTestForce_N, 1),
-             formatFixed(kSelfTestTime_s, 0)));
+    say(Text::tr("Hold the stylus: it will push upwards with %1 N for %2 s", formatFixed(kSelfTestForce_N, 1),
+                 formatFixed(kSelfTestTime_s, 0)));
     device_->enableForce(true);
     const HdapiSnapshot before = device_->snapshot();
     const std::int64_t from_us = clock_.now_us();
@@ -313,15 +319,16 @@ class Check {
       return;
     }
     if (!everOn) {
-      add(FindingGrade::kBad, "Force", "the force output did not switch on",
-          "Check the device's power supply and repeat the check");
+      add(FindingGrade::kBad, Text::tr("Force"), Text::tr("the force output did not switch on"),
+          Text::tr("Check the device's power supply and repeat the check"));
     } else if (now.forceTrips > before.forceTrips) {
-      add(FindingGrade::kBad, "Force", "the device's own protection switched the force off",
-          "Let the device rest, calibrate it again and repeat the check");
+      add(FindingGrade::kBad, Text::tr("Force"),
+          Text::tr("the device's own protection switched the force off"),
+          Text::tr("Let the device rest, calibrate it again and repeat the check"));
     } else {
-      add(FindingGrade::kGood, "Force",
-          Text("%1 N upwards were sent without complaint; only the hand can tell whether they were felt",
-               formatFixed(kSelfTestForce_N, 1)));
+      add(FindingGrade::kGood, Text::tr("Force"),
+          Text::tr("%1 N upwards were sent without complaint; only the hand can tell whether they were felt",
+                   formatFixed(kSelfTestForce_N, 1)));
     }
   }
 
@@ -329,7 +336,7 @@ class Check {
     if (!device_->snapshot().docked) {
       return true;
     }
-    say("Take the stylus out of the inkwell and hold it in the middle of the workspace");
+    say(Text::tr("Take the stylus out of the inkwell and hold it in the middle of the workspace"));
     const std::int64_t from_us = clock_.now_us();
     while (elapsed_s(from_us) < std::min(kUndockWait_s, request_.calibrationWait_s)) {
       const HdapiSnapshot now = device_->snapshot();
@@ -341,15 +348,16 @@ class Check {
       }
       pause_s(kPollEvery_s);
     }
-    add(FindingGrade::kNote, "Force", "not tested: the stylus stayed in the inkwell",
-        "Repeat the check and hold the stylus");
+    add(FindingGrade::kNote, Text::tr("Force"), Text::tr("not tested: the stylus stayed in the inkwell"),
+        Text::tr("Repeat the check and hold the stylus"));
     return false;
   }
 
   void close() {
     if (!device_->close()) {
-      add(FindingGrade::kBad, "Shutdown", "the vendor's library does not let go of the device",
-          "Quit Torsio, plug the device in again and start anew");
+      add(FindingGrade::kBad, Text::tr("Shutdown"),
+          Text::tr("the vendor's library does not let go of the device"),
+          Text::tr("Quit Torsio, plug the device in again and start anew"));
     }
   }
 
@@ -395,17 +403,17 @@ const DeviceFinding* DeviceCheckResult::worst() const {
 }
 
 DeviceCheckResult checkDevice(const DeviceCheckRequest& request) {
-  requireTime(request.seconds, 600.0, "the time of the measurement");
-  requireTime(request.calibrationWait_s, 600.0, "the wait for the calibration");
+  requireTime(request.seconds, 600.0, Text::tr("the time of the measurement"));
+  requireTime(request.calibrationWait_s, 600.0, Text::tr("the wait for the calibration"));
   return Check(request).run();
 }
 
 void monitorDevice(const DeviceMonitorRequest& request) {
-  requireTime(request.seconds, 86'400.0, "the time to watch");
-  requireTime(request.interval_s, 60.0, "the interval");
+  requireTime(request.seconds, 86'400.0, Text::tr("the time to watch"));
+  requireTime(request.interval_s, 60.0, Text::tr("the interval"));
   const HdapiLibrary library = loadHdapi(request.choice.library);
   if (library.status != HdapiLoadStatus::kLoaded) {
-    throw Error(ErrorCode::kDevice, library.sentence, "haptic device", library.remedy);
+    throw Error(ErrorCode::kDevice, library.sentence, Text::tr("haptic device"), library.remedy);
   }
   HdapiOptions options;
   options.deviceName = request.choice.name;
@@ -423,7 +431,7 @@ void monitorDevice(const DeviceMonitorRequest& request) {
     request.show(readout(now, 1e-6 * static_cast<double>(clock.now_us() - begun_us)));
     if (now.state == HdapiState::kLost) {
       throw Error(ErrorCode::kDevice, hdapiErrorText(now.lostBecause), device.capabilities().model,
-                  "Check cable and power, plug the device in again and start anew");
+                  Text::tr("Check cable and power, plug the device in again and start anew"));
     }
   }
 }

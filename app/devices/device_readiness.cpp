@@ -17,12 +17,12 @@ Light DeviceReadiness::light() const noexcept {
 
 DeviceReadiness pointerReadiness(bool gradedWithMouse) {
   DeviceReadiness readiness;
-  readiness.device = Text("Mouse and keyboard");
+  readiness.device = Text::tr("Mouse and keyboard");
   readiness.findings.push_back({"connected", Light::kGreen, readiness.device, ""});
-  readiness.findings.push_back(gradedWithMouse
-                                   ? ReadinessFinding{"force", Light::kGreen, Text("shown, not felt"), ""}
-                                   : ReadinessFinding{"force", Light::kAmber, Text("shown, not felt"),
-                                                      Text("Connect the haptic device for a graded run")});
+  readiness.findings.push_back(
+      gradedWithMouse ? ReadinessFinding{"force", Light::kGreen, Text::tr("shown, not felt"), ""}
+                      : ReadinessFinding{"force", Light::kAmber, Text::tr("shown, not felt"),
+                                         Text::tr("Connect the haptic device for a graded run")});
   return readiness;
 }
 

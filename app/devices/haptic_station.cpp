@@ -41,8 +41,8 @@ DeviceDriver driverOf(const DeviceChoice& choice) {
       return driver;
     }
   }
-  throw Error(ErrorCode::kDevice, "this build has no driver for haptic devices", "",
-              "Use mouse and keyboard");
+  throw Error(ErrorCode::kDevice, Text::tr("this build has no driver for haptic devices"), "",
+              Text::tr("Use mouse and keyboard"));
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ bool hapticLibraryInstalled(const DeviceChoice& choice) {
 DeviceReadiness hapticReadiness(const DeviceCheckResult& check) {
   DeviceReadiness readiness;
   readiness.device =
-      check.capabilities.model.empty() ? Text("Haptic device") : Text(check.capabilities.model);
+      check.capabilities.model.empty() ? Text::tr("Haptic device") : Text(check.capabilities.model);
   readiness.haptic = true;
   for (const DeviceFinding& finding : check.findings) {
     const char* line = lineOf(finding.subject);

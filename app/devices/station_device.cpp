@@ -33,23 +33,7 @@ Text textOf(const nlohmann::json& json) {
   for (std::size_t i = 1; i < json.size(); ++i) {
     given.push_back(textOf(json[i]));
   }
-  switch (given.size()) {
-    case 0:
-      return pattern;
-    case 1:
-      return {pattern, given[0]};
-    case 2:
-      return {pattern, given[0], given[1]};
-    case 3:
-      return {pattern, given[0], given[1], given[2]};
-    default:
-      break;  // findings have three at most: more is read in English
-  }
-  std::vector<std::string> words;
-  for (const Text& argument : given) {
-    words.push_back(argument.str());
-  }
-  return filledIn(pattern, words);
+  return Text::restored(pattern, std::move(given));
 }
 
 std::string stored(const Text& text) {
@@ -77,13 +61,13 @@ StationDevice stationDevice(const DeviceReadiness& readiness, std::int64_t check
     device.problem = worst->detail;
   }
   if (!readiness.haptic && *device.light == Light::kAmber) {
-    device.problem = Text("the force is not felt");
+    device.problem = Text::tr("the force is not felt");
   }
   return device;
 }
 
 StationDevice uncheckedDevice(bool haptic) {
-  return {.device = haptic ? Text("Haptic device") : Text("Mouse and keyboard"), .haptic = haptic};
+  return {.device = haptic ? Text::tr("Haptic device") : Text::tr("Mouse and keyboard"), .haptic = haptic};
 }
 
 void storeDevice(const StationDevice& device, StationState& state) {

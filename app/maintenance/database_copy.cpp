@@ -45,15 +45,15 @@ class NewFile {
 Text wordsOf(const CopyStep& step) {
   switch (step.phase) {
     case CopyPhase::kVerifying:
-      return "Checking the audit trail";
+      return Text::tr("Checking the audit trail");
     case CopyPhase::kCopying:
-      return Text("Copying %1", step.table);
+      return Text::tr("Copying %1", step.table);
     case CopyPhase::kComparing:
-      return Text("Comparing %1", step.table);
+      return Text::tr("Comparing %1", step.table);
     case CopyPhase::kVerifyingCopy:
       break;
   }
-  return "Checking the audit trail of the copy";
+  return Text::tr("Checking the audit trail of the copy");
 }
 
 /// Shares of the whole as they turned out with recordings of an hour.
@@ -72,8 +72,8 @@ CopyReport copyDatabase(const std::string& from, const std::string& to, const Pr
   std::error_code ignored;
   if (from == to || (source.engine == Engine::kSqlite && target.engine == Engine::kSqlite &&
                      fs::equivalent(source.file, target.file, ignored))) {
-    throw Error(ErrorCode::kUsage, "source and target are the same database", target.shown(),
-                "Name another target");
+    throw Error(ErrorCode::kUsage, Text::tr("source and target are the same database"), target.shown(),
+                Text::tr("Name another target"));
   }
   Connection reading = openRecord(from, OpenMode::kReadOnly);
   NewFile newFile(target);  // before the connection, so that it is closed first

@@ -20,12 +20,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void requireSqlite(const std::string& locator, const char* remedy) {
+void requireSqlite(const std::string& locator, Phrase remedy) {
   const Locator parsed = parseLocator(locator);
   if (parsed.engine == Engine::kSqlite) {
     return;
   }
-  throw Error(ErrorCode::kUsage, "a PostgreSQL database is backed up and restored by its own tools",
+  throw Error(ErrorCode::kUsage, Text::tr("a PostgreSQL database is backed up and restored by its own tools"),
               parsed.shown(), remedy);
 }
 
@@ -36,15 +36,15 @@ DatabaseCheck check(Connection& connection, const ProgressCallback& progress = {
   DatabaseCheck result;
   result.location = connection.location();
   result.schemaVersion = checkSchema(connection, embeddedMigrations()).version;
-  tellProgress(progress, "Checking tables and references", 0.0);
+  tellProgress(progress, Text::tr("Checking tables and references"), 0.0);
   result.damage = integrityFindings(connection);
   if (!result.damage.empty()) {
     return result;  // a damaged file cannot be read to its end
   }
-  tellProgress(progress, "Checking the audit trail", kReferencesShare);
+  tellProgress(progress, Text::tr("Checking the audit trail"), kReferencesShare);
   result.audit = verifyAuditTrail(connection, [&](std::int64_t done, std::int64_t all) {
     tellProgress(
-        progress, Text("Checking recording %1 of %2", done + 1, all),
+        progress, Text::tr("Checking recording %1 of %2", done + 1, all),
         kReferencesShare + (1.0 - kReferencesShare) * static_cast<double>(done) / static_cast<double>(all));
   });
   result.auditEntries = AuditRepository(connection).length();
@@ -57,8 +57,8 @@ class ScratchFile {
   explicit ScratchFile(const fs::path& original)
       : path_(fs::path(folder_.path().toStdString()) / original.filename()) {
     if (!folder_.isValid()) {
-      throw Error(ErrorCode::kFileUnwritable, "no folder for the check can be made",
-                  fs::temp_directory_path().string(), "Free some space in the temporary folder");
+      throw Error(ErrorCode::kFileUnwritable, Text::tr("no folder for the check can be made"),
+                  fs::temp_directory_path().string(), Text::tr("Free some space in the temporary folder"));
     }
   }
   [[nodiscard]] const fs::path& path() const noexcept { return path_; }
@@ -71,7 +71,7 @@ class ScratchFile {
 }  // namespace
 
 BackupContent backUpDatabase(const std::string& locator, const fs::path& target) {
-  requireSqlite(locator, "Use pg_dump --format=custom --file=FILE on the server");
+  requireSqlite(locator, Text::tr("Use pg_dump --format=custom --file=FILE on the server"));
   {
     Connection connection = openRecord(locator, OpenMode::kReadWrite);
     backupSqlite(connection, target);
@@ -82,14 +82,15 @@ BackupContent backUpDatabase(const std::string& locator, const fs::path& target)
 void copyStepwise(const fs::path& from, const fs::path& to, const ProgressCallback& progress) {
   std::ifstream in(from, std::ios::binary);
   if (!in) {
-    throw Error(ErrorCode::kFileMissing, "the file cannot be read", from.string(), "Choose another file");
+    throw Error(ErrorCode::kFileMissing, Text::tr("the file cannot be read"), from.string(),
+                Text::tr("Choose another file"));
   }
   const std::uintmax_t whole = fs::file_size(from);
   try {
     std::ofstream out(to, std::ios::binary | std::ios::trunc);
     std::vector<char> piece(kCopyStep_bytes);
     for (std::uintmax_t done = 0; done < whole && out;) {
-      tellProgress(progress, "Copying", static_cast<double>(done) / static_cast<double>(whole));
+      tellProgress(progress, Text::tr("Copying"), static_cast<double>(done) / static_cast<double>(whole));
       in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
       if (in.gcount() <= 0) {
         break;
@@ -99,8 +100,8 @@ void copyStepwise(const fs::path& from, const fs::path& to, const ProgressCallba
     }
     out.close();
     if (!out || fs::file_size(to) != whole) {
-      throw Error(ErrorCode::kFileUnwritable, "the file cannot be copied", to.string(),
-                  "Check the folder and the free space");
+      throw Error(ErrorCode::kFileUnwritable, Text::tr("the file cannot be copied"), to.string(),
+                  Text::tr("Check the folder and the free space"));
     }
   } catch (...) {
     std::error_code ignored;
@@ -112,7 +113,7 @@ void copyStepwise(const fs::path& from, const fs::path& to, const ProgressCallba
 BackupCheck verifyBackup(const fs::path& backup, const ProgressCallback& progress,
                          const std::function<void(Connection&)>& look) {
   BackupCheck result;
-  tellProgress(progress, "Reading the backup", 0.0);
+  tellProgress(progress, Text::tr("Reading the backup"), 0.0);
   result.content = checkBackup(backup);
   const ScratchFile copy(backup);
   copyStepwise(backup, copy.path(), partOf(progress, 0.1, 0.3));
@@ -126,11 +127,11 @@ BackupCheck verifyBackup(const fs::path& backup, const ProgressCallback& progres
 }
 
 BackupContent restoreDatabase(const fs::path& backup, const std::string& locator) {
-  requireSqlite(locator, "Use pg_restore on the server");
+  requireSqlite(locator, Text::tr("Use pg_restore on the server"));
   const BackupCheck tested = verifyBackup(backup);
   if (!tested.database.sound()) {
-    throw Error(ErrorCode::kVerifyFailed, "the backup is not sound, so nothing was restored", backup.string(),
-                "Run torsio db verify on it, and use an older backup");
+    throw Error(ErrorCode::kVerifyFailed, Text::tr("the backup is not sound, so nothing was restored"),
+                backup.string(), Text::tr("Run torsio db verify on it, and use an older backup"));
   }
   restoreSqlite(backup, parseLocator(locator).file);
   return tested.content;
@@ -145,15 +146,15 @@ BackupContent backUpDatabase(SessionContext& session, const fs::path& target,
                              const ProgressCallback& progress) {
   session.require(Operation::kDatabaseBackup);
   if (session.connection().engine() != Engine::kSqlite) {
-    requireSqlite(session.key().locator, "Use pg_dump --format=custom --file=FILE on the server");
+    requireSqlite(session.key().locator, Text::tr("Use pg_dump --format=custom --file=FILE on the server"));
   }
   // Before the copy, so that the backup itself tells of it.
   session.note({.action = AuditAction::kDatabaseBackup,
                 .objectKind = AuditObject::kDatabase,
                 .objectId = target.filename().string()});
-  tellProgress(progress, "Copying the record while others work", 0.0);
+  tellProgress(progress, Text::tr("Copying the record while others work"), 0.0);
   backupSqlite(session.connection(), target);
-  tellProgress(progress, "Reading the backup from end to end", 0.6);
+  tellProgress(progress, Text::tr("Reading the backup from end to end"), 0.6);
   return checkBackup(target);
 }
 

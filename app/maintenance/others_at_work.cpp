@@ -16,9 +16,9 @@ std::vector<Text> othersAtWork(SessionContext& session) {
       continue;
     }
     if (!state.trialId.empty() && !state.ended) {
-      sentences.push_back(Text("a run is going on at the station %1", state.station));
+      sentences.push_back(Text::tr("a run is going on at the station %1", state.station));
     } else if (state.station != session.station()) {
-      sentences.push_back(Text("the station %1 is connected", state.station));
+      sentences.push_back(Text::tr("the station %1 is connected", state.station));
     }
   }
   return sentences;
@@ -29,9 +29,10 @@ void requireNobodyAtWork(SessionContext& session) {
   if (others.empty()) {
     return;
   }
-  throw Error(ErrorCode::kDatabase, others.front(), session.connection().location(),
-              "Let the run come to its end, close Torsio at all other stations, wait half a minute, and try "
-              "again");
+  throw Error(
+      ErrorCode::kDatabase, others.front(), session.connection().location(),
+      Text::tr("Let the run come to its end, close Torsio at all other stations, wait half a minute, and try "
+               "again"));
 }
 
 }  // namespace torsio

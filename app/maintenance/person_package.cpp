@@ -150,12 +150,13 @@ PersonPackage exportPersonPackage(SessionContext& session, const PersonId& perso
                                   const std::string& reason) {
   session.require(Operation::kPersonExport);
   if (fs::exists(folder)) {
-    throw Error(ErrorCode::kFileUnwritable, "this folder exists already", folder.string(),
-                "Name a new folder");
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("this folder exists already"), folder.string(),
+                Text::tr("Name a new folder"));
   }
   const std::vector<PersonTable> tables = exportPerson(session.connection(), personId);
   if (tables.empty()) {
-    throw Error(ErrorCode::kBadData, "there is no such person", personId, "Check the code");
+    throw Error(ErrorCode::kBadData, Text::tr("there is no such person"), personId,
+                Text::tr("Check the code"));
   }
   PersonPackage package{.folder = folder};
   const FolderInTheMaking making(folder);
@@ -183,8 +184,8 @@ PersonPackage exportPersonPackage(SessionContext& session, const PersonId& perso
   fs::rename(making.path(), folder, failed);
   if (failed) {
     throw Error(ErrorCode::kFileUnwritable,
-                Text("the package cannot be given its name: %1", failed.message()), folder.string(),
-                "Choose a folder in which you may write");
+                Text::tr("the package cannot be given its name: %1", failed.message()), folder.string(),
+                Text::tr("Choose a folder in which you may write"));
   }
   return package;
 }
@@ -192,7 +193,8 @@ PersonPackage exportPersonPackage(SessionContext& session, const PersonId& perso
 void erasePersonRecord(SessionContext& session, const PersonId& personId, const std::string& reason) {
   session.require(Operation::kPersonErase);
   if (reason.empty()) {
-    throw Error(ErrorCode::kBadParameter, "erasing needs a reason", personId, "Say why, for the audit trail");
+    throw Error(ErrorCode::kBadParameter, Text::tr("erasing needs a reason"), personId,
+                Text::tr("Say why, for the audit trail"));
   }
   erasePerson(session.connection(), personId, session.actor().userId, reason, session.now_us());
 }

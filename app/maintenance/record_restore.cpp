@@ -32,8 +32,9 @@ void requireFile(SessionContext& session) {
   if (session.connection().engine() == Engine::kSqlite) {
     return;
   }
-  throw Error(ErrorCode::kUsage, "this record lies on a database server, which restores its own backups",
-              session.connection().location(), "Use pg_restore on the server");
+  throw Error(ErrorCode::kUsage,
+              Text::tr("this record lies on a database server, which restores its own backups"),
+              session.connection().location(), Text::tr("Use pg_restore on the server"));
 }
 
 std::set<std::string> idsOf(Connection& connection, const std::string& table) {
@@ -126,19 +127,20 @@ void requireRoom(const fs::path& record, const fs::path& backup) {
     return;  // then writing says what is wrong
   }
   if (!fs::exists(backup)) {
-    throw Error(ErrorCode::kFileMissing, "the backup is not there any more", backup.string(),
-                "Choose the backup again");
+    throw Error(ErrorCode::kFileMissing, Text::tr("the backup is not there any more"), backup.string(),
+                Text::tr("Choose the backup again"));
   }
   const std::uintmax_t needed = fs::file_size(record) + fs::file_size(backup) + kSpareRoom_bytes;
   if (space.available >= needed) {
     return;
   }
-  throw Error(ErrorCode::kFileUnwritable,
-              Text("there is not enough room for a safety backup and the restored record: %1 MiB are needed, "
-                   "%2 MiB are "
-                   "free",
-                   needed >> 20, space.available >> 20),
-              folder.string(), "Free some space on this disk");
+  throw Error(
+      ErrorCode::kFileUnwritable,
+      Text::tr("there is not enough room for a safety backup and the restored record: %1 MiB are needed, "
+               "%2 MiB are "
+               "free",
+               needed >> 20, space.available >> 20),
+      folder.string(), Text::tr("Free some space on this disk"));
 }
 
 /// The audit entry in the trail of `connection`.
@@ -186,8 +188,8 @@ RestorePlan planRestore(SessionContext& session, const fs::path& backup, const P
     plan.erasedSince = std::ssize(erasedSince(session.connection(), copy));
   });
   if (!check.database.sound()) {
-    throw Error(ErrorCode::kVerifyFailed, "the backup is not sound, so nothing was restored", backup.string(),
-                "Choose an older backup");
+    throw Error(ErrorCode::kVerifyFailed, Text::tr("the backup is not sound, so nothing was restored"),
+                backup.string(), Text::tr("Choose an older backup"));
   }
   return plan;
 }
@@ -201,18 +203,18 @@ std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session, const R
   requireRoom(record, plan.backup);
   const fs::path safety = safetyName(record, session.now_us());
   tell(session, session.connection(), AuditAction::kDatabaseRestoreBegin, plan, safety);
-  tellProgress(progress, "Backing up the record as it is now", 0.0);
+  tellProgress(progress, Text::tr("Backing up the record as it is now"), 0.0);
   backupSqlite(session.connection(), safety);
   (void)checkBackup(safety);
 
   const fs::path ready = temporaryBeside(record);
   auto prepared = std::make_shared<PreparedRestore>(ready, record, safety);
   copyStepwise(plan.backup, ready, partOf(progress, 0.5, 0.7));
-  tellProgress(progress, "Preparing the restored record", 0.7);
+  tellProgress(progress, Text::tr("Preparing the restored record"), 0.7);
   bringToday(session, ready, plan, safety);
-  tellProgress(progress, "Checking the restored record", 0.8);
+  tellProgress(progress, Text::tr("Checking the restored record"), 0.8);
   settleSqlite(ready);
-  tellProgress(progress, "Ready", 1.0);
+  tellProgress(progress, Text::tr("Ready"), 1.0);
   return prepared;
 }
 

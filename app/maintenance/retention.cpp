@@ -16,7 +16,8 @@ namespace {
 
 void requireReason(const std::string& reason, const std::string& where) {
   if (reason.empty()) {
-    throw Error(ErrorCode::kBadParameter, "this needs a reason", where, "Say why, for the audit trail");
+    throw Error(ErrorCode::kBadParameter, Text::tr("this needs a reason"), where,
+                Text::tr("Say why, for the audit trail"));
   }
 }
 
@@ -95,7 +96,8 @@ void extendRecord(SessionContext& session, const PersonId& personId, std::int64_
                   const std::string& reason) {
   session.require(Operation::kRetentionManage);
   if (untilUtc_us <= session.now_us()) {
-    throw Error(ErrorCode::kBadParameter, "this day has passed", personId, "Choose a later day");
+    throw Error(ErrorCode::kBadParameter, Text::tr("this day has passed"), personId,
+                Text::tr("Choose a later day"));
   }
   hold(session,
        {.personId = personId, .kind = HoldKind::kExtend, .untilUtc_us = untilUtc_us, .reason = reason});
@@ -117,8 +119,8 @@ RetentionOutcome eraseDue(SessionContext& session, std::span<const PersonId> per
     const auto item = std::find_if(queue.begin(), queue.end(),
                                    [&](const RetentionItem& due) { return due.personId == id; });
     if (item == queue.end()) {
-      throw Error(ErrorCode::kBadData, "this record is not due; nothing was erased", id,
-                  "Read the queue again");
+      throw Error(ErrorCode::kBadData, Text::tr("this record is not due; nothing was erased"), id,
+                  Text::tr("Read the queue again"));
     }
     (item->held ? outcome.skipped : outcome.erased).push_back(*item);
   }

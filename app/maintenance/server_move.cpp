@@ -18,8 +18,8 @@ namespace {
 
 std::string locatorOf(const ServerAddress& address, const std::string& password) {
   if (address.host.empty() || address.database.empty() || address.user.empty()) {
-    throw Error(ErrorCode::kBadParameter, "the address of the server is not complete", "",
-                "Give the computer, the database and the account");
+    throw Error(ErrorCode::kBadParameter, Text::tr("the address of the server is not complete"), "",
+                Text::tr("Give the computer, the database and the account"));
   }
   QUrl url;
   url.setScheme(QStringLiteral("postgresql"));
@@ -90,9 +90,10 @@ std::string openLasting(const ServerAddress& address) {
   if (opens(locator)) {
     return locator;
   }
-  throw Error(ErrorCode::kDatabase, "the server does not let this station in without the typed password",
+  throw Error(ErrorCode::kDatabase,
+              Text::tr("the server does not let this station in without the typed password"),
               parseLocator(locator).shown(),
-              "Put the line shown here into the password file of this computer's account");
+              Text::tr("Put the line shown here into the password file of this computer's account"));
 }
 
 void requireNothingWaits(const std::string& locator, const std::filesystem::path& folder) {
@@ -101,8 +102,9 @@ void requireNothingWaits(const std::string& locator, const std::filesystem::path
     return;
   }
   throw Error(ErrorCode::kBadData,
-              Text("recordings of this station still wait in files (%1)", waiting.trials.size()),
-              folder.string(), "Start Torsio again at this station, which stores them, then try again");
+              Text::tr("recordings of this station still wait in files (%1)", waiting.trials.size()),
+              folder.string(),
+              Text::tr("Start Torsio again at this station, which stores them, then try again"));
 }
 
 constexpr double kCopyFrom = 0.02;  // of the whole work; looking at the server comes before
@@ -138,11 +140,11 @@ CopyReport moveToServer(SessionContext& session, const ServerAddress& address,
   session.require(Operation::kDatabaseRestore);
   requireNobodyAtWork(session);
   requireNothingWaits(session.key().locator, unstored);
-  tellProgress(progress, "Looking at the server", 0.0);
+  tellProgress(progress, Text::tr("Looking at the server"), 0.0);
   const ServerCheck check = checkServer(session, address);
   if (!check.hindrance.empty()) {
     throw Error(ErrorCode::kBadData, check.hindrance, check.location,
-                "Let the server's administrator make an empty database");
+                Text::tr("Let the server's administrator make an empty database"));
   }
   AuditNote note{
       .action = AuditAction::kDatabaseMove, .objectKind = AuditObject::kDatabase, .objectId = check.location};
@@ -160,8 +162,9 @@ std::string switchToServer(SessionContext& session, const ServerAddress& address
   session.require(Operation::kDatabaseRestore);
   requireNobodyAtWork(session);
   if (AuditRepository(session.connection()).length() != copied.auditEntries) {
-    throw Error(ErrorCode::kBadData, "something was written to this record after it was copied",
-                session.connection().location(), "Make an empty database on the server and copy again");
+    throw Error(ErrorCode::kBadData, Text::tr("something was written to this record after it was copied"),
+                session.connection().location(),
+                Text::tr("Make an empty database on the server and copy again"));
   }
   std::string locator = openLasting(address);
   Connection there = openDatabase(locator, OpenMode::kReadWrite);
@@ -180,8 +183,8 @@ std::string joinServer(SessionContext& session, const ServerAddress& address,
   requireNothingWaits(session.key().locator, unstored);
   const ServerCheck check = checkServer(session, address);
   if (!check.holdsRecord) {
-    throw Error(ErrorCode::kBadData, "there is no record in this database", check.location,
-                "Copy the record of this station there");
+    throw Error(ErrorCode::kBadData, Text::tr("there is no record in this database"), check.location,
+                Text::tr("Copy the record of this station there"));
   }
   std::string locator = openLasting(address);
   const AuditNote note{

@@ -40,8 +40,8 @@ std::vector<ConsentText> consentTexts(const std::filesystem::path& assets, const
           {purpose, version, part.at("title").get<std::string>(), part.at("text").get<std::string>()});
     }
   } catch (const nlohmann::json::exception& problem) {
-    throw Error(ErrorCode::kBadData, Text("the consent texts cannot be read: %1", problem.what()),
-                file.string(), "Restore the file from the installation");
+    throw Error(ErrorCode::kBadData, Text::tr("the consent texts cannot be read: %1", problem.what()),
+                file.string(), Text::tr("Restore the file from the installation"));
   }
   return texts;
 }
@@ -55,17 +55,19 @@ void recordConsent(SessionContext& session, const PersonId& personId, const std:
                    bool granted, const std::string& textVersion) {
   session.require(Operation::kConsentRecord);
   if (!isPurpose(purpose)) {
-    throw Error(ErrorCode::kBadParameter, "there is no such purpose", purpose, "Choose one from the list");
+    throw Error(ErrorCode::kBadParameter, Text::tr("there is no such purpose"), purpose,
+                Text::tr("Choose one from the list"));
   }
   if (textVersion.empty()) {
-    throw Error(ErrorCode::kBadParameter, "it is not said which text was shown", purpose,
-                "Give the version of the consent text");
+    throw Error(ErrorCode::kBadParameter, Text::tr("it is not said which text was shown"), purpose,
+                Text::tr("Give the version of the consent text"));
   }
   Transaction transaction(session.connection());
   PeopleRepository repository(session.connection());
   const auto person = repository.find(personId);
   if (!person || person->state == PersonState::kErased) {
-    throw Error(ErrorCode::kBadParameter, "there is no such person", personId, "Choose one from the list");
+    throw Error(ErrorCode::kBadParameter, Text::tr("there is no such person"), personId,
+                Text::tr("Choose one from the list"));
   }
   repository.recordConsent({personId, purpose, granted, textVersion, session.now_us(), session.actor().userId,
                             person->demonstration});

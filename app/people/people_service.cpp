@@ -61,7 +61,7 @@ std::vector<PersonRow> byCode(std::map<std::string, PersonRow> rows) {
 PersonRow rowOf(PeopleRepository& repository, const PersonId& personId) {
   const std::optional<Person> person = repository.find(personId);
   if (!person || person->state == PersonState::kErased) {
-    refuse("there is no such person", personId, "Choose one from the list");
+    refuse(Text::tr("there is no such person"), personId, Text::tr("Choose one from the list"));
   }
   PersonRow row;
   row.person = *person;
@@ -78,37 +78,41 @@ PersonRow rowOf(PeopleRepository& repository, const PersonId& personId) {
 
 void checkEntry(PeopleRepository& repository, const PersonEntry& entry, const PersonId& personId) {
   if (entry.fullName.empty()) {
-    refuse("the name is missing", "name", "Enter the full name");
+    refuse(Text::tr("the name is missing"), Text::tr("name"), Text::tr("Enter the full name"));
   }
   if (!entry.trainee && entry.raterClass.empty()) {
-    refuse("neither a trainee nor a rater", "role", "Choose at least one of the two");
+    refuse(Text::tr("neither a trainee nor a rater"), Text::tr("role"),
+           Text::tr("Choose at least one of the two"));
   }
   if (entry.age_years && (*entry.age_years < kYoungest_years || *entry.age_years > kOldest_years)) {
-    refuse(Text("an age of %1 years is not likely", *entry.age_years), "age",
-           "Enter the age in years, or leave it empty");
+    refuse(Text::tr("an age of %1 years is not likely", *entry.age_years), Text::tr("age"),
+           Text::tr("Enter the age in years, or leave it empty"));
   }
   const auto oneOf = [](const std::string& value, std::initializer_list<const char*> allowed) {
     return value.empty() || std::find(allowed.begin(), allowed.end(), value) != allowed.end();
   };
   if (!oneOf(entry.sex, {"female", "male", "other"})) {
-    refuse("the sex is not known to the record", "sex", "Choose female, male, other or nothing");
+    refuse(Text::tr("the sex is not known to the record"), Text::tr("sex"),
+           Text::tr("Choose female, male, other or nothing"));
   }
   if (!oneOf(entry.handedness, {"left", "right"})) {
-    refuse("the handedness is not known to the record", "handedness", "Choose left, right or nothing");
+    refuse(Text::tr("the handedness is not known to the record"), Text::tr("handedness"),
+           Text::tr("Choose left, right or nothing"));
   }
   const std::vector<SeniorityClass> classes = repository.raterClasses();
   if (!entry.raterClass.empty() &&
       std::none_of(classes.begin(), classes.end(),
                    [&](const SeniorityClass& known) { return known.code == entry.raterClass; })) {
-    refuse("there is no such class of raters", entry.raterClass, "Choose one from the list");
+    refuse(Text::tr("there is no such class of raters"), entry.raterClass,
+           Text::tr("Choose one from the list"));
   }
   if (entry.externalId.empty()) {
     return;
   }
   const auto owner = repository.identityByExternalId(entry.externalId);
   if (owner && owner->personId != personId) {
-    refuse("somebody else has this staff or student number", entry.externalId,
-           "Open that person, or correct the number");
+    refuse(Text::tr("somebody else has this staff or student number"), entry.externalId,
+           Text::tr("Open that person, or correct the number"));
   }
 }
 
@@ -244,8 +248,8 @@ void changePerson(SessionContext& session, const PersonId& personId, const Perso
   }
   checkEntry(repository, entry, personId);
   if ((before.trainee && !entry.trainee) || (before.rater && entry.raterClass.empty())) {
-    refuse("a part of a person cannot be taken away: records hang on it", before.person.code,
-           "Set the person to \"left\" instead");
+    refuse(Text::tr("a part of a person cannot be taken away: records hang on it"), before.person.code,
+           Text::tr("Set the person to \"left\" instead"));
   }
   const Person after = personFrom(entry, before.person);
   repository.updatePerson(after);
@@ -278,7 +282,8 @@ void setPersonState(SessionContext& session, const PersonId& personId, PersonSta
                     const std::string& reason) {
   session.require(Operation::kPersonEdit);
   if (state == PersonState::kErased) {
-    refuse("an identity is erased with its retention, not by hand", personId, "Choose active or left");
+    refuse(Text::tr("an identity is erased with its retention, not by hand"), personId,
+           Text::tr("Choose active or left"));
   }
   Transaction transaction(session.connection());
   PeopleRepository repository(session.connection());

@@ -62,7 +62,7 @@ void addAccounts(SessionContext& session, const std::vector<PersonId>& personIds
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const PersonRow& row = rows[i];
-    tellProgress(progress, Text("Start password for %1", row.person.code),
+    tellProgress(progress, Text::tr("Start password for %1", row.person.code),
                  static_cast<double>(i) / static_cast<double>(rows.size()));
     NewUser user{.login = signInName(row.person.code, taken),
                  .personId = row.person.id,

@@ -115,7 +115,8 @@ RosterFile parseRoster(std::string_view text, const std::string& name) {
   roster.separator = guessSeparator(text);
   roster.rows = csvRecords(text, name, roster.separator);
   if (roster.rows.empty()) {
-    throw Error(ErrorCode::kBadData, "the roster is empty", name, "Begin with a line that names the columns");
+    throw Error(ErrorCode::kBadData, Text::tr("the roster is empty"), name,
+                Text::tr("Begin with a line that names the columns"));
   }
   const std::size_t headerLine = roster.rows.front().line;
   roster.header = std::move(roster.rows.front().values);
@@ -124,12 +125,12 @@ RosterFile parseRoster(std::string_view text, const std::string& name) {
     if (column->empty() || std::find(roster.header.begin(), column, *column) == column) {
       continue;
     }
-    throw Error(ErrorCode::kBadData, Text("two columns are called \"%1\"", *column),
-                Text("%1, line %2", name, headerLine), "Give each column a name of its own");
+    throw Error(ErrorCode::kBadData, Text::tr("two columns are called \"%1\"", *column),
+                Text::tr("%1, line %2", name, headerLine), Text::tr("Give each column a name of its own"));
   }
   if (roster.rows.empty()) {
-    throw Error(ErrorCode::kBadData, "the roster has a header but nobody in it", name,
-                "Add one line a person");
+    throw Error(ErrorCode::kBadData, Text::tr("the roster has a header but nobody in it"), name,
+                Text::tr("Add one line a person"));
   }
   Digest digest;
   digest.update(text);

@@ -82,14 +82,15 @@ RosterPreview preview(SessionContext& session, const RosterFile& file, RosterKin
   RosterPreview preview;
   preview.kind = kind;
   std::map<std::string, std::size_t> lineOf;
-  LineCount count(progress, Text("Comparing with the record"), file.rows.size(), 0.0, share);
+  LineCount count(progress, Text::tr("Comparing with the record"), file.rows.size(), 0.0, share);
   for (const CsvRecord& record : file.rows) {
     count.next();
     RosterRow row;
     row.line = record.line;
     if (record.values.size() != file.header.size()) {
-      refuseRow(row, Text("the line has %1 values, the header %2", record.values.size(), file.header.size()),
-                "Give one value a column; put a value that holds the separator in quotes");
+      refuseRow(row,
+                Text::tr("the line has %1 values, the header %2", record.values.size(), file.header.size()),
+                Text::tr("Give one value a column; put a value that holds the separator in quotes"));
     } else {
       for (const RosterField field : rosterFields(kind)) {
         if (columns[rosterIndex(field)]) {
@@ -100,8 +101,8 @@ RosterPreview preview(SessionContext& session, const RosterFile& file, RosterKin
       const std::string& number = row.values[rosterIndex(RosterField::kExternalId)];
       const auto [first, fresh] = lineOf.emplace(number, row.line);
       if (!number.empty() && !fresh) {
-        refuseRow(row, Text("the number %1 stands on line %2 already", number, first->second),
-                  "Remove one of the two lines, or correct the number");
+        refuseRow(row, Text::tr("the number %1 stands on line %2 already", number, first->second),
+                  Text::tr("Remove one of the two lines, or correct the number"));
       }
       if (row.problem.empty()) {
         compareWithKnown(row, kind, known);
@@ -210,17 +211,17 @@ RosterOutcome importRoster(SessionContext& session, const RosterFile& file, Rost
     if (row.status != RosterStatus::kError) {
       continue;
     }
-    throw Error(ErrorCode::kBadData, row.problem, Text("%1, line %2", file.name, row.line), row.remedy);
+    throw Error(ErrorCode::kBadData, row.problem, Text::tr("%1, line %2", file.name, row.line), row.remedy);
   }
   if (now.fingerprint != fingerprint) {
-    throw Error(ErrorCode::kBadData, "the record has changed since the preview", file.name,
-                "Look at the preview again");
+    throw Error(ErrorCode::kBadData, Text::tr("the record has changed since the preview"), file.name,
+                Text::tr("Look at the preview again"));
   }
   if (kind == RosterKind::kRaters) {
     ensureRaterClasses(session);
   }
   RosterOutcome outcome;
-  LineCount count(progress, mode == RosterMode::kDryRun ? Text("Trying it out") : Text("Importing"),
+  LineCount count(progress, mode == RosterMode::kDryRun ? Text::tr("Trying it out") : Text::tr("Importing"),
                   now.added + now.changed, kComparing, 1.0);
   outcome.newCodes = addNew(session, now, count);
   applyChanges(session, now, count);

@@ -65,8 +65,8 @@ void understandChoice(RosterRow& row, RosterField field, const std::map<std::str
     value = meaning->second;
     return;
   }
-  refuseRow(row, Text("\"%1\" is not understood as %2", value, std::string(rosterFieldCode(field))),
-            Text("Write %1, or leave the cell empty", choices));
+  refuseRow(row, Text::tr("\"%1\" is not understood as %2", value, std::string(rosterFieldCode(field))),
+            Text::tr("Write %1, or leave the cell empty", choices));
 }
 
 void understandAge(RosterRow& row) {
@@ -81,9 +81,9 @@ void understandAge(RosterRow& row) {
     row.values[rosterIndex(RosterField::kAge)] = std::to_string(years);
     return;
   }
-  refuseRow(
-      row, Text("\"%1\" is no likely age in years", value),
-      Text("Write a whole number from %1 to %2, or leave the cell empty", kYoungest_years, kOldest_years));
+  refuseRow(row, Text::tr("\"%1\" is no likely age in years", value),
+            Text::tr("Write a whole number from %1 to %2, or leave the cell empty", kYoungest_years,
+                     kOldest_years));
 }
 
 void understandClass(RosterRow& row, const std::vector<SeniorityClass>& classes) {
@@ -158,7 +158,8 @@ void understand(RosterRow& row, RosterKind kind, const KnownPeople& known) {
     if (!isRequired(field, kind) || !row.values[rosterIndex(field)].empty()) {
       continue;
     }
-    refuseRow(row, Text("the %1 is missing", std::string(rosterFieldCode(field))), "Fill in the cell");
+    refuseRow(row, Text::tr("the %1 is missing", std::string(rosterFieldCode(field))),
+              Text::tr("Fill in the cell"));
   }
   understandChoice(row, RosterField::kSex,
                    {{"female", "female"},
@@ -174,7 +175,7 @@ void understand(RosterRow& row, RosterKind kind, const KnownPeople& known) {
                     {"diverse", "other"},
                     {"x", "other"},
                     {"其他", "other"}},
-                   "female, male or other");
+                   Text::tr("female, male or other"));
   understandChoice(row, RosterField::kHandedness,
                    {{"left", "left"},
                     {"l", "left"},
@@ -184,7 +185,7 @@ void understand(RosterRow& row, RosterKind kind, const KnownPeople& known) {
                     {"r", "right"},
                     {"右", "right"},
                     {"右手", "right"}},
-                   "left or right");
+                   Text::tr("left or right"));
   understandAge(row);
   understandClass(row, known.classes);
 }
@@ -194,8 +195,8 @@ void compareWithKnown(RosterRow& row, RosterKind kind, const KnownPeople& known)
   const std::string& number = row.values[rosterIndex(RosterField::kExternalId)];
   if (const auto other = known.numberByEmail.find(lower(email));
       !email.empty() && other != known.numberByEmail.end() && other->second != number) {
-    row.hint = Text("the e-mail address belongs to %1 already, under another number",
-                    known.codeByEmail.at(lower(email)));
+    row.hint = Text::tr("the e-mail address belongs to %1 already, under another number",
+                        known.codeByEmail.at(lower(email)));
   }
   const auto found = known.byNumber.find(number);
   if (found == known.byNumber.end()) {
@@ -205,7 +206,7 @@ void compareWithKnown(RosterRow& row, RosterKind kind, const KnownPeople& known)
   row.personId = found->second.id;
   row.code = found->second.code;
   if (found->second.left) {
-    row.hint = Text("this person has left; the import does not bring them back");
+    row.hint = Text::tr("this person has left; the import does not bring them back");
   }
   for (const RosterField field : rosterFields(kind)) {
     const std::string& value = row.values[rosterIndex(field)];
@@ -216,10 +217,10 @@ void compareWithKnown(RosterRow& row, RosterKind kind, const KnownPeople& known)
   }
   const bool addsTrainee = kind == RosterKind::kTrainees && !found->second.entry.trainee;
   if (addsTrainee) {
-    row.hint = Text("known as a rater; becomes a trainee too");
+    row.hint = Text::tr("known as a rater; becomes a trainee too");
   }
   if (kind == RosterKind::kRaters && found->second.entry.raterClass.empty()) {
-    row.hint = Text("known as a trainee; becomes a rater too");
+    row.hint = Text::tr("known as a trainee; becomes a rater too");
   }
   row.status = row.changes.empty() && !addsTrainee ? RosterStatus::kSame : RosterStatus::kChanges;
 }
@@ -230,19 +231,19 @@ void checkColumns(const RosterFile& file, RosterKind kind, const RosterColumns& 
     const std::optional<std::size_t> column = columns[rosterIndex(field)];
     const std::string code(rosterFieldCode(field));
     if (!column && isRequired(field, kind)) {
-      throw Error(ErrorCode::kBadParameter, Text("no column is chosen for %1", code), file.name,
-                  "Choose one");
+      throw Error(ErrorCode::kBadParameter, Text::tr("no column is chosen for %1", code), file.name,
+                  Text::tr("Choose one"));
     }
     if (!column) {
       continue;
     }
     if (*column >= file.header.size()) {
-      throw Error(ErrorCode::kBadParameter, Text("the column for %1 does not exist", code), file.name,
-                  "Choose one of the file");
+      throw Error(ErrorCode::kBadParameter, Text::tr("the column for %1 does not exist", code), file.name,
+                  Text::tr("Choose one of the file"));
     }
     if (!used.emplace(*column, field).second) {
-      throw Error(ErrorCode::kBadParameter, Text("\"%1\" is chosen for two fields", file.header[*column]),
-                  file.name, "Choose one column a field");
+      throw Error(ErrorCode::kBadParameter, Text::tr("\"%1\" is chosen for two fields", file.header[*column]),
+                  file.name, Text::tr("Choose one column a field"));
     }
   }
 }

@@ -31,9 +31,9 @@ std::string fullTrialId(TrialRepository& trials, const std::string& text) {
     return found.front();
   }
   throw Error(ErrorCode::kBadData,
-              found.empty() ? Text("no trial has this id") : Text("several trials begin like this"),
-              Text("trial %1", text),
-              found.empty() ? Text("Check the id and the database") : Text("Give more of the id"));
+              found.empty() ? Text::tr("no trial has this id") : Text::tr("several trials begin like this"),
+              Text::tr("trial %1", text),
+              found.empty() ? Text::tr("Check the id and the database") : Text::tr("Give more of the id"));
 }
 
 }  // namespace

@@ -133,8 +133,8 @@ void importFiles(SessionContext& session, const std::filesystem::path& folder, S
       if (database != nullptr && database->retryable()) {
         throw;
       }
-      start.kept.push_back(Text("A saved recording was not stored, because %1. Its file is kept: %2",
-                                refusal.happenedText(), waiting.file.string()));
+      start.kept.push_back(Text::tr("A saved recording was not stored, because %1. Its file is kept: %2",
+                                    refusal.happenedText(), waiting.file.string()));
     }
   }
 }

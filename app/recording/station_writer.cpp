@@ -74,7 +74,8 @@ struct StationWriter::State {
       desk.heartbeat->send();
     }
     if (!desk.heartbeat->answered()) {
-      throw DbError(DbFault::kUnreachable, "", "the database does not answer", desk.session->station(), "");
+      throw DbError(DbFault::kUnreachable, "", Text::tr("the database does not answer"),
+                    desk.session->station(), "");
     }
   }
 

@@ -65,8 +65,8 @@ void TimedTrialSink::run(const std::shared_ptr<State>& state) {
 
 void TimedTrialSink::call(Call call) {
   const auto refuse = [] {
-    throw DbError(DbFault::kUnreachable, "", "the database does not answer", "",
-                  "The recording is kept in a file until it does");
+    throw DbError(DbFault::kUnreachable, "", Text::tr("the database does not answer"), "",
+                  Text::tr("The recording is kept in a file until it does"));
   };
   if (lost_) {
     refuse();

@@ -107,7 +107,7 @@ std::vector<TrialSummaryRow> TrialDigests::ofCohort(SessionContext& session, con
       out.push_back(summaryRow(listing, *known));
     } else {
       if (progress && measured_ % kProgressEvery == 0) {
-        progress({Text("Reading recording %1 of %2", i + 1, listed.size()),
+        progress({Text::tr("Reading recording %1 of %2", i + 1, listed.size()),
                   static_cast<double>(i) / static_cast<double>(listed.size()), -1.0});
       }
       const Trial trial = trials.load(listing.trialId);

@@ -116,7 +116,7 @@ UnstoredTrials unstoredTrials(const std::string& locator, const fs::path& folder
       }
     } catch (const std::exception& problem) {
       found.unreadable.push_back(
-          Text("A saved recording cannot be read and stays where it is: %1", problem.what()));
+          Text::tr("A saved recording cannot be read and stays where it is: %1", problem.what()));
     }
   }
   std::sort(found.trials.begin(), found.trials.end(), [](const UnstoredTrial& a, const UnstoredTrial& b) {

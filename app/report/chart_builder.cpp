@@ -294,8 +294,8 @@ class Builder {
 
   void boxes() {
     auto* all = new QBoxPlotSeries;
-    auto* means = marks(3, Text("mean"), 9.0);
-    auto* outliers = marks(0, Text("outside the whiskers"), 6.0);
+    auto* means = marks(3, Text::tr("mean"), 9.0);
+    auto* outliers = marks(0, Text::tr("outside the whiskers"), 6.0);
     outliers->setColor(look_.ground);
     outliers->setBorderColor(look_.ink);
     all->setBoxWidth(0.45);

@@ -64,22 +64,23 @@ class Composer {
     flow_.text(say_(model.subtitle), 13.0, false, kQuietInk);
     flow_.space(8.0);
     if (model.demonstration) {
-      flow_.text(say_(Text("Demonstration: the people, their movements and all marks in this report are "
-                           "simulated. Nothing in it is a result about real trainees.")),
+      flow_.text(say_(Text::tr("Demonstration: the people, their movements and all marks in this report are "
+                               "simulated. Nothing in it is a result about real trainees.")),
                  10.5, true, kWarningInk);
       flow_.space(6.0);
     }
     PlainTable facts{{QString(), QString()}, {}};
     if (!model.centre.empty()) {
-      facts.rows.push_back({say_(Text("Centre")), say_(model.centre)});
+      facts.rows.push_back({say_(Text::tr("Centre")), say_(model.centre)});
     }
     for (const auto& [label, value] : model.facts) {
       facts.rows.push_back({say_(label), say_(value)});
     }
     flow_.table(facts);
     flow_.space(8.0);
-    flow_.text(say_(Text("Torsio is a training tool. It is not a medical device and holds no patient data.")),
-               8.5, false, kQuietInk);
+    flow_.text(
+        say_(Text::tr("Torsio is a training tool. It is not a medical device and holds no patient data.")),
+        8.5, false, kQuietInk);
   }
 
   void section(const ReportSection& section) {
@@ -142,10 +143,10 @@ class Composer {
       flow_.table(values, layout, notesHeight_mm(figure.notes, figure.provenance));
       flow_.space(1.0);
     } else {
-      flow_.text(
-          say_(Text("The %1 values drawn are too many to print here; the program shows them under Results.",
-                    twin.rows.size() * (twin.columns.size() - 1))),
-          kNote_pt, false, kQuietInk);
+      flow_.text(say_(Text::tr(
+                     "The %1 values drawn are too many to print here; the program shows them under Results.",
+                     twin.rows.size() * (twin.columns.size() - 1))),
+                 kNote_pt, false, kQuietInk);
     }
     addNotes(figure.notes, figure.provenance);
   }
@@ -230,10 +231,10 @@ void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
     style.headerText = wording(model.title);
     style.footerText = QStringLiteral("Torsio %1  |  %2").arg(version, created);
     if (model.demonstration) {
-      style.watermark = wording(Text("DEMONSTRATION DATA - SIMULATED"));
+      style.watermark = wording(Text::tr("DEMONSTRATION DATA - SIMULATED"));
     }
     style.pageText = [&wording](std::size_t page, std::size_t pages) {
-      return wording(Text("page %1 of %2", page, pages));
+      return wording(Text::tr("page %1 of %2", page, pages));
     };
     PageFlow flow(writer, style);
     compose(flow, model, wording);
@@ -254,8 +255,8 @@ void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
   }
   if (!painted || failed) {
     std::filesystem::remove(temporary, failed);
-    throw Error(ErrorCode::kFileUnwritable, "the report cannot be written", file.string(),
-                "Check that the folder exists, is not read-only, and that the disk is not full");
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("the report cannot be written"), file.string(),
+                Text::tr("Check that the folder exists, is not read-only, and that the disk is not full"));
   }
 }
 

@@ -19,7 +19,7 @@ namespace torsio {
 namespace {
 
 constexpr const char* kEnglish = "en";
-constexpr const char* kContext = "Services";
+constexpr const char* kContext = "Text";
 
 }  // namespace
 
@@ -50,7 +50,8 @@ const std::vector<std::string>& reportLanguages() {
 Wording wordingIn(const std::string& language) {
   const std::vector<std::string>& known = reportLanguages();
   if (std::find(known.begin(), known.end(), language) == known.end()) {
-    throw Error(ErrorCode::kUsage, "reports are not written in this language", language, "Give en or zh_CN");
+    throw Error(ErrorCode::kUsage, Text::tr("reports are not written in this language"), language,
+                Text::tr("Give en or zh_CN"));
   }
   if (language == kEnglish) {
     return englishWording;

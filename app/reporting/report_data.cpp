@@ -39,12 +39,12 @@ void addFreeze(SessionContext& session, const ReportRequest& request, CohortInpu
     freeze.unchanged = check.same;
     inputs.freeze = std::move(freeze);
     for (const Text& difference : check.differences) {
-      inputs.provenance.emplace_back(Text("Changed since the freeze"), difference);
+      inputs.provenance.emplace_back(Text::tr("Changed since the freeze"), difference);
     }
     return;
   }
-  throw Error(ErrorCode::kBadParameter, "there is no such frozen data set", request.frozenId,
-              "Choose one of the list");
+  throw Error(ErrorCode::kBadParameter, Text::tr("there is no such frozen data set"), request.frozenId,
+              Text::tr("Choose one of the list"));
 }
 
 /// Whoever may not look at marks gets them, under codes, once nothing can be influenced any more
@@ -75,20 +75,21 @@ void addAllocation(SessionContext& session, const CohortId& cohortId, CohortInpu
   for (const std::size_t size : last.design.blockSizes) {
     blocks += (blocks.empty() ? "" : ", ") + std::to_string(size);
   }
-  inputs.allocation.design = {{"Method", Text(last.stored.algorithm)},
-                              {"Strata or margins", factors.empty() ? Text("none") : listed(factors)},
-                              {"Block sizes", blocks.empty() ? Text("none") : Text(blocks)},
-                              {"Locked", formatUtc(last.stored.lockedUtc_us)},
-                              {"People allocated", std::to_string(last.records)},
-                              {"Moved by hand, with a reason", std::to_string(last.overrides)},
-                              {"Earlier designs", std::to_string(designs.size() - 1)}};
+  inputs.allocation.design = {
+      {Text::tr("Method"), Text(last.stored.algorithm)},
+      {Text::tr("Strata or margins"), factors.empty() ? Text::tr("none") : listed(factors)},
+      {Text::tr("Block sizes"), blocks.empty() ? Text::tr("none") : Text(blocks)},
+      {Text::tr("Locked"), formatUtc(last.stored.lockedUtc_us)},
+      {Text::tr("People allocated"), std::to_string(last.records)},
+      {Text::tr("Moved by hand, with a reason"), std::to_string(last.overrides)},
+      {Text::tr("Earlier designs"), std::to_string(designs.size() - 1)}};
   if (last.stored.seed.empty()) {
     return;
   }
   const AllocationCheck check = checkAllocation(session, last.stored.id);
   inputs.allocation.replayed = check.sound;
   if (!check.sound) {
-    inputs.allocation.design.emplace_back(Text("Check of the draw"), check.finding);
+    inputs.allocation.design.emplace_back(Text::tr("Check of the draw"), check.finding);
   }
 }
 
@@ -149,7 +150,7 @@ CohortInputs reportInputs(SessionContext& session, const ReportRequest& request,
   Connection& connection = session.connection();
   const Cohort cohort = StudyRepository(connection).cohort(request.cohortId);
   if (progress) {
-    progress({"Reading marks", 0.0, -1.0});
+    progress({Text::tr("Reading marks"), 0.0, -1.0});
   }
   CampaignResult campaign;
   if (!request.campaignId.empty()) {
@@ -162,16 +163,17 @@ CohortInputs reportInputs(SessionContext& session, const ReportRequest& request,
   inputs.demonstration = cohort.demonstration || campaign.campaign.demonstration;
   inputs.identity = request.identity;
   if (!cohort.description.empty()) {
-    inputs.facts.emplace_back(Text("Cohort"), cohort.description);
+    inputs.facts.emplace_back(Text::tr("Cohort"), cohort.description);
   }
   if (!campaign.campaign.name.empty()) {
-    inputs.facts.emplace_back(Text("Evaluation of models"), campaign.campaign.name);
+    inputs.facts.emplace_back(Text::tr("Evaluation of models"), campaign.campaign.name);
   }
-  inputs.facts.emplace_back(Text("Made"), formatUtc(inputs.createdUtc_us));
+  inputs.facts.emplace_back(Text::tr("Made"), formatUtc(inputs.createdUtc_us));
   if (inputs.demonstration) {
     inputs.simulated = {
-        Text("The trainees' movements come from a scripted hand with a seed; the simulator, the recorder and "
-             "every computation are the real ones."),
+        Text::tr(
+            "The trainees' movements come from a scripted hand with a seed; the simulator, the recorder and "
+            "every computation are the real ones."),
         demonstrationTrainingRule(), demonstrationEvaluationRule()};
   }
   addAllocation(session, cohort.id, inputs);

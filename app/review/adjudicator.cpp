@@ -175,17 +175,20 @@ std::string assignThird(SessionContext& session, const CohortId& cohortId, const
   SheetRepository sheets(session.connection());
   const auto asked = sheets.findAssignment(assignmentId);
   if (!asked) {
-    refuse("nobody has asked for an adjudicator here", assignmentId, "Read the list again");
+    refuse(Text::tr("nobody has asked for an adjudicator here"), assignmentId,
+           Text::tr("Read the list again"));
   }
   const Assignment& before = asked->assignment;
   const std::map<CaseKey, CaseSheets> cases = openCases(session.connection(), cohortId);
   const auto found = cases.find(keyOf(before));
   if (found == cases.end()) {
-    refuse("nobody has asked for an adjudicator here", assignmentId, "Read the list again");
+    refuse(Text::tr("nobody has asked for an adjudicator here"), assignmentId,
+           Text::tr("Read the list again"));
   }
   const std::vector<Adjudicator> free = freeFor(found->second, activeRaters(session.connection()));
   if (std::none_of(free.begin(), free.end(), [&](const Adjudicator& rater) { return rater.id == raterId; })) {
-    refuse("this rater cannot be asked about this case", assignmentId, "Choose one from the list");
+    refuse(Text::tr("this rater cannot be asked about this case"), assignmentId,
+           Text::tr("Choose one from the list"));
   }
   Assignment next = before;
   std::set<std::string> labels;

@@ -44,12 +44,12 @@ Assignment ownAssignment(SessionContext& session, Operation operation, const Ass
   const std::optional<Assignment> found = desk.assignment(assignmentId);
   const std::string& person = session.actor().personId;
   if (!found || person.empty() || found->raterId != person) {
-    throw Error(ErrorCode::kPermission, "this case is not yours", "the queue",
-                "Open a case of your own queue");
+    throw Error(ErrorCode::kPermission, Text::tr("this case is not yours"), Text::tr("the queue"),
+                Text::tr("Open a case of your own queue"));
   }
   if (desk.isWithdrawn(assignmentId)) {
-    throw Error(ErrorCode::kPermission, "this case was taken back", placeOf(found->caseLabel),
-                "Go on with the next case of the queue");
+    throw Error(ErrorCode::kPermission, Text::tr("this case was taken back"), placeOf(found->caseLabel),
+                Text::tr("Go on with the next case of the queue"));
   }
   return *found;
 }
@@ -69,8 +69,8 @@ BlindedCase blindedCase(SessionContext& session, const AssignmentId& assignmentI
 BlindedRecording loadBlindedRecording(SessionContext& session, const AssignmentId& assignmentId) {
   const Assignment found = ownAssignment(session, Operation::kTrialViewAssigned, assignmentId);
   if (found.trialId.empty()) {
-    throw Error(ErrorCode::kBadData, "this case is scored live and has no recording",
-                placeOf(found.caseLabel), "Use the live sheet");
+    throw Error(ErrorCode::kBadData, Text::tr("this case is scored live and has no recording"),
+                placeOf(found.caseLabel), Text::tr("Use the live sheet"));
   }
   return blindedRecordingOf(session.connection(), found.trialId, found.caseLabel, assignmentId);
 }
@@ -109,8 +109,9 @@ void checkScene(const BlindedRecording& recording, const Scene& scene) {
   if (scene.organHash == header.organHash && scene.parameterHash == header.parameterHash) {
     return;
   }
-  throw Error(ErrorCode::kVerifyFailed, "the organ here is not the one of the recording",
-              placeOf(recording.label), "Score from the traces, or ask an administrator for the organ file");
+  throw Error(ErrorCode::kVerifyFailed, Text::tr("the organ here is not the one of the recording"),
+              placeOf(recording.label),
+              Text::tr("Score from the traces, or ask an administrator for the organ file"));
 }
 
 void rethrowBlinded(const std::exception_ptr& problem, const std::string& label) {
@@ -123,9 +124,11 @@ void rethrowBlinded(const std::exception_ptr& problem, const std::string& label)
     // The original texts may carry an id: only the kind of trouble passes.
     const bool changed = error.code() == ErrorCode::kVerifyFailed;
     throw Error(error.code(),
-                changed ? "the recording is not what was recorded" : "the recording cannot be opened",
+                changed ? Text::tr("the recording is not what was recorded")
+                        : Text::tr("the recording cannot be opened"),
                 placeOf(label),
-                changed ? "Do not score it; tell an administrator" : "Try again, or tell an administrator");
+                changed ? Text::tr("Do not score it; tell an administrator")
+                        : Text::tr("Try again, or tell an administrator"));
   }
 }
 

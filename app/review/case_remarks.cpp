@@ -30,8 +30,9 @@ std::vector<CaseRemark> caseRemarks(SessionContext& session, const AssignmentId&
 void addCaseRemark(SessionContext& session, const AssignmentId& assignmentId, const CaseRemark& remark) {
   const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   if (assignment.trialId.empty() || remark.time_us < 0) {
-    throw Error(ErrorCode::kBadData, "this case has no recording to score",
-                Text("case %1", assignment.caseLabel), "Write it into the comment of the sheet");
+    throw Error(ErrorCode::kBadData, Text::tr("this case has no recording to score"),
+                Text::tr("case %1", assignment.caseLabel),
+                Text::tr("Write it into the comment of the sheet"));
   }
   const auto header = TrialRepository(session.connection()).find(assignment.trialId);
   Remark stored;

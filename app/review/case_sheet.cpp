@@ -134,15 +134,16 @@ void submitSheet(SessionContext& session, const AssignmentId& assignmentId, cons
   const OpenedSheet opened = openSheet(session, assignmentId);
   const SheetCheck check =
       checkSheet(opened.rubric, sheet, opened.shown.live, watched, viewingRules(session));
-  const Text where("case %1", opened.shown.label);
+  const Text where = Text::tr("case %1", opened.shown.label);
   if (check.watchedTooLittle) {
-    throw Error(ErrorCode::kBadData,
-                Text("only %1 % of the recording has been played", std::lround(check.watchedShare * 100.0)),
-                where, "Play the rest before you submit");
+    throw Error(
+        ErrorCode::kBadData,
+        Text::tr("only %1 % of the recording has been played", std::lround(check.watchedShare * 100.0)),
+        where, Text::tr("Play the rest before you submit"));
   }
   if (check.speedNotAllowed) {
-    throw Error(ErrorCode::kBadData, "the recording was played at a speed that is not allowed", where,
-                "Play it again at an allowed speed");
+    throw Error(ErrorCode::kBadData, Text::tr("the recording was played at a speed that is not allowed"),
+                where, Text::tr("Play it again at an allowed speed"));
   }
   const MarkId markId = session.ids().newUuid();
   Transaction transaction(session.connection());
@@ -160,12 +161,13 @@ void amendSheet(SessionContext& session, const AssignmentId& assignmentId, const
   const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   const std::string where = "case " + assignment.caseLabel;
   if (reason.empty()) {
-    throw Error(ErrorCode::kBadParameter, "a submitted mark is changed with a reason only", where,
-                "Write why you change it");
+    throw Error(ErrorCode::kBadParameter, Text::tr("a submitted mark is changed with a reason only"), where,
+                Text::tr("Write why you change it"));
   }
   SheetRepository sheets(session.connection());
   if (!sheets.submitted(assignmentId)) {
-    throw Error(ErrorCode::kBadData, "this sheet is not submitted yet", where, "Fill it in and submit it");
+    throw Error(ErrorCode::kBadData, Text::tr("this sheet is not submitted yet"), where,
+                Text::tr("Fill it in and submit it"));
   }
   Transaction transaction(session.connection());
   sheets.submit(assignmentId, session.ids().newUuid(), sheet, reason, session.now_us());

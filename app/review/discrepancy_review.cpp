@@ -82,8 +82,8 @@ std::optional<RowComparison> compare(const std::vector<CaseMark>& marks, const s
 Assignment committedCase(SessionContext& session, const AssignmentId& assignmentId) {
   Assignment found = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   if (!SheetRepository(session.connection()).allSubmitted(found.enrolmentId, found.occasionCode)) {
-    throw Error(ErrorCode::kBadData, "not everybody has submitted this case yet",
-                Text("case %1", found.caseLabel), "Wait until all have committed");
+    throw Error(ErrorCode::kBadData, Text::tr("not everybody has submitted this case yet"),
+                Text::tr("case %1", found.caseLabel), Text::tr("Wait until all have committed"));
   }
   return found;
 }
@@ -102,8 +102,8 @@ void requireReason(const std::string& reason, const std::string& label) {
   if (!reason.empty()) {
     return;
   }
-  throw Error(ErrorCode::kBadParameter, "a reason is needed", Text("case %1", label),
-              "Write it in a few words");
+  throw Error(ErrorCode::kBadParameter, Text::tr("a reason is needed"), Text::tr("case %1", label),
+              Text::tr("Write it in a few words"));
 }
 
 }  // namespace

@@ -90,8 +90,8 @@ OpenForm ownForm(SessionContext& session, const CampaignId& campaignId) {
   const std::string& person = session.actor().personId;
   const CampaignRater* rater = campaign && !person.empty() ? asked(*campaign, person) : nullptr;
   if (rater == nullptr) {
-    throw Error(ErrorCode::kPermission, "you are not asked in this evaluation", "the evaluation",
-                "Ask an administrator");
+    throw Error(ErrorCode::kPermission, Text::tr("you are not asked in this evaluation"),
+                Text::tr("the evaluation"), Text::tr("Ask an administrator"));
   }
   return formOf(session.connection(), *campaign, *rater);
 }
@@ -105,11 +105,11 @@ std::size_t openModel(const OpenForm& open, const std::string& hiddenLabel) {
     if (!open.form.models[i].submitted) {
       return i;
     }
-    throw Error(ErrorCode::kBadData, "these marks were submitted already", Text("model %1", hiddenLabel),
-                "Go on with the next model");
+    throw Error(ErrorCode::kBadData, Text::tr("these marks were submitted already"),
+                Text::tr("model %1", hiddenLabel), Text::tr("Go on with the next model"));
   }
-  throw Error(ErrorCode::kBadData, "there is no such model", Text("model %1", hiddenLabel),
-              "Open the form again");
+  throw Error(ErrorCode::kBadData, Text::tr("there is no such model"), Text::tr("model %1", hiddenLabel),
+              Text::tr("Open the form again"));
 }
 
 }  // namespace
@@ -145,8 +145,8 @@ void saveEvaluationScore(SessionContext& session, const CampaignId& campaignId,
   const ScoreScale& scale = open.form.scale;
   const bool outside = score_steps && !isOnScale(*score_steps, scale);
   if (outside || index >= open.form.indices.size()) {
-    throw Error(ErrorCode::kBadData, "the mark lies outside the scale", Text("model %1", hiddenLabel),
-                "Correct the mark");
+    throw Error(ErrorCode::kBadData, Text::tr("the mark lies outside the scale"),
+                Text::tr("model %1", hiddenLabel), Text::tr("Correct the mark"));
   }
   DeskRepository(session.connection())
       .saveEvaluationDraft(campaignId, session.actor().personId, open.models[model].code,
@@ -160,8 +160,8 @@ void submitEvaluation(SessionContext& session, const CampaignId& campaignId, con
   std::vector<EvaluationMark> marks;
   for (std::size_t i = 0; i < scores.size(); ++i) {
     if (!scores[i]) {
-      throw Error(ErrorCode::kBadData, Text("%1 has no mark yet", open.form.indices[i]),
-                  Text("model %1", hiddenLabel), "Fill it in");
+      throw Error(ErrorCode::kBadData, Text::tr("%1 has no mark yet", open.form.indices[i]),
+                  Text::tr("model %1", hiddenLabel), Text::tr("Fill it in"));
     }
     EvaluationMark mark;
     mark.id = session.ids().newUuid();

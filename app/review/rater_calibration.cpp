@@ -31,8 +31,8 @@ std::string labelOf(std::size_t number) {
 ReferenceRun runNumber(Connection& connection, std::size_t number) {
   const std::vector<ReferenceRun> runs = DeskRepository(connection).referenceRuns();
   if (number < 1 || number > runs.size()) {
-    throw Error(ErrorCode::kBadData, "there is no such reference run", Text("reference %1", number),
-                "Open rater calibration again");
+    throw Error(ErrorCode::kBadData, Text::tr("there is no such reference run"),
+                Text::tr("reference %1", number), Text::tr("Open rater calibration again"));
   }
   return runs[number - 1];
 }
@@ -41,31 +41,31 @@ ReferenceRun runNumber(Connection& connection, std::size_t number) {
 ScoreScale checkedScale(Connection& connection, const ReferenceChoice& choice) {
   const auto rubric = SheetRepository(connection).revision(choice.rubricRevisionId);
   if (!rubric) {
-    throw Error(ErrorCode::kBadData, "there is no such rubric", choice.rubricRevisionId,
-                "Choose one from the list");
+    throw Error(ErrorCode::kBadData, Text::tr("there is no such rubric"), choice.rubricRevisionId,
+                Text::tr("Choose one from the list"));
   }
   DeskRepository desk(connection);
   if (!desk.trialLength_us(choice.trialId)) {
-    throw Error(ErrorCode::kBadData, "there is no such complete recording", choice.trialId,
-                "Choose one from the list");
+    throw Error(ErrorCode::kBadData, Text::tr("there is no such complete recording"), choice.trialId,
+                Text::tr("Choose one from the list"));
   }
   for (const ReferenceRun& run : desk.allReferenceRuns()) {
     if (run.trialId != choice.trialId) {
       continue;
     }
-    throw Error(ErrorCode::kBadData, "this recording is or was a reference run", choice.trialId,
-                "Choose another recording");
+    throw Error(ErrorCode::kBadData, Text::tr("this recording is or was a reference run"), choice.trialId,
+                Text::tr("Choose another recording"));
   }
   const ScoreScale scale = rubric->overall;
   const double lowest = pointsFromSteps(scale.lo, scale);
   const double highest = pointsFromSteps(scale.hi, scale);
   if (!(choice.panel_points >= lowest && choice.panel_points <= highest)) {
-    throw Error(ErrorCode::kBadParameter, "the panel's mark lies outside the scale of the rubric",
-                std::to_string(choice.panel_points), "Correct the mark");
+    throw Error(ErrorCode::kBadParameter, Text::tr("the panel's mark lies outside the scale of the rubric"),
+                std::to_string(choice.panel_points), Text::tr("Correct the mark"));
   }
   if (choice.panelRaters < 1) {
-    throw Error(ErrorCode::kBadParameter, "a panel has at least one member",
-                std::to_string(choice.panelRaters), "Correct the number");
+    throw Error(ErrorCode::kBadParameter, Text::tr("a panel has at least one member"),
+                std::to_string(choice.panelRaters), Text::tr("Correct the number"));
   }
   return scale;
 }
@@ -131,8 +131,8 @@ void scoreReferenceRun(SessionContext& session, std::size_t number, std::int64_t
   const ReferenceRun run = runNumber(session.connection(), number);
   const RubricRevision rubric = SheetRepository(session.connection()).revision(run.rubricRevisionId).value();
   if (!isOnScale(score_steps, rubric.overall)) {
-    throw Error(ErrorCode::kBadData, "the mark lies outside the scale", Text("reference %1", number),
-                "Correct the mark");
+    throw Error(ErrorCode::kBadData, Text::tr("the mark lies outside the scale"),
+                Text::tr("reference %1", number), Text::tr("Correct the mark"));
   }
   CalibrationScore warmup;
   warmup.id = session.ids().newUuid();
@@ -229,15 +229,16 @@ void addReferenceRuns(SessionContext& session, const std::vector<ReferenceChoice
 void withdrawReferenceRun(SessionContext& session, const TrialId& trialId, const std::string& reason) {
   session.require(Operation::kStudySetup);
   if (reason.empty()) {
-    throw Error(ErrorCode::kBadParameter, "a withdrawal needs a reason", trialId, "Say why, in a few words");
+    throw Error(ErrorCode::kBadParameter, Text::tr("a withdrawal needs a reason"), trialId,
+                Text::tr("Say why, in a few words"));
   }
   Transaction transaction(session.connection());
   DeskRepository desk(session.connection());
   const std::vector<ReferenceRun> runs = desk.referenceRuns();
   if (std::none_of(runs.begin(), runs.end(),
                    [&](const ReferenceRun& run) { return run.trialId == trialId; })) {
-    throw Error(ErrorCode::kBadData, "this recording is no reference run, or was withdrawn already", trialId,
-                "Open the list again");
+    throw Error(ErrorCode::kBadData, Text::tr("this recording is no reference run, or was withdrawn already"),
+                trialId, Text::tr("Open the list again"));
   }
   desk.withdrawReferenceRun({trialId, reason, session.actor().userId, session.now_us()});
   session.note({.action = AuditAction::kReferenceRunWithdraw,

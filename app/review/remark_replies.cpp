@@ -27,7 +27,8 @@ std::vector<RemarkReply> repliesToMe(SessionContext& session) {
 void markReplyRead(SessionContext& session, const std::string& replyId) {
   const std::vector<RemarkReply> mine = repliesToMe(session);
   if (std::none_of(mine.begin(), mine.end(), [&](const RemarkReply& one) { return one.id == replyId; })) {
-    throw Error(ErrorCode::kBadParameter, "there is no such answer", replyId, "Open the list again");
+    throw Error(ErrorCode::kBadParameter, Text::tr("there is no such answer"), replyId,
+                Text::tr("Open the list again"));
   }
   Transaction transaction(session.connection());
   RemarkRepository(session.connection())

@@ -107,7 +107,7 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
   inputs.softwareVersion = softwareVersion();
   const std::vector<StudyGroup> groups = study.groups(cohortId);
   for (const StudyGroup& group : groups) {
-    inputs.groups.push_back({Text("Group %1", group.number), group.label});
+    inputs.groups.push_back({Text::tr("Group %1", group.number), group.label});
   }
   std::map<std::string, Trainee> trainees;
   for (Trainee& trainee : PeopleRepository(connection).trainees()) {

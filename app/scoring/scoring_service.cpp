@@ -107,8 +107,8 @@ ReadCampaign campaignWithHash(Connection& connection, const CampaignId& campaign
   EvaluationRepository repository(connection);
   const auto campaign = repository.campaign(campaignId);
   if (!campaign) {
-    throw Error(ErrorCode::kBadData, "no evaluation campaign has this id", campaignId,
-                "List the campaigns first");
+    throw Error(ErrorCode::kBadData, Text::tr("no evaluation campaign has this id"), campaignId,
+                Text::tr("List the campaigns first"));
   }
   ReadCampaign read{{*campaign, {}, {}, {}}, {}};
   for (const EvaluationMark& mark : repository.marks(campaignId)) {

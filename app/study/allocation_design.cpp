@@ -25,9 +25,10 @@ constexpr std::array<std::pair<AllocationMethod, const char*>, 4> kMethods{
 std::size_t levelOf(const AllocationFactor& factor, const std::string& level, const std::string& code) {
   const auto found = std::find(factor.levels.begin(), factor.levels.end(), level);
   if (found == factor.levels.end()) {
-    refuse(level.empty() ? Text("the %1 is not recorded", Text(factor.name))
-                         : Text("the %1 \"%2\" was not known when the design was locked", factor.name, level),
-           code, "Correct the person's record, or lock a new design with a reason");
+    refuse(level.empty()
+               ? Text::tr("the %1 is not recorded", Text(factor.name))
+               : Text::tr("the %1 \"%2\" was not known when the design was locked", factor.name, level),
+           code, Text::tr("Correct the person's record, or lock a new design with a reason"));
   }
   return static_cast<std::size_t>(found - factor.levels.begin());
 }
@@ -47,8 +48,8 @@ std::string factorValue(const Trainee& trainee, const std::string& factor) {
   if (factor == "handedness") {
     return trainee.handedness;
   }
-  throw Error(ErrorCode::kBadParameter, Text("people cannot be balanced by \"%1\"", factor), "allocation",
-              "Choose sex, level, experience or handedness");
+  throw Error(ErrorCode::kBadParameter, Text::tr("people cannot be balanced by \"%1\"", factor),
+              Text::tr("allocation"), Text::tr("Choose sex, level, experience or handedness"));
 }
 
 std::string allocationMethodName(AllocationMethod method) {
@@ -93,7 +94,7 @@ AllocationDesign designFromStored(const LockedDesign& stored, const std::vector<
     const auto known = std::find_if(kMethods.begin(), kMethods.end(),
                                     [&](const auto& entry) { return method == entry.second; });
     if (known == kMethods.end()) {
-      refuse(Text("the method \"%1\" is not known", method), stored.id, "");
+      refuse(Text::tr("the method \"%1\" is not known", method), stored.id, "");
     }
     design.method = known->first;
     design.studyId = source.at("study").get<std::string>();
@@ -108,7 +109,8 @@ AllocationDesign designFromStored(const LockedDesign& stored, const std::vector<
     design.imbalance = source.at("imbalance") == "variance" ? Imbalance::kVariance : Imbalance::kRange;
     design.stratumTotals = source.at("stratum_totals").get<std::map<std::string, std::size_t>>();
   } catch (const json::exception& problem) {
-    refuse(Text("the stored design cannot be read: %1", problem.what()), stored.id, "Verify the database");
+    refuse(Text::tr("the stored design cannot be read: %1", problem.what()), stored.id,
+           Text::tr("Verify the database"));
   }
   return design;
 }
@@ -130,7 +132,8 @@ AllocationPerson personFromRecord(const AllocationDesign& design, const std::str
       person.levels.push_back(levelOf(factor, levels.at(factor.name).get<std::string>(), code));
     }
   } catch (const json::exception& problem) {
-    refuse(Text("the recorded strata cannot be read: %1", problem.what()), code, "Verify the database");
+    refuse(Text::tr("the recorded strata cannot be read: %1", problem.what()), code,
+           Text::tr("Verify the database"));
   }
   return person;
 }

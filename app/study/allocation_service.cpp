@@ -41,7 +41,7 @@ std::uint64_t seedFrom(const std::string& text, const DesignId& designId) {
   std::uint64_t seed = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
   if (error != std::errc() || end != text.data() + text.size() || text.empty()) {
-    refuse("the sealed seed cannot be read", designId, "Verify the database");
+    refuse(Text::tr("the sealed seed cannot be read"), designId, Text::tr("Verify the database"));
   }
   return seed;
 }
@@ -67,7 +67,7 @@ OpenDraw openDraw(SessionContext& session, const DrawField& field) {
   StudyRepository study(session.connection());
   const std::vector<LockedDesign> designs = study.designs(field.cohort.id);
   if (designs.empty()) {
-    refuse("no allocation design is locked", field.cohort.name, "Lock one first");
+    refuse(Text::tr("no allocation design is locked"), field.cohort.name, Text::tr("Lock one first"));
   }
   const LockedDesign& stored = designs.back();
   std::vector<AllocationEntry> records = study.allocations(stored.id);
@@ -87,8 +87,8 @@ OpenDraw openDraw(SessionContext& session, const DrawField& field) {
     const AllocationRecord again =
         open.allocator.assign(personFromRecord(design, codes.at(record.enrolmentId), record.covariatesJson));
     if (static_cast<std::int64_t>(again.drawsAfter) != record.drawAfter) {
-      refuse("the records do not follow from the sealed seed", stored.id,
-             "Run the check of the allocation before anybody else is allocated");
+      refuse(Text::tr("the records do not follow from the sealed seed"), stored.id,
+             Text::tr("Run the check of the allocation before anybody else is allocated"));
     }
   }
   return open;
@@ -216,11 +216,11 @@ AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan
   StudyRepository study(session.connection());
   const std::vector<LockedDesign> before = study.designs(plan.cohortId);
   if (!before.empty() && !study.allocations(before.back().id).empty() && supersedeReason.empty()) {
-    refuse("allocation has begun with another design", field.cohort.name,
-           "Give a reason; whoever has a group keeps it");
+    refuse(Text::tr("allocation has begun with another design"), field.cohort.name,
+           Text::tr("Give a reason; whoever has a group keeps it"));
   }
   if (field.waiting().empty()) {
-    refuse("nobody waits for a group", field.cohort.name, "Enrol trainees first");
+    refuse(Text::tr("nobody waits for a group"), field.cohort.name, Text::tr("Enrol trainees first"));
   }
   const AllocationDesign design = designOf(field, plan);
   const std::uint64_t seed = plan.seed ? *plan.seed : drawSeed(session.ids());
@@ -278,7 +278,7 @@ std::size_t allocateAll(SessionContext& session, const CohortId& cohortId) {
   OpenDraw open = openDraw(session, field);
   const std::vector<Enrolment> waiting = field.waiting();
   if (waiting.empty()) {
-    refuse("nobody waits for a group", field.cohort.name, "Enrol trainees first");
+    refuse(Text::tr("nobody waits for a group"), field.cohort.name, Text::tr("Enrol trainees first"));
   }
   for (const Enrolment& enrolment : waiting) {
     draw(session, field, open, enrolment);
@@ -292,7 +292,7 @@ AllocationEntry overrideAllocation(SessionContext& session, const CohortId& coho
                                    const std::string& reason) {
   session.require(Operation::kAllocationRun);
   if (reason.empty()) {
-    refuse("an override needs a reason", enrolmentId, "Say in a few words why");
+    refuse(Text::tr("an override needs a reason"), enrolmentId, Text::tr("Say in a few words why"));
   }
   Transaction transaction(session.connection());
   const DrawField field = readDrawField(session, cohortId);
@@ -300,15 +300,15 @@ AllocationEntry overrideAllocation(SessionContext& session, const CohortId& coho
   const auto last = std::find_if(open.records.rbegin(), open.records.rend(),
                                  [&](const AllocationEntry& r) { return r.enrolmentId == enrolmentId; });
   if (last == open.records.rend()) {
-    refuse("was not allocated by this design", enrolmentId, "Draw the group first");
+    refuse(Text::tr("was not allocated by this design"), enrolmentId, Text::tr("Draw the group first"));
   }
   const auto group = std::find_if(field.groups.begin(), field.groups.end(),
                                   [&](const StudyGroup& g) { return g.id == groupId; });
   if (group == field.groups.end()) {
-    refuse("there is no such group", groupId, "Choose one of the cohort");
+    refuse(Text::tr("there is no such group"), groupId, Text::tr("Choose one of the cohort"));
   }
   if (last->groupId == groupId) {
-    refuse("is in this group already", group->code, "Choose another group");
+    refuse(Text::tr("is in this group already"), group->code, Text::tr("Choose another group"));
   }
   StudyRepository study(session.connection());
   AllocationEntry record = *last;
@@ -337,7 +337,7 @@ std::string revealSeed(SessionContext& session, const DesignId& designId, const 
   StudyRepository study(session.connection());
   const std::string seed = study.sealedSeed(designId);
   if (seed.empty()) {
-    refuse("there is no such design", designId, "Choose one from the list");
+    refuse(Text::tr("there is no such design"), designId, Text::tr("Choose one from the list"));
   }
   for (const Cohort& cohort : study.cohorts()) {
     const std::vector<LockedDesign> designs = study.designs(cohort.id);
@@ -345,8 +345,8 @@ std::string revealSeed(SessionContext& session, const DesignId& designId, const 
       continue;
     }
     if (const std::size_t waiting = readDrawField(session, cohort.id).waiting().size(); waiting > 0) {
-      refuse(Text("%1 people still wait for a group: the seed would tell them theirs", waiting), cohort.name,
-             "Allocate them first, or give a reason");
+      refuse(Text::tr("%1 people still wait for a group: the seed would tell them theirs", waiting),
+             cohort.name, Text::tr("Allocate them first, or give a reason"));
     }
   }
   study.revealSeed(designId, session.now_us());
@@ -383,12 +383,12 @@ AllocationCheck checkAllocation(SessionContext& session, const DesignId& designI
       check.records = records.size();
       check.overrides = records.size() - drawn.size();
       if (const auto broken = study.firstBrokenAllocation(designId)) {
-        return wrong(Text("record %1 does not fit into the chain", *broken));
+        return wrong(Text::tr("record %1 does not fit into the chain", *broken));
       }
       const AllocationDesign design = designFromStored(stored, groupCodes, drawn.size());
       const std::uint64_t seed = seedFrom(study.sealedSeed(designId), designId);
       if (seedCommitment(design, seed) != stored.seedCommitment) {
-        return wrong("seed and design do not give the published commitment");
+        return wrong(Text::tr("seed and design do not give the published commitment"));
       }
       const std::map<std::string, std::string> codes = codesOf(study, cohort.id);
       if (drawn.empty()) {
@@ -400,7 +400,7 @@ AllocationCheck checkAllocation(SessionContext& session, const DesignId& designI
             allocator.assign(personFromRecord(design, codes.at(record.enrolmentId), record.covariatesJson));
         if (groupIds[design.arms.at(again.arm)] != record.groupId ||
             static_cast<std::int64_t>(again.drawsAfter) != record.drawAfter) {
-          return wrong(Text("record %1 does not follow from the seed", record.sequence));
+          return wrong(Text::tr("record %1 does not follow from the seed", record.sequence));
         }
       }
       std::map<std::string, std::string> lastGroup;
@@ -410,13 +410,13 @@ AllocationCheck checkAllocation(SessionContext& session, const DesignId& designI
       for (const Enrolment& enrolment : study.enrolments(cohort.id)) {
         const auto last = lastGroup.find(enrolment.id);
         if (last != lastGroup.end() && last->second != enrolment.groupId) {
-          return wrong(Text("%1 is in a group that no record tells of", enrolment.traineeCode));
+          return wrong(Text::tr("%1 is in a group that no record tells of", enrolment.traineeCode));
         }
       }
       return check;
     }
   }
-  refuse("there is no such design", designId, "Choose one from the list");
+  refuse(Text::tr("there is no such design"), designId, Text::tr("Choose one from the list"));
 }
 
 std::vector<SealedCard> takeOutCards(SessionContext& session, const CohortId& cohortId) {
@@ -440,7 +440,8 @@ std::vector<SealedCard> takeOutCards(SessionContext& session, const CohortId& co
     }
   }
   if (cards.empty()) {
-    throw Error(ErrorCode::kBadData, "nobody is allocated yet", cohortId, "Lock a design and allocate first");
+    throw Error(ErrorCode::kBadData, Text::tr("nobody is allocated yet"), cohortId,
+                Text::tr("Lock a design and allocate first"));
   }
   session.note({.action = AuditAction::kAllocationCards,
                 .objectKind = AuditObject::kAllocationDesign,

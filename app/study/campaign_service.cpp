@@ -31,8 +31,8 @@ constexpr std::uint64_t kOrderStream = 2;
 std::vector<std::string> hiddenLabels(std::size_t count, Random& random) {
   constexpr std::string_view kLabels = "XYZWVUTSRQPN";
   if (count > kLabels.size()) {
-    refuseParameter(Text("more than %1 models cannot be compared", kLabels.size()), "models",
-                    "Split the evaluation");
+    refuseParameter(Text::tr("more than %1 models cannot be compared", kLabels.size()), Text::tr("models"),
+                    Text::tr("Split the evaluation"));
   }
   std::vector<std::string> labels;
   for (const char letter : kLabels.substr(0, count)) {
@@ -62,18 +62,21 @@ std::vector<std::vector<std::size_t>> ordersOf(std::size_t models) {
 
 void checkModels(const std::vector<NewModel>& models) {
   if (models.size() < 2) {
-    refuseParameter("there is nothing to compare", "models", "Name at least two models");
+    refuseParameter(Text::tr("there is nothing to compare"), Text::tr("models"),
+                    Text::tr("Name at least two models"));
   }
   std::set<std::string> codes;
   for (const NewModel& model : models) {
     if (model.code.empty() || model.label.empty()) {
-      refuseParameter("a model has no code or no name", model.code + model.label, "Fill both in");
+      refuseParameter(Text::tr("a model has no code or no name"), model.code + model.label,
+                      Text::tr("Fill both in"));
     }
     if (model.code.find(',') != std::string::npos) {
-      refuseParameter("the code of a model holds a comma", model.code, "Use letters and digits");
+      refuseParameter(Text::tr("the code of a model holds a comma"), model.code,
+                      Text::tr("Use letters and digits"));
     }
     if (!codes.insert(model.code).second) {
-      refuseParameter("two models have the same code", model.code, "Rename one");
+      refuseParameter(Text::tr("two models have the same code"), model.code, Text::tr("Rename one"));
     }
   }
 }
@@ -94,18 +97,19 @@ std::map<std::string, std::vector<Rater>> ratersByClass(SessionContext& session,
     ++found;
     const auto known = weight_milli.find(rater.classCode);
     if (known == weight_milli.end() || known->second == 0) {
-      refuseParameter(Text("the class %1 has no weight in this evaluation", rater.classCode),
-                      rater.person.code, "Give the class a weight, or leave the rater out");
+      refuseParameter(Text::tr("the class %1 has no weight in this evaluation", rater.classCode),
+                      rater.person.code, Text::tr("Give the class a weight, or leave the rater out"));
     }
     byClass[rater.classCode].push_back(std::move(rater));
   }
   if (found != wanted.size()) {
-    refuseParameter("somebody of the list is no active rater", "raters", "Choose from the list");
+    refuseParameter(Text::tr("somebody of the list is no active rater"), Text::tr("raters"),
+                    Text::tr("Choose from the list"));
   }
   for (const auto& [code, weight] : weight_milli) {
     if (weight > 0 && byClass[code].empty()) {
-      refuseParameter(Text("nobody scores in the class %1, which has a weight", code), "raters",
-                      "Choose raters of this class, or take its weight away");
+      refuseParameter(Text::tr("nobody scores in the class %1, which has a weight", code), Text::tr("raters"),
+                      Text::tr("Choose raters of this class, or take its weight away"));
     }
   }
   return byClass;
@@ -125,7 +129,7 @@ EvaluationInstrument paperEvaluationInstrument() {
 CampaignId addCampaign(SessionContext& session, const CampaignPlan& plan) {
   session.require(Operation::kEvaluationSetup);
   if (plan.name.empty()) {
-    refuseParameter("the evaluation has no name", "name", "Enter one");
+    refuseParameter(Text::tr("the evaluation has no name"), Text::tr("name"), Text::tr("Enter one"));
   }
   checkModels(plan.models);
   validateInstrument(plan.instrument);

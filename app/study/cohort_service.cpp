@@ -26,26 +26,28 @@ Enrolment enrolmentOf(StudyRepository& study, const CohortId& cohortId, const En
       return enrolment;
     }
   }
-  refuse("nobody is enrolled here under this number", enrolmentId, "Choose one from the list");
+  refuse(Text::tr("nobody is enrolled here under this number"), enrolmentId,
+         Text::tr("Choose one from the list"));
 }
 
 void checkNewCohort(const NewCohort& cohort) {
   const auto bad = [](const Text& what, const Text& remedy) {
-    throw Error(ErrorCode::kBadParameter, what, "cohort", remedy);
+    throw Error(ErrorCode::kBadParameter, what, Text::tr("cohort"), remedy);
   };
   if (cohort.name.empty()) {
-    bad("the cohort has no name", "Enter one");
+    bad(Text::tr("the cohort has no name"), Text::tr("Enter one"));
   }
   if (cohort.groups.empty() && cohort.curriculumVersionId.empty()) {
-    bad("the cohort has no groups", "Name its groups, or choose a curriculum whose arms they follow");
+    bad(Text::tr("the cohort has no groups"),
+        Text::tr("Name its groups, or choose a curriculum whose arms they follow"));
   }
   std::set<std::string> codes;
   for (const NewGroup& group : cohort.groups) {
     if (group.code.empty()) {
-      bad("a group has no code", "Give each group a short code, such as G1");
+      bad(Text::tr("a group has no code"), Text::tr("Give each group a short code, such as G1"));
     }
     if (!codes.insert(group.code).second) {
-      bad(Text("two groups are called %1", group.code), "Rename one of them");
+      bad(Text::tr("two groups are called %1", group.code), Text::tr("Rename one of them"));
     }
   }
 }
@@ -64,7 +66,8 @@ void checkPhase(SessionContext& session, const Cohort& cohort, const Enrolment& 
   }
   const auto version = CurriculumRepository(session.connection()).version(cohort.curriculumVersionId);
   if (!version) {
-    refuse("the cohort follows no curriculum", "phase", "Record the time without a phase");
+    refuse(Text::tr("the cohort follows no curriculum"), Text::tr("phase"),
+           Text::tr("Record the time without a phase"));
   }
   StudyRepository study(session.connection());
   ArmId armId;
@@ -84,12 +87,12 @@ void checkPhase(SessionContext& session, const Cohort& cohort, const Enrolment& 
     if (exposure.kind == ExposureKind::kRest || exposure.kind == exposureIn(phase->kind)) {
       return;
     }
-    refuse(Text("the phase is %1, the time is %2", std::string(storedText(phase->kind)),
-                std::string(storedText(exposure.kind))),
-           enrolment.traineeCode, "Record it for the phase that it was spent in");
+    refuse(Text::tr("the phase is %1, the time is %2", std::string(storedText(phase->kind)),
+                    std::string(storedText(exposure.kind))),
+           enrolment.traineeCode, Text::tr("Record it for the phase that it was spent in"));
   }
-  refuse("this phase belongs to another arm", enrolment.traineeCode,
-         "Choose a phase of the trainee's own arm");
+  refuse(Text::tr("this phase belongs to another arm"), enrolment.traineeCode,
+         Text::tr("Choose a phase of the trainee's own arm"));
 }
 
 }  // namespace
@@ -153,7 +156,8 @@ CohortId addCohort(SessionContext& session, const NewCohort& cohort) {
   if (names.empty()) {
     const auto version = curricula.version(cohort.curriculumVersionId);
     if (!version) {
-      refuse("there is no such curriculum", cohort.curriculumVersionId, "Choose one from the list");
+      refuse(Text::tr("there is no such curriculum"), cohort.curriculumVersionId,
+             Text::tr("Choose one from the list"));
     }
     for (const StudyArm& arm : version->arms) {
       names.push_back({arm.code, arm.label});
@@ -188,8 +192,8 @@ void assignCurriculum(SessionContext& session, const CohortId& cohortId,
   StudyRepository study(session.connection());
   const Cohort before = study.cohort(cohortId);
   if (!study.exposures(cohortId).empty()) {
-    refuse("training has begun: the curriculum of this cohort stays", before.name,
-           "Make another cohort for the other curriculum");
+    refuse(Text::tr("training has begun: the curriculum of this cohort stays"), before.name,
+           Text::tr("Make another cohort for the other curriculum"));
   }
   CurriculumRepository(session.connection()).assign(cohortId, versionId);
   session.note({.action = AuditAction::kCohortAssignCurriculum,
@@ -204,7 +208,7 @@ std::vector<EnrolmentId> enrolTrainees(SessionContext& session, const CohortId& 
                                        const std::vector<TraineeId>& traineeIds) {
   session.require(Operation::kStudyEnrol);
   if (traineeIds.empty()) {
-    refuse("nobody was chosen", "enrolment", "Choose at least one trainee");
+    refuse(Text::tr("nobody was chosen"), Text::tr("enrolment"), Text::tr("Choose at least one trainee"));
   }
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
@@ -219,11 +223,11 @@ std::vector<EnrolmentId> enrolTrainees(SessionContext& session, const CohortId& 
   for (const TraineeId& traineeId : traineeIds) {
     const auto person = people.find(traineeId);
     if (!person || person->state != PersonState::kActive || !people.findTrainee(person->code)) {
-      refuse("this is no active trainee", person ? person->code : traineeId.text(),
-             "Choose one from the list");
+      refuse(Text::tr("this is no active trainee"), person ? person->code : traineeId.text(),
+             Text::tr("Choose one from the list"));
     }
     if (!enrolled.insert(traineeId).second) {
-      refuse("is enrolled in this cohort already", person->code, "Leave them out");
+      refuse(Text::tr("is enrolled in this cohort already"), person->code, Text::tr("Leave them out"));
     }
     ids.push_back(session.ids().newUuid());
     records.push_back({.id = ids.back(),
@@ -245,7 +249,7 @@ void setEnrolmentState(SessionContext& session, const CohortId& cohortId, const 
                        EnrolmentState state, const std::string& reason) {
   session.require(Operation::kStudyEnrol);
   if (state == EnrolmentState::kWithdrawn && reason.empty()) {
-    refuse("a withdrawal needs a reason", enrolmentId, "Say in a few words why");
+    refuse(Text::tr("a withdrawal needs a reason"), enrolmentId, Text::tr("Say in a few words why"));
   }
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
@@ -270,10 +274,12 @@ const std::vector<std::string>& deviationKinds() {
 DeviationId reportDeviation(SessionContext& session, const NewDeviation& deviation) {
   session.require(Operation::kStudySetup);
   if (std::find(deviationKinds().begin(), deviationKinds().end(), deviation.kind) == deviationKinds().end()) {
-    refuse("this kind of deviation is not known", deviation.kind, "Choose one from the list");
+    refuse(Text::tr("this kind of deviation is not known"), deviation.kind,
+           Text::tr("Choose one from the list"));
   }
   if (deviation.kind == "other" && deviation.description.empty()) {
-    refuse("\"other\" needs a description", "deviation", "Say in a few words what happened");
+    refuse(Text::tr("\"other\" needs a description"), Text::tr("deviation"),
+           Text::tr("Say in a few words what happened"));
   }
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
@@ -306,7 +312,7 @@ std::vector<ProtocolDeviation> deviations(SessionContext& session, const CohortI
 ExposureId recordExposure(SessionContext& session, const NewExposure& exposure) {
   session.requireEither(Operation::kStudySetup, Operation::kTrialRecordOwn);
   if (exposure.duration_us <= 0) {
-    refuse("no time was spent", "exposure", "Enter the minutes");
+    refuse(Text::tr("no time was spent"), Text::tr("exposure"), Text::tr("Enter the minutes"));
   }
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
@@ -316,7 +322,8 @@ ExposureId recordExposure(SessionContext& session, const NewExposure& exposure) 
     session.requireOwn(Operation::kTrialRecordOwn, enrolment.traineeId);
   }
   if (enrolment.state == EnrolmentState::kWithdrawn) {
-    refuse("has withdrawn from the study", enrolment.traineeCode, "Nothing is recorded any more");
+    refuse(Text::tr("has withdrawn from the study"), enrolment.traineeCode,
+           Text::tr("Nothing is recorded any more"));
   }
   checkPhase(session, cohort, enrolment, exposure);
   Exposure stored{session.ids().newUuid(), exposure.enrolmentId,   exposure.phaseId,

@@ -87,7 +87,7 @@ std::vector<json> elements(JsonFields& fields, const std::string& name) {
   }
   const json& list = fields.child(name);
   if (!list.is_array()) {
-    fields.refuse(name, "must be a list in brackets", "Write [ ... ].");
+    fields.refuse(name, Text::tr("must be a list in brackets"), Text::tr("Write [ ... ]."));
   }
   return list.get<std::vector<json>>();
 }
@@ -102,7 +102,7 @@ bool flag(JsonFields& fields, const std::string& name) {
   }
   const json& value = fields.child(name);
   if (!value.is_boolean()) {
-    fields.refuse(name, "must be true or false", "Correct the value.");
+    fields.refuse(name, Text::tr("must be true or false"), Text::tr("Correct the value."));
   }
   return value.get<bool>();
 }
@@ -119,7 +119,7 @@ Value readTerm(JsonFields& fields, const std::string& name, Value fallback, cons
   const std::optional<Value> value =
       fromStoredText<Value>(fields.text(name, std::string(storedText(fallback))));
   if (!value) {
-    fields.refuse(name, message, "Choose one of the two");
+    fields.refuse(name, message, Text::tr("Choose one of the two"));
   }
   return *value;
 }
@@ -144,7 +144,7 @@ TrainingModule readModule(const json& source, const std::string& place) {
   module.title = fields.text("title", "");
   module.sceneId = fields.text("scene", "");
   module.patternId = fields.text("pattern", "");
-  module.mode = readTerm(fields, "mode", module.mode, Text("is neither practice nor graded"));
+  module.mode = readTerm(fields, "mode", module.mode, Text::tr("is neither practice nor graded"));
   module.targetAngle_rad = radians(fields.number("target_deg", -kMostDegrees, kMostDegrees, 0.0));
   module.tolerance_rad = radians(fields.number("tolerance_deg", 0.0, kMostDegrees, 0.0));
   module.hold_us = microseconds(fields, "hold_s", kMostSeconds, kSecond_us, 0.0);
@@ -159,7 +159,7 @@ TrainingModule readModule(const json& source, const std::string& place) {
   }
   for (const json& required : elements(fields, "requires")) {
     if (!required.is_string()) {
-      fields.refuse("requires", "must list codes of modules", "Put them in quotes.");
+      fields.refuse("requires", Text::tr("must list codes of modules"), Text::tr("Put them in quotes."));
     }
     module.requires_.push_back(required.get<std::string>());
   }
@@ -183,7 +183,8 @@ StudyArm readArm(const json& source, const std::string& place) {
   for (std::size_t i = 0; i < phases.size(); ++i) {
     JsonFields step(phases[i], placeIn(fields, "phases", i));
     TrainingPhase phase;
-    phase.kind = readTerm(step, "kind", phase.kind, Text("is neither on the virtual nor on the real arm"));
+    phase.kind =
+        readTerm(step, "kind", phase.kind, Text::tr("is neither on the virtual nor on the real arm"));
     phase.label = step.text("label", "");
     phase.duration_us = microseconds(step, "minutes", kMostMinutes, kMinute_us, 0.0);
     phase.moduleId = step.text("module", "");
@@ -222,7 +223,8 @@ json parsed(const std::string& text, const std::string& name) {
   try {
     return json::parse(text);
   } catch (const json::exception& problem) {
-    throw Error(ErrorCode::kBadData, Text("is no JSON: %1", problem.what()), name, "Correct the text");
+    throw Error(ErrorCode::kBadData, Text::tr("is no JSON: %1", problem.what()), name,
+                Text::tr("Correct the text"));
   }
 }
 
@@ -255,8 +257,8 @@ CurriculumVersion parseCurriculum(const std::string& text, const std::string& na
 std::vector<CurriculumTemplate> curriculumTemplates(const std::filesystem::path& assets) {
   const std::filesystem::path folder = assets / "curricula";
   if (!std::filesystem::is_directory(folder)) {
-    throw Error(ErrorCode::kFileMissing, "no such folder", folder.string(),
-                "Restore it from the installation");
+    throw Error(ErrorCode::kFileMissing, Text::tr("no such folder"), folder.string(),
+                Text::tr("Restore it from the installation"));
   }
   std::vector<CurriculumTemplate> templates;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -40,7 +40,8 @@ class Examination {
 
   std::vector<CurriculumProblem> run() {
     if (content_.modules.empty() && content_.arms.empty()) {
-      add("curriculum", "has neither modules nor arms", "Add a module, or begin with a template");
+      add(Text::tr("curriculum"), Text::tr("has neither modules nor arms"),
+          Text::tr("Add a module, or begin with a template"));
     }
     readScenes();
     checkCodes();
@@ -68,7 +69,7 @@ class Examination {
       try {
         patterns_[scene] = patternIds(assets_, scene);
       } catch (const Error& problem) {
-        add(Text("scene %1", scene), problem.happenedText(), problem.remedyText());
+        add(Text::tr("scene %1", scene), problem.happenedText(), problem.remedyText());
       }
     }
   }
@@ -77,46 +78,50 @@ class Examination {
     std::set<std::string> seen;
     for (const TrainingModule& module : content_.modules) {
       if (module.code.empty()) {
-        add(Text("module \"%1\"", module.title), "has no code", "Give it a short one, such as M1");
+        add(Text::tr("module \"%1\"", module.title), Text::tr("has no code"),
+            Text::tr("Give it a short one, such as M1"));
       } else if (!seen.insert(module.code).second) {
-        add(Text("module %1", module.code), "has the code of another module", "Rename one of them");
+        add(Text::tr("module %1", module.code), Text::tr("has the code of another module"),
+            Text::tr("Rename one of them"));
       }
     }
     modules_ = seen;
     seen.clear();
     for (const StudyArm& arm : content_.arms) {
       if (arm.code.empty()) {
-        add(Text("arm \"%1\"", arm.label), "has no code", "Give it a short one, such as G1");
+        add(Text::tr("arm \"%1\"", arm.label), Text::tr("has no code"),
+            Text::tr("Give it a short one, such as G1"));
       } else if (!seen.insert(arm.code).second) {
-        add(Text("arm %1", arm.code), "has the code of another arm", "Rename one of them");
+        add(Text::tr("arm %1", arm.code), Text::tr("has the code of another arm"),
+            Text::tr("Rename one of them"));
       }
     }
   }
 
   void checkModule(const TrainingModule& module) {
-    const Text where("module %1", module.code);
+    const Text where = Text::tr("module %1", module.code);
     if (module.title.empty()) {
-      add(where, "has no title", "Say in a few words what is practised");
+      add(where, Text::tr("has no title"), Text::tr("Say in a few words what is practised"));
     }
     checkScene(module, where);
     if (module.targetAngle_rad == 0.0) {
-      add(where, "has a target of 0 degrees", "Enter how far to twist");
+      add(where, Text::tr("has a target of 0 degrees"), Text::tr("Enter how far to twist"));
     }
     if (module.tolerance_rad <= 0.0) {
-      add(where, "has no tolerance", "Enter at least one degree");
+      add(where, Text::tr("has no tolerance"), Text::tr("Enter at least one degree"));
     }
     if (module.maxForce_N && *module.maxForce_N <= 0.0) {
-      add(where, "allows no force", "Enter a limit above 0 N, or none");
+      add(where, Text::tr("allows no force"), Text::tr("Enter a limit above 0 N, or none"));
     }
     if (module.maxTorque_Nm && *module.maxTorque_Nm <= 0.0) {
-      add(where, "allows no torque", "Enter a limit above 0 N m, or none");
+      add(where, Text::tr("allows no torque"), Text::tr("Enter a limit above 0 N m, or none"));
     }
     for (const std::string& required : module.requires_) {
       if (required == module.code) {
-        add(where, "requires itself", "Remove it from its own prerequisites");
+        add(where, Text::tr("requires itself"), Text::tr("Remove it from its own prerequisites"));
       } else if (!modules_.contains(required)) {
-        add(where, Text("requires \"%1\", which is no module of this curriculum", required),
-            "Choose prerequisites from the list");
+        add(where, Text::tr("requires \"%1\", which is no module of this curriculum", required),
+            Text::tr("Choose prerequisites from the list"));
       }
     }
     checkMastery(module, where);
@@ -128,36 +133,37 @@ class Examination {
     }
     const auto scene = patterns_.find(module.sceneId);
     if (scene == patterns_.end()) {
-      add(where, Text("has an unknown scene \"%1\"", module.sceneId), "Choose one from the list");
+      add(where, Text::tr("has an unknown scene \"%1\"", module.sceneId),
+          Text::tr("Choose one from the list"));
       return;
     }
     if (std::find(scene->second.begin(), scene->second.end(), module.patternId) == scene->second.end()) {
-      add(where, Text("has a pattern \"%1\" that the scene %2 lacks", module.patternId, module.sceneId),
-          "Choose one from the list");
+      add(where, Text::tr("has a pattern \"%1\" that the scene %2 lacks", module.patternId, module.sceneId),
+          Text::tr("Choose one from the list"));
     }
   }
 
   void checkMastery(const TrainingModule& module, const Text& where) {
     std::set<std::string> seen;
     for (const MasteryCriterion& rule : module.mastery) {
-      const Text place("%1, mastery %2", where, rule.metric);
+      const Text place = Text::tr("%1, mastery %2", where, rule.metric);
       const std::optional<std::string_view> unit = unitOf(rule.metric);
       if (!unit) {
-        add(place, "is measured by nothing", "Choose a metric from the list");
+        add(place, Text::tr("is measured by nothing"), Text::tr("Choose a metric from the list"));
       } else if (rule.unit != *unit) {
-        add(place, Text("is given in \"%1\"", rule.unit), Text("Give it in %1", std::string(*unit)));
+        add(place, Text::tr("is given in \"%1\"", rule.unit), Text::tr("Give it in %1", std::string(*unit)));
       }
       if (!seen.insert(rule.metric).second) {
-        add(place, "stands twice", "Keep one of the two rules");
+        add(place, Text::tr("stands twice"), Text::tr("Keep one of the two rules"));
       }
       if (rule.comparison != "at_least" && rule.comparison != "at_most") {
-        add(place, Text("compares by \"%1\"", rule.comparison), "Choose at least or at most");
+        add(place, Text::tr("compares by \"%1\"", rule.comparison), Text::tr("Choose at least or at most"));
       }
       if (module.attemptLimit && rule.consecutive > *module.attemptLimit) {
         add(place,
-            Text("asks for %1 in a row, but only %2 attempts are allowed", rule.consecutive,
-                 *module.attemptLimit),
-            "Allow more attempts, or ask for fewer");
+            Text::tr("asks for %1 in a row, but only %2 attempts are allowed", rule.consecutive,
+                     *module.attemptLimit),
+            Text::tr("Allow more attempts, or ask for fewer"));
       }
     }
   }
@@ -183,33 +189,34 @@ class Examination {
     for (const auto& [code, required] : open) {
       names += (names.empty() ? "" : ", ") + code;
     }
-    add(Text("modules %1", names), "wait for each other: nobody could ever begin them",
-        "Remove one prerequisite");
+    add(Text::tr("modules %1", names), Text::tr("wait for each other: nobody could ever begin them"),
+        Text::tr("Remove one prerequisite"));
   }
 
   void checkArm(const StudyArm& arm) {
-    const Text where("arm %1", arm.code);
+    const Text where = Text::tr("arm %1", arm.code);
     if (arm.label.empty()) {
-      add(where, "has no name", "Say in a few words what it goes through");
+      add(where, Text::tr("has no name"), Text::tr("Say in a few words what it goes through"));
     }
     if (arm.phases.empty()) {
-      add(where, "has no phases", "Add at least one");
+      add(where, Text::tr("has no phases"), Text::tr("Add at least one"));
     }
     for (std::size_t i = 0; i < arm.phases.size(); ++i) {
       const TrainingPhase& phase = arm.phases[i];
-      const Text place("%1, phase %2", where, i + 1);
+      const Text place = Text::tr("%1, phase %2", where, i + 1);
       if (phase.label.empty()) {
-        add(place, "has no name", "Give it one, such as \"virtual 0-20 min\"");
+        add(place, Text::tr("has no name"), Text::tr("Give it one, such as \"virtual 0-20 min\""));
       }
       if (phase.duration_us <= 0) {
-        add(place, "takes no time", "Enter its minutes");
+        add(place, Text::tr("takes no time"), Text::tr("Enter its minutes"));
       }
       if (!phase.moduleId.empty() && !modules_.contains(phase.moduleId)) {
-        add(place, Text("practises \"%1\", which is no module of this curriculum", phase.moduleId),
-            "Choose one from the list, or none for any module");
+        add(place, Text::tr("practises \"%1\", which is no module of this curriculum", phase.moduleId),
+            Text::tr("Choose one from the list, or none for any module"));
       }
       if (!phase.moduleId.empty() && phase.kind == PhaseKind::kReal) {
-        add(place, "names a module of the simulator, but happens on the real arm", "Remove the module");
+        add(place, Text::tr("names a module of the simulator, but happens on the real arm"),
+            Text::tr("Remove the module"));
       }
     }
   }
@@ -230,22 +237,25 @@ class Examination {
         if (point.code != occasion.code) {
           continue;
         }
-        const Text where("occasion %1", point.code);
+        const Text where = Text::tr("occasion %1", point.code);
         if (!seen.insert(point.code).second) {
-          add(where, "stands twice", "Keep one of the two");
+          add(where, Text::tr("stands twice"), Text::tr("Keep one of the two"));
         }
         if (point.afterExposure_us < before_us) {
-          add(where, "comes before the one that it follows", "Give each the time of the last or a later one");
+          add(where, Text::tr("comes before the one that it follows"),
+              Text::tr("Give each the time of the last or a later one"));
         }
         before_us = point.afterExposure_us;
         if (!content_.arms.empty() && point.afterExposure_us > longest_us) {
-          add(where, "comes later than any arm trains", "Give an earlier time, or longer phases");
+          add(where, Text::tr("comes later than any arm trains"),
+              Text::tr("Give an earlier time, or longer phases"));
         }
       }
     }
     for (const PlannedOccasion& point : content_.plannedOccasions) {
       if (!seen.contains(point.code)) {
-        add(Text("occasion \"%1\"", point.code), "is not known", "Choose one from the list");
+        add(Text::tr("occasion \"%1\"", point.code), Text::tr("is not known"),
+            Text::tr("Choose one from the list"));
       }
     }
   }

@@ -27,7 +27,8 @@ Curriculum curriculumOf(CurriculumRepository& repository, const CurriculumId& cu
       return curriculum;
     }
   }
-  throw Error(ErrorCode::kBadData, "there is no such curriculum", curriculumId, "Choose one from the list");
+  throw Error(ErrorCode::kBadData, Text::tr("there is no such curriculum"), curriculumId,
+              Text::tr("Choose one from the list"));
 }
 
 /// What the audit trail says of a version that has come into `state`; a version begins as a draft when it is
@@ -89,7 +90,8 @@ CurriculumVersion publishedContent(SessionContext& session, const CurriculumVers
   session.require(Operation::kPersonViewCoded);
   auto version = CurriculumRepository(session.connection()).version(versionId);
   if (!version) {
-    throw Error(ErrorCode::kBadData, "there is no such version", versionId, "Choose one from the list");
+    throw Error(ErrorCode::kBadData, Text::tr("there is no such version"), versionId,
+                Text::tr("Choose one from the list"));
   }
   return withCodes(*std::move(version));
 }
@@ -98,7 +100,8 @@ CurriculumId addCurriculum(SessionContext& session, const std::string& name, con
                            const std::optional<CurriculumVersion>& content, bool demonstration) {
   session.require(Operation::kCurriculumEdit);
   if (name.empty()) {
-    throw Error(ErrorCode::kBadParameter, "the curriculum has no name", "curriculum", "Enter one");
+    throw Error(ErrorCode::kBadParameter, Text::tr("the curriculum has no name"), Text::tr("curriculum"),
+                Text::tr("Enter one"));
   }
   Transaction transaction(session.connection());
   CurriculumRepository repository(session.connection());

@@ -126,7 +126,8 @@ Manifest manifestOf(SessionContext& session, const CohortId& cohortId,
   for (const CampaignId& campaignId : campaignIds) {
     const auto campaign = evaluations.campaign(campaignId);
     if (!campaign) {
-      refuseParameter("there is no such evaluation", campaignId, "Choose one from the list");
+      refuseParameter(Text::tr("there is no such evaluation"), campaignId,
+                      Text::tr("Choose one from the list"));
     }
     manifest["evaluation_campaign"][campaignId] = hashOf(*campaign);
     const auto marks = idsOf(evaluations.marks(campaignId));
@@ -153,8 +154,8 @@ Manifest manifestFrom(const DataFreeze& stored) {
   try {
     return json::parse(stored.manifestJson).at("rows").get<Manifest>();
   } catch (const json::exception& problem) {
-    throw Error(ErrorCode::kBadData, Text("the manifest cannot be read: %1", problem.what()), stored.name,
-                "Verify the database");
+    throw Error(ErrorCode::kBadData, Text::tr("the manifest cannot be read: %1", problem.what()), stored.name,
+                Text::tr("Verify the database"));
   }
 }
 
@@ -196,14 +197,14 @@ void compareTable(const std::string& table, const Hashes& then, const Hashes& no
   for (const auto& [id, hash] : then) {
     const auto present = now.find(id);
     if (present == now.end()) {
-      add(Text("%1 %2 is no longer there", table, id));
+      add(Text::tr("%1 %2 is no longer there", table, id));
     } else if (present->second != hash) {
-      add(Text("%1 %2 has changed", table, id));
+      add(Text::tr("%1 %2 has changed", table, id));
     }
   }
   for (const auto& [id, hash] : now) {
     if (!then.contains(id)) {
-      add(Text("%1 %2 was added", table, id));
+      add(Text::tr("%1 %2 was added", table, id));
     }
   }
 }
@@ -214,13 +215,13 @@ FrozenRow freezeData(SessionContext& session, const CohortId& cohortId, const st
                      const std::vector<CampaignId>& campaignIds) {
   session.require(Operation::kResultsCompute);
   if (name.empty()) {
-    refuseParameter("the data set has no name", "name", "Enter one");
+    refuseParameter(Text::tr("the data set has no name"), Text::tr("name"), Text::tr("Enter one"));
   }
   Transaction transaction(session.connection());
   FreezeRepository repository(session.connection(), session.station());
   if (repository.findByName(name)) {
-    refuseParameter("another data set has this name", name,
-                    "Choose another name; frozen data stay as they are");
+    refuseParameter(Text::tr("another data set has this name"), name,
+                    Text::tr("Choose another name; frozen data stay as they are"));
   }
   const Cohort cohort = StudyRepository(session.connection()).cohort(cohortId);
   DataFreeze freeze;
@@ -255,13 +256,13 @@ FrozenCheck compareWithFrozen(SessionContext& session, const FreezeId& frozenId)
   session.require(Operation::kResultsCompute);
   const auto stored = findFreeze(session, frozenId);
   if (!stored) {
-    refuseParameter("there is no such data set", frozenId, "Choose one from the list");
+    refuseParameter(Text::tr("there is no such data set"), frozenId, Text::tr("Choose one from the list"));
   }
   FrozenCheck check;
   if (hashOfText(stored->manifestJson) != stored->contentHash) {
     check.same = false;
     check.differences.emplace_back(
-        Text("the manifest does not fit its hash: the database was tampered with"));
+        Text::tr("the manifest does not fit its hash: the database was tampered with"));
     return check;
   }
   const Manifest then = manifestFrom(*stored);

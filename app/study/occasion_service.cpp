@@ -17,14 +17,16 @@ Occasions knownOccasions(SessionContext& session) {
 Occasion addOccasion(SessionContext& session, const std::string& label) {
   session.require(Operation::kCurriculumEdit);
   if (label.empty()) {
-    throw Error(ErrorCode::kBadParameter, "the occasion has no name", "occasion", "Enter one");
+    throw Error(ErrorCode::kBadParameter, Text::tr("the occasion has no name"), Text::tr("occasion"),
+                Text::tr("Enter one"));
   }
   Transaction transaction(session.connection());
   OccasionRepository repository(session.connection());
   const Occasions known = repository.all();
   for (const Occasion& other : known) {
     if (other.label == label) {
-      throw Error(ErrorCode::kBadParameter, "another occasion has this name", label, "Choose another name");
+      throw Error(ErrorCode::kBadParameter, Text::tr("another occasion has this name"), label,
+                  Text::tr("Choose another name"));
     }
   }
   std::size_t number = known.size() + 1;

@@ -58,28 +58,30 @@ RubricLine readRow(const json& source, const std::string& place) {
 void checkRevision(const RubricRevision& revision) {
   validateScale(revision.overall);
   if (revision.rows.empty()) {
-    refuseParameter("the rubric has no rows", "rubric", "Add at least one criterion");
+    refuseParameter(Text::tr("the rubric has no rows"), Text::tr("rubric"),
+                    Text::tr("Add at least one criterion"));
   }
   std::set<std::string> codes;
   for (const RubricLine& row : revision.rows) {
     const std::string where = "row " + row.code;
     if (row.code.empty() || row.label.empty()) {
-      refuseParameter("a row has no code or no label", where, "Fill both in");
+      refuseParameter(Text::tr("a row has no code or no label"), where, Text::tr("Fill both in"));
     }
     if (!codes.insert(row.code).second) {
-      refuseParameter("two rows have the same code", where, "Rename one of them");
+      refuseParameter(Text::tr("two rows have the same code"), where, Text::tr("Rename one of them"));
     }
     validateScale(row.scale);
     std::set<std::int64_t> scores;
     for (const RubricAnchor& anchor : row.anchors) {
       if (!isOnScale(anchor.score_steps, row.scale)) {
-        refuseParameter("an anchor lies outside the scale", where, "Move it, or widen the scale");
+        refuseParameter(Text::tr("an anchor lies outside the scale"), where,
+                        Text::tr("Move it, or widen the scale"));
       }
       if (!scores.insert(anchor.score_steps).second) {
-        refuseParameter("two anchors stand at the same mark", where, "Join them");
+        refuseParameter(Text::tr("two anchors stand at the same mark"), where, Text::tr("Join them"));
       }
       if (anchor.meaning.empty()) {
-        refuseParameter("an anchor has no words", where, "Say what the mark means");
+        refuseParameter(Text::tr("an anchor has no words"), where, Text::tr("Say what the mark means"));
       }
     }
   }
@@ -108,11 +110,12 @@ RubricTemplate parseRubric(const std::string& text, const std::string& id) {
   try {
     source = json::parse(text);
   } catch (const json::exception& problem) {
-    throw Error(ErrorCode::kBadData, Text("is no JSON: %1", problem.what()), id, "Correct the text");
+    throw Error(ErrorCode::kBadData, Text::tr("is no JSON: %1", problem.what()), id,
+                Text::tr("Correct the text"));
   }
   JsonFields fields(source, id);
   if (const std::string format = fields.text("format"); format != kRubricFormat) {
-    fields.refuse("format", Text("is '%1'", format), Text("This program reads %1.", kRubricFormat));
+    fields.refuse("format", Text::tr("is '%1'", format), Text::tr("This program reads %1.", kRubricFormat));
   }
   RubricTemplate rubric;
   rubric.id = id;
@@ -123,7 +126,7 @@ RubricTemplate parseRubric(const std::string& text, const std::string& id) {
   overall.finish();
   const json& rows = fields.child("rows");
   if (!rows.is_array()) {
-    fields.refuse("rows", "must be a list in brackets", "Write [ ... ].");
+    fields.refuse("rows", Text::tr("must be a list in brackets"), Text::tr("Write [ ... ]."));
   }
   for (const json& row : rows) {
     rubric.revision.rows.push_back(
@@ -137,8 +140,8 @@ RubricTemplate parseRubric(const std::string& text, const std::string& id) {
 std::vector<RubricTemplate> rubricTemplates(const std::filesystem::path& assets) {
   const std::filesystem::path folder = assets / "rubrics";
   if (!std::filesystem::is_directory(folder)) {
-    throw Error(ErrorCode::kFileMissing, "no such folder", folder.string(),
-                "Restore it from the installation");
+    throw Error(ErrorCode::kFileMissing, Text::tr("no such folder"), folder.string(),
+                Text::tr("Restore it from the installation"));
   }
   std::vector<RubricTemplate> templates;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -170,7 +173,7 @@ RubricRevisionId addRubric(SessionContext& session, const std::string& name, con
                            bool demonstration) {
   session.require(Operation::kCurriculumEdit);
   if (name.empty()) {
-    refuseParameter("the rubric has no name", "rubric", "Enter one");
+    refuseParameter(Text::tr("the rubric has no name"), Text::tr("rubric"), Text::tr("Enter one"));
   }
   checkRevision(first);
   Transaction transaction(session.connection());
@@ -188,7 +191,7 @@ RubricRevisionId reviseRubric(SessionContext& session, const RubricId& rubricId,
   Transaction transaction(session.connection());
   const std::size_t before = SheetRepository(session.connection()).revisionIds(rubricId).size();
   if (before == 0) {
-    refuseParameter("there is no such rubric", rubricId, "Choose one from the list");
+    refuseParameter(Text::tr("there is no such rubric"), rubricId, Text::tr("Choose one from the list"));
   }
   const RubricRevisionId id =
       storeRevision(session, rubricId, next, static_cast<std::int64_t>(before + 1), note);

@@ -253,7 +253,8 @@ void swapTurns(SessionContext& session, const CohortId& cohortId, const Enrolmen
                const EnrolmentId& otherEnrolmentId, const std::string& reason) {
   session.require(Operation::kStudySetup);
   if (enrolmentId == otherEnrolmentId) {
-    throw Error(ErrorCode::kBadData, "nobody swaps with themselves", cohortId, "Choose another trainee");
+    throw Error(ErrorCode::kBadData, Text::tr("nobody swaps with themselves"), cohortId,
+                Text::tr("Choose another trainee"));
   }
   Transaction transaction(session.connection());
   std::map<std::string, std::string> codes;
@@ -262,7 +263,8 @@ void swapTurns(SessionContext& session, const CohortId& cohortId, const Enrolmen
   }
   for (const std::string& id : {enrolmentId, otherEnrolmentId}) {
     if (!codes.contains(id)) {
-      throw Error(ErrorCode::kBadData, "this trainee is not in the cohort", id, "Choose one from the list");
+      throw Error(ErrorCode::kBadData, Text::tr("this trainee is not in the cohort"), id,
+                  Text::tr("Choose one from the list"));
     }
   }
   for (const auto& [id, other] :

@@ -57,29 +57,34 @@ std::vector<Enrolment> chosenEnrolments(StudyRepository& study, const ScoringPla
     }
   }
   if (chosen.empty()) {
-    refuseParameter("there is nobody to score", "cohort", "Enrol trainees first");
+    refuseParameter(Text::tr("there is nobody to score"), Text::tr("cohort"),
+                    Text::tr("Enrol trainees first"));
   }
   if (!plan.enrolmentIds.empty() && chosen.size() != plan.enrolmentIds.size()) {
-    refuseParameter("somebody of the list is not enrolled here", "cohort", "Choose from the list");
+    refuseParameter(Text::tr("somebody of the list is not enrolled here"), Text::tr("cohort"),
+                    Text::tr("Choose from the list"));
   }
   return chosen;
 }
 
 void checkPlan(SessionContext& session, const ScoringPlan& plan) {
   if (plan.raterIds.empty()) {
-    refuseParameter("nobody is asked to score", "raters", "Choose at least one");
+    refuseParameter(Text::tr("nobody is asked to score"), Text::tr("raters"),
+                    Text::tr("Choose at least one"));
   }
   if (plan.occasionCodes.empty()) {
-    refuseParameter("no occasion is chosen", "occasions", "Choose at least one");
+    refuseParameter(Text::tr("no occasion is chosen"), Text::tr("occasions"),
+                    Text::tr("Choose at least one"));
   }
   const Occasions occasions = OccasionRepository(session.connection()).all();
   for (const std::string& point : plan.occasionCodes) {
     if (!occasions.contains(point)) {
-      refuseParameter("there is no such occasion", point, "Choose one from the list");
+      refuseParameter(Text::tr("there is no such occasion"), point, Text::tr("Choose one from the list"));
     }
   }
   if (!SheetRepository(session.connection()).revision(plan.rubricRevisionId)) {
-    refuseParameter("there is no such rubric", plan.rubricRevisionId, "Choose one from the list");
+    refuseParameter(Text::tr("there is no such rubric"), plan.rubricRevisionId,
+                    Text::tr("Choose one from the list"));
   }
   std::set<std::string> known;
   for (const Rater& rater : PeopleRepository(session.connection()).raters()) {
@@ -90,10 +95,10 @@ void checkPlan(SessionContext& session, const ScoringPlan& plan) {
   std::set<std::string> seen;
   for (const std::string& rater : plan.raterIds) {
     if (!known.contains(rater)) {
-      refuseParameter("this is no active rater", rater, "Choose one from the list");
+      refuseParameter(Text::tr("this is no active rater"), rater, Text::tr("Choose one from the list"));
     }
     if (!seen.insert(rater).second) {
-      refuseParameter("a rater is named twice", rater, "Name each once");
+      refuseParameter(Text::tr("a rater is named twice"), rater, Text::tr("Name each once"));
     }
   }
 }
@@ -103,8 +108,8 @@ std::vector<Case> casesOf(Connection& connection, StudyRepository& study, const 
   QuestionRepository questions(connection);
   for (const CaseRecording& recording : plan.recordings) {
     if (!questions.ofTrial(recording.trialId).empty()) {
-      refuseParameter("a physician was asked about this recording by name", recording.trialId,
-                      "Choose another recording: a case must be blinded");
+      refuseParameter(Text::tr("a physician was asked about this recording by name"), recording.trialId,
+                      Text::tr("Choose another recording: a case must be blinded"));
     }
     recordings[keyOf(recording.enrolmentId, recording.occasionCode)] = recording.trialId;
   }
@@ -285,16 +290,17 @@ AssignmentId reassign(SessionContext& session, const AssignmentId& assignmentId,
                       const std::string& reason) {
   session.require(Operation::kStudySetup);
   if (reason.empty()) {
-    refuse("taking a sheet from its rater needs a reason", assignmentId, "Say why");
+    refuse(Text::tr("taking a sheet from its rater needs a reason"), assignmentId, Text::tr("Say why"));
   }
   Transaction transaction(session.connection());
   SheetRepository sheets(session.connection());
   const auto before = sheets.findAssignment(assignmentId);
   if (!before) {
-    refuse("there is no such sheet", assignmentId, "Read the matrix again");
+    refuse(Text::tr("there is no such sheet"), assignmentId, Text::tr("Read the matrix again"));
   }
   if (before->state == SheetState::kWithdrawn) {
-    refuse("the sheet was withdrawn already", before->assignment.caseLabel, "Read the matrix again");
+    refuse(Text::tr("the sheet was withdrawn already"), before->assignment.caseLabel,
+           Text::tr("Read the matrix again"));
   }
   sheets.withdraw(assignmentId, reason, session.actor().userId, session.now_us());
   AssignmentId newId;
@@ -304,7 +310,8 @@ AssignmentId reassign(SessionContext& session, const AssignmentId& assignmentId,
     std::int64_t position = 0;
     for (const Assignment& other : sheets.assignmentsOf(newRaterId)) {
       if (other.enrolmentId == next.enrolmentId && other.occasionCode == next.occasionCode) {
-        refuse("the other rater was asked about this case before", other.caseLabel, "Choose somebody else");
+        refuse(Text::tr("the other rater was asked about this case before"), other.caseLabel,
+               Text::tr("Choose somebody else"));
       }
       labels.insert(other.caseLabel);
       position = std::max(position, other.position);
@@ -313,7 +320,7 @@ AssignmentId reassign(SessionContext& session, const AssignmentId& assignmentId,
     if (std::none_of(raters.begin(), raters.end(), [&](const Rater& rater) {
           return rater.person.id == newRaterId && rater.person.state == PersonState::kActive;
         })) {
-      refuse("this is no active rater", newRaterId, "Choose one from the list");
+      refuse(Text::tr("this is no active rater"), newRaterId, Text::tr("Choose one from the list"));
     }
     newId = session.ids().newUuid();
     next.id = newId;
@@ -367,28 +374,28 @@ void releaseMarks(SessionContext& session, const CohortId& cohortId, const std::
       continue;
     }
     if (state.released) {
-      refuse("these marks are released already", occasionCode, "Nothing is to be done");
+      refuse(Text::tr("these marks are released already"), occasionCode, Text::tr("Nothing is to be done"));
     }
     if (state.missing > 0 && reason.empty()) {
-      refuse(Text("%1 of %2 sheets are not submitted", state.missing, state.sheets), occasionCode,
-             "Wait for them, or give a reason");
+      refuse(Text::tr("%1 of %2 sheets are not submitted", state.missing, state.sheets), occasionCode,
+             Text::tr("Wait for them, or give a reason"));
     }
     setReleased(session, cohortId, occasionCode, true, reason);
     transaction.commit();
     return;
   }
-  refuse("there is no such occasion", occasionCode, "Choose one from the list");
+  refuse(Text::tr("there is no such occasion"), occasionCode, Text::tr("Choose one from the list"));
 }
 
 void retractMarks(SessionContext& session, const CohortId& cohortId, const std::string& occasionCode,
                   const std::string& reason) {
   session.require(Operation::kMarkRelease);
   if (reason.empty()) {
-    refuse("taking marks back needs a reason", occasionCode, "Say why");
+    refuse(Text::tr("taking marks back needs a reason"), occasionCode, Text::tr("Say why"));
   }
   Transaction transaction(session.connection());
   if (!SheetRepository(session.connection()).isReleased(cohortId, occasionCode)) {
-    refuse("these marks are not released", occasionCode, "Nothing is to be done");
+    refuse(Text::tr("these marks are not released"), occasionCode, Text::tr("Nothing is to be done"));
   }
   setReleased(session, cohortId, occasionCode, false, reason);
   transaction.commit();

@@ -180,8 +180,8 @@ const ModuleStep& stepOf(const NextSteps& steps, const ModuleId& moduleId) {
   if (found != steps.modules.end()) {
     return *found;
   }
-  throw Error(ErrorCode::kBadParameter, "your curriculum has no such module", moduleId,
-              "Choose one from the list");
+  throw Error(ErrorCode::kBadParameter, Text::tr("your curriculum has no such module"), moduleId,
+              Text::tr("Choose one from the list"));
 }
 
 }  // namespace torsio

@@ -64,11 +64,12 @@ TraineeQuestion questionToMe(SessionContext& session, const RemarkId& questionId
   session.require(Operation::kTrialViewAssigned);
   const std::optional<TraineeQuestion> question = QuestionRepository(session.connection()).find(questionId);
   if (!question) {
-    throw Error(ErrorCode::kBadParameter, "there is no such question", questionId, "Open the list again");
+    throw Error(ErrorCode::kBadParameter, Text::tr("there is no such question"), questionId,
+                Text::tr("Open the list again"));
   }
   if (session.actor().personId.empty() || question->raterId != session.actor().personId) {
-    throw Error(ErrorCode::kPermission, "this question was put to somebody else", questionId,
-                "Open one of your own");
+    throw Error(ErrorCode::kPermission, Text::tr("this question was put to somebody else"), questionId,
+                Text::tr("Open one of your own"));
   }
   return *question;
 }
@@ -115,14 +116,14 @@ RemarkId askPhysician(SessionContext& session, const TrialId& trialId, double at
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   const TrialListing trial = ownTrial(session, record, trialId);
   if (!namesMayBeShown(session, trial)) {
-    throw Error(ErrorCode::kPermission, "this run is or may be judged without names", trialId,
-                "Ask about a practice run");
+    throw Error(ErrorCode::kPermission, Text::tr("this run is or may be judged without names"), trialId,
+                Text::tr("Ask about a practice run"));
   }
   const std::vector<AskablePhysician> physicians = askable(session, record);
   if (std::none_of(physicians.begin(), physicians.end(),
                    [&](const AskablePhysician& one) { return one.raterId == raterId; })) {
-    throw Error(ErrorCode::kBadParameter, "this physician cannot be asked", raterId,
-                "Choose one from the list");
+    throw Error(ErrorCode::kBadParameter, Text::tr("this physician cannot be asked"), raterId,
+                Text::tr("Choose one from the list"));
   }
   Transaction transaction(session.connection());
   const RemarkId id = keepBookmark(session, trial, at_s, text);
@@ -173,7 +174,8 @@ Debrief questionedRun(SessionContext& session, const RemarkId& questionId) {
 void answerQuestion(SessionContext& session, const RemarkId& questionId, const std::string& text) {
   const TraineeQuestion question = questionToMe(session, questionId);
   if (text.empty()) {
-    throw Error(ErrorCode::kBadParameter, "the answer is empty", "", "Write what you want to say");
+    throw Error(ErrorCode::kBadParameter, Text::tr("the answer is empty"), "",
+                Text::tr("Write what you want to say"));
   }
   RemarkRepository remarks(session.connection());
   const std::optional<Remark> bookmark = remarks.find(questionId);

@@ -152,12 +152,13 @@ Remark visibleRemark(SessionContext& session, const RemarkId& remarkId) {
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   const std::optional<Remark> remark = RemarkRepository(session.connection()).find(remarkId);
   if (!remark) {
-    throw Error(ErrorCode::kBadParameter, "there is no such remark", remarkId, "Open the list again");
+    throw Error(ErrorCode::kBadParameter, Text::tr("there is no such remark"), remarkId,
+                Text::tr("Open the list again"));
   }
   static_cast<void>(ownTrial(session, record, remark->trialId));
   if (!Release(session.connection(), record).mayShow(remark->trialId)) {
-    throw Error(ErrorCode::kPermission, "the marks of this recording are not released yet", remark->trialId,
-                "Come back when they are");
+    throw Error(ErrorCode::kPermission, Text::tr("the marks of this recording are not released yet"),
+                remark->trialId, Text::tr("Come back when they are"));
   }
   return *remark;
 }
@@ -229,8 +230,8 @@ std::int64_t stepsOf(double value, const ScoreScale& scale, const std::string& w
   if (onScale && std::abs(exact - static_cast<double>(steps)) < 1e-6) {
     return steps;
   }
-  throw Error(ErrorCode::kBadParameter, "this scale has no such mark", where,
-              "Choose a mark between the ends of the scale");
+  throw Error(ErrorCode::kBadParameter, Text::tr("this scale has no such mark"), where,
+              Text::tr("Choose a mark between the ends of the scale"));
 }
 
 }  // namespace
@@ -280,7 +281,8 @@ void markRemarkRead(SessionContext& session, const RemarkId& remarkId) {
 RemarkId replyToRemark(SessionContext& session, const RemarkId& remarkId, const std::string& text) {
   const Remark remark = visibleRemark(session, remarkId);
   if (text.empty()) {
-    throw Error(ErrorCode::kBadParameter, "the reply is empty", "", "Write what you want to say");
+    throw Error(ErrorCode::kBadParameter, Text::tr("the reply is empty"), "",
+                Text::tr("Write what you want to say"));
   }
   const RemarkId id = session.ids().newUuid();
   Transaction transaction(session.connection());
@@ -351,8 +353,8 @@ void selfScore(SessionContext& session, const TrialId& trialId, double overall,
   RemarkRepository repository(session.connection());
   const auto before = repository.selfScores(trialId);
   if (!before.empty() && !release.asked(trialId).empty() && release.mayShow(trialId)) {
-    throw Error(ErrorCode::kPermission, "the physicians' marks were shown already", trialId,
-                "Your own marks stay as they are");
+    throw Error(ErrorCode::kPermission, Text::tr("the physicians' marks were shown already"), trialId,
+                Text::tr("Your own marks stay as they are"));
   }
   SelfScore score;
   score.id = session.ids().newUuid();
@@ -366,7 +368,8 @@ void selfScore(SessionContext& session, const TrialId& trialId, double overall,
     const auto known = std::find_if(rubric.rows.begin(), rubric.rows.end(),
                                     [&](const RubricLine& r) { return r.code == row.code; });
     if (known == rubric.rows.end()) {
-      throw Error(ErrorCode::kBadParameter, "the sheet has no such row", row.code, "Open the sheet again");
+      throw Error(ErrorCode::kBadParameter, Text::tr("the sheet has no such row"), row.code,
+                  Text::tr("Open the sheet again"));
     }
     score.rows.push_back({rubric.id, row.code, stepsOf(row.points, known->scale, known->label)});
   }

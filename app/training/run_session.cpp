@@ -27,21 +27,21 @@ namespace {
 /// May this run begin at all? Throws with the first thing that is missing.
 void checkPermission(const NextSteps& steps, const RunRequest& request) {
   if (!steps.recordingAllowed) {
-    throw Error(ErrorCode::kPermission, "you have not agreed to be recorded", "consent",
-                "Read and confirm the consent first, or use free practice, which is not recorded");
+    throw Error(ErrorCode::kPermission, Text::tr("you have not agreed to be recorded"), Text::tr("consent"),
+                Text::tr("Read and confirm the consent first, or use free practice, which is not recorded"));
   }
   const Light light = request.device.light();
   if (light == Light::kRed) {
-    throw Error(ErrorCode::kDevice, "the device is not ready", request.device.device,
-                "Repeat the device check, or practise with mouse and keyboard");
+    throw Error(ErrorCode::kDevice, Text::tr("the device is not ready"), request.device.device,
+                Text::tr("Repeat the device check, or practise with mouse and keyboard"));
   }
   if (request.graded && light != Light::kGreen) {
-    throw Error(ErrorCode::kDevice, "the device is good enough for practice only", request.device.device,
-                "Practise, or put right what the device check shows");
+    throw Error(ErrorCode::kDevice, Text::tr("the device is good enough for practice only"),
+                request.device.device, Text::tr("Practise, or put right what the device check shows"));
   }
   if (steps.allPhasesDone) {
-    throw Error(ErrorCode::kBadParameter, "all phases of your training are over", steps.armLabel,
-                "Ask an administrator what comes next");
+    throw Error(ErrorCode::kBadParameter, Text::tr("all phases of your training are over"), steps.armLabel,
+                Text::tr("Ask an administrator what comes next"));
   }
 }
 
@@ -60,12 +60,12 @@ ModuleStep chosenStep(const NextSteps& steps, const RunRequest& request) {
   const ModuleStep& step = stepOf(steps, request.moduleId);
   if (step.state == StepState::kLocked) {
     throw Error(ErrorCode::kBadParameter,
-                Text("this module is locked: first master %1", step.missing.front()), step.module.title,
-                "Choose an open module");
+                Text::tr("this module is locked: first master %1", step.missing.front()), step.module.title,
+                Text::tr("Choose an open module"));
   }
   if (step.state == StepState::kUsedUp && request.graded) {
-    throw Error(ErrorCode::kBadParameter, "no attempt is left for this module", step.module.title,
-                "Ask an administrator for another attempt");
+    throw Error(ErrorCode::kBadParameter, Text::tr("no attempt is left for this module"), step.module.title,
+                Text::tr("Ask an administrator for another attempt"));
   }
   return step;
 }
@@ -268,8 +268,8 @@ void decideOwnConsent(SessionContext& session, const std::string& purpose, bool 
                       const std::string& textVersion) {
   const TraineeRecord record = ownRecord(session, Operation::kTrialRecordOwn);
   if (textVersion.empty()) {
-    throw Error(ErrorCode::kBadParameter, "it is not known which text was shown", purpose,
-                "Open the consent again");
+    throw Error(ErrorCode::kBadParameter, Text::tr("it is not known which text was shown"), purpose,
+                Text::tr("Open the consent again"));
   }
   Transaction transaction(session.connection());
   PeopleRepository(session.connection())

@@ -83,8 +83,8 @@ TraineeRecord ownRecord(SessionContext& session, Operation operation) {
     findCurriculum(session.connection(), record);
     return record;
   }
-  throw Error(ErrorCode::kPermission, "you are not enrolled as a trainee", session.actor().login,
-              "Ask an administrator to add you to the roster");
+  throw Error(ErrorCode::kPermission, Text::tr("you are not enrolled as a trainee"), session.actor().login,
+              Text::tr("Ask an administrator to add you to the roster"));
 }
 
 TrialListing ownTrial(SessionContext& session, const TraineeRecord& record, const TrialId& trialId) {
@@ -98,10 +98,11 @@ TrialListing ownTrial(SessionContext& session, const TraineeRecord& record, cons
     }
   }
   if (trials.find(trialId)) {
-    throw Error(ErrorCode::kPermission, "this recording belongs to somebody else", trialId,
-                "Open your own record");
+    throw Error(ErrorCode::kPermission, Text::tr("this recording belongs to somebody else"), trialId,
+                Text::tr("Open your own record"));
   }
-  throw Error(ErrorCode::kBadParameter, "there is no such recording", trialId, "Choose one from the list");
+  throw Error(ErrorCode::kBadParameter, Text::tr("there is no such recording"), trialId,
+              Text::tr("Choose one from the list"));
 }
 
 }  // namespace torsio

@@ -59,7 +59,7 @@ void fitCurve(Trend& trend) {
   const auto exponential = fitLearningCurve(LearningFamily::kExponential, attempt, value, positive);
   const auto power = fitLearningCurve(LearningFamily::kPower, attempt, value, positive);
   if (!exponential && !power) {
-    trend.noCurveReason = exponential.reason();
+    trend.noCurveReason = exponential.reason().str();
     return;
   }
   const bool usePower = power && (!exponential || power->fit.aicc < exponential->fit.aicc);
@@ -139,8 +139,8 @@ Trend trend(SessionContext& session, const PersonId& personId, const ModuleId& m
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   const TrainingModule* module = record.module(moduleId);
   if (module == nullptr) {
-    throw Error(ErrorCode::kBadParameter, "your curriculum has no such module", moduleId,
-                "Choose one from the list");
+    throw Error(ErrorCode::kBadParameter, Text::tr("your curriculum has no such module"), moduleId,
+                Text::tr("Choose one from the list"));
   }
   Trend trend;
   trend.moduleId = moduleId;

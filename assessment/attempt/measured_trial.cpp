@@ -115,10 +115,10 @@ TrialTargets targetsOf(const AttemptRules& rules, const OrganKnowledge& organ) {
 
 Outcome<TrialMetrics> measured(const TrialTrace& trace, const TrialTargets& targets) {
   if (trace.times_us.size() < 2) {
-    return Outcome<TrialMetrics>::undefined("there are fewer than two samples");
+    return Outcome<TrialMetrics>::undefined(Text::tr("there are fewer than two samples"));
   }
   if (!longGaps(trace.times_us).empty()) {
-    return Outcome<TrialMetrics>::undefined("samples are missing for more than 20 ms");
+    return Outcome<TrialMetrics>::undefined(Text::tr("samples are missing for more than 20 ms"));
   }
   return measureTrial(trace, targets);
 }

@@ -48,7 +48,7 @@ struct MeasuredTwist {
   double letGo_s = 0.0;   ///< last sample of the grip, since the first sample of the recording
   double held_s = 0.0;    ///< on target until it was let go
   bool onTarget = false;  ///< completed, within the tolerance of the target in force
-  Outcome<TrialMetrics> metrics = Outcome<TrialMetrics>::undefined("not measured");
+  Outcome<TrialMetrics> metrics = Outcome<TrialMetrics>::undefined(Text::tr("not measured"));
 };
 
 /// What one recording comes to, twist by twist.

@@ -28,7 +28,7 @@ double quantile95(std::span<const double> values) {
 
 Outcome<Loading> loadingOf(std::span<const double> magnitude, double rate_Hz) {
   if (magnitude.size() < 2) {
-    return Outcome<Loading>::undefined("there are fewer than two samples");
+    return Outcome<Loading>::undefined(Text::tr("there are fewer than two samples"));
   }
   Loading out;
   const double duration = static_cast<double>(magnitude.size() - 1) / rate_Hz;
@@ -87,7 +87,7 @@ Violations violationsOf(std::span<const double> value, double limit, double rate
 Outcome<TwistWork> twistWork(std::span<const double> torque_Nm, std::span<const double> angle_rad) {
   TORSIO_EXPECTS(torque_Nm.size() == angle_rad.size());
   if (torque_Nm.size() < 2) {
-    return Outcome<TwistWork>::undefined("there are fewer than two samples");
+    return Outcome<TwistWork>::undefined(Text::tr("there are fewer than two samples"));
   }
   TwistWork out;
   for (std::size_t i = 1; i < torque_Nm.size(); ++i) {

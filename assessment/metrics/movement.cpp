@@ -85,7 +85,7 @@ double angularPath(std::span<const double> angles) {
 
 Outcome<double> economy(double ideal, double actual) {
   if (!(actual > 0.0)) {
-    return Outcome<double>::undefined("nothing moved");
+    return Outcome<double>::undefined(Text::tr("nothing moved"));
   }
   return ideal / actual;
 }
@@ -110,10 +110,11 @@ double idleTime(std::span<const double> speed, double threshold, double rate_Hz,
 Outcome<double> spectralArcLength(std::span<const double> speed, double rate_Hz,
                                   const SparcOptions& options) {
   if (speed.size() < 2 || peakOf(speed) == 0.0) {
-    return Outcome<double>::undefined("nothing moved");
+    return Outcome<double>::undefined(Text::tr("nothing moved"));
   }
   if (speed.size() > kLongestMovement) {
-    return Outcome<double>::undefined("the movement is longer than a minute: split it into movements");
+    return Outcome<double>::undefined(
+        Text::tr("the movement is longer than a minute: split it into movements"));
   }
   std::size_t size = 1;
   while (size < speed.size()) {
@@ -144,7 +145,7 @@ Outcome<double> spectralArcLength(std::span<const double> speed, double rate_Hz,
     last = i;
   }
   if (first >= last) {
-    return Outcome<double>::undefined("the speed has no spectrum below the cut-off");
+    return Outcome<double>::undefined(Text::tr("the speed has no spectrum below the cut-off"));
   }
   const double df = 1.0 / static_cast<double>(last - first);
   double length = 0.0;
@@ -159,7 +160,7 @@ Outcome<double> logDimensionlessJerk(std::span<const double> speed, double rate_
   const std::size_t n = speed.size();
   const double peak = peakOf(speed);
   if (n < 5 || peak == 0.0) {
-    return Outcome<double>::undefined("nothing moved");
+    return Outcome<double>::undefined(Text::tr("nothing moved"));
   }
   const auto second = [&](std::size_t i) {
     return (speed[i + 1] - 2.0 * speed[i] + speed[i - 1]) * rate_Hz * rate_Hz;
@@ -172,7 +173,7 @@ Outcome<double> logDimensionlessJerk(std::span<const double> speed, double rate_
   }
   integral /= rate_Hz;
   if (integral == 0.0) {
-    return Outcome<double>::undefined("the speed is constant");
+    return Outcome<double>::undefined(Text::tr("the speed is constant"));
   }
   const double duration = static_cast<double>(n - 1) / rate_Hz;
   return -std::log(duration * duration * duration / (peak * peak) * integral);
@@ -213,7 +214,7 @@ std::vector<std::size_t> speedPeaks(std::span<const double> speed, double rate_H
 
 Outcome<double> axisWander(std::span<const Vec3> positions, const Vec3& axisPoint, const Vec3& axis) {
   if (positions.empty()) {
-    return Outcome<double>::undefined("the tool never held the organ");
+    return Outcome<double>::undefined(Text::tr("the tool never held the organ"));
   }
   std::vector<double> radii;
   double mean = 0.0;

@@ -119,13 +119,13 @@ UniformSignal resampleUniform(std::span<const std::int64_t> times_us,
   }
   for (std::size_t i = 0; i + 1 < times_us.size(); ++i) {
     if (times_us[i + 1] <= times_us[i]) {
-      throw Error(ErrorCode::kBadData, "time stamps do not rise", Text("sample %1", i + 1),
-                  "Record the trial again.");
+      throw Error(ErrorCode::kBadData, Text::verbatim("time stamps do not rise"),
+                  Text::verbatim("sample %1", i + 1), Text::verbatim("Record the trial again."));
     }
   }
   if (!longGaps(times_us).empty()) {
-    throw Error(ErrorCode::kBadData, "samples are missing for more than 20 ms", "trial",
-                "Split the trial at the gap.");
+    throw Error(ErrorCode::kBadData, Text::verbatim("samples are missing for more than 20 ms"),
+                Text::tr("trial"), Text::verbatim("Split the trial at the gap."));
   }
   const double step_us = 1e6 / rate_Hz;
   const std::size_t count = gridPoints(times_us, step_us);

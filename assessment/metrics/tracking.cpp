@@ -132,7 +132,7 @@ Outcome<TrackingError> trackingError(std::span<const double> actual, std::span<c
                                      double rate_Hz) {
   TORSIO_EXPECTS(actual.size() == target.size());
   if (actual.empty()) {
-    return Outcome<TrackingError>::undefined("there are no samples");
+    return Outcome<TrackingError>::undefined(Text::tr("there are no samples"));
   }
   TrackingError out;
   const double n = static_cast<double>(actual.size());
@@ -151,14 +151,14 @@ Outcome<TrackingError> trackingError(std::span<const double> actual, std::span<c
 Outcome<double> holdSteadiness(std::span<const double> heldAngle) {
   const std::optional<double> deviation = sampleDeviation(heldAngle);
   if (!deviation) {
-    return Outcome<double>::undefined("the angle was never held");
+    return Outcome<double>::undefined(Text::tr("the angle was never held"));
   }
   return *deviation;
 }
 
 Outcome<double> releaseRate(std::span<const double> releasedTorque, double rate_Hz) {
   if (releasedTorque.size() < 2) {
-    return Outcome<double>::undefined("the organ was never released");
+    return Outcome<double>::undefined(Text::tr("the organ was never released"));
   }
   std::vector<double> magnitude;
   for (const double torque : releasedTorque) {

@@ -13,9 +13,9 @@ struct TargetApproach {
   double overshoot = 0.0;  ///< beyond the target after first reaching it, at least 0
   int excursions = 0;      ///< times beyond target + tolerance after reaching it
   Outcome<double> timeToTarget =
-      Outcome<double>::undefined("the target was not reached");  ///< first inside +- tolerance
+      Outcome<double>::undefined(Text::tr("the target was not reached"));  ///< first inside +- tolerance
   Outcome<double> settling =
-      Outcome<double>::undefined("the angle did not settle");  ///< start of the last stay
+      Outcome<double>::undefined(Text::tr("the angle did not settle"));  ///< start of the last stay
 };
 /// Measures how a target was reached. `target` not zero, `tolerance` > 0 (contract).
 [[nodiscard]] TargetApproach targetApproach(std::span<const double> angle, double target, double tolerance,
@@ -27,8 +27,8 @@ struct TrackingError {
   double bias = 0.0;  ///< mean of actual - target
   double largest = 0.0;
   Outcome<double> lag_s =
-      Outcome<double>::undefined("the target does not move");  ///< positive: actual follows
-  Outcome<double> rmseWithoutLag = Outcome<double>::undefined("the target does not move");
+      Outcome<double>::undefined(Text::tr("the target does not move"));  ///< positive: actual follows
+  Outcome<double> rmseWithoutLag = Outcome<double>::undefined(Text::tr("the target does not move"));
 };
 inline constexpr double kLargestLag_s = 0.5;
 /// Compares the actual angle with the target on the same clock. Undefined for empty signals.

@@ -27,14 +27,15 @@ struct Prepared {
   std::vector<double> tipSpeed;
 };
 
-void checkList(const std::vector<double>& list, std::size_t n, const char* name) {
+void checkList(const std::vector<double>& list, std::size_t n, Phrase name) {
   if (!list.empty() && list.size() != n) {
-    throw Error(ErrorCode::kBadData, "the lists of a trial differ in length", name, "Read the trial again.");
+    throw Error(ErrorCode::kBadData, Text::verbatim("the lists of a trial differ in length"), name,
+                Text::verbatim("Read the trial again."));
   }
   for (const double value : list) {
     if (!std::isfinite(value)) {
-      throw Error(ErrorCode::kBadData, "a trial holds a value that is not a number", name,
-                  "Record the trial again.");
+      throw Error(ErrorCode::kBadData, Text::verbatim("a trial holds a value that is not a number"), name,
+                  Text::verbatim("Record the trial again."));
     }
   }
 }
@@ -42,21 +43,22 @@ void checkList(const std::vector<double>& list, std::size_t n, const char* name)
 void check(const TrialTrace& trace) {
   const std::size_t n = trace.times_us.size();
   if (n < 2) {
-    throw Error(ErrorCode::kBadData, "a trial has fewer than two samples", "trial", "Record it again.");
+    throw Error(ErrorCode::kBadData, Text::verbatim("a trial has fewer than two samples"), Text::tr("trial"),
+                Text::verbatim("Record it again."));
   }
   if (trace.phase.size() != n || (!trace.tip_m.empty() && trace.tip_m.size() != n)) {
-    throw Error(ErrorCode::kBadData, "the lists of a trial differ in length", "trial",
-                "Read the trial again.");
+    throw Error(ErrorCode::kBadData, Text::verbatim("the lists of a trial differ in length"),
+                Text::tr("trial"), Text::verbatim("Read the trial again."));
   }
-  checkList(trace.angle_rad, n, "angle");
-  checkList(trace.targetAngle_rad, n, "target angle");
-  checkList(trace.force_N, n, "force");
-  checkList(trace.torque_Nm, n, "torque");
-  checkList(trace.patchShear_Pa, n, "patch shear");
+  checkList(trace.angle_rad, n, Text::verbatim("angle"));
+  checkList(trace.targetAngle_rad, n, Text::verbatim("target angle"));
+  checkList(trace.force_N, n, Text::verbatim("force"));
+  checkList(trace.torque_Nm, n, Text::verbatim("torque"));
+  checkList(trace.patchShear_Pa, n, Text::verbatim("patch shear"));
   for (const Vec3& tip : trace.tip_m) {
     if (!isFinite(tip)) {
-      throw Error(ErrorCode::kBadData, "a trial holds a value that is not a number", "tip",
-                  "Record the trial again.");
+      throw Error(ErrorCode::kBadData, Text::verbatim("a trial holds a value that is not a number"),
+                  Text::verbatim("tip"), Text::verbatim("Record the trial again."));
     }
   }
 }

@@ -48,7 +48,7 @@ struct TrialTargets {
 
 struct MetricValue {
   std::string_view id;  ///< of a card
-  Outcome<double> value = Outcome<double>::undefined("not applicable");
+  Outcome<double> value = Outcome<double>::undefined(Text::tr("not applicable"));
 };
 
 struct TrialMetrics {

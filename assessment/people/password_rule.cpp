@@ -49,26 +49,27 @@ bool isRun(const std::string& text) {
 }
 
 [[noreturn]] void refuse(const Text& what, const Text& remedy) {
-  throw Error(ErrorCode::kBadParameter, what, "password", remedy);
+  throw Error(ErrorCode::kBadParameter, what, Text::tr("password"), remedy);
 }
 
 }  // namespace
 
 void checkPassword(const std::string& password, const std::string& login) {
   if (charactersOf(password) < kShortestPassword) {
-    refuse(Text("the password is shorter than %1 characters", kShortestPassword),
-           "Take a sentence: spaces and any letters are welcome");
+    refuse(Text::tr("the password is shorter than %1 characters", kShortestPassword),
+           Text::tr("Take a sentence: spaces and any letters are welcome"));
   }
   if (password.size() > static_cast<std::size_t>(kLongestPassword)) {
-    refuse("the password is too long", "Shorten it");
+    refuse(Text::tr("the password is too long"), Text::tr("Shorten it"));
   }
   const std::string plain = lowered(password);
   const std::string name = lowered(login);
   if (repeats(plain) || isRun(plain)) {
-    refuse("the password is a simple pattern", "Take a sentence of your own");
+    refuse(Text::tr("the password is a simple pattern"), Text::tr("Take a sentence of your own"));
   }
   if (name.size() >= 3 && plain.size() < name.size() + 8 && plain.find(name) != std::string::npos) {
-    refuse("the password is little more than the login name", "Take a sentence of your own");
+    refuse(Text::tr("the password is little more than the login name"),
+           Text::tr("Take a sentence of your own"));
   }
 }
 

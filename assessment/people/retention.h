@@ -28,9 +28,9 @@ struct RetentionRule {
 /// How a reviewer decides about one person's record.
 enum class HoldKind : std::uint8_t { kLock, kExtend, kRelease };
 inline constexpr std::array<Term<HoldKind>, 3> kHoldKinds{{
-    {HoldKind::kLock, "lock", "locked", "kept for good"},
-    {HoldKind::kExtend, "extend", "kept longer", "kept until a day"},
-    {HoldKind::kRelease, "release", "released", "may be erased when it is due"},
+    {HoldKind::kLock, "lock", Text::tr("locked"), "kept for good"},
+    {HoldKind::kExtend, "extend", Text::tr("kept longer"), "kept until a day"},
+    {HoldKind::kRelease, "release", Text::tr("released"), "may be erased when it is due"},
 }};
 [[nodiscard]] constexpr const auto& termsOf(HoldKind) noexcept {
   return kHoldKinds;

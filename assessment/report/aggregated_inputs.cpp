@@ -52,7 +52,7 @@ CohortInputs withoutSmallGroups(const CohortInputs& inputs, std::vector<Text>& l
       groups.push_back(out.groups[g]);
     } else {
       left.push_back(
-          Text("%1 is left out: it has fewer than %2 trainees.", out.groups[g].name, kSmallestCell));
+          Text::tr("%1 is left out: it has fewer than %2 trainees.", out.groups[g].name, kSmallestCell));
     }
   }
   out.groups = std::move(groups);
@@ -67,8 +67,8 @@ CohortInputs withoutSmallGroups(const CohortInputs& inputs, std::vector<Text>& l
   }
   std::erase_if(out.doses, [&](const CohortDose& dose) { return !known.contains(dose.trainee); });
   if (smallClasses(out)) {
-    left.push_back(
-        Text("The evaluation of the models is left out: a class has fewer than %1 raters.", kSmallestCell));
+    left.push_back(Text::tr("The evaluation of the models is left out: a class has fewer than %1 raters.",
+                            kSmallestCell));
     out.ratings.clear();
     out.evaluations.clear();
   }
@@ -96,11 +96,11 @@ Text countsText(const std::vector<std::pair<Text, std::int64_t>>& counts, Report
   const bool small = std::any_of(counts.begin(), counts.end(),
                                  [](const auto& count) { return count.second < kSmallestCell; });
   if (identity == ReportIdentity::kAggregated && small && counts.size() > 1) {
-    return Text("not shown (fewer than %1)", kSmallestCell);
+    return Text::tr("not shown (fewer than %1)", kSmallestCell);
   }
   std::vector<Text> parts;
   for (const auto& [name, count] : counts) {
-    parts.push_back(Text("%1 %2", name.empty() ? Text("not known") : name, count));
+    parts.push_back(Text::verbatim("%1 %2", name.empty() ? Text::tr("not known") : name, count));
   }
   return listed(parts);
 }

@@ -16,7 +16,7 @@ namespace {
 std::string joinFlags(const std::vector<Text>& common, const std::vector<std::string>& own) {
   std::vector<Text> all = common;
   all.insert(all.end(), own.begin(), own.end());
-  return listed(all, "%1; %2").str();
+  return listed(all, Text::tr("%1; %2")).str();
 }
 
 /// Collects rows that share their place and differ in statistic and value.
@@ -216,7 +216,8 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, std::vect
   }
   const Groups& after = *study.scores.back();
   for (const AdjustedDifference& pair : study.ancova->pairs) {
-    rows.place.group = Text("%1 - %2", in.groups[pair.first].name, in.groups[pair.second].name).str();
+    rows.place.group =
+        Text::verbatim("%1 - %2", in.groups[pair.first].name, in.groups[pair.second].name).str();
     rows.addInterval("adjusted_difference", pair.difference, pair.interval, n);
     rows.add("t", pair.t, n);
     rows.add("p", pair.p, n);

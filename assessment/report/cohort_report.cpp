@@ -14,43 +14,44 @@ namespace torsio {
 namespace {
 
 void checkInputs(const CohortInputs& in) {
-  const auto refuse = [](const char* what) {
-    throw Error(ErrorCode::kBadData, what, "cohort report", "Check the data that the report is made from.");
+  const auto refuse = [](Phrase what) {
+    throw Error(ErrorCode::kBadData, what, Text::tr("cohort report"),
+                Text::tr("Check the data that the report is made from."));
   };
   if (in.ratings.size() != in.evaluations.size()) {
-    refuse("ratings and evaluations name different models");
+    refuse(Text::tr("ratings and evaluations name different models"));
   }
   for (const ModelEvaluation& model : in.evaluations) {
     if (model.indices.size() != in.instrument.indices.size()) {
-      refuse("an evaluation lacks an index");
+      refuse(Text::tr("an evaluation lacks an index"));
     }
   }
   if (!in.evaluations.empty() && in.chiefClass >= in.instrument.classes.size()) {
-    refuse("the class of chief physicians does not exist");
+    refuse(Text::tr("the class of chief physicians does not exist"));
   }
   for (const CohortTrainee& trainee : in.trainees) {
     if (trainee.group >= in.groups.size()) {
-      refuse("a trainee is in a group that does not exist");
+      refuse(Text::tr("a trainee is in a group that does not exist"));
     }
   }
   for (const TraineeScore& score : in.scores) {
     if (score.group >= in.groups.size() || score.occasion >= in.occasions.size() || score.number == 0) {
-      refuse("a score belongs to a group or an occasion that does not exist");
+      refuse(Text::tr("a score belongs to a group or an occasion that does not exist"));
     }
   }
   for (const GroupSummary& summary : in.summaries) {
     if (summary.group >= in.groups.size() || summary.occasion >= in.occasions.size()) {
-      refuse("a summary belongs to a group or an occasion that does not exist");
+      refuse(Text::tr("a summary belongs to a group or an occasion that does not exist"));
     }
   }
   for (const TrainingMark& mark : in.trainingMarks) {
     if (mark.group >= in.groups.size() || mark.occasion >= in.occasions.size()) {
-      refuse("a mark belongs to a group or an occasion that does not exist");
+      refuse(Text::tr("a mark belongs to a group or an occasion that does not exist"));
     }
   }
   for (const TrialSummaryRow& trial : in.trials) {
     if (trial.group >= in.groups.size()) {
-      refuse("a trial is in a group that does not exist");
+      refuse(Text::tr("a trial is in a group that does not exist"));
     }
   }
 }
@@ -64,14 +65,15 @@ double mean(const std::vector<double>& values) {
 }
 
 Text meanOrDash(const std::vector<double>& values, int decimals) {
-  return values.empty() ? Text("not recorded") : Text(formatFixed(mean(values), decimals));
+  return values.empty() ? Text::tr("not recorded") : Text(formatFixed(mean(values), decimals));
 }
 
 ReportTable groupsTable(const CohortInputs& in) {
   ReportTable table;
   table.id = "table-participants";
-  table.title = "Participants by group";
-  table.columns = {"Group", "Protocol", "Trainees", "By sex", "By level", "Mean score before"};
+  table.title = Text::tr("Participants by group");
+  table.columns = {Text::tr("Group"),  Text::tr("Protocol"), Text::tr("Trainees"),
+                   Text::tr("By sex"), Text::tr("By level"), Text::tr("Mean score before")};
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     std::map<std::string, std::int64_t> sexes;
     std::map<std::string, std::int64_t> levels;
@@ -87,7 +89,7 @@ ReportTable groupsTable(const CohortInputs& in) {
     const auto counted = [&](const std::map<std::string, std::int64_t>& counts) {
       return countsText({counts.begin(), counts.end()}, in.identity);
     };
-    Text baseline = Text("not recorded");
+    Text baseline = Text::tr("not recorded");
     for (const GroupSummary& summary : in.summaries) {
       if (summary.group == g && summary.occasion == 0) {
         baseline = formatFixed(summary.mean, 2);
@@ -97,8 +99,9 @@ ReportTable groupsTable(const CohortInputs& in) {
                           counted(levels), baseline});
   }
   table.notes = {
-      "No test of baseline differences is shown: allocation was random, so any difference is due to chance."};
-  table.provenance.formula = "counts";
+      Text::tr("No test of baseline differences is shown: allocation was random, so any difference is due to "
+               "chance.")};
+  table.provenance.formula = Text::tr("counts");
   table.provenance.n = std::ssize(in.trainees);
   table.provenance.flags = commonFlags(in);
   return table;
@@ -107,10 +110,11 @@ ReportTable groupsTable(const CohortInputs& in) {
 ReportTable flowTable(const CohortInputs& in) {
   ReportTable table;
   table.id = "table-flow";
-  table.title = "Flow of participants";
-  table.columns = {"Group", "Allocated", "Withdrew", "Recorded trials", "Interrupted trials"};
+  table.title = Text::tr("Flow of participants");
+  table.columns = {Text::tr("Group"), Text::tr("Allocated"), Text::tr("Withdrew"),
+                   Text::tr("Recorded trials"), Text::tr("Interrupted trials")};
   for (const Text& occasion : in.occasions) {
-    table.columns.push_back(Text("Scored %1", occasion));
+    table.columns.push_back(Text::tr("Scored %1", occasion));
   }
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     std::int64_t allocated = 0;
@@ -135,7 +139,7 @@ ReportTable flowTable(const CohortInputs& in) {
     }
     table.rows.push_back(row);
   }
-  table.provenance.formula = "counts";
+  table.provenance.formula = Text::tr("counts");
   table.provenance.n = std::ssize(in.trainees);
   table.provenance.flags = commonFlags(in);
   return table;
@@ -172,25 +176,25 @@ ReportTable trialsByPhase(const CohortInputs& in) {
   }
   ReportTable table;
   table.id = "table-trials";
-  table.title = "Recorded trials by group and phase";
-  table.columns = {"Group",
-                   "Phase",
-                   "Trials",
-                   "Minutes recorded",
-                   "Twists",
-                   "On target",
-                   "Mean absolute angle error (deg)",
-                   "Mean peak torque (N m)",
-                   "Mean peak force (N)"};
+  table.title = Text::tr("Recorded trials by group and phase");
+  table.columns = {Text::tr("Group"),
+                   Text::tr("Phase"),
+                   Text::tr("Trials"),
+                   Text::tr("Minutes recorded"),
+                   Text::tr("Twists"),
+                   Text::tr("On target"),
+                   Text::tr("Mean absolute angle error (deg)"),
+                   Text::tr("Mean peak torque (N m)"),
+                   Text::tr("Mean peak force (N)")};
   for (const auto& [key, sums] : cells) {
     table.rows.push_back({in.groups[key.first].name, sums.phase, std::to_string(sums.trials),
                           formatFixed(sums.minutes, 2), std::to_string(sums.twists),
                           std::to_string(sums.onTarget), meanOrDash(sums.errors, 2),
                           meanOrDash(sums.torques, 3), meanOrDash(sums.forces, 2)});
   }
-  table.notes = {
-      "Means are taken over trials. Measured by the simulator; the marks of the physicians are separate."};
-  table.provenance.formula = "means over trials";
+  table.notes = {Text::tr(
+      "Means are taken over trials. Measured by the simulator; the marks of the physicians are separate.")};
+  table.provenance.formula = Text::tr("means over trials");
   table.provenance.n = std::ssize(in.trials);
   table.provenance.flags = commonFlags(in);
   return table;
@@ -200,7 +204,7 @@ ReportTable pairsTable(const std::string& id, const Text& title, const Facts& pa
   ReportTable table;
   table.id = id;
   table.title = title;
-  table.columns = {"Item", "Value"};
+  table.columns = {Text::tr("Item"), Text::tr("Value")};
   for (const auto& [label, value] : pairs) {
     table.rows.push_back({label, value});
   }
@@ -210,13 +214,13 @@ ReportTable pairsTable(const std::string& id, const Text& title, const Facts& pa
 Text policyText(MissingPolicy policy) {
   switch (policy) {
     case MissingPolicy::kRefuse:
-      return Text("none allowed");
+      return Text::tr("none allowed");
     case MissingPolicy::kAvailableCase:
-      return Text("each index uses the marks at hand (available case)");
+      return Text::tr("each index uses the marks at hand (available case)");
     case MissingPolicy::kListWise:
-      return Text("raters with a missing mark are left out (list-wise)");
+      return Text::tr("raters with a missing mark are left out (list-wise)");
     case MissingPolicy::kRenormalise:
-      return Text(
+      return Text::tr(
           "marks at hand; weights of classes without marks are divided among the others (renormalised)");
   }
   return {};
@@ -226,60 +230,60 @@ Text policyText(MissingPolicy policy) {
 
 std::vector<Text> commonFlags(const CohortInputs& in) {
   if (in.demonstration) {
-    return {Text("demonstration data")};
+    return {Text::tr("demonstration data")};
   }
   return {};
 }
 
 ReportSection participantsSection(const CohortInputs& in) {
   ReportSection section;
-  section.title = "Participants and allocation";
+  section.title = Text::tr("Participants and allocation");
   const CohortAllocation& drawn = in.allocation;
   const Text enrolled =
       in.notAllocated > 0
-          ? Text("%1 trainees were allocated to %2 groups; %3 more were enrolled and are in no group",
-                 in.trainees.size(), in.groups.size(), in.notAllocated)
-          : Text("%1 trainees were allocated to %2 groups", in.trainees.size(), in.groups.size());
+          ? Text::tr("%1 trainees were allocated to %2 groups; %3 more were enrolled and are in no group",
+                     in.trainees.size(), in.groups.size(), in.notAllocated)
+          : Text::tr("%1 trainees were allocated to %2 groups", in.trainees.size(), in.groups.size());
   section.paragraphs.push_back(
-      Text("%1. Method: %2; generator: %3; seed: %4.", enrolled,
-           drawn.method.empty() ? Text("not recorded") : drawn.method,
-           drawn.generator.empty() ? Text("not recorded") : drawn.generator,
-           drawn.sealed ? Text("sealed until the study ends") : Text(std::to_string(drawn.seed))));
-  section.paragraphs.push_back(
-      Text("Commitment published before enrolment: %1. %2",
-           drawn.commitment.empty() ? Text("none") : Text(drawn.commitment),
-           drawn.replayed ? Text("The sequence was repeated from the seed and every arm was found the same.")
-                          : Text("The sequence has not been repeated from the seed.")));
+      Text::tr("%1. Method: %2; generator: %3; seed: %4.", enrolled,
+               drawn.method.empty() ? Text::tr("not recorded") : drawn.method,
+               drawn.generator.empty() ? Text::tr("not recorded") : drawn.generator,
+               drawn.sealed ? Text::tr("sealed until the study ends") : Text(std::to_string(drawn.seed))));
+  section.paragraphs.push_back(Text::tr(
+      "Commitment published before enrolment: %1. %2",
+      drawn.commitment.empty() ? Text::tr("none") : Text(drawn.commitment),
+      drawn.replayed ? Text::tr("The sequence was repeated from the seed and every arm was found the same.")
+                     : Text::tr("The sequence has not been repeated from the seed.")));
   section.tables = {groupsTable(in), flowTable(in)};
   if (!in.allocation.design.empty()) {
     section.tables.push_back(
-        pairsTable("table-allocation", "Design of the allocation", in.allocation.design));
+        pairsTable("table-allocation", Text::tr("Design of the allocation"), in.allocation.design));
   }
   return section;
 }
 
 ReportSection deviationsSection(const CohortInputs& in) {
   ReportSection section;
-  section.title = "Deviations";
+  section.title = Text::tr("Deviations");
   if (in.deviations.empty()) {
-    section.paragraphs.push_back("No deviation from the protocol was reported.");
+    section.paragraphs.push_back(Text::tr("No deviation from the protocol was reported."));
     return section;
   }
   std::map<std::string, std::int64_t> kinds;
   for (const CohortDeviation& deviation : in.deviations) {
     ++kinds[deviation.kind];
   }
-  section.paragraphs.push_back(Text("%1 deviations from the protocol were reported: %2.",
-                                    in.deviations.size(),
-                                    countsText({kinds.begin(), kinds.end()}, in.identity)));
+  section.paragraphs.push_back(Text::tr("%1 deviations from the protocol were reported: %2.",
+                                        in.deviations.size(),
+                                        countsText({kinds.begin(), kinds.end()}, in.identity)));
   ReportTable table;
   table.id = "table-deviations";
-  table.title = "Deviations from the protocol";
+  table.title = Text::tr("Deviations from the protocol");
   table.individual = true;
-  table.columns = {"When", "Trainee", "Kind", "What happened"};
+  table.columns = {Text::tr("When"), Text::tr("Trainee"), Text::tr("Kind"), Text::tr("What happened")};
   for (const CohortDeviation& deviation : in.deviations) {
     table.rows.push_back({formatUtc(deviation.happenedUtc_us),
-                          deviation.trainee.empty() ? Text("whole cohort") : Text(deviation.trainee),
+                          deviation.trainee.empty() ? Text::tr("whole cohort") : Text(deviation.trainee),
                           deviation.kind, deviation.description});
   }
   table.provenance.n = std::ssize(in.deviations);
@@ -290,7 +294,7 @@ ReportSection deviationsSection(const CohortInputs& in) {
 
 ReportSection trialsSection(const CohortInputs& in) {
   ReportSection section;
-  section.title = "Recorded trials";
+  section.title = Text::tr("Recorded trials");
   double minutes = 0.0;
   std::int64_t refused = 0;
   std::int64_t late = 0;
@@ -301,13 +305,13 @@ ReportSection trialsSection(const CohortInputs& in) {
     late += trial.lateTicks;
     samples += trial.samples;
   }
-  section.paragraphs.push_back(
-      Text("%1 trials were recorded, %2 minutes and %3 samples in all; samples not recorded: %4; late ticks: "
-           "%5.",
-           in.trials.size(), formatFixed(minutes, 1), samples, refused, late));
+  section.paragraphs.push_back(Text::tr(
+      "%1 trials were recorded, %2 minutes and %3 samples in all; samples not recorded: %4; late ticks: "
+      "%5.",
+      in.trials.size(), formatFixed(minutes, 1), samples, refused, late));
   if (refused > 0) {
     section.paragraphs.push_back(
-        "Trials with samples that were not recorded are incomplete and marked in the data.");
+        Text::tr("Trials with samples that were not recorded are incomplete and marked in the data."));
   }
   section.tables.push_back(trialsByPhase(in));
   return section;
@@ -315,40 +319,41 @@ ReportSection trialsSection(const CohortInputs& in) {
 
 ReportSection methodsSection(const CohortInputs& in) {
   ReportSection section;
-  section.title = "Methods and limits";
-  section.paragraphs.push_back(
+  section.title = Text::tr("Methods and limits");
+  section.paragraphs.push_back(Text::tr(
       "M (Eq. 25) is the sum over rater classes of the class weight times the class mean. s2 (Eq. 26) is the "
       "mean squared distance of all raters' marks from M, with divisor n; it is not the usual variance, "
       "because its centre is the weighted mean. N (Eq. 27) is the sum over indices of the index weight times "
-      "M.");
-  section.paragraphs.push_back(Text("Missing marks: %1.", policyText(in.evaluationPolicy.missing)));
-  section.paragraphs.push_back(
+      "M."));
+  section.paragraphs.push_back(Text::tr("Missing marks: %1.", policyText(in.evaluationPolicy.missing)));
+  section.paragraphs.push_back(Text::tr(
       "The text under Eq. 26 of the paper speaks of the chief physicians' scores, but its sum runs over all "
-      "raters; all raters are used here, and the chief physicians are shown alone where the figure says so.");
-  section.paragraphs.push_back(
+      "raters; all raters are used here, and the chief physicians are shown alone where the figure says "
+      "so."));
+  section.paragraphs.push_back(Text::tr(
       "The paper gives the scale of the model evaluation as 0 to 10 and that of the training study as 1 to "
-      "10; both are kept.");
-  section.paragraphs.push_back(
+      "10; both are kept."));
+  section.paragraphs.push_back(Text::tr(
       "The variance of the training evaluation is not defined in the paper. The figure shows the variance of "
-      "the trainee scores with divisor n; the table lists the other readings.");
-  section.paragraphs.push_back(
+      "the trainee scores with divisor n; the table lists the other readings."));
+  section.paragraphs.push_back(Text::tr(
       "Marks were not blinded: raters knew the group or the model, and interns were users and raters at "
-      "once, so marks are not independent of each other.");
-  section.paragraphs.push_back(
+      "once, so marks are not independent of each other."));
+  section.paragraphs.push_back(Text::tr(
       "Groups are compared by an analysis of covariance: the score at the end, adjusted for the score "
       "before, "
       "one pooled slope; the trainee is the unit. Effect sizes are Hedges g with intervals from the "
       "noncentral t distribution. Agreement of raters is the intraclass correlation for absolute agreement "
       "(Shrout and Fleiss) and Krippendorff's alpha. Severity is a rater's mean distance from the other "
-      "raters. Learning is judged by LC-CUSUM on twists within the tolerance.");
-  section.paragraphs.push_back(
+      "raters. Learning is judged by LC-CUSUM on twists within the tolerance."));
+  section.paragraphs.push_back(Text::tr(
       "Groups of ten detect only very large differences: with two groups of ten, a two-sided test at 5 % has "
       "a power of 0.40 for a difference of 0.8 standard deviations. A difference that is not significant is "
-      "no evidence of equality.");
+      "no evidence of equality."));
   if (in.demonstration) {
-    section.paragraphs.push_back(
+    section.paragraphs.push_back(Text::tr(
         "All people and marks in this report are simulated. No conclusion about training, trainees or models "
-        "may be drawn from it.");
+        "may be drawn from it."));
   }
   return section;
 }
@@ -357,30 +362,32 @@ namespace {
 
 void addCover(const CohortInputs& in, ReportModel& report) {
   report.title = in.title;
-  report.subtitle =
-      in.demonstration ? "Demonstration with simulated people and marks" : "Surgical twist skills";
+  report.subtitle = in.demonstration ? Text::tr("Demonstration with simulated people and marks")
+                                     : Text::tr("Surgical twist skills");
   report.centre = in.centre;
   report.softwareVersion = in.softwareVersion;
   report.createdUtc_us = in.createdUtc_us;
   report.demonstration = in.demonstration;
   if (in.freeze) {
-    report.facts = {{"Frozen data set", in.freeze->name},
-                    {"Frozen", Text("%1 by %2", formatUtc(in.freeze->frozenUtc_us), in.freeze->frozenBy)},
-                    {"Content hash", in.freeze->contentHash.substr(0, 32)},
-                    {"Since then", in.freeze->unchanged ? Text("unchanged")
-                                                        : Text("the record has changed; see Provenance")}};
+    report.facts = {
+        {Text::tr("Frozen data set"), in.freeze->name},
+        {Text::tr("Frozen"), Text::tr("%1 by %2", formatUtc(in.freeze->frozenUtc_us), in.freeze->frozenBy)},
+        {Text::tr("Content hash"), in.freeze->contentHash.substr(0, 32)},
+        {Text::tr("Since then"),
+         in.freeze->unchanged ? Text::tr("unchanged") : Text::tr("the record has changed; see Provenance")}};
   } else {
-    report.facts = {{"Data", "as they were when this report was made; not frozen"}};
+    report.facts = {{Text::tr("Data"), Text::tr("as they were when this report was made; not frozen")}};
   }
-  const Text identity = in.identity == ReportIdentity::kNamed ? Text("named trainees")
+  const Text identity = in.identity == ReportIdentity::kNamed ? Text::tr("named trainees")
                         : in.identity == ReportIdentity::kCoded
-                            ? Text("coded")
-                            : Text("aggregated, no line about a single person");
-  report.facts.insert(report.facts.end(), {{"People are shown", identity},
-                                           {"Trainees", std::to_string(in.trainees.size())},
-                                           {"Groups", std::to_string(in.groups.size())},
-                                           {"Recorded trials", std::to_string(in.trials.size())},
-                                           {"Evaluated models", std::to_string(in.evaluations.size())}});
+                            ? Text::tr("coded")
+                            : Text::tr("aggregated, no line about a single person");
+  report.facts.insert(report.facts.end(),
+                      {{Text::tr("People are shown"), identity},
+                       {Text::tr("Trainees"), std::to_string(in.trainees.size())},
+                       {Text::tr("Groups"), std::to_string(in.groups.size())},
+                       {Text::tr("Recorded trials"), std::to_string(in.trials.size())},
+                       {Text::tr("Evaluated models"), std::to_string(in.evaluations.size())}});
   report.facts.insert(report.facts.end(), in.facts.begin(), in.facts.end());
 }
 
@@ -389,7 +396,7 @@ ReportModel reportOf(const CohortInputs& in) {
   addCover(in, report);
   if (!in.simulated.empty()) {
     ReportSection section;
-    section.title = "What was simulated";
+    section.title = Text::tr("What was simulated");
     section.paragraphs = in.simulated;
     report.sections.push_back(section);
   }
@@ -431,12 +438,12 @@ ReportModel cohortReport(const CohortInputs& in) {
   std::vector<Text> left;
   ReportModel report = reportOf(withoutSmallGroups(in, left));
   removeIndividuals(report);
-  left.push_back(
-      Text("This report is aggregated: it holds no line about a single person and no count of fewer than %1 "
-           "people beside others.",
-           kSmallestCell));
+  left.push_back(Text::tr(
+      "This report is aggregated: it holds no line about a single person and no count of fewer than %1 "
+      "people beside others.",
+      kSmallestCell));
   ReportSection section;
-  section.title = "What is left out";
+  section.title = Text::tr("What is left out");
   section.paragraphs = std::move(left);
   report.sections.insert(report.sections.begin(), std::move(section));
   return report;

@@ -113,7 +113,7 @@ struct UnfinishedEvaluation {
 
 /// Everything a cohort report is made from.
 struct CohortInputs {
-  Text title = "Cohort report";
+  Text title = Text::tr("Cohort report");
   std::string centre;
   std::string softwareVersion;
   std::int64_t createdUtc_us = 0;

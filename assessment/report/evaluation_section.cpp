@@ -53,7 +53,7 @@ ReportFigure figure(const CohortInputs& in, const std::string& id, const Text& t
   out.id = id;
   out.title = title;
   out.kind = kind;
-  out.yLabel = "score (points)";
+  out.yLabel = Text::tr("score (points)");
   out.yMin = pointsFromSteps(in.instrument.scale.lo, in.instrument.scale);
   out.yMax = pointsFromSteps(in.instrument.scale.hi, in.instrument.scale);
   out.provenance = provenance(in, formula);
@@ -61,8 +61,9 @@ ReportFigure figure(const CohortInputs& in, const std::string& id, const Text& t
 }
 
 ReportFigure rangesFigure(const CohortInputs& in) {
-  ReportFigure out = figure(in, "figure-15", "Lowest, weighted mean and highest score of each index",
-                            FigureKind::kRanges, "Eq. 25");
+  ReportFigure out =
+      figure(in, "figure-15", Text::tr("Lowest, weighted mean and highest score of each index"),
+             FigureKind::kRanges, Text::tr("Eq. 25"));
   out.categories = indexNames(in);
   for (const ModelEvaluation& model : in.evaluations) {
     FigureSeries series;
@@ -74,16 +75,17 @@ ReportFigure rangesFigure(const CohortInputs& in) {
     }
     out.series.push_back(series);
   }
-  out.notes = {"Corresponds to Fig. 15 of the paper. The symbol in each range is the class-weighted mean M."};
+  out.notes = {Text::tr(
+      "Corresponds to Fig. 15 of the paper. The symbol in each range is the class-weighted mean M.")};
   return out;
 }
 
 ReportFigure barsFigure(const CohortInputs& in, bool variance) {
-  ReportFigure out =
-      variance
-          ? figure(in, "figure-17", "Variance of each index about the weighted mean, divisor n",
-                   FigureKind::kGroupedBars, "Eq. 26")
-          : figure(in, "figure-16", "Weighted mean score of each index", FigureKind::kGroupedBars, "Eq. 25");
+  ReportFigure out = variance ? figure(in, "figure-17",
+                                       Text::tr("Variance of each index about the weighted mean, divisor n"),
+                                       FigureKind::kGroupedBars, Text::tr("Eq. 26"))
+                              : figure(in, "figure-16", Text::tr("Weighted mean score of each index"),
+                                       FigureKind::kGroupedBars, Text::tr("Eq. 25"));
   out.categories = indexNames(in);
   for (const ModelEvaluation& model : in.evaluations) {
     FigureSeries series;
@@ -94,24 +96,25 @@ ReportFigure barsFigure(const CohortInputs& in, bool variance) {
     out.series.push_back(series);
   }
   if (variance) {
-    out.yLabel = "variance (points squared)";
+    out.yLabel = Text::tr("variance (points squared)");
     out.yMin = 0.0;
     out.yMax = std::nullopt;
-    out.notes = {
+    out.notes = {Text::tr(
         "Corresponds to Fig. 17 of the paper. The centre is the class-weighted mean M, not the plain mean, "
         "and every rater counts once; the value is the population variance plus the squared distance between "
-        "the two means."};
+        "the two means.")};
   } else {
-    out.notes = {"Corresponds to Fig. 16 of the paper."};
+    out.notes = {Text::tr("Corresponds to Fig. 16 of the paper.")};
   }
   return out;
 }
 
 ReportFigure chiefsFigure(const CohortInputs& in) {
   const Text of = in.instrument.classes[in.chiefClass].name;
-  ReportFigure out = figure(in, "figure-18", Text("Comprehensive score of each rater of the class %1", of),
-                            FigureKind::kPoints, "Eq. 27 for one rater");
-  out.xLabel = "rater";
+  ReportFigure out =
+      figure(in, "figure-18", Text::tr("Comprehensive score of each rater of the class %1", of),
+             FigureKind::kPoints, Text::tr("Eq. 27 for one rater"));
+  out.xLabel = Text::tr("rater");
   out.individual = true;
   for (const ModelEvaluation& model : in.evaluations) {
     FigureSeries series;
@@ -136,7 +139,7 @@ ReportFigure chiefsFigure(const CohortInputs& in) {
       out.provenance.n += y ? 1 : 0;
     }
   }
-  out.notes = {Text("Corresponds to Fig. 18 of the paper: %1 only, one point a rater and model.", of)};
+  out.notes = {Text::tr("Corresponds to Fig. 18 of the paper: %1 only, one point a rater and model.", of)};
   return out;
 }
 
@@ -160,8 +163,8 @@ std::optional<BoxSummary> boxOf(const std::vector<double>& values) {
 }
 
 ReportFigure boxesFigure(const CohortInputs& in) {
-  ReportFigure out = figure(in, "figure-19", "Comprehensive scores of all raters", FigureKind::kBoxes,
-                            "Eq. 27 for one rater; quantiles of type 7");
+  ReportFigure out = figure(in, "figure-19", Text::tr("Comprehensive scores of all raters"),
+                            FigureKind::kBoxes, Text::tr("Eq. 27 for one rater; quantiles of type 7"));
   out.provenance.n = 0;
   for (const ModelEvaluation& model : in.evaluations) {
     out.categories.push_back(model.model);
@@ -175,24 +178,27 @@ ReportFigure boxesFigure(const CohortInputs& in) {
     out.series.push_back(series);
   }
   out.notes = {
-      "Corresponds to Fig. 19 of the paper. Eq. 27 gives one number for each model; what is drawn is the "
-      "distribution of the scores that Eq. 27 gives for each single rater.",
-      "Boxes end at the quartiles (rule: Hyndman and Fan type 7); whiskers reach the most extreme value "
-      "within 1.5 interquartile ranges of the box; values beyond are drawn singly; the separate symbol is "
-      "the mean."};
+      Text::tr(
+          "Corresponds to Fig. 19 of the paper. Eq. 27 gives one number for each model; what is drawn is the "
+          "distribution of the scores that Eq. 27 gives for each single rater."),
+      Text::tr(
+          "Boxes end at the quartiles (rule: Hyndman and Fan type 7); whiskers reach the most extreme value "
+          "within 1.5 interquartile ranges of the box; values beyond are drawn singly; the separate symbol "
+          "is "
+          "the mean.")};
   return out;
 }
 
 /// Where the classes of raters disagree: class means of every index, one row a model and class.
 ReportFigure classesFigure(const CohortInputs& in) {
-  ReportFigure out = figure(in, "figure-classes", "Mean score by class of raters", FigureKind::kHeatMap,
-                            "class means of Eq. 25");
-  out.xLabel = "index";
+  ReportFigure out = figure(in, "figure-classes", Text::tr("Mean score by class of raters"),
+                            FigureKind::kHeatMap, Text::tr("class means of Eq. 25"));
+  out.xLabel = Text::tr("index");
   out.categories = indexNames(in);
   for (const ModelEvaluation& model : in.evaluations) {
     for (std::size_t c = 0; c < in.instrument.classes.size(); ++c) {
       FigureSeries series;
-      series.name = Text("%1, %2", model.model, Text(in.instrument.classes[c].name));
+      series.name = Text::tr("%1, %2", model.model, Text(in.instrument.classes[c].name));
       for (const ScoreStatistics& index : model.indices) {
         series.y.push_back(c < index.classMeans.size() ? index.classMeans[c] : std::nullopt);
       }
@@ -205,18 +211,18 @@ ReportFigure classesFigure(const CohortInputs& in) {
 ReportTable comprehensiveTable(const CohortInputs& in) {
   ReportTable table;
   table.id = "table-comprehensive";
-  table.title = "Comprehensive score N of each model";
-  table.columns = {"Model",
-                   "N (Eq. 27)",
-                   "Raters with all marks",
-                   "Mean of raters, by class weight",
-                   "SE",
-                   "Lowest",
-                   "Lower quartile",
-                   "Median",
-                   "Upper quartile",
-                   "Highest",
-                   "Flags"};
+  table.title = Text::tr("Comprehensive score N of each model");
+  table.columns = {Text::tr("Model"),
+                   Text::tr("N (Eq. 27)"),
+                   Text::tr("Raters with all marks"),
+                   Text::tr("Mean of raters, by class weight"),
+                   Text::tr("SE"),
+                   Text::tr("Lowest"),
+                   Text::tr("Lower quartile"),
+                   Text::tr("Median"),
+                   Text::tr("Upper quartile"),
+                   Text::tr("Highest"),
+                   Text::tr("Flags")};
   for (const ModelEvaluation& model : in.evaluations) {
     const std::vector<double> composites = completeComposites(model);
     const std::optional<BoxNumbers> box = boxNumbers(composites);
@@ -225,27 +231,30 @@ ReportTable comprehensiveTable(const CohortInputs& in) {
                              std::to_string(composites.size())};
     const bool known = model.compositeStatistics.has_value();
     row.push_back(known ? Text(formatFixed(model.compositeStatistics->m, kScoreDecimals))
-                        : Text("not defined"));
+                        : Text::tr("not defined"));
     row.push_back(known ? Text(formatFixed(model.compositeStatistics->standardError, kScoreDecimals))
-                        : Text("not defined"));
+                        : Text::tr("not defined"));
     for (const auto part :
          {&BoxNumbers::min, &BoxNumbers::q1, &BoxNumbers::median, &BoxNumbers::q3, &BoxNumbers::max}) {
-      row.push_back(box ? Text(formatFixed((*box).*part, kScoreDecimals)) : Text("not defined"));
+      row.push_back(box ? Text(formatFixed((*box).*part, kScoreDecimals)) : Text::tr("not defined"));
     }
     row.push_back(listed(flags));
     table.rows.push_back(row);
   }
-  table.notes = {"With no mark missing, the class-weighted mean of the raters' own scores equals N exactly."};
-  table.provenance = provenance(in, "Eq. 27");
+  table.notes = {
+      Text::tr("With no mark missing, the class-weighted mean of the raters' own scores equals N exactly.")};
+  table.provenance = provenance(in, Text::tr("Eq. 27"));
   return table;
 }
 
 ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model) {
   ReportTable table;
   table.id = "table-indices-" + model.model;
-  table.title = Text("Model %1: exact values by index", model.model);
-  table.columns = {"Index",   "Weight",      "n",          "Lowest",          "M (Eq. 25)",
-                   "Highest", "s2 (Eq. 26)", "Plain mean", "Sample variance", "SE of M"};
+  table.title = Text::tr("Model %1: exact values by index", model.model);
+  table.columns = {Text::tr("Index"),       Text::tr("Weight"),     Text::verbatim("n"),
+                   Text::tr("Lowest"),      Text::tr("M (Eq. 25)"), Text::tr("Highest"),
+                   Text::tr("s2 (Eq. 26)"), Text::tr("Plain mean"), Text::tr("Sample variance"),
+                   Text::tr("SE of M")};
   for (std::size_t j = 0; j < model.indices.size(); ++j) {
     const ScoreStatistics& s = model.indices[j];
     table.rows.push_back(
@@ -255,10 +264,10 @@ ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model) {
          formatFixed(s.s2, kScoreDecimals), formatFixed(s.plainMean, kScoreDecimals),
          formatFixed(s.sampleVariance, kScoreDecimals), formatFixed(s.standardError, kScoreDecimals)});
   }
-  table.notes = {
+  table.notes = {Text::tr(
       "s2 is taken about M with divisor n (Eq. 26). The sample variance is taken about the plain mean with "
-      "divisor n - 1. SE is the standard error of M from the spread within the rater classes."};
-  table.provenance = provenance(in, "Eqs. 25 and 26");
+      "divisor n - 1. SE is the standard error of M from the spread within the rater classes.")};
+  table.provenance = provenance(in, Text::tr("Eqs. 25 and 26"));
   table.provenance.n = 0;
   for (const ScoreStatistics& s : model.indices) {
     table.provenance.n += s.n;
@@ -271,15 +280,15 @@ ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model) {
 
 ReportSection evaluationSection(const CohortInputs& in) {
   ReportSection section;
-  section.title = "Evaluation of the models";
+  section.title = Text::tr("Evaluation of the models");
   if (in.unfinishedEvaluation) {
     const std::vector<std::string>& names = in.unfinishedEvaluation->classesMissing;
     section.paragraphs = {
-        Text(
+        Text::tr(
             "The evaluation is not finished: %1 marks are in so far. Scores are computed once every class of "
             "raters that has a weight has scored every index of every model.",
             in.unfinishedEvaluation->marks),
-        Text("Marks are still missing from: %1.", listed(std::vector<Text>(names.begin(), names.end())))};
+        Text::tr("Marks are still missing from: %1.", listed(std::vector<Text>(names.begin(), names.end())))};
     return section;
   }
   std::vector<Text> classes;
@@ -291,22 +300,22 @@ ReportSection evaluationSection(const CohortInputs& in) {
       }
     }
     classes.push_back(
-        Text("%1 %2 (weight %3)", n, Text(raterClass.name),
-             formatFixed(static_cast<double>(raterClass.weight_milli) / 1000.0, kReadableDecimals)));
+        Text::tr("%1 %2 (weight %3)", n, Text(raterClass.name),
+                 formatFixed(static_cast<double>(raterClass.weight_milli) / 1000.0, kReadableDecimals)));
   }
-  section.paragraphs.push_back(
-      Text("Each rater scored every model on %1 indices from %2 to %3 points. Raters: %4.",
-           in.instrument.indices.size(),
-           formatFixed(pointsFromSteps(in.instrument.scale.lo, in.instrument.scale), 0),
-           formatFixed(pointsFromSteps(in.instrument.scale.hi, in.instrument.scale), 0), listed(classes)));
+  section.paragraphs.push_back(Text::tr(
+      "Each rater scored every model on %1 indices from %2 to %3 points. Raters: %4.",
+      in.instrument.indices.size(),
+      formatFixed(pointsFromSteps(in.instrument.scale.lo, in.instrument.scale), 0),
+      formatFixed(pointsFromSteps(in.instrument.scale.hi, in.instrument.scale), 0), listed(classes)));
   std::vector<Text> ranking;
   for (const ModelEvaluation& model : in.evaluations) {
-    ranking.push_back(Text("%1 %2", model.model, formatFixed(model.n27, kScoreDecimals)));
+    ranking.push_back(Text::verbatim("%1 %2", model.model, formatFixed(model.n27, kScoreDecimals)));
   }
-  section.paragraphs.push_back(Text("Comprehensive score N: %1.", listed(ranking, "%1; %2")));
-  section.paragraphs.push_back(
+  section.paragraphs.push_back(Text::tr("Comprehensive score N: %1.", listed(ranking, Text::tr("%1; %2"))));
+  section.paragraphs.push_back(Text::tr(
       "Marks are whole steps of the scale; M, s2 and N are computed in whole numbers and rounded once, so "
-      "the tables do not depend on the order of the raters.");
+      "the tables do not depend on the order of the raters."));
   section.figures = {rangesFigure(in), barsFigure(in, false), barsFigure(in, true),
                      chiefsFigure(in), boxesFigure(in),       classesFigure(in)};
   section.tables.push_back(comprehensiveTable(in));

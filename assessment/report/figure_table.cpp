@@ -51,7 +51,9 @@ class Twin {
   [[nodiscard]] std::string number(double value) const {
     return decimals_ == kExactDecimals ? formatExact(value) : formatFixed(value, decimals_);
   }
-  [[nodiscard]] Text heading() const { return figure_.xLabel.empty() ? Text("Category") : figure_.xLabel; }
+  [[nodiscard]] Text heading() const {
+    return figure_.xLabel.empty() ? Text::tr("Category") : figure_.xLabel;
+  }
 
   /// One row a category; a series with intervals takes three columns.
   void byCategory() {
@@ -59,11 +61,11 @@ class Twin {
     for (const FigureSeries& series : figure_.series) {
       const bool alone = figure_.series.size() == 1;
       if (!series.low.empty()) {
-        table_.columns.push_back(alone ? Text("low") : Text("%1: low", series.name));
+        table_.columns.push_back(alone ? Text::tr("low") : Text::tr("%1: low", series.name));
       }
-      table_.columns.push_back(alone && series.name.empty() ? Text("value") : series.name);
+      table_.columns.push_back(alone && series.name.empty() ? Text::tr("value") : series.name);
       if (!series.low.empty()) {
-        table_.columns.push_back(alone ? Text("high") : Text("%1: high", series.name));
+        table_.columns.push_back(alone ? Text::tr("high") : Text::tr("%1: high", series.name));
       }
     }
     for (std::size_t c = 0; c < figure_.categories.size(); ++c) {
@@ -109,8 +111,9 @@ class Twin {
   }
 
   void boxes() {
-    table_.columns = {"Series",         "Values",        "Lower whisker", "Lower quartile", "Median",
-                      "Upper quartile", "Upper whisker", "Mean",          "Outside"};
+    table_.columns = {Text::tr("Series"),         Text::tr("Values"), Text::tr("Lower whisker"),
+                      Text::tr("Lower quartile"), Text::tr("Median"), Text::tr("Upper quartile"),
+                      Text::tr("Upper whisker"),  Text::tr("Mean"),   Text::tr("Outside")};
     for (const FigureSeries& series : figure_.series) {
       const BoxSummary box = series.box.value_or(BoxSummary{});
       std::string outside;
@@ -124,7 +127,7 @@ class Twin {
   }
 
   void scatter() {
-    table_.columns = {"Series", heading(), figure_.yLabel};
+    table_.columns = {Text::tr("Series"), heading(), figure_.yLabel};
     for (const FigureSeries& series : figure_.series) {
       for (std::size_t i = 0; i < series.y.size(); ++i) {
         if (!series.y[i]) {

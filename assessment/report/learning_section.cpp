@@ -50,12 +50,12 @@ std::size_t longest(const std::vector<Course>& all) {
 
 /// Mean error of a group at its n-th twist with a 95 % interval over the trainees who made it.
 ReportFigure learningFigure(const CohortInputs& in, const std::vector<Course>& all) {
-  ReportFigure figure = itemOf<ReportFigure>(in, "figure-learning",
-                                             "Angle error by twist, mean of the trainees with 95 % interval",
-                                             "mean of the absolute error over trainees, Student's t");
+  ReportFigure figure = itemOf<ReportFigure>(
+      in, "figure-learning", Text::tr("Angle error by twist, mean of the trainees with 95 % interval"),
+      Text::tr("mean of the absolute error over trainees, Student's t"));
   figure.kind = FigureKind::kLines;
-  figure.xLabel = "number of the twist";
-  figure.yLabel = "absolute angle error (deg)";
+  figure.xLabel = Text::tr("number of the twist");
+  figure.yLabel = Text::tr("absolute angle error (deg)");
   figure.yMin = 0.0;
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     FigureSeries series;
@@ -86,19 +86,19 @@ ReportFigure learningFigure(const CohortInputs& in, const std::vector<Course>& a
     }
   }
   figure.notes = {
-      "Twists on the simulator only; a point needs at least two trainees. Fewer trainees make more "
-      "twists, so that the last points rest on few."};
+      Text::tr("Twists on the simulator only; a point needs at least two trainees. Fewer trainees make more "
+               "twists, so that the last points rest on few.")};
   return figure;
 }
 
 ReportFigure cusumFigure(const CohortInputs& in, const std::vector<Course>& all,
                          const LcCusumDesign& design) {
-  ReportFigure figure = itemOf<ReportFigure>(in, "figure-lc-cusum", "LC-CUSUM of every trainee",
-                                             "LC-CUSUM, Biau and Porcher 2010");
+  ReportFigure figure = itemOf<ReportFigure>(in, "figure-lc-cusum", Text::tr("LC-CUSUM of every trainee"),
+                                             Text::tr("LC-CUSUM, Biau and Porcher 2010"));
   figure.kind = FigureKind::kLines;
   figure.individual = true;
-  figure.xLabel = "number of the twist";
-  figure.yLabel = "cumulative sum";
+  figure.xLabel = Text::tr("number of the twist");
+  figure.yLabel = Text::tr("cumulative sum");
   figure.yMin = 0.0;
   std::vector<bool> named(in.groups.size(), false);
   for (const Course& course : all) {
@@ -118,27 +118,28 @@ ReportFigure cusumFigure(const CohortInputs& in, const std::vector<Course>& all,
     figure.provenance.n += std::ssize(sums.sums);
     figure.series.push_back(series);
   }
-  figure.references = {{design.limit, "adequate"}};
-  figure.notes = {
-      Text("A twist within the tolerance counts as success. Adequate: a failure rate of %1 against %2; a "
-           "trainee whose sum reaches %3 is held to be adequate. Sums cannot fall below zero.",
-           formatFixed(design.adequate, 2), formatFixed(design.inadequate, 2), formatFixed(design.limit, 2))};
+  figure.references = {{design.limit, Text::tr("adequate")}};
+  figure.notes = {Text::tr(
+      "A twist within the tolerance counts as success. Adequate: a failure rate of %1 against %2; a "
+      "trainee whose sum reaches %3 is held to be adequate. Sums cannot fall below zero.",
+      formatFixed(design.adequate, 2), formatFixed(design.inadequate, 2), formatFixed(design.limit, 2))};
   return figure;
 }
 
 ReportTable learningTable(const CohortInputs& in, const std::vector<Course>& all,
                           const LcCusumDesign& design) {
-  ReportTable table = itemOf<ReportTable>(in, "table-learning", "Learning of every trainee on the simulator",
-                                          "exponential learning curve; LC-CUSUM");
+  ReportTable table =
+      itemOf<ReportTable>(in, "table-learning", Text::tr("Learning of every trainee on the simulator"),
+                          Text::tr("exponential learning curve; LC-CUSUM"));
   table.individual = true;
-  table.columns = {"Group",
-                   "Trainee",
-                   "Twists",
-                   "On target",
-                   "Mean error, first half (deg)",
-                   "Second half (deg)",
-                   "Error left in the end (deg)",
-                   "Adequate at twist"};
+  table.columns = {Text::tr("Group"),
+                   Text::tr("Trainee"),
+                   Text::tr("Twists"),
+                   Text::tr("On target"),
+                   Text::tr("Mean error, first half (deg)"),
+                   Text::tr("Second half (deg)"),
+                   Text::tr("Error left in the end (deg)"),
+                   Text::tr("Adequate at twist")};
   for (const Course& course : all) {
     std::vector<double> number;
     std::vector<double> error;
@@ -155,26 +156,26 @@ ReportTable learningTable(const CohortInputs& in, const std::vector<Course>& all
     table.rows.push_back(
         {in.groups[course.group].name, course.trainee, std::to_string(error.size()),
          std::to_string(std::count(failed.begin(), failed.end(), false)),
-         half > 0 ? Text(formatFixed(meanOf(values.first(half)), 2)) : Text("too few"),
+         half > 0 ? Text(formatFixed(meanOf(values.first(half)), 2)) : Text::tr("too few"),
          formatFixed(meanOf(values.subspan(half)), 2),
-         fit ? Text(formatFixed(fit->asymptote, 2)) : Text("not fitted: %1", Text(fit.reason())),
-         adequate ? Text(std::to_string(*adequate)) : Text("not yet")});
+         fit ? Text(formatFixed(fit->asymptote, 2)) : Text::tr("not fitted: %1", Text(fit.reason())),
+         adequate ? Text(std::to_string(*adequate)) : Text::tr("not yet")});
     table.provenance.n += std::ssize(error);
   }
-  table.notes = {
-      "Each trainee is fitted alone; eight twists are the fewest for a curve with three parameters."};
+  table.notes = {Text::tr(
+      "Each trainee is fitted alone; eight twists are the fewest for a curve with three parameters.")};
   return table;
 }
 
 ReportTable doseTable(const CohortInputs& in) {
-  ReportTable table =
-      itemOf<ReportTable>(in, "table-dose", "Time spent training and resting", "sums of the recorded times");
-  table.columns = {"Group",
-                   "Trainees",
-                   "Mean virtual (min)",
-                   "Mean real (min)",
-                   "Trainees who rested",
-                   "Rest in all (min)"};
+  ReportTable table = itemOf<ReportTable>(in, "table-dose", Text::tr("Time spent training and resting"),
+                                          Text::tr("sums of the recorded times"));
+  table.columns = {Text::tr("Group"),
+                   Text::tr("Trainees"),
+                   Text::tr("Mean virtual (min)"),
+                   Text::tr("Mean real (min)"),
+                   Text::tr("Trainees who rested"),
+                   Text::tr("Rest in all (min)")};
   std::map<std::string, std::size_t> groupOf;
   for (const CohortTrainee& trainee : in.trainees) {
     groupOf[trainee.code] = trainee.group;
@@ -203,7 +204,7 @@ ReportTable doseTable(const CohortInputs& in) {
                           formatFixed(sum.rest_min, 1)});
     table.provenance.n += n;
   }
-  table.notes = {"Rest stops the clock of the training phases."};
+  table.notes = {Text::tr("Rest stops the clock of the training phases.")};
   return table;
 }
 
@@ -211,7 +212,7 @@ ReportTable doseTable(const CohortInputs& in) {
 
 ReportSection learningSection(const CohortInputs& in) {
   ReportSection section;
-  section.title = "Learning";
+  section.title = Text::tr("Learning");
   const std::vector<Course> all = courses(in);
   const LcCusumDesign design;
   if (!in.doses.empty()) {
@@ -221,9 +222,9 @@ ReportSection learningSection(const CohortInputs& in) {
     return section;
   }
   section.paragraphs.push_back(
-      "Measured by the simulator, twist by twist, in the order of the recordings. The marks of the "
-      "physicians "
-      "are a separate matter.");
+      Text::tr("Measured by the simulator, twist by twist, in the order of the recordings. The marks of the "
+               "physicians "
+               "are a separate matter."));
   const ReportFigure learning = learningFigure(in, all);
   if (!learning.series.empty()) {
     section.figures.push_back(learning);

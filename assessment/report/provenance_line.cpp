@@ -9,16 +9,16 @@ Text provenanceLine(const Provenance& from) {
   std::vector<Text> parts;
   if (!from.formula.empty()) {
     parts.push_back(from.formulaVersion.empty() ? from.formula
-                                                : Text("%1 (%2)", from.formula, from.formulaVersion));
+                                                : Text::tr("%1 (%2)", from.formula, from.formulaVersion));
   }
   if (from.n > 0) {
-    parts.push_back(Text("n = %1", from.n));
+    parts.push_back(Text::verbatim("n = %1", from.n));
   }
   if (from.n > 0) {
-    parts.push_back(Text("missing = %1", from.missing));
+    parts.push_back(Text::tr("missing = %1", from.missing));
   }
   parts.insert(parts.end(), from.flags.begin(), from.flags.end());
-  return listed(parts, "%1; %2");
+  return listed(parts, Text::tr("%1; %2"));
 }
 
 }  // namespace torsio

@@ -49,20 +49,20 @@ std::string hashOfTrials(const CohortInputs& in) {
 ReportTable versionsTable(const CohortInputs& in) {
   ReportTable table;
   table.id = "table-provenance";
-  table.title = "Where the numbers come from";
-  table.columns = {"Item", "Value"};
-  table.rows = {
-      {"Software", in.softwareVersion},
-      {"Evaluation formulas", kEvaluationFormulaVersion},
-      {"Training formulas", kTrainingFormulaVersion},
-      {"Allocation", in.allocation.sealed ? Text("%1, seed sealed", in.allocation.version)
-                                          : Text("%1, seed %2", in.allocation.version, in.allocation.seed)},
-      {"Allocation commitment", in.allocation.commitment}};
+  table.title = Text::tr("Where the numbers come from");
+  table.columns = {Text::tr("Item"), Text::tr("Value")};
+  table.rows = {{Text::tr("Software"), in.softwareVersion},
+                {Text::tr("Evaluation formulas"), std::string(kEvaluationFormulaVersion)},
+                {Text::tr("Training formulas"), std::string(kTrainingFormulaVersion)},
+                {Text::tr("Allocation"),
+                 in.allocation.sealed ? Text::tr("%1, seed sealed", in.allocation.version)
+                                      : Text::tr("%1, seed %2", in.allocation.version, in.allocation.seed)},
+                {Text::tr("Allocation commitment"), in.allocation.commitment}};
   if (in.freeze) {
-    table.rows.push_back({"Frozen data set", in.freeze->name});
-    table.rows.push_back({"Frozen data set, content hash", in.freeze->contentHash});
-    table.rows.push_back(
-        {"Record compared with it", in.freeze->unchanged ? Text("unchanged") : Text("changed since then")});
+    table.rows.push_back({Text::tr("Frozen data set"), in.freeze->name});
+    table.rows.push_back({Text::tr("Frozen data set, content hash"), in.freeze->contentHash});
+    table.rows.push_back({Text::tr("Record compared with it"),
+                          in.freeze->unchanged ? Text::tr("unchanged") : Text::tr("changed since then")});
   }
   for (const auto& [label, value] : in.provenance) {
     table.rows.push_back({label, value});
@@ -74,8 +74,9 @@ ReportTable versionsTable(const CohortInputs& in) {
 ReportTable sourcesTable(const CohortInputs& in) {
   ReportTable table;
   table.id = "table-sources";
-  table.title = "What each part is computed from";
-  table.columns = {"Part of the report", "Source", "Count", "Hash of the source"};
+  table.title = Text::tr("What each part is computed from");
+  table.columns = {Text::tr("Part of the report"), Text::tr("Source"), Text::tr("Count"),
+                   Text::tr("Hash of the source")};
   const auto add = [&](const Text& part, const Text& source, std::int64_t count, const std::string& hash) {
     if (count > 0) {
       table.rows.push_back({part, source, std::to_string(count), hash.substr(0, kPrintedDigits)});
@@ -88,18 +89,19 @@ ReportTable sourcesTable(const CohortInputs& in) {
                                        [](const auto& steps) { return steps.has_value(); });
     }
   }
-  add("Evaluation of the models", "submitted marks of the campaign", evaluationMarks,
+  add(Text::tr("Evaluation of the models"), Text::tr("submitted marks of the campaign"), evaluationMarks,
       hashOfEvaluationMarks(in));
-  add("Training study; Agreement and comparisons; Raters", "submitted marks of the occasions",
-      std::ssize(in.trainingMarks), hashOfTrainingMarks(in));
-  add("Learning; Recorded trials", "recordings, listed below", std::ssize(in.trials), hashOfTrials(in));
-  table.notes = {
+  add(Text::tr("Training study; Agreement and comparisons; Raters"),
+      Text::tr("submitted marks of the occasions"), std::ssize(in.trainingMarks), hashOfTrainingMarks(in));
+  add(Text::tr("Learning; Recorded trials"), Text::tr("recordings, listed below"), std::ssize(in.trials),
+      hashOfTrials(in));
+  table.notes = {Text::tr(
       "Every submitted mark and every recording is sealed in the record; a trial can be replayed and "
       "compared "
-      "bit for bit (torsio replay TRIAL --verify)."};
+      "bit for bit (torsio replay TRIAL --verify).")};
   if (in.notAssessable > 0) {
     table.notes.push_back(
-        Text("%1 marks could not be given and carry a reason; they count as missing.", in.notAssessable));
+        Text::tr("%1 marks could not be given and carry a reason; they count as missing.", in.notAssessable));
   }
   table.provenance.flags = commonFlags(in);
   return table;
@@ -124,12 +126,13 @@ ReportTable chainTable(const CohortInputs& in) {
   }
   ReportTable table;
   table.id = "table-chain";
-  table.title = "From every trainee's scores back to marks and recordings";
+  table.title = Text::tr("From every trainee's scores back to marks and recordings");
   table.individual = true;
-  table.columns = {"Trainee", "Marks behind the scores", "Recordings (first eight digits of the trial)"};
+  table.columns = {Text::tr("Trainee"), Text::tr("Marks behind the scores"),
+                   Text::tr("Recordings (first eight digits of the trial)")};
   for (const auto& [trainee, chain] : chains) {
     table.rows.push_back({trainee, std::to_string(chain.marks),
-                          chain.trials.empty() ? Text("none on the simulator") : Text(chain.trials)});
+                          chain.trials.empty() ? Text::tr("none on the simulator") : Text(chain.trials)});
   }
   table.provenance.flags = commonFlags(in);
   return table;
@@ -138,17 +141,18 @@ ReportTable chainTable(const CohortInputs& in) {
 ReportTable trialsTable(const CohortInputs& in) {
   ReportTable table;
   table.id = "table-trial-hashes";
-  table.title = "Recorded trials";
+  table.title = Text::tr("Recorded trials");
   table.individual = true;
-  table.columns = {"Trial", "Trainee", "Phase", "Model", "Minutes", "Outcome", "Content hash"};
+  table.columns = {Text::tr("Trial"),   Text::tr("Trainee"), Text::tr("Phase"),       Text::tr("Model"),
+                   Text::tr("Minutes"), Text::tr("Outcome"), Text::tr("Content hash")};
   for (const TrialSummaryRow& trial : in.trials) {
     table.rows.push_back({trial.trialId, trial.trainee, trial.phase, trial.model,
                           formatFixed(trial.minutes, 2),
-                          trial.interrupted ? Text("interrupted") : Text("completed"),
+                          trial.interrupted ? Text::tr("interrupted") : Text::tr("completed"),
                           trial.contentHash.substr(0, kPrintedDigits)});
   }
-  table.notes = {
-      "The first 16 digits of each content hash; the whole hashes stand in the table of numbers (CSV)."};
+  table.notes = {Text::tr(
+      "The first 16 digits of each content hash; the whole hashes stand in the table of numbers (CSV).")};
   table.provenance.n = std::ssize(in.trials);
   table.provenance.flags = commonFlags(in);
   return table;
@@ -158,7 +162,7 @@ ReportTable trialsTable(const CohortInputs& in) {
 
 ReportSection provenanceSection(const CohortInputs& in) {
   ReportSection section;
-  section.title = "Provenance";
+  section.title = Text::tr("Provenance");
   section.tables = {versionsTable(in)};
   if (ReportTable sources = sourcesTable(in); !sources.rows.empty()) {
     section.tables.push_back(std::move(sources));

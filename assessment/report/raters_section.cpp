@@ -21,11 +21,12 @@ Item individualItem(const CohortInputs& in, const std::string& id, const Text& t
 
 /// Mean over the scoring points of what each rater gave each trainee.
 ReportFigure heatMap(const CohortInputs& in, const StudyAnalysis& study) {
-  ReportFigure figure = individualItem<ReportFigure>(
-      in, "figure-marks", "Marks by trainee and rater, last occasion", "marks as submitted");
+  ReportFigure figure =
+      individualItem<ReportFigure>(in, "figure-marks", Text::tr("Marks by trainee and rater, last occasion"),
+                                   Text::tr("marks as submitted"));
   figure.kind = FigureKind::kHeatMap;
-  figure.xLabel = "trainee";
-  figure.yLabel = "mark (points)";
+  figure.xLabel = Text::tr("trainee");
+  figure.yLabel = Text::tr("mark (points)");
   figure.yMin = pointsFromSteps(in.trainingScale.lo, in.trainingScale);
   figure.yMax = pointsFromSteps(in.trainingScale.hi, in.trainingScale);
   figure.categories.assign(study.trainees.begin(), study.trainees.end());
@@ -41,22 +42,23 @@ ReportFigure heatMap(const CohortInputs& in, const StudyAnalysis& study) {
   figure.provenance.n = last.n;
   figure.provenance.missing = last.missing;
   figure.notes = {
-      "A row that is lighter or darker all along is a rater who is stricter or more lenient. "
-      "An empty cell is a mark that was not given."};
+      Text::tr("A row that is lighter or darker all along is a rater who is stricter or more lenient. "
+               "An empty cell is a mark that was not given.")};
   return figure;
 }
 
 ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study) {
-  ReportFigure figure = individualItem<ReportFigure>(in, "figure-severity", "Severity of the raters",
-                                                     "mean of own mark minus mean of the other raters");
+  ReportFigure figure =
+      individualItem<ReportFigure>(in, "figure-severity", Text::tr("Severity of the raters"),
+                                   Text::tr("mean of own mark minus mean of the other raters"));
   figure.kind = FigureKind::kForest;
-  figure.yLabel = "own mark minus the other raters' mean (points)";
-  figure.references = {{0.0, "as the others"}};
+  figure.yLabel = Text::tr("own mark minus the other raters' mean (points)");
+  figure.references = {{0.0, Text::tr("as the others")}};
   std::vector<RaterSeverity> ordered = study.severity;
   std::stable_sort(ordered.begin(), ordered.end(),
                    [](const RaterSeverity& a, const RaterSeverity& b) { return a.offset < b.offset; });
   FigureSeries series;
-  series.name = "offset [95 %]";
+  series.name = Text::tr("offset [95 %]");
   for (const RaterSeverity& rater : ordered) {
     figure.categories.emplace_back(rater.rater);
     series.y.emplace_back(rater.offset);
@@ -65,22 +67,22 @@ ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study) 
     figure.provenance.n += rater.n;
   }
   figure.series = {series};
-  figure.notes = {
+  figure.notes = {Text::tr(
       "Strictest first. Scores are not corrected for severity: every trainee is scored by the same raters, "
-      "so that it does not change their order."};
+      "so that it does not change their order.")};
   return figure;
 }
 
 /// Every mark of the last scoring point against the mean of the other raters.
 std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const StudyAnalysis& study) {
   ReportFigure figure = individualItem<ReportFigure>(
-      in, "figure-bland-altman", "Each mark against the other raters, last occasion",
-      "Bland and Altman, each rater against the mean of the others");
+      in, "figure-bland-altman", Text::tr("Each mark against the other raters, last occasion"),
+      Text::tr("Bland and Altman, each rater against the mean of the others"));
   figure.kind = FigureKind::kScatter;
-  figure.xLabel = "mean of own mark and the others' mean (points)";
-  figure.yLabel = "own minus others' mean";
+  figure.xLabel = Text::tr("mean of own mark and the others' mean (points)");
+  figure.yLabel = Text::tr("own minus others' mean");
   FigureSeries series;
-  series.name = "one mark";
+  series.name = Text::tr("one mark");
   std::vector<double> own;
   std::vector<double> panel;
   for (const std::vector<std::optional<double>>& row : study.occasions.back().marks) {
@@ -103,36 +105,38 @@ std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Stud
     return std::nullopt;
   }
   figure.series = {series};
-  figure.references = {{limits->meanDifference, "mean"},
-                       {limits->limits.lower, "lower limit"},
-                       {limits->limits.upper, "upper limit"}};
+  figure.references = {{limits->meanDifference, Text::tr("mean")},
+                       {limits->limits.lower, Text::tr("lower limit")},
+                       {limits->limits.upper, Text::tr("upper limit")}};
   figure.provenance.n = limits->n > 0 ? static_cast<std::int64_t>(limits->n) : 0;
   figure.provenance.missing = study.occasions.back().missing;
-  figure.notes = {Text("Limits: mean difference plus and minus 1.96 standard deviations, %1 to %2 points.",
-                       formatFixed(limits->limits.lower, 2), formatFixed(limits->limits.upper, 2))};
+  figure.notes = {
+      Text::tr("Limits: mean difference plus and minus 1.96 standard deviations, %1 to %2 points.",
+               formatFixed(limits->limits.lower, 2), formatFixed(limits->limits.upper, 2))};
   return figure;
 }
 
 ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study) {
   ReportTable table =
-      individualItem<ReportTable>(in, "table-raters", "Raters beside each other",
-                                  "Bland and Altman against the mean of the others, last occasion");
-  table.columns = {"Rater", "Trainees", "Offset [95 %], all occasions", "Limits of agreement, last occasion"};
+      individualItem<ReportTable>(in, "table-raters", Text::tr("Raters beside each other"),
+                                  Text::tr("Bland and Altman against the mean of the others, last occasion"));
+  table.columns = {Text::tr("Rater"), Text::tr("Trainees"), Text::tr("Offset [95 %], all occasions"),
+                   Text::tr("Limits of agreement, last occasion")};
   for (const RaterSeverity& rater : study.severity) {
     const auto at = static_cast<std::size_t>(
         std::lower_bound(study.raters.begin(), study.raters.end(), rater.rater) - study.raters.begin());
-    Text limits = Text("marks are missing");
+    Text limits = Text::tr("marks are missing");
     if (at < study.againstPanel.size()) {
       limits = study.againstPanel[at]
-                   ? Text("%1 to %2", formatFixed(study.againstPanel[at]->limits.lower, kRaterDecimals),
-                          formatFixed(study.againstPanel[at]->limits.upper, kRaterDecimals))
+                   ? Text::tr("%1 to %2", formatFixed(study.againstPanel[at]->limits.lower, kRaterDecimals),
+                              formatFixed(study.againstPanel[at]->limits.upper, kRaterDecimals))
                    : notDefined(study.againstPanel[at].reason());
     }
     table.rows.push_back(
         {rater.rater, std::to_string(rater.n), withInterval(rater.offset, rater.interval), limits});
     table.provenance.n += rater.n;
   }
-  table.notes = {"Raters are shown by code, for the organisers of the study; this is no ranking."};
+  table.notes = {Text::tr("Raters are shown by code, for the organisers of the study; this is no ranking.")};
   return table;
 }
 
@@ -140,16 +144,16 @@ ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study) {
 
 ReportSection ratersSection(const CohortInputs& in, const StudyAnalysis& study) {
   ReportSection section;
-  section.title = "Raters";
-  section.paragraphs = {
+  section.title = Text::tr("Raters");
+  section.paragraphs = {Text::tr(
       "Offsets are taken against the mean of the other raters; a mean that contains the rater would agree by "
-      "construction."};
+      "construction.")};
   if (in.singleMarks) {
     section.figures.push_back(heatMap(in, study));
   } else {
-    section.paragraphs.push_back(
+    section.paragraphs.push_back(Text::tr(
         "Single marks are not shown. The role that made this report sees them, under codes, once every rater "
-        "has submitted and the data set is frozen.");
+        "has submitted and the data set is frozen."));
   }
   if (!study.severity.empty()) {
     section.figures.push_back(severityFigure(in, study));

@@ -20,8 +20,8 @@ std::string withInterval(double value, const std::optional<Interval>& interval) 
                    formatFixed(interval->upper, kLabelDecimals)});
 }
 
-Text notDefined(const std::string& reason) {
-  return Text("not defined: %1", Text(reason));
+Text notDefined(const Text& reason) {
+  return Text::tr("not defined: %1", reason);
 }
 
 std::string equalsP(double p) {

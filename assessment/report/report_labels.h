@@ -15,7 +15,7 @@ namespace torsio {
 [[nodiscard]] std::string withInterval(double value, const std::optional<Interval>& interval);
 /// Says why a statistic is missing: "not defined: every rating is the same". `reason` is that of an
 /// Outcome.
-[[nodiscard]] Text notDefined(const std::string& reason);
+[[nodiscard]] Text notDefined(const Text& reason);
 /// Formats a p value with its letter: "p < 0.001", "p = 0.032".
 [[nodiscard]] std::string equalsP(double p);
 

@@ -61,7 +61,8 @@ void measureAgreement(OccasionMarks& occasion) {
     }
   }
   const std::optional<NumberTable> table = complete(occasion);
-  occasion.icc = table ? intraclassCorrelation(*table) : Outcome<IccResult>::undefined("marks are missing");
+  occasion.icc =
+      table ? intraclassCorrelation(*table) : Outcome<IccResult>::undefined(Text::tr("marks are missing"));
   occasion.alpha = krippendorffAlpha(byRater, AlphaMetric::kInterval);
 }
 

@@ -22,8 +22,8 @@ struct OccasionMarks {
   std::vector<std::vector<std::optional<double>>> marks;
   std::int64_t n = 0;
   std::int64_t missing = 0;
-  Outcome<IccResult> icc = Outcome<IccResult>::undefined("not computed");
-  Outcome<KrippendorffResult> alpha = Outcome<KrippendorffResult>::undefined("not computed");
+  Outcome<IccResult> icc = Outcome<IccResult>::undefined(Text::tr("not computed"));
+  Outcome<KrippendorffResult> alpha = Outcome<KrippendorffResult>::undefined(Text::tr("not computed"));
 };
 
 /// How far a rater scores above (positive: lenient) or below the others, over all trainees and occasions
@@ -43,8 +43,9 @@ struct StudyAnalysis {
   std::vector<RaterSeverity> severity;                   ///< in the order of the raters
   std::vector<Outcome<BlandAltmanResult>> againstPanel;  ///< last scoring point; empty with marks missing
   std::vector<std::optional<Groups>> scores;             ///< by scoring point; empty when a trainee lacks one
-  Outcome<Ancova> ancova = Outcome<Ancova>::undefined("scores are missing at some scoring point");
-  Outcome<MixedAnova> course = Outcome<MixedAnova>::undefined("scores are missing at some scoring point");
+  Outcome<Ancova> ancova = Outcome<Ancova>::undefined(Text::tr("scores are missing at some scoring point"));
+  Outcome<MixedAnova> course =
+      Outcome<MixedAnova>::undefined(Text::tr("scores are missing at some scoring point"));
   std::vector<Groups> wholeGains;  ///< one entry: exact gains by group; none when they cannot be formed
 };
 

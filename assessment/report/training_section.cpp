@@ -34,11 +34,11 @@ void fixScale(const CohortInputs& in, ReportFigure& figure) {
 ReportFigure scoresFigure(const CohortInputs& in, std::size_t occasion) {
   ReportFigure out;
   out.id = "figure-" + std::to_string(20 + occasion);
-  out.title = Text("Scores of the trainees %1", in.occasions[occasion]);
+  out.title = Text::tr("Scores of the trainees %1", in.occasions[occasion]);
   out.kind = FigureKind::kGroupedBars;
-  out.xLabel = "trainee number in the group";
+  out.xLabel = Text::tr("trainee number in the group");
   out.individual = true;
-  out.yLabel = "score (points)";
+  out.yLabel = Text::tr("score (points)");
   fixScale(in, out);
   std::size_t largest = 0;
   std::int64_t n = 0;
@@ -60,11 +60,11 @@ ReportFigure scoresFigure(const CohortInputs& in, std::size_t occasion) {
     }
     out.series.push_back(series);
   }
-  out.notes = {Text(
+  out.notes = {Text::tr(
       "Corresponds to Fig. %1 of the paper. A score is the mean over the raters; the test is on the real "
       "arm.",
       20 + occasion)};
-  out.provenance = provenance(in, "mean over raters", n);
+  out.provenance = provenance(in, Text::tr("mean over raters"), n);
   out.provenance.missing = std::ssize(in.trainees) - n;
   return out;
 }
@@ -72,9 +72,9 @@ ReportFigure scoresFigure(const CohortInputs& in, std::size_t occasion) {
 ReportFigure varianceFigure(const CohortInputs& in) {
   ReportFigure out;
   out.id = "figure-23";
-  out.title = "Variance of the trainee scores, divisor n";
+  out.title = Text::tr("Variance of the trainee scores, divisor n");
   out.kind = FigureKind::kGroupedBars;
-  out.yLabel = "variance (points squared)";
+  out.yLabel = Text::tr("variance (points squared)");
   out.yMin = 0.0;
   out.categories = in.occasions;
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
@@ -88,20 +88,20 @@ ReportFigure varianceFigure(const CohortInputs& in) {
     }
     out.series.push_back(series);
   }
-  out.notes = {
+  out.notes = {Text::tr(
       "Corresponds to Fig. 23 of the paper, which does not define its variance. Drawn is the variance of the "
-      "trainee scores of a group about their mean, divisor n; the table gives two other readings."};
-  out.provenance = provenance(in, "variance of trainee scores, divisor n", std::ssize(in.scores));
+      "trainee scores of a group about their mean, divisor n; the table gives two other readings.")};
+  out.provenance = provenance(in, Text::tr("variance of trainee scores, divisor n"), std::ssize(in.scores));
   return out;
 }
 
 ReportFigure meansFigure(const CohortInputs& in) {
   ReportFigure out;
   out.id = "figure-training-means";
-  out.title = "Mean score of each group over the study";
+  out.title = Text::tr("Mean score of each group over the study");
   out.kind = FigureKind::kLines;
-  out.xLabel = "occasion";
-  out.yLabel = "score (points)";
+  out.xLabel = Text::tr("occasion");
+  out.yLabel = Text::tr("score (points)");
   fixScale(in, out);
   out.categories = in.occasions;
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
@@ -115,7 +115,7 @@ ReportFigure meansFigure(const CohortInputs& in) {
     }
     out.series.push_back(series);
   }
-  out.provenance = provenance(in, "mean over trainees", std::ssize(in.scores));
+  out.provenance = provenance(in, Text::tr("mean over trainees"), std::ssize(in.scores));
   return out;
 }
 
@@ -123,11 +123,11 @@ ReportFigure meansFigure(const CohortInputs& in) {
 ReportFigure coursesFigure(const CohortInputs& in, std::size_t group) {
   ReportFigure out;
   out.id = "figure-courses-" + std::to_string(group + 1);
-  out.title = Text("Course of every trainee, %1 (%2)", in.groups[group].name, in.groups[group].protocol);
+  out.title = Text::tr("Course of every trainee, %1 (%2)", in.groups[group].name, in.groups[group].protocol);
   out.kind = FigureKind::kLines;
   out.individual = true;
-  out.xLabel = "occasion";
-  out.yLabel = "score (points)";
+  out.xLabel = Text::tr("occasion");
+  out.yLabel = Text::tr("score (points)");
   fixScale(in, out);
   out.categories = in.occasions;
   std::map<std::string, FigureSeries> byTrainee;
@@ -144,7 +144,7 @@ ReportFigure coursesFigure(const CohortInputs& in, std::size_t group) {
     ++out.provenance.n;
   }
   FigureSeries mean;
-  mean.name = "mean [95 %]";
+  mean.name = Text::tr("mean [95 %]");
   mean.look = group;
   mean.y.resize(in.occasions.size());
   mean.low.resize(in.occasions.size(), 0.0);
@@ -166,7 +166,7 @@ ReportFigure coursesFigure(const CohortInputs& in, std::size_t group) {
   }
   out.series.push_back(mean);
   const std::int64_t n = out.provenance.n;
-  out.provenance = provenance(in, "mean over raters; mean over trainees with Student's t", n);
+  out.provenance = provenance(in, Text::tr("mean over raters; mean over trainees with Student's t"), n);
   std::int64_t members = 0;
   for (const CohortTrainee& trainee : in.trainees) {
     members += trainee.group == group ? 1 : 0;
@@ -178,19 +178,19 @@ ReportFigure coursesFigure(const CohortInputs& in, std::size_t group) {
 ReportTable summaryTable(const CohortInputs& in) {
   ReportTable table;
   table.id = "table-training-summary";
-  table.title = "Training study: groups at each occasion";
-  table.columns = {"Occasion",
-                   "Group",
-                   "Trainees",
-                   "Marks",
-                   "Mean",
-                   "Median",
-                   "Lowest",
-                   "Highest",
-                   "Variance of scores, divisor n",
-                   "Variance of scores, divisor n - 1",
-                   "Variance of all marks, divisor n",
-                   "Mean variance between raters, divisor n - 1"};
+  table.title = Text::tr("Training study: groups at each occasion");
+  table.columns = {Text::tr("Occasion"),
+                   Text::tr("Group"),
+                   Text::tr("Trainees"),
+                   Text::tr("Marks"),
+                   Text::tr("Mean"),
+                   Text::tr("Median"),
+                   Text::tr("Lowest"),
+                   Text::tr("Highest"),
+                   Text::tr("Variance of scores, divisor n"),
+                   Text::tr("Variance of scores, divisor n - 1"),
+                   Text::tr("Variance of all marks, divisor n"),
+                   Text::tr("Mean variance between raters, divisor n - 1")};
   std::int64_t n = 0;
   for (const GroupSummary& s : in.summaries) {
     n += s.marks;
@@ -203,32 +203,32 @@ ReportTable summaryTable(const CohortInputs& in) {
                           formatFixed(s.varianceOfMarks, kVarianceDecimals),
                           formatFixed(s.meanBetweenRaterVariance, kVarianceDecimals)});
   }
-  table.notes = {
-      "The trainee is the unit of analysis: marks of several raters for one trainee are averaged first."};
-  table.provenance = provenance(in, "group summaries", n);
+  table.notes = {Text::tr(
+      "The trainee is the unit of analysis: marks of several raters for one trainee are averaged first.")};
+  table.provenance = provenance(in, Text::tr("group summaries"), n);
   return table;
 }
 
 ReportTable scoresTable(const CohortInputs& in) {
   ReportTable table;
   table.id = "table-training-scores";
-  table.title = "Training study: score of every trainee";
+  table.title = Text::tr("Training study: score of every trainee");
   table.individual = true;
-  table.columns = {"Group", "Number", "Trainee"};
+  table.columns = {Text::tr("Group"), Text::tr("Number"), Text::tr("Trainee")};
   table.columns.insert(table.columns.end(), in.occasions.begin(), in.occasions.end());
   std::map<std::tuple<std::size_t, std::size_t, std::string>, std::vector<Text>> rows;
   for (const TraineeScore& score : in.scores) {
     std::vector<Text>& row = rows[{score.group, score.number, score.trainee}];
     if (row.empty()) {
       row = {in.groups[score.group].name, std::to_string(score.number), score.trainee};
-      row.resize(table.columns.size(), Text("missing"));
+      row.resize(table.columns.size(), Text::tr("missing"));
     }
     row[3 + score.occasion] = formatFixed(score.score, kMarkDecimals);
   }
   for (auto& [place, row] : rows) {
     table.rows.push_back(std::move(row));
   }
-  table.provenance = provenance(in, "mean over raters", std::ssize(in.scores));
+  table.provenance = provenance(in, Text::tr("mean over raters"), std::ssize(in.scores));
   return table;
 }
 
@@ -236,20 +236,20 @@ ReportTable scoresTable(const CohortInputs& in) {
 
 ReportSection trainingSection(const CohortInputs& in) {
   ReportSection section;
-  section.title = "Training study";
-  section.paragraphs.push_back(
-      Text("%1 physicians scored every trainee at %2 occasions on a scale from %3 to %4. A trainee's score "
-           "is the plain mean of these marks.",
-           in.trainingRaters, in.occasions.size(),
-           formatFixed(pointsFromSteps(in.trainingScale.lo, in.trainingScale), 0),
-           formatFixed(pointsFromSteps(in.trainingScale.hi, in.trainingScale), 0)));
+  section.title = Text::tr("Training study");
+  section.paragraphs.push_back(Text::tr(
+      "%1 physicians scored every trainee at %2 occasions on a scale from %3 to %4. A trainee's score "
+      "is the plain mean of these marks.",
+      in.trainingRaters, in.occasions.size(),
+      formatFixed(pointsFromSteps(in.trainingScale.lo, in.trainingScale), 0),
+      formatFixed(pointsFromSteps(in.trainingScale.hi, in.trainingScale), 0)));
   if (in.trainingTimeDivisor > 1) {
     section.paragraphs.push_back(
-        Text("Training was shortened for this demonstration: each minute of the protocol stands for %1 "
-             "seconds of simulated exercise (1 : %2).",
-             formatFixed(60.0 / static_cast<double>(in.trainingTimeDivisor), 1), in.trainingTimeDivisor));
+        Text::tr("Training was shortened for this demonstration: each minute of the protocol stands for %1 "
+                 "seconds of simulated exercise (1 : %2).",
+                 formatFixed(60.0 / static_cast<double>(in.trainingTimeDivisor), 1), in.trainingTimeDivisor));
   }
-  section.paragraphs.push_back(Text("Rests taken during training: %1.", in.rests));
+  section.paragraphs.push_back(Text::tr("Rests taken during training: %1.", in.rests));
   for (std::size_t t = 0; t < in.occasions.size(); ++t) {
     section.figures.push_back(scoresFigure(in, t));
   }

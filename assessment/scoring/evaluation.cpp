@@ -53,9 +53,10 @@ class ModelSolver {
         ++holes;
         if (policy_.missing == MissingPolicy::kRefuse) {
           throw Error(ErrorCode::kBadData,
-                      Text("rater %1 gave no score for index \"%2\"", sheet.rater, instrument_.indices[j].id),
-                      Text("model %1", ratings_.model),
-                      "Complete the ratings or choose another policy for missing ones.");
+                      Text::verbatim("rater %1 gave no score for index \"%2\"", sheet.rater,
+                                     instrument_.indices[j].id),
+                      Text::tr("model %1", ratings_.model),
+                      Text::verbatim("Complete the ratings or choose another policy for missing ones."));
         }
       }
       out_.missing += holes;
@@ -94,17 +95,18 @@ class ModelSolver {
       any = any || in.weights[c] > 0;
     }
     if (!any) {
-      throw Error(ErrorCode::kBadData, Text("nobody rated %1", of), Text("model %1", ratings_.model),
-                  "Collect ratings first.");
+      throw Error(ErrorCode::kBadData, Text::verbatim("nobody rated %1", of),
+                  Text::tr("model %1", ratings_.model), Text::verbatim("Collect ratings first."));
     }
     in.weights = reducedWeights(in.weights);
     return in;
   }
 
   [[noreturn]] void refuseEmptyClass(std::size_t c, const std::string& of) const {
-    throw Error(ErrorCode::kBadData, Text("class %1 has no ratings for %2", instrument_.classes[c].id, of),
-                Text("model %1", ratings_.model),
-                "Collect the ratings, or choose the policy that renormalises the class weights.");
+    throw Error(
+        ErrorCode::kBadData, Text::verbatim("class %1 has no ratings for %2", instrument_.classes[c].id, of),
+        Text::tr("model %1", ratings_.model),
+        Text::verbatim("Collect the ratings, or choose the policy that renormalises the class weights."));
   }
 
   void evaluateIndex(std::size_t j) {

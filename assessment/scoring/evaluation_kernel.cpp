@@ -50,8 +50,8 @@ EvaluationKernel::EvaluationKernel(const EvaluationInstrument& instrument,
   if (!fitsDouble(std::ssize(raterClasses_), maxSteps, static_cast<double>(commonDenominator_),
                   instrument.scale.stepsPerPoint)) {
     throw Error(ErrorCode::kBadParameter,
-                "the class sizes have too large a common multiple for the fast evaluation", "rater classes",
-                "Use evaluateModel.");
+                Text::verbatim("the class sizes have too large a common multiple for the fast evaluation"),
+                Text::verbatim("rater classes"), Text::verbatim("Use evaluateModel."));
   }
 }
 

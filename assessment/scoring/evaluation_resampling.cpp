@@ -31,8 +31,9 @@ Panel panelOf(const EvaluationInstrument& instrument, const ModelRatings& rating
     }
     for (const std::optional<std::int64_t>& mark : sheet.steps) {
       if (!mark) {
-        throw Error(ErrorCode::kBadData, "a mark is missing, so raters cannot be resampled",
-                    Text("rater %1, model %2", sheet.rater, ratings.model), "Complete the marks");
+        throw Error(ErrorCode::kBadData, Text::verbatim("a mark is missing, so raters cannot be resampled"),
+                    Text::verbatim("rater %1, model %2", sheet.rater, ratings.model),
+                    Text::verbatim("Complete the marks"));
       }
       panel.steps.push_back(*mark);
     }
@@ -41,8 +42,10 @@ Panel panelOf(const EvaluationInstrument& instrument, const ModelRatings& rating
   }
   for (std::size_t c = 0; c < raters.size(); ++c) {
     if (raters[c] == 0 && instrument.classes[c].weight_milli > 0) {
-      throw Error(ErrorCode::kBadData, "a class that counts has no rater, so raters cannot be resampled",
-                  Text("class %1, model %2", instrument.classes[c].id, ratings.model), "Add its raters");
+      throw Error(ErrorCode::kBadData,
+                  Text::verbatim("a class that counts has no rater, so raters cannot be resampled"),
+                  Text::verbatim("class %1, model %2", instrument.classes[c].id, ratings.model),
+                  Text::verbatim("Add its raters"));
     }
   }
   return panel;
@@ -54,8 +57,8 @@ ScoreRange resampledScore(const EvaluationInstrument& instrument, const ModelRat
                           const EvaluationResampling& resampling) {
   validateInstrument(instrument);
   if (resampling.resamples < 1) {
-    throw Error(ErrorCode::kBadParameter, "at least one panel must be drawn",
-                std::to_string(resampling.resamples), "Draw some thousands");
+    throw Error(ErrorCode::kBadParameter, Text::verbatim("at least one panel must be drawn"),
+                std::to_string(resampling.resamples), Text::verbatim("Draw some thousands"));
   }
   const Panel panel = panelOf(instrument, ratings);
   EvaluationKernel kernel(instrument, panel.classes);

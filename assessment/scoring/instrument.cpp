@@ -33,14 +33,14 @@ std::string rangeText(const ScoreScale& scale) {
 
 [[noreturn]] void refuseScore(const std::string& value, const Text& why, const ScoreScale& scale,
                               const std::string& where) {
-  throw Error(ErrorCode::kBadData, Text("score \"%1\" %2", value, why), where,
-              Text("Give a score from %1.", rangeText(scale)));
+  throw Error(ErrorCode::kBadData, Text::verbatim("score \"%1\" %2", value, why), where,
+              Text::verbatim("Give a score from %1.", rangeText(scale)));
 }
 
 std::int64_t checkedSteps(std::int64_t steps, const std::string& text, const ScoreScale& scale,
                           const std::string& where) {
   if (!isOnScale(steps, scale)) {
-    refuseScore(text, "lies outside the scale", scale, where);
+    refuseScore(text, Text::verbatim("lies outside the scale"), scale, where);
   }
   return steps;
 }
@@ -91,14 +91,15 @@ void checkWeights(const std::vector<std::int64_t>& weights, const std::string& o
   std::int64_t sum = 0;
   for (const std::int64_t weight : weights) {
     if (weight < 0) {
-      throw Error(ErrorCode::kBadParameter, Text("a weight of the %1 is negative", of), of,
-                  "Give weights of 0 or more.");
+      throw Error(ErrorCode::kBadParameter, Text::verbatim("a weight of the %1 is negative", of), of,
+                  Text::verbatim("Give weights of 0 or more."));
     }
     sum += weight;
   }
   if (sum != kWeightSum_milli) {
-    throw Error(ErrorCode::kBadParameter, Text("the weights of the %1 sum to %2/1000 instead of 1", of, sum),
-                of, "Correct the weights; they are never rescaled silently.");
+    throw Error(ErrorCode::kBadParameter,
+                Text::verbatim("the weights of the %1 sum to %2/1000 instead of 1", of, sum), of,
+                Text::verbatim("Correct the weights; they are never rescaled silently."));
   }
 }
 
@@ -108,8 +109,9 @@ void validateScale(const ScoreScale& scale) {
   const bool sound = scale.lo < scale.hi && scale.stepsPerPoint >= 1 && scale.stepsPerPoint <= 1000 &&
                      scale.lo >= -kMaxSteps && scale.hi <= kMaxSteps;
   if (!sound) {
-    throw Error(ErrorCode::kBadParameter, "the scale of the scores is not usable", "scale",
-                "Give lowest < highest and between 1 and 1000 steps a point.");
+    throw Error(ErrorCode::kBadParameter, Text::verbatim("the scale of the scores is not usable"),
+                Text::verbatim("scale"),
+                Text::verbatim("Give lowest < highest and between 1 and 1000 steps a point."));
   }
 }
 
@@ -117,20 +119,20 @@ std::int64_t stepsFromText(std::string_view text, const ScoreScale& scale, const
   const std::string shown(text);
   const std::optional<Decimal> value = parseDecimal(text);
   if (!value) {
-    refuseScore(shown, "is not a decimal number with a point", scale, where);
+    refuseScore(shown, Text::verbatim("is not a decimal number with a point"), scale, where);
   }
   // Beyond any scale; the multiplication below could overflow.
   if (value->numerator / value->denominator > kMaxSteps ||
       value->numerator / value->denominator < -kMaxSteps) {
-    refuseScore(shown, "lies outside the scale", scale, where);
+    refuseScore(shown, Text::verbatim("lies outside the scale"), scale, where);
   }
   const std::int64_t whole = value->numerator / value->denominator;
   const std::int64_t rest = value->numerator % value->denominator;
   if ((rest * scale.stepsPerPoint) % value->denominator != 0) {
     if (value->numerator > 0 && whole * scale.stepsPerPoint >= scale.hi) {
-      refuseScore(shown, "lies outside the scale", scale, where);
+      refuseScore(shown, Text::verbatim("lies outside the scale"), scale, where);
     }
-    refuseScore(shown, "lies between two steps of the scale", scale, where);
+    refuseScore(shown, Text::verbatim("lies between two steps of the scale"), scale, where);
   }
   const std::int64_t steps = whole * scale.stepsPerPoint + rest * scale.stepsPerPoint / value->denominator;
   return checkedSteps(steps, shown, scale, where);
@@ -139,15 +141,15 @@ std::int64_t stepsFromText(std::string_view text, const ScoreScale& scale, const
 std::int64_t stepsFromPoints(double points, const ScoreScale& scale, const std::string& where) {
   const std::string shown = std::to_string(points);
   if (!std::isfinite(points)) {
-    refuseScore(shown, "is not a finite number", scale, where);
+    refuseScore(shown, Text::verbatim("is not a finite number"), scale, where);
   }
   const double scaled = points * static_cast<double>(scale.stepsPerPoint);
   if (std::abs(scaled) > static_cast<double>(2 * kMaxSteps)) {
-    refuseScore(shown, "lies outside the scale", scale, where);
+    refuseScore(shown, Text::verbatim("lies outside the scale"), scale, where);
   }
   const std::int64_t steps = static_cast<std::int64_t>(std::llround(scaled));
   if (pointsFromSteps(steps, scale) != points) {
-    refuseScore(shown, "lies between two steps of the scale", scale, where);
+    refuseScore(shown, Text::verbatim("lies between two steps of the scale"), scale, where);
   }
   return checkedSteps(steps, shown, scale, where);
 }
@@ -155,15 +157,16 @@ std::int64_t stepsFromPoints(double points, const ScoreScale& scale, const std::
 void validateInstrument(const EvaluationInstrument& instrument) {
   validateScale(instrument.scale);
   if (instrument.classes.empty() || instrument.indices.empty()) {
-    throw Error(ErrorCode::kBadParameter, "the instrument has no rater class or no index", "instrument",
-                "Define at least one of each.");
+    throw Error(ErrorCode::kBadParameter, Text::verbatim("the instrument has no rater class or no index"),
+                Text::verbatim("instrument"), Text::verbatim("Define at least one of each."));
   }
   std::set<std::string> names;
   std::vector<std::int64_t> classWeights;
   for (const RaterClass& raterClass : instrument.classes) {
     if (!names.insert(raterClass.id).second) {
-      throw Error(ErrorCode::kBadParameter, Text("two rater classes are called \"%1\"", raterClass.id),
-                  "classes", "Give each class its own identifier.");
+      throw Error(ErrorCode::kBadParameter,
+                  Text::verbatim("two rater classes are called \"%1\"", raterClass.id),
+                  Text::verbatim("classes"), Text::verbatim("Give each class its own identifier."));
     }
     classWeights.push_back(raterClass.weight_milli);
   }
@@ -171,8 +174,8 @@ void validateInstrument(const EvaluationInstrument& instrument) {
   std::vector<std::int64_t> indexWeights;
   for (const EvaluationIndex& index : instrument.indices) {
     if (!names.insert(index.id).second) {
-      throw Error(ErrorCode::kBadParameter, Text("two indices are called \"%1\"", index.id), "indices",
-                  "Give each index its own identifier.");
+      throw Error(ErrorCode::kBadParameter, Text::verbatim("two indices are called \"%1\"", index.id),
+                  Text::verbatim("indices"), Text::verbatim("Give each index its own identifier."));
     }
     indexWeights.push_back(index.weight_milli);
   }
@@ -185,20 +188,24 @@ std::vector<std::int64_t> weightsInMilli(const std::vector<double>& weights) {
   double sum = 0.0;
   for (const double weight : weights) {
     if (!std::isfinite(weight) || weight < 0.0 || weight > 1.0) {
-      throw Error(ErrorCode::kBadParameter, Text("weight %1 is not between 0 and 1", std::to_string(weight)),
-                  "weights", "Give weights from 0 to 1 that sum to 1.");
+      throw Error(ErrorCode::kBadParameter,
+                  Text::verbatim("weight %1 is not between 0 and 1", std::to_string(weight)),
+                  Text::verbatim("weights"), Text::verbatim("Give weights from 0 to 1 that sum to 1."));
     }
     sum += weight;
     const std::int64_t rounded = static_cast<std::int64_t>(std::llround(weight * 1000.0));
     if (std::abs(weight - static_cast<double>(rounded) / 1000.0) > kWeightTolerance) {
-      throw Error(ErrorCode::kBadParameter, Text("weight %1 is no multiple of 0.001", std::to_string(weight)),
-                  "weights", "Round the weights to thousandths so that they sum to 1.");
+      throw Error(ErrorCode::kBadParameter,
+                  Text::verbatim("weight %1 is no multiple of 0.001", std::to_string(weight)),
+                  Text::verbatim("weights"),
+                  Text::verbatim("Round the weights to thousandths so that they sum to 1."));
     }
     milli.push_back(rounded);
   }
   if (std::abs(sum - 1.0) > kWeightTolerance) {
-    throw Error(ErrorCode::kBadParameter, Text("the weights sum to %1 instead of 1", std::to_string(sum)),
-                "weights", "Correct the weights; they are never rescaled silently.");
+    throw Error(
+        ErrorCode::kBadParameter, Text::verbatim("the weights sum to %1 instead of 1", std::to_string(sum)),
+        Text::verbatim("weights"), Text::verbatim("Correct the weights; they are never rescaled silently."));
   }
   return milli;
 }

@@ -21,25 +21,27 @@ std::vector<ModelRatings> groupRatings(const EvaluationInstrument& instrument,
   std::set<std::tuple<std::string, std::string, std::size_t>> seen;
   for (const EvaluationRating& rating : ratings) {
     if (rating.raterClass >= instrument.classes.size() || rating.index >= instrument.indices.size()) {
-      throw Error(ErrorCode::kBadData, "a rating names a class or an index that the instrument does not have",
-                  Text("rater %1, model %2", rating.rater, rating.model),
-                  "Use the classes and indices of the instrument.");
+      throw Error(ErrorCode::kBadData,
+                  Text::verbatim("a rating names a class or an index that the instrument does not have"),
+                  Text::verbatim("rater %1, model %2", rating.rater, rating.model),
+                  Text::verbatim("Use the classes and indices of the instrument."));
     }
     const std::string where = "rater " + rating.rater + ", index " + instrument.indices[rating.index].id +
                               ", model " + rating.model;
     if (!seen.insert({rating.model, rating.rater, rating.index}).second) {
-      throw Error(ErrorCode::kBadData, "the same mark appears twice", where,
-                  "Keep one; a correction supersedes the earlier mark.");
+      throw Error(ErrorCode::kBadData, Text::verbatim("the same mark appears twice"), where,
+                  Text::verbatim("Keep one; a correction supersedes the earlier mark."));
     }
     if (rating.steps && !isOnScale(*rating.steps, instrument.scale)) {
       throw Error(ErrorCode::kBadData,
-                  Text("score %1 lies outside the scale",
-                       std::to_string(pointsFromSteps(*rating.steps, instrument.scale))),
-                  where, "Correct the mark; marks are never clamped.");
+                  Text::verbatim("score %1 lies outside the scale",
+                                 std::to_string(pointsFromSteps(*rating.steps, instrument.scale))),
+                  where, Text::verbatim("Correct the mark; marks are never clamped."));
     }
     const auto [knownClass, isNew] = classOf.emplace(rating.rater, rating.raterClass);
     if (!isNew && knownClass->second != rating.raterClass) {
-      throw Error(ErrorCode::kBadData, "a rater appears in two classes", where, "Give each rater one class.");
+      throw Error(ErrorCode::kBadData, Text::verbatim("a rater appears in two classes"), where,
+                  Text::verbatim("Give each rater one class."));
     }
     const auto [model, modelIsNew] = modelAt.emplace(rating.model, models.size());
     if (modelIsNew) {

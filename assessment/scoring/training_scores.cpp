@@ -25,9 +25,10 @@ using Cells = std::map<Cell, std::vector<std::int64_t>>;
 
 void checkMark(const ScoreScale& scale, const TrainingMark& mark, const std::string& where) {
   if (!isOnScale(mark.steps, scale)) {
-    throw Error(ErrorCode::kBadData,
-                Text("score %1 lies outside the scale", std::to_string(pointsFromSteps(mark.steps, scale))),
-                where, "Correct the mark; marks are never clamped.");
+    throw Error(
+        ErrorCode::kBadData,
+        Text::verbatim("score %1 lies outside the scale", std::to_string(pointsFromSteps(mark.steps, scale))),
+        where, Text::verbatim("Correct the mark; marks are never clamped."));
   }
 }
 
@@ -41,12 +42,13 @@ Cells collect(const ScoreScale& scale, std::span<const TrainingMark> marks) {
         "trainee " + mark.trainee + ", occasion " + std::to_string(mark.occasion) + ", rater " + mark.rater;
     checkMark(scale, mark, where);
     if (!seen.insert({mark.trainee, mark.occasion, mark.rater}).second) {
-      throw Error(ErrorCode::kBadData, "the same mark appears twice", where,
-                  "Keep one; a correction supersedes the earlier mark.");
+      throw Error(ErrorCode::kBadData, Text::verbatim("the same mark appears twice"), where,
+                  Text::verbatim("Keep one; a correction supersedes the earlier mark."));
     }
     const auto [known, isNew] = groupOf.emplace(mark.trainee, mark.group);
     if (!isNew && known->second != mark.group) {
-      throw Error(ErrorCode::kBadData, "a trainee appears in two groups", where, "Analyse as allocated.");
+      throw Error(ErrorCode::kBadData, Text::verbatim("a trainee appears in two groups"), where,
+                  Text::verbatim("Analyse as allocated."));
     }
     cells[{mark.occasion, mark.group, mark.trainee}].push_back(mark.steps);
   }

@@ -40,7 +40,7 @@ Outcome<FTest> slopesTest(const std::vector<Moments>& groups, double residual, d
   double separate = 0.0;
   for (const Moments& m : groups) {
     if (m.xx == 0.0) {
-      return Outcome<FTest>::undefined("the scores before do not vary in one group");
+      return Outcome<FTest>::undefined(Text::tr("the scores before do not vary in one group"));
     }
     separate += m.yy - m.xy * m.xy / m.xx;
   }
@@ -48,7 +48,7 @@ Outcome<FTest> slopesTest(const std::vector<Moments>& groups, double residual, d
   test.df1 = k - 1.0;
   test.df2 = n - 2.0 * k;
   if (test.df2 <= 0.0 || !(separate > 0.0)) {
-    return Outcome<FTest>::undefined("too few trainees for separate slopes");
+    return Outcome<FTest>::undefined(Text::tr("too few trainees for separate slopes"));
   }
   test.f = (residual - separate) / test.df1 / (separate / test.df2);
   test.p = fUpper(std::max(0.0, test.f), test.df1, test.df2);
@@ -84,7 +84,7 @@ void addPairs(const std::vector<Moments>& groups, const Moments& within, double 
 Outcome<Ancova> ancova(const Groups& before, const Groups& after, double confidence) {
   TORSIO_EXPECTS(before.size() == after.size());
   if (before.size() < 2) {
-    return Outcome<Ancova>::undefined("there are fewer than two groups");
+    return Outcome<Ancova>::undefined(Text::tr("there are fewer than two groups"));
   }
   std::vector<Moments> groups;
   Moments within;
@@ -92,7 +92,7 @@ Outcome<Ancova> ancova(const Groups& before, const Groups& after, double confide
   std::vector<double> allY;
   for (std::size_t g = 0; g < before.size(); ++g) {
     if (before[g].empty()) {
-      return Outcome<Ancova>::undefined("a group is empty");
+      return Outcome<Ancova>::undefined(Text::tr("a group is empty"));
     }
     groups.push_back(momentsOf(before[g], after[g]));
     within.xx += groups.back().xx;
@@ -106,15 +106,15 @@ Outcome<Ancova> ancova(const Groups& before, const Groups& after, double confide
   Ancova out;
   out.residualDf = total.n - k - 1.0;
   if (out.residualDf <= 0.0) {
-    return Outcome<Ancova>::undefined("there are too few trainees");
+    return Outcome<Ancova>::undefined(Text::tr("there are too few trainees"));
   }
   if (within.xx == 0.0) {
-    return Outcome<Ancova>::undefined("the scores before do not vary within groups");
+    return Outcome<Ancova>::undefined(Text::tr("the scores before do not vary within groups"));
   }
   out.slope = within.xy / within.xx;
   const double residual = within.yy - out.slope * within.xy;
   if (!(residual > 0.0)) {
-    return Outcome<Ancova>::undefined("the scores after follow the scores before exactly");
+    return Outcome<Ancova>::undefined(Text::tr("the scores after follow the scores before exactly"));
   }
   out.residualVariance = residual / out.residualDf;
   out.slopeError = std::sqrt(out.residualVariance / within.xx);

@@ -36,7 +36,7 @@ struct Ancova {
   double residualDf = 0.0;
   std::vector<AdjustedMean> adjusted;
   std::vector<AdjustedDifference> pairs;  ///< (0,1), (0,2), ..., (1,2)
-  Outcome<FTest> equalSlopes = Outcome<FTest>::undefined("not computed");
+  Outcome<FTest> equalSlopes = Outcome<FTest>::undefined(Text::tr("not computed"));
   double partialEtaSquared = 0.0;
 };
 

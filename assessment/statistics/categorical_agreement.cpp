@@ -57,7 +57,7 @@ std::vector<double> valuesOfUnit(const IncompleteRatings& ratings, std::size_t u
 Outcome<KrippendorffResult> krippendorffAlpha(const IncompleteRatings& ratings, AlphaMetric metric) {
   using Undefined = Outcome<KrippendorffResult>;
   if (ratings.size() < 2) {
-    return Undefined::undefined("there are fewer than two coders");
+    return Undefined::undefined(Text::tr("there are fewer than two coders"));
   }
   const std::size_t units = ratings.front().size();
   std::set<double> distinct;
@@ -76,10 +76,10 @@ Outcome<KrippendorffResult> krippendorffAlpha(const IncompleteRatings& ratings, 
     pairable.push_back(values);
   }
   if (pairable.empty()) {
-    return Undefined::undefined("no unit has two ratings");
+    return Undefined::undefined(Text::tr("no unit has two ratings"));
   }
   if (distinct.size() < 2) {
-    return Undefined::undefined("every rating is the same");
+    return Undefined::undefined(Text::tr("every rating is the same"));
   }
   out.values.assign(distinct.begin(), distinct.end());
   const std::size_t size = out.values.size();
@@ -109,7 +109,7 @@ Outcome<KrippendorffResult> krippendorffAlpha(const IncompleteRatings& ratings, 
     }
   }
   if (out.expected == 0.0) {
-    return Undefined::undefined("the values do not differ under this metric");
+    return Undefined::undefined(Text::tr("the values do not differ under this metric"));
   }
   out.alpha = 1.0 - out.observed / out.expected;
   return out;
@@ -143,7 +143,7 @@ Outcome<AlphaBootstrap> krippendorffInterval(const IncompleteRatings& ratings, A
     }
   }
   if (alphas.empty()) {
-    return Outcome<AlphaBootstrap>::undefined("no resample has any variation");
+    return Outcome<AlphaBootstrap>::undefined(Text::tr("no resample has any variation"));
   }
   const double tail = 0.5 * (1.0 - confidence);
   out.interval = {*quantile(alphas, tail), *quantile(alphas, 1.0 - tail)};
@@ -161,7 +161,7 @@ Outcome<KappaResult> kappaWithAgreement(const NumberTable& counts, const NumberT
     }
   }
   if (n == 0.0) {
-    return Outcome<KappaResult>::undefined("there are no ratings");
+    return Outcome<KappaResult>::undefined(Text::tr("there are no ratings"));
   }
   std::vector<double> rows(size, 0.0);
   std::vector<double> columns(size, 0.0);
@@ -183,7 +183,7 @@ Outcome<KappaResult> kappaWithAgreement(const NumberTable& counts, const NumberT
     }
   }
   if (out.expected >= 1.0) {
-    return Outcome<KappaResult>::undefined("both raters use one and the same category only");
+    return Outcome<KappaResult>::undefined(Text::tr("both raters use one and the same category only"));
   }
   out.kappa = (out.observed - out.expected) / (1.0 - out.expected);
   // Fleiss, Cohen and Everitt (1969).
@@ -215,7 +215,7 @@ Outcome<KappaResult> kappaWithAgreement(const NumberTable& counts, const NumberT
 Outcome<KappaResult> cohenKappa(const NumberTable& table, KappaWeights weights, double confidence) {
   TORSIO_EXPECTS(table.rows() == table.columns());
   if (table.rows() < 2) {
-    return Outcome<KappaResult>::undefined("there are fewer than two categories");
+    return Outcome<KappaResult>::undefined(Text::tr("there are fewer than two categories"));
   }
   NumberTable agreement(table.rows(), table.rows());
   const double span = static_cast<double>(table.rows() - 1);
@@ -246,7 +246,7 @@ Outcome<KappaResult> cohenKappa(const NumberTable& table, const NumberTable& dis
     }
   }
   if (largest == 0.0) {
-    return Outcome<KappaResult>::undefined("no disagreement has any weight");
+    return Outcome<KappaResult>::undefined(Text::tr("no disagreement has any weight"));
   }
   NumberTable agreement(table.rows(), table.rows());
   for (std::size_t i = 0; i < table.rows(); ++i) {
@@ -259,14 +259,14 @@ Outcome<KappaResult> cohenKappa(const NumberTable& table, const NumberTable& dis
 
 Outcome<FleissResult> fleissKappa(const NumberTable& counts) {
   if (counts.rows() < 1 || counts.columns() < 2) {
-    return Outcome<FleissResult>::undefined("kappa needs subjects and at least two categories");
+    return Outcome<FleissResult>::undefined(Text::tr("kappa needs subjects and at least two categories"));
   }
   double m = 0.0;
   for (const double count : counts.row(0)) {
     m += count;
   }
   if (m < 2.0) {
-    return Outcome<FleissResult>::undefined("there are fewer than two raters");
+    return Outcome<FleissResult>::undefined(Text::tr("there are fewer than two raters"));
   }
   const double n = static_cast<double>(counts.rows());
   FleissResult out;
@@ -283,8 +283,10 @@ Outcome<FleissResult> fleissKappa(const NumberTable& counts) {
       disagreements[j] += count * (m - count);
     }
     if (sum != m) {
-      throw Error(ErrorCode::kBadData, "the subjects were not all rated by the same number of raters",
-                  Text("row %1", i + 1), "Use Krippendorff's alpha for incomplete ratings.");
+      throw Error(ErrorCode::kBadData,
+                  Text::verbatim("the subjects were not all rated by the same number of raters"),
+                  Text::verbatim("row %1", i + 1),
+                  Text::verbatim("Use Krippendorff's alpha for incomplete ratings."));
     }
     out.observed += (squares - m) / (m * (m - 1.0)) / n;
   }
@@ -302,7 +304,7 @@ Outcome<FleissResult> fleissKappa(const NumberTable& counts) {
     }
   }
   if (pq == 0.0) {
-    return Outcome<FleissResult>::undefined("only one category was used");
+    return Outcome<FleissResult>::undefined(Text::tr("only one category was used"));
   }
   out.kappa = (out.observed - out.expected) / (1.0 - out.expected);
   out.errorByCategory = std::sqrt(2.0 / (n * m * (m - 1.0)));

@@ -87,18 +87,18 @@ Outcome<CurveFit> fitCurve(const Curve& curve, std::span<const double> x, std::s
                            std::span<const double> start) {
   TORSIO_EXPECTS(x.size() == y.size());
   if (x.size() < start.size() + 2) {
-    return Outcome<CurveFit>::undefined("there are too few points for the parameters");
+    return Outcome<CurveFit>::undefined(Text::tr("there are too few points for the parameters"));
   }
   Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Index>(start.size()));
   std::optional<State> state = evaluate(curve, x, y, b);
   if (!state) {
-    return Outcome<CurveFit>::undefined("the start lies outside the domain of the curve");
+    return Outcome<CurveFit>::undefined(Text::tr("the start lies outside the domain of the curve"));
   }
   double lambda = 1e-3;
   for (int iteration = 1; iteration <= kMaxIterations; ++iteration) {
     const Eigen::VectorXd step = dampedStep(*state, lambda);
     if (!step.allFinite()) {
-      return Outcome<CurveFit>::undefined("the parameters cannot be told apart");
+      return Outcome<CurveFit>::undefined(Text::tr("the parameters cannot be told apart"));
     }
     const Eigen::VectorXd next = b + step;
     const std::optional<State> trial = evaluate(curve, x, y, next);
@@ -113,18 +113,18 @@ Outcome<CurveFit> fitCurve(const Curve& curve, std::span<const double> x, std::s
     }
     if (tiny || lambda > 1e14) {
       if (!(state->rss > 0.0)) {
-        return Outcome<CurveFit>::undefined("the curve passes through every point");
+        return Outcome<CurveFit>::undefined(Text::tr("the curve passes through every point"));
       }
       CurveFit out;
       out.iterations = iteration;
       finish(*state, b, out);
       if (!std::all_of(out.errors.begin(), out.errors.end(), [](double e) { return std::isfinite(e); })) {
-        return Outcome<CurveFit>::undefined("the parameters cannot be told apart");
+        return Outcome<CurveFit>::undefined(Text::tr("the parameters cannot be told apart"));
       }
       return out;
     }
   }
-  return Outcome<CurveFit>::undefined("the fit does not settle");
+  return Outcome<CurveFit>::undefined(Text::tr("the fit does not settle"));
 }
 
 namespace {
@@ -155,7 +155,7 @@ Curve familyCurve(LearningFamily family, bool withAsymptote) {
 Outcome<CurveFit> bestFit(LearningFamily family, std::span<const double> t, std::span<const double> y,
                           bool asymptote) {
   std::optional<CurveFit> best;
-  std::string reason = "no start converges";
+  Text reason = Text::tr("no start converges");
   for (const double rate : {0.05, 0.2, 0.5, 1.0, 2.0}) {
     std::vector<double> form;
     for (const double at : t) {
@@ -190,7 +190,8 @@ Outcome<LearningCurve> fitLearningCurve(LearningFamily family, std::span<const d
                                         std::span<const double> value, bool asymptoteNotNegative) {
   TORSIO_EXPECTS(attempt.size() == value.size());
   if (attempt.size() < kFewestAttempts) {
-    return Outcome<LearningCurve>::undefined("fewer than eight attempts cannot tell three parameters apart");
+    return Outcome<LearningCurve>::undefined(
+        Text::tr("fewer than eight attempts cannot tell three parameters apart"));
   }
   for (const double t : attempt) {
     TORSIO_EXPECTS(t >= 1.0);
@@ -241,13 +242,13 @@ Interval learningBandAt(const LearningCurve& curve, double t, double confidence)
 Outcome<LogLogLine> logLogLine(std::span<const double> attempt, std::span<const double> value) {
   TORSIO_EXPECTS(attempt.size() == value.size());
   if (attempt.size() < 3) {
-    return Outcome<LogLogLine>::undefined("there are fewer than three attempts");
+    return Outcome<LogLogLine>::undefined(Text::tr("there are fewer than three attempts"));
   }
   std::vector<double> x;
   std::vector<double> y;
   for (std::size_t i = 0; i < attempt.size(); ++i) {
     if (!(attempt[i] > 0.0 && value[i] > 0.0)) {
-      return Outcome<LogLogLine>::undefined("a value is not positive");
+      return Outcome<LogLogLine>::undefined(Text::tr("a value is not positive"));
     }
     x.push_back(std::log(attempt[i]));
     y.push_back(std::log(value[i]));
@@ -255,7 +256,7 @@ Outcome<LogLogLine> logLogLine(std::span<const double> attempt, std::span<const 
   const double xx = sumOfSquares(x);
   const double yy = sumOfSquares(y);
   if (xx == 0.0 || yy == 0.0) {
-    return Outcome<LogLogLine>::undefined("the values do not vary");
+    return Outcome<LogLogLine>::undefined(Text::tr("the values do not vary"));
   }
   double xy = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i) {

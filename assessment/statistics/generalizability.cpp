@@ -38,7 +38,7 @@ double positive(const GStudy& study, const std::string& effect) {
 
 Outcome<DStudy> coefficients(double persons, double relative, double absolute) {
   if (persons + relative <= 0.0) {
-    return Outcome<DStudy>::undefined("neither persons nor errors vary");
+    return Outcome<DStudy>::undefined(Text::tr("neither persons nor errors vary"));
   }
   DStudy out;
   out.relativeError = relative;
@@ -115,7 +115,7 @@ const GComponent& GStudy::at(const std::string& effect) const {
 
 Outcome<GStudy> gStudyPR(const NumberTable& x) {
   if (x.rows() < 2 || x.columns() < 2) {
-    return Outcome<GStudy>::undefined("a study needs at least two persons and two raters");
+    return Outcome<GStudy>::undefined(Text::tr("a study needs at least two persons and two raters"));
   }
   const double np = static_cast<double>(x.rows());
   const double nr = static_cast<double>(x.columns());
@@ -148,7 +148,8 @@ Outcome<DStudy> dStudyPR(const GStudy& study, double raters) {
 
 Outcome<GStudy> gStudyPRO(const std::vector<NumberTable>& byOccasion) {
   if (byOccasion.size() < 2 || byOccasion.front().rows() < 2 || byOccasion.front().columns() < 2) {
-    return Outcome<GStudy>::undefined("a study needs at least two persons, two raters and two occasions");
+    return Outcome<GStudy>::undefined(
+        Text::tr("a study needs at least two persons, two raters and two occasions"));
   }
   TORSIO_EXPECTS(sameShape(byOccasion));
   const CrossedMeans m = crossedMeans(byOccasion);
@@ -199,7 +200,8 @@ Outcome<DStudy> dStudyPRO(const GStudy& study, double raters, double occasions) 
 
 Outcome<GStudy> gStudyPRinT(const std::vector<NumberTable>& byTask) {
   if (byTask.size() < 2 || byTask.front().rows() < 2 || byTask.front().columns() < 2) {
-    return Outcome<GStudy>::undefined("a study needs at least two persons, two tasks and two raters a task");
+    return Outcome<GStudy>::undefined(
+        Text::tr("a study needs at least two persons, two tasks and two raters a task"));
   }
   TORSIO_EXPECTS(sameShape(byTask));
   const std::size_t persons = byTask.front().rows();

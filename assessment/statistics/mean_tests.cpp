@@ -12,8 +12,8 @@ namespace torsio {
 
 namespace {
 
-constexpr const char* kTooFew = "a group has fewer than two values";
-constexpr const char* kNoSpread = "the values do not vary";
+constexpr Phrase kTooFew = Text::tr("a group has fewer than two values");
+constexpr Phrase kNoSpread = Text::tr("the values do not vary");
 
 double countOf(std::span<const double> x) {
   return static_cast<double>(x.size());
@@ -69,7 +69,7 @@ Outcome<TTest> studentT(std::span<const double> x, std::span<const double> y, do
 Outcome<TTest> pairedT(std::span<const double> x, std::span<const double> y, double confidence) {
   TORSIO_EXPECTS(x.size() == y.size());
   if (x.size() < 2) {
-    return Outcome<TTest>::undefined("there are fewer than two pairs");
+    return Outcome<TTest>::undefined(Text::tr("there are fewer than two pairs"));
   }
   std::vector<double> differences;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -77,7 +77,7 @@ Outcome<TTest> pairedT(std::span<const double> x, std::span<const double> y, dou
   }
   const double variance = *sampleVariance(differences);
   if (variance == 0.0) {
-    return Outcome<TTest>::undefined("the differences do not vary");
+    return Outcome<TTest>::undefined(Text::tr("the differences do not vary"));
   }
   return finished(meanOf(differences), std::sqrt(variance / countOf(x)), countOf(x) - 1.0, confidence);
 }
@@ -110,10 +110,10 @@ Outcome<HedgesG> hedgesG(std::span<const double> x, std::span<const double> y, d
 
 Outcome<OneWayAnova> oneWayAnova(const Groups& groups) {
   if (groups.size() < 2) {
-    return Outcome<OneWayAnova>::undefined("there are fewer than two groups");
+    return Outcome<OneWayAnova>::undefined(Text::tr("there are fewer than two groups"));
   }
   if (!everyGroupHas(groups, 1)) {
-    return Outcome<OneWayAnova>::undefined("a group is empty");
+    return Outcome<OneWayAnova>::undefined(Text::tr("a group is empty"));
   }
   OneWayAnova out;
   std::vector<double> all;
@@ -129,7 +129,7 @@ Outcome<OneWayAnova> oneWayAnova(const Groups& groups) {
   out.df1 = static_cast<double>(groups.size() - 1);
   out.df2 = countOf(all) - static_cast<double>(groups.size());
   if (out.df2 <= 0.0 || out.ssWithin == 0.0) {
-    return Outcome<OneWayAnova>::undefined("the values do not vary within groups");
+    return Outcome<OneWayAnova>::undefined(Text::tr("the values do not vary within groups"));
   }
   out.msBetween = out.ssBetween / out.df1;
   out.msWithin = out.ssWithin / out.df2;
@@ -144,7 +144,7 @@ Outcome<OneWayAnova> oneWayAnova(const Groups& groups) {
 
 Outcome<FTest> welchAnova(const Groups& groups) {
   if (groups.size() < 2) {
-    return Outcome<FTest>::undefined("there are fewer than two groups");
+    return Outcome<FTest>::undefined(Text::tr("there are fewer than two groups"));
   }
   if (!everyGroupHas(groups, 2)) {
     return Outcome<FTest>::undefined(kTooFew);
@@ -156,7 +156,7 @@ Outcome<FTest> welchAnova(const Groups& groups) {
   for (const std::vector<double>& group : groups) {
     const double variance = *sampleVariance(group);
     if (variance == 0.0) {
-      return Outcome<FTest>::undefined("a group does not vary");
+      return Outcome<FTest>::undefined(Text::tr("a group does not vary"));
     }
     weights.push_back(countOf(group) / variance);
     weightSum += weights.back();
@@ -181,7 +181,7 @@ Outcome<FTest> welchAnova(const Groups& groups) {
 
 Outcome<FTest> brownForsythe(const Groups& groups) {
   if (!everyGroupHas(groups, 1)) {
-    return Outcome<FTest>::undefined("a group is empty");
+    return Outcome<FTest>::undefined(Text::tr("a group is empty"));
   }
   Groups distances = groups;
   for (std::vector<double>& group : distances) {
@@ -199,7 +199,7 @@ Outcome<FTest> brownForsythe(const Groups& groups) {
 
 Outcome<ChiSquaredTest> bartlett(const Groups& groups) {
   if (groups.size() < 2) {
-    return Outcome<ChiSquaredTest>::undefined("there are fewer than two groups");
+    return Outcome<ChiSquaredTest>::undefined(Text::tr("there are fewer than two groups"));
   }
   if (!everyGroupHas(groups, 2)) {
     return Outcome<ChiSquaredTest>::undefined(kTooFew);
@@ -212,7 +212,7 @@ Outcome<ChiSquaredTest> bartlett(const Groups& groups) {
     const double df = countOf(group) - 1.0;
     const double variance = *sampleVariance(group);
     if (variance == 0.0) {
-      return Outcome<ChiSquaredTest>::undefined("a group does not vary");
+      return Outcome<ChiSquaredTest>::undefined(Text::tr("a group does not vary"));
     }
     dfSum += df;
     pooled += df * variance;
@@ -276,7 +276,7 @@ Outcome<std::vector<PairComparison>> gamesHowellPairs(const Groups& groups, doub
     }
   }
   if (out.empty()) {
-    return Undefined::undefined("there are fewer than two groups");
+    return Undefined::undefined(Text::tr("there are fewer than two groups"));
   }
   return out;
 }
@@ -329,7 +329,7 @@ std::vector<double> shapiroWeights(std::size_t count) {
 
 Outcome<NormalityTest> shapiroWilk(std::span<const double> values) {
   if (values.size() < 4 || values.size() > 5000) {
-    return Outcome<NormalityTest>::undefined("the test is made for 4 to 5000 values");
+    return Outcome<NormalityTest>::undefined(Text::tr("the test is made for 4 to 5000 values"));
   }
   std::vector<double> x(values.begin(), values.end());
   std::sort(x.begin(), x.end());

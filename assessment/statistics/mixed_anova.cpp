@@ -148,21 +148,21 @@ void correct(const Sphericity& sphericity, AnovaEffect& within) {
 Outcome<MixedAnova> mixedAnova(const std::vector<NumberTable>& groups) {
   using Undefined = Outcome<MixedAnova>;
   if (groups.empty() || groups.front().columns() < 2) {
-    return Undefined::undefined("there are fewer than two occasions");
+    return Undefined::undefined(Text::tr("there are fewer than two occasions"));
   }
   for (const NumberTable& group : groups) {
     if (group.rows() < 2) {
-      return Undefined::undefined("a group has fewer than two trainees");
+      return Undefined::undefined(Text::tr("a group has fewer than two trainees"));
     }
   }
   const Cells cells = cellsOf(groups);
   const double k = static_cast<double>(groups.size());
   const double dfSubjects = cells.n - k;
   if (dfSubjects < cells.m) {
-    return Undefined::undefined("there are too few trainees for the number of occasions");
+    return Undefined::undefined(Text::tr("there are too few trainees for the number of occasions"));
   }
   if (!(cells.ssError > 0.0) || !(cells.ssSubjects > 0.0)) {
-    return Undefined::undefined("there is no residual variation");
+    return Undefined::undefined(Text::tr("there is no residual variation"));
   }
   const double dfTime = cells.m - 1.0;
   const double dfError = dfSubjects * dfTime;

@@ -114,7 +114,7 @@ std::optional<Interval> shiftInterval(const DoubledRanks& ranks, std::size_t n1,
 
 Outcome<MannWhitney> mannWhitney(std::span<const double> x, std::span<const double> y, double confidence) {
   if (x.empty() || y.empty()) {
-    return Outcome<MannWhitney>::undefined("a group is empty");
+    return Outcome<MannWhitney>::undefined(Text::tr("a group is empty"));
   }
   std::vector<double> all(x.begin(), x.end());
   all.insert(all.end(), y.begin(), y.end());
@@ -125,7 +125,7 @@ Outcome<MannWhitney> mannWhitney(std::span<const double> x, std::span<const doub
   const double ties = static_cast<double>(ranks.tieTerm);
   const double variance = n1 * n2 / 12.0 * (n + 1.0 - ties / (n * (n - 1.0)));
   if (!(variance > 0.0)) {
-    return Outcome<MannWhitney>::undefined("all values are the same");
+    return Outcome<MannWhitney>::undefined(Text::tr("all values are the same"));
   }
   const std::int64_t doubledSum = std::accumulate(
       ranks.ranks.begin(), ranks.ranks.begin() + static_cast<std::ptrdiff_t>(x.size()), std::int64_t{0});
@@ -154,13 +154,13 @@ Outcome<MannWhitney> mannWhitney(std::span<const double> x, std::span<const doub
 
 Outcome<PermutationTest> permutationTest(std::span<const std::int64_t> x, std::span<const std::int64_t> y) {
   if (x.empty() || y.empty()) {
-    return Outcome<PermutationTest>::undefined("a group is empty");
+    return Outcome<PermutationTest>::undefined(Text::tr("a group is empty"));
   }
   std::vector<std::int64_t> all(x.begin(), x.end());
   all.insert(all.end(), y.begin(), y.end());
   const std::optional<SubsetSums> sums = subsetSums(all, x.size());
   if (!sums) {
-    return Outcome<PermutationTest>::undefined("there are too many arrangements to count");
+    return Outcome<PermutationTest>::undefined(Text::tr("there are too many arrangements to count"));
   }
   const std::int64_t total = std::accumulate(all.begin(), all.end(), std::int64_t{0});
   const auto n = static_cast<std::int64_t>(all.size());
@@ -201,7 +201,7 @@ std::optional<std::vector<std::int64_t>> signSums(const std::vector<std::int64_t
 
 Outcome<PermutationTest> pairedPermutationTest(std::span<const std::int64_t> differences) {
   if (differences.empty()) {
-    return Outcome<PermutationTest>::undefined("there are no pairs");
+    return Outcome<PermutationTest>::undefined(Text::tr("there are no pairs"));
   }
   std::vector<std::int64_t> magnitudes;
   std::int64_t positive = 0;
@@ -211,7 +211,7 @@ Outcome<PermutationTest> pairedPermutationTest(std::span<const std::int64_t> dif
   }
   const std::optional<std::vector<std::int64_t>> counts = signSums(magnitudes);
   if (!counts) {
-    return Outcome<PermutationTest>::undefined("there are too many sign changes to count");
+    return Outcome<PermutationTest>::undefined(Text::tr("there are too many sign changes to count"));
   }
   const auto total = static_cast<std::int64_t>(counts->size()) - 1;
   const std::int64_t observed = std::abs(2 * positive - total);
@@ -240,12 +240,12 @@ Outcome<SignedRank> signedRank(std::span<const double> differences) {
   }
   out.n = kept.size();
   if (kept.empty()) {
-    return Outcome<SignedRank>::undefined("every difference is zero");
+    return Outcome<SignedRank>::undefined(Text::tr("every difference is zero"));
   }
   const DoubledRanks ranks = doubledRanks(magnitudes);
   const std::optional<std::vector<std::int64_t>> counts = signSums(ranks.ranks);
   if (!counts) {
-    return Outcome<SignedRank>::undefined("there are too many differences to count");
+    return Outcome<SignedRank>::undefined(Text::tr("there are too many differences to count"));
   }
   std::int64_t doubledV = 0;
   for (std::size_t i = 0; i < kept.size(); ++i) {

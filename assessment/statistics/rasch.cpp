@@ -244,22 +244,23 @@ void requireCategories(const CategoryRatings& ratings, int highest) {
     TORSIO_EXPECTS(ratings[n].size() == ratings.front().size());
     for (const std::optional<int>& mark : ratings[n]) {
       if (mark && (*mark < 0 || *mark > highest)) {
-        throw Error(ErrorCode::kBadData, "a rating lies outside the categories", Text("person %1", n + 1),
-                    Text("Give categories from 0 to %1.", highest));
+        throw Error(ErrorCode::kBadData, Text::verbatim("a rating lies outside the categories"),
+                    Text::verbatim("person %1", n + 1),
+                    Text::verbatim("Give categories from 0 to %1.", highest));
       }
     }
   }
 }
 
 /// Why the model has no estimate for these ratings; empty when it has one.
-std::optional<std::string> obstacle(const RatingPlan& plan) {
+std::optional<Text> obstacle(const RatingPlan& plan) {
   if (!plan.connected()) {
-    return "the rating plan falls into parts that share no person and no rater";
+    return Text::tr("the rating plan falls into parts that share no person and no rater");
   }
   const std::vector<std::size_t> persons = plan.estimatedPersons();
   const std::vector<std::size_t> raters = plan.estimatedRaters();
   if (persons.size() < 2 || raters.size() < 2) {
-    return "fewer than two persons or raters have ratings that are not extreme";
+    return Text::tr("fewer than two persons or raters have ratings that are not extreme");
   }
   std::vector<bool> seen(static_cast<std::size_t>(plan.highest()) + 1, false);
   for (const std::size_t n : persons) {
@@ -271,11 +272,11 @@ std::optional<std::string> obstacle(const RatingPlan& plan) {
   }
   for (std::size_t k = 0; k < seen.size(); ++k) {
     if (!seen[k]) {
-      return filledIn("category %1 is never used: collapse categories first", {std::to_string(k)});
+      return Text::tr("category %1 is never used: collapse categories first", k);
     }
   }
   if (const std::optional<std::string> loose = plan.unbounded()) {
-    return filledIn("the likelihood has no finite maximum: nothing in the ratings bounds %1", {*loose});
+    return Text::tr("the likelihood has no finite maximum: nothing in the ratings bounds %1", *loose);
   }
   return std::nullopt;
 }
@@ -287,14 +288,14 @@ Outcome<RaschResult> manyFacetRasch(const CategoryRatings& ratings, int highest)
   TORSIO_EXPECTS(highest >= 1);
   requireCategories(ratings, highest);
   const RatingPlan plan(ratings, highest);
-  if (const std::optional<std::string> reason = obstacle(plan)) {
+  if (const std::optional<Text> reason = obstacle(plan)) {
     return Undefined::undefined(*reason);
   }
   const JointModel model(plan);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(model.size());
   const std::optional<int> iterations = maximise(model, x);
   if (!iterations) {
-    return Undefined::undefined("the estimates lie too far apart to be computed");
+    return Undefined::undefined(Text::tr("the estimates lie too far apart to be computed"));
   }
   RaschResult out;
   out.iterations = *iterations;

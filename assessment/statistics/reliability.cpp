@@ -124,14 +124,14 @@ void addAgreement(IccResult& out, double tail) {
 
 Outcome<IccResult> intraclassCorrelation(const NumberTable& ratings, double confidence) {
   if (ratings.rows() < 2) {
-    return Outcome<IccResult>::undefined("there are fewer than two targets");
+    return Outcome<IccResult>::undefined(Text::tr("there are fewer than two targets"));
   }
   if (ratings.columns() < 2) {
-    return Outcome<IccResult>::undefined("there are fewer than two raters");
+    return Outcome<IccResult>::undefined(Text::tr("there are fewer than two raters"));
   }
   const TwoWay ss = twoWay(ratings);
   if (ss.rows + ss.within == 0.0) {
-    return Outcome<IccResult>::undefined("every rating is the same");
+    return Outcome<IccResult>::undefined(Text::tr("every rating is the same"));
   }
   IccResult out;
   out.targets = ratings.rows();
@@ -143,10 +143,10 @@ Outcome<IccResult> intraclassCorrelation(const NumberTable& ratings, double conf
   constexpr double kRounding = 1e-13;  // of the total: what remains of a residual that is truly zero
   if (ss.error <= kRounding * (ss.rows + ss.within)) {
     return Outcome<IccResult>::undefined(
-        "the raters differ by constants only, so there is no residual variance");
+        Text::tr("the raters differ by constants only, so there is no residual variance"));
   }
   if (ss.rows <= kRounding * (ss.rows + ss.within)) {
-    return Outcome<IccResult>::undefined("the targets do not differ");
+    return Outcome<IccResult>::undefined(Text::tr("the targets do not differ"));
   }
   const double tail = 0.5 * (1.0 - confidence);
   addOneWay(out, tail);
@@ -212,11 +212,11 @@ std::optional<double> standardizedAlpha(const NumberTable& x) {
 
 Outcome<CronbachResult> cronbachAlpha(const NumberTable& answers, double confidence) {
   if (answers.rows() < 2 || answers.columns() < 2) {
-    return Outcome<CronbachResult>::undefined("alpha needs at least two persons and two items");
+    return Outcome<CronbachResult>::undefined(Text::tr("alpha needs at least two persons and two items"));
   }
   const std::optional<double> alpha = alphaOf(answers, std::nullopt);
   if (!alpha) {
-    return Outcome<CronbachResult>::undefined("the sums over the items do not vary");
+    return Outcome<CronbachResult>::undefined(Text::tr("the sums over the items do not vary"));
   }
   CronbachResult out;
   out.alpha = *alpha;
@@ -234,7 +234,8 @@ Outcome<CronbachResult> cronbachAlpha(const NumberTable& answers, double confide
 
 Outcome<KendallResult> kendallW(const NumberTable& ratings) {
   if (ratings.rows() < 2 || ratings.columns() < 2) {
-    return Outcome<KendallResult>::undefined("concordance needs at least two targets and two raters");
+    return Outcome<KendallResult>::undefined(
+        Text::tr("concordance needs at least two targets and two raters"));
   }
   const double n = static_cast<double>(ratings.rows());
   const double m = static_cast<double>(ratings.columns());
@@ -256,7 +257,7 @@ Outcome<KendallResult> kendallW(const NumberTable& ratings) {
   }
   const double denominator = m * m * (n * n * n - n) - m * out.tieTerm;
   if (denominator <= 0.0) {
-    return Outcome<KendallResult>::undefined("every rater ties all targets");
+    return Outcome<KendallResult>::undefined(Text::tr("every rater ties all targets"));
   }
   out.w = 12.0 * out.s / denominator;
   out.wUncorrected = 12.0 * out.s / (m * m * (n * n * n - n));
@@ -270,7 +271,7 @@ Outcome<BlandAltmanResult> blandAltman(std::span<const double> x, std::span<cons
                                        double multiplier, double confidence) {
   TORSIO_EXPECTS(x.size() == y.size());
   if (x.size() < 2) {
-    return Outcome<BlandAltmanResult>::undefined("limits of agreement need at least two pairs");
+    return Outcome<BlandAltmanResult>::undefined(Text::tr("limits of agreement need at least two pairs"));
   }
   BlandAltmanResult out;
   out.n = x.size();

@@ -53,7 +53,7 @@ Interval atLevels(const std::vector<double>& values, double low, double high) {
 
 Outcome<Jackknife> jackknife(std::size_t trainees, const ResampledStatistic& statistic) {
   if (trainees < 3) {
-    return Outcome<Jackknife>::undefined("there are fewer than three trainees");
+    return Outcome<Jackknife>::undefined(Text::tr("there are fewer than three trainees"));
   }
   std::vector<double> values;
   for (std::size_t out = 0; out < trainees; ++out) {
@@ -74,7 +74,7 @@ Outcome<Jackknife> jackknife(std::size_t trainees, const ResampledStatistic& sta
     cubes += d * d * d;
   }
   if (squares == 0.0) {
-    return Outcome<Jackknife>::undefined("the statistic does not change with any trainee");
+    return Outcome<Jackknife>::undefined(Text::tr("the statistic does not change with any trainee"));
   }
   const double n = static_cast<double>(trainees);
   return Jackknife{std::sqrt((n - 1.0) / n * squares), cubes / (6.0 * std::pow(squares, 1.5))};
@@ -109,7 +109,7 @@ Outcome<Bootstrap> bootstrap(std::size_t trainees, const ResampledStatistic& sta
     }
   }
   if (below == 0.0 || below == count) {
-    return Outcome<Bootstrap>::undefined("every resample lies on the same side of the estimate");
+    return Outcome<Bootstrap>::undefined(Text::tr("every resample lies on the same side of the estimate"));
   }
   const double tail = 0.5 * (1.0 - options.confidence);
   out.percentile = atLevels(values, tail, 1.0 - tail);
@@ -128,13 +128,13 @@ Outcome<Bootstrap> bootstrap(std::size_t trainees, const ResampledStatistic& sta
 Outcome<Correlation> pearson(std::span<const double> x, std::span<const double> y, double confidence) {
   TORSIO_EXPECTS(x.size() == y.size());
   if (x.size() < 2) {
-    return Outcome<Correlation>::undefined("there are fewer than two pairs");
+    return Outcome<Correlation>::undefined(Text::tr("there are fewer than two pairs"));
   }
   const double meanX = meanOf(x);
   const double meanY = meanOf(y);
   const double scale = std::sqrt(sumOfSquares(x) * sumOfSquares(y));
   if (scale == 0.0) {
-    return Outcome<Correlation>::undefined("one of the two does not vary");
+    return Outcome<Correlation>::undefined(Text::tr("one of the two does not vary"));
   }
   double product = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i) {

@@ -124,12 +124,12 @@ void addDunn(const Groups& groups, double n, KruskalWallis& out) {
 Outcome<KruskalWallis> kruskalWallis(const Groups& groups) {
   using Undefined = Outcome<KruskalWallis>;
   if (groups.size() < 2) {
-    return Undefined::undefined("there are fewer than two groups");
+    return Undefined::undefined(Text::tr("there are fewer than two groups"));
   }
   std::vector<double> all;
   for (const std::vector<double>& group : groups) {
     if (group.empty()) {
-      return Undefined::undefined("a group is empty");
+      return Undefined::undefined(Text::tr("a group is empty"));
     }
     all.insert(all.end(), group.begin(), group.end());
   }
@@ -140,7 +140,7 @@ Outcome<KruskalWallis> kruskalWallis(const Groups& groups) {
   out.tieTerm = static_cast<double>(ranks.tieTerm);
   out.tieCorrection = 1.0 - out.tieTerm / (n * n * n - n);
   if (!(out.tieCorrection > 0.0)) {
-    return Undefined::undefined("all values are the same");
+    return Undefined::undefined(Text::tr("all values are the same"));
   }
   std::vector<std::int64_t> doubledSums;
   std::size_t at = 0;
@@ -169,7 +169,7 @@ Outcome<KruskalWallis> kruskalWallis(const Groups& groups) {
 
 Outcome<Friedman> friedman(const NumberTable& values) {
   if (values.rows() < 2 || values.columns() < 2) {
-    return Outcome<Friedman>::undefined("the test needs at least two blocks and two treatments");
+    return Outcome<Friedman>::undefined(Text::tr("the test needs at least two blocks and two treatments"));
   }
   const double n = static_cast<double>(values.rows());
   const double k = static_cast<double>(values.columns());
@@ -184,7 +184,7 @@ Outcome<Friedman> friedman(const NumberTable& values) {
   }
   const double denominator = n * k * (k + 1.0) - ties / (k - 1.0);
   if (!(denominator > 0.0)) {
-    return Outcome<Friedman>::undefined("every block ties all treatments");
+    return Outcome<Friedman>::undefined(Text::tr("every block ties all treatments"));
   }
   Friedman out;
   double spread = 0.0;

@@ -62,7 +62,7 @@ Outcome<ContrastingGroups> contrastingGroups(std::span<const double> novices,
                                              std::span<const double> masters) {
   using Undefined = Outcome<ContrastingGroups>;
   if (novices.size() < 2 || masters.size() < 2) {
-    return Undefined::undefined("a group has fewer than two trainees");
+    return Undefined::undefined(Text::tr("a group has fewer than two trainees"));
   }
   ContrastingGroups out;
   out.meanNovices = meanOf(novices);
@@ -70,10 +70,10 @@ Outcome<ContrastingGroups> contrastingGroups(std::span<const double> novices,
   out.deviationNovices = *sampleDeviation(novices);
   out.deviationMasters = *sampleDeviation(masters);
   if (out.deviationNovices == 0.0 || out.deviationMasters == 0.0) {
-    return Undefined::undefined("a group does not vary");
+    return Undefined::undefined(Text::tr("a group does not vary"));
   }
   if (out.meanNovices >= out.meanMasters) {
-    return Undefined::undefined("masters do not score higher than novices");
+    return Undefined::undefined(Text::tr("masters do not score higher than novices"));
   }
   out.midpoint = 0.5 * (out.meanNovices + out.meanMasters);
   // Equal log densities: a x^2 + b x + c = 0.
@@ -95,7 +95,7 @@ Outcome<ContrastingGroups> contrastingGroups(std::span<const double> novices,
     out.otherRoot = between(first) ? second : first;
   }
   if (!between(out.cutNormal)) {
-    return Undefined::undefined("the fitted normals do not cross between the means");
+    return Undefined::undefined(Text::tr("the fitted normals do not cross between the means"));
   }
   out.falsePass = normalUpper((out.cutNormal - out.meanNovices) / out.deviationNovices);
   out.falseFail = normalCdf((out.cutNormal - out.meanMasters) / out.deviationMasters);
@@ -105,7 +105,7 @@ Outcome<ContrastingGroups> contrastingGroups(std::span<const double> novices,
 
 Outcome<Angoff> angoff(const NumberTable& percent) {
   if (percent.rows() == 0) {
-    return Outcome<Angoff>::undefined("there are no judges");
+    return Outcome<Angoff>::undefined(Text::tr("there are no judges"));
   }
   Angoff out;
   for (std::size_t judge = 0; judge < percent.rows(); ++judge) {
@@ -130,15 +130,15 @@ Outcome<BorderlineRegression> borderlineRegression(std::span<const double> globa
   using Undefined = Outcome<BorderlineRegression>;
   TORSIO_EXPECTS(globalRating.size() == score.size());
   if (score.size() < 3) {
-    return Undefined::undefined("there are fewer than three trainees");
+    return Undefined::undefined(Text::tr("there are fewer than three trainees"));
   }
   const double xx = sumOfSquares(globalRating);
   const double yy = sumOfSquares(score);
   if (xx == 0.0) {
-    return Undefined::undefined("every global mark is the same");
+    return Undefined::undefined(Text::tr("every global mark is the same"));
   }
   if (yy == 0.0) {
-    return Undefined::undefined("every score is the same");
+    return Undefined::undefined(Text::tr("every score is the same"));
   }
   const double meanX = meanOf(globalRating);
   const double meanY = meanOf(score);
@@ -167,7 +167,7 @@ Outcome<ProficiencyThreshold> proficiencyThreshold(std::span<const double> exper
       continue;
     }
     if (!(value > 0.0)) {
-      return Undefined::undefined("a value is not positive");
+      return Undefined::undefined(Text::tr("a value is not positive"));
     }
     value = std::log(value);
   }
@@ -179,12 +179,12 @@ Outcome<ProficiencyThreshold> proficiencyThreshold(std::span<const double> exper
   }
   out.experts = x.size();
   if (x.size() < 2) {
-    return Undefined::undefined("there are fewer than two experts");
+    return Undefined::undefined(Text::tr("there are fewer than two experts"));
   }
   const double mean = meanOf(x);
   out.deviation = *sampleDeviation(x);
   if (out.deviation == 0.0) {
-    return Undefined::undefined("the experts do not differ");
+    return Undefined::undefined(Text::tr("the experts do not differ"));
   }
   const double n = static_cast<double>(x.size());
   out.toleranceFactor =

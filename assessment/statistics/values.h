@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/base/contracts.h"
+#include "sim/base/text.h"
 
 namespace torsio {
 
@@ -16,9 +17,7 @@ template <class T>
 class Outcome {
  public:
   Outcome(T value) : value_(std::move(value)) {}  // NOLINT: a value is an outcome
-  [[nodiscard]] static Outcome undefined(std::string reason) {
-    return Outcome(std::nullopt, std::move(reason));
-  }
+  [[nodiscard]] static Outcome undefined(Text reason) { return Outcome(std::nullopt, std::move(reason)); }
 
   [[nodiscard]] explicit operator bool() const noexcept { return value_.has_value(); }
   [[nodiscard]] const T& value() const {
@@ -28,13 +27,13 @@ class Outcome {
   [[nodiscard]] const T* operator->() const { return &value(); }
   [[nodiscard]] const T& operator*() const { return value(); }
   /// Returns why there is no value: a clause without full stop, "every rating is the same".
-  [[nodiscard]] const std::string& reason() const noexcept { return reason_; }
+  [[nodiscard]] const Text& reason() const noexcept { return reason_; }
 
  private:
-  Outcome(std::nullopt_t, std::string reason) : reason_(std::move(reason)) {}
+  Outcome(std::nullopt_t, Text reason) : reason_(std::move(reason)) {}
 
   std::optional<T> value_;
-  std::string reason_;
+  Text reason_;
 };
 
 struct Interval {

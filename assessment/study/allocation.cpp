@@ -17,7 +17,7 @@ constexpr const char* kOneList = "all";          // the block list when there ar
 constexpr const char* kLeftovers = "leftovers";  // the list that fills the incomplete blocks of all strata
 
 [[noreturn]] void refuseDesign(const Text& what, const Text& remedy) {
-  throw Error(ErrorCode::kBadParameter, what, "allocation design", remedy);
+  throw Error(ErrorCode::kBadParameter, what, Text::tr("allocation design"), remedy);
 }
 
 const char* methodText(AllocationMethod method) {
@@ -67,12 +67,12 @@ std::int64_t imbalanceOf(const std::vector<std::int64_t>& counts, Imbalance meas
 
 void checkBlockSizes(const std::vector<std::size_t>& sizes, std::size_t arms) {
   if (sizes.empty()) {
-    refuseDesign("no block size is given", "Give one or more block sizes.");
+    refuseDesign(Text::tr("no block size is given"), Text::tr("Give one or more block sizes."));
   }
   for (const std::size_t size : sizes) {
     if (size == 0 || size % arms != 0) {
-      refuseDesign(Text("block size %1 is no multiple of the number of arms", size),
-                   "Give multiples of the number of arms.");
+      refuseDesign(Text::tr("block size %1 is no multiple of the number of arms", size),
+                   Text::tr("Give multiples of the number of arms."));
     }
   }
 }
@@ -90,30 +90,32 @@ bool usesBlocks(AllocationMethod method) noexcept {
 void validateDesign(const AllocationDesign& design) {
   const std::size_t arms = design.arms.size();
   if (arms < 2) {
-    refuseDesign("there are fewer than two arms", "Name at least two arms.");
+    refuseDesign(Text::tr("there are fewer than two arms"), Text::tr("Name at least two arms."));
   }
   for (const AllocationFactor& factor : design.factors) {
     if (factor.levels.empty()) {
-      refuseDesign(Text("factor \"%1\" has no levels", factor.name), "List its levels.");
+      refuseDesign(Text::tr("factor \"%1\" has no levels", factor.name), Text::tr("List its levels."));
     }
   }
   if (usesFactors(design.method) && design.factors.empty()) {
-    refuseDesign(design.method == AllocationMethod::kMinimisation ? Text("minimisation needs a factor")
-                                                                  : Text("stratified blocks need a factor"),
-                 "Name a factor with its levels.");
+    refuseDesign(design.method == AllocationMethod::kMinimisation
+                     ? Text::tr("minimisation needs a factor")
+                     : Text::tr("stratified blocks need a factor"),
+                 Text::tr("Name a factor with its levels."));
   }
   if (usesBlocks(design.method)) {
     checkBlockSizes(design.blockSizes, arms);
   }
   if (design.method == AllocationMethod::kCompletePermutation &&
       (design.participants == 0 || design.participants % arms != 0)) {
-    refuseDesign("the number of participants is no multiple of the number of arms",
-                 "Choose permuted blocks, or enrol equal arms.");
+    refuseDesign(Text::tr("the number of participants is no multiple of the number of arms"),
+                 Text::tr("Choose permuted blocks, or enrol equal arms."));
   }
   if (design.method == AllocationMethod::kMinimisation &&
       (design.bestArm_tenths < 5 || design.bestArm_tenths > 9)) {
-    refuseDesign("the probability of the best arm must lie between 0.5 and 0.9; 1 could be predicted",
-                 "Choose 0.8.");
+    refuseDesign(
+        Text::tr("the probability of the best arm must lie between 0.5 and 0.9; 1 could be predicted"),
+        Text::tr("Choose 0.8."));
   }
 }
 
@@ -281,8 +283,8 @@ std::string Allocator::stratumOf(const AllocationPerson& person) const {
 AllocationRecord Allocator::assign(const AllocationPerson& person, const AllocationStamp& stamp) {
   for (const AllocationRecord& record : records_) {
     if (record.person == person.code) {
-      throw Error(ErrorCode::kBadData, Text("person %1 is already allocated", person.code), "allocation",
-                  "Enrol each person once; analyse as allocated.");
+      throw Error(ErrorCode::kBadData, Text::tr("person %1 is already allocated", person.code),
+                  Text::tr("allocation"), Text::tr("Enrol each person once; analyse as allocated."));
     }
   }
   bool levelsKnown = person.levels.size() == design_.factors.size();
@@ -290,8 +292,8 @@ AllocationRecord Allocator::assign(const AllocationPerson& person, const Allocat
     levelsKnown = person.levels[f] < design_.factors[f].levels.size();
   }
   if (!levelsKnown) {
-    throw Error(ErrorCode::kBadData, Text("a factor of person %1 has no valid level", person.code),
-                "allocation", "Record every factor before allocation.");
+    throw Error(ErrorCode::kBadData, Text::tr("a factor of person %1 has no valid level", person.code),
+                Text::tr("allocation"), Text::tr("Record every factor before allocation."));
   }
   AllocationRecord record;
   record.position = records_.size();
@@ -303,8 +305,8 @@ AllocationRecord Allocator::assign(const AllocationPerson& person, const Allocat
   switch (design_.method) {
     case AllocationMethod::kCompletePermutation:
       if (record.position >= design_.participants) {
-        throw Error(ErrorCode::kBadData, "the allocation list is used up", "allocation",
-                    "Plan a new list; the old one stays as it is.");
+        throw Error(ErrorCode::kBadData, Text::tr("the allocation list is used up"), Text::tr("allocation"),
+                    Text::tr("Plan a new list; the old one stays as it is."));
       }
       if (record.position == 0) {
         waiting_[kOneList] = shuffled(equalArms(design_.participants, design_.arms.size()));

@@ -100,9 +100,9 @@ std::vector<TrainingMark> demonstrationTrainingMarks(const ScoreScale& scale,
 Text demonstrationTrainingRule() {
   std::vector<Text> gains;
   for (std::size_t g = 0; g < kGroups; ++g) {
-    gains.push_back(Text("group %1: %2 and %3", g + 1, decimal(kGain[g][1]), decimal(kGain[g][2])));
+    gains.push_back(Text::tr("group %1: %2 and %3", g + 1, decimal(kGain[g][1]), decimal(kGain[g][2])));
   }
-  return Text(
+  return Text::tr(
       "Each simulated mark is the whole point nearest to baseline + gain of the group + talent of the "
       "trainee - severity of the rater + chance, held on the scale. Baseline %1; gains after 20 and 40 "
       "minutes: %2; talent, severity and chance are normal with standard deviations %3, %4 and %5 points; "
@@ -153,7 +153,7 @@ Text demonstrationEvaluationRule() {
     }
     qualities.emplace_back(line);
   }
-  return Text(
+  return Text::tr(
       "Each simulated mark of a model is the whole point nearest to quality of the model on the index + "
       "shift "
       "of the rater class - severity of the rater + chance, held on the scale. Qualities for the nine "
@@ -161,7 +161,7 @@ Text demonstrationEvaluationRule() {
       "in order: %1; class shifts -0.3, 0.0 and 0.2; severity and chance are normal with standard deviations "
       "%2 and %3 points. The qualities were chosen to give readable charts; they say nothing about any "
       "model.",
-      listed(qualities, "%1; %2"), decimal(kJudgeSpread), decimal(kJudgementSpread));
+      listed(qualities, Text::tr("%1; %2")), decimal(kJudgeSpread), decimal(kJudgementSpread));
 }
 
 }  // namespace torsio

@@ -32,9 +32,9 @@ Text occasionText(const Occasion& occasion) {
     return Text(occasion.label);
   }
   if (*occasion.afterExposure_us == 0) {
-    return Text("before");
+    return Text::tr("before");
   }
-  return Text("after %1 min", minutesText(*occasion.afterExposure_us));
+  return Text::tr("after %1 min", minutesText(*occasion.afterExposure_us));
 }
 
 }  // namespace
@@ -43,8 +43,8 @@ Occasions::Occasions(std::vector<Occasion> inOrder) : list_(std::move(inOrder)) 
   std::set<std::string> codes;
   for (const Occasion& occasion : list_) {
     if (occasion.code.empty() || !codes.insert(occasion.code).second) {
-      throw Error(ErrorCode::kBadParameter, "an occasion has no code of its own", occasion.label,
-                  "Give every occasion another code");
+      throw Error(ErrorCode::kBadParameter, Text::tr("an occasion has no code of its own"), occasion.label,
+                  Text::tr("Give every occasion another code"));
     }
   }
 }
@@ -71,7 +71,7 @@ std::vector<Text> occasionTexts(const Occasions& occasions) {
   for (const Occasion& occasion : occasions) {
     const bool timeIsTaken = occasion.afterExposure_us && !times_us.insert(*occasion.afterExposure_us).second;
     const Text text = occasionText(occasion);
-    texts.push_back(timeIsTaken ? Text("%1 (%2)", text, occasion.label) : text);
+    texts.push_back(timeIsTaken ? Text::tr("%1 (%2)", text, occasion.label) : text);
   }
   return texts;
 }

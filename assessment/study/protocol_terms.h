@@ -7,6 +7,8 @@
 #include <optional>
 #include <string_view>
 
+#include "sim/base/text.h"
+
 namespace torsio {
 
 /// One value of a term of the protocol, with the texts that stand for it.
@@ -14,7 +16,7 @@ template <typename Value>
 struct Term {
   Value value;
   std::string_view stored;     ///< in the database and in files; released texts never change
-  std::string_view label;      ///< English label, the key of its translation
+  Phrase label;                ///< English label, the key of its translation
   std::string_view meaning{};  ///< one line for documents; empty where the label says it all
 };
 
@@ -32,23 +34,25 @@ template <typename Value, std::size_t Size>
 /// How a run of a module counts.
 enum class AttemptMode : std::uint8_t { kPractice, kGraded };
 inline constexpr std::array<Term<AttemptMode>, 2> kAttemptModes{{
-    {AttemptMode::kPractice, "practice", "Practice", "may be repeated; counts towards modules for practice"},
-    {AttemptMode::kGraded, "graded", "Graded", "counts towards every module and may be limited in number"},
+    {AttemptMode::kPractice, "practice", Text::tr("Practice"),
+     "may be repeated; counts towards modules for practice"},
+    {AttemptMode::kGraded, "graded", Text::tr("Graded"),
+     "counts towards every module and may be limited in number"},
 }};
 
 /// On what the time of a phase of the study is spent.
 enum class PhaseKind : std::uint8_t { kVirtual, kReal };
 inline constexpr std::array<Term<PhaseKind>, 2> kPhaseKinds{{
-    {PhaseKind::kVirtual, "virtual", "virtual", "on the simulator; its runs are recorded"},
-    {PhaseKind::kReal, "real", "real", "on the real forearm; its time is entered by hand"},
+    {PhaseKind::kVirtual, "virtual", Text::tr("virtual"), "on the simulator; its runs are recorded"},
+    {PhaseKind::kReal, "real", Text::tr("real"), "on the real forearm; its time is entered by hand"},
 }};
 
 /// What time was spent on. Rest stops the clock of the phases.
 enum class ExposureKind : std::uint8_t { kVirtual, kReal, kRest };
 inline constexpr std::array<Term<ExposureKind>, 3> kExposureKinds{{
-    {ExposureKind::kVirtual, "virtual", "on the simulator", "counts towards a virtual phase"},
-    {ExposureKind::kReal, "real", "on the real arm", "counts towards a real phase"},
-    {ExposureKind::kRest, "rest", "rest", "counts towards the rest that an arm allows"},
+    {ExposureKind::kVirtual, "virtual", Text::tr("on the simulator"), "counts towards a virtual phase"},
+    {ExposureKind::kReal, "real", Text::tr("on the real arm"), "counts towards a real phase"},
+    {ExposureKind::kRest, "rest", Text::tr("rest"), "counts towards the rest that an arm allows"},
 }};
 /// Returns what time in a phase of this kind is spent on.
 [[nodiscard]] constexpr ExposureKind exposureIn(PhaseKind phase) noexcept {
@@ -58,33 +62,35 @@ inline constexpr std::array<Term<ExposureKind>, 3> kExposureKinds{{
 /// Whether somebody can be chosen for anything new.
 enum class PersonState : std::uint8_t { kActive, kLeft, kErased };
 inline constexpr std::array<Term<PersonState>, 3> kPersonStates{{
-    {PersonState::kActive, "active", "active", "can be chosen"},
-    {PersonState::kLeft, "left", "left", "keeps the record and is offered nowhere"},
-    {PersonState::kErased, "erased", "erased", "the identity is gone for good; marks stay"},
+    {PersonState::kActive, "active", Text::tr("active"), "can be chosen"},
+    {PersonState::kLeft, "left", Text::tr("has left"), "keeps the record and is offered nowhere"},
+    {PersonState::kErased, "erased", Text::tr("erased"), "the identity is gone for good; marks stay"},
 }};
 
 /// Where somebody stands in a cohort.
 enum class EnrolmentState : std::uint8_t { kEnrolled, kCompleted, kWithdrawn };
 inline constexpr std::array<Term<EnrolmentState>, 3> kEnrolmentStates{{
-    {EnrolmentState::kEnrolled, "enrolled", "enrolled", "takes part"},
-    {EnrolmentState::kCompleted, "completed", "completed", "has gone through all phases"},
-    {EnrolmentState::kWithdrawn, "withdrawn", "withdrawn", "takes part no more; what was recorded stays"},
+    {EnrolmentState::kEnrolled, "enrolled", Text::tr("enrolled"), "takes part"},
+    {EnrolmentState::kCompleted, "completed", Text::tr("completed"), "has gone through all phases"},
+    {EnrolmentState::kWithdrawn, "withdrawn", Text::tr("withdrawn"),
+     "takes part no more; what was recorded stays"},
 }};
 
 /// Where a version of a curriculum stands. It moves forward only.
 enum class CurriculumState : std::uint8_t { kDraft, kRunning, kClosed };
 inline constexpr std::array<Term<CurriculumState>, 3> kCurriculumStates{{
-    {CurriculumState::kDraft, "draft", "published, not begun", "nobody trains by it yet"},
-    {CurriculumState::kRunning, "running", "running", "cohorts may follow it"},
-    {CurriculumState::kClosed, "closed", "closed", "no cohort is given it any more"},
+    {CurriculumState::kDraft, "draft", Text::tr("published, not begun"), "nobody trains by it yet"},
+    {CurriculumState::kRunning, "running", Text::tr("running"), "cohorts may follow it"},
+    {CurriculumState::kClosed, "closed", Text::tr("closed"), "no cohort is given it any more"},
 }};
 
 /// What a rater decides about an own mark that lies apart from the others.
 enum class DiscrepancyChoice : std::uint8_t { kKeep, kMove, kThird };
 inline constexpr std::array<Term<DiscrepancyChoice>, 3> kDiscrepancyChoices{{
-    {DiscrepancyChoice::kKeep, "keep", "kept", "the mark stays"},
-    {DiscrepancyChoice::kMove, "move", "moved", "a new version of the mark follows"},
-    {DiscrepancyChoice::kThird, "third", "adjudicator requested", "somebody else scores the case as well"},
+    {DiscrepancyChoice::kKeep, "keep", Text::tr("kept"), "the mark stays"},
+    {DiscrepancyChoice::kMove, "move", Text::tr("moved"), "a new version of the mark follows"},
+    {DiscrepancyChoice::kThird, "third", Text::tr("adjudicator requested"),
+     "somebody else scores the case as well"},
 }};
 
 /// The table of each term.

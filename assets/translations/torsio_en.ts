@@ -52,6 +52,16 @@
     </message>
 </context>
 <context>
+    <name>torsio::gui::MainWindow</name>
+    <message numerus="yes">
+        <source>%n recording(s) of this station could not be stored</source>
+        <translation>
+            <numerusform>%n recording of this station could not be stored</numerusform>
+            <numerusform>%n recordings of this station could not be stored</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::PeopleDialog</name>
     <message numerus="yes">
         <source>Take %n</source>
@@ -88,16 +98,6 @@
         <translation>
             <numerusform>%n sheet asked for</numerusform>
             <numerusform>%n sheets asked for</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>torsio::gui::MainWindow</name>
-    <message numerus="yes">
-        <source>%n recording(s) of this station could not be stored</source>
-        <translation>
-            <numerusform>%n recording of this station could not be stored</numerusform>
-            <numerusform>%n recordings of this station could not be stored</numerusform>
         </translation>
     </message>
 </context>

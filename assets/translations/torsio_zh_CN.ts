@@ -2,37 +2,244 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
-    <name>torsio::gui::OrderedList</name>
+    <name>AboutBox</name>
     <message>
-        <source>Add</source>
-        <translation>添加</translation>
+        <source>Training and assessment of surgical twist skills.</source>
+        <translation>外科扭转技能的培训与评估。</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>删除</translation>
+        <source>This is a training tool and not a medical device. It holds no patient data and must not be used to decide about a patient.</source>
+        <translation>本软件是培训工具，不是医疗器械。它不保存患者数据，不得用于对患者作出决定。</translation>
     </message>
     <message>
-        <source>Up</source>
-        <translation>上移</translation>
+        <source>Built with Qt %1 for %2, running on %3.</source>
+        <translation>使用 Qt %1 构建（%2），运行于 %3。</translation>
     </message>
     <message>
-        <source>Down</source>
-        <translation>下移</translation>
+        <source>Free software under the GNU General Public License, version 3 or later, without any warranty.</source>
+        <translation>自由软件，采用 GNU 通用公共许可证第 3 版或更高版本，不提供任何担保。</translation>
     </message>
     <message>
-        <source>Moves it before the one above.</source>
-        <translation>移到上一项之前。</translation>
-    </message>
-    <message>
-        <source>Moves it behind the one below.</source>
-        <translation>移到下一项之后。</translation>
+        <source>About Torsio</source>
+        <translation>关于 Torsio</translation>
     </message>
 </context>
 <context>
-    <name>torsio::gui::SheetEditorPanel</name>
+    <name>Administration</name>
     <message>
-        <source>Not saved</source>
-        <translation>未保存</translation>
+        <source>no cohort yet</source>
+        <translation>尚无批次</translation>
+    </message>
+</context>
+<context>
+    <name>Assets</name>
+    <message>
+        <source>Forearm</source>
+        <translation>前臂</translation>
+    </message>
+    <message>
+        <source>Intestine</source>
+        <translation>肠</translation>
+    </message>
+    <message>
+        <source>Stomach</source>
+        <translation>胃</translation>
+    </message>
+    <message>
+        <source>Right forearm</source>
+        <translation>右前臂</translation>
+    </message>
+    <message>
+        <source>Pronation</source>
+        <translation>旋前</translation>
+    </message>
+    <message>
+        <source>Supination</source>
+        <translation>旋后</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>肠袢</translation>
+    </message>
+    <message>
+        <source>Organo-axial</source>
+        <translation>器官轴型</translation>
+    </message>
+    <message>
+        <source>Mesentero-axial</source>
+        <translation>系膜轴型</translation>
+    </message>
+    <message>
+        <source>Combined</source>
+        <translation>复合型</translation>
+    </message>
+    <message>
+        <source>Partial</source>
+        <translation>部分型</translation>
+    </message>
+    <message>
+        <source>Small intestine, loop</source>
+        <translation>小肠袢</translation>
+    </message>
+    <message>
+        <source>Pronation, 60 degrees</source>
+        <translation>旋前 60 度</translation>
+    </message>
+    <message>
+        <source>Supination, 60 degrees</source>
+        <translation>旋后 60 度</translation>
+    </message>
+    <message>
+        <source>Loop, 180 degrees</source>
+        <translation>肠袢 180 度</translation>
+    </message>
+    <message>
+        <source>Organo-axial, 180 degrees</source>
+        <translation>器官轴型 180 度</translation>
+    </message>
+    <message>
+        <source>Mesentero-axial, 120 degrees</source>
+        <translation>系膜轴型 120 度</translation>
+    </message>
+    <message>
+        <source>Combined, 180 and 90 degrees</source>
+        <translation>混合型 180 度和 90 度</translation>
+    </message>
+    <message>
+        <source>Partial, antrum only, 90 degrees</source>
+        <translation>部分扭转，仅胃窦，90 度</translation>
+    </message>
+</context>
+<context>
+    <name>CurriculumState</name>
+    <message>
+        <source>%1: changed, not saved. The draft is also saved when you leave.</source>
+        <translation>%1：已更改，未保存。离开时草稿也会保存。</translation>
+    </message>
+    <message>
+        <source>Everything may be changed; nobody is touched until it is published as version %1.</source>
+        <translation>一切均可更改；在发布为第 %1 版之前不影响任何人。</translation>
+    </message>
+    <message>
+        <source>Saved %1. %2</source>
+        <translation>已于 %1 保存。%2</translation>
+    </message>
+    <message>
+        <source>%1 The newest version is %2: %3.</source>
+        <translation>%1 最新版本为第 %2 版：%3。</translation>
+    </message>
+    <message>
+        <source>No cohort follows it.</source>
+        <translation>没有批次采用。</translation>
+    </message>
+    <message>
+        <source>Followed by: %1.</source>
+        <translation>采用的批次：%1。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Published on %1 and never changes. Begin it, so that cohorts can follow it.</source>
+        <translation>已于 %1 发布，不再改变。启用后批次才能采用。</translation>
+    </message>
+    <message>
+        <source>Published on %1, running: cohorts can choose it. It never changes; to change anything, edit the draft and publish the next version.</source>
+        <translation>已于 %1 发布，进行中：批次可以选用。它不再改变；如需更改，请编辑草稿并发布下一版。</translation>
+    </message>
+    <message>
+        <source>Published on %1, closed: no further cohort can choose it; who follows it goes on. It is kept as it was.</source>
+        <translation>已于 %1 发布，已关闭：不再有新批次可选用；已采用的继续进行。内容保持原样。</translation>
+    </message>
+    <message>
+        <source>%1 Note: %2.</source>
+        <translation>%1 说明：%2。</translation>
+    </message>
+    <message>
+        <source>%1 Superseded by version %2.</source>
+        <translation>%1 已被第 %2 版取代。</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>Desk</name>
+    <message>
+        <source>Training</source>
+        <translation>培训</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>评阅</translation>
+    </message>
+    <message>
+        <source>Administration</source>
+        <translation>管理</translation>
+    </message>
+</context>
+<context>
+    <name>GroupMoveDialog</name>
+    <message>
+        <source>Move to another group</source>
+        <translation>调整到其他组</translation>
+    </message>
+    <message>
+        <source>%1 was put into a group by the draw. A move by hand stands beside the drawn record for good, with its reason, and weakens the study.</source>
+        <translation>%1 由随机抽取分入某组。手动调整及其原因将与抽取记录一并永久保存，并会削弱研究的可信度。</translation>
+    </message>
+    <message>
+        <source>&amp;Group</source>
+        <translation>组别(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>原因(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>调整</translation>
+    </message>
+</context>
+<context>
+    <name>ListDialogs</name>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>the whole cohort</source>
+        <translation>整个队列</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>偏离方案</translation>
+    </message>
+    <message>
+        <source>What went otherwise than the protocol says. The report lists it as well.</source>
+        <translation>与方案不符的情况，报告中也会列出。</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>说明</translation>
+    </message>
+    <message>
+        <source>No deviation was noted.</source>
+        <translation>没有记录任何偏离。</translation>
     </message>
 </context>
 <context>
@@ -164,130 +371,6 @@
     <message>
         <source>Devices</source>
         <translation>设备</translation>
-    </message>
-</context>
-<context>
-    <name>AboutBox</name>
-    <message>
-        <source>Training and assessment of surgical twist skills.</source>
-        <translation>外科扭转技能的培训与评估。</translation>
-    </message>
-    <message>
-        <source>This is a training tool and not a medical device. It holds no patient data and must not be used to decide about a patient.</source>
-        <translation>本软件是培训工具，不是医疗器械。它不保存患者数据，不得用于对患者作出决定。</translation>
-    </message>
-    <message>
-        <source>Built with Qt %1 for %2, running on %3.</source>
-        <translation>使用 Qt %1 构建（%2），运行于 %3。</translation>
-    </message>
-    <message>
-        <source>Free software under the GNU General Public License, version 3 or later, without any warranty.</source>
-        <translation>自由软件，采用 GNU 通用公共许可证第 3 版或更高版本，不提供任何担保。</translation>
-    </message>
-    <message>
-        <source>About Torsio</source>
-        <translation>关于 Torsio</translation>
-    </message>
-</context>
-<context>
-    <name>Assets</name>
-    <message>
-        <source>Forearm</source>
-        <translation>前臂</translation>
-    </message>
-    <message>
-        <source>Intestine</source>
-        <translation>肠</translation>
-    </message>
-    <message>
-        <source>Stomach</source>
-        <translation>胃</translation>
-    </message>
-    <message>
-        <source>Right forearm</source>
-        <translation>右前臂</translation>
-    </message>
-    <message>
-        <source>Pronation</source>
-        <translation>旋前</translation>
-    </message>
-    <message>
-        <source>Supination</source>
-        <translation>旋后</translation>
-    </message>
-    <message>
-        <source>Loop</source>
-        <translation>肠袢</translation>
-    </message>
-    <message>
-        <source>Organo-axial</source>
-        <translation>器官轴型</translation>
-    </message>
-    <message>
-        <source>Mesentero-axial</source>
-        <translation>系膜轴型</translation>
-    </message>
-    <message>
-        <source>Combined</source>
-        <translation>复合型</translation>
-    </message>
-    <message>
-        <source>Partial</source>
-        <translation>部分型</translation>
-    </message>
-    <message>
-        <source>Small intestine, loop</source>
-        <translation>小肠袢</translation>
-    </message>
-    <message>
-        <source>Pronation, 60 degrees</source>
-        <translation>旋前 60 度</translation>
-    </message>
-    <message>
-        <source>Supination, 60 degrees</source>
-        <translation>旋后 60 度</translation>
-    </message>
-    <message>
-        <source>Loop, 180 degrees</source>
-        <translation>肠袢 180 度</translation>
-    </message>
-    <message>
-        <source>Organo-axial, 180 degrees</source>
-        <translation>器官轴型 180 度</translation>
-    </message>
-    <message>
-        <source>Mesentero-axial, 120 degrees</source>
-        <translation>系膜轴型 120 度</translation>
-    </message>
-    <message>
-        <source>Combined, 180 and 90 degrees</source>
-        <translation>混合型 180 度和 90 度</translation>
-    </message>
-    <message>
-        <source>Partial, antrum only, 90 degrees</source>
-        <translation>部分扭转，仅胃窦，90 度</translation>
-    </message>
-</context>
-<context>
-    <name>Desk</name>
-    <message>
-        <source>Training</source>
-        <translation>培训</translation>
-    </message>
-    <message>
-        <source>Review</source>
-        <translation>评阅</translation>
-    </message>
-    <message>
-        <source>Administration</source>
-        <translation>管理</translation>
-    </message>
-</context>
-<context>
-    <name>Administration</name>
-    <message>
-        <source>no cohort yet</source>
-        <translation>尚无批次</translation>
     </message>
 </context>
 <context>
@@ -582,6 +665,13 @@
     </message>
 </context>
 <context>
+    <name>ReasonDialog</name>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>原因(&amp;R)</translation>
+    </message>
+</context>
+<context>
     <name>RetentionDialog</name>
     <message>
         <source>trainee</source>
@@ -626,29 +716,6 @@
     <message>
         <source>Keep these rules</source>
         <translation>保存这些规则</translation>
-    </message>
-</context>
-<context>
-    <name>GroupMoveDialog</name>
-    <message>
-        <source>Move to another group</source>
-        <translation>调整到其他组</translation>
-    </message>
-    <message>
-        <source>%1 was put into a group by the draw. A move by hand stands beside the drawn record for good, with its reason, and weakens the study.</source>
-        <translation>%1 由随机抽取分入某组。手动调整及其原因将与抽取记录一并永久保存，并会削弱研究的可信度。</translation>
-    </message>
-    <message>
-        <source>&amp;Group</source>
-        <translation>组别(&amp;G)</translation>
-    </message>
-    <message>
-        <source>&amp;Reason</source>
-        <translation>原因(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Move</source>
-        <translation>调整</translation>
     </message>
 </context>
 <context>
@@ -961,7 +1028,527 @@
     </message>
 </context>
 <context>
-    <name>Services</name>
+    <name>StationLabels</name>
+    <message>
+        <source>Twists on target</source>
+        <translation>达标扭转</translation>
+    </message>
+    <message>
+        <source>Targets reached</source>
+        <translation>达到目标次数</translation>
+    </message>
+    <message>
+        <source>Time of a twist</source>
+        <translation>单次扭转时间</translation>
+    </message>
+    <message>
+        <source>Time to target</source>
+        <translation>到达目标时间</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>稳定时间</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>超调</translation>
+    </message>
+    <message>
+        <source>Steadiness of the hold</source>
+        <translation>保持稳定度</translation>
+    </message>
+    <message>
+        <source>Smoothness</source>
+        <translation>平滑度</translation>
+    </message>
+    <message>
+        <source>Smoothness (jerk)</source>
+        <translation>平滑度（急动度）</translation>
+    </message>
+    <message>
+        <source>Economy of turning</source>
+        <translation>转动经济性</translation>
+    </message>
+    <message>
+        <source>Sub-movements</source>
+        <translation>子动作数</translation>
+    </message>
+    <message>
+        <source>Angular path</source>
+        <translation>角路径</translation>
+    </message>
+    <message>
+        <source>Tracking error</source>
+        <translation>跟踪误差</translation>
+    </message>
+    <message>
+        <source>Excursions</source>
+        <translation>越界次数</translation>
+    </message>
+    <message>
+        <source>Path of the tip</source>
+        <translation>尖端路径</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>最大力</translation>
+    </message>
+    <message>
+        <source>Mean force</source>
+        <translation>平均力</translation>
+    </message>
+    <message>
+        <source>Force violations</source>
+        <translation>超力次数</translation>
+    </message>
+    <message>
+        <source>Peak torque</source>
+        <translation>最大扭矩</translation>
+    </message>
+    <message>
+        <source>Abruptness of release</source>
+        <translation>松开的突然程度</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>value and unit</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分钟</translation>
+    </message>
+    <message>
+        <source>a moment</source>
+        <translation>片刻</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 小时</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 天</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>未解锁</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>可进行</translation>
+    </message>
+    <message>
+        <source>Mastered</source>
+        <translation>已掌握</translation>
+    </message>
+    <message>
+        <source>No attempt left</source>
+        <translation>尝试次数已用完</translation>
+    </message>
+    <message>
+        <source>First master: %1</source>
+        <translation>请先掌握：%1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between titles</comment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Ask an administrator for another attempt.</source>
+        <translation>请向管理员申请追加尝试。</translation>
+    </message>
+    <message>
+        <source>%1: none</source>
+        <translation>%1：无</translation>
+    </message>
+    <message>
+        <source>%1: at most %2</source>
+        <translation>%1：不超过 %2</translation>
+    </message>
+    <message>
+        <source>%1: at least %2</source>
+        <translation>%1：不低于 %2</translation>
+    </message>
+    <message>
+        <source>%1, in %2 runs in a row</source>
+        <translation>%1，连续 %2 次训练</translation>
+    </message>
+    <message>
+        <source>%1, in %2 runs in a row (%3 so far)</source>
+        <translation>%1，连续 %2 次训练（目前 %3 次）</translation>
+    </message>
+    <message>
+        <source>Not tried yet</source>
+        <translation>尚未尝试</translation>
+    </message>
+    <message>
+        <source>Last time: interrupted after %1 s</source>
+        <translation>上次：%1 秒后中断</translation>
+    </message>
+    <message>
+        <source>Last time: %1 of %2 twists on target</source>
+        <translation>上次：%2 次扭转中 %1 次达标</translation>
+    </message>
+    <message>
+        <source>Unlocks: %1</source>
+        <translation>解锁：%1</translation>
+    </message>
+    <message>
+        <source>Twists let go on target: %1 of %2, wanted %3</source>
+        <translation>达标松开：%1 / %2，要求 %3</translation>
+    </message>
+    <message>
+        <source>Shortest hold on target: %1 s, wanted %2 s</source>
+        <translation>目标处最短保持：%1 秒，要求 %2 秒</translation>
+    </message>
+    <message>
+        <source>Hold on target: none, wanted %1 s</source>
+        <translation>目标处保持：无，要求 %1 秒</translation>
+    </message>
+    <message>
+        <source>Peak force: %1 N, limit %2 N</source>
+        <translation>最大力：%1 N，限值 %2 N</translation>
+    </message>
+    <message>
+        <source>Peak force: not measured, limit %1 N</source>
+        <translation>最大力：未测得，限值 %1 N</translation>
+    </message>
+    <message>
+        <source>Peak torque: %1 N m, limit %2 N m</source>
+        <translation>最大扭矩：%1 N m，限值 %2 N m</translation>
+    </message>
+    <message>
+        <source>Peak torque: not measured, limit %1 N m</source>
+        <translation>最大扭矩：未测得，限值 %1 N m</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>未测得</translation>
+    </message>
+    <message>
+        <source>%1: %2, at least %3</source>
+        <translation>%1：%2，至少 %3</translation>
+    </message>
+    <message>
+        <source>%1: %2, at most %3</source>
+        <translation>%1：%2，至多 %3</translation>
+    </message>
+    <message>
+        <source>%1 (%2 in a row, %3 needed)</source>
+        <translation>%1（已连续 %2 次，需要 %3 次）</translation>
+    </message>
+    <message>
+        <source>%1: %2, better than the expert (%3)</source>
+        <translation>%1：%2，优于专家（%3）</translation>
+    </message>
+    <message>
+        <source>%1: %2, as good as the expert (%3)</source>
+        <translation>%1：%2，与专家相当（%3）</translation>
+    </message>
+    <message>
+        <source>%1: %2, close to the expert (%3)</source>
+        <translation>%1：%2，接近专家（%3）</translation>
+    </message>
+    <message>
+        <source>%1: %2, the expert had %3</source>
+        <translation>%1：%2，专家为 %3</translation>
+    </message>
+    <message>
+        <source>Turn in one decided movement instead of feeling your way.</source>
+        <translation>果断地一次转动，不要边试边转。</translation>
+    </message>
+    <message>
+        <source>Slow down before the target, then stay.</source>
+        <translation>到目标前放慢，然后停住。</translation>
+    </message>
+    <message>
+        <source>Begin to slow down ten degrees before the target.</source>
+        <translation>在目标前十度开始放慢。</translation>
+    </message>
+    <message>
+        <source>Rest your forearm while you hold.</source>
+        <translation>保持时让前臂有支撑。</translation>
+    </message>
+    <message>
+        <source>Let speed rise and fall once, without stops.</source>
+        <translation>速度一次上升、一次下降，中途不停。</translation>
+    </message>
+    <message>
+        <source>Avoid turning back and forth.</source>
+        <translation>避免来回转动。</translation>
+    </message>
+    <message>
+        <source>One push instead of many small ones.</source>
+        <translation>一次发力，不要多次小动作。</translation>
+    </message>
+    <message>
+        <source>Press less while you turn; the grip holds the tissue.</source>
+        <translation>转动时少用压力，夹持已固定组织。</translation>
+    </message>
+    <message>
+        <source>Turn back a little before you open the jaw.</source>
+        <translation>张开钳口前先稍微转回。</translation>
+    </message>
+    <message>
+        <source>One more run until a level is shown</source>
+        <translation>再完成 1 次即可显示水平</translation>
+    </message>
+    <message>
+        <source>%1 more runs until a level is shown</source>
+        <translation>再完成 %1 次即可显示水平</translation>
+    </message>
+    <message>
+        <source>Learning</source>
+        <translation>学习中</translation>
+    </message>
+    <message>
+        <source>Steady</source>
+        <translation>稳定</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>需关注</translation>
+    </message>
+    <message>
+        <source>Relapsed</source>
+        <translation>退步</translation>
+    </message>
+    <message>
+        <source>Fewer than three runs show nothing but chance.</source>
+        <translation>少于三次的结果只反映偶然。</translation>
+    </message>
+    <message>
+        <source>Not yet shown to be reliable. About five good runs in a row show it.</source>
+        <translation>尚未证明可靠。连续约五次良好操作即可证明。</translation>
+    </message>
+    <message>
+        <source>Reliable, and staying so.</source>
+        <translation>可靠，并保持稳定。</translation>
+    </message>
+    <message>
+        <source>Reliable before; the last runs raise a doubt. One more good run or two settles it.</source>
+        <translation>此前可靠；最近的操作令人存疑。再有一两次良好操作即可消除。</translation>
+    </message>
+    <message>
+        <source>Reliable before, not now. Practise until the level is steady again.</source>
+        <translation>此前可靠，现在不再可靠。请练习至恢复稳定。</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>已连接</translation>
+    </message>
+    <message>
+        <source>Stylus docked</source>
+        <translation>手柄已归位</translation>
+    </message>
+    <message>
+        <source>Calibrated</source>
+        <translation>已校准</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Update rate</source>
+        <translation>刷新率</translation>
+    </message>
+    <message>
+        <source>Hand and seat</source>
+        <translation>手与坐姿</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>Practice only</source>
+        <translation>仅可练习</translation>
+    </message>
+    <message>
+        <source>Not ready</source>
+        <translation>未就绪</translation>
+    </message>
+</context>
+<context>
+    <name>Study</name>
+    <message>
+        <source>before training</source>
+        <translation>训练前</translation>
+    </message>
+    <message>
+        <source>half-way</source>
+        <translation>训练中</translation>
+    </message>
+    <message>
+        <source>after training</source>
+        <translation>训练后</translation>
+    </message>
+    <message>
+        <source>enrolled</source>
+        <translation>已登记</translation>
+    </message>
+    <message>
+        <source>completed</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>withdrew</source>
+        <translation>已退出</translation>
+    </message>
+    <message>
+        <source>sex</source>
+        <translation>性别</translation>
+    </message>
+    <message>
+        <source>level of education</source>
+        <translation>学历</translation>
+    </message>
+    <message>
+        <source>experience</source>
+        <translation>经验</translation>
+    </message>
+    <message>
+        <source>handedness</source>
+        <translation>惯用手</translation>
+    </message>
+    <message>
+        <source>female</source>
+        <translation>女</translation>
+    </message>
+    <message>
+        <source>male</source>
+        <translation>男</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>其他</translation>
+    </message>
+    <message>
+        <source>left-handed</source>
+        <translation>左利手</translation>
+    </message>
+    <message>
+        <source>right-handed</source>
+        <translation>右利手</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>intern</source>
+        <translation>实习医师</translation>
+    </message>
+    <message>
+        <source>deputy chief physician</source>
+        <translation>副主任医师</translation>
+    </message>
+    <message>
+        <source>chief physician</source>
+        <translation>主任医师</translation>
+    </message>
+    <message>
+        <source>One shuffle of everybody (the paper&apos;s case)</source>
+        <translation>全体一次随机排列（论文的做法）</translation>
+    </message>
+    <message>
+        <source>Shuffled blocks, one after another</source>
+        <translation>依次随机区组</translation>
+    </message>
+    <message>
+        <source>Shuffled blocks within strata</source>
+        <translation>分层随机区组</translation>
+    </message>
+    <message>
+        <source>Minimisation (Pocock and Simon)</source>
+        <translation>最小化法（Pocock 与 Simon）</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>未开始</translation>
+    </message>
+    <message>
+        <source>draft</source>
+        <translation>草稿</translation>
+    </message>
+    <message>
+        <source>submitted</source>
+        <translation>已提交</translation>
+    </message>
+    <message>
+        <source>taken back</source>
+        <translation>已收回</translation>
+    </message>
+    <message>
+        <source>published, not begun</source>
+        <translation>已发布，未启用</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>进行中</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>已关闭</translation>
+    </message>
+    <message>
+        <source>simulator</source>
+        <translation>模拟器</translation>
+    </message>
+    <message>
+        <source>real arm</source>
+        <translation>真实手臂</translation>
+    </message>
+    <message>
+        <source>share of twists on target</source>
+        <translation>达标扭转比例</translation>
+    </message>
+    <message>
+        <source>targets reached</source>
+        <translation>达到目标次数</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>overshoot</source>
+        <translation>超调</translation>
+    </message>
+    <message>
+        <source>settling time</source>
+        <translation>稳定时间</translation>
+    </message>
+    <message>
+        <source>steadiness of the hold</source>
+        <translation>保持稳定性</translation>
+    </message>
+    <message>
+        <source>smoothness</source>
+        <translation>平滑度</translation>
+    </message>
+    <message>
+        <source>peak force</source>
+        <translation>最大力</translation>
+    </message>
+    <message>
+        <source>force violations</source>
+        <translation>力超限次数</translation>
+    </message>
+    <message>
+        <source>peak torque</source>
+        <translation>最大扭矩</translation>
+    </message>
+</context>
+<context>
+    <name>Text</name>
     <message>
         <source>Choose another name</source>
         <translation>请另选名称</translation>
@@ -1527,10 +2114,6 @@
         <translation>请选择其他学员</translation>
     </message>
     <message>
-        <source>Choose another trial</source>
-        <translation>请选择其他操作记录</translation>
-    </message>
-    <message>
         <source>Choose at least one</source>
         <translation>请至少选择一项</translation>
     </message>
@@ -1719,10 +2302,6 @@
         <translation>请更正此人的记录，或说明理由后锁定新方案</translation>
     </message>
     <message>
-        <source>Correct the mark</source>
-        <translation>请更正评分</translation>
-    </message>
-    <message>
         <source>Correct the text</source>
         <translation>请更正文本</translation>
     </message>
@@ -1901,10 +2480,6 @@
     <message>
         <source>Free some space on this disk</source>
         <translation>请清理此磁盘的空间</translation>
-    </message>
-    <message>
-        <source>GLB</source>
-        <translation>GLB</translation>
     </message>
     <message>
         <source>Geometry</source>
@@ -2423,10 +2998,6 @@
         <translation>无需处理</translation>
     </message>
     <message>
-        <source>OBJ</source>
-        <translation>OBJ</translation>
-    </message>
-    <message>
         <source>Open a case of your own queue</source>
         <translation>请打开您自己待评列表中的案例</translation>
     </message>
@@ -2715,10 +3286,6 @@
         <translation>请对其运行 torsio db verify，并使用更早的备份</translation>
     </message>
     <message>
-        <source>STL</source>
-        <translation>STL</translation>
-    </message>
-    <message>
         <source>Save the table as UTF-8 CSV</source>
         <translation>请将表格保存为 UTF-8 编码的 CSV</translation>
     </message>
@@ -2849,10 +3416,6 @@
     <message>
         <source>Submitted marks stay; amend the mark instead</source>
         <translation>已提交的评分保持不变；请改用修订</translation>
-    </message>
-    <message>
-        <source>TORSIO_ASSETS=%1</source>
-        <translation>TORSIO_ASSETS=%1</translation>
     </message>
     <message>
         <source>Take a longer one</source>
@@ -3283,10 +3846,6 @@
         <translation>要求连续 %1 次，但只允许 %2 次</translation>
     </message>
     <message>
-        <source>assets/rubrics</source>
-        <translation>assets/rubrics</translation>
-    </message>
-    <message>
         <source>backup cannot be restored: %1</source>
         <translation>无法恢复备份：%1</translation>
     </message>
@@ -3479,10 +4038,6 @@
         <translation>力最大 %1 N，持续 %2 N，三个轴，无绕笔杆的扭矩</translation>
     </message>
     <message>
-        <source>format</source>
-        <translation>格式</translation>
-    </message>
-    <message>
         <source>gave up waiting for %1</source>
         <translation>等待超时：%1</translation>
     </message>
@@ -3643,10 +4198,6 @@
         <translation>其审计记录未通过校验（%1 处）</translation>
     </message>
     <message>
-        <source>keep</source>
-        <translation>保留</translation>
-    </message>
-    <message>
         <source>known as a rater; becomes a trainee too</source>
         <translation>已知为评分者；将同时成为学员</translation>
     </message>
@@ -3661,10 +4212,6 @@
     <message>
         <source>lattice mode &apos;%1&apos;</source>
         <translation>网格线模式“%1”</translation>
-    </message>
-    <message>
-        <source>lock</source>
-        <translation>锁定</translation>
     </message>
     <message>
         <source>login</source>
@@ -3705,10 +4252,6 @@
     <message>
         <source>mostly on target, little overshoot, force within limits</source>
         <translation>大多达到目标，超调小，力在限值内</translation>
-    </message>
-    <message>
-        <source>move</source>
-        <translation>修改</translation>
     </message>
     <message>
         <source>must be a list</source>
@@ -4051,10 +4594,6 @@
         <translation>第 %1 项未作答</translation>
     </message>
     <message>
-        <source>rows</source>
-        <translation>评分项</translation>
-    </message>
-    <message>
         <source>rubric</source>
         <translation>评分标准</translation>
     </message>
@@ -4065,10 +4604,6 @@
     <message>
         <source>scene &apos;%1&apos; has no pattern &apos;%2&apos;</source>
         <translation>场景“%1”没有扭转类型“%2”</translation>
-    </message>
-    <message>
-        <source>scenes</source>
-        <translation>场景</translation>
     </message>
     <message>
         <source>schema name is not allowed</source>
@@ -4395,10 +4930,6 @@
         <translation>文件单位须在 1e-9 与 1000 m 之间</translation>
     </message>
     <message>
-        <source>the first frame</source>
-        <translation>第一帧</translation>
-    </message>
-    <message>
         <source>the force changed faster than the device allows</source>
         <translation>力的变化快于设备允许</translation>
     </message>
@@ -4581,10 +5112,6 @@
     <message>
         <source>the physicians&apos; marks were shown already</source>
         <translation>已显示过医师的评分</translation>
-    </message>
-    <message>
-        <source>the picture</source>
-        <translation>图片</translation>
     </message>
     <message>
         <source>the place of the direction of ridge 0 is %1 of the length, it must lie in 0..1</source>
@@ -4773,10 +5300,6 @@
     <message>
         <source>the tremor must lie between 8 and 12 Hz</source>
         <translation>震颤须在 8 与 12 Hz 之间</translation>
-    </message>
-    <message>
-        <source>the trial has fewer than two samples</source>
-        <translation>操作记录的样本少于两个</translation>
     </message>
     <message>
         <source>the turn of the resting stylus wanders by %1 degrees</source>
@@ -4977,10 +5500,6 @@
     <message>
         <source>these minutes make no sense</source>
         <translation>分钟数不合理</translation>
-    </message>
-    <message>
-        <source>third</source>
-        <translation>仲裁评分者</translation>
     </message>
     <message>
         <source>this belongs to somebody else</source>
@@ -7043,10 +7562,6 @@
         <translation>得分（分）</translation>
     </message>
     <message>
-        <source>occasion</source>
-        <translation>评分时点</translation>
-    </message>
-    <message>
         <source>sealed until the study ends</source>
         <translation>封存至研究结束</translation>
     </message>
@@ -7097,10 +7612,6 @@
     <message>
         <source>the fitted normals do not cross between the means</source>
         <translation>拟合的两条正态曲线在均值之间不相交</translation>
-    </message>
-    <message>
-        <source>the likelihood has no finite maximum: the data are too orderly</source>
-        <translation>似然函数没有有限的最大值：数据过于规则</translation>
     </message>
     <message>
         <source>the manifest does not fit its hash: the database was tampered with</source>
@@ -7799,10 +8310,6 @@
         <translation>记录保存规则</translation>
     </message>
     <message>
-        <source>rubric</source>
-        <translation>评分标准</translation>
-    </message>
-    <message>
         <source>assignment</source>
         <translation>评分任务</translation>
     </message>
@@ -7878,465 +8385,201 @@
         <source>Single marks exported under codes</source>
         <translation>导出单项评分（仅代码）</translation>
     </message>
-</context>
-<context>
-    <name>StationLabels</name>
     <message>
-        <source>Twists on target</source>
-        <translation>达标扭转</translation>
+        <source>the tasks have different numbers of raters</source>
+        <translation>各任务的评分者人数不同</translation>
     </message>
     <message>
-        <source>Targets reached</source>
-        <translation>达到目标次数</translation>
+        <source>not read</source>
+        <translation>未读取</translation>
     </message>
     <message>
-        <source>Time of a twist</source>
-        <translation>单次扭转时间</translation>
+        <source>Checking the audit trail</source>
+        <translation>正在检查审计记录</translation>
     </message>
     <message>
-        <source>Time to target</source>
-        <translation>到达目标时间</translation>
+        <source>Checking the audit trail of the copy</source>
+        <translation>正在检查副本的审计记录</translation>
     </message>
     <message>
-        <source>Settling time</source>
-        <translation>稳定时间</translation>
+        <source>Checking tables and references</source>
+        <translation>正在检查数据表和引用</translation>
     </message>
     <message>
-        <source>Overshoot</source>
-        <translation>超调</translation>
+        <source>Copying</source>
+        <translation>正在复制</translation>
     </message>
     <message>
-        <source>Steadiness of the hold</source>
-        <translation>保持稳定度</translation>
+        <source>Reading the backup</source>
+        <translation>正在读取备份</translation>
     </message>
     <message>
-        <source>Smoothness</source>
-        <translation>平滑度</translation>
+        <source>Copying the record while others work</source>
+        <translation>正在复制记录，他人可继续工作</translation>
     </message>
     <message>
-        <source>Smoothness (jerk)</source>
-        <translation>平滑度（急动度）</translation>
+        <source>Reading the backup from end to end</source>
+        <translation>正在从头到尾读取备份</translation>
     </message>
     <message>
-        <source>Economy of turning</source>
-        <translation>转动经济性</translation>
+        <source>Backing up the record as it is now</source>
+        <translation>正在备份当前记录</translation>
     </message>
     <message>
-        <source>Sub-movements</source>
-        <translation>子动作数</translation>
+        <source>Preparing the restored record</source>
+        <translation>正在准备恢复的记录</translation>
     </message>
     <message>
-        <source>Angular path</source>
-        <translation>角路径</translation>
-    </message>
-    <message>
-        <source>Tracking error</source>
-        <translation>跟踪误差</translation>
-    </message>
-    <message>
-        <source>Excursions</source>
-        <translation>越界次数</translation>
-    </message>
-    <message>
-        <source>Path of the tip</source>
-        <translation>尖端路径</translation>
-    </message>
-    <message>
-        <source>Peak force</source>
-        <translation>最大力</translation>
-    </message>
-    <message>
-        <source>Mean force</source>
-        <translation>平均力</translation>
-    </message>
-    <message>
-        <source>Force violations</source>
-        <translation>超力次数</translation>
-    </message>
-    <message>
-        <source>Peak torque</source>
-        <translation>最大扭矩</translation>
-    </message>
-    <message>
-        <source>Abruptness of release</source>
-        <translation>松开的突然程度</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <comment>value and unit</comment>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 秒</translation>
-    </message>
-    <message>
-        <source>%1 min</source>
-        <translation>%1 分钟</translation>
-    </message>
-    <message>
-        <source>a moment</source>
-        <translation>片刻</translation>
-    </message>
-    <message>
-        <source>%1 h</source>
-        <translation>%1 小时</translation>
-    </message>
-    <message>
-        <source>%1 days</source>
-        <translation>%1 天</translation>
-    </message>
-    <message>
-        <source>Locked</source>
-        <translation>未解锁</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>可进行</translation>
-    </message>
-    <message>
-        <source>Mastered</source>
-        <translation>已掌握</translation>
-    </message>
-    <message>
-        <source>No attempt left</source>
-        <translation>尝试次数已用完</translation>
-    </message>
-    <message>
-        <source>First master: %1</source>
-        <translation>请先掌握：%1</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <comment>between titles</comment>
-        <translation>、</translation>
-    </message>
-    <message>
-        <source>Ask an administrator for another attempt.</source>
-        <translation>请向管理员申请追加尝试。</translation>
-    </message>
-    <message>
-        <source>%1: none</source>
-        <translation>%1：无</translation>
-    </message>
-    <message>
-        <source>%1: at most %2</source>
-        <translation>%1：不超过 %2</translation>
-    </message>
-    <message>
-        <source>%1: at least %2</source>
-        <translation>%1：不低于 %2</translation>
-    </message>
-    <message>
-        <source>%1, in %2 runs in a row</source>
-        <translation>%1，连续 %2 次训练</translation>
-    </message>
-    <message>
-        <source>%1, in %2 runs in a row (%3 so far)</source>
-        <translation>%1，连续 %2 次训练（目前 %3 次）</translation>
-    </message>
-    <message>
-        <source>Not tried yet</source>
-        <translation>尚未尝试</translation>
-    </message>
-    <message>
-        <source>Last time: interrupted after %1 s</source>
-        <translation>上次：%1 秒后中断</translation>
-    </message>
-    <message>
-        <source>Last time: %1 of %2 twists on target</source>
-        <translation>上次：%2 次扭转中 %1 次达标</translation>
-    </message>
-    <message>
-        <source>Unlocks: %1</source>
-        <translation>解锁：%1</translation>
-    </message>
-    <message>
-        <source>Twists let go on target: %1 of %2, wanted %3</source>
-        <translation>达标松开：%1 / %2，要求 %3</translation>
-    </message>
-    <message>
-        <source>Shortest hold on target: %1 s, wanted %2 s</source>
-        <translation>目标处最短保持：%1 秒，要求 %2 秒</translation>
-    </message>
-    <message>
-        <source>Hold on target: none, wanted %1 s</source>
-        <translation>目标处保持：无，要求 %1 秒</translation>
-    </message>
-    <message>
-        <source>Peak force: %1 N, limit %2 N</source>
-        <translation>最大力：%1 N，限值 %2 N</translation>
-    </message>
-    <message>
-        <source>Peak force: not measured, limit %1 N</source>
-        <translation>最大力：未测得，限值 %1 N</translation>
-    </message>
-    <message>
-        <source>Peak torque: %1 N m, limit %2 N m</source>
-        <translation>最大扭矩：%1 N m，限值 %2 N m</translation>
-    </message>
-    <message>
-        <source>Peak torque: not measured, limit %1 N m</source>
-        <translation>最大扭矩：未测得，限值 %1 N m</translation>
-    </message>
-    <message>
-        <source>not measured</source>
-        <translation>未测得</translation>
-    </message>
-    <message>
-        <source>%1: %2, at least %3</source>
-        <translation>%1：%2，至少 %3</translation>
-    </message>
-    <message>
-        <source>%1: %2, at most %3</source>
-        <translation>%1：%2，至多 %3</translation>
-    </message>
-    <message>
-        <source>%1 (%2 in a row, %3 needed)</source>
-        <translation>%1（已连续 %2 次，需要 %3 次）</translation>
-    </message>
-    <message>
-        <source>%1: %2, better than the expert (%3)</source>
-        <translation>%1：%2，优于专家（%3）</translation>
-    </message>
-    <message>
-        <source>%1: %2, as good as the expert (%3)</source>
-        <translation>%1：%2，与专家相当（%3）</translation>
-    </message>
-    <message>
-        <source>%1: %2, close to the expert (%3)</source>
-        <translation>%1：%2，接近专家（%3）</translation>
-    </message>
-    <message>
-        <source>%1: %2, the expert had %3</source>
-        <translation>%1：%2，专家为 %3</translation>
-    </message>
-    <message>
-        <source>Turn in one decided movement instead of feeling your way.</source>
-        <translation>果断地一次转动，不要边试边转。</translation>
-    </message>
-    <message>
-        <source>Slow down before the target, then stay.</source>
-        <translation>到目标前放慢，然后停住。</translation>
-    </message>
-    <message>
-        <source>Begin to slow down ten degrees before the target.</source>
-        <translation>在目标前十度开始放慢。</translation>
-    </message>
-    <message>
-        <source>Rest your forearm while you hold.</source>
-        <translation>保持时让前臂有支撑。</translation>
-    </message>
-    <message>
-        <source>Let speed rise and fall once, without stops.</source>
-        <translation>速度一次上升、一次下降，中途不停。</translation>
-    </message>
-    <message>
-        <source>Avoid turning back and forth.</source>
-        <translation>避免来回转动。</translation>
-    </message>
-    <message>
-        <source>One push instead of many small ones.</source>
-        <translation>一次发力，不要多次小动作。</translation>
-    </message>
-    <message>
-        <source>Press less while you turn; the grip holds the tissue.</source>
-        <translation>转动时少用压力，夹持已固定组织。</translation>
-    </message>
-    <message>
-        <source>Turn back a little before you open the jaw.</source>
-        <translation>张开钳口前先稍微转回。</translation>
-    </message>
-    <message>
-        <source>One more run until a level is shown</source>
-        <translation>再完成 1 次即可显示水平</translation>
-    </message>
-    <message>
-        <source>%1 more runs until a level is shown</source>
-        <translation>再完成 %1 次即可显示水平</translation>
-    </message>
-    <message>
-        <source>Learning</source>
-        <translation>学习中</translation>
-    </message>
-    <message>
-        <source>Steady</source>
-        <translation>稳定</translation>
-    </message>
-    <message>
-        <source>Watch</source>
-        <translation>需关注</translation>
-    </message>
-    <message>
-        <source>Relapsed</source>
-        <translation>退步</translation>
-    </message>
-    <message>
-        <source>Fewer than three runs show nothing but chance.</source>
-        <translation>少于三次的结果只反映偶然。</translation>
-    </message>
-    <message>
-        <source>Not yet shown to be reliable. About five good runs in a row show it.</source>
-        <translation>尚未证明可靠。连续约五次良好操作即可证明。</translation>
-    </message>
-    <message>
-        <source>Reliable, and staying so.</source>
-        <translation>可靠，并保持稳定。</translation>
-    </message>
-    <message>
-        <source>Reliable before; the last runs raise a doubt. One more good run or two settles it.</source>
-        <translation>此前可靠；最近的操作令人存疑。再有一两次良好操作即可消除。</translation>
-    </message>
-    <message>
-        <source>Reliable before, not now. Practise until the level is steady again.</source>
-        <translation>此前可靠，现在不再可靠。请练习至恢复稳定。</translation>
-    </message>
-    <message>
-        <source>Connected</source>
-        <translation>已连接</translation>
-    </message>
-    <message>
-        <source>Stylus docked</source>
-        <translation>手柄已归位</translation>
-    </message>
-    <message>
-        <source>Calibrated</source>
-        <translation>已校准</translation>
-    </message>
-    <message>
-        <source>Force</source>
-        <translation>力</translation>
-    </message>
-    <message>
-        <source>Update rate</source>
-        <translation>刷新率</translation>
-    </message>
-    <message>
-        <source>Hand and seat</source>
-        <translation>手与坐姿</translation>
+        <source>Checking the restored record</source>
+        <translation>正在检查已恢复的记录</translation>
     </message>
     <message>
         <source>Ready</source>
         <translation>就绪</translation>
     </message>
     <message>
-        <source>Practice only</source>
-        <translation>仅可练习</translation>
+        <source>Looking at the server</source>
+        <translation>正在查看服务器</translation>
     </message>
     <message>
-        <source>Not ready</source>
-        <translation>未就绪</translation>
-    </message>
-</context>
-<context>
-    <name>Study</name>
-    <message>
-        <source>before training</source>
-        <translation>训练前</translation>
+        <source>female, male or other</source>
+        <translation>女、男或其他</translation>
     </message>
     <message>
-        <source>half-way</source>
-        <translation>训练中</translation>
+        <source>left or right</source>
+        <translation>左或右</translation>
     </message>
     <message>
-        <source>after training</source>
-        <translation>训练后</translation>
+        <source>seed and design do not give the published commitment</source>
+        <translation>由种子和设计得不到已公布的承诺值</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>必须为 true 或 false</translation>
+    </message>
+    <message>
+        <source>must list codes of modules</source>
+        <translation>须列出模块代码</translation>
+    </message>
+    <message>
+        <source>Put them in quotes.</source>
+        <translation>请加上引号。</translation>
+    </message>
+    <message>
+        <source>there are fewer than two samples</source>
+        <translation>采样不足两个</translation>
+    </message>
+    <message>
+        <source>samples are missing for more than 20 ms</source>
+        <translation>采样缺失超过 20 ms</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>未测量</translation>
+    </message>
+    <message>
+        <source>nothing moved</source>
+        <translation>没有任何移动</translation>
+    </message>
+    <message>
+        <source>the movement is longer than a minute: split it into movements</source>
+        <translation>该动作超过一分钟：请拆分为多个动作</translation>
+    </message>
+    <message>
+        <source>the speed has no spectrum below the cut-off</source>
+        <translation>速度在截止频率以下没有频谱</translation>
+    </message>
+    <message>
+        <source>the speed is constant</source>
+        <translation>速度恒定不变</translation>
+    </message>
+    <message>
+        <source>the tool never held the organ</source>
+        <translation>器械从未夹持器官</translation>
+    </message>
+    <message>
+        <source>there are no samples</source>
+        <translation>没有采样</translation>
+    </message>
+    <message>
+        <source>the angle was never held</source>
+        <translation>从未保持角度</translation>
+    </message>
+    <message>
+        <source>the organ was never released</source>
+        <translation>从未松开器官</translation>
+    </message>
+    <message>
+        <source>the target was not reached</source>
+        <translation>未达到目标</translation>
+    </message>
+    <message>
+        <source>the angle did not settle</source>
+        <translation>角度未稳定</translation>
+    </message>
+    <message>
+        <source>the target does not move</source>
+        <translation>目标不移动</translation>
+    </message>
+    <message>
+        <source>not applicable</source>
+        <translation>不适用</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>已锁定</translation>
+    </message>
+    <message>
+        <source>kept longer</source>
+        <translation>延长保存</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>已解除</translation>
+    </message>
+    <message>
+        <source>Cohort report</source>
+        <translation>批次报告</translation>
+    </message>
+    <message>
+        <source>scores are missing at some scoring point</source>
+        <translation>某个评分时点缺少得分</translation>
+    </message>
+    <message>
+        <source>no start converges</source>
+        <translation>所有初值均不收敛</translation>
+    </message>
+    <message>
+        <source>a group has fewer than two values</source>
+        <translation>某组的数值不足两个</translation>
+    </message>
+    <message>
+        <source>category %1 is never used: collapse categories first</source>
+        <translation>类别 %1 从未使用：请先合并类别</translation>
+    </message>
+    <message>
+        <source>the likelihood has no finite maximum: nothing in the ratings bounds %1</source>
+        <translation>似然函数没有有限的最大值：评分无法界定 %1</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>练习</translation>
+    </message>
+    <message>
+        <source>Graded</source>
+        <translation>计分</translation>
+    </message>
+    <message>
+        <source>virtual</source>
+        <translation>虚拟</translation>
+    </message>
+    <message>
+        <source>real</source>
+        <translation>真实</translation>
     </message>
     <message>
         <source>enrolled</source>
         <translation>已登记</translation>
-    </message>
-    <message>
-        <source>completed</source>
-        <translation>已完成</translation>
-    </message>
-    <message>
-        <source>withdrew</source>
-        <translation>已退出</translation>
-    </message>
-    <message>
-        <source>sex</source>
-        <translation>性别</translation>
-    </message>
-    <message>
-        <source>level of education</source>
-        <translation>学历</translation>
-    </message>
-    <message>
-        <source>experience</source>
-        <translation>经验</translation>
-    </message>
-    <message>
-        <source>handedness</source>
-        <translation>惯用手</translation>
-    </message>
-    <message>
-        <source>female</source>
-        <translation>女</translation>
-    </message>
-    <message>
-        <source>male</source>
-        <translation>男</translation>
-    </message>
-    <message>
-        <source>other</source>
-        <translation>其他</translation>
-    </message>
-    <message>
-        <source>left-handed</source>
-        <translation>左利手</translation>
-    </message>
-    <message>
-        <source>right-handed</source>
-        <translation>右利手</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>未知</translation>
-    </message>
-    <message>
-        <source>intern</source>
-        <translation>实习医师</translation>
-    </message>
-    <message>
-        <source>deputy chief physician</source>
-        <translation>副主任医师</translation>
-    </message>
-    <message>
-        <source>chief physician</source>
-        <translation>主任医师</translation>
-    </message>
-    <message>
-        <source>One shuffle of everybody (the paper&apos;s case)</source>
-        <translation>全体一次随机排列（论文的做法）</translation>
-    </message>
-    <message>
-        <source>Shuffled blocks, one after another</source>
-        <translation>依次随机区组</translation>
-    </message>
-    <message>
-        <source>Shuffled blocks within strata</source>
-        <translation>分层随机区组</translation>
-    </message>
-    <message>
-        <source>Minimisation (Pocock and Simon)</source>
-        <translation>最小化法（Pocock 与 Simon）</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>未开始</translation>
-    </message>
-    <message>
-        <source>draft</source>
-        <translation>草稿</translation>
-    </message>
-    <message>
-        <source>submitted</source>
-        <translation>已提交</translation>
-    </message>
-    <message>
-        <source>taken back</source>
-        <translation>已收回</translation>
     </message>
     <message>
         <source>published, not begun</source>
@@ -8351,52 +8594,176 @@
         <translation>已关闭</translation>
     </message>
     <message>
-        <source>simulator</source>
-        <translation>模拟器</translation>
+        <source>kept</source>
+        <translation>已保留</translation>
     </message>
     <message>
-        <source>real arm</source>
-        <translation>真实手臂</translation>
+        <source>moved</source>
+        <translation>已修改</translation>
     </message>
     <message>
-        <source>share of twists on target</source>
-        <translation>达标扭转比例</translation>
+        <source>adjudicator requested</source>
+        <translation>已请求仲裁</translation>
     </message>
     <message>
-        <source>targets reached</source>
-        <translation>达到目标次数</translation>
+        <source>this mark</source>
+        <translation>该评分</translation>
     </message>
     <message>
-        <source>time</source>
-        <translation>时间</translation>
+        <source>this frozen data set</source>
+        <translation>该冻结数据集</translation>
     </message>
     <message>
-        <source>overshoot</source>
-        <translation>超调</translation>
+        <source>this remark</source>
+        <translation>该评语</translation>
     </message>
     <message>
-        <source>settling time</source>
-        <translation>稳定时间</translation>
+        <source>this self-score</source>
+        <translation>该自评</translation>
     </message>
     <message>
-        <source>steadiness of the hold</source>
-        <translation>保持稳定性</translation>
+        <source>this warm-up</source>
+        <translation>该次评分者校准</translation>
     </message>
     <message>
-        <source>smoothness</source>
-        <translation>平滑度</translation>
+        <source>Give two end points further apart, or a smaller cap radius.</source>
+        <translation>请给出相距更远的两个端点，或减小端盖半径。</translation>
     </message>
     <message>
-        <source>peak force</source>
-        <translation>最大力</translation>
+        <source>Use the harmonic mode, or move the end points off branches and fingers.</source>
+        <translation>请使用调和模式，或将端点移离分支和手指。</translation>
     </message>
     <message>
-        <source>force violations</source>
-        <translation>力超限次数</translation>
+        <source>Check the mesh for thin spikes, or give other end points.</source>
+        <translation>请检查网格是否有细小尖刺，或另行指定端点。</translation>
     </message>
     <message>
-        <source>peak torque</source>
-        <translation>最大扭矩</translation>
+        <source>Give the two end points of the axis, or use the harmonic mode.</source>
+        <translation>请给出轴线的两个端点，或使用调和模式。</translation>
+    </message>
+    <message>
+        <source>a face needs its number of corners and as many indices</source>
+        <translation>每个面须给出角点数和相同数量的索引</translation>
+    </message>
+    <message>
+        <source>an index is not a whole number</source>
+        <translation>索引不是整数</translation>
+    </message>
+    <message>
+        <source>it is not text</source>
+        <translation>不是文本</translation>
+    </message>
+    <message>
+        <source>it does not begin with OFF or COFF</source>
+        <translation>文件开头不是 OFF 或 COFF</translation>
+    </message>
+    <message>
+        <source>no counts follow the first word</source>
+        <translation>首个词之后没有数量</translation>
+    </message>
+    <message>
+        <source>a vertex needs three numbers</source>
+        <translation>顶点需要三个数字</translation>
+    </message>
+    <message>
+        <source>a property stands before any element</source>
+        <translation>属性出现在所有元素之前</translation>
+    </message>
+    <message>
+        <source>a property without type and name</source>
+        <translation>属性缺少类型和名称</translation>
+    </message>
+    <message>
+        <source>a property of unknown type</source>
+        <translation>属性的类型未知</translation>
+    </message>
+    <message>
+        <source>vertex indices that are not integers</source>
+        <translation>顶点索引不是整数</translation>
+    </message>
+    <message>
+        <source>unknown kind of format</source>
+        <translation>格式种类未知</translation>
+    </message>
+    <message>
+        <source>an element without a count</source>
+        <translation>元素缺少数量</translation>
+    </message>
+    <message>
+        <source>the first line is not &quot;ply&quot;</source>
+        <translation>首行不是“ply”</translation>
+    </message>
+    <message>
+        <source>the header has no end</source>
+        <translation>文件头没有结束标记</translation>
+    </message>
+    <message>
+        <source>values are missing</source>
+        <translation>缺少数值</translation>
+    </message>
+    <message>
+        <source>the length of a list is no count</source>
+        <translation>列表长度不是有效数量</translation>
+    </message>
+    <message>
+        <source>a value is not a number</source>
+        <translation>某个值不是数字</translation>
+    </message>
+    <message>
+        <source>it has more values than declared</source>
+        <translation>数值多于所声明的数量</translation>
+    </message>
+    <message>
+        <source>the file ends early</source>
+        <translation>文件提前结束</translation>
+    </message>
+    <message>
+        <source>points nowhere</source>
+        <translation>没有指向任何方向</translation>
+    </message>
+    <message>
+        <source>Give a direction that is not zero.</source>
+        <translation>请给出非零方向。</translation>
+    </message>
+    <message>
+        <source>must list at least one</source>
+        <translation>至少须列出一项</translation>
+    </message>
+    <message>
+        <source>Add a pattern.</source>
+        <translation>请添加一个模式。</translation>
+    </message>
+    <message>
+        <source>three force axes</source>
+        <translation>三个力轴</translation>
+    </message>
+    <message>
+        <source>usable workspace</source>
+        <translation>可用工作空间</translation>
+    </message>
+    <message>
+        <source>on the simulator</source>
+        <translation>在模拟器上</translation>
+    </message>
+    <message>
+        <source>on the real arm</source>
+        <translation>在真实手臂上</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>休息</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>在册</translation>
+    </message>
+    <message>
+        <source>erased</source>
+        <translation>已删除身份信息</translation>
+    </message>
+    <message>
+        <source>has left</source>
+        <translation>已离开</translation>
     </message>
 </context>
 <context>
@@ -8483,13 +8850,6 @@
     </message>
 </context>
 <context>
-    <name>ReasonDialog</name>
-    <message>
-        <source>&amp;Reason</source>
-        <translation>原因(&amp;R)</translation>
-    </message>
-</context>
-<context>
     <name>torsio::gui::AccountsDialog</name>
     <message>
         <source>&amp;Copy</source>
@@ -8546,113 +8906,6 @@
     <message>
         <source>Nothing was copied or saved, and these passwords are not shown again. Close all the same?</source>
         <translation>尚未复制或保存，这些密码不会再次显示。仍要关闭吗？</translation>
-    </message>
-</context>
-<context>
-    <name>torsio::gui::DiscrepancyReviewPage</name>
-    <message>
-        <source>Your mark stays as it is</source>
-        <translation>您的评分保持不变</translation>
-    </message>
-    <message>
-        <source>An adjudicator has been requested</source>
-        <translation>已请求仲裁评分者</translation>
-    </message>
-    <message>
-        <source>kept</source>
-        <translation>已保留</translation>
-    </message>
-    <message>
-        <source>moved</source>
-        <translation>已修改</translation>
-    </message>
-    <message>
-        <source>adjudicator requested</source>
-        <translation>已请求仲裁</translation>
-    </message>
-    <message>
-        <source>to be decided</source>
-        <translation>待决定</translation>
-    </message>
-    <message>
-        <source>Case %1</source>
-        <translation>案例 %1</translation>
-    </message>
-    <message>
-        <source>Decided. You may decide anew.</source>
-        <translation>已决定，可重新决定。</translation>
-    </message>
-    <message>
-        <source>Decided: %1</source>
-        <translation>已决定：%1</translation>
-    </message>
-    <message>
-        <source>Leave it unchanged</source>
-        <translation>保持不变</translation>
-    </message>
-    <message>
-        <source>&amp;Keep my mark</source>
-        <translation>保留我的评分(&amp;K)</translation>
-    </message>
-    <message>
-        <source>Seal the amended mark</source>
-        <translation>封存修订后的评分</translation>
-    </message>
-    <message>
-        <source>A&amp;mend it …</source>
-        <translation>修订(&amp;M)…</translation>
-    </message>
-    <message>
-        <source>The amended mark is sealed; the one before is kept</source>
-        <translation>修订后的评分已封存，原评分保留</translation>
-    </message>
-    <message>
-        <source>Discrepancy review</source>
-        <translation>差异复核</translation>
-    </message>
-    <message>
-        <source>Only cases that all have submitted, and only where your mark differs from the others. The others are not named, nor are you to them.</source>
-        <translation>仅列出所有人都已提交、且您的评分与他人差异较大的案例。他人不具名，您对他人也不具名。</translation>
-    </message>
-    <message>
-        <source>No disagreement waits for you.</source>
-        <translation>没有待处理的分歧。</translation>
-    </message>
-    <message>
-        <source>Cases where your mark differs</source>
-        <translation>您的评分差异较大的案例</translation>
-    </message>
-    <message>
-        <source>Case</source>
-        <translation>案例</translation>
-    </message>
-    <message>
-        <source>Apart by</source>
-        <translation>相差</translation>
-    </message>
-    <message>
-        <source>Decision</source>
-        <translation>决定</translation>
-    </message>
-    <message>
-        <source>Reason (needed to amend a mark or to ask for an adjudicator)</source>
-        <translation>理由（修订评分或请求仲裁评分者时必填）</translation>
-    </message>
-    <message>
-        <source>Reason</source>
-        <translation>理由</translation>
-    </message>
-    <message>
-        <source>Ask for an adjudica&amp;tor</source>
-        <translation>请求仲裁评分者(&amp;T)</translation>
-    </message>
-    <message>
-        <source>Look at it again</source>
-        <translation>再看一遍</translation>
-    </message>
-    <message>
-        <source>Diamond: you. Band: lowest to highest of the others. Line: their mean.</source>
-        <translation>菱形：您。色带：他人最低至最高。竖线：他人均分。</translation>
     </message>
 </context>
 <context>
@@ -9299,251 +9552,6 @@ MSM = 质点弹簧</translation>
     </message>
 </context>
 <context>
-    <name>torsio::gui::MaintenancePage</name>
-    <message>
-        <source>to be reviewed</source>
-        <translation>待审查</translation>
-    </message>
-    <message>
-        <source>locked: %1</source>
-        <translation>已锁定：%1</translation>
-    </message>
-    <message>
-        <source>kept longer: %1</source>
-        <translation>延长保存：%1</translation>
-    </message>
-    <message>
-        <source>%1, %2 free on the disk</source>
-        <translation>%1，磁盘剩余 %2</translation>
-    </message>
-    <message>
-        <source>Disk in use</source>
-        <translation>磁盘用量</translation>
-    </message>
-    <message>
-        <source>On a database server</source>
-        <translation>位于数据库服务器</translation>
-    </message>
-    <message>
-        <source>✓ Checked: sound, schema %1, %2 audit entries</source>
-        <translation>✓ 已检查：完好，结构版本 %1，审计记录 %2 条</translation>
-    </message>
-    <message>
-        <source>✗ Checked: %1 finding(s), first: %2</source>
-        <translation>✗ 已检查：发现 %1 个问题，第一个：%2</translation>
-    </message>
-    <message>
-        <source>There are no simulated people in this record.</source>
-        <translation>记录中没有模拟人员。</translation>
-    </message>
-    <message>
-        <source>%1 simulated people, %2 recordings, %3 marks. They are marked everywhere and can go at once; real data stay.</source>
-        <translation>模拟人员 %1 名，录制 %2 次，评分 %3 个。它们处处带有标记，可一次删除；真实数据不受影响。</translation>
-    </message>
-    <message>
-        <source>A backup takes the place of this record, or the record goes to a database server for several stations. Both ask first and show what they will do.</source>
-        <translation>用备份取代此记录，或将记录迁移到供多个工作站使用的数据库服务器。两者都会先询问并说明将要执行的操作。</translation>
-    </message>
-    <message>
-        <source>This record lies on a database server. Its administrator backs it up and restores it with the server&apos;s own tools.</source>
-        <translation>此记录位于数据库服务器上，由服务器管理员用服务器自带的工具备份和恢复。</translation>
-    </message>
-    <message>
-        <source>&amp;Release…</source>
-        <translation>解除(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>&amp;Lock…</source>
-        <translation>锁定(&amp;L)…</translation>
-    </message>
-    <message>
-        <source>Backing up</source>
-        <translation>正在备份</translation>
-    </message>
-    <message>
-        <source>✓ Written and read back: %1 recordings, %2 marks.
-%3</source>
-        <translation>✓ 已写入并回读：录制 %1 次，评分 %2 个。
-%3</translation>
-    </message>
-    <message>
-        <source>Testing a backup</source>
-        <translation>正在测试备份</translation>
-    </message>
-    <message>
-        <source>✓ This backup can be restored: %1 recordings, %2 marks.
-%3</source>
-        <translation>✓ 该备份可以恢复：录制 %1 次，评分 %2 个。
-%3</translation>
-    </message>
-    <message>
-        <source>✗ This backup is not sound. Make a new one.
-%1</source>
-        <translation>✗ 该备份不完好，请重新备份。
-%1</translation>
-    </message>
-    <message>
-        <source>Checking the database</source>
-        <translation>正在检查数据库</translation>
-    </message>
-    <message>
-        <source>Removed: %1 simulated people, %2 recordings</source>
-        <translation>已删除：模拟人员 %1 名，录制 %2 次</translation>
-    </message>
-    <message>
-        <source>Back up to</source>
-        <translation>备份到</translation>
-    </message>
-    <message>
-        <source>Backup (*.sqlite)</source>
-        <translation>备份 (*.sqlite)</translation>
-    </message>
-    <message>
-        <source>Test a backup</source>
-        <translation>测试备份</translation>
-    </message>
-    <message>
-        <source>Remove the demonstration</source>
-        <translation>删除演示数据</translation>
-    </message>
-    <message>
-        <source>%1 simulated people and all that belongs to them go at once. This cannot be taken back.</source>
-        <translation>%1 名模拟人员及其全部数据将一次删除，无法撤销。</translation>
-    </message>
-    <message>
-        <source>Keep longer</source>
-        <translation>延长保存</translation>
-    </message>
-    <message>
-        <source>The record of %1 is kept for another year.</source>
-        <translation>%1 的记录再保存一年。</translation>
-    </message>
-    <message>
-        <source>Release</source>
-        <translation>释放</translation>
-    </message>
-    <message>
-        <source>The record of %1 is no longer held.</source>
-        <translation>%1 的记录不再保留。</translation>
-    </message>
-    <message>
-        <source>Lock</source>
-        <translation>锁定</translation>
-    </message>
-    <message>
-        <source>The record of %1 is kept until somebody releases it.</source>
-        <translation>%1 的记录将一直保留，直到有人解除。</translation>
-    </message>
-    <message>
-        <source>Erase a record</source>
-        <translation>删除个人记录</translation>
-    </message>
-    <message>
-        <source>The identity of %1 and %2 recording(s) are erased for good. Marks stay without a person, so that statistics remain right.</source>
-        <translation>%1 的身份信息和 %2 次录制将永久删除。评分去除个人信息后保留，以保证统计正确。</translation>
-    </message>
-    <message>
-        <source>Maintenance of the record</source>
-        <translation>数据维护</translation>
-    </message>
-    <message>
-        <source>Back up, test the backup, and review what is due.</source>
-        <translation>备份、测试备份，并处理到期事项。</translation>
-    </message>
-    <message>
-        <source>Backup</source>
-        <translation>备份</translation>
-    </message>
-    <message>
-        <source>A backup is one file, made while others work and read back at once. Keep it on another machine.</source>
-        <translation>备份是一个文件，不影响他人工作，写完立即回读。请存放在另一台机器上。</translation>
-    </message>
-    <message>
-        <source>&amp;Back up…</source>
-        <translation>备份(&amp;B)…</translation>
-    </message>
-    <message>
-        <source>&amp;Test a backup…</source>
-        <translation>测试备份(&amp;T)…</translation>
-    </message>
-    <message>
-        <source>This record</source>
-        <translation>当前数据库</translation>
-    </message>
-    <message>
-        <source>&amp;Check the database</source>
-        <translation>检查数据库(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Demonstration</source>
-        <translation>演示数据</translation>
-    </message>
-    <message>
-        <source>Re&amp;move…</source>
-        <translation>删除(&amp;M)…</translation>
-    </message>
-    <message>
-        <source>Restore or move</source>
-        <translation>恢复或迁移</translation>
-    </message>
-    <message>
-        <source>Re&amp;store…</source>
-        <translation>恢复(&amp;S)…</translation>
-    </message>
-    <message>
-        <source>Mo&amp;ve to PostgreSQL…</source>
-        <translation>迁移到 PostgreSQL(&amp;V)…</translation>
-    </message>
-    <message>
-        <source>Records due for review</source>
-        <translation>到期待审查的记录</translation>
-    </message>
-    <message>
-        <source>&amp;Keep longer…</source>
-        <translation>延长保存(&amp;K)…</translation>
-    </message>
-    <message>
-        <source>&amp;Erase…</source>
-        <translation>删除(&amp;E)…</translation>
-    </message>
-    <message>
-        <source>Person</source>
-        <translation>人员</translation>
-    </message>
-    <message>
-        <source>Why</source>
-        <translation>原因</translation>
-    </message>
-    <message>
-        <source>Lawful basis</source>
-        <translation>法律依据</translation>
-    </message>
-    <message>
-        <source>Last activity</source>
-        <translation>最近活动</translation>
-    </message>
-    <message>
-        <source>Due since</source>
-        <translation>到期时间</translation>
-    </message>
-    <message>
-        <source>State</source>
-        <translation>状态</translation>
-    </message>
-    <message>
-        <source>No record is due.</source>
-        <translation>没有到期的记录。</translation>
-    </message>
-    <message>
-        <source>R&amp;ules…</source>
-        <translation>规则(&amp;U)…</translation>
-    </message>
-    <message>
-        <source>How long records are kept, and on what lawful basis</source>
-        <translation>记录保存多久，依据何种法律依据</translation>
-    </message>
-</context>
-<context>
     <name>torsio::gui::CasePage</name>
     <message>
         <source>The recording could not be opened.</source>
@@ -10075,6 +10083,57 @@ MSM = 质点弹簧</translation>
     </message>
 </context>
 <context>
+    <name>torsio::gui::ConsentDialog</name>
+    <message>
+        <source>&amp;Given</source>
+        <translation>已同意(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Withdrawn</source>
+        <translation>已撤回(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Consents of %1</source>
+        <translation>%1 的知情同意</translation>
+    </message>
+    <message>
+        <source>Every decision is kept; the newest about a purpose counts. Enter here what was signed on paper.</source>
+        <translation>每次决定都会保留，同一用途以最新的为准。纸质签署的决定请在此录入。</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Purpose</source>
+        <translation>用途</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>决定</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文本版本</translation>
+    </message>
+    <message>
+        <source>Nothing was decided yet.</source>
+        <translation>尚无任何决定。</translation>
+    </message>
+    <message>
+        <source>On &amp;paper</source>
+        <translation>纸质签署(&amp;P)</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>已同意</translation>
+    </message>
+    <message>
+        <source>withdrawn</source>
+        <translation>已撤回</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::ConsentPage</name>
     <message>
         <source>Consent to the training record</source>
@@ -10257,61 +10316,6 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Create</source>
         <translation>创建</translation>
-    </message>
-</context>
-<context>
-    <name>CurriculumState</name>
-    <message>
-        <source>%1: changed, not saved. The draft is also saved when you leave.</source>
-        <translation>%1：已更改，未保存。离开时草稿也会保存。</translation>
-    </message>
-    <message>
-        <source>Everything may be changed; nobody is touched until it is published as version %1.</source>
-        <translation>一切均可更改；在发布为第 %1 版之前不影响任何人。</translation>
-    </message>
-    <message>
-        <source>Saved %1. %2</source>
-        <translation>已于 %1 保存。%2</translation>
-    </message>
-    <message>
-        <source>%1 The newest version is %2: %3.</source>
-        <translation>%1 最新版本为第 %2 版：%3。</translation>
-    </message>
-    <message>
-        <source>No cohort follows it.</source>
-        <translation>没有批次采用。</translation>
-    </message>
-    <message>
-        <source>Followed by: %1.</source>
-        <translation>采用的批次：%1。</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>、</translation>
-    </message>
-    <message>
-        <source>Published on %1 and never changes. Begin it, so that cohorts can follow it.</source>
-        <translation>已于 %1 发布，不再改变。启用后批次才能采用。</translation>
-    </message>
-    <message>
-        <source>Published on %1, running: cohorts can choose it. It never changes; to change anything, edit the draft and publish the next version.</source>
-        <translation>已于 %1 发布，进行中：批次可以选用。它不再改变；如需更改，请编辑草稿并发布下一版。</translation>
-    </message>
-    <message>
-        <source>Published on %1, closed: no further cohort can choose it; who follows it goes on. It is kept as it was.</source>
-        <translation>已于 %1 发布，已关闭：不再有新批次可选用；已采用的继续进行。内容保持原样。</translation>
-    </message>
-    <message>
-        <source>%1 Note: %2.</source>
-        <translation>%1 说明：%2。</translation>
-    </message>
-    <message>
-        <source>%1 Superseded by version %2.</source>
-        <translation>%1 已被第 %2 版取代。</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
     </message>
 </context>
 <context>
@@ -10764,6 +10768,113 @@ MSM = 质点弹簧</translation>
     </message>
 </context>
 <context>
+    <name>torsio::gui::DiscrepancyReviewPage</name>
+    <message>
+        <source>Your mark stays as it is</source>
+        <translation>您的评分保持不变</translation>
+    </message>
+    <message>
+        <source>An adjudicator has been requested</source>
+        <translation>已请求仲裁评分者</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>已保留</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>已修改</translation>
+    </message>
+    <message>
+        <source>adjudicator requested</source>
+        <translation>已请求仲裁</translation>
+    </message>
+    <message>
+        <source>to be decided</source>
+        <translation>待决定</translation>
+    </message>
+    <message>
+        <source>Case %1</source>
+        <translation>案例 %1</translation>
+    </message>
+    <message>
+        <source>Decided. You may decide anew.</source>
+        <translation>已决定，可重新决定。</translation>
+    </message>
+    <message>
+        <source>Decided: %1</source>
+        <translation>已决定：%1</translation>
+    </message>
+    <message>
+        <source>Leave it unchanged</source>
+        <translation>保持不变</translation>
+    </message>
+    <message>
+        <source>&amp;Keep my mark</source>
+        <translation>保留我的评分(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Seal the amended mark</source>
+        <translation>封存修订后的评分</translation>
+    </message>
+    <message>
+        <source>A&amp;mend it …</source>
+        <translation>修订(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>The amended mark is sealed; the one before is kept</source>
+        <translation>修订后的评分已封存，原评分保留</translation>
+    </message>
+    <message>
+        <source>Discrepancy review</source>
+        <translation>差异复核</translation>
+    </message>
+    <message>
+        <source>Only cases that all have submitted, and only where your mark differs from the others. The others are not named, nor are you to them.</source>
+        <translation>仅列出所有人都已提交、且您的评分与他人差异较大的案例。他人不具名，您对他人也不具名。</translation>
+    </message>
+    <message>
+        <source>No disagreement waits for you.</source>
+        <translation>没有待处理的分歧。</translation>
+    </message>
+    <message>
+        <source>Cases where your mark differs</source>
+        <translation>您的评分差异较大的案例</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>案例</translation>
+    </message>
+    <message>
+        <source>Apart by</source>
+        <translation>相差</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>决定</translation>
+    </message>
+    <message>
+        <source>Reason (needed to amend a mark or to ask for an adjudicator)</source>
+        <translation>理由（修订评分或请求仲裁评分者时必填）</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>理由</translation>
+    </message>
+    <message>
+        <source>Ask for an adjudica&amp;tor</source>
+        <translation>请求仲裁评分者(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Look at it again</source>
+        <translation>再看一遍</translation>
+    </message>
+    <message>
+        <source>Diamond: you. Band: lowest to highest of the others. Line: their mean.</source>
+        <translation>菱形：您。色带：他人最低至最高。竖线：他人均分。</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::EvaluationPage</name>
     <message>
         <source>Saved</source>
@@ -10907,61 +11018,6 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Exercises, in their order</source>
         <translation>练习（按顺序）</translation>
-    </message>
-</context>
-<context>
-    <name>torsio::gui::MasteryTable</name>
-    <message>
-        <source>at least</source>
-        <translation>不低于</translation>
-    </message>
-    <message>
-        <source>at most</source>
-        <translation>不超过</translation>
-    </message>
-    <message>
-        <source>What rule %1 is about</source>
-        <translation>标准 %1 的指标</translation>
-    </message>
-    <message>
-        <source>Direction of rule %1</source>
-        <translation>标准 %1 的方向</translation>
-    </message>
-    <message>
-        <source>Threshold of rule %1</source>
-        <translation>标准 %1 的阈值</translation>
-    </message>
-    <message>
-        <source>Attempts in a row of rule %1</source>
-        <translation>标准 %1 的连续次数</translation>
-    </message>
-    <message>
-        <source>Rules of mastery</source>
-        <translation>掌握标准</translation>
-    </message>
-    <message>
-        <source>Add rule</source>
-        <translation>添加标准</translation>
-    </message>
-    <message>
-        <source>Remove rule</source>
-        <translation>删除标准</translation>
-    </message>
-    <message>
-        <source>Metric</source>
-        <translation>指标</translation>
-    </message>
-    <message>
-        <source>is</source>
-        <translation>关系</translation>
-    </message>
-    <message>
-        <source>Threshold</source>
-        <translation>阈值</translation>
-    </message>
-    <message>
-        <source>In a row</source>
-        <translation>连续次数</translation>
     </message>
 </context>
 <context>
@@ -11514,478 +11570,454 @@ MSM = 质点弹簧</translation>
     </message>
 </context>
 <context>
-    <name>torsio::gui::SimulatorWindow</name>
+    <name>torsio::gui::MainWindow</name>
     <message>
-        <source>Loading…</source>
-        <translation>正在加载…</translation>
+        <source>Something is unfinished here. Only its owner can sign out</source>
+        <translation>此处有未完成的内容，只有本人可以退出登录</translation>
     </message>
     <message>
-        <source>Hint</source>
-        <translation>提示</translation>
+        <source>Nobody here? You will be signed out in %1 s. Press any key to stay</source>
+        <translation>没有人在吗？%1 秒后将退出登录。按任意键继续</translation>
     </message>
     <message>
-        <source>Recording</source>
-        <translation>录制</translation>
+        <source>Nobody here? The screen will be locked in %1 s. Press any key to stay</source>
+        <translation>没有人在吗？%1 秒后将锁定屏幕。按任意键继续</translation>
     </message>
     <message>
-        <source>Source of the organ</source>
-        <translation>器官来源</translation>
+        <source>You were signed out because nobody was here</source>
+        <translation>由于长时间无人操作，已退出登录</translation>
     </message>
     <message>
-        <source>Device</source>
-        <translation>设备</translation>
+        <source>The database does not answer. Your run goes on; it is kept on this computer and stored as soon as the database answers</source>
+        <translation>数据库没有应答。您的训练继续进行；记录保存在本机，数据库恢复后立即存入</translation>
     </message>
     <message>
-        <source>Mouse and keyboard</source>
-        <translation>鼠标和键盘</translation>
+        <source>The database does not answer. Torsio tries again by itself; what is stored is safe</source>
+        <translation>数据库没有应答。Torsio 会自动重试；已存入的数据是安全的</translation>
     </message>
     <message>
-        <source>Bring the jaw to the marked band</source>
-        <translation>将钳口移到标记的环带处</translation>
+        <source>Warning of the idle lock</source>
+        <translation>无操作锁定提醒</translation>
     </message>
     <message>
-        <source>Touching. Hold the first button of the stylus to grip</source>
-        <translation>已接触。按住手写笔的第一个按钮以夹持</translation>
+        <source>State of the database</source>
+        <translation>数据库状态</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) of this station could not be stored</source>
+        <translation>
+            <numerusform>本工作站有 %n 份记录未能存入数据库</numerusform>
+        </translation>
     </message>
     <message>
-        <source>Holding. Lead the stylus round to twist; let the button go to release</source>
-        <translation>已夹持。引导手写笔绕行以扭转；松开按钮即释放</translation>
+        <source>The files are kept. Please show this to your administrator</source>
+        <translation>文件已保留，请将此信息告知管理员</translation>
     </message>
     <message>
-        <source>The tissue returns to rest</source>
-        <translation>组织正在恢复</translation>
+        <source>PIN for practice</source>
+        <translation>练习用 PIN 码</translation>
     </message>
     <message>
-        <source>Replay of a recorded trial</source>
-        <translation>正在回放录制内容</translation>
+        <source>At least four digits. With it you practise at a station; nothing is recorded.
+Leave it empty to remove it.</source>
+        <translation>至少四位数字。可用它在工作站练习，不作任何记录。
+留空则删除。</translation>
     </message>
     <message>
-        <source>%1 mm to the surface. Wheel: nearer</source>
-        <translation>距表面 %1 mm。滚轮：靠近</translation>
+        <source>The PIN was removed</source>
+        <translation>PIN 码已删除</translation>
     </message>
     <message>
-        <source>Bring the jaw to the marked band. Wheel: depth, right drag: turn the view</source>
-        <translation>将钳口移到标记带。滚轮：深度；右键拖动：转动视图</translation>
+        <source>The PIN is in force</source>
+        <translation>PIN 码已生效</translation>
     </message>
     <message>
-        <source>Touching. Hold the left button or Space to grip</source>
-        <translation>已接触。按住左键或空格键夹持</translation>
+        <source>There is no demonstration data</source>
+        <translation>没有演示数据</translation>
     </message>
     <message>
-        <source>Holding. Drag, or press Q and E, to twist; let go to release</source>
-        <translation>已夹持。拖动或按 Q、E 键扭转；松开即释放</translation>
+        <source>Remove demonstration data</source>
+        <translation>删除演示数据</translation>
     </message>
     <message>
-        <source>● Recording  %1 s</source>
-        <translation>● 录制中  %1 秒</translation>
+        <source>Remove %1 simulated people, %2 trials and %3 marks?</source>
+        <translation>删除 %1 名模拟人员、%2 次操作记录和 %3 个评分？</translation>
     </message>
     <message>
-        <source>%1 – Torsio</source>
-        <translation>%1 – Torsio</translation>
+        <source>Your own data stay as they are. This cannot be undone.</source>
+        <translation>您自己的数据不受影响。此操作无法撤销。</translation>
     </message>
     <message>
-        <source>Stop</source>
-        <translation>停止</translation>
+        <source>Remove</source>
+        <translation>删除</translation>
     </message>
     <message>
-        <source>Record</source>
-        <translation>录制</translation>
+        <source>Removing the demonstration</source>
+        <translation>正在删除演示数据</translation>
     </message>
     <message>
-        <source>Open organ</source>
-        <translation>打开器官</translation>
+        <source>Removed from the user menu</source>
+        <translation>通过用户菜单删除</translation>
     </message>
     <message>
-        <source>Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)</source>
-        <translation>网格文件 (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;所有文件 (*)</translation>
+        <source>The demonstration data were removed</source>
+        <translation>演示数据已删除</translation>
     </message>
     <message>
-        <source>millimetres</source>
-        <translation>毫米</translation>
+        <source>Leave kiosk mode</source>
+        <translation>退出展台模式</translation>
     </message>
     <message>
-        <source>centimetres</source>
-        <translation>厘米</translation>
+        <source>An administrator ends the kiosk with name and password.</source>
+        <translation>管理员可用登录名和密码结束展台模式。</translation>
     </message>
     <message>
-        <source>metres</source>
-        <translation>米</translation>
+        <source>Only an administrator can end the kiosk</source>
+        <translation>只有管理员可以结束展台模式</translation>
     </message>
     <message>
-        <source>The file&apos;s numbers are</source>
-        <translation>文件中的数值单位为</translation>
+        <source>The database answers again, and what was kept meanwhile is stored</source>
+        <translation>数据库已恢复应答，期间保存的内容已存入</translation>
     </message>
     <message>
-        <source>Nothing has been recorded yet.</source>
-        <translation>尚无录制内容。</translation>
+        <source>Leave the password out of the address; it would stand in a settings file. Put it into .pgpass</source>
+        <translation>请不要在地址中写密码，否则它会保存在设置文件里。请写入 .pgpass</translation>
     </message>
     <message>
-        <source>%1   %2, %3   %4 s</source>
-        <translation>%1   %2，%3   %4 秒</translation>
+        <source>Setting up the centre</source>
+        <translation>正在设置中心</translation>
     </message>
     <message>
-        <source>Replay</source>
-        <translation>回放</translation>
+        <source>Cancelled; nothing was set up</source>
+        <translation>已取消；未建立任何内容</translation>
     </message>
     <message>
-        <source>Recorded trial</source>
-        <translation>录制的操作记录</translation>
+        <source>Name and password do not fit together. Please try again</source>
+        <translation>登录名与密码不匹配，请重试</translation>
     </message>
     <message>
-        <source>Torsio</source>
-        <translation>Torsio</translation>
+        <source>This account is switched off. Ask your administrator</source>
+        <translation>该账户已停用，请联系管理员</translation>
     </message>
     <message>
-        <source>Move the instrument</source>
-        <translation>移动器械</translation>
+        <source>The new password is in force</source>
+        <translation>新密码已生效</translation>
     </message>
     <message>
-        <source>Mouse, or arrow keys</source>
-        <translation>鼠标或方向键</translation>
+        <source>Too many wrong tries. Please wait %1 s</source>
+        <translation>错误次数过多，请等待 %1 秒</translation>
     </message>
     <message>
-        <source>Depth</source>
-        <translation>深度</translation>
+        <source>That is not the password. Please try again</source>
+        <translation>密码不正确，请重试</translation>
     </message>
     <message>
-        <source>Wheel, or Page Up and Page Down</source>
-        <translation>滚轮，或 Page Up、Page Down 键</translation>
+        <source>%1. Waiting to be stored: %2</source>
+        <translation>%1。等待保存：%2 项</translation>
     </message>
     <message>
-        <source>Grip</source>
-        <translation>夹持</translation>
+        <source>The database refused %1 entries of this station for good. Please tell whoever looks after it</source>
+        <translation>数据库彻底拒绝了本训练台的 %1 条记录。请告知管理人员</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::MaintenancePage</name>
+    <message>
+        <source>to be reviewed</source>
+        <translation>待审查</translation>
     </message>
     <message>
-        <source>Left button or Space (hold), G (keep)</source>
-        <translation>左键或空格键（按住），G 键（保持）</translation>
+        <source>locked: %1</source>
+        <translation>已锁定：%1</translation>
     </message>
     <message>
-        <source>Twist what is held</source>
-        <translation>扭转所夹组织</translation>
+        <source>kept longer: %1</source>
+        <translation>延长保存：%1</translation>
     </message>
     <message>
-        <source>Drag, Shift + wheel, or Q and E</source>
-        <translation>拖动、Shift + 滚轮，或 Q、E 键</translation>
+        <source>%1, %2 free on the disk</source>
+        <translation>%1，磁盘剩余 %2</translation>
     </message>
     <message>
-        <source>Tilt the instrument</source>
-        <translation>倾斜器械</translation>
+        <source>Disk in use</source>
+        <translation>磁盘用量</translation>
     </message>
     <message>
-        <source>A, D, W, S</source>
-        <translation>A、D、W、S</translation>
+        <source>On a database server</source>
+        <translation>位于数据库服务器</translation>
     </message>
     <message>
-        <source>Let go</source>
-        <translation>松开</translation>
+        <source>✓ Checked: sound, schema %1, %2 audit entries</source>
+        <translation>✓ 已检查：完好，结构版本 %1，审计记录 %2 条</translation>
     </message>
     <message>
-        <source>Release the button, or Esc</source>
-        <translation>松开按键，或按 Esc</translation>
+        <source>✗ Checked: %1 finding(s), first: %2</source>
+        <translation>✗ 已检查：发现 %1 个问题，第一个：%2</translation>
     </message>
     <message>
-        <source>Bookmark</source>
-        <translation>书签</translation>
+        <source>There are no simulated people in this record.</source>
+        <translation>记录中没有模拟人员。</translation>
     </message>
     <message>
-        <source>B</source>
-        <translation>B</translation>
+        <source>%1 simulated people, %2 recordings, %3 marks. They are marked everywhere and can go at once; real data stay.</source>
+        <translation>模拟人员 %1 名，录制 %2 次，评分 %3 个。它们处处带有标记，可一次删除；真实数据不受影响。</translation>
     </message>
     <message>
-        <source>Turn the view</source>
-        <translation>转动视图</translation>
+        <source>A backup takes the place of this record, or the record goes to a database server for several stations. Both ask first and show what they will do.</source>
+        <translation>用备份取代此记录，或将记录迁移到供多个工作站使用的数据库服务器。两者都会先询问并说明将要执行的操作。</translation>
     </message>
     <message>
-        <source>Right drag, or Ctrl + arrow keys</source>
-        <translation>右键拖动，或 Ctrl + 方向键</translation>
+        <source>This record lies on a database server. Its administrator backs it up and restores it with the server&apos;s own tools.</source>
+        <translation>此记录位于数据库服务器上，由服务器管理员用服务器自带的工具备份和恢复。</translation>
     </message>
     <message>
-        <source>Move the view</source>
-        <translation>平移视图</translation>
+        <source>&amp;Release…</source>
+        <translation>解除(&amp;R)…</translation>
     </message>
     <message>
-        <source>Middle drag</source>
-        <translation>中键拖动</translation>
+        <source>&amp;Lock…</source>
+        <translation>锁定(&amp;L)…</translation>
     </message>
     <message>
-        <source>Zoom</source>
-        <translation>缩放</translation>
+        <source>Backing up</source>
+        <translation>正在备份</translation>
     </message>
     <message>
-        <source>Ctrl + wheel, or + and −</source>
-        <translation>Ctrl + 滚轮，或 + 和 −</translation>
+        <source>✓ Written and read back: %1 recordings, %2 marks.
+%3</source>
+        <translation>✓ 已写入并回读：录制 %1 次，评分 %2 个。
+%3</translation>
     </message>
     <message>
-        <source>Controls</source>
-        <translation>操作方法</translation>
+        <source>Testing a backup</source>
+        <translation>正在测试备份</translation>
     </message>
     <message>
-        <source>About Torsio</source>
-        <translation>关于 Torsio</translation>
+        <source>✓ This backup can be restored: %1 recordings, %2 marks.
+%3</source>
+        <translation>✓ 该备份可以恢复：录制 %1 次，评分 %2 个。
+%3</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Torsio %1&lt;/h3&gt;&lt;p&gt;Training and assessment of surgical twist skills.&lt;/p&gt;&lt;p&gt;A training tool; not a medical device.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Torsio %1&lt;/h3&gt;&lt;p&gt;外科扭转技能的培训与评估。&lt;/p&gt;&lt;p&gt;培训工具，不是医疗器械。&lt;/p&gt;&lt;p&gt;自由软件，采用 GNU 通用公共许可证第 3 版或更高版本。&lt;/p&gt;</translation>
+        <source>✗ This backup is not sound. Make a new one.
+%1</source>
+        <translation>✗ 该备份不完好，请重新备份。
+%1</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
+        <source>Checking the database</source>
+        <translation>正在检查数据库</translation>
     </message>
     <message>
-        <source>Open organ…</source>
-        <translation>打开器官…</translation>
+        <source>Removed: %1 simulated people, %2 recordings</source>
+        <translation>已删除：模拟人员 %1 名，录制 %2 次</translation>
     </message>
     <message>
-        <source>Use a mesh of your own instead of a shipped organ</source>
-        <translation>使用自己的网格代替自带器官</translation>
+        <source>Back up to</source>
+        <translation>备份到</translation>
     </message>
     <message>
-        <source>Picture…</source>
-        <translation>图片…</translation>
+        <source>Backup (*.sqlite)</source>
+        <translation>备份 (*.sqlite)</translation>
     </message>
     <message>
-        <source>Save the scene as a PNG picture</source>
-        <translation>将场景保存为 PNG 图片</translation>
+        <source>Test a backup</source>
+        <translation>测试备份</translation>
     </message>
     <message>
-        <source>Film strip…</source>
-        <translation>连续画面…</translation>
+        <source>Remove the demonstration</source>
+        <translation>删除演示数据</translation>
     </message>
     <message>
-        <source>Save the twist at 0, 30, 60 … degrees, or the recording that is replayed, as one picture</source>
-        <translation>把 0、30、60……度时的扭转，或正在回放的记录，保存为一张图片</translation>
+        <source>%1 simulated people and all that belongs to them go at once. This cannot be taken back.</source>
+        <translation>%1 名模拟人员及其全部数据将一次删除，无法撤销。</translation>
     </message>
     <message>
-        <source>Start the exercise anew and record it</source>
-        <translation>重新开始练习并录制</translation>
+        <source>Keep longer</source>
+        <translation>延长保存</translation>
     </message>
     <message>
-        <source>Replay…</source>
-        <translation>回放…</translation>
-    </message>
-    <message>
-        <source>Look at a recorded trial again</source>
-        <translation>重新观看录制内容</translation>
+        <source>The record of %1 is kept for another year.</source>
+        <translation>%1 的记录再保存一年。</translation>
     </message>
     <message>
         <source>Release</source>
         <translation>释放</translation>
     </message>
     <message>
-        <source>Let go of the tissue; it returns to rest</source>
-        <translation>松开组织，使其恢复</translation>
+        <source>The record of %1 is no longer held.</source>
+        <translation>%1 的记录不再保留。</translation>
     </message>
     <message>
-        <source>Restart exercise</source>
-        <translation>重新开始练习</translation>
+        <source>Lock</source>
+        <translation>锁定</translation>
     </message>
     <message>
-        <source>Begin the exercise anew</source>
-        <translation>从头开始练习</translation>
+        <source>The record of %1 is kept until somebody releases it.</source>
+        <translation>%1 的记录将一直保留，直到有人解除。</translation>
     </message>
     <message>
-        <source>Front</source>
-        <translation>正面</translation>
+        <source>Erase a record</source>
+        <translation>删除个人记录</translation>
     </message>
     <message>
-        <source>Look from the front</source>
-        <translation>从正面观察</translation>
+        <source>The identity of %1 and %2 recording(s) are erased for good. Marks stay without a person, so that statistics remain right.</source>
+        <translation>%1 的身份信息和 %2 次录制将永久删除。评分去除个人信息后保留，以保证统计正确。</translation>
     </message>
     <message>
-        <source>Side</source>
-        <translation>侧面</translation>
+        <source>Maintenance of the record</source>
+        <translation>数据维护</translation>
     </message>
     <message>
-        <source>Look from the patient&apos;s left side</source>
-        <translation>从患者左侧观察</translation>
+        <source>Back up, test the backup, and review what is due.</source>
+        <translation>备份、测试备份，并处理到期事项。</translation>
     </message>
     <message>
-        <source>Top</source>
-        <translation>上方</translation>
+        <source>Backup</source>
+        <translation>备份</translation>
     </message>
     <message>
-        <source>Look from the head</source>
-        <translation>从头侧观察</translation>
+        <source>A backup is one file, made while others work and read back at once. Keep it on another machine.</source>
+        <translation>备份是一个文件，不影响他人工作，写完立即回读。请存放在另一台机器上。</translation>
     </message>
     <message>
-        <source>Whole organ</source>
-        <translation>整个器官</translation>
+        <source>&amp;Back up…</source>
+        <translation>备份(&amp;B)…</translation>
     </message>
     <message>
-        <source>Show the whole organ</source>
-        <translation>显示整个器官</translation>
+        <source>&amp;Test a backup…</source>
+        <translation>测试备份(&amp;T)…</translation>
     </message>
     <message>
-        <source>Lattice</source>
-        <translation>网格线</translation>
+        <source>This record</source>
+        <translation>当前数据库</translation>
     </message>
     <message>
-        <source>Show ridges and sections on the tissue</source>
-        <translation>在组织上显示脊线和截面</translation>
+        <source>&amp;Check the database</source>
+        <translation>检查数据库(&amp;C)</translation>
     </message>
     <message>
-        <source>Wireframe</source>
-        <translation>线框</translation>
+        <source>Demonstration</source>
+        <translation>演示数据</translation>
     </message>
     <message>
-        <source>Show the edges of the surface</source>
-        <translation>显示表面的边</translation>
+        <source>Re&amp;move…</source>
+        <translation>删除(&amp;M)…</translation>
     </message>
     <message>
-        <source>Shear stress</source>
-        <translation>剪应力</translation>
+        <source>Restore or move</source>
+        <translation>恢复或迁移</translation>
     </message>
     <message>
-        <source>Colour the tissue by its shear stress</source>
-        <translation>按剪应力为组织着色</translation>
+        <source>Re&amp;store…</source>
+        <translation>恢复(&amp;S)…</translation>
     </message>
     <message>
-        <source>Markers</source>
-        <translation>标记点</translation>
+        <source>Mo&amp;ve to PostgreSQL…</source>
+        <translation>迁移到 PostgreSQL(&amp;V)…</translation>
     </message>
     <message>
-        <source>Show the marker points of the organ</source>
-        <translation>显示器官的标记点</translation>
+        <source>Records due for review</source>
+        <translation>到期待审查的记录</translation>
     </message>
     <message>
-        <source>Target pose</source>
-        <translation>目标姿态</translation>
+        <source>&amp;Keep longer…</source>
+        <translation>延长保存(&amp;K)…</translation>
     </message>
     <message>
-        <source>Show the pose to reach as a film over the organ</source>
-        <translation>以半透明形式显示需要达到的姿态</translation>
+        <source>&amp;Erase…</source>
+        <translation>删除(&amp;E)…</translation>
     </message>
     <message>
-        <source>Keys…</source>
-        <translation>按键…</translation>
+        <source>Person</source>
+        <translation>人员</translation>
     </message>
     <message>
-        <source>Put the movements of the instrument on other keys</source>
-        <translation>将器械动作改到其他按键</translation>
+        <source>Why</source>
+        <translation>原因</translation>
     </message>
     <message>
-        <source>How mouse and keys move the instrument</source>
-        <translation>如何用鼠标和键盘移动器械</translation>
+        <source>Lawful basis</source>
+        <translation>法律依据</translation>
     </message>
     <message>
-        <source>Automatic</source>
-        <translation>自动</translation>
+        <source>Last activity</source>
+        <translation>最近活动</translation>
     </message>
     <message>
-        <source>As fine as this machine draws smoothly</source>
-        <translation>在本机流畅的前提下尽量精细</translation>
+        <source>Due since</source>
+        <translation>到期时间</translation>
     </message>
     <message>
-        <source>Fast</source>
-        <translation>快速</translation>
+        <source>State</source>
+        <translation>状态</translation>
     </message>
     <message>
-        <source>Fewer effects, more pictures a second</source>
-        <translation>效果较少，帧率更高</translation>
+        <source>No record is due.</source>
+        <translation>没有到期的记录。</translation>
     </message>
     <message>
-        <source>Fine</source>
-        <translation>精细</translation>
+        <source>R&amp;ules…</source>
+        <translation>规则(&amp;U)…</translation>
     </message>
     <message>
-        <source>Shadow, ambient occlusion and antialiasing</source>
-        <translation>阴影、环境光遮蔽和抗锯齿</translation>
+        <source>How long records are kept, and on what lawful basis</source>
+        <translation>记录保存多久，依据何种法律依据</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::MasteryTable</name>
+    <message>
+        <source>at least</source>
+        <translation>不低于</translation>
     </message>
     <message>
-        <source>Quality</source>
-        <translation>画质</translation>
+        <source>at most</source>
+        <translation>不超过</translation>
     </message>
     <message>
-        <source>More</source>
-        <translation>更多</translation>
+        <source>What rule %1 is about</source>
+        <translation>标准 %1 的指标</translation>
     </message>
     <message>
-        <source>More commands</source>
-        <translation>更多命令</translation>
+        <source>Direction of rule %1</source>
+        <translation>标准 %1 的方向</translation>
     </message>
     <message>
-        <source>Dark</source>
-        <translation>深色</translation>
+        <source>Threshold of rule %1</source>
+        <translation>标准 %1 的阈值</translation>
     </message>
     <message>
-        <source>Dark colours for a dark room</source>
-        <translation>适合暗室的深色</translation>
+        <source>Attempts in a row of rule %1</source>
+        <translation>标准 %1 的连续次数</translation>
     </message>
     <message>
-        <source>Full screen</source>
-        <translation>全屏</translation>
+        <source>Rules of mastery</source>
+        <translation>掌握标准</translation>
     </message>
     <message>
-        <source>Fill the whole screen</source>
-        <translation>铺满整个屏幕</translation>
+        <source>Add rule</source>
+        <translation>添加标准</translation>
     </message>
     <message>
-        <source>Quit</source>
-        <translation>退出</translation>
+        <source>Remove rule</source>
+        <translation>删除标准</translation>
     </message>
     <message>
-        <source>End the program</source>
-        <translation>结束程序</translation>
+        <source>Metric</source>
+        <translation>指标</translation>
     </message>
     <message>
-        <source>Version and licence</source>
-        <translation>版本与许可证</translation>
+        <source>is</source>
+        <translation>关系</translation>
     </message>
     <message>
-        <source>&amp;File</source>
-        <translation>文件(&amp;F)</translation>
+        <source>Threshold</source>
+        <translation>阈值</translation>
     </message>
     <message>
-        <source>&amp;Exercise</source>
-        <translation>练习(&amp;E)</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>视图(&amp;V)</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>帮助(&amp;H)</translation>
-    </message>
-    <message>
-        <source>Tools</source>
-        <translation>工具</translation>
-    </message>
-    <message>
-        <source>Save picture</source>
-        <translation>保存图片</translation>
-    </message>
-    <message>
-        <source>torsio.png</source>
-        <translation>torsio.png</translation>
-    </message>
-    <message>
-        <source>PNG pictures (*.png)</source>
-        <translation>PNG 图片 (*.png)</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>已保存 %1</translation>
-    </message>
-    <message>
-        <source>There is no picture to capture here</source>
-        <translation>此处没有可截取的画面</translation>
-    </message>
-    <message>
-        <source>Stop the recording before you save a film strip.</source>
-        <translation>请先停止记录，再保存连续画面。</translation>
-    </message>
-    <message>
-        <source>Save film strip</source>
-        <translation>保存连续画面</translation>
-    </message>
-    <message>
-        <source>film-strip.png</source>
-        <translation>film-strip.png</translation>
-    </message>
-    <message>
-        <source>%1 after %2 s</source>
-        <translation>%2 秒后：%1</translation>
+        <source>In a row</source>
+        <translation>连续次数</translation>
     </message>
 </context>
 <context>
@@ -12252,6 +12284,33 @@ MSM = 质点弹簧</translation>
     <message>
         <source>All modules</source>
         <translation>全部模块</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::OrderedList</name>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>上移</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>下移</translation>
+    </message>
+    <message>
+        <source>Moves it before the one above.</source>
+        <translation>移到上一项之前。</translation>
+    </message>
+    <message>
+        <source>Moves it behind the one below.</source>
+        <translation>移到下一项之后。</translation>
     </message>
 </context>
 <context>
@@ -12582,6 +12641,244 @@ MSM = 质点弹簧</translation>
     </message>
 </context>
 <context>
+    <name>torsio::gui::RaterCalibrationDialog</name>
+    <message>
+        <source>&amp;Add as a reference run</source>
+        <translation>添加为参考操作(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Reference runs for rater calibration</source>
+        <translation>评分者校准用的参考操作</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Recording of</source>
+        <translation>记录对象</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>器官</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Mark of the panel</source>
+        <translation>专家组评分</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>专家组</translation>
+    </message>
+    <message>
+        <source>Added</source>
+        <translation>添加时间</translation>
+    </message>
+    <message>
+        <source>Reference runs</source>
+        <translation>参考操作</translation>
+    </message>
+    <message>
+        <source>None yet: physicians begin without rater calibration.</source>
+        <translation>尚无：医师将不经校准直接开始。</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>记录时间</translation>
+    </message>
+    <message>
+        <source>Recordings to choose from</source>
+        <translation>可选的记录</translation>
+    </message>
+    <message>
+        <source>&amp;Rubric</source>
+        <translation>评分标准(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Mark of the panel, points</source>
+        <translation>专家组评分（分）(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Physicians on the panel</source>
+        <translation>专家组医师人数(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Every physician scores these runs before the first real case and sees how far the own mark is from the panel&apos;s. Two are usual: one weak, one good.</source>
+        <translation>每位医师在第一个正式案例之前为这些操作评分，并看到自己与专家组的差距。通常为两个：一个较差，一个较好。</translation>
+    </message>
+    <message>
+        <source>Every physician scores these runs before the first real case and sees how far the own mark is from the panel&apos;s.</source>
+        <translation>每位医师在第一个正式案例之前为这些操作评分，并看到自己与专家组的差距。</translation>
+    </message>
+    <message>
+        <source>Reference %1</source>
+        <translation>参考 %1</translation>
+    </message>
+    <message>
+        <source>The reference run is added to rater calibration</source>
+        <translation>参考操作已加入评分者校准</translation>
+    </message>
+    <message>
+        <source>&amp;Withdraw…</source>
+        <translation>撤回(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>No physician is given the chosen run any more; nothing is deleted</source>
+        <translation>所选参考操作不再提供给任何医师；不会删除任何内容</translation>
+    </message>
+    <message>
+        <source>No recording can be offered: each is being scored, is or was a reference run, or is incomplete.</source>
+        <translation>没有可供选择的录像：每一段都正在评分、是或曾是参考操作，或者不完整。</translation>
+    </message>
+    <message>
+        <source>The panel scores the run together before it is used. Keep the runs as they are where you can, so that every physician calibrates on the same ones.</source>
+        <translation>专家组在使用前共同为该操作评分。请尽量保持参考操作不变，使每位医师都用相同的操作校准。</translation>
+    </message>
+    <message>
+        <source>Withdrawn: %1</source>
+        <translation>已撤回：%1</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>使用中</translation>
+    </message>
+    <message>
+        <source>Withdraw a reference run</source>
+        <translation>撤回参考操作</translation>
+    </message>
+    <message>
+        <source>No physician is given this run any more. Marks given on it stay. A run that is withdrawn cannot be used for rater calibration again.</source>
+        <translation>此参考操作不再提供给任何医师。已有的评分会保留。撤回后不能再次用于评分者校准。</translation>
+    </message>
+    <message>
+        <source>The reference run is withdrawn</source>
+        <translation>参考操作已撤回</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RaterCalibrationPage</name>
+    <message>
+        <source>The recording could not be opened.</source>
+        <translation>无法打开录像。</translation>
+    </message>
+    <message>
+        <source>No reference run has been chosen yet. You may begin with your queue.</source>
+        <translation>尚未选定参考操作，您可以直接从队列开始。</translation>
+    </message>
+    <message>
+        <source>The recording is being opened. You may score meanwhile.</source>
+        <translation>正在打开录像，您可以先评分。</translation>
+    </message>
+    <message>
+        <source>Opening reference %1</source>
+        <translation>正在打开参考录像 %1</translation>
+    </message>
+    <message>
+        <source>Reference %1, scored</source>
+        <translation>参考 %1，已评</translation>
+    </message>
+    <message>
+        <source>Reference %1</source>
+        <translation>参考 %1</translation>
+    </message>
+    <message>
+        <source>&amp;Queue</source>
+        <translation>待评列表(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with the panel</source>
+        <translation>与专家组比较(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Go on with reference %1</source>
+        <translation>继续参考操作 %1</translation>
+    </message>
+    <message>
+        <source>On to the queue</source>
+        <translation>前往队列</translation>
+    </message>
+    <message>
+        <source>Score first; then the panel&apos;s mark is shown.</source>
+        <translation>请先评分，然后显示专家组的评分。</translation>
+    </message>
+    <message>
+        <source>You: %1. Panel of %2: %3.</source>
+        <translation>您：%1。%2 人专家组：%3。</translation>
+    </message>
+    <message>
+        <source>That is as the panel sees it.</source>
+        <translation>与专家组看法一致。</translation>
+    </message>
+    <message>
+        <source>You are stricter by %1.</source>
+        <translation>您严格了 %1 分。</translation>
+    </message>
+    <message>
+        <source>You are milder by %1.</source>
+        <translation>您宽松了 %1 分。</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Over all reference runs: %1 points from the panel. You may score a run again; every try is kept.</source>
+        <translation>全部参考录像：与专家组相差 %1 分。您可以重新评分，每次尝试均保留。</translation>
+    </message>
+    <message>
+        <source>You may score it again, or go on with the next run.</source>
+        <translation>您可以重新评分，或继续下一段。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1。%2</translation>
+    </message>
+    <message>
+        <source>Rater calibration</source>
+        <translation>评分者校准</translation>
+    </message>
+    <message>
+        <source>Score the reference runs before the real cases and see your own offset from the panel. Nobody else sees it.</source>
+        <translation>在正式评分之前先评参考录像，了解您与专家组的差距。其他人看不到。</translation>
+    </message>
+    <message>
+        <source>Ctrl+Enter</source>
+        <translation>Ctrl+Enter</translation>
+    </message>
+    <message>
+        <source>Your offset</source>
+        <translation>您的差距</translation>
+    </message>
+    <message>
+        <source>What the rubric asks for</source>
+        <translation>评分标准</translation>
+    </message>
+    <message>
+        <source>Compare with the panel</source>
+        <translation>与专家组比较</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::ReadoutPanel</name>
     <message>
         <source>Twist</source>
@@ -12881,6 +13178,25 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Recording %1, unchanged</source>
         <translation>录像 %1，未改动</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RepliesCard</name>
+    <message>
+        <source>Answers to your remarks: %1</source>
+        <translation>对您批注的回复：%1</translation>
+    </message>
+    <message>
+        <source>Answers to your remarks</source>
+        <translation>对您批注的回复</translation>
+    </message>
+    <message>
+        <source>%1 (you wrote: %2)</source>
+        <translation>%1（您写道：%2）</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>已读</translation>
     </message>
 </context>
 <context>
@@ -14296,6 +14612,13 @@ MSM = 质点弹簧</translation>
     </message>
 </context>
 <context>
+    <name>torsio::gui::SheetEditorPanel</name>
+    <message>
+        <source>Not saved</source>
+        <translation>未保存</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::SheetPanel</name>
     <message>
         <source>Co&amp;mment for the trainee</source>
@@ -14323,157 +14646,6 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Cancelled; nothing was changed</source>
         <translation>已取消，没有任何更改</translation>
-    </message>
-</context>
-<context>
-    <name>torsio::gui::MainWindow</name>
-    <message>
-        <source>Something is unfinished here. Only its owner can sign out</source>
-        <translation>此处有未完成的内容，只有本人可以退出登录</translation>
-    </message>
-    <message>
-        <source>Nobody here? You will be signed out in %1 s. Press any key to stay</source>
-        <translation>没有人在吗？%1 秒后将退出登录。按任意键继续</translation>
-    </message>
-    <message>
-        <source>Nobody here? The screen will be locked in %1 s. Press any key to stay</source>
-        <translation>没有人在吗？%1 秒后将锁定屏幕。按任意键继续</translation>
-    </message>
-    <message>
-        <source>You were signed out because nobody was here</source>
-        <translation>由于长时间无人操作，已退出登录</translation>
-    </message>
-    <message>
-        <source>The database does not answer. Your run goes on; it is kept on this computer and stored as soon as the database answers</source>
-        <translation>数据库没有应答。您的训练继续进行；记录保存在本机，数据库恢复后立即存入</translation>
-    </message>
-    <message>
-        <source>The database does not answer. Torsio tries again by itself; what is stored is safe</source>
-        <translation>数据库没有应答。Torsio 会自动重试；已存入的数据是安全的</translation>
-    </message>
-    <message>
-        <source>Warning of the idle lock</source>
-        <translation>无操作锁定提醒</translation>
-    </message>
-    <message>
-        <source>State of the database</source>
-        <translation>数据库状态</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n recording(s) of this station could not be stored</source>
-        <translation>
-            <numerusform>本工作站有 %n 份记录未能存入数据库</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The files are kept. Please show this to your administrator</source>
-        <translation>文件已保留，请将此信息告知管理员</translation>
-    </message>
-    <message>
-        <source>PIN for practice</source>
-        <translation>练习用 PIN 码</translation>
-    </message>
-    <message>
-        <source>At least four digits. With it you practise at a station; nothing is recorded.
-Leave it empty to remove it.</source>
-        <translation>至少四位数字。可用它在工作站练习，不作任何记录。
-留空则删除。</translation>
-    </message>
-    <message>
-        <source>The PIN was removed</source>
-        <translation>PIN 码已删除</translation>
-    </message>
-    <message>
-        <source>The PIN is in force</source>
-        <translation>PIN 码已生效</translation>
-    </message>
-    <message>
-        <source>There is no demonstration data</source>
-        <translation>没有演示数据</translation>
-    </message>
-    <message>
-        <source>Remove demonstration data</source>
-        <translation>删除演示数据</translation>
-    </message>
-    <message>
-        <source>Remove %1 simulated people, %2 trials and %3 marks?</source>
-        <translation>删除 %1 名模拟人员、%2 次操作记录和 %3 个评分？</translation>
-    </message>
-    <message>
-        <source>Your own data stay as they are. This cannot be undone.</source>
-        <translation>您自己的数据不受影响。此操作无法撤销。</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>删除</translation>
-    </message>
-    <message>
-        <source>Removing the demonstration</source>
-        <translation>正在删除演示数据</translation>
-    </message>
-    <message>
-        <source>Removed from the user menu</source>
-        <translation>通过用户菜单删除</translation>
-    </message>
-    <message>
-        <source>The demonstration data were removed</source>
-        <translation>演示数据已删除</translation>
-    </message>
-    <message>
-        <source>Leave kiosk mode</source>
-        <translation>退出展台模式</translation>
-    </message>
-    <message>
-        <source>An administrator ends the kiosk with name and password.</source>
-        <translation>管理员可用登录名和密码结束展台模式。</translation>
-    </message>
-    <message>
-        <source>Only an administrator can end the kiosk</source>
-        <translation>只有管理员可以结束展台模式</translation>
-    </message>
-    <message>
-        <source>The database answers again, and what was kept meanwhile is stored</source>
-        <translation>数据库已恢复应答，期间保存的内容已存入</translation>
-    </message>
-    <message>
-        <source>Leave the password out of the address; it would stand in a settings file. Put it into .pgpass</source>
-        <translation>请不要在地址中写密码，否则它会保存在设置文件里。请写入 .pgpass</translation>
-    </message>
-    <message>
-        <source>Setting up the centre</source>
-        <translation>正在设置中心</translation>
-    </message>
-    <message>
-        <source>Cancelled; nothing was set up</source>
-        <translation>已取消；未建立任何内容</translation>
-    </message>
-    <message>
-        <source>Name and password do not fit together. Please try again</source>
-        <translation>登录名与密码不匹配，请重试</translation>
-    </message>
-    <message>
-        <source>This account is switched off. Ask your administrator</source>
-        <translation>该账户已停用，请联系管理员</translation>
-    </message>
-    <message>
-        <source>The new password is in force</source>
-        <translation>新密码已生效</translation>
-    </message>
-    <message>
-        <source>Too many wrong tries. Please wait %1 s</source>
-        <translation>错误次数过多，请等待 %1 秒</translation>
-    </message>
-    <message>
-        <source>That is not the password. Please try again</source>
-        <translation>密码不正确，请重试</translation>
-    </message>
-    <message>
-        <source>%1. Waiting to be stored: %2</source>
-        <translation>%1。等待保存：%2 项</translation>
-    </message>
-    <message>
-        <source>The database refused %1 entries of this station for good. Please tell whoever looks after it</source>
-        <translation>数据库彻底拒绝了本训练台的 %1 条记录。请告知管理人员</translation>
     </message>
 </context>
 <context>
@@ -14647,6 +14819,481 @@ Leave it empty to remove it.</source>
     <message>
         <source>The haptic device was lost. Its force is off; you go on with the mouse</source>
         <translation>力反馈设备已断开，其力已关闭；您可用鼠标继续</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::SimulatorWindow</name>
+    <message>
+        <source>Loading…</source>
+        <translation>正在加载…</translation>
+    </message>
+    <message>
+        <source>Hint</source>
+        <translation>提示</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Source of the organ</source>
+        <translation>器官来源</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard</source>
+        <translation>鼠标和键盘</translation>
+    </message>
+    <message>
+        <source>Bring the jaw to the marked band</source>
+        <translation>将钳口移到标记的环带处</translation>
+    </message>
+    <message>
+        <source>Touching. Hold the first button of the stylus to grip</source>
+        <translation>已接触。按住手写笔的第一个按钮以夹持</translation>
+    </message>
+    <message>
+        <source>Holding. Lead the stylus round to twist; let the button go to release</source>
+        <translation>已夹持。引导手写笔绕行以扭转；松开按钮即释放</translation>
+    </message>
+    <message>
+        <source>The tissue returns to rest</source>
+        <translation>组织正在恢复</translation>
+    </message>
+    <message>
+        <source>Replay of a recorded trial</source>
+        <translation>正在回放录制内容</translation>
+    </message>
+    <message>
+        <source>%1 mm to the surface. Wheel: nearer</source>
+        <translation>距表面 %1 mm。滚轮：靠近</translation>
+    </message>
+    <message>
+        <source>Bring the jaw to the marked band. Wheel: depth, right drag: turn the view</source>
+        <translation>将钳口移到标记带。滚轮：深度；右键拖动：转动视图</translation>
+    </message>
+    <message>
+        <source>Touching. Hold the left button or Space to grip</source>
+        <translation>已接触。按住左键或空格键夹持</translation>
+    </message>
+    <message>
+        <source>Holding. Drag, or press Q and E, to twist; let go to release</source>
+        <translation>已夹持。拖动或按 Q、E 键扭转；松开即释放</translation>
+    </message>
+    <message>
+        <source>● Recording  %1 s</source>
+        <translation>● 录制中  %1 秒</translation>
+    </message>
+    <message>
+        <source>%1 – Torsio</source>
+        <translation>%1 – Torsio</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Open organ</source>
+        <translation>打开器官</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)</source>
+        <translation>网格文件 (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>毫米</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>厘米</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>米</translation>
+    </message>
+    <message>
+        <source>The file&apos;s numbers are</source>
+        <translation>文件中的数值单位为</translation>
+    </message>
+    <message>
+        <source>Nothing has been recorded yet.</source>
+        <translation>尚无录制内容。</translation>
+    </message>
+    <message>
+        <source>%1   %2, %3   %4 s</source>
+        <translation>%1   %2，%3   %4 秒</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>Recorded trial</source>
+        <translation>录制的操作记录</translation>
+    </message>
+    <message>
+        <source>Torsio</source>
+        <translation>Torsio</translation>
+    </message>
+    <message>
+        <source>Move the instrument</source>
+        <translation>移动器械</translation>
+    </message>
+    <message>
+        <source>Mouse, or arrow keys</source>
+        <translation>鼠标或方向键</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Wheel, or Page Up and Page Down</source>
+        <translation>滚轮，或 Page Up、Page Down 键</translation>
+    </message>
+    <message>
+        <source>Grip</source>
+        <translation>夹持</translation>
+    </message>
+    <message>
+        <source>Left button or Space (hold), G (keep)</source>
+        <translation>左键或空格键（按住），G 键（保持）</translation>
+    </message>
+    <message>
+        <source>Twist what is held</source>
+        <translation>扭转所夹组织</translation>
+    </message>
+    <message>
+        <source>Drag, Shift + wheel, or Q and E</source>
+        <translation>拖动、Shift + 滚轮，或 Q、E 键</translation>
+    </message>
+    <message>
+        <source>Tilt the instrument</source>
+        <translation>倾斜器械</translation>
+    </message>
+    <message>
+        <source>A, D, W, S</source>
+        <translation>A、D、W、S</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>松开</translation>
+    </message>
+    <message>
+        <source>Release the button, or Esc</source>
+        <translation>松开按键，或按 Esc</translation>
+    </message>
+    <message>
+        <source>Bookmark</source>
+        <translation>书签</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>转动视图</translation>
+    </message>
+    <message>
+        <source>Right drag, or Ctrl + arrow keys</source>
+        <translation>右键拖动，或 Ctrl + 方向键</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>平移视图</translation>
+    </message>
+    <message>
+        <source>Middle drag</source>
+        <translation>中键拖动</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Ctrl + wheel, or + and −</source>
+        <translation>Ctrl + 滚轮，或 + 和 −</translation>
+    </message>
+    <message>
+        <source>Controls</source>
+        <translation>操作方法</translation>
+    </message>
+    <message>
+        <source>About Torsio</source>
+        <translation>关于 Torsio</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Torsio %1&lt;/h3&gt;&lt;p&gt;Training and assessment of surgical twist skills.&lt;/p&gt;&lt;p&gt;A training tool; not a medical device.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Torsio %1&lt;/h3&gt;&lt;p&gt;外科扭转技能的培训与评估。&lt;/p&gt;&lt;p&gt;培训工具，不是医疗器械。&lt;/p&gt;&lt;p&gt;自由软件，采用 GNU 通用公共许可证第 3 版或更高版本。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Open organ…</source>
+        <translation>打开器官…</translation>
+    </message>
+    <message>
+        <source>Use a mesh of your own instead of a shipped organ</source>
+        <translation>使用自己的网格代替自带器官</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>图片…</translation>
+    </message>
+    <message>
+        <source>Save the scene as a PNG picture</source>
+        <translation>将场景保存为 PNG 图片</translation>
+    </message>
+    <message>
+        <source>Film strip…</source>
+        <translation>连续画面…</translation>
+    </message>
+    <message>
+        <source>Save the twist at 0, 30, 60 … degrees, or the recording that is replayed, as one picture</source>
+        <translation>把 0、30、60……度时的扭转，或正在回放的记录，保存为一张图片</translation>
+    </message>
+    <message>
+        <source>Start the exercise anew and record it</source>
+        <translation>重新开始练习并录制</translation>
+    </message>
+    <message>
+        <source>Replay…</source>
+        <translation>回放…</translation>
+    </message>
+    <message>
+        <source>Look at a recorded trial again</source>
+        <translation>重新观看录制内容</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>释放</translation>
+    </message>
+    <message>
+        <source>Let go of the tissue; it returns to rest</source>
+        <translation>松开组织，使其恢复</translation>
+    </message>
+    <message>
+        <source>Restart exercise</source>
+        <translation>重新开始练习</translation>
+    </message>
+    <message>
+        <source>Begin the exercise anew</source>
+        <translation>从头开始练习</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>从正面观察</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>侧面</translation>
+    </message>
+    <message>
+        <source>Look from the patient&apos;s left side</source>
+        <translation>从患者左侧观察</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上方</translation>
+    </message>
+    <message>
+        <source>Look from the head</source>
+        <translation>从头侧观察</translation>
+    </message>
+    <message>
+        <source>Whole organ</source>
+        <translation>整个器官</translation>
+    </message>
+    <message>
+        <source>Show the whole organ</source>
+        <translation>显示整个器官</translation>
+    </message>
+    <message>
+        <source>Lattice</source>
+        <translation>网格线</translation>
+    </message>
+    <message>
+        <source>Show ridges and sections on the tissue</source>
+        <translation>在组织上显示脊线和截面</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>线框</translation>
+    </message>
+    <message>
+        <source>Show the edges of the surface</source>
+        <translation>显示表面的边</translation>
+    </message>
+    <message>
+        <source>Shear stress</source>
+        <translation>剪应力</translation>
+    </message>
+    <message>
+        <source>Colour the tissue by its shear stress</source>
+        <translation>按剪应力为组织着色</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Show the marker points of the organ</source>
+        <translation>显示器官的标记点</translation>
+    </message>
+    <message>
+        <source>Target pose</source>
+        <translation>目标姿态</translation>
+    </message>
+    <message>
+        <source>Show the pose to reach as a film over the organ</source>
+        <translation>以半透明形式显示需要达到的姿态</translation>
+    </message>
+    <message>
+        <source>Keys…</source>
+        <translation>按键…</translation>
+    </message>
+    <message>
+        <source>Put the movements of the instrument on other keys</source>
+        <translation>将器械动作改到其他按键</translation>
+    </message>
+    <message>
+        <source>How mouse and keys move the instrument</source>
+        <translation>如何用鼠标和键盘移动器械</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>As fine as this machine draws smoothly</source>
+        <translation>在本机流畅的前提下尽量精细</translation>
+    </message>
+    <message>
+        <source>Fast</source>
+        <translation>快速</translation>
+    </message>
+    <message>
+        <source>Fewer effects, more pictures a second</source>
+        <translation>效果较少，帧率更高</translation>
+    </message>
+    <message>
+        <source>Fine</source>
+        <translation>精细</translation>
+    </message>
+    <message>
+        <source>Shadow, ambient occlusion and antialiasing</source>
+        <translation>阴影、环境光遮蔽和抗锯齿</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>画质</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+    <message>
+        <source>More commands</source>
+        <translation>更多命令</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Dark colours for a dark room</source>
+        <translation>适合暗室的深色</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>全屏</translation>
+    </message>
+    <message>
+        <source>Fill the whole screen</source>
+        <translation>铺满整个屏幕</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>退出</translation>
+    </message>
+    <message>
+        <source>End the program</source>
+        <translation>结束程序</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>版本与许可证</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Exercise</source>
+        <translation>练习(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>保存图片</translation>
+    </message>
+    <message>
+        <source>torsio.png</source>
+        <translation>torsio.png</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG 图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>There is no picture to capture here</source>
+        <translation>此处没有可截取的画面</translation>
+    </message>
+    <message>
+        <source>Stop the recording before you save a film strip.</source>
+        <translation>请先停止记录，再保存连续画面。</translation>
+    </message>
+    <message>
+        <source>Save film strip</source>
+        <translation>保存连续画面</translation>
+    </message>
+    <message>
+        <source>film-strip.png</source>
+        <translation>film-strip.png</translation>
+    </message>
+    <message>
+        <source>%1 after %2 s</source>
+        <translation>%2 秒后：%1</translation>
     </message>
 </context>
 <context>
@@ -15143,353 +15790,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Cancelled; the accounts that were shown stay</source>
         <translation>已取消；已显示的账户仍然有效</translation>
-    </message>
-</context>
-<context>
-    <name>torsio::gui::RaterCalibrationDialog</name>
-    <message>
-        <source>&amp;Add as a reference run</source>
-        <translation>添加为参考操作(&amp;A)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
-    </message>
-    <message>
-        <source>Reference runs for rater calibration</source>
-        <translation>评分者校准用的参考操作</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
-        <source>Recording of</source>
-        <translation>记录对象</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>器官</translation>
-    </message>
-    <message>
-        <source>Length</source>
-        <translation>时长</translation>
-    </message>
-    <message>
-        <source>Mark of the panel</source>
-        <translation>专家组评分</translation>
-    </message>
-    <message>
-        <source>Panel</source>
-        <translation>专家组</translation>
-    </message>
-    <message>
-        <source>Added</source>
-        <translation>添加时间</translation>
-    </message>
-    <message>
-        <source>Reference runs</source>
-        <translation>参考操作</translation>
-    </message>
-    <message>
-        <source>None yet: physicians begin without rater calibration.</source>
-        <translation>尚无：医师将不经校准直接开始。</translation>
-    </message>
-    <message>
-        <source>Phase</source>
-        <translation>阶段</translation>
-    </message>
-    <message>
-        <source>Recorded</source>
-        <translation>记录时间</translation>
-    </message>
-    <message>
-        <source>Recordings to choose from</source>
-        <translation>可选的记录</translation>
-    </message>
-    <message>
-        <source>&amp;Rubric</source>
-        <translation>评分标准(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Mark of the panel, points</source>
-        <translation>专家组评分（分）(&amp;M)</translation>
-    </message>
-    <message>
-        <source>&amp;Physicians on the panel</source>
-        <translation>专家组医师人数(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Every physician scores these runs before the first real case and sees how far the own mark is from the panel&apos;s. Two are usual: one weak, one good.</source>
-        <translation>每位医师在第一个正式案例之前为这些操作评分，并看到自己与专家组的差距。通常为两个：一个较差，一个较好。</translation>
-    </message>
-    <message>
-        <source>Every physician scores these runs before the first real case and sees how far the own mark is from the panel&apos;s.</source>
-        <translation>每位医师在第一个正式案例之前为这些操作评分，并看到自己与专家组的差距。</translation>
-    </message>
-    <message>
-        <source>Reference %1</source>
-        <translation>参考 %1</translation>
-    </message>
-    <message>
-        <source>The reference run is added to rater calibration</source>
-        <translation>参考操作已加入评分者校准</translation>
-    </message>
-    <message>
-        <source>&amp;Withdraw…</source>
-        <translation>撤回(&amp;W)…</translation>
-    </message>
-    <message>
-        <source>State</source>
-        <translation>状态</translation>
-    </message>
-    <message>
-        <source>No physician is given the chosen run any more; nothing is deleted</source>
-        <translation>所选参考操作不再提供给任何医师；不会删除任何内容</translation>
-    </message>
-    <message>
-        <source>No recording can be offered: each is being scored, is or was a reference run, or is incomplete.</source>
-        <translation>没有可供选择的录像：每一段都正在评分、是或曾是参考操作，或者不完整。</translation>
-    </message>
-    <message>
-        <source>The panel scores the run together before it is used. Keep the runs as they are where you can, so that every physician calibrates on the same ones.</source>
-        <translation>专家组在使用前共同为该操作评分。请尽量保持参考操作不变，使每位医师都用相同的操作校准。</translation>
-    </message>
-    <message>
-        <source>Withdrawn: %1</source>
-        <translation>已撤回：%1</translation>
-    </message>
-    <message>
-        <source>In use</source>
-        <translation>使用中</translation>
-    </message>
-    <message>
-        <source>Withdraw a reference run</source>
-        <translation>撤回参考操作</translation>
-    </message>
-    <message>
-        <source>No physician is given this run any more. Marks given on it stay. A run that is withdrawn cannot be used for rater calibration again.</source>
-        <translation>此参考操作不再提供给任何医师。已有的评分会保留。撤回后不能再次用于评分者校准。</translation>
-    </message>
-    <message>
-        <source>The reference run is withdrawn</source>
-        <translation>参考操作已撤回</translation>
-    </message>
-</context>
-<context>
-    <name>torsio::gui::RaterCalibrationPage</name>
-    <message>
-        <source>The recording could not be opened.</source>
-        <translation>无法打开录像。</translation>
-    </message>
-    <message>
-        <source>No reference run has been chosen yet. You may begin with your queue.</source>
-        <translation>尚未选定参考操作，您可以直接从队列开始。</translation>
-    </message>
-    <message>
-        <source>The recording is being opened. You may score meanwhile.</source>
-        <translation>正在打开录像，您可以先评分。</translation>
-    </message>
-    <message>
-        <source>Opening reference %1</source>
-        <translation>正在打开参考录像 %1</translation>
-    </message>
-    <message>
-        <source>Reference %1, scored</source>
-        <translation>参考 %1，已评</translation>
-    </message>
-    <message>
-        <source>Reference %1</source>
-        <translation>参考 %1</translation>
-    </message>
-    <message>
-        <source>&amp;Queue</source>
-        <translation>待评列表(&amp;Q)</translation>
-    </message>
-    <message>
-        <source>&amp;Compare with the panel</source>
-        <translation>与专家组比较(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Go on with reference %1</source>
-        <translation>继续参考操作 %1</translation>
-    </message>
-    <message>
-        <source>On to the queue</source>
-        <translation>前往队列</translation>
-    </message>
-    <message>
-        <source>Score first; then the panel&apos;s mark is shown.</source>
-        <translation>请先评分，然后显示专家组的评分。</translation>
-    </message>
-    <message>
-        <source>You: %1. Panel of %2: %3.</source>
-        <translation>您：%1。%2 人专家组：%3。</translation>
-    </message>
-    <message>
-        <source>That is as the panel sees it.</source>
-        <translation>与专家组看法一致。</translation>
-    </message>
-    <message>
-        <source>You are stricter by %1.</source>
-        <translation>您严格了 %1 分。</translation>
-    </message>
-    <message>
-        <source>You are milder by %1.</source>
-        <translation>您宽松了 %1 分。</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>Over all reference runs: %1 points from the panel. You may score a run again; every try is kept.</source>
-        <translation>全部参考录像：与专家组相差 %1 分。您可以重新评分，每次尝试均保留。</translation>
-    </message>
-    <message>
-        <source>You may score it again, or go on with the next run.</source>
-        <translation>您可以重新评分，或继续下一段。</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>%1. %2</source>
-        <translation>%1。%2</translation>
-    </message>
-    <message>
-        <source>Rater calibration</source>
-        <translation>评分者校准</translation>
-    </message>
-    <message>
-        <source>Score the reference runs before the real cases and see your own offset from the panel. Nobody else sees it.</source>
-        <translation>在正式评分之前先评参考录像，了解您与专家组的差距。其他人看不到。</translation>
-    </message>
-    <message>
-        <source>Ctrl+Enter</source>
-        <translation>Ctrl+Enter</translation>
-    </message>
-    <message>
-        <source>Your offset</source>
-        <translation>您的差距</translation>
-    </message>
-    <message>
-        <source>What the rubric asks for</source>
-        <translation>评分标准</translation>
-    </message>
-    <message>
-        <source>Compare with the panel</source>
-        <translation>与专家组比较</translation>
-    </message>
-</context>
-<context>
-    <name>torsio::gui::ConsentDialog</name>
-    <message>
-        <source>&amp;Given</source>
-        <translation>已同意(&amp;G)</translation>
-    </message>
-    <message>
-        <source>&amp;Withdrawn</source>
-        <translation>已撤回(&amp;W)</translation>
-    </message>
-    <message>
-        <source>Consents of %1</source>
-        <translation>%1 的知情同意</translation>
-    </message>
-    <message>
-        <source>Every decision is kept; the newest about a purpose counts. Enter here what was signed on paper.</source>
-        <translation>每次决定都会保留，同一用途以最新的为准。纸质签署的决定请在此录入。</translation>
-    </message>
-    <message>
-        <source>When</source>
-        <translation>时间</translation>
-    </message>
-    <message>
-        <source>Purpose</source>
-        <translation>用途</translation>
-    </message>
-    <message>
-        <source>Decision</source>
-        <translation>决定</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>文本版本</translation>
-    </message>
-    <message>
-        <source>Nothing was decided yet.</source>
-        <translation>尚无任何决定。</translation>
-    </message>
-    <message>
-        <source>On &amp;paper</source>
-        <translation>纸质签署(&amp;P)</translation>
-    </message>
-    <message>
-        <source>given</source>
-        <translation>已同意</translation>
-    </message>
-    <message>
-        <source>withdrawn</source>
-        <translation>已撤回</translation>
-    </message>
-</context>
-<context>
-    <name>ListDialogs</name>
-    <message>
-        <source>&amp;Close</source>
-        <translation>关闭(&amp;C)</translation>
-    </message>
-    <message>
-        <source>the whole cohort</source>
-        <translation>整个队列</translation>
-    </message>
-    <message>
-        <source>Deviations</source>
-        <translation>偏离方案</translation>
-    </message>
-    <message>
-        <source>What went otherwise than the protocol says. The report lists it as well.</source>
-        <translation>与方案不符的情况，报告中也会列出。</translation>
-    </message>
-    <message>
-        <source>When</source>
-        <translation>时间</translation>
-    </message>
-    <message>
-        <source>Trainee</source>
-        <translation>学员</translation>
-    </message>
-    <message>
-        <source>Kind</source>
-        <translation>类型</translation>
-    </message>
-    <message>
-        <source>Description</source>
-        <translation>说明</translation>
-    </message>
-    <message>
-        <source>No deviation was noted.</source>
-        <translation>没有记录任何偏离。</translation>
-    </message>
-</context>
-<context>
-    <name>torsio::gui::RepliesCard</name>
-    <message>
-        <source>Answers to your remarks: %1</source>
-        <translation>对您批注的回复：%1</translation>
-    </message>
-    <message>
-        <source>Answers to your remarks</source>
-        <translation>对您批注的回复</translation>
-    </message>
-    <message>
-        <source>%1 (you wrote: %2)</source>
-        <translation>%1（您写道：%2）</translation>
-    </message>
-    <message>
-        <source>Read</source>
-        <translation>已读</translation>
     </message>
 </context>
 </TS>

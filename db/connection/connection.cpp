@@ -261,8 +261,9 @@ void Transaction::commit() {
     return;
   }
   if (state_->broken) {
-    throw DbError(DbFault::kBrokenBefore, "COMMIT", "an earlier step of this change failed: nothing was kept",
-                  state_->location, "Repeat the whole change");
+    throw DbError(DbFault::kBrokenBefore, "COMMIT",
+                  Text::tr("an earlier step of this change failed: nothing was kept"), state_->location,
+                  Text::tr("Repeat the whole change"));
   }
   state_->commit();  // throws: the destructor then rolls back
   open_ = false;

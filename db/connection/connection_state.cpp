@@ -20,7 +20,7 @@ namespace {
 
 [[noreturn]] void readOnlyFile(const Text& what, const fs::path& path) {
   throw Error(ErrorCode::kFileUnwritable, what, path.string(),
-              "Choose a folder in which you may write, or open the database for reading only");
+              Text::tr("Choose a folder in which you may write, or open the database for reading only"));
 }
 
 /// Whether somebody took all write permissions away: then we do not write, even where root could.
@@ -41,25 +41,27 @@ void checkFile(const fs::path& file, OpenMode mode) {
   std::error_code ignored;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (fs::is_directory(file, ignored)) {
-    throw Error(ErrorCode::kFileUnreadable, "is a folder, not a database", file.string(),
-                "Name a file in that folder");
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("is a folder, not a database"), file.string(),
+                Text::tr("Name a file in that folder"));
   }
   const bool exists = fs::exists(file, ignored);
   if (!exists && mode != OpenMode::kCreate) {
-    throw Error(ErrorCode::kFileMissing, "no such database", file.string(), "Check the path");
+    throw Error(ErrorCode::kFileMissing, Text::tr("no such database"), file.string(),
+                Text::tr("Check the path"));
   }
   if (!exists && !fs::is_directory(folder, ignored)) {
-    throw Error(ErrorCode::kFileMissing, "no such folder", folder.string(), "Create it, or choose another");
+    throw Error(ErrorCode::kFileMissing, Text::tr("no such folder"), folder.string(),
+                Text::tr("Create it, or choose another"));
   }
   if (mode == OpenMode::kReadOnly) {
     return;
   }
   if (exists && markedReadOnly(file)) {
-    readOnlyFile("database file is read-only", file);
+    readOnlyFile(Text::tr("database file is read-only"), file);
   }
   // The write-ahead log is a file beside the database.
   if (markedReadOnly(folder)) {
-    readOnlyFile("folder is read-only", folder);
+    readOnlyFile(Text::tr("folder is read-only"), folder);
   }
 }
 
@@ -74,9 +76,9 @@ ConnectionState::ConnectionState(const Locator& locator, OpenMode mode, int busy
   TORSIO_EXPECTS(QCoreApplication::instance() != nullptr);
   const QString driver = engine == Engine::kSqlite ? QStringLiteral("QSQLITE") : QStringLiteral("QPSQL");
   if (!QSqlDatabase::isDriverAvailable(driver)) {
-    throw DbError(
-        DbFault::kOther, "", Text("Qt has no driver %1", driver.toStdString()), location,
-        Text("Install the package %1", engine == Engine::kSqlite ? "libqt6sql6-sqlite" : "libqt6sql6-psql"));
+    throw DbError(DbFault::kOther, "", Text::tr("Qt has no driver %1", driver.toStdString()), location,
+                  Text::tr("Install the package %1",
+                           engine == Engine::kSqlite ? "libqt6sql6-sqlite" : "libqt6sql6-psql"));
   }
   database_ =
       std::make_unique<QSqlDatabase>(QSqlDatabase::addDatabase(driver, QString::fromStdString(name_)));
@@ -118,7 +120,8 @@ void ConnectionState::openSqlite(const Locator& locator, OpenMode mode, int busy
   database_->setConnectOptions(options);
   if (!database_->open()) {
     throw Error(mode == OpenMode::kReadOnly ? ErrorCode::kFileUnreadable : ErrorCode::kFileUnwritable,
-                "database cannot be opened", location, "Check that you may read and write in its folder");
+                Text::tr("database cannot be opened"), location,
+                Text::tr("Check that you may read and write in its folder"));
   }
   try {
     // The first read shows whether it is a database at all.
@@ -137,11 +140,11 @@ void ConnectionState::openSqlite(const Locator& locator, OpenMode mode, int busy
       return;  // somebody is writing, so it can be written
     }
     if (error.fault() == DbFault::kReadOnly) {
-      readOnlyFile("database file is read-only", locator.file);
+      readOnlyFile(Text::tr("database file is read-only"), locator.file);
     }
     if (error.fault() == DbFault::kCorrupt) {
-      throw Error(ErrorCode::kFileUnreadable, "is not a database, or is damaged", location,
-                  "Choose another file, or restore the latest backup");
+      throw Error(ErrorCode::kFileUnreadable, Text::tr("is not a database, or is damaged"), location,
+                  Text::tr("Choose another file, or restore the latest backup"));
     }
     throw;
   }
@@ -163,8 +166,8 @@ void ConnectionState::openPostgresql(const Locator& locator, OpenMode mode, int 
   if (!database_->open()) {
     const std::string detail =
         database_->lastError().databaseText().section(QLatin1Char('\n'), 0, 0).trimmed().toStdString();
-    throw DbError(DbFault::kUnreachable, "", Text("database server cannot be reached: %1", detail), location,
-                  "Check that it runs, and that address, user and password are right");
+    throw DbError(DbFault::kUnreachable, "", Text::tr("database server cannot be reached: %1", detail),
+                  location, Text::tr("Check that it runs, and that address, user and password are right"));
   }
   run("SET lock_timeout = " + std::to_string(busyTimeout_ms));
   run("SET TIME ZONE 'UTC'");

@@ -81,37 +81,39 @@ struct Wording {
 Wording wordingOf(DbFault fault) {
   switch (fault) {
     case DbFault::kBusy:
-      return {Text("database is busy: another program is writing to it"), Text("Try again in a moment")};
+      return {Text::tr("database is busy: another program is writing to it"),
+              Text::tr("Try again in a moment")};
     case DbFault::kUnique:
-      return {Text("this record exists already"), Text("Give it another code, or change the existing one")};
+      return {Text::tr("this record exists already"),
+              Text::tr("Give it another code, or change the existing one")};
     case DbFault::kForeignKey:
-      return {Text("refers to a record that does not exist, or is still in use"),
-              Text("Check what it refers to")};
+      return {Text::tr("refers to a record that does not exist, or is still in use"),
+              Text::tr("Check what it refers to")};
     case DbFault::kCheck:
-      return {Text("a value breaks the rule of its column"), Text("Correct the value")};
+      return {Text::tr("a value breaks the rule of its column"), Text::tr("Correct the value")};
     case DbFault::kNotNull:
-      return {Text("a required value is missing"), Text("Fill it in")};
+      return {Text::tr("a required value is missing"), Text::tr("Fill it in")};
     case DbFault::kAppendOnly:
-      return {Text("this record is sealed and cannot be changed"), Text("Add a new version instead")};
+      return {Text::tr("this record is sealed and cannot be changed"), Text::tr("Add a new version instead")};
     case DbFault::kReadOnly:
-      return {Text("database is open for reading only"),
-              Text("Open it for writing, or copy it to a writable folder")};
+      return {Text::tr("database is open for reading only"),
+              Text::tr("Open it for writing, or copy it to a writable folder")};
     case DbFault::kFull:
-      return {Text("no space left"), Text("Free some space on the disk")};
+      return {Text::tr("no space left"), Text::tr("Free some space on the disk")};
     case DbFault::kCorrupt:
-      return {Text("database is damaged"), Text("Restore the latest backup")};
+      return {Text::tr("database is damaged"), Text::tr("Restore the latest backup")};
     case DbFault::kUnreachable:
-      return {Text("database server does not answer"),
-              Text("Check that it runs and that the address is right")};
+      return {Text::tr("database server does not answer"),
+              Text::tr("Check that it runs and that the address is right")};
     case DbFault::kConflict:
-      return {Text("another station changed the same records at the same time"), Text("Try again")};
+      return {Text::tr("another station changed the same records at the same time"), Text::tr("Try again")};
     case DbFault::kBrokenBefore:
-      return {Text("an earlier step of this change failed: nothing was kept"),
-              Text("Repeat the whole change")};
+      return {Text::tr("an earlier step of this change failed: nothing was kept"),
+              Text::tr("Repeat the whole change")};
     case DbFault::kOther:
       break;
   }
-  return {Text("database refused the operation"), Text()};
+  return {Text::tr("database refused the operation"), Text()};
 }
 
 }  // namespace
@@ -156,7 +158,7 @@ void ConnectionState::fail(std::string_view sql, const QSqlError& error) {
   if (fault == DbFault::kOther || fault == DbFault::kCheck || fault == DbFault::kNotNull ||
       fault == DbFault::kUnique || fault == DbFault::kUnreachable) {
     if (!detail.empty()) {
-      what = Text("%1: %2", wording.what, detail);
+      what = Text::verbatim("%1: %2", wording.what, detail);
     }
   }
   throw DbError(fault, operationOf(sql), what, location, wording.remedy);

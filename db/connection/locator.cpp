@@ -31,7 +31,8 @@ Locator parseLocator(const std::string& text) {
   Locator locator;
   if (!text.starts_with("postgresql://") && !text.starts_with("postgres://")) {
     if (text.empty()) {
-      throw Error(ErrorCode::kBadParameter, "no database was named", "", "Give the path of a database file");
+      throw Error(ErrorCode::kBadParameter, Text::tr("no database was named"), "",
+                  Text::tr("Give the path of a database file"));
     }
     locator.file = text;
     return locator;
@@ -45,12 +46,12 @@ Locator parseLocator(const std::string& text) {
   locator.database = url.path(QUrl::FullyDecoded).mid(1).toStdString();
   locator.schema = QUrlQuery(url).queryItemValue(QStringLiteral("schema")).toStdString();
   if (!url.isValid() || locator.host.empty() || locator.database.empty()) {
-    throw Error(ErrorCode::kBadParameter, "not a PostgreSQL address", "database",
-                "Write it as postgresql://user:password@host:port/database");
+    throw Error(ErrorCode::kBadParameter, Text::tr("not a PostgreSQL address"), Text::tr("database"),
+                Text::tr("Write it as postgresql://user:password@host:port/database"));
   }
   if (!plainName(locator.schema)) {
-    throw Error(ErrorCode::kBadParameter, "schema name is not allowed", locator.shown(),
-                "Use lower-case letters, digits and underscores only");
+    throw Error(ErrorCode::kBadParameter, Text::tr("schema name is not allowed"), locator.shown(),
+                Text::tr("Use lower-case letters, digits and underscores only"));
   }
   return locator;
 }

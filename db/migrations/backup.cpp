@@ -45,8 +45,8 @@ void takeOver(const fs::path& target) {
     connection.executeVerbatim("PRAGMA journal_mode = DELETE");
   } catch (const DbError& error) {
     if (error.fault() == DbFault::kBusy) {
-      throw Error(ErrorCode::kDatabase, "is open in another program", target.string(),
-                  "Close Torsio at every station and try again");
+      throw Error(ErrorCode::kDatabase, Text::tr("is open in another program"), target.string(),
+                  Text::tr("Close Torsio at every station and try again"));
     }
   } catch (const Error&) {
     return;  // not a database any more
@@ -107,8 +107,8 @@ void settleSqlite(const fs::path& copy) {
   Connection connection = openDatabase(copy.string(), OpenMode::kReadWrite);
   const std::vector<std::string> findings = integrityFindings(connection);
   if (!findings.empty()) {
-    throw Error(ErrorCode::kVerifyFailed, Text("backup does not pass its check: %1", findings.front()),
-                copy.string(), "Check the disk, and the database itself");
+    throw Error(ErrorCode::kVerifyFailed, Text::tr("backup does not pass its check: %1", findings.front()),
+                copy.string(), Text::tr("Check the disk, and the database itself"));
   }
   connection.executeVerbatim("PRAGMA journal_mode = DELETE");
   connection.executeVerbatim("PRAGMA synchronous = FULL");
@@ -124,8 +124,8 @@ void replaceSqlite(const fs::path& ready, const fs::path& target) {
     fs::rename(ready, target);
   } catch (const fs::filesystem_error& error) {
     putBack(target);
-    throw Error(ErrorCode::kFileUnwritable, Text("backup cannot be restored: %1", error.code().message()),
-                target.string(), "Check the folder and the free space");
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("backup cannot be restored: %1", error.code().message()),
+                target.string(), Text::tr("Check the folder and the free space"));
   }
 }
 
@@ -144,8 +144,8 @@ void backupSqlite(Connection& connection, const fs::path& target) {
   fs::rename(temporary, target, failed);
   if (failed) {
     removeWithLogs(temporary);
-    throw Error(ErrorCode::kFileUnwritable, "backup cannot be written", target.string(),
-                "Choose a folder in which you may write");
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("backup cannot be written"), target.string(),
+                Text::tr("Choose a folder in which you may write"));
   }
 }
 
@@ -154,12 +154,13 @@ BackupContent checkBackup(const fs::path& backup) {
   BackupContent content;
   content.schemaVersion = checkSchema(connection, embeddedMigrations()).version;
   if (content.schemaVersion == 0) {
-    throw Error(ErrorCode::kFileUnreadable, "holds no Torsio record", backup.string(), "Choose another file");
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("holds no Torsio record"), backup.string(),
+                Text::tr("Choose another file"));
   }
   const std::vector<std::string> findings = integrityFindings(connection);
   if (!findings.empty()) {
-    throw Error(ErrorCode::kVerifyFailed, Text("backup is damaged: %1", findings.front()), backup.string(),
-                "Use an older backup");
+    throw Error(ErrorCode::kVerifyFailed, Text::tr("backup is damaged: %1", findings.front()),
+                backup.string(), Text::tr("Use an older backup"));
   }
   content.trials = rowsOf(connection, "trial");
   content.marks = rowsOf(connection, "training_mark") + rowsOf(connection, "evaluation_mark");
@@ -176,8 +177,8 @@ void restoreSqlite(const fs::path& backup, const fs::path& target) {
     replaceSqlite(temporary, target);
   } catch (const fs::filesystem_error& error) {
     removeWithLogs(temporary);
-    throw Error(ErrorCode::kFileUnwritable, Text("backup cannot be restored: %1", error.code().message()),
-                target.string(), "Check the folder and the free space");
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("backup cannot be restored: %1", error.code().message()),
+                target.string(), Text::tr("Check the folder and the free space"));
   } catch (...) {
     removeWithLogs(temporary);
     throw;

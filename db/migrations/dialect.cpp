@@ -21,7 +21,7 @@ std::vector<std::string> wordsOf(const std::string& text) {
 }
 
 [[noreturn]] void bad(const Text& what, const std::string& where) {
-  throw Error(ErrorCode::kBadData, what, where, "Correct the migration file");
+  throw Error(ErrorCode::kBadData, what, where, Text::tr("Correct the migration file"));
 }
 
 Statements appendOnlySupport(Engine engine) {
@@ -87,7 +87,7 @@ Statements macro(Engine engine, const std::string& token, const std::string& whe
   if (words.size() == 3 && words[0] == "frozen") {
     return frozen(engine, words[1], words[2]);
   }
-  bad(Text("unknown token {{%1}}", token), where);
+  bad(Text::tr("unknown token {{%1}}", token), where);
 }
 
 std::string withTypes(Engine engine, std::string sql, const std::string& where) {
@@ -97,7 +97,7 @@ std::string withTypes(Engine engine, std::string sql, const std::string& where) 
     sql.replace(at, token.size(), type);
   }
   if (sql.find("{{") != std::string::npos) {
-    bad("unknown token in a statement", where);
+    bad(Text::tr("unknown token in a statement"), where);
   }
   return sql;
 }
@@ -130,7 +130,7 @@ std::vector<std::string> statementsFor(Engine engine, std::string_view migration
     current.clear();
   }
   if (!current.empty()) {
-    bad("a statement lacks its ;", where);
+    bad(Text::tr("a statement lacks its ;"), where);
   }
   return statements;
 }

@@ -82,7 +82,8 @@ std::string headValue(const std::string& text, const std::string& key, const std
       return line.substr(start.size());
     }
   }
-  throw Error(ErrorCode::kBadData, Text("the line \"%1...\" is missing", start), name, "Add it");
+  throw Error(ErrorCode::kBadData, Text::tr("the line \"%1...\" is missing", start), name,
+              Text::tr("Add it"));
 }
 
 void applyStep(Connection& connection, const Migration& step, const MigrationOptions& options) {
@@ -111,9 +112,9 @@ void applyStep(Connection& connection, const Migration& step, const MigrationOpt
 
 [[noreturn]] void newerSchema(const SchemaState& state, const std::string& where) {
   throw Error(ErrorCode::kNewerSchema,
-              Text("was written by a newer version of Torsio (schema %1, this program knows %2)",
-                   state.version, state.known),
-              where, "Update Torsio on this machine");
+              Text::tr("was written by a newer version of Torsio (schema %1, this program knows %2)",
+                       state.version, state.known),
+              where, Text::tr("Update Torsio on this machine"));
 }
 
 }  // namespace
@@ -126,8 +127,8 @@ Migration parseMigration(const std::string& name, const std::string& text) {
     step.version = std::stoll(name.substr(0, 4));
     step.compatibleFrom = std::stoll(headValue(step.sql, "compatible_from", name));
   } catch (const std::logic_error&) {
-    throw Error(ErrorCode::kBadData, "number of the step or of compatible_from cannot be read", name,
-                "Name it NNNN_what.sql and write -- compatible_from: N");
+    throw Error(ErrorCode::kBadData, Text::tr("number of the step or of compatible_from cannot be read"),
+                name, Text::tr("Name it NNNN_what.sql and write -- compatible_from: N"));
   }
   step.description = headValue(step.sql, "description", name);
   Digest digest;
@@ -156,8 +157,8 @@ SchemaState checkSchema(Connection& connection, const std::vector<Migration>& mi
   const std::vector<AppliedStep> applied = appliedSteps(connection);
   if (applied.empty()) {
     if (!hasBookkeeping(connection) && hasForeignTables(connection)) {
-      throw Error(ErrorCode::kFileUnreadable, "is a database of another program", connection.location(),
-                  "Choose another file");
+      throw Error(ErrorCode::kFileUnreadable, Text::tr("is a database of another program"),
+                  connection.location(), Text::tr("Choose another file"));
     }
     return state;
   }
@@ -173,9 +174,9 @@ SchemaState checkSchema(Connection& connection, const std::vector<Migration>& mi
     }
     const Migration& known = migrations[static_cast<std::size_t>(step.version - 1)];
     if (known.checksum != step.checksum) {
-      throw Error(ErrorCode::kBadData,
-                  Text("schema step %1 differs from the one that was applied", known.name),
-                  connection.location(), "Use the program that made this database, or restore a backup");
+      throw Error(
+          ErrorCode::kBadData, Text::tr("schema step %1 differs from the one that was applied", known.name),
+          connection.location(), Text::tr("Use the program that made this database, or restore a backup"));
     }
   }
   return state;
@@ -214,8 +215,10 @@ Connection openRecord(const std::string& locator, OpenMode mode, const Migration
   const SchemaState state = checkSchema(connection, migrations);
   if (state.version < state.known) {
     throw Error(ErrorCode::kDatabase,
-                state.version == 0 ? "holds no Torsio record" : "has an older schema than this program",
-                connection.location(), "Open it once for writing, so that it can be brought up to date");
+                state.version == 0 ? Text::tr("holds no Torsio record")
+                                   : Text::tr("has an older schema than this program"),
+                connection.location(),
+                Text::tr("Open it once for writing, so that it can be brought up to date"));
   }
   return connection;
 }

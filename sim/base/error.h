@@ -29,8 +29,8 @@ enum class ErrorCode : int {
 class Error : public std::runtime_error {
  public:
   /// `what`: one sentence without a full stop. `where`: file, line, vertex, column or "".
-  /// `remedy`: one imperative sentence or "". What varies is an argument: `Text("no trial has the id %1",
-  /// id)`.
+  /// `remedy`: one imperative sentence or "". What varies is an argument: `Text::tr("no trial has the
+  /// id %1", id)`.
   Error(ErrorCode code, Text what, Text where, Text remedy);
 
   [[nodiscard]] ErrorCode code() const noexcept { return code_; }

@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void unwritable(const fs::path& file) {
-  throw Error(ErrorCode::kFileUnwritable, "cannot be written", file.string(),
-              "Check that the folder exists, is not read-only, and that the disk is not full");
+  throw Error(ErrorCode::kFileUnwritable, Text::tr("cannot be written"), file.string(),
+              Text::tr("Check that the folder exists, is not read-only, and that the disk is not full"));
 }
 
 }  // namespace
@@ -23,13 +23,13 @@ namespace {
 std::string readFile(const fs::path& file) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) {
-    throw Error(ErrorCode::kFileMissing, "no such file", file.string(), "Check the path");
+    throw Error(ErrorCode::kFileMissing, Text::tr("no such file"), file.string(), Text::tr("Check the path"));
   }
   std::ifstream in(file, std::ios::binary);
   std::ostringstream bytes;
   if (fs::is_directory(file, ignored) || !in || (in.peek() != EOF && !(bytes << in.rdbuf()))) {
-    throw Error(ErrorCode::kFileUnreadable, "cannot be read", file.string(),
-                "Check that it is a file you may read");
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("cannot be read"), file.string(),
+                Text::tr("Check that it is a file you may read"));
   }
   return bytes.str();
 }
@@ -74,8 +74,8 @@ void ensureFolder(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed || !fs::is_directory(folder, failed)) {
-    throw Error(ErrorCode::kFileUnwritable, "folder cannot be created", folder.string(),
-                "Choose a folder in which you may write");
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("folder cannot be created"), folder.string(),
+                Text::tr("Choose a folder in which you may write"));
   }
 }
 

@@ -17,8 +17,9 @@ constexpr std::size_t kLargestWidth = 8;
 constexpr std::size_t kLargestVarint = 10;
 
 [[noreturn]] void damagedColumn() {
-  throw Error(ErrorCode::kBadData, "a column of samples does not unpack", "recorded chunk",
-              "The recording is damagedColumn: restore it from a copy");
+  throw Error(ErrorCode::kBadData, Text::verbatim("a column of samples does not unpack"),
+              Text::verbatim("recorded chunk"),
+              Text::verbatim("The recording is damagedColumn: restore it from a copy"));
 }
 
 /// Small numbers of either sign become small unsigned numbers: 0, -1, 1, -2 ... to 0, 1, 2, 3 ...

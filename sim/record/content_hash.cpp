@@ -13,8 +13,8 @@ namespace torsio {
 namespace {
 
 [[noreturn]] void unfit(const Text& what, const Trial& trial) {
-  throw Error(ErrorCode::kVerifyFailed, what, Text("trial %1", trial.header.trialId),
-              "Do not use this trial for scoring: it is not what was recorded");
+  throw Error(ErrorCode::kVerifyFailed, what, Text::tr("trial %1", trial.header.trialId),
+              Text::verbatim("Do not use this trial for scoring: it is not what was recorded"));
 }
 
 }  // namespace
@@ -45,15 +45,15 @@ void verifyContent(const Trial& trial) {
   std::int64_t samples = 0;
   for (const TrialChunk& chunk : trial.chunks) {
     if (chunkDigest(chunk) != chunk.digest) {
-      unfit(Text("chunk %1 does not match its digest", std::to_string(chunk.index)), trial);
+      unfit(Text::verbatim("chunk %1 does not match its digest", std::to_string(chunk.index)), trial);
     }
     samples += chunk.samples;
   }
   if (contentHash(trial) != trial.summary.contentHash) {
-    unfit("the content hash does not match", trial);
+    unfit(Text::verbatim("the content hash does not match"), trial);
   }
   if (samples != trial.summary.samples) {
-    unfit("the number of samples does not match", trial);
+    unfit(Text::verbatim("the number of samples does not match"), trial);
   }
 }
 

@@ -191,8 +191,9 @@ void Recorder::finishSink() {
     }
     if (spillSink_) {
       throw Error(ErrorCode::kFileUnwritable,
-                  Text("the recorded trial could not be kept: %1", result_.problem),
-                  result_.spillFile->string(), "Free some disk space and record the trial again");
+                  Text::verbatim("the recorded trial could not be kept: %1", result_.problem),
+                  result_.spillFile->string(),
+                  Text::verbatim("Free some disk space and record the trial again"));
     }
     spill();
     attempt = 0;

@@ -59,9 +59,9 @@ enum Column : std::size_t {
 
 using Row = std::array<std::int64_t, kColumns>;
 
-[[noreturn]] void damaged(const char* what) {
-  throw Error(ErrorCode::kBadData, what, "recorded chunk",
-              "The recording is damaged: restore it from a copy");
+[[noreturn]] void damaged(Phrase what) {
+  throw Error(ErrorCode::kBadData, what, Text::verbatim("recorded chunk"),
+              Text::verbatim("The recording is damaged: restore it from a copy"));
 }
 
 /// Nearest multiple of `step`; saturates, so that no input overflows. Samples hold no NaN (the servo sees to
@@ -111,7 +111,7 @@ Row toRow(const Sample& s) noexcept {
 template <typename Integer>
 Integer within(std::int64_t value) {
   if (value < std::numeric_limits<Integer>::min() || value > std::numeric_limits<Integer>::max()) {
-    damaged("a value lies outside its range");
+    damaged(Text::verbatim("a value lies outside its range"));
   }
   return static_cast<Integer>(value);
 }
@@ -145,15 +145,15 @@ Sample toSample(const Row& row) {
   s.device.buttons = within<std::uint32_t>(row[kButtons]);
   s.device.status = within<std::uint32_t>(row[kStatus]);
   if (row[kCommandKind] < 0 || row[kCommandKind] > kLastKind) {
-    damaged("an unknown command");
+    damaged(Text::verbatim("an unknown command"));
   }
   if (row[kPhase] < 0 || row[kPhase] > kLastPhase) {
-    damaged("an unknown phase");
+    damaged(Text::verbatim("an unknown phase"));
   }
   s.command.kind = static_cast<ServoCommand::Kind>(row[kCommandKind]);
   s.command.value = std::bit_cast<double>(row[kCommandValue]);
   if (!std::isfinite(s.command.value)) {
-    damaged("a command value that is not finite");
+    damaged(Text::verbatim("a command value that is not finite"));
   }
   s.phase = static_cast<ExercisePhase>(row[kPhase]);
   s.limits = within<std::uint32_t>(row[kLimits]);
@@ -185,12 +185,12 @@ std::vector<std::uint8_t> decompress(std::span<const std::byte> frame, std::size
   const std::size_t largest = kColumns * largestPackedColumn(samples);
   const unsigned long long size = ZSTD_getFrameContentSize(frame.data(), frame.size());
   if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > largest) {
-    damaged("the size of the packed samples is impossible");
+    damaged(Text::verbatim("the size of the packed samples is impossible"));
   }
   std::vector<std::uint8_t> packed(static_cast<std::size_t>(size));
   const std::size_t written = ZSTD_decompress(packed.data(), packed.size(), frame.data(), frame.size());
   if (ZSTD_isError(written) != 0U || written != packed.size()) {
-    damaged("the packed samples do not unpack");
+    damaged(Text::verbatim("the packed samples do not unpack"));
   }
   return packed;
 }
@@ -228,21 +228,22 @@ TrialChunk encodeChunk(std::int64_t index, std::span<const Sample> samples) {
 
 std::vector<Sample> decodeChunk(const TrialChunk& chunk) {
   if (chunk.samples < 1 || chunk.samples > kLargestChunk) {
-    damaged("the number of samples is impossible");
+    damaged(Text::verbatim("the number of samples is impossible"));
   }
   if (chunkDigest(chunk) != chunk.digest) {
-    damaged("the bytes do not match their digest");
+    damaged(Text::verbatim("the bytes do not match their digest"));
   }
   const std::span<const std::byte> bytes(chunk.bytes);
   if (bytes.size() < kHeaderSize ||
       !std::equal(kChunkMagic.begin(), kChunkMagic.end(), bytes.begin(),
                   [](std::uint8_t a, std::byte b) { return std::byte{a} == b; })) {
-    damaged("this is not a chunk of samples");
+    damaged(Text::verbatim("this is not a chunk of samples"));
   }
   const auto version = std::to_integer<std::uint8_t>(bytes[kChunkMagic.size()]);
   if (version != kVersion) {
-    throw Error(ErrorCode::kBadData, "the samples were written in another format version", "recorded chunk",
-                "Open the trial with the version that wrote it, or a newer one");
+    throw Error(ErrorCode::kBadData, Text::verbatim("the samples were written in another format version"),
+                Text::verbatim("recorded chunk"),
+                Text::verbatim("Open the trial with the version that wrote it, or a newer one"));
   }
   const auto count = static_cast<std::size_t>(chunk.samples);
   const std::vector<std::uint8_t> packed = decompress(bytes.subspan(kHeaderSize), count);
@@ -257,19 +258,19 @@ std::vector<Sample> decodeChunk(const TrialChunk& chunk) {
     }
   }
   if (!rest.empty()) {
-    damaged("bytes follow after the last column");
+    damaged(Text::verbatim("bytes follow after the last column"));
   }
 
   std::vector<Sample> samples;
   samples.reserve(count);
   for (const Row& row : rows) {
     if (!samples.empty() && row[kTick] <= samples.back().tick) {
-      damaged("the ticks do not increase");
+      damaged(Text::verbatim("the ticks do not increase"));
     }
     samples.push_back(toSample(row));
   }
   if (samples.front().tick != chunk.firstTick) {
-    damaged("the first tick is another one");
+    damaged(Text::verbatim("the first tick is another one"));
   }
   return samples;
 }
@@ -279,11 +280,11 @@ std::vector<Sample> decodeTrial(const Trial& trial) {
   std::int64_t expected = 0;
   for (const TrialChunk& chunk : trial.chunks) {
     if (chunk.index != expected++) {
-      damaged("a chunk is missing or out of order");
+      damaged(Text::verbatim("a chunk is missing or out of order"));
     }
     const std::vector<Sample> samples = decodeChunk(chunk);
     if (!all.empty() && samples.front().tick <= all.back().tick) {
-      damaged("the ticks do not increase");
+      damaged(Text::verbatim("the ticks do not increase"));
     }
     all.insert(all.end(), samples.begin(), samples.end());
   }

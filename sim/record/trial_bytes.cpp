@@ -14,8 +14,9 @@ namespace torsio {
 namespace {
 
 [[noreturn]] void damaged() {
-  throw Error(ErrorCode::kBadData, "the bytes of a trial do not read", "recorded trial",
-              "The recording is damaged: restore it from a copy");
+  throw Error(ErrorCode::kBadData, Text::verbatim("the bytes of a trial do not read"),
+              Text::verbatim("recorded trial"),
+              Text::verbatim("The recording is damaged: restore it from a copy"));
 }
 
 /// One visit function a type serves both directions, so that they cannot disagree.

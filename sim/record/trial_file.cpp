@@ -71,8 +71,8 @@ std::optional<Record> takeRecord(std::span<const std::byte>& rest, const std::fi
   const auto stored = body.subspan(found.payload.size(), kDigestSize);
   for (std::size_t i = 0; i < kDigestSize; ++i) {
     if (stored[i] != std::byte{digest[i]}) {
-      throw Error(ErrorCode::kBadData, "a record does not match its digest", file.string(),
-                  "The file is damaged: restore it from a copy");
+      throw Error(ErrorCode::kBadData, Text::verbatim("a record does not match its digest"), file.string(),
+                  Text::verbatim("The file is damaged: restore it from a copy"));
     }
   }
   rest = body.subspan(found.payload.size() + kDigestSize);
@@ -99,8 +99,8 @@ void TrialFileSink::write(const std::string& bytes) {
   out_.close();
   std::error_code ignored;
   std::filesystem::resize_file(temporaryBeside(file_), sound_, ignored);
-  throw Error(ErrorCode::kFileUnwritable, "the trial cannot be written", file_.string(),
-              "Check that the folder exists, is not read-only, and that the disk is not full");
+  throw Error(ErrorCode::kFileUnwritable, Text::verbatim("the trial cannot be written"), file_.string(),
+              Text::tr("Check that the folder exists, is not read-only, and that the disk is not full"));
 }
 
 void TrialFileSink::begin(const TrialHeader& header) {
@@ -124,19 +124,20 @@ void TrialFileSink::finish(const TrialSummary& summary) {
   std::error_code failed;
   std::filesystem::rename(temporaryBeside(file_), file_, failed);
   if (failed) {
-    throw Error(ErrorCode::kFileUnwritable, "the finished trial cannot be renamed", file_.string(),
-                "Rename the file that ends in .part by hand");
+    throw Error(ErrorCode::kFileUnwritable, Text::verbatim("the finished trial cannot be renamed"),
+                file_.string(), Text::verbatim("Rename the file that ends in .part by hand"));
   }
 }
 
 TrialFile openTrialFile(const std::filesystem::path& file) {
   const std::string content = readFile(file);
   if (content.substr(0, kMagic.size()) != kMagic) {
-    throw Error(ErrorCode::kFileUnreadable, "this is not a trial file", file.string(),
-                "Choose a file that Torsio recorded or exported");
+    throw Error(ErrorCode::kFileUnreadable, Text::verbatim("this is not a trial file"), file.string(),
+                Text::verbatim("Choose a file that Torsio recorded or exported"));
   }
-  const auto broken = [&file](const char* what) {
-    throw Error(ErrorCode::kBadData, what, file.string(), "The file is damaged: restore it from a copy");
+  const auto broken = [&file](Phrase what) {
+    throw Error(ErrorCode::kBadData, what, file.string(),
+                Text::verbatim("The file is damaged: restore it from a copy"));
   };
   std::span<const std::byte> rest = std::as_bytes(std::span(content)).subspan(kMagic.size());
   TrialFile read;
@@ -144,7 +145,7 @@ TrialFile openTrialFile(const std::filesystem::path& file) {
   bool begun = false;
   while (const std::optional<Record> next = takeRecord(rest, file)) {
     if (read.finished || begun == (next->kind == RecordKind::kHeader)) {
-      broken("the records are out of order");
+      broken(Text::verbatim("the records are out of order"));
     }
     switch (next->kind) {
       case RecordKind::kHeader:
@@ -162,14 +163,14 @@ TrialFile openTrialFile(const std::filesystem::path& file) {
         read.finished = true;
         break;
       default:
-        broken("an unknown record");
+        broken(Text::verbatim("an unknown record"));
     }
   }
   if (!begun) {
-    broken("the file ends before the trial begins");
+    broken(Text::verbatim("the file ends before the trial begins"));
   }
   if (read.finished && !rest.empty()) {
-    broken("bytes follow after the end of the trial");
+    broken(Text::verbatim("bytes follow after the end of the trial"));
   }
   if (!read.finished) {
     trial.summary.outcome = TrialOutcome::kInterrupted;

@@ -24,12 +24,13 @@ std::string joined(const std::vector<std::string>& names) {
 JsonFields::JsonFields(const nlohmann::json& json, std::string where)
     : json_(json), where_(std::move(where)) {
   if (!json_.is_object()) {
-    throw Error(ErrorCode::kBadData, "must be an object in braces", where_, "Correct the file.");
+    throw Error(ErrorCode::kBadData, Text::tr("must be an object in braces"), where_,
+                Text::tr("Correct the file."));
   }
 }
 
 void JsonFields::refuse(const std::string& name, const Text& problem, const Text& remedy) const {
-  throw Error(ErrorCode::kBadData, Text("field '%1' %2", name, problem), where_, remedy);
+  throw Error(ErrorCode::kBadData, Text::tr("field '%1' %2", name, problem), where_, remedy);
 }
 
 bool JsonFields::has(const std::string& name) const {
@@ -40,7 +41,7 @@ const nlohmann::json& JsonFields::find(const std::string& name) {
   asked_.insert(name);
   const auto found = json_.find(name);
   if (found == json_.end()) {
-    refuse(name, "is missing", "Add it.");
+    refuse(name, Text::tr("is missing"), Text::tr("Add it."));
   }
   return *found;
 }
@@ -52,7 +53,7 @@ const nlohmann::json& JsonFields::child(const std::string& name) {
 std::string JsonFields::text(const std::string& name) {
   const nlohmann::json& value = find(name);
   if (!value.is_string()) {
-    refuse(name, "must be a text", "Put it in quotes.");
+    refuse(name, Text::tr("must be a text"), Text::tr("Put it in quotes."));
   }
   return value.get<std::string>();
 }
@@ -71,7 +72,7 @@ double JsonFields::number(const std::string& name, double low, double high) {
     if (value.is_number()) {
       limits << ", not " << number;
     }
-    refuse(name, limits.str(), "Correct the value.");
+    refuse(name, limits.str(), Text::tr("Correct the value."));
   }
   return number;
 }
@@ -84,7 +85,7 @@ double JsonFields::number(const std::string& name, double low, double high, doub
 int JsonFields::integer(const std::string& name, int low, int high, int fallback) {
   const double value = number(name, low, high, fallback);
   if (value != std::floor(value)) {
-    refuse(name, "must be a whole number", "Correct the value.");
+    refuse(name, Text::tr("must be a whole number"), Text::tr("Correct the value."));
   }
   return static_cast<int>(value);
 }
@@ -93,7 +94,7 @@ Vec3 JsonFields::vector(const std::string& name) {
   const nlohmann::json& value = find(name);
   if (!value.is_array() || value.size() != 3 || !value[0].is_number() || !value[1].is_number() ||
       !value[2].is_number()) {
-    refuse(name, "must be three numbers in brackets", "Write [x, y, z].");
+    refuse(name, Text::tr("must be three numbers in brackets"), Text::tr("Write [x, y, z]."));
   }
   return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
 }
@@ -110,13 +111,13 @@ std::size_t JsonFields::choice(const std::string& name, const std::vector<std::s
       return i;
     }
   }
-  refuse(name, Text("is '%1'", given), Text("Choose one of %1.", joined(names)));
+  refuse(name, Text::tr("is '%1'", given), Text::tr("Choose one of %1.", joined(names)));
 }
 
 void JsonFields::finish() const {
   for (const auto& item : json_.items()) {
     if (!asked_.contains(item.key())) {
-      refuse(item.key(), "is not known here", "Remove it, or check its spelling.");
+      refuse(item.key(), Text::tr("is not known here"), Text::tr("Remove it, or check its spelling."));
     }
   }
 }

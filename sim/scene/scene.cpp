@@ -55,15 +55,16 @@ SceneDescription describe(const SceneRequest& request) {
     }
   }
   throw Error(ErrorCode::kBadParameter,
-              request.organFile ? Text("no scene has a pattern '%1'", request.pattern)
-                                : Text("scene '%1' has no pattern '%2'", scene.id, request.pattern),
-              "", Text("Choose one of %1.", listed(known)));
+              request.organFile ? Text::tr("no scene has a pattern '%1'", request.pattern)
+                                : Text::tr("scene '%1' has no pattern '%2'", scene.id, request.pattern),
+              "", Text::tr("Choose one of %1.", listed(known)));
 }
 
 /// A mesh of the user's: its ends are found unless they are given.
 void replaceOrgan(SceneDescription& scene, const SceneRequest& request) {
   if (request.fixedEnd_m.has_value() != request.freeEnd_m.has_value()) {
-    throw Error(ErrorCode::kUsage, "one end of the organ is given without the other", "", "Give both ends.");
+    throw Error(ErrorCode::kUsage, Text::tr("one end of the organ is given without the other"), "",
+                Text::tr("Give both ends."));
   }
   scene.organ = *request.organFile;
   scene.organUnit_m = request.organScale_m;
@@ -112,8 +113,8 @@ std::vector<std::string> sceneIds(const fs::path& assets) {
     }
   }
   if (failed) {
-    throw Error(ErrorCode::kFileMissing, "no scenes here", (assets / "scenes").string(),
-                "Check the assets folder.");
+    throw Error(ErrorCode::kFileMissing, Text::tr("no scenes here"), (assets / "scenes").string(),
+                Text::tr("Check the assets folder."));
   }
   std::sort(ids.begin(), ids.end());
   return ids;

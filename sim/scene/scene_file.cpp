@@ -22,8 +22,8 @@ nlohmann::json readJson(const fs::path& file) {
   try {
     return nlohmann::json::parse(readFile(file));
   } catch (const nlohmann::json::exception& error) {
-    throw Error(ErrorCode::kBadData, Text("is not valid JSON (%1)", error.what()), file.string(),
-                "Correct the file.");
+    throw Error(ErrorCode::kBadData, Text::tr("is not valid JSON (%1)", error.what()), file.string(),
+                Text::tr("Correct the file."));
   }
 }
 
@@ -31,7 +31,7 @@ nlohmann::json readJson(const fs::path& file) {
 Vec3 readDirection(JsonFields& fields, const std::string& name) {
   const Vec3 direction = normalized(fields.vector(name));
   if (direction == Vec3{}) {
-    fields.refuse(name, "points nowhere", "Give a direction that is not zero.");
+    fields.refuse(name, Text::tr("points nowhere"), Text::tr("Give a direction that is not zero."));
   }
   return direction;
 }
@@ -110,7 +110,7 @@ PatternDescription readPattern(const nlohmann::json& json, const std::string& wh
   if (fields.has("operations")) {
     const nlohmann::json& operations = fields.child("operations");
     if (!operations.is_array()) {
-      fields.refuse("operations", "must be a list", "Put it in brackets.");
+      fields.refuse("operations", Text::tr("must be a list"), Text::tr("Put it in brackets."));
     }
     for (const auto& operation : operations) {
       const std::string name = where + " operation " + std::to_string(pattern.operations.size() + 1);
@@ -125,7 +125,7 @@ PatternDescription readPattern(const nlohmann::json& json, const std::string& wh
 std::vector<PatternDescription> readPatterns(JsonFields& scene) {
   const nlohmann::json& list = scene.child("patterns");
   if (!list.is_array() || list.empty()) {
-    scene.refuse("patterns", "must list at least one", "Add a pattern.");
+    scene.refuse("patterns", Text::tr("must list at least one"), Text::tr("Add a pattern."));
   }
   std::vector<PatternDescription> patterns;
   for (const auto& entry : list) {
@@ -133,8 +133,8 @@ std::vector<PatternDescription> readPatterns(JsonFields& scene) {
     PatternDescription next = readPattern(entry, where);
     for (const PatternDescription& other : patterns) {
       if (other.pattern.id == next.pattern.id) {
-        throw Error(ErrorCode::kBadData, Text("the id '%1' is used twice", next.pattern.id), where,
-                    "Rename one.");
+        throw Error(ErrorCode::kBadData, Text::tr("the id '%1' is used twice", next.pattern.id), where,
+                    Text::tr("Rename one."));
       }
     }
     patterns.push_back(std::move(next));
@@ -174,14 +174,16 @@ Material findMaterial(const fs::path& assets, const std::string& id, ErrorCode c
     }
     known.push_back(material.id);
   }
-  throw Error(code, Text("no material is called '%1'", id), where, Text("Choose one of %1.", listed(known)));
+  throw Error(code, Text::tr("no material is called '%1'", id), where,
+              Text::tr("Choose one of %1.", listed(known)));
 }
 
 std::vector<Material> readMaterials(const fs::path& assets) {
   const fs::path file = assets / "scenes" / "materials.json";
   const nlohmann::json json = readJson(file);
   if (!json.is_array()) {
-    throw Error(ErrorCode::kBadData, "must be a list", file.string(), "Put it in brackets.");
+    throw Error(ErrorCode::kBadData, Text::tr("must be a list"), file.string(),
+                Text::tr("Put it in brackets."));
   }
   std::vector<Material> materials;
   for (const auto& entry : json) {
@@ -202,8 +204,8 @@ std::vector<Material> readMaterials(const fs::path& assets) {
 SceneDescription readSceneFile(const fs::path& assets, const std::string& id) {
   const std::vector<std::string> known = sceneIds(assets);
   if (std::find(known.begin(), known.end(), id) == known.end()) {
-    throw Error(ErrorCode::kFileMissing, Text("no scene is called '%1'", id), (assets / "scenes").string(),
-                Text("Choose one of %1.", listed(known)));
+    throw Error(ErrorCode::kFileMissing, Text::tr("no scene is called '%1'", id),
+                (assets / "scenes").string(), Text::tr("Choose one of %1.", listed(known)));
   }
   const fs::path file = assets / "scenes" / (id + ".json");
   const nlohmann::json json = readJson(file);

@@ -80,7 +80,7 @@ Vec3 vectorOf(const nlohmann::json& json) {
 LatticeMode modeOf(const std::string& name) {
   const auto found = std::find(kModes.begin(), kModes.end(), name);
   if (found == kModes.end()) {
-    throw Error(ErrorCode::kBadData, Text("lattice mode '%1'", name), "", "");
+    throw Error(ErrorCode::kBadData, Text::tr("lattice mode '%1'", name), "", "");
   }
   return static_cast<LatticeMode>(found - kModes.begin());
 }
@@ -133,8 +133,8 @@ SceneRequest sceneRequestFor(const std::string& parametersJson) {
     }
     return request;
   } catch (const std::exception&) {
-    throw Error(ErrorCode::kBadData, "the stored model parameters cannot be read", "trial",
-                "Check the database.");
+    throw Error(ErrorCode::kBadData, Text::tr("the stored model parameters cannot be read"),
+                Text::tr("trial"), Text::tr("Check the database."));
   }
 }
 

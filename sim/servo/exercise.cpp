@@ -43,10 +43,11 @@ double turnAbout(const Vec3& axis, const Quat& from, const Quat& to) noexcept {
 void check(const ExerciseOptions& options) {
   if (!(options.maxStiffness_N_per_m > 0.0) || !std::isfinite(options.maxStiffness_N_per_m) ||
       options.tickPeriod_us <= 0) {
-    throw Error(ErrorCode::kBadParameter,
-                Text("stiffness and tick period must be above zero, got %1 N/m and %2 us",
-                     std::to_string(options.maxStiffness_N_per_m), std::to_string(options.tickPeriod_us)),
-                "exercise", "Check what the device reports");
+    throw Error(
+        ErrorCode::kBadParameter,
+        Text::verbatim("stiffness and tick period must be above zero, got %1 N/m and %2 us",
+                       std::to_string(options.maxStiffness_N_per_m), std::to_string(options.tickPeriod_us)),
+        Text::verbatim("exercise"), Text::verbatim("Check what the device reports"));
   }
 }
 

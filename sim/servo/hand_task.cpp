@@ -60,8 +60,10 @@ HandTask handTask(const Scene& scene) {
     }
   }
   if (!(best.facing > 0.0)) {
-    throw Error(ErrorCode::kBadParameter, "no point of the grasped section can be reached from outside",
-                Text("scene %1, pattern %2", scene.id, scene.pattern.id), "Choose another grasp section");
+    throw Error(ErrorCode::kBadParameter,
+                Text::verbatim("no point of the grasped section can be reached from outside"),
+                Text::verbatim("scene %1, pattern %2", scene.id, scene.pattern.id),
+                Text::verbatim("Choose another grasp section"));
   }
   HandTask task;
   task.start_m = best.point_m + best.outwards * kStartWay_m;

@@ -22,9 +22,10 @@ void requireSameScene(const Scene& scene, const TrialHeader& header) {
     return;
   }
   throw Error(ErrorCode::kVerifyFailed,
-              sameOrgan ? "the trial was recorded with other parameters of the model"
-                        : "the trial was recorded with another organ",
-              Text("trial %1", header.trialId), "Replay it with the scene and the version that recorded it");
+              sameOrgan ? Text::verbatim("the trial was recorded with other parameters of the model")
+                        : Text::verbatim("the trial was recorded with another organ"),
+              Text::tr("trial %1", header.trialId),
+              Text::verbatim("Replay it with the scene and the version that recorded it"));
 }
 
 void requireKnownRules(const std::vector<Sample>& recorded, const TrialHeader& header) {
@@ -32,9 +33,10 @@ void requireKnownRules(const std::vector<Sample>& recorded, const TrialHeader& h
   if (std::all_of(recorded.begin(), recorded.end(), known)) {
     return;
   }
-  throw Error(ErrorCode::kVerifyFailed, "the trial was recorded by rules that this version does not know",
-              Text("trial %1", header.trialId),
-              "Replay it with the version that recorded it, or a newer one");
+  throw Error(ErrorCode::kVerifyFailed,
+              Text::verbatim("the trial was recorded by rules that this version does not know"),
+              Text::tr("trial %1", header.trialId),
+              Text::verbatim("Replay it with the version that recorded it, or a newer one"));
 }
 
 DeviceCapabilities capabilitiesOf(const TrialHeader& header) {

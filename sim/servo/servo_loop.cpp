@@ -69,9 +69,9 @@ ServoLoop::ServoLoop(const Links& links, const ServoOptions& options)
       governor_(governorLimits(links, options)) {
   if (!inUnitRange(options.forceScale) || !std::isfinite(options.targetAngle_rad)) {
     throw Error(ErrorCode::kBadParameter,
-                Text("the force scale must lie in 0..1 and the target be finite, got %1 and %2",
-                     std::to_string(options.forceScale), std::to_string(options.targetAngle_rad)),
-                "servo loop", "Check the exercise's options");
+                Text::verbatim("the force scale must lie in 0..1 and the target be finite, got %1 and %2",
+                               std::to_string(options.forceScale), std::to_string(options.targetAngle_rad)),
+                Text::verbatim("servo loop"), Text::verbatim("Check the exercise's options"));
   }
 }
 

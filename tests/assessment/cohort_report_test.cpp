@@ -40,7 +40,7 @@ TEST(CohortReport, HoldsEveryFigureOfThePaperWithSeriesThatFitItsCategories) {
     EXPECT_EQ(figure->series.size(), 3U) << id;
     EXPECT_FALSE(figure->yLabel.empty());
     EXPECT_GT(figure->provenance.n, 0) << id;
-    EXPECT_THAT(figure->provenance.flags, ::testing::Contains(Text("demonstration data"))) << id;
+    EXPECT_THAT(figure->provenance.flags, ::testing::Contains(Text::verbatim("demonstration data"))) << id;
     for (const FigureSeries& series : figure->series) {
       if (figure->kind == FigureKind::kBoxes) {
         EXPECT_EQ(series.y.size(), 40U);
@@ -200,10 +200,14 @@ TEST(CohortReport, AnAggregatedReportHasNoLineAboutASinglePerson) {
 }
 
 TEST(CohortReport, SmallCountsAreNotShownBesideOthers) {
-  EXPECT_EQ(countsText({{"female", 4}, {"male", 26}}, ReportIdentity::kAggregated),
-            "not shown (fewer than 5)");
-  EXPECT_EQ(countsText({{"female", 5}, {"male", 25}}, ReportIdentity::kAggregated), "female 5, male 25");
-  EXPECT_EQ(countsText({{"female", 4}, {"male", 26}}, ReportIdentity::kCoded), "female 4, male 26");
+  EXPECT_EQ(
+      countsText({{Text::verbatim("female"), 4}, {Text::verbatim("male"), 26}}, ReportIdentity::kAggregated),
+      "not shown (fewer than 5)");
+  EXPECT_EQ(
+      countsText({{Text::verbatim("female"), 5}, {Text::verbatim("male"), 25}}, ReportIdentity::kAggregated),
+      "female 5, male 25");
+  EXPECT_EQ(countsText({{Text::verbatim("female"), 4}, {Text::verbatim("male"), 26}}, ReportIdentity::kCoded),
+            "female 4, male 26");
 }
 
 TEST(CohortReport, SaysWhatWasFrozenWhenAndWhatDeviated) {
@@ -214,9 +218,10 @@ TEST(CohortReport, SaysWhatWasFrozenWhenAndWhatDeviated) {
 
   const ReportModel report = cohortReport(in);
 
-  EXPECT_THAT(report.facts, ::testing::Contains(::testing::Pair(Text("Frozen data set"), Text("final"))));
-  EXPECT_THAT(report.facts,
-              ::testing::Contains(::testing::Pair(Text("Frozen"), Text("2026-01-05 08:00 UTC by admin"))));
+  EXPECT_THAT(report.facts, ::testing::Contains(
+                                ::testing::Pair(Text::verbatim("Frozen data set"), Text::verbatim("final"))));
+  EXPECT_THAT(report.facts, ::testing::Contains(::testing::Pair(
+                                Text::verbatim("Frozen"), Text::verbatim("2026-01-05 08:00 UTC by admin"))));
   bool deviation = false;
   bool dose = false;
   for (const ReportSection& section : report.sections) {

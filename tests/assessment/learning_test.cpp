@@ -36,7 +36,7 @@ TEST(FitCurve, ReachesTheCertifiedValuesOfMisra1aFromBothStarts) {
   for (const char* start : {"start1", "start2"}) {
     const Outcome<CurveFit> got =
         fitCurve(curve, numbers(c.input.at("x")), numbers(c.input.at("y")), numbers(c.input.at(start)));
-    ASSERT_TRUE(got) << got.reason();
+    ASSERT_TRUE(got) << got.reason().str();
     expectFit(*got, c.expected, "b", c.tolerance);
     EXPECT_TRUE(matches(got->sigma, c.expected.at("sd").get<double>(), c.tolerance));
   }
@@ -52,7 +52,7 @@ TEST(FitCurve, ReachesTheCertifiedValuesOfDanWoodFromBothStarts) {
   for (const char* start : {"start1", "start2"}) {
     const Outcome<CurveFit> got =
         fitCurve(curve, numbers(c.input.at("x")), numbers(c.input.at("y")), numbers(c.input.at(start)));
-    ASSERT_TRUE(got) << got.reason();
+    ASSERT_TRUE(got) << got.reason().str();
     expectFit(*got, c.expected, "b", c.tolerance);
   }
 }
@@ -66,7 +66,7 @@ TEST(FitLearningCurve, AgreesForBothFamiliesOnBothDataSets) {
            {"pow_on_pow", LearningFamily::kPower, "y_pow"},
            {"exp_on_pow", LearningFamily::kExponential, "y_pow"}}) {
     const Outcome<LearningCurve> got = fitLearningCurve(family, t, numbers(c.input.at(data)), false);
-    ASSERT_TRUE(got) << name << got.reason();
+    ASSERT_TRUE(got) << name << got.reason().str();
     expectFit(got->fit, c.expected.at(name), "coef", c.tolerance);
     EXPECT_TRUE(matches(got->fit.sigma, c.expected.at(name).at("sigma").get<double>(), c.tolerance));
     EXPECT_TRUE(matches(got->fit.aicc, c.expected.at(name).at("AICc_rss_form").get<double>(), c.tolerance))
@@ -90,7 +90,8 @@ TEST(FitLearningCurve, HoldsAnAbsurdAsymptoteAtZeroAndRefusesThreeAttempts) {
   EXPECT_TRUE(held->asymptoteAtZero);
   EXPECT_EQ(held->asymptote, 0.0);
   const std::vector<double> three = {1, 2, 3};
-  EXPECT_THAT(fitLearningCurve(LearningFamily::kPower, three, three).reason(), ::testing::HasSubstr("eight"));
+  EXPECT_THAT(fitLearningCurve(LearningFamily::kPower, three, three).reason().str(),
+              ::testing::HasSubstr("eight"));
 }
 
 TEST(TabularCusum, AgreesWithMontgomerysTable) {

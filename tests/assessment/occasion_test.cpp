@@ -16,7 +16,8 @@ TEST(OccasionNames, FollowTheTimeOfTrainingOrElseTheLabel) {
 
   const std::vector<Text> names = occasionTexts(occasions);
 
-  EXPECT_EQ(names, (std::vector<Text>{"before", "after 12.5 min", "after 20 min", "six months later"}));
+  EXPECT_EQ(names, (std::vector<Text>{Text::verbatim("before"), Text::verbatim("after 12.5 min"),
+                                      Text::verbatim("after 20 min"), Text::verbatim("six months later")}));
 }
 
 TEST(OccasionNames, AreNotTheSameAfterAsMuchTraining) {

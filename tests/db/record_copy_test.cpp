@@ -119,7 +119,7 @@ TEST_F(RecordCopyTest, LeavesNothingWhenItIsStoppedHalfWay) {
   const std::vector<TableDigest> before = digests(target);
   const auto stop = [](const CopyStep& step) {
     if (step.phase == CopyPhase::kCopying) {
-      throw Error(ErrorCode::kUsage, "stopped", "", "");
+      throw Error(ErrorCode::kUsage, Text::verbatim("stopped"), "", "");
     }
   };
 

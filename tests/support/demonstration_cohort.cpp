@@ -25,10 +25,11 @@ CohortInputs demonstrationCohort() {
   in.simulated = {demonstrationTrainingRule()};
   in.softwareVersion = "0.1.0";
   in.trainingTimeDivisor = 60;
-  in.groups = {{Text("Group %1", 1), Text("40 min virtual")},
-               {Text("Group %1", 2), Text("20 min virtual, 20 min real arm")},
-               {Text("Group %1", 3), Text("40 min real arm")}};
-  in.occasions = {Text("before"), Text("after %1 min", 20), Text("after %1 min", 40)};
+  in.groups = {{Text::verbatim("Group %1", 1), Text::verbatim("40 min virtual")},
+               {Text::verbatim("Group %1", 2), Text::verbatim("20 min virtual, 20 min real arm")},
+               {Text::verbatim("Group %1", 3), Text::verbatim("40 min real arm")}};
+  in.occasions = {Text::verbatim("before"), Text::verbatim("after %1 min", 20),
+                  Text::verbatim("after %1 min", 40)};
   DemonstrationPeople people{{codes('x', 10), codes('y', 10), codes('z', 10)},
                              codes('R', 10),
                              {codes('A', 20), codes('B', 10), codes('C', 10)}};
@@ -51,7 +52,7 @@ CohortInputs demonstrationCohort() {
   TrialSummaryRow trial;
   trial.trialId = "t1";
   trial.trainee = "x101";
-  trial.phase = "virtual 0-20 min";
+  trial.phase = Text::verbatim("virtual 0-20 min");
   trial.model = "saint_venant";
   trial.minutes = 0.5;
   trial.samples = 30000;

@@ -310,17 +310,19 @@ class NewtonSolve {
 
 void checkMaterial(const BarMaterial& material) {
   if (!std::isfinite(material.shearModulus_Pa) || material.shearModulus_Pa <= 0.0) {
-    refuseParameter("The shear modulus must be positive and finite", "shear modulus", "Give it in pascal");
+    refuseParameter(Text::verbatim("The shear modulus must be positive and finite"),
+                    Text::verbatim("shear modulus"), Text::verbatim("Give it in pascal"));
   }
   if (!(material.poissonRatio >= 0.0 && material.poissonRatio < 0.5)) {
-    refuseParameter("Poisson's ratio must be at least 0 and below 0.5", "Poisson's ratio",
-                    "Give 0.45 to 0.49 for soft tissue");
+    refuseParameter(Text::verbatim("Poisson's ratio must be at least 0 and below 0.5"),
+                    Text::verbatim("Poisson's ratio"), Text::verbatim("Give 0.45 to 0.49 for soft tissue"));
   }
 }
 
 void checkAngle(double angle_rad) {
   if (!std::isfinite(angle_rad)) {
-    refuseParameter("The angle must be finite", "angle", "Give the angle in radians");
+    refuseParameter(Text::verbatim("The angle must be finite"), Text::verbatim("angle"),
+                    Text::verbatim("Give the angle in radians"));
   }
 }
 
@@ -387,8 +389,8 @@ double FiniteElementBar::linearTorque_Nm(double angle_rad) const {
   const Vector load = system.linearForces(u);
   const Eigen::SimplicialLDLT<Sparse, Eigen::Lower> solver(system.stiffness(system.rest()));
   if (solver.info() != Eigen::Success) {
-    refuseParameter("The stiffness of the bar cannot be factorised", "division",
-                    "Check for slivers in the outline");
+    refuseParameter(Text::verbatim("The stiffness of the bar cannot be factorised"),
+                    Text::verbatim("division"), Text::verbatim("Check for slivers in the outline"));
   }
   system.freePart(u) = solver.solve(-system.freePart(load));
   return angle_rad * u.dot(system.linearForces(u));  // 2 E / angle
@@ -397,10 +399,12 @@ double FiniteElementBar::linearTorque_Nm(double angle_rad) const {
 BarTwist FiniteElementBar::neoHookeanTorque(double angle_rad, int steps) const {
   checkAngle(angle_rad);
   if (steps < 1) {
-    refuseParameter("At least 1 sub-step is needed", "steps", "Give one for each 15 degrees");
+    refuseParameter(Text::verbatim("At least 1 sub-step is needed"), Text::verbatim("steps"),
+                    Text::verbatim("Give one for each 15 degrees"));
   }
   if (std::abs(angle_rad) >= kMostPerLayer_rad * layers_) {
-    refuseParameter("The twist of one layer must stay below 90 degrees", "angle", "Give more layers");
+    refuseParameter(Text::verbatim("The twist of one layer must stay below 90 degrees"),
+                    Text::verbatim("angle"), Text::verbatim("Give more layers"));
   }
   const BarSystem system(mesh_, material_);
   NewtonSolve newton(system);
@@ -409,10 +413,10 @@ BarTwist FiniteElementBar::neoHookeanTorque(double angle_rad, int steps) const {
     turnOn(angle_rad / steps, place);
     holdUpperEnd(angle_rad * step / steps, mesh_, place);
     if (!newton.solve(place)) {
-      refuseParameter(
-          Text("Newton's method does not converge for a twist of %1 rad", std::to_string(angle_rad)),
-          Text("sub-step %1 of %2", std::to_string(step), std::to_string(steps)),
-          "Give more sub-steps or more layers");
+      refuseParameter(Text::verbatim("Newton's method does not converge for a twist of %1 rad",
+                                     std::to_string(angle_rad)),
+                      Text::verbatim("sub-step %1 of %2", std::to_string(step), std::to_string(steps)),
+                      Text::verbatim("Give more sub-steps or more layers"));
     }
   }
   BarTwist twist = compareWithRotation(mesh_, outlinePoints_, angle_rad, place);
@@ -426,10 +430,12 @@ BarTwist FiniteElementBar::neoHookeanTorque(double angle_rad, int steps) const {
 
 std::vector<Point2> regularOutline(int points, double radius_m) {
   if (points < 3) {
-    refuseParameter("A polygon needs at least 3 points", "points", "Give 3 or more");
+    refuseParameter(Text::verbatim("A polygon needs at least 3 points"), Text::verbatim("points"),
+                    Text::verbatim("Give 3 or more"));
   }
   if (!std::isfinite(radius_m) || radius_m <= 0.0) {
-    refuseParameter("The radius must be positive and finite", "radius", "Give the radius in metres");
+    refuseParameter(Text::verbatim("The radius must be positive and finite"), Text::verbatim("radius"),
+                    Text::verbatim("Give the radius in metres"));
   }
   std::vector<Point2> outline;
   for (int i = 0; i < points; ++i) {

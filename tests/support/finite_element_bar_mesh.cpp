@@ -17,44 +17,47 @@ constexpr double kMostPoints = 100'000.0;
 
 void checkDivision(std::size_t outlinePoints, const BarDivision& division) {
   if (division.rings < 1) {
-    refuseParameter(Text("A bar needs at least 1 ring, not %1", std::to_string(division.rings)), "rings",
-                    "Give 1 or more");
+    refuseParameter(Text::verbatim("A bar needs at least 1 ring, not %1", std::to_string(division.rings)),
+                    Text::verbatim("rings"), Text::verbatim("Give 1 or more"));
   }
   if (division.layers < 2) {
-    refuseParameter(Text("A bar needs at least 2 layers, not %1", std::to_string(division.layers)), "layers",
-                    "Give 2 or more");
+    refuseParameter(Text::verbatim("A bar needs at least 2 layers, not %1", std::to_string(division.layers)),
+                    Text::verbatim("layers"), Text::verbatim("Give 2 or more"));
   }
   const double perLayer = 1.0 + static_cast<double>(outlinePoints) * division.rings;
   if (perLayer * (division.layers + 1.0) > kMostPoints) {
-    refuseParameter("The bar would have more than 100000 points", "division",
-                    "Give fewer points, rings or layers");
+    refuseParameter(Text::verbatim("The bar would have more than 100000 points"), Text::verbatim("division"),
+                    Text::verbatim("Give fewer points, rings or layers"));
   }
 }
 
 void checkOutline(std::span<const Point2> outline, double length_m) {
   if (!std::isfinite(length_m) || length_m <= 0.0) {
-    refuseParameter("The length of a bar must be positive and finite", "length", "Give the length in metres");
+    refuseParameter(Text::verbatim("The length of a bar must be positive and finite"),
+                    Text::verbatim("length"), Text::verbatim("Give the length in metres"));
   }
   if (outline.size() < 3) {
     refuseParameter(
-        Text("An outline needs at least 3 points, this one has %1", std::to_string(outline.size())),
-        "outline", "Give at least 3 points");
+        Text::verbatim("An outline needs at least 3 points, this one has %1", std::to_string(outline.size())),
+        Text::verbatim("outline"), Text::verbatim("Give at least 3 points"));
   }
   const auto where = [](std::size_t i) { return "outline, point " + std::to_string(i + 1); };
   for (std::size_t i = 0; i < outline.size(); ++i) {
     if (!std::isfinite(outline[i][0]) || !std::isfinite(outline[i][1])) {
-      refuseParameter("A coordinate is not a finite number", where(i), "Give finite coordinates in metres");
+      refuseParameter(Text::verbatim("A coordinate is not a finite number"), where(i),
+                      Text::verbatim("Give finite coordinates in metres"));
     }
   }
   for (std::size_t i = 0; i < outline.size(); ++i) {
     if (!(orientation({0.0, 0.0}, outline[i], outline[(i + 1) % outline.size()]) > 0.0)) {
-      refuseParameter("The outline does not run anticlockwise around the axis here", where(i),
-                      "Give an anticlockwise outline that is star-shaped about (0, 0)");
+      refuseParameter(Text::verbatim("The outline does not run anticlockwise around the axis here"), where(i),
+                      Text::verbatim("Give an anticlockwise outline that is star-shaped about (0, 0)"));
     }
   }
   if (const auto crossing = firstSelfCrossing(outline)) {
-    refuseParameter("The outline runs around the axis more than once",
-                    where(static_cast<std::size_t>(crossing->first)), "Give an outline without crossings");
+    refuseParameter(Text::verbatim("The outline runs around the axis more than once"),
+                    where(static_cast<std::size_t>(crossing->first)),
+                    Text::verbatim("Give an outline without crossings"));
   }
 }
 

@@ -13,8 +13,8 @@ int main(int argc, char** argv) {
   using torsio::ErrorCode;
   try {
     if (argc != 2 || argv[1][0] == '-') {
-      throw torsio::Error(ErrorCode::kUsage, "usage: torsio_make_organs ASSETS", "",
-                          "Name the assets folder of the source tree");
+      throw torsio::Error(ErrorCode::kUsage, torsio::Text::verbatim("usage: torsio_make_organs ASSETS"), "",
+                          torsio::Text::verbatim("Name the assets folder of the source tree"));
     }
     for (const torsio::ShippedFile& file : torsio::shippedFiles()) {
       const std::filesystem::path path = std::filesystem::path(argv[1]) / file.path;

@@ -14,64 +14,61 @@ namespace torsio::gui {
 namespace {
 
 /// Names and codes that come out of the record, the paper's instrument and the design of the allocation as
-/// plain words, and how a text joins others.
+/// plain words.
 [[maybe_unused]] const char* const kPlainTerms[] = {
-    QT_TRANSLATE_NOOP("Services", "Effectiveness"),
-    QT_TRANSLATE_NOOP("Services", "Force feedback"),
-    QT_TRANSLATE_NOOP("Services", "Real-time performance"),
-    QT_TRANSLATE_NOOP("Services", "System stability"),
-    QT_TRANSLATE_NOOP("Services", "Deformation efficiency"),
-    QT_TRANSLATE_NOOP("Services", "Fidelity"),
-    QT_TRANSLATE_NOOP("Services", "Image fluency"),
-    QT_TRANSLATE_NOOP("Services", "Telepresence"),
-    QT_TRANSLATE_NOOP("Services", "Texture"),
-    QT_TRANSLATE_NOOP("Services", "interns"),
-    QT_TRANSLATE_NOOP("Services", "deputy chief physicians"),
-    QT_TRANSLATE_NOOP("Services", "chief physicians"),
-    QT_TRANSLATE_NOOP("Services", "deputy chief physician"),
-    QT_TRANSLATE_NOOP("Services", "chief physician"),
-    QT_TRANSLATE_NOOP("Services", "intern"),
-    QT_TRANSLATE_NOOP("Services", "female"),
-    QT_TRANSLATE_NOOP("Services", "male"),
-    QT_TRANSLATE_NOOP("Services", "other"),
-    QT_TRANSLATE_NOOP("Services", "first-year graduate"),
-    QT_TRANSLATE_NOOP("Services", "master's student"),
-    QT_TRANSLATE_NOOP("Services", "doctoral student"),
-    QT_TRANSLATE_NOOP("Services", "sex"),
-    QT_TRANSLATE_NOOP("Services", "level"),
-    QT_TRANSLATE_NOOP("Services", "experience"),
-    QT_TRANSLATE_NOOP("Services", "handedness"),
-    QT_TRANSLATE_NOOP("Services", "complete permutation"),
-    QT_TRANSLATE_NOOP("Services", "permuted blocks"),
-    QT_TRANSLATE_NOOP("Services", "stratified blocks"),
-    QT_TRANSLATE_NOOP("Services", "minimisation"),
-    QT_TRANSLATE_NOOP("Services", "mt19937_64, bounded by rejection, Fisher-Yates from the back"),
-    QT_TRANSLATE_NOOP("Services", "late"),
-    QT_TRANSLATE_NOOP("Services", "absent"),
-    QT_TRANSLATE_NOOP("Services", "device failed"),
-    QT_TRANSLATE_NOOP("Services", "swapped"),
-    QT_TRANSLATE_NOOP("Services", "phase cut short"),
-    QT_TRANSLATE_NOOP("Services", "phase too long"),
-    QT_TRANSLATE_NOOP("Services", "rest too long"),
-    QT_TRANSLATE_NOOP("Services", "available-case"),
-    QT_TRANSLATE_NOOP("Services", "list-wise"),
-    QT_TRANSLATE_NOOP("Services", "renormalised"),
-    QT_TRANSLATE_NOOP("Services", "few raters"),
-    QT_TRANSLATE_NOOP("Services", "Demonstration centre (simulated)"),
-    QT_TRANSLATE_NOOP("Services", "paper"),
-    QT_TRANSLATE_NOOP("Services", "Right forearm"),
-    QT_TRANSLATE_NOOP("Services", "Stomach"),
-    QT_TRANSLATE_NOOP("Services", "Small intestine, loop"),
-    QT_TRANSLATE_NOOP("Services", "synthetic, drawn by torsio_make_organs from ANSUR II means"),
-    QT_TRANSLATE_NOOP("Services", "synthetic, drawn by torsio_make_organs from published dimensions"),
-    QT_TRANSLATE_NOOP("Services", "Simulated trainees after section 6 of the paper"),
-    QT_TRANSLATE_NOOP("Services", "%1, %2"),
-    QT_TRANSLATE_NOOP("Services", "%1; %2"),
-    QT_TRANSLATE_NOOP("Services", "%1 (%2)"),
+    QT_TRANSLATE_NOOP("Text", "Effectiveness"),
+    QT_TRANSLATE_NOOP("Text", "Force feedback"),
+    QT_TRANSLATE_NOOP("Text", "Real-time performance"),
+    QT_TRANSLATE_NOOP("Text", "System stability"),
+    QT_TRANSLATE_NOOP("Text", "Deformation efficiency"),
+    QT_TRANSLATE_NOOP("Text", "Fidelity"),
+    QT_TRANSLATE_NOOP("Text", "Image fluency"),
+    QT_TRANSLATE_NOOP("Text", "Telepresence"),
+    QT_TRANSLATE_NOOP("Text", "Texture"),
+    QT_TRANSLATE_NOOP("Text", "interns"),
+    QT_TRANSLATE_NOOP("Text", "deputy chief physicians"),
+    QT_TRANSLATE_NOOP("Text", "chief physicians"),
+    QT_TRANSLATE_NOOP("Text", "deputy chief physician"),
+    QT_TRANSLATE_NOOP("Text", "chief physician"),
+    QT_TRANSLATE_NOOP("Text", "intern"),
+    QT_TRANSLATE_NOOP("Text", "female"),
+    QT_TRANSLATE_NOOP("Text", "male"),
+    QT_TRANSLATE_NOOP("Text", "other"),
+    QT_TRANSLATE_NOOP("Text", "first-year graduate"),
+    QT_TRANSLATE_NOOP("Text", "master's student"),
+    QT_TRANSLATE_NOOP("Text", "doctoral student"),
+    QT_TRANSLATE_NOOP("Text", "sex"),
+    QT_TRANSLATE_NOOP("Text", "level"),
+    QT_TRANSLATE_NOOP("Text", "experience"),
+    QT_TRANSLATE_NOOP("Text", "handedness"),
+    QT_TRANSLATE_NOOP("Text", "complete permutation"),
+    QT_TRANSLATE_NOOP("Text", "permuted blocks"),
+    QT_TRANSLATE_NOOP("Text", "stratified blocks"),
+    QT_TRANSLATE_NOOP("Text", "minimisation"),
+    QT_TRANSLATE_NOOP("Text", "mt19937_64, bounded by rejection, Fisher-Yates from the back"),
+    QT_TRANSLATE_NOOP("Text", "late"),
+    QT_TRANSLATE_NOOP("Text", "absent"),
+    QT_TRANSLATE_NOOP("Text", "device failed"),
+    QT_TRANSLATE_NOOP("Text", "swapped"),
+    QT_TRANSLATE_NOOP("Text", "phase cut short"),
+    QT_TRANSLATE_NOOP("Text", "phase too long"),
+    QT_TRANSLATE_NOOP("Text", "rest too long"),
+    QT_TRANSLATE_NOOP("Text", "available-case"),
+    QT_TRANSLATE_NOOP("Text", "list-wise"),
+    QT_TRANSLATE_NOOP("Text", "renormalised"),
+    QT_TRANSLATE_NOOP("Text", "few raters"),
+    QT_TRANSLATE_NOOP("Text", "Demonstration centre (simulated)"),
+    QT_TRANSLATE_NOOP("Text", "paper"),
+    QT_TRANSLATE_NOOP("Text", "Right forearm"),
+    QT_TRANSLATE_NOOP("Text", "Stomach"),
+    QT_TRANSLATE_NOOP("Text", "Small intestine, loop"),
+    QT_TRANSLATE_NOOP("Text", "synthetic, drawn by torsio_make_organs from ANSUR II means"),
+    QT_TRANSLATE_NOOP("Text", "synthetic, drawn by torsio_make_organs from published dimensions"),
+    QT_TRANSLATE_NOOP("Text", "Simulated trainees after section 6 of the paper"),
 };
 
 QString patternInLanguage(const std::string& pattern) {
-  return QCoreApplication::translate("Services", pattern.c_str());
+  return QCoreApplication::translate("Text", pattern.c_str());
 }
 
 bool windowIsEnglish() {
@@ -91,33 +88,33 @@ bool known(const Text& text) {
 QString meaningOf(ErrorCode code) {
   switch (code) {
     case ErrorCode::kUsage:
-      return QCoreApplication::translate("Services", "This cannot be done like this");
+      return QCoreApplication::translate("Text", "This cannot be done like this");
     case ErrorCode::kFileMissing:
-      return QCoreApplication::translate("Services", "A file or folder is missing");
+      return QCoreApplication::translate("Text", "A file or folder is missing");
     case ErrorCode::kFileUnreadable:
-      return QCoreApplication::translate("Services", "A file cannot be read");
+      return QCoreApplication::translate("Text", "A file cannot be read");
     case ErrorCode::kFileUnwritable:
-      return QCoreApplication::translate("Services", "A file cannot be written");
+      return QCoreApplication::translate("Text", "A file cannot be written");
     case ErrorCode::kBadMesh:
-      return QCoreApplication::translate("Services", "The shape of the organ cannot be used");
+      return QCoreApplication::translate("Text", "The shape of the organ cannot be used");
     case ErrorCode::kBadParameter:
-      return QCoreApplication::translate("Services", "A value is not allowed here");
+      return QCoreApplication::translate("Text", "A value is not allowed here");
     case ErrorCode::kBadData:
-      return QCoreApplication::translate("Services", "The data do not fit together");
+      return QCoreApplication::translate("Text", "The data do not fit together");
     case ErrorCode::kDatabase:
-      return QCoreApplication::translate("Services", "The database refused the operation");
+      return QCoreApplication::translate("Text", "The database refused the operation");
     case ErrorCode::kNewerSchema:
-      return QCoreApplication::translate("Services", "The database was written by a newer version");
+      return QCoreApplication::translate("Text", "The database was written by a newer version");
     case ErrorCode::kPermission:
-      return QCoreApplication::translate("Services", "Your role may not do this");
+      return QCoreApplication::translate("Text", "Your role may not do this");
     case ErrorCode::kDevice:
-      return QCoreApplication::translate("Services", "The haptic device has a problem");
+      return QCoreApplication::translate("Text", "The haptic device has a problem");
     case ErrorCode::kVerifyFailed:
-      return QCoreApplication::translate("Services", "A check found a difference");
+      return QCoreApplication::translate("Text", "A check found a difference");
     case ErrorCode::kInternal:
       break;
   }
-  return QCoreApplication::translate("Services", "Something unexpected happened");
+  return QCoreApplication::translate("Text", "Something unexpected happened");
 }
 
 /// Errors begin in lower case: they also stand within lines of the command line.
@@ -173,7 +170,7 @@ QString translatedLine(const Error& error) {
   if (said.remedy.isEmpty()) {
     return said.happened;
   }
-  return QCoreApplication::translate("Services", "%1. %2").arg(said.happened, said.remedy);
+  return QCoreApplication::translate("Text", "%1. %2").arg(said.happened, said.remedy);
 }
 
 }  // namespace torsio::gui

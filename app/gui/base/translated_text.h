@@ -27,7 +27,7 @@ template <typename Tag>
 [[nodiscard]] std::filesystem::path toPath(const QString& text);
 
 /// Translates what services say into the language of the window: the pattern is looked up in the context
-/// "Services" of the translation, then the arguments, translated themselves, enter. What the translation
+/// "Text" of the translation, then the arguments, translated themselves, enter. What the translation
 /// lacks stays English. GUI thread.
 [[nodiscard]] QString toQString(const Text& text);
 

@@ -39,8 +39,8 @@ void waitUntil(const Condition& done, const char* what) {
   while (!done()) {
     QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 50);
     if (waited.elapsed() > kPatience_ms) {
-      throw Error(ErrorCode::kDevice, Text("gave up waiting for %1", what),
-                  QGuiApplication::platformName().toStdString(), "Try again on a faster display");
+      throw Error(ErrorCode::kDevice, Text::tr("gave up waiting for %1", what),
+                  QGuiApplication::platformName().toStdString(), Text::tr("Try again on a faster display"));
     }
   }
 }
@@ -49,9 +49,9 @@ void requireDisplay() {
   if (SceneView::platformCanRender()) {
     return;
   }
-  throw Error(ErrorCode::kDevice, "this display cannot draw the scene: it has no OpenGL",
-              Text("platform %1", QGuiApplication::platformName().toStdString()),
-              "Run it on a desktop, or through xvfb-run with QT_QPA_PLATFORM=xcb");
+  throw Error(ErrorCode::kDevice, Text::tr("this display cannot draw the scene: it has no OpenGL"),
+              Text::tr("platform %1", QGuiApplication::platformName().toStdString()),
+              Text::tr("Run it on a desktop, or through xvfb-run with QT_QPA_PLATFORM=xcb"));
 }
 
 /// The window with the organ as it is asked for, drawn at least once.

@@ -149,8 +149,8 @@ class Cast {
   [[nodiscard]] std::unique_ptr<SessionContext> sessionOf(const QString& role) const {
     const auto actor = actors_.find(role.toStdString());
     if (actor == actors_.end()) {
-      throw Error(ErrorCode::kBadParameter, "nobody of the demonstration has this role", role.toStdString(),
-                  "Use trainee, rater or administrator");
+      throw Error(ErrorCode::kBadParameter, Text::tr("nobody of the demonstration has this role"),
+                  role.toStdString(), Text::tr("Use trainee, rater or administrator"));
     }
     auto session = std::make_unique<SessionContext>(key());
     session->setActor(actor->second);
@@ -271,7 +271,7 @@ int takeAllScreenshots(const ScreenshotsRequest& request) {
 namespace {
 
 Text unknown(const QString& value) {
-  return Text("'%1' is not known", value.toStdString());
+  return Text::tr("'%1' is not known", value.toStdString());
 }
 
 std::vector<QSize> sizesOf(const QString& text) {
@@ -280,7 +280,7 @@ std::vector<QSize> sizesOf(const QString& text) {
     const QStringList numbers = part.split(QLatin1Char('x'));
     const QSize size = numbers.size() == 2 ? QSize(numbers[0].toInt(), numbers[1].toInt()) : QSize();
     if (size.width() < 640 || size.height() < 480 || size.width() > 7680 || size.height() > 4320) {
-      refuseOption(unknown(part), QStringLiteral("--size"), "Write sizes like 1366x768,1920x1080");
+      refuseOption(unknown(part), QStringLiteral("--size"), Text::tr("Write sizes like 1366x768,1920x1080"));
     }
     sizes.push_back(size);
   }
@@ -304,8 +304,8 @@ ScreenshotsRequest parseScreenshots(const QStringList& arguments) {
   parser.process(arguments);
   ScreenshotsRequest request;
   if (!parser.isSet(QStringLiteral("out"))) {
-    throw Error(ErrorCode::kUsage, "there is no folder for the pictures", "--out",
-                "Give one, like --out pictures");
+    throw Error(ErrorCode::kUsage, Text::tr("there is no folder for the pictures"), Text::verbatim("--out"),
+                Text::tr("Give one, like --out pictures"));
   }
   request.out = parser.value(QStringLiteral("out")).toStdString();
   request.assets = assetsFolder();
@@ -313,13 +313,13 @@ ScreenshotsRequest parseScreenshots(const QStringList& arguments) {
   for (const QString& code : parser.value(QStringLiteral("language")).split(QLatin1Char(','))) {
     const auto language = languageOf(code);
     if (!language) {
-      refuseOption(unknown(code), QStringLiteral("--language"), "Use en or zh_CN");
+      refuseOption(unknown(code), QStringLiteral("--language"), Text::tr("Use en or zh_CN"));
     }
     request.languages.push_back(*language);
   }
   for (const QString& name : parser.value(QStringLiteral("theme")).split(QLatin1Char(','))) {
     if (name != QLatin1String("light") && name != QLatin1String("dark")) {
-      refuseOption(unknown(name), QStringLiteral("--theme"), "Use light or dark");
+      refuseOption(unknown(name), QStringLiteral("--theme"), Text::tr("Use light or dark"));
     }
     request.themes.push_back(name == QLatin1String("dark") ? ThemeKind::kDark : ThemeKind::kLight);
   }

@@ -42,8 +42,8 @@ double numberOf(const QCommandLineParser& parser, const QString& option) {
   bool sound = false;
   const double value = parser.value(option).toDouble(&sound);
   if (!sound || !std::isfinite(value)) {
-    refuseOption(Text("'%1' is not a number", parser.value(option).toStdString()), "--" + option,
-                 "Write it like 90 or 22.5");
+    refuseOption(Text::tr("'%1' is not a number", parser.value(option).toStdString()), "--" + option,
+                 Text::tr("Write it like 90 or 22.5"));
   }
   return value;
 }
@@ -52,8 +52,8 @@ QSize sizeOf(const QString& text) {
   const QStringList parts = text.split(QLatin1Char('x'));
   const QSize size = parts.size() == 2 ? QSize(parts[0].toInt(), parts[1].toInt()) : QSize();
   if (size.width() < 320 || size.height() < 240 || size.width() > 7680 || size.height() > 4320) {
-    refuseOption(Text("'%1' is not a size", text.toStdString()), QStringLiteral("--size"),
-                 "Write it like 1280x800; 320x240 to 7680x4320");
+    refuseOption(Text::tr("'%1' is not a size", text.toStdString()), QStringLiteral("--size"),
+                 Text::tr("Write it like 1280x800; 320x240 to 7680x4320"));
   }
   return size;
 }
@@ -62,8 +62,8 @@ QSize sizeOf(const QString& text) {
 QString wordOf(const QCommandLineParser& parser, const QString& option, const QStringList& words) {
   const QString word = parser.value(option);
   if (!words.contains(word)) {
-    refuseOption(Text("'%1' is not known", word.toStdString()), "--" + option,
-                 Text("Use one of: %1", words.join(QStringLiteral(", ")).toStdString()));
+    refuseOption(Text::tr("'%1' is not known", word.toStdString()), "--" + option,
+                 Text::tr("Use one of: %1", words.join(QStringLiteral(", ")).toStdString()));
   }
   return word;
 }
@@ -149,11 +149,11 @@ WindowOptions parse(const QStringList& arguments) {
   addOptions(parser);
   if (!parser.parse(arguments)) {
     refuseOption(parser.errorText().remove(QLatin1Char('.')).toStdString(), QStringLiteral("command line"),
-                 "See torsio --help");
+                 Text::tr("See torsio --help"));
   }
   if (!parser.positionalArguments().isEmpty()) {
-    refuseOption(Text("'%1' is no option", parser.positionalArguments().front().toStdString()),
-                 QStringLiteral("command line"), "See torsio --help");
+    refuseOption(Text::tr("'%1' is no option", parser.positionalArguments().front().toStdString()),
+                 QStringLiteral("command line"), Text::tr("See torsio --help"));
   }
   WindowOptions options;
   options.scene = sceneOf(parser);
@@ -183,8 +183,10 @@ void requireAnyDisplay() {
       return;
     }
   }
-  throw Error(ErrorCode::kDevice, "there is no display", "DISPLAY and WAYLAND_DISPLAY are not set",
-              "Start it on a desktop, or through xvfb-run; commands such as 'torsio demo' need no display");
+  throw Error(
+      ErrorCode::kDevice, Text::tr("there is no display"),
+      Text::tr("DISPLAY and WAYLAND_DISPLAY are not set"),
+      Text::tr("Start it on a desktop, or through xvfb-run; commands such as 'torsio demo' need no display"));
 #endif
 }
 

@@ -81,8 +81,8 @@ InstrumentParts loadInstrument(const std::filesystem::path& assets, const std::s
   const auto part = [&](const char* name) {
     const std::string mesh = meshes.value(QLatin1String(name)).toString().toStdString();
     if (mesh.empty()) {
-      throw Error(ErrorCode::kBadData, Text("the instrument names no mesh '%1'", name), file.string(),
-                  "Take the instrument that was installed with the program");
+      throw Error(ErrorCode::kBadData, Text::tr("the instrument names no mesh '%1'", name), file.string(),
+                  Text::tr("Take the instrument that was installed with the program"));
     }
     return importMesh(folder / mesh, {.scale_m = 0.001, .organ = false});
   };

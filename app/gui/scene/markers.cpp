@@ -55,8 +55,8 @@ std::vector<SkinAnchor> organMarkers(const Scene& scene, const std::filesystem::
   for (const QJsonValue& entry : entries) {
     const QJsonArray place_mm = entry.toObject()[QLatin1String("position_mm")].toArray();
     if (place_mm.size() != 3) {
-      throw Error(ErrorCode::kBadData, "a marker has no position of three numbers", path.string(),
-                  "Correct the file, or remove it");
+      throw Error(ErrorCode::kBadData, Text::tr("a marker has no position of three numbers"), path.string(),
+                  Text::tr("Correct the file, or remove it"));
     }
     const Vec3 place_m{place_mm[0].toDouble() * kMetresPerMillimetre,
                        place_mm[1].toDouble() * kMetresPerMillimetre,

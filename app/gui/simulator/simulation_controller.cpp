@@ -32,10 +32,11 @@ LoadedScene loadRecorded(const SceneLoader& loader, SceneRequest request, const 
       return loaded;
     }
   }
-  throw Error(ErrorCode::kVerifyFailed, "the organ or its parameters are not those of the recording",
-              Text("trial %1", header.trialId),
-              Text("Open the organ file of the recording first, or use the version that recorded it: %1",
-                   header.softwareVersion));
+  throw Error(ErrorCode::kVerifyFailed,
+              Text::tr("the organ or its parameters are not those of the recording"),
+              Text::tr("trial %1", header.trialId),
+              Text::tr("Open the organ file of the recording first, or use the version that recorded it: %1",
+                       header.softwareVersion));
 }
 
 }  // namespace

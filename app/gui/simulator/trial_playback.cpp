@@ -31,13 +31,13 @@ TrialPlayback::TrialPlayback(Trial trial, const Reader& reader)
   places_.reserve(chunks_.size());
   for (std::size_t i = 0; i < chunks_.size(); ++i) {
     if (chunks_[i].index != static_cast<std::int64_t>(i)) {
-      refuse("a part of the recording is missing", Text("trial %1", header_.trialId),
-             "Choose another recording");
+      refuse(Text::tr("a part of the recording is missing"), Text::tr("trial %1", header_.trialId),
+             Text::tr("Choose another recording"));
     }
     const std::vector<Sample> samples = decodeChunk(chunks_[i]);
     if (samples.front().tick <= lastTick) {
-      refuse("the parts of the recording are out of order", Text("trial %1", header_.trialId),
-             "Choose another recording");
+      refuse(Text::tr("the parts of the recording are out of order"), Text::tr("trial %1", header_.trialId),
+             Text::tr("Choose another recording"));
     }
     lastTick = samples.back().tick;
     places_.push_back({samples.front().device.time_us, target_rad});
@@ -50,7 +50,8 @@ TrialPlayback::TrialPlayback(Trial trial, const Reader& reader)
     }
   }
   if (chunks_.empty()) {
-    refuse("the recording is empty", Text("trial %1", header_.trialId), "Choose another recording");
+    refuse(Text::tr("the recording is empty"), Text::tr("trial %1", header_.trialId),
+           Text::tr("Choose another recording"));
   }
   duration_us_ = end_us - places_.front().begin_us;
 }

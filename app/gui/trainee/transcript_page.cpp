@@ -138,7 +138,8 @@ void TranscriptPage::writePdf(const std::filesystem::path& file) const {
   std::filesystem::rename(temporary, file, failed);
   if (failed) {
     std::filesystem::remove(temporary, failed);
-    throw Error(ErrorCode::kFileUnwritable, "cannot be written", file.string(), "Choose another folder");
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("cannot be written"), file.string(),
+                Text::tr("Choose another folder"));
   }
 }
 

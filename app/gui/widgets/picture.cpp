@@ -18,9 +18,9 @@ void writePicture(const QImage& picture, const std::filesystem::path& file) {
   QBuffer buffer(&png);
   buffer.open(QIODevice::WriteOnly);
   if (picture.isNull() || !picture.save(&buffer, "PNG")) {
-    throw Error(ErrorCode::kDevice, "this display cannot draw the scene",
-                Text("platform %1", QGuiApplication::platformName().toStdString()),
-                "Use a display with OpenGL");
+    throw Error(ErrorCode::kDevice, Text::tr("this display cannot draw the scene"),
+                Text::tr("platform %1", QGuiApplication::platformName().toStdString()),
+                Text::tr("Use a display with OpenGL"));
   }
   writeFileAtomically(file, std::string_view(png.constData(), static_cast<std::size_t>(png.size())));
 }

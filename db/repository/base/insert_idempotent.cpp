@@ -61,8 +61,8 @@ bool sameStored(const Value& given, const Value& read) {
 
 void refuseOtherContent(Connection& connection, std::string_view table, const Text& what) {
   throw DbError(DbFault::kUnique, "INSERT INTO " + std::string(table),
-                Text("%1 is stored already with other content; what is stored stays", what),
-                connection.location(), "Keep what you have here and compare the two");
+                Text::tr("%1 is stored already with other content; what is stored stays", what),
+                connection.location(), Text::tr("Keep what you have here and compare the two"));
 }
 
 Inserted insertIdempotent(Connection& connection, std::string_view table,

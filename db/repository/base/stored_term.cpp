@@ -7,8 +7,8 @@ namespace torsio {
 
 void refuseStoredTerm(const std::string& column, const std::string& stored) {
   throw DbError(DbFault::kCheck, "SELECT " + column,
-                Text("the column %1 holds \"%2\", which this version does not know", column, stored),
-                "database", "Update Torsio on this machine, or restore a backup");
+                Text::tr("the column %1 holds \"%2\", which this version does not know", column, stored),
+                Text::tr("database"), Text::tr("Update Torsio on this machine, or restore a backup"));
 }
 
 }  // namespace torsio

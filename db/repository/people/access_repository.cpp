@@ -50,8 +50,8 @@ SealedSecret AccessRepository::sealPin(const std::string& pin) const {
     return {};
   }
   if (pin.size() < static_cast<std::size_t>(kShortestPin)) {
-    throw Error(ErrorCode::kBadParameter, Text("the PIN is shorter than %1 digits", kShortestPin), "PIN",
-                "Take a longer one");
+    throw Error(ErrorCode::kBadParameter, Text::tr("the PIN is shorter than %1 digits", kShortestPin),
+                Text::tr("PIN"), Text::tr("Take a longer one"));
   }
   return {hashPassword(pin, cost_)};
 }

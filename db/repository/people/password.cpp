@@ -38,8 +38,8 @@ std::string hashPassword(const std::string& password, PasswordCost cost) {
   const Limits limits = limitsOf(cost);
   if (crypto_pwhash_str(hash.data(), password.data(), password.size(), limits.operations, limits.memory) !=
       0) {
-    throw Error(ErrorCode::kInternal, "not enough memory to protect the password", "",
-                "Close other programs and try again");
+    throw Error(ErrorCode::kInternal, Text::tr("not enough memory to protect the password"), "",
+                Text::tr("Close other programs and try again"));
   }
   return hash.data();
 }

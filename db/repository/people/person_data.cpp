@@ -65,8 +65,8 @@ void erasePerson(Connection& connection, const PersonId& personId, const std::st
   Transaction transaction(connection);
   if (connection.execute("UPDATE person SET state = 'erased' WHERE id = ? AND state <> 'erased'",
                          {personId}) != 1) {
-    throw Error(ErrorCode::kBadData, "there is no such person, or they were erased already", "erase",
-                "Check the code");
+    throw Error(ErrorCode::kBadData, Text::tr("there is no such person, or they were erased already"),
+                Text::tr("erase"), Text::tr("Check the code"));
   }
   connection.execute(insertInto("erasure_gate", "id, reason, opened_utc_us"), {personId, reason, utc_us});
   for (const PersonRule& rule : kPersonRules) {

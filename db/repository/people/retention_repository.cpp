@@ -108,12 +108,13 @@ bool holdsAt(const RetentionHold& hold, std::int64_t utc_us) {
 
 void RetentionRepository::setRule(const RetentionRule& rule) {
   if (std::find(kCategories.begin(), kCategories.end(), rule.category) == kCategories.end()) {
-    throw Error(ErrorCode::kBadParameter, "there is no such category of records", rule.category,
-                "Use trainee, rater, left or consent_withdrawn");
+    throw Error(ErrorCode::kBadParameter, Text::tr("there is no such category of records"), rule.category,
+                Text::tr("Use trainee, rater, left or consent_withdrawn"));
   }
   if (rule.keep_days < 1 || rule.keep_days > kLongest_days) {
-    throw Error(ErrorCode::kBadParameter, "records are kept for one day at least and a hundred years at most",
-                Text("%1: %2 days", rule.category, rule.keep_days), "Enter 1 to 36500");
+    throw Error(ErrorCode::kBadParameter,
+                Text::tr("records are kept for one day at least and a hundred years at most"),
+                Text::tr("%1: %2 days", rule.category, rule.keep_days), Text::tr("Enter 1 to 36500"));
   }
   connection_.execute(insertInto("retention_rule", "category, keep_days, basis, changed_utc_us") +
                           " ON CONFLICT (category) DO UPDATE SET keep_days = excluded.keep_days, basis ="

@@ -104,7 +104,8 @@ ScoreScale scaleOf(Connection& connection, const CampaignId& campaignId) {
   if (campaign) {
     return campaign->instrument.scale;
   }
-  throw Error(ErrorCode::kBadData, "no such evaluation campaign", campaignId, "Choose an existing one");
+  throw Error(ErrorCode::kBadData, Text::tr("no such evaluation campaign"), campaignId,
+              Text::tr("Choose an existing one"));
 }
 
 /// Whether a mark is there already; refuses another one under its id.
@@ -123,7 +124,7 @@ bool isStored(Connection& connection, const CampaignId& campaignId, const Evalua
                                                   {"amend_reason", textOrNull(mark.amendReason)},
                                                   {"submitted_utc_us", mark.submittedUtc_us, Kind::kIgnored},
                                                   {"demonstration", mark.demonstration}}};
-  insertIdempotent(connection, "evaluation_mark", columns, "this mark");
+  insertIdempotent(connection, "evaluation_mark", columns, Text::tr("this mark"));
   return true;
 }
 
@@ -177,9 +178,9 @@ void EvaluationRepository::submit(const CampaignId& campaignId, std::span<const 
   for (const EvaluationMark& mark : marks) {
     if (!isOnScale(mark.score_steps, scale)) {
       throw Error(ErrorCode::kBadData,
-                  Text("mark of %1 steps lies outside %2 .. %3", mark.score_steps, scale.lo, scale.hi),
-                  Text("rater %1, model %2, index %3", mark.raterId, mark.modelCode, mark.indexNumber),
-                  "Correct the mark");
+                  Text::tr("mark of %1 steps lies outside %2 .. %3", mark.score_steps, scale.lo, scale.hi),
+                  Text::tr("rater %1, model %2, index %3", mark.raterId, mark.modelCode, mark.indexNumber),
+                  Text::tr("Correct the mark"));
     }
     if (isStored(connection_, campaignId, mark)) {
       continue;

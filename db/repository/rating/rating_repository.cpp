@@ -67,7 +67,7 @@ void requireSameMark(Connection& connection, const SubmittedMark& mark) {
        {"demonstration", mark.demonstration},
        {"assignment_id", textOrNull(mark.assignmentId)},
        {"comment_hash", textOrNull(textHash(mark.comment))}}};
-  insertIdempotent(connection, "training_mark", columns, "this mark");
+  insertIdempotent(connection, "training_mark", columns, Text::tr("this mark"));
   const std::vector<MarkRow> stored =
       selectAll(connection,
                 "SELECT revision_id, row_code, score_steps, not_assessable_reason FROM training_mark_row"
@@ -77,7 +77,7 @@ void requireSameMark(Connection& connection, const SubmittedMark& mark) {
                 });
   const bool same = std::is_permutation(stored.begin(), stored.end(), mark.rows.begin(), mark.rows.end());
   if (!same) {
-    refuseOtherContent(connection, "training_mark_row", "this mark");
+    refuseOtherContent(connection, "training_mark_row", Text::tr("this mark"));
   }
 }
 

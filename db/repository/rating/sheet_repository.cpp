@@ -42,7 +42,8 @@ Assignment assignmentOf(Connection& connection, const AssignmentId& assignmentId
   std::optional<Assignment> found =
       selectFirst(connection, selectAssignments() + " WHERE a.id = ?", {assignmentId}, readAssignment);
   if (!found) {
-    throw Error(ErrorCode::kBadData, "no such assignment", assignmentId, "Read the queue again");
+    throw Error(ErrorCode::kBadData, Text::tr("no such assignment"), assignmentId,
+                Text::tr("Read the queue again"));
   }
   return std::move(*found);
 }
@@ -78,12 +79,12 @@ void checkAnswer(const std::optional<std::int64_t>& score_steps, const std::stri
                  const ScoreScale& scale, const std::string& where) {
   const AnswerFault fault = faultOf({score_steps, reason}, scale);
   if (fault == AnswerFault::kMissing || fault == AnswerFault::kContradicts) {
-    throw Error(ErrorCode::kBadData, "needs either a mark or a reason why there is none", where,
-                "Fill it in");
+    throw Error(ErrorCode::kBadData, Text::tr("needs either a mark or a reason why there is none"), where,
+                Text::tr("Fill it in"));
   }
   if (fault == AnswerFault::kOutsideScale) {
-    throw Error(ErrorCode::kBadData, Text("mark of %1 steps lies outside its scale", *score_steps), where,
-                "Correct the mark");
+    throw Error(ErrorCode::kBadData, Text::tr("mark of %1 steps lies outside its scale", *score_steps), where,
+                Text::tr("Correct the mark"));
   }
 }
 
@@ -95,15 +96,16 @@ void checkComplete(const Sheet& sheet, const RubricRevision& rubric, const std::
     const auto known = std::count_if(rubric.rows.begin(), rubric.rows.end(),
                                      [&](const RubricLine& line) { return line.code == row.code; });
     if (known == 0) {
-      throw Error(ErrorCode::kBadData, Text("the rubric has no row %1", row.code), where,
-                  "Use the assigned rubric");
+      throw Error(ErrorCode::kBadData, Text::tr("the rubric has no row %1", row.code), where,
+                  Text::tr("Use the assigned rubric"));
     }
   }
   for (const RubricLine& line : rubric.rows) {
     const auto answer = std::find_if(sheet.rows.begin(), sheet.rows.end(),
                                      [&](const SheetRow& row) { return row.code == line.code; });
     if (answer == sheet.rows.end()) {
-      throw Error(ErrorCode::kBadData, Text("row %1 is not answered", line.code), where, "Fill it in");
+      throw Error(ErrorCode::kBadData, Text::tr("row %1 is not answered", line.code), where,
+                  Text::tr("Fill it in"));
     }
     checkAnswer(answer->score_steps, answer->notAssessableReason, line.scale, where + ", row " + line.code);
   }
@@ -216,8 +218,8 @@ void SheetRepository::withdraw(const AssignmentId& assignmentId, const std::stri
                                const std::string& withdrawnBy, std::int64_t utc_us) {
   Transaction transaction(connection_);
   if (stateOf(assignmentId) == SheetState::kSubmitted) {
-    throw Error(ErrorCode::kBadData, "the sheet was submitted already", assignmentId,
-                "Submitted marks stay; amend the mark instead");
+    throw Error(ErrorCode::kBadData, Text::tr("the sheet was submitted already"), assignmentId,
+                Text::tr("Submitted marks stay; amend the mark instead"));
   }
   connection_.execute(
       insertInto("assignment_withdrawal", "assignment_id, reason, withdrawn_by, withdrawn_utc_us"),
@@ -238,7 +240,8 @@ std::vector<QueueEntry> SheetRepository::queue(const RaterId& raterId) const {
 SheetState SheetRepository::stateOf(const AssignmentId& assignmentId) const {
   const std::optional<AssignmentStatus> status = findAssignment(assignmentId);
   if (!status) {
-    throw Error(ErrorCode::kBadData, "no such assignment", assignmentId, "Read the queue again");
+    throw Error(ErrorCode::kBadData, Text::tr("no such assignment"), assignmentId,
+                Text::tr("Read the queue again"));
   }
   return status->state;
 }
@@ -247,10 +250,10 @@ std::int64_t SheetRepository::saveDraft(const AssignmentId& assignmentId, const 
   Transaction transaction(connection_);
   const SheetState state = stateOf(assignmentId);
   if (state == SheetState::kWithdrawn || state == SheetState::kSubmitted) {
-    throw Error(
-        ErrorCode::kBadData,
-        state == SheetState::kSubmitted ? "the sheet was submitted already" : "the sheet was withdrawn",
-        assignmentId, "Read the queue again");
+    throw Error(ErrorCode::kBadData,
+                state == SheetState::kSubmitted ? Text::tr("the sheet was submitted already")
+                                                : Text::tr("the sheet was withdrawn"),
+                assignmentId, Text::tr("Read the queue again"));
   }
   const std::int64_t next = sheet.revision + 1;
   const std::int64_t changed =
@@ -270,8 +273,8 @@ std::int64_t SheetRepository::saveDraft(const AssignmentId& assignmentId, const 
                  sheet.changedUtc_us, assignmentId, sheet.revision});
   if (changed != 1) {
     throw DbError(DbFault::kConflict, "UPDATE mark_draft",
-                  "this sheet was changed at another station meanwhile", connection_.location(),
-                  "Open the sheet again");
+                  Text::tr("this sheet was changed at another station meanwhile"), connection_.location(),
+                  Text::tr("Open the sheet again"));
   }
   connection_.execute("DELETE FROM mark_draft_row WHERE assignment_id = ?", {assignmentId});
   Statement insert = connection_.prepare(
@@ -303,7 +306,8 @@ void SheetRepository::submit(const AssignmentId& assignmentId, const MarkId& mar
   const Assignment assignment = assignmentOf(connection_, assignmentId);
   const std::optional<std::int64_t> storedVersion = versionOf(connection_, markId);  // a retry
   if (!storedVersion && stateOf(assignmentId) == SheetState::kWithdrawn) {
-    throw Error(ErrorCode::kBadData, "the sheet was withdrawn", assignment.caseLabel, "Read the queue again");
+    throw Error(ErrorCode::kBadData, Text::tr("the sheet was withdrawn"), assignment.caseLabel,
+                Text::tr("Read the queue again"));
   }
   const RubricRevision rubric = revision(assignment.rubricRevisionId).value();
   checkComplete(sheet, rubric, assignment.caseLabel);

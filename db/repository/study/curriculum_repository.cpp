@@ -26,8 +26,8 @@ void checkPrerequisites(const CurriculumVersion& version) {
   for (const TrainingModule& module : version.modules) {
     for (const ModuleId& id : module.requires_) {
       if (moduleWithId(version, id) == nullptr) {
-        throw Error(ErrorCode::kBadData, "requires a module that is not in this version", module.code,
-                    "Choose prerequisites from the same version");
+        throw Error(ErrorCode::kBadData, Text::tr("requires a module that is not in this version"),
+                    module.code, Text::tr("Choose prerequisites from the same version"));
       }
     }
     open[module.id] = module.requires_;
@@ -40,8 +40,8 @@ void checkPrerequisites(const CurriculumVersion& version) {
     });
   }
   if (!open.empty()) {
-    throw Error(ErrorCode::kBadData, "prerequisites run in a circle",
-                moduleWithId(version, open.begin()->first)->code, "Remove one of them");
+    throw Error(ErrorCode::kBadData, Text::tr("prerequisites run in a circle"),
+                moduleWithId(version, open.begin()->first)->code, Text::tr("Remove one of them"));
   }
 }
 
@@ -204,8 +204,9 @@ std::int64_t CurriculumRepository::saveDraft(const CurriculumId& curriculumId,
                 {next, draft.contentJson, draft.changedBy, draft.changedUtc_us, curriculumId,
                  draft.revision});
   if (changed != 1) {
-    throw DbError(DbFault::kConflict, "UPDATE curriculum_draft", "somebody else saved this draft meanwhile",
-                  connection_.location(), "Read the draft again and merge your changes");
+    throw DbError(DbFault::kConflict, "UPDATE curriculum_draft",
+                  Text::tr("somebody else saved this draft meanwhile"), connection_.location(),
+                  Text::tr("Read the draft again and merge your changes"));
   }
   transaction.commit();
   return next;
@@ -268,10 +269,11 @@ void CurriculumRepository::moveTo(const CurriculumVersionId& versionId, Curricul
   Transaction transaction(connection_);
   const std::optional<CurriculumState> now = stateOf(versionId);
   if (!now || static_cast<int>(state) != static_cast<int>(*now) + 1) {
-    throw Error(ErrorCode::kBadData,
-                !now ? Text("there is no such curriculum")
-                     : Text("a curriculum that is %1 cannot become %2", storedText(*now), storedText(state)),
-                versionId, "Draft becomes running, running becomes closed");
+    throw Error(
+        ErrorCode::kBadData,
+        !now ? Text::tr("there is no such curriculum")
+             : Text::tr("a curriculum that is %1 cannot become %2", storedText(*now), storedText(state)),
+        versionId, Text::tr("Draft becomes running, running becomes closed"));
   }
   connection_.execute(
       insertInto("curriculum_state", "version_id, sequence, state, changed_by, changed_utc_us"),
@@ -282,8 +284,8 @@ void CurriculumRepository::moveTo(const CurriculumVersionId& versionId, Curricul
 void CurriculumRepository::assign(const CohortId& cohortId, const CurriculumVersionId& versionId) {
   Transaction transaction(connection_);
   if (stateOf(versionId) != CurriculumState::kRunning) {
-    throw Error(ErrorCode::kBadData, "this version of the curriculum is not running", versionId,
-                "Start it first, or choose another version");
+    throw Error(ErrorCode::kBadData, Text::tr("this version of the curriculum is not running"), versionId,
+                Text::tr("Start it first, or choose another version"));
   }
   connection_.execute("UPDATE cohort SET curriculum_version_id = ? WHERE id = ?", {versionId, cohortId});
   connection_.execute(
@@ -294,8 +296,8 @@ void CurriculumRepository::assign(const CohortId& cohortId, const CurriculumVers
       selectFirst(connection_, "SELECT code FROM training_group WHERE cohort_id = ? AND arm_id IS NULL",
                   {cohortId}, readText);
   if (missing) {
-    throw Error(ErrorCode::kBadData, "the curriculum has no arm for this group", *missing,
-                "Give the curriculum as many arms as the cohort has groups");
+    throw Error(ErrorCode::kBadData, Text::tr("the curriculum has no arm for this group"), *missing,
+                Text::tr("Give the curriculum as many arms as the cohort has groups"));
   }
   transaction.commit();
 }

@@ -41,7 +41,8 @@ void FreezeRepository::add(const DataFreeze& freeze) {
                                                  {"created_by", freeze.createdBy},
                                                  {"created_utc_us", freeze.createdUtc_us, Kind::kIgnored},
                                                  {"demonstration", freeze.demonstration}}};
-  if (insertIdempotent(connection_, "frozen_dataset", columns, "this frozen data set") == Inserted::kNew) {
+  if (insertIdempotent(connection_, "frozen_dataset", columns, Text::tr("this frozen data set")) ==
+      Inserted::kNew) {
     NewAuditEntry entry{.atUtc_us = freeze.createdUtc_us,
                         .actor = freeze.createdBy,
                         .station = station_,

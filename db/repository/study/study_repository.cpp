@@ -101,7 +101,8 @@ Cohort StudyRepository::cohort(const CohortId& cohortId) const {
       return std::move(one);
     }
   }
-  throw Error(ErrorCode::kBadData, "there is no such cohort", cohortId, "Choose one from the list");
+  throw Error(ErrorCode::kBadData, Text::tr("there is no such cohort"), cohortId,
+              Text::tr("Choose one from the list"));
 }
 
 std::vector<StudyGroup> StudyRepository::groups(const CohortId& cohortId) const {
@@ -215,8 +216,8 @@ std::vector<AllocationEntry> StudyRepository::allocate(std::span<const Allocatio
     }
     if (record.sequence != sequence + 1) {
       throw Error(ErrorCode::kBadData,
-                  Text("allocation number %1 does not follow %2", record.sequence, sequence), "allocation",
-                  "Read the list again and repeat");
+                  Text::tr("allocation number %1 does not follow %2", record.sequence, sequence),
+                  Text::tr("allocation"), Text::tr("Read the list again and repeat"));
     }
     record.recordHash = allocationHash(record);
     insertAllocation(insert, record);

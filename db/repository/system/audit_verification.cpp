@@ -35,18 +35,18 @@ void checkChain(Connection& connection, std::map<std::string, Hashes>& sealed,
   std::string previous;
   std::int64_t expected = 0;
   AuditRepository(connection).forEach([&](const AuditEntry& entry) {
-    const auto report = [&](const char* what) {
-      findings.push_back({entry.sequence, entry.objectKind, entry.objectId, what});
+    const auto report = [&](Phrase what) {
+      findings.push_back({entry.sequence, entry.objectKind, entry.objectId, std::string(what.english())});
     };
     ++expected;
     if (entry.sequence != expected) {
-      report("entries before this one are missing");
+      report(Text::tr("entries before this one are missing"));
     }
     if (entry.previousHash != previous) {
-      report("does not follow the entry before it");
+      report(Text::tr("does not follow the entry before it"));
     }
     if (entry.entryHash != auditHash(entry)) {
-      report("the entry itself was changed");
+      report(Text::tr("the entry itself was changed"));
     }
     expected = entry.sequence;
     previous = entry.entryHash;

@@ -124,9 +124,9 @@ void refuseUses(Connection& connection, const std::vector<DemonstrationUse>& use
   }
   const DemonstrationUse& use = uses.front();
   throw Error(ErrorCode::kBadData,
-              Text("real data use the demonstration: %1 rows of %2 refer to simulated rows of %3", use.rows,
-                   use.table, use.used),
-              connection.location(), "Finish or move what uses them first; nothing was removed");
+              Text::tr("real data use the demonstration: %1 rows of %2 refer to simulated rows of %3",
+                       use.rows, use.table, use.used),
+              connection.location(), Text::tr("Finish or move what uses them first; nothing was removed"));
 }
 
 }  // namespace

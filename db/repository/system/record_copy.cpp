@@ -43,12 +43,12 @@ std::string usedTable(Connection& connection, const std::vector<SchemaTable>& ta
 
 void requireFit(Connection& from, Connection& to, const std::vector<SchemaTable>& tables) {
   if (schemaSteps(from) != schemaSteps(to)) {
-    throw Error(ErrorCode::kBadData, "the two databases have different schemas", to.location(),
-                "Open both with this version of Torsio first");
+    throw Error(ErrorCode::kBadData, Text::tr("the two databases have different schemas"), to.location(),
+                Text::tr("Open both with this version of Torsio first"));
   }
   if (const std::string used = usedTable(to, tables); !used.empty()) {
-    throw Error(ErrorCode::kBadData, Text("the target is not empty: it has rows in the table %1", used),
-                to.location(), "Name a new file, or an empty database");
+    throw Error(ErrorCode::kBadData, Text::tr("the target is not empty: it has rows in the table %1", used),
+                to.location(), Text::tr("Name a new file, or an empty database"));
   }
 }
 
@@ -87,9 +87,9 @@ void requireSame(Connection& to, const TableDigest& original, const TableDigest&
     return;
   }
   throw Error(ErrorCode::kVerifyFailed,
-              Text("the table %1 differs after copying (%2 rows before, %3 after); nothing was kept",
-                   original.table, original.rows, copy.rows),
-              to.location(), "Check both machines, then copy again");
+              Text::tr("the table %1 differs after copying (%2 rows before, %3 after); nothing was kept",
+                       original.table, original.rows, copy.rows),
+              to.location(), Text::tr("Check both machines, then copy again"));
 }
 
 VerifyProgress verifyProgress(const CopyProgress& progress, CopyPhase phase) {
@@ -130,8 +130,9 @@ CopyReport copyRecord(Connection& from, Connection& to, const CopyProgress& prog
   const std::vector<AuditFinding> findings =
       verifyAuditTrail(from, verifyProgress(progress, CopyPhase::kVerifying));
   if (!findings.empty()) {
-    throw Error(ErrorCode::kBadData, Text("its audit trail does not verify (%1 findings)", findings.size()),
-                from.location(), "Run torsio audit verify on it and restore a backup");
+    throw Error(ErrorCode::kBadData,
+                Text::tr("its audit trail does not verify (%1 findings)", findings.size()), from.location(),
+                Text::tr("Run torsio audit verify on it and restore a backup"));
   }
   std::int64_t all = 0;
   for (const SchemaTable& table : tables) {
@@ -151,8 +152,9 @@ CopyReport copyRecord(Connection& from, Connection& to, const CopyProgress& prog
   }
   compareTables(from, to, tables, all, report, progress);
   if (!verifyAuditTrail(to, verifyProgress(progress, CopyPhase::kVerifyingCopy)).empty()) {
-    throw Error(ErrorCode::kVerifyFailed, "the audit trail does not verify after copying; nothing was kept",
-                to.location(), "Check both machines, then copy again");
+    throw Error(ErrorCode::kVerifyFailed,
+                Text::tr("the audit trail does not verify after copying; nothing was kept"), to.location(),
+                Text::tr("Check both machines, then copy again"));
   }
   report.auditEntries = AuditRepository(to).length();
   writing.commit();

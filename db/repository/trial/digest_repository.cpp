@@ -20,8 +20,8 @@ constexpr std::size_t kLongestId = 255;
 constexpr double kNoLimit = -1.0;
 
 [[noreturn]] void refuseCutOff(const TrialId& trialId) {
-  throw Error(ErrorCode::kBadData, "the digest of a recording is cut off", trialId,
-              "Check the database, and restore a backup");
+  throw Error(ErrorCode::kBadData, Text::tr("the digest of a recording is cut off"), trialId,
+              Text::tr("Check the database, and restore a backup"));
 }
 
 void appendNumber(Blob& bytes, double number) {

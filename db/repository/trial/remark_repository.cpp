@@ -59,7 +59,7 @@ void RemarkRepository::add(const Remark& remark) {
                                                   {"text", textOrNull(remark.text)},
                                                   {"created_utc_us", remark.createdUtc_us, Kind::kIgnored},
                                                   {"demonstration", remark.demonstration}}};
-  insertIdempotent(connection_, "trial_remark", columns, "this remark");
+  insertIdempotent(connection_, "trial_remark", columns, Text::tr("this remark"));
   transaction.commit();
 }
 
@@ -118,7 +118,7 @@ void RemarkRepository::addSelfScore(const SelfScore& score) {
                                                   {"steps_per_point", score.scale.stepsPerPoint},
                                                   {"created_utc_us", score.createdUtc_us, Kind::kIgnored},
                                                   {"demonstration", score.demonstration}}};
-  if (insertIdempotent(connection_, "self_score", columns, "this self-score") == Inserted::kNew) {
+  if (insertIdempotent(connection_, "self_score", columns, Text::tr("this self-score")) == Inserted::kNew) {
     Statement insert = connection_.prepare(
         insertInto("self_score_row", "self_score_id, revision_id, row_code, score_steps"));
     for (const SelfScoreLine& row : score.rows) {
@@ -126,7 +126,7 @@ void RemarkRepository::addSelfScore(const SelfScore& score) {
     }
   } else if (const std::vector<SelfScoreLine> stored = selfScoreRows(connection_, score.id);
              !std::is_permutation(stored.begin(), stored.end(), score.rows.begin(), score.rows.end())) {
-    refuseOtherContent(connection_, "self_score_row", "this self-score");
+    refuseOtherContent(connection_, "self_score_row", Text::tr("this self-score"));
   }
   transaction.commit();
 }
@@ -168,7 +168,7 @@ void RemarkRepository::addWarmup(const CalibrationScore& warmup) {
                                                   {"panel_offset_steps", warmup.panelOffset_steps},
                                                   {"created_utc_us", warmup.createdUtc_us, Kind::kIgnored},
                                                   {"demonstration", warmup.demonstration}}};
-  insertIdempotent(connection_, "rater_warmup", columns, "this warm-up");
+  insertIdempotent(connection_, "rater_warmup", columns, Text::tr("this warm-up"));
   transaction.commit();
 }
 

@@ -181,8 +181,8 @@ Value traineeId(Connection& connection, const std::string& code) {
   if (id) {
     return *id;
   }
-  throw Error(ErrorCode::kBadData, Text("no trainee has the code %1", code), "trial",
-              "Enter the trainee first");
+  throw Error(ErrorCode::kBadData, Text::tr("no trainee has the code %1", code), Text::tr("trial"),
+              Text::tr("Enter the trainee first"));
 }
 
 }  // namespace
@@ -301,7 +301,8 @@ std::optional<TrialContext> TrialRepository::context(const TrialId& trialId) con
 Trial TrialRepository::load(const TrialId& trialId) const {
   const std::optional<TrialHeader> header = find(trialId);
   if (!header) {
-    throw Error(ErrorCode::kBadData, "no such trial", trialId, "List the trials to find its id");
+    throw Error(ErrorCode::kBadData, Text::tr("no such trial"), trialId,
+                Text::tr("List the trials to find its id"));
   }
   Trial trial{.header = *header, .chunks = {}, .summary = {}};
   trial.chunks =

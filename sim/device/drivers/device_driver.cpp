@@ -15,7 +15,7 @@ using Device = std::unique_ptr<HapticDevice>;
 
 Device openHdapi(const HdapiLibrary& library, const DeviceRequest& request) {
   if (library.status != HdapiLoadStatus::kLoaded) {
-    throw Error(ErrorCode::kDevice, library.sentence, "haptic device", library.remedy);
+    throw Error(ErrorCode::kDevice, library.sentence, Text::tr("haptic device"), library.remedy);
   }
   return std::make_unique<HdapiDevice>(library.api, request.hdapi);
 }
@@ -28,17 +28,17 @@ std::vector<DeviceDriver> deviceDrivers(const std::string& library) {
       {"hdapi", "PHANTOM Omni or Touch", "the vendor's driver and OpenHaptics",
        vendor.status == HdapiLoadStatus::kLoaded, vendor.sentence, vendor.remedy,
        [vendor](const DeviceRequest& request) { return openHdapi(vendor, request); }},
-      {"pointer", "Mouse and keyboard", "", true, Text("always there; shows forces, does not render them"),
-       "",
+      {"pointer", "Mouse and keyboard", "", true,
+       Text::tr("always there; shows forces, does not render them"), "",
        [](const DeviceRequest& request) -> Device { return std::make_unique<PointerDevice>(request.start); }},
-      {"scripted", "Scripted hand", "", true, Text("always there; a simulated hand with a seed"), "",
+      {"scripted", "Scripted hand", "", true, Text::tr("always there; a simulated hand with a seed"), "",
        [](const DeviceRequest& request) -> Device { return std::make_unique<ScriptedHand>(request.hand); }},
       {"replay", "Recorded trial", "a recorded trial", true,
-       Text("always there; repeats a recording tick by tick"), "",
+       Text::tr("always there; repeats a recording tick by tick"), "",
        [](const DeviceRequest& request) -> Device {
          return std::make_unique<ReplayDevice>(request.recorded, request.recordedWith);
        }},
-      {"idle", "Nobody's hand", "", true, Text("always there; the instrument stays where it was put"), "",
+      {"idle", "Nobody's hand", "", true, Text::tr("always there; the instrument stays where it was put"), "",
        [](const DeviceRequest& request) -> Device { return std::make_unique<IdleDevice>(request.start); }},
   };
 }

@@ -37,36 +37,36 @@ HdapiErrorClass hdapiErrorClass(hd::ErrorCode code) noexcept {
 Text hdapiErrorText(hd::ErrorCode code) {
   switch (code) {
     case hd::kWarmMotors:
-      return Text("the motors are warm");
+      return Text::tr("the motors are warm");
     case hd::kExceededMaxForce:
-      return Text("the device's force limit was exceeded");
+      return Text::tr("the device's force limit was exceeded");
     case hd::kExceededMaxForceImpulse:
-      return Text("the force changed faster than the device allows");
+      return Text::tr("the force changed faster than the device allows");
     case hd::kExceededMaxVelocity:
-      return Text("the stylus moved faster than the device allows");
+      return Text::tr("the stylus moved faster than the device allows");
     case hd::kForceError:
-      return Text("the library refused a force");
+      return Text::tr("the library refused a force");
     case hd::kDeviceFault:
-      return Text("the device does not answer");
+      return Text::tr("the device does not answer");
     case hd::kDeviceAlreadyInitiated:
-      return Text("the device is in use already");
+      return Text::tr("the device is in use already");
     case hd::kCommError:
-      return Text("the connection to the device broke off");
+      return Text::tr("the connection to the device broke off");
     case hd::kCommConfigError:
-      return Text("the connection to the device is set up wrongly");
+      return Text::tr("the connection to the device is set up wrongly");
     case hd::kTimerError:
-      return Text("the library's servo timer does not work");
+      return Text::tr("the library's servo timer does not work");
     case hd::kInvalidPriority:
     case hd::kSchedulerFull:
-      return Text("the library's servo loop accepts no further task");
+      return Text::tr("the library's servo loop accepts no further task");
     case hd::kIllegalBegin:
     case hd::kIllegalEnd:
     case hd::kFrameError:
-      return Text("a servo frame could not be opened or closed");
+      return Text::tr("a servo frame could not be opened or closed");
     case hd::kInvalidLicense:
-      return Text("the library has no valid licence");
+      return Text::tr("the library has no valid licence");
     default:
-      return Text("the library refused a call");
+      return Text::tr("the library refused a call");
   }
 }
 

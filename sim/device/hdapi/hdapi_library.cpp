@@ -21,20 +21,20 @@ std::string joined(const std::vector<std::string>& names) {
 void describeRefusal(const LoadedLibrary& loaded, HdapiLibrary& result) {
   result.status = HdapiLoadStatus::kDependencyMissing;
   if (loaded.missingDependency.empty()) {
-    result.sentence = Text("the vendor's library %1 is there, but the system refused to load it: %2",
-                           result.path, loaded.systemText);
-    result.remedy = Text("Install the driver package that belongs to it, for this kind of processor");
+    result.sentence = Text::tr("the vendor's library %1 is there, but the system refused to load it: %2",
+                               result.path, loaded.systemText);
+    result.remedy = Text::tr("Install the driver package that belongs to it, for this kind of processor");
     return;
   }
-  result.sentence = Text("the vendor's library %1 is there, but it needs %2, which is missing", result.path,
-                         loaded.missingDependency);
+  result.sentence = Text::tr("the vendor's library %1 is there, but it needs %2, which is missing",
+                             result.path, loaded.missingDependency);
   const bool terminal = loaded.missingDependency.rfind("libncurses.so.5", 0) == 0 ||
                         loaded.missingDependency.rfind("libtinfo.so.5", 0) == 0;
   const bool driver = loaded.missingDependency.rfind("libPhantomIOLib", 0) == 0 ||
                       loaded.missingDependency.rfind("libPHANToMIO", 0) == 0;
-  result.remedy = terminal ? Text("Install the packages libncurses5 and libtinfo5")
-                  : driver ? Text("Install the device's driver package; OpenHaptics alone is not enough")
-                           : Text("Install the package that contains %1", loaded.missingDependency);
+  result.remedy = terminal ? Text::tr("Install the packages libncurses5 and libtinfo5")
+                  : driver ? Text::tr("Install the device's driver package; OpenHaptics alone is not enough")
+                           : Text::tr("Install the package that contains %1", loaded.missingDependency);
 }
 
 HdapiLibrary resolveLoaded(const LoadedLibrary& loaded, const std::string& name,
@@ -44,10 +44,11 @@ HdapiLibrary resolveLoaded(const LoadedLibrary& loaded, const std::string& name,
   result.path = name;
   result.searched = searched;
   if (result.status == HdapiLoadStatus::kSymbolMissing) {
-    result.sentence = Text("%1 lacks %2", name, joined(result.missingSymbols));
-    result.remedy = Text("Install OpenHaptics 3.0 to 3.5; this file is another library or an incomplete one");
+    result.sentence = Text::tr("%1 lacks %2", name, joined(result.missingSymbols));
+    result.remedy =
+        Text::tr("Install OpenHaptics 3.0 to 3.5; this file is another library or an incomplete one");
   } else {
-    result.sentence = Text("the vendor's library %1 is loaded", name);
+    result.sentence = Text::tr("the vendor's library %1 is loaded", name);
   }
   return result;
 }
@@ -101,8 +102,9 @@ HdapiLibrary loadHdapi(const std::string& explicitName) {
     }
   }
   if (result.status == HdapiLoadStatus::kNotFound) {
-    result.sentence = Text("the vendor's library is not installed; looked for %1", joined(result.searched));
-    result.remedy = Text(
+    result.sentence =
+        Text::tr("the vendor's library is not installed; looked for %1", joined(result.searched));
+    result.remedy = Text::tr(
         "Install the device's driver and the OpenHaptics run time (docs/devices.md), or name the library "
         "with "
         "--library");

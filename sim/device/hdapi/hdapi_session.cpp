@@ -43,26 +43,27 @@ std::string hex(hd::ErrorCode code) {
 Text described(const hd::Api& api, hd::ErrorCode code) {
   const char* const vendor = api.hdGetErrorString(code);
   if (vendor == nullptr) {
-    return Text("%1 (%2)", hdapiErrorText(code), hex(code));
+    return Text::tr("%1 (%2)", hdapiErrorText(code), hex(code));
   }
-  return Text("%1 (%2, %3)", hdapiErrorText(code), hex(code), vendor);
+  return Text::verbatim("%1 (%2, %3)", hdapiErrorText(code), hex(code), vendor);
 }
 
 Text remedyFor(hd::ErrorCode code) {
   switch (code) {
     case hd::kInvalidLicense:
-      return Text(
+      return Text::tr(
           "Install the licence of OpenHaptics for this computer, or set OH_SDK_LICENSE_PATH to its folder");
     case hd::kDeviceAlreadyInitiated:
-      return Text("Close every other program that uses the device, then try again");
+      return Text::tr("Close every other program that uses the device, then try again");
     case hd::kCommConfigError:
-      return Text("Unplug the device, wait ten seconds, plug it in again and run the vendor's set-up tool");
+      return Text::tr(
+          "Unplug the device, wait ten seconds, plug it in again and run the vendor's set-up tool");
     case hd::kTimerError:
     case hd::kSchedulerFull:
     case hd::kInvalidPriority:
-      return Text("Close every other program that uses the device; restart Torsio");
+      return Text::tr("Close every other program that uses the device; restart Torsio");
     default:
-      return Text(
+      return Text::tr(
           "Check power and cable, run the vendor's set-up tool once as this user, and check the rights on "
           "the device file (docs/devices.md)");
   }
@@ -89,8 +90,9 @@ HdapiSession::HdapiSession(const hd::Api& api, const HdapiOptions& options)
     }
     (void)drainHdapiErrors(api_);
     if (api_.hdIsEnabled(hd::kForceOutput) != 0) {
-      throw Error(ErrorCode::kDevice, "the device's force cannot be switched off", identity_.openedAs,
-                  "Unplug the device, plug it in again and run the vendor's set-up tool");
+      throw Error(ErrorCode::kDevice, Text::tr("the device's force cannot be switched off"),
+                  identity_.openedAs,
+                  Text::tr("Unplug the device, plug it in again and run the vendor's set-up tool"));
     }
     readIdentity();
     readCapabilities(options);
@@ -133,8 +135,9 @@ void HdapiSession::open(const std::string& deviceName) {
       break;
     }
   }
-  throw Error(ErrorCode::kDevice, Text("no haptic device could be opened: %1", described(api_, firstError)),
-              deviceName.empty() ? Text("default device") : Text("device \"%1\"", deviceName),
+  throw Error(ErrorCode::kDevice,
+              Text::tr("no haptic device could be opened: %1", described(api_, firstError)),
+              deviceName.empty() ? Text::tr("default device") : Text::tr("device \"%1\"", deviceName),
               remedyFor(firstError));
 }
 
@@ -158,21 +161,21 @@ void HdapiSession::readIdentity() {
   identity_.outputDof = dof;
   (void)drainHdapiErrors(api_);
   if (identity_.outputDof != 3) {
-    identity_.assumed.emplace_back("three force axes");
-    identity_.notes.push_back(
-        Text("The device says that it renders %1 axes; an Omni or Touch renders 3. Forces are rendered along "
-             "three axes, with cautious limits",
-             identity_.outputDof));
+    identity_.assumed.emplace_back(Text::tr("three force axes"));
+    identity_.notes.push_back(Text::tr(
+        "The device says that it renders %1 axes; an Omni or Touch renders 3. Forces are rendered along "
+        "three axes, with cautious limits",
+        identity_.outputDof));
   }
   const bool known =
       identity_.model.find("Omni") != std::string::npos || identity_.model.find("Touch") != std::string::npos;
   if (!known) {
     identity_.notes.push_back(
-        Text("Model \"%1\" is not an Omni or Touch; it is treated like a Touch", identity_.model));
+        Text::tr("Model \"%1\" is not an Omni or Touch; it is treated like a Touch", identity_.model));
   }
 }
 
-double HdapiSession::reported(hd::Enum name, double least, double most, double assumed, const char* what) {
+double HdapiSession::reported(hd::Enum name, double least, double most, double assumed, Phrase what) {
   // Six elements: some values are arrays on some models.
   std::array<double, 6> values{};
   api_.hdGetDoublev(name, values.data());
@@ -190,13 +193,15 @@ void HdapiSession::readCapabilities(const HdapiOptions& options) {
   capabilities_.model = identity_.model.empty() ? "unknown model" : identity_.model;
   capabilities_.rendersForce = true;
   capabilities_.realTime = true;
-  capabilities_.maxForce_N = reported(hd::kNominalMaxForce, 0.1, 40.0, nominal.maxForce_N, "maximum force");
+  capabilities_.maxForce_N =
+      reported(hd::kNominalMaxForce, 0.1, 40.0, nominal.maxForce_N, Text::tr("maximum force"));
   capabilities_.continuousForce_N =
       reported(hd::kNominalMaxContinuousForce, 0.05, capabilities_.maxForce_N,
-               std::min(nominal.continuousForce_N, capabilities_.maxForce_N), "continuous force");
+               std::min(nominal.continuousForce_N, capabilities_.maxForce_N), Text::tr("continuous force"));
   capabilities_.maxStiffness_N_per_m =
       kPerMillimetre_per_m * reported(hd::kNominalMaxStiffness, 0.01, 10.0,
-                                      nominal.maxStiffness_N_per_m / kPerMillimetre_per_m, "stiffness");
+                                      nominal.maxStiffness_N_per_m / kPerMillimetre_per_m,
+                                      Text::tr("stiffness"));
 
   std::array<double, 6> box_mm{};
   api_.hdGetDoublev(hd::kUsableWorkspaceDimensions, box_mm.data());
@@ -205,7 +210,7 @@ void HdapiSession::readCapabilities(const HdapiOptions& options) {
                     std::all_of(box_mm.begin(), box_mm.end(), [](double x) { return std::abs(x) < 1e3; });
   if (!good) {
     box_mm = kNominalBox_mm;
-    identity_.assumed.emplace_back("usable workspace");
+    identity_.assumed.emplace_back(Text::tr("usable workspace"));
   }
   placement_.deviceToWorld = normalized(options.deviceToWorld);
   placement_.worldOrigin_m = options.workspaceCentre_m;
@@ -240,7 +245,7 @@ HdapiSetup HdapiSession::setup() {
   api_.hdGetBooleanv(hd::kCurrentInkwellSwitch, &inkwell);
   setup.hasInkwellSwitch = drainHdapiErrors(api_).count == 0;
   if (!setup.hasTemperature) {
-    identity_.notes.push_back(Text("The device does not report motor temperatures"));
+    identity_.notes.push_back(Text::tr("The device does not report motor temperatures"));
   }
   return setup;
 }
@@ -257,15 +262,15 @@ void HdapiSession::calibrateBeforeStart() {
     api_.hdUpdateCalibration(hd::kCalibrationEncoderReset);
   }
   if (drainHdapiErrors(api_).count > 0) {
-    identity_.notes.push_back(Text("The device refused to take its present position as the reference"));
+    identity_.notes.push_back(Text::tr("The device refused to take its present position as the reference"));
   }
 }
 
 void HdapiSession::start(const HdapiTick& tick) {
   servo_->setTick(tick);
-  const auto refuse = [this](const char* what, const HdapiErrors& errors) {
+  const auto refuse = [this](Phrase what, const HdapiErrors& errors) {
     const hd::ErrorCode code = errors.worstCode();
-    const Text sentence("%1: %2", what, described(api_, code));
+    const Text sentence = Text::verbatim("%1: %2", what, described(api_, code));
     tearDown();
     throw Error(ErrorCode::kDevice, sentence, identity_.openedAs, remedyFor(code));
   };
@@ -273,20 +278,20 @@ void HdapiSession::start(const HdapiTick& tick) {
   const HdapiErrors scheduling = drainHdapiErrors(api_);
   scheduled_ = scheduling.worst < HdapiErrorClass::kLicence;
   if (!scheduled_) {
-    refuse("the library did not take the servo's task", scheduling);
+    refuse(Text::tr("the library did not take the servo's task"), scheduling);
   }
   if (api_.hdSetSchedulerRate != nullptr) {
     api_.hdSetSchedulerRate(kWantedRate_Hz);
     // Refused in different ways by different versions, always meaning "rate unchanged".
     if (drainHdapiErrors(api_).count > 0) {
-      identity_.notes.push_back(Text("The library keeps its own servo rate"));
+      identity_.notes.push_back(Text::tr("The library keeps its own servo rate"));
     }
   }
   api_.hdStartScheduler();
   running_ = true;
   const HdapiErrors starting = drainHdapiErrors(api_);
   if (starting.worst >= HdapiErrorClass::kLicence) {
-    refuse("the servo loop did not start", starting);
+    refuse(Text::tr("the servo loop did not start"), starting);
   }
   served_ = true;
 }

@@ -35,8 +35,8 @@ struct HdapiIdentity {
   std::string openedAs;  ///< the name that worked; "default device" for none
   int inputDof = 0;
   int outputDof = 0;
-  std::vector<std::string> assumed;  ///< "maximum force", "usable workspace" ...
-  std::vector<Text> notes;           ///< sentences for the user
+  std::vector<Text> assumed;  ///< "maximum force", "usable workspace" ...
+  std::vector<Text> notes;    ///< sentences for the user
 };
 
 /// One connection to one device, from hdInitDevice to hdDisableDevice, and the order of everything between:
@@ -68,7 +68,7 @@ class HdapiSession {
   void readIdentity();
   void readCapabilities(const HdapiOptions& options);
   [[nodiscard]] HdapiSetup setup();
-  [[nodiscard]] double reported(hd::Enum name, double least, double most, double assumed, const char* what);
+  [[nodiscard]] double reported(hd::Enum name, double least, double most, double assumed, Phrase what);
   [[nodiscard]] std::string text(hd::Enum name);
 
   const hd::Api api_;

@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::uint32_t kNotReady = kDeviceUncalibrated | kDeviceLost | kDeviceEnded;
 
-void require(bool good, const char* what, double value) {
+void require(bool good, Phrase what, double value) {
   if (good) {
     return;
   }
-  throw Error(ErrorCode::kBadParameter, Text("%1, got %2", std::string(what), std::to_string(value)),
-              "force governor", "Check the limits that the device reports");
+  throw Error(ErrorCode::kBadParameter, Text::tr("%1, got %2", what, std::to_string(value)),
+              Text::tr("force governor"), Text::tr("Check the limits that the device reports"));
 }
 
 /// How far `x` lies outside [low, high].
@@ -40,15 +40,16 @@ void clampNorm(Vec3& force_N, double limit_N, std::uint32_t bit, std::uint32_t& 
 
 ForceGovernor::ForceGovernor(const GovernorLimits& limits)
     : limits_(limits), thermalLimit_N_(limits.maxForce_N) {
-  require(std::isfinite(limits.maxForce_N) && limits.maxForce_N > 0.0, "the maximum force must be above 0 N",
-          limits.maxForce_N);
+  require(std::isfinite(limits.maxForce_N) && limits.maxForce_N > 0.0,
+          Text::tr("the maximum force must be above 0 N"), limits.maxForce_N);
   require(limits.continuousForce_N > 0.0 && limits.continuousForce_N <= limits.maxForce_N,
-          "the continuous force must lie above 0 N and not above the maximum", limits.continuousForce_N);
-  require(limits.tickPeriod_us > 0, "the tick period must be above 0 us",
+          Text::tr("the continuous force must lie above 0 N and not above the maximum"),
+          limits.continuousForce_N);
+  require(limits.tickPeriod_us > 0, Text::tr("the tick period must be above 0 us"),
           static_cast<double>(limits.tickPeriod_us));
   const Vec3 size = limits.workspaceMax_m - limits.workspaceMin_m;
   require(size.x > 0.0 && size.y > 0.0 && size.z > 0.0 && isFinite(size),
-          "the workspace box must have an inside", size.x);
+          Text::tr("the workspace box must have an inside"), size.x);
 }
 
 void ForceGovernor::enable(bool on) noexcept {

@@ -43,9 +43,10 @@ Quat turnOfZ(const Vec3& to) noexcept {
   return normalized(Quat{w, -to.y, to.x, 0.0});
 }
 
-void require(bool good, const char* what) {
+void require(bool good, Phrase what) {
   if (!good) {
-    throw Error(ErrorCode::kBadParameter, what, "scripted hand", "Check the task and the profile");
+    throw Error(ErrorCode::kBadParameter, what, Text::tr("scripted hand"),
+                Text::tr("Check the task and the profile"));
   }
 }
 
@@ -53,19 +54,20 @@ void check(const ScriptedHandOptions& options) {
   const HandTask& task = options.task;
   require(isFinite(task.start_m) && isFinite(task.graspPoint_m) && isFinite(task.axisCentre_m) &&
               std::isfinite(task.targetAngle_rad) && std::isfinite(task.tipRadius_m),
-          "the task must be finite");
-  require(std::abs(norm(task.axisDirection) - 1.0) < 1e-9, "the axis direction must be a unit vector");
+          Text::tr("the task must be finite"));
+  require(std::abs(norm(task.axisDirection) - 1.0) < 1e-9,
+          Text::tr("the axis direction must be a unit vector"));
   require(options.duration_s > 0.0 && options.duration_s <= kLongest_s,
-          "the duration must lie above 0 s and not above a day");
+          Text::tr("the duration must lie above 0 s and not above a day"));
   require(options.practisedBefore_min >= 0.0 && std::isfinite(options.practisedBefore_min) &&
               options.practiceScale >= 0.0 && std::isfinite(options.practiceScale),
-          "practice must be finite and not negative");
+          Text::tr("practice must be finite and not negative"));
   const HandProfile& profile = options.profile;
   require(profile.initialSkill >= 0.0 && profile.finalSkill >= profile.initialSkill &&
               profile.finalSkill <= 1.0 && profile.learningTime_min > 0.0,
-          "skill must grow from 0 or more to 1 or less");
+          Text::tr("skill must grow from 0 or more to 1 or less"));
   require(profile.tremorFrequency_Hz >= 8.0 && profile.tremorFrequency_Hz <= 12.0,
-          "the tremor must lie between 8 and 12 Hz");
+          Text::tr("the tremor must lie between 8 and 12 Hz"));
 }
 
 }  // namespace
@@ -78,7 +80,7 @@ ScriptedHand::ScriptedHand(const ScriptedHandOptions& options)
 
   const Vec3 fromCentre = task_.graspPoint_m - task_.axisCentre_m;
   const Vec3 arm = fromCentre - task_.axisDirection * dot(fromCentre, task_.axisDirection);
-  require(norm(arm) > kClosestGrasp_m, "the grasp point must not lie on the axis");
+  require(norm(arm) > kClosestGrasp_m, Text::tr("the grasp point must not lie on the axis"));
   outward_ = normalized(arm);
   upright_ = turnOfZ(outward_);
 

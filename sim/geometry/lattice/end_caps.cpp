@@ -20,7 +20,7 @@ using Index = std::uint32_t;
 constexpr double kCapShare = 0.3;   // radius of a disc as a share of the organ's mean radius
 constexpr double kFarEnough = 0.3;  // a flat end keeps this share of the organ's length from the other
 constexpr double kAtTip = 0.95;     // a flat end reaches this share of the largest distance
-constexpr const char* kGiveEnds = "Give two end points further apart, or a smaller cap radius.";
+constexpr Phrase kGiveEnds = Text::tr("Give two end points further apart, or a smaller cap radius.");
 
 struct Cap {
   std::vector<Index> vertices;
@@ -53,7 +53,7 @@ class CapFinder {
     }
     for (const Index v : free.vertices) {
       if (caps.parts[v] == LatticePart::kFixedCap) {
-        throw Error(ErrorCode::kBadMesh, "the end caps of the organ touch", "", kGiveEnds);
+        throw Error(ErrorCode::kBadMesh, Text::tr("the end caps of the organ touch"), "", kGiveEnds);
       }
       caps.parts[v] = LatticePart::kFreeCap;
     }
@@ -197,8 +197,9 @@ class CapFinder {
     }
     if (largest.vertices.empty()) {
       throw Error(ErrorCode::kBadParameter,
-                  Text("nothing of the organ lies beyond the cut at its %1 end", name), Text("%1 end", name),
-                  "Move the end point into the organ or turn the direction of the cut.");
+                  Text::tr("nothing of the organ lies beyond the cut at its %1 end", name),
+                  Text::tr("%1 end", name),
+                  Text::tr("Move the end point into the organ or turn the direction of the cut."));
     }
     return largest;
   }
@@ -220,8 +221,8 @@ class CapFinder {
   /// Radius of the round bar with the organ's volume and length.
   void setMeanRadius(double length_m) {
     if (!(length_m > 0.0) || !std::isfinite(length_m)) {
-      throw Error(ErrorCode::kBadMesh, "the two ends of the organ are not connected or coincide", "",
-                  kGiveEnds);
+      throw Error(ErrorCode::kBadMesh, Text::tr("the two ends of the organ are not connected or coincide"),
+                  "", kGiveEnds);
     }
     meanRadius_m_ = std::sqrt(std::abs(signedVolume_m3(mesh_)) / (kPi * length_m));
   }
@@ -255,16 +256,19 @@ bool isLower(const Vec3& a, const Vec3& b, double scale_m) noexcept {
 void checkCapRequest(const CapRequest& request) {
   if (!isFinite(request.fixedEnd_m) || !isFinite(request.freeEnd_m) || !isFinite(request.fixedCut) ||
       !isFinite(request.freeCut)) {
-    throw Error(ErrorCode::kBadParameter, "an end point or cut direction of the organ is not finite", "",
-                "Give finite numbers.");
+    throw Error(ErrorCode::kBadParameter,
+                Text::tr("an end point or cut direction of the organ is not finite"), "",
+                Text::tr("Give finite numbers."));
   }
   if (!std::isfinite(request.capRadius_m) || request.capRadius_m < 0.0) {
-    throw Error(ErrorCode::kBadParameter,
-                Text("the cap radius %1 m is negative or not finite", std::to_string(request.capRadius_m)),
-                "", "Give 0 for the default or a positive length.");
+    throw Error(
+        ErrorCode::kBadParameter,
+        Text::tr("the cap radius %1 m is negative or not finite", std::to_string(request.capRadius_m)), "",
+        Text::tr("Give 0 for the default or a positive length."));
   }
   if (request.automatic() && (request.fixedCut != Vec3{} || request.freeCut != Vec3{})) {
-    throw Error(ErrorCode::kBadParameter, "a cut needs both end points", "", "Give the two end points.");
+    throw Error(ErrorCode::kBadParameter, Text::tr("a cut needs both end points"), "",
+                Text::tr("Give the two end points."));
   }
 }
 

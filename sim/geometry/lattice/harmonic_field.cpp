@@ -38,8 +38,8 @@ double cotangent(const Vec3& apex, const Vec3& a, const Vec3& b) {
 }
 
 [[noreturn]] void refuseField() {
-  throw Error(ErrorCode::kBadMesh, "the harmonic field of the organ has no solution", "",
-              "Check that the mesh is one closed surface without handles.");
+  throw Error(ErrorCode::kBadMesh, Text::tr("the harmonic field of the organ has no solution"), "",
+              Text::tr("Check that the mesh is one closed surface without handles."));
 }
 
 /// The Laplacian between the caps, factorised once: the level and the angle differ in their right sides only.
@@ -187,8 +187,9 @@ class Seam {
       }
     }
     if (last_ == kNone) {
-      throw Error(ErrorCode::kBadMesh, "no way leads over the surface from the fixed to the free end", "",
-                  "Check that the mesh is one connected surface and that its ends do not touch.");
+      throw Error(ErrorCode::kBadMesh,
+                  Text::tr("no way leads over the surface from the fixed to the free end"), "",
+                  Text::tr("Check that the mesh is one connected surface and that its ends do not touch."));
     }
   }
 
@@ -252,8 +253,8 @@ class Rim {
     const auto atSeam = [start](const LoopPoint& point) { return point.half / 3 == start; };
     const auto first = std::find_if(loops.front().points.begin(), loops.front().points.end(), atSeam);
     if (loops.size() != 1 || first == loops.front().points.end()) {
-      throw Error(ErrorCode::kBadMesh, "a cap of the organ is no disc", "",
-                  "Give other end points, or check the mesh for handles.");
+      throw Error(ErrorCode::kBadMesh, Text::tr("a cap of the organ is no disc"), "",
+                  Text::tr("Give other end points, or check the mesh for handles."));
     }
     for (const LoopPoint& point : loops.front().points) {
       crossings_.push_back(point.half);

@@ -175,8 +175,8 @@ class FieldBuilder {
       length += norm(line[k] - line[k - 1]);
     }
     if (!(length > 0.0)) {
-      throw Error(ErrorCode::kBadMesh, "the axis of the organ has no length", "",
-                  "Give two end points further apart.");
+      throw Error(ErrorCode::kBadMesh, Text::tr("the axis of the organ has no length"), "",
+                  Text::tr("Give two end points further apart."));
     }
     std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2),
                      radii.end());
@@ -367,12 +367,14 @@ class FieldBuilder {
   }
 
   [[noreturn]] static void refuseKink(const Turn& turn) {
-    throw Error(ErrorCode::kBadMesh,
-                Text("the centreline has a kink: it turns by %1 within one radius (%2) of the organ, %3 from "
-                     "the fixed end; at most %4 are allowed",
-                     inDegrees(turn.angle_rad), millimetres(turn.radius_m), millimetres(turn.arc_m),
-                     inDegrees(kSharpestTurn_rad)),
-                "", "Move the end points so that the axis follows the organ, or cut the organ at the kink.");
+    throw Error(
+        ErrorCode::kBadMesh,
+        Text::tr("the centreline has a kink: it turns by %1 within one radius (%2) of the organ, %3 from "
+                 "the fixed end; at most %4 are allowed",
+                 inDegrees(turn.angle_rad), millimetres(turn.radius_m), millimetres(turn.arc_m),
+                 inDegrees(kSharpestTurn_rad)),
+        "",
+        Text::tr("Move the end points so that the axis follows the organ, or cut the organ at the kink."));
   }
 
   LatticeField field_;
@@ -413,18 +415,20 @@ LevelLoop LatticeField::loopAt(double arc_m, const std::string& name) const {
 
 LevelLoop theOneLoop(std::vector<LevelLoop> loops, LatticeMode mode, const std::string& name) {
   const bool straight = mode == LatticeMode::kStraightAxis;
-  const char* remedy = straight ? "Use the harmonic mode, or move the end points off branches and fingers."
-                                : "Check the mesh for thin spikes, or give other end points.";
+  const Phrase remedy =
+      straight ? Text::tr("Use the harmonic mode, or move the end points off branches and fingers.")
+               : Text::tr("Check the mesh for thin spikes, or give other end points.");
   if (loops.empty()) {
-    throw Error(ErrorCode::kBadMesh, "the section does not meet the organ", name, remedy);
+    throw Error(ErrorCode::kBadMesh, Text::tr("the section does not meet the organ"), name, remedy);
   }
   const auto real = std::count_if(loops.begin(), loops.end(), [&](const LevelLoop& loop) {
     return loop.perimeter_m > kSpeck * loops.front().perimeter_m;
   });
   if (real != 1) {
-    throw Error(ErrorCode::kBadMesh,
-                Text("the section cuts the organ in %1 loops, exactly one is needed", std::to_string(real)),
-                name, remedy);
+    throw Error(
+        ErrorCode::kBadMesh,
+        Text::tr("the section cuts the organ in %1 loops, exactly one is needed", std::to_string(real)), name,
+        remedy);
   }
   return std::move(loops.front());
 }

@@ -19,24 +19,25 @@ void checkCount(int value, int least, int most, const Text& what, const Text& wh
     return;
   }
   throw Error(ErrorCode::kBadParameter,
-              why.empty()
-                  ? Text("%1 %2 asked for; the lattice takes %3 to %4", value, what, least, most)
-                  : Text("%1 %2 asked for; the lattice takes %3 to %4 (%5)", value, what, least, most, why),
-              what, Text("Give a number between %1 and %2.", least, most));
+              why.empty() ? Text::tr("%1 %2 asked for; the lattice takes %3 to %4", value, what, least, most)
+                          : Text::tr("%1 %2 asked for; the lattice takes %3 to %4 (%5)", value, what, least,
+                                     most, why),
+              what, Text::tr("Give a number between %1 and %2.", least, most));
 }
 
 void check(const LatticeOptions& options) {
-  checkCount(options.ridges, kFewestRidges, kMostRidges, "ridges", "two ridges cannot bound an area");
-  checkCount(options.sections, kFewestSections, kMostSections, "sections", "");
+  checkCount(options.ridges, kFewestRidges, kMostRidges, Text::tr("ridges"),
+             Text::tr("two ridges cannot bound an area"));
+  checkCount(options.sections, kFewestSections, kMostSections, Text::tr("sections"), "");
   if (!isFinite(options.ridgeZero)) {
-    throw Error(ErrorCode::kBadParameter, "the direction of ridge 0 is not finite", "",
-                "Give three finite numbers.");
+    throw Error(ErrorCode::kBadParameter, Text::tr("the direction of ridge 0 is not finite"), "",
+                Text::tr("Give three finite numbers."));
   }
   if (!(options.ridgeZeroFraction >= 0.0 && options.ridgeZeroFraction <= 1.0)) {
     throw Error(ErrorCode::kBadParameter,
-                Text("the place of the direction of ridge 0 is %1 of the length, it must lie in 0..1",
-                     std::to_string(options.ridgeZeroFraction)),
-                "", "Give a fraction between 0 and 1.");
+                Text::tr("the place of the direction of ridge 0 is %1 of the length, it must lie in 0..1",
+                         std::to_string(options.ridgeZeroFraction)),
+                "", Text::tr("Give a fraction between 0 and 1."));
   }
 }
 

@@ -301,12 +301,12 @@ SectionOutline cutOutline(const LevelLoop& loop, const AxisFrame& frame, const R
   }
   constexpr double kFlattest = 1e-6;  // area of a section that is no line, of its perimeter squared
   if (!(area(outline.points_m) > kFlattest * loop.perimeter_m * loop.perimeter_m)) {
-    throw Error(ErrorCode::kBadMesh, "the section encloses no area", name,
-                "Move the end points inwards, or give the end points of the axis.");
+    throw Error(ErrorCode::kBadMesh, Text::tr("the section encloses no area"), name,
+                Text::tr("Move the end points inwards, or give the end points of the axis."));
   }
   if (!angleRises(outline.points_m) && crossesItself(outline.points_m)) {
-    throw Error(ErrorCode::kBadMesh, "the outline of the section crosses itself", name,
-                "Move the end points so that the axis follows the organ, or smooth the mesh.");
+    throw Error(ErrorCode::kBadMesh, Text::tr("the outline of the section crosses itself"), name,
+                Text::tr("Move the end points so that the axis follows the organ, or smooth the mesh."));
   }
   return outline;
 }

@@ -28,7 +28,7 @@ constexpr double kSlenderness = 1.2;   // least ratio of the longest to the next
 constexpr double kBarParallel = 1e-3;  // of the length: how far a flat end of a bar may lean
 constexpr double kBarStraight = 0.01;  // of the length: how far its sections may lie aside
 constexpr int kBarPlanes = 64;
-constexpr const char* kGiveAxisEnds = "Give the two end points of the axis, or use the harmonic mode.";
+constexpr Phrase kGiveAxisEnds = Text::tr("Give the two end points of the axis, or use the harmonic mode.");
 
 /// The direction of the largest spread of the surface, weighted by area.
 Vec3 principalAxis(const TriangleMesh& mesh) {
@@ -54,11 +54,12 @@ Vec3 principalAxis(const TriangleMesh& mesh) {
   const Eigen::Vector3d& spread = solver.eigenvalues();  // ascending
   if (!(spread[2] > kSlenderness * kSlenderness * spread[1])) {
     const double ratio = spread[1] > 0.0 ? std::sqrt(spread[2] / spread[1]) : 0.0;
-    throw Error(ErrorCode::kBadMesh,
-                Text("the organ has no longest direction: its two largest extents are as %1 to 1, at least "
-                     "1.2 is needed",
-                     std::to_string(ratio)),
-                "", kGiveAxisEnds);
+    throw Error(
+        ErrorCode::kBadMesh,
+        Text::tr("the organ has no longest direction: its two largest extents are as %1 to 1, at least "
+                 "1.2 is needed",
+                 std::to_string(ratio)),
+        "", kGiveAxisEnds);
   }
   const Eigen::Vector3d axis = solver.eigenvectors().col(2);
   return normalized({axis.x(), axis.y(), axis.z()});
@@ -196,8 +197,9 @@ StraightAxis findStraightAxis(const TriangleMesh& mesh, const SurfaceTopology& t
   }
   insetRoundedEnds(axis, mesh, topology);
   if (!(axis.length_m > 0.0)) {
-    throw Error(ErrorCode::kBadParameter, "the end planes of the axis lie outside the organ or coincide", "",
-                "Give end points inside the organ.");
+    throw Error(ErrorCode::kBadParameter,
+                Text::tr("the end planes of the axis lie outside the organ or coincide"), "",
+                Text::tr("Give end points inside the organ."));
   }
   return axis;
 }

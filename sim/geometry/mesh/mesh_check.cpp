@@ -175,52 +175,53 @@ void requireSize(const MeshReport& report, const std::string& where, double unit
   for (const Unit& unit : kUnits) {
     const double guess_m = side_m / unit_m * unit.metres;
     if (guess_m >= kSmallestOrgan_m && guess_m <= kLargestOrgan_m) {
-      refuseMesh(Text("M09 largest side %1: the file seems to be in %2", mm(side_m), unit.name), where,
-                 Text("Add --organ-unit %1", unit.option));
+      refuseMesh(Text::tr("M09 largest side %1: the file seems to be in %2", mm(side_m), unit.name), where,
+                 Text::tr("Add --organ-unit %1", unit.option));
     }
   }
-  refuseMesh(Text("M09 largest side %1 is no organ (%2 to %3)", mm(side_m), mm(kSmallestOrgan_m),
-                  mm(kLargestOrgan_m)),
-             where, "Scale the mesh to life size");
+  refuseMesh(Text::tr("M09 largest side %1 is no organ (%2 to %3)", mm(side_m), mm(kSmallestOrgan_m),
+                      mm(kLargestOrgan_m)),
+             where, Text::tr("Scale the mesh to life size"));
 }
 
 void requireClosedManifold(const MeshReport& r, const std::string& where) {
   if (r.nonManifoldEdges > 0) {
-    refuseMesh(Text("M12 %1 edge(s) shared by more than two faces, first at %2",
-                    std::to_string(r.nonManifoldEdges), pointMm(r.firstNonManifold_m)),
-               where, "Remove inner or doubled faces in a mesh editor");
+    refuseMesh(Text::tr("M12 %1 edge(s) shared by more than two faces, first at %2",
+                        std::to_string(r.nonManifoldEdges), pointMm(r.firstNonManifold_m)),
+               where, Text::tr("Remove inner or doubled faces in a mesh editor"));
   }
   if (r.boundaryEdges > 0) {
-    refuseMesh(Text("M11 the surface is open: %1 boundary edge(s) in %2 hole(s), first at %3",
-                    std::to_string(r.boundaryEdges), std::to_string(r.holes), pointMm(r.firstHole_m)),
-               where, "Close the holes in a mesh editor");
+    refuseMesh(Text::tr("M11 the surface is open: %1 boundary edge(s) in %2 hole(s), first at %3",
+                        std::to_string(r.boundaryEdges), std::to_string(r.holes), pointMm(r.firstHole_m)),
+               where, Text::tr("Close the holes in a mesh editor"));
   }
   if (r.nonManifoldVertices > 0) {
-    refuseMesh(Text("M12 %1 vertex(es) where two parts only touch, first at %2",
-                    std::to_string(r.nonManifoldVertices), pointMm(r.firstNonManifold_m)),
-               where, "Separate or join the parts in a mesh editor");
+    refuseMesh(Text::tr("M12 %1 vertex(es) where two parts only touch, first at %2",
+                        std::to_string(r.nonManifoldVertices), pointMm(r.firstNonManifold_m)),
+               where, Text::tr("Separate or join the parts in a mesh editor"));
   }
 }
 
 void requireShape(const MeshReport& r, const std::string& where) {
   if (r.degenerateFaces > 0) {
-    refuseMesh(Text("M10 %1 face(s) without area could not be repaired", std::to_string(r.degenerateFaces)),
-               where, "Remesh the surface");
+    refuseMesh(
+        Text::tr("M10 %1 face(s) without area could not be repaired", std::to_string(r.degenerateFaces)),
+        where, Text::tr("Remesh the surface"));
   }
   if (r.genus() != 0) {
-    refuseMesh(Text("M16 the surface has %1 handle(s), like a ring", std::to_string(r.genus())), where,
-               "Close the tunnels: an organ's outer surface has none");
+    refuseMesh(Text::tr("M16 the surface has %1 handle(s), like a ring", std::to_string(r.genus())), where,
+               Text::tr("Close the tunnels: an organ's outer surface has none"));
   }
   const double thickness_m = r.area_m2 > 0.0 ? 2.0 * r.volume_m3 / r.area_m2 : 0.0;
   if (!(thickness_m > kThinnestOrgan_m)) {
-    refuseMesh(Text("M18 the surface is flat: mean thickness %1, volume %2 ml", mm(thickness_m),
-                    number(r.volume_m3 * 1e6)),
-               where, "Give a closed surface that encloses the organ");
+    refuseMesh(Text::tr("M18 the surface is flat: mean thickness %1, volume %2 ml", mm(thickness_m),
+                        number(r.volume_m3 * 1e6)),
+               where, Text::tr("Give a closed surface that encloses the organ"));
   }
   if (r.triangles < kFewestTriangles) {
-    refuseMesh(Text("M19 too coarse: %1 triangles, at least %2 are needed", std::to_string(r.triangles),
-                    std::to_string(kFewestTriangles)),
-               where, "Subdivide the surface");
+    refuseMesh(Text::tr("M19 too coarse: %1 triangles, at least %2 are needed", std::to_string(r.triangles),
+                        std::to_string(kFewestTriangles)),
+               where, Text::tr("Subdivide the surface"));
   }
 }
 
@@ -271,26 +272,27 @@ MeshReport checkMesh(const TriangleMesh& mesh) {
 
 void requireSound(const TriangleMesh& mesh, const std::string& where) {
   if (mesh.triangles.empty()) {
-    refuseMesh("M06 no triangles", where, "Give a file with a surface, not points or lines");
+    refuseMesh(Text::tr("M06 no triangles"), where,
+               Text::tr("Give a file with a surface, not points or lines"));
   }
   if (mesh.triangles.size() > kMostTriangles) {
-    refuseMesh(Text("M03 %1 triangles, at most %2 are accepted", std::to_string(mesh.triangles.size()),
-                    std::to_string(kMostTriangles)),
-               where, "Decimate the surface");
+    refuseMesh(Text::tr("M03 %1 triangles, at most %2 are accepted", std::to_string(mesh.triangles.size()),
+                        std::to_string(kMostTriangles)),
+               where, Text::tr("Decimate the surface"));
   }
   for (std::size_t i = 0; i < mesh.vertices_m.size(); ++i) {
     const Vec3& v = mesh.vertices_m[i];
     if (!isFinite(v)) {
-      refuseMesh(Text("M07 vertex %1 is not a finite number", std::to_string(i)), where,
-                 "Remove the vertex or export the mesh again");
+      refuseMesh(Text::tr("M07 vertex %1 is not a finite number", std::to_string(i)), where,
+                 Text::tr("Remove the vertex or export the mesh again"));
     }
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const std::uint32_t i : mesh.triangles[t]) {
       if (i >= mesh.vertices_m.size()) {
-        refuseMesh(Text("M08 face %1 uses vertex %2 of %3", std::to_string(t), std::to_string(i),
-                        std::to_string(mesh.vertices_m.size())),
-                   where, "Export the mesh again");
+        refuseMesh(Text::tr("M08 face %1 uses vertex %2 of %3", std::to_string(t), std::to_string(i),
+                            std::to_string(mesh.vertices_m.size())),
+                   where, Text::tr("Export the mesh again"));
       }
     }
   }
@@ -300,9 +302,9 @@ void requireNearOrigin(const TriangleMesh& mesh, const std::string& where) {
   for (std::size_t i = 0; i < mesh.vertices_m.size(); ++i) {
     const Vec3& v = mesh.vertices_m[i];
     if (std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) > kLargestCoordinate_m) {
-      refuseMesh(Text("M07 vertex %1 lies at %2, further than %3 from the origin", std::to_string(i),
-                      pointMm(v), mm(kLargestCoordinate_m)),
-                 where, "Check the unit, or move the mesh near the origin");
+      refuseMesh(Text::tr("M07 vertex %1 lies at %2, further than %3 from the origin", std::to_string(i),
+                          pointMm(v), mm(kLargestCoordinate_m)),
+                 where, Text::tr("Check the unit, or move the mesh near the origin"));
     }
   }
 }
@@ -322,15 +324,15 @@ TriangleMesh requireOrgan(TriangleMesh mesh, const std::string& where, double un
     requireSound(mesh, where);
   }
   if (const double share = keepMainComponent(mesh, kSmallPieceShare, done); share > 0.0) {
-    refuseMesh(Text("M14 separate pieces hold %1 % of the surface", number(100.0 * share, "%.0f")), where,
-               "Keep one organ only");
+    refuseMesh(Text::tr("M14 separate pieces hold %1 % of the surface", number(100.0 * share, "%.0f")), where,
+               Text::tr("Keep one organ only"));
   }
   MeshRepairs ofDroppedPieces;
   removeUnusedVertices(mesh, ofDroppedPieces);
   requireClosedManifold(checkMesh(mesh), where);
   if (!orientFaces(mesh, done)) {
-    refuseMesh("M13 the surface is one-sided (like a Moebius strip)", where,
-               "Repair the faces in a mesh editor");
+    refuseMesh(Text::tr("M13 the surface is one-sided (like a Moebius strip)"), where,
+               Text::tr("Repair the faces in a mesh editor"));
   }
   report = checkMesh(mesh);
   requireSize(report, where, unit_m);

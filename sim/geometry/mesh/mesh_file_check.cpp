@@ -41,7 +41,7 @@ void checkStl(std::string_view head, std::uint64_t size, const std::string& wher
     return;
   }
   if (head.size() < kHeader) {
-    refuseFormat(where, "STL", "neither text nor long enough to be binary");
+    refuseFormat(where, "STL", Text::tr("neither text nor long enough to be binary"));
   }
   if (kHeader + facets * kFacet > size) {
     refuseShort(where, std::to_string(facets) + " facets", size);
@@ -51,7 +51,7 @@ void checkStl(std::string_view head, std::uint64_t size, const std::string& wher
 void checkGlb(std::string_view head, std::uint64_t size, const std::string& where) {
   constexpr std::size_t kHeader = 12;
   if (head.size() < kHeader || !head.starts_with("glTF")) {
-    refuseFormat(where, "GLB", "the magic is missing");
+    refuseFormat(where, "GLB", Text::tr("the magic is missing"));
   }
   const std::uint64_t declared = littleEndian32(head.substr(8, 4));
   if (declared > size) {
@@ -63,13 +63,13 @@ void checkGlb(std::string_view head, std::uint64_t size, const std::string& wher
 void checkText(std::string_view head, std::string_view format, std::string_view mark,
                const std::string& where) {
   if (head.find('\0') != std::string_view::npos) {
-    refuseFormat(where, format, "it is not UTF-8 text");
+    refuseFormat(where, format, Text::tr("it is not UTF-8 text"));
   }
   if (head.starts_with("\xEF\xBB\xBF")) {
     head.remove_prefix(3);
   }
   if (!firstWord(head).starts_with(mark)) {
-    refuseFormat(where, format, Text("it does not begin with %1", std::string(mark)));
+    refuseFormat(where, format, Text::tr("it does not begin with %1", std::string(mark)));
   }
 }
 
@@ -81,33 +81,34 @@ void checkObj(std::string_view head, const std::string& where) {
       return;
     }
   }
-  refuseFormat(where, "OBJ", "no line of its first 64 kB begins with \"v\"");
+  refuseFormat(where, "OBJ", Text::tr("no line of its first 64 kB begins with \"v\""));
 }
 
 }  // namespace
 
 void refuseFormat(const std::string& where, std::string_view format, const Text& why) {
   throw Error(ErrorCode::kFileUnreadable,
-              Text("M02 not a file of the format %1: %2", std::string(format), why), where,
-              "Give the file the extension of its format, or export it again");
+              Text::tr("M02 not a file of the format %1: %2", std::string(format), why), where,
+              Text::tr("Give the file the extension of its format, or export it again"));
 }
 
 void refuseShort(const std::string& where, const std::string& promised, std::uint64_t size) {
-  throw Error(ErrorCode::kFileUnreadable,
-              Text("M04 the header promises %1, but the file has %2 bytes", promised, std::to_string(size)),
-              where, "The file is damaged or cut off: export it again");
+  throw Error(
+      ErrorCode::kFileUnreadable,
+      Text::tr("M04 the header promises %1, but the file has %2 bytes", promised, std::to_string(size)),
+      where, Text::tr("The file is damaged or cut off: export it again"));
 }
 
 void refuseRow(const std::string& where, const std::string& row, const Text& why) {
-  throw Error(ErrorCode::kFileUnreadable, Text("M05 %1 is broken: %2", row, why), where,
-              "Export the mesh again");
+  throw Error(ErrorCode::kFileUnreadable, Text::tr("M05 %1 is broken: %2", row, why), where,
+              Text::tr("Export the mesh again"));
 }
 
 void refuseIndex(const std::string& where, const std::string& row, std::int64_t index,
                  std::uint64_t vertices) {
   throw Error(ErrorCode::kBadMesh,
-              Text("M08 %1 uses vertex %2 of %3", row, std::to_string(index), std::to_string(vertices)),
-              where, "Export the mesh again");
+              Text::tr("M08 %1 uses vertex %2 of %3", row, std::to_string(index), std::to_string(vertices)),
+              where, Text::tr("Export the mesh again"));
 }
 
 void requirePlausibleHead(std::string_view head, std::uint64_t size, std::string_view extension,
@@ -139,8 +140,8 @@ void requirePlausibleFile(const std::filesystem::path& file, std::string_view ex
   std::error_code failed;
   const auto size = std::filesystem::file_size(file, failed);
   if (failed || in.bad() || head.empty()) {
-    throw Error(ErrorCode::kFileUnreadable, "M01 cannot be read", file.string(),
-                "Check that it is a file you may read");
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("M01 cannot be read"), file.string(),
+                Text::tr("Check that it is a file you may read"));
   }
   requirePlausibleHead(head, size, extension, file.string());
 }

@@ -104,8 +104,8 @@ void append(TriangleMesh& mesh, const aiMesh& part, const aiMatrix4x4& toWorld, 
             const std::string& where) {
   if (!part.HasPositions() || mesh.triangles.size() + part.mNumFaces > 2 * kMostTriangles) {
     if (part.HasPositions()) {
-      throw Error(ErrorCode::kBadMesh, Text("M03 more than %1 triangles", std::to_string(kMostTriangles)),
-                  where, "Decimate the surface");
+      throw Error(ErrorCode::kBadMesh, Text::tr("M03 more than %1 triangles", std::to_string(kMostTriangles)),
+                  where, Text::tr("Decimate the surface"));
     }
     return;
   }
@@ -123,9 +123,9 @@ void append(TriangleMesh& mesh, const aiMesh& part, const aiMatrix4x4& toWorld, 
     for (std::size_t k = 0; k < 3; ++k) {
       if (face.mIndices[k] >= part.mNumVertices) {
         throw Error(ErrorCode::kBadMesh,
-                    Text("M08 face %1 uses vertex %2 of %3", std::to_string(f),
-                         std::to_string(face.mIndices[k]), std::to_string(part.mNumVertices)),
-                    where, "Export the mesh again");
+                    Text::tr("M08 face %1 uses vertex %2 of %3", std::to_string(f),
+                             std::to_string(face.mIndices[k]), std::to_string(part.mNumVertices)),
+                    where, Text::tr("Export the mesh again"));
       }
       t[k] = first + face.mIndices[k];
     }
@@ -174,8 +174,8 @@ TriangleMesh readWithAssimp(const fs::path& file, const std::string& extension, 
     if (reason == "No meshes remaining") {
       requireSound({}, file.string());
     }
-    throw Error(ErrorCode::kFileUnreadable, Text("M05 the importer failed on this file: %1", reason),
-                file.string(), "Export the mesh again");
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("M05 the importer failed on this file: %1", reason),
+                file.string(), Text::tr("Export the mesh again"));
   }
   return flatten(*scene, scale_m, file.string());
 }
@@ -184,20 +184,22 @@ void requireReadable(const fs::path& file) {
   std::error_code failed;
   const fs::file_status status = fs::status(file, failed);
   if (!fs::exists(status)) {
-    throw Error(ErrorCode::kFileMissing, "M01 no such file", file.string(), "Check the path");
+    throw Error(ErrorCode::kFileMissing, Text::tr("M01 no such file"), file.string(),
+                Text::tr("Check the path"));
   }
   if (!fs::is_regular_file(status)) {
-    throw Error(ErrorCode::kFileUnreadable, "M01 not a file", file.string(),
-                "Name a mesh file, not a folder");
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("M01 not a file"), file.string(),
+                Text::tr("Name a mesh file, not a folder"));
   }
   const std::uintmax_t size = fs::file_size(file, failed);
   if (!failed && size == 0) {
-    throw Error(ErrorCode::kFileUnreadable, "M01 the file is empty", file.string(), "Export the mesh again");
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("M01 the file is empty"), file.string(),
+                Text::tr("Export the mesh again"));
   }
   if (failed || size > kMostBytes) {
     throw Error(ErrorCode::kFileUnreadable,
-                Text("M03 the file has more than %1 MB", std::to_string(kMostBytes / 1'000'000)),
-                file.string(), "Decimate the surface");
+                Text::tr("M03 the file has more than %1 MB", std::to_string(kMostBytes / 1'000'000)),
+                file.string(), Text::tr("Decimate the surface"));
   }
 }
 
@@ -221,21 +223,21 @@ double lengthUnit_m(std::string_view name) {
       return metres;
     }
   }
-  throw Error(ErrorCode::kBadParameter, Text("unknown unit \"%1\"", oneLine(std::string(name))), "",
-              "Use m, cm, mm or um");
+  throw Error(ErrorCode::kBadParameter, Text::tr("unknown unit \"%1\"", oneLine(std::string(name))), "",
+              Text::tr("Use m, cm, mm or um"));
 }
 
 TriangleMesh importMesh(const fs::path& file, const MeshImportOptions& options, MeshRepairs* repairs) {
   if (!(options.scale_m >= 1e-9 && options.scale_m <= 1e3)) {
-    throw Error(ErrorCode::kBadParameter, "the file unit must lie between 1e-9 and 1000 m", file.string(),
-                "Use m, cm, mm or um");
+    throw Error(ErrorCode::kBadParameter, Text::tr("the file unit must lie between 1e-9 and 1000 m"),
+                file.string(), Text::tr("Use m, cm, mm or um"));
   }
   requireReadable(file);
   const std::string extension = lowerExtension(file);
   if (std::find(kFormats.begin(), kFormats.end(), extension) == kFormats.end()) {
     throw Error(ErrorCode::kFileUnreadable,
-                Text("M02 files with the extension \"%1\" are not read", oneLine(extension)), file.string(),
-                "Use obj, stl, ply, off, glb, gltf or dae");
+                Text::tr("M02 files with the extension \"%1\" are not read", oneLine(extension)),
+                file.string(), Text::tr("Use obj, stl, ply, off, glb, gltf or dae"));
   }
   requirePlausibleFile(file, extension);
   TriangleMesh mesh = readWithAssimp(file, extension, options.scale_m);

@@ -69,21 +69,21 @@ std::optional<PlyType> typeNamed(std::string_view name) {
 
 void addProperty(PlyHeader& header, const Words& w, const std::string& where) {
   if (header.elements.empty()) {
-    refuseFormat(where, "PLY", "a property stands before any element");
+    refuseFormat(where, "PLY", Text::tr("a property stands before any element"));
   }
   const bool list = w.size() == 5 && w[1] == "list";
   if (!list && w.size() != 3) {
-    refuseFormat(where, "PLY", "a property without type and name");
+    refuseFormat(where, "PLY", Text::tr("a property without type and name"));
   }
   const auto count = list ? typeNamed(w[2]) : std::nullopt;
   const auto type = typeNamed(list ? w[3] : w[1]);
   if (!type || (list && (!count || !count->integer))) {
-    refuseFormat(where, "PLY", "a property of unknown type");
+    refuseFormat(where, "PLY", Text::tr("a property of unknown type"));
   }
   PlyProperty property{std::string(w.back()), *type, count, false};
   property.indices = list && (property.name == "vertex_indices" || property.name == "vertex_index");
   if (property.indices && !type->integer) {
-    refuseFormat(where, "PLY", "vertex indices that are not integers");
+    refuseFormat(where, "PLY", Text::tr("vertex indices that are not integers"));
   }
   header.elements.back().properties.push_back(std::move(property));
 }
@@ -100,12 +100,12 @@ void parseHeaderLine(PlyHeader& header, const Words& w, const std::string& where
     } else if (w[1] == "binary_big_endian") {
       header.format = Encoding::kBigEndian;
     } else {
-      refuseFormat(where, "PLY", "unknown kind of format");
+      refuseFormat(where, "PLY", Text::tr("unknown kind of format"));
     }
   } else if (w[0] == "element" && w.size() == 3) {
     const auto declared = parseCount(w[2]);
     if (!declared) {
-      refuseFormat(where, "PLY", "an element without a count");
+      refuseFormat(where, "PLY", Text::tr("an element without a count"));
     }
     header.elements.push_back({std::string(w[1]), *declared, {}});
   } else if (w[0] == "property") {
@@ -124,12 +124,12 @@ PlyHeader parseHeader(TextLines& lines, const std::string& where) {
     splitWords(*line, words);
   }
   if (!line || words != Words{"ply"}) {
-    refuseFormat(where, "PLY", "the first line is not \"ply\"");
+    refuseFormat(where, "PLY", Text::tr("the first line is not \"ply\""));
   }
   while (true) {
     line = lines.next();
     if (!line || lines.number() > kMostLines) {
-      refuseFormat(where, "PLY", "the header has no end");
+      refuseFormat(where, "PLY", Text::tr("the header has no end"));
     }
     splitWords(*line, words);
     if (words == Words{"end_header"}) {
@@ -178,8 +178,8 @@ std::uint64_t checkElements(const PlyHeader& header, std::uint64_t bodyBytes, st
                                   [](const PlyProperty& p) { return p.indices; }));
   }
   if (vertices == 0 || !faces) {
-    throw Error(ErrorCode::kBadMesh, "M06 the file declares no vertices with x, y, z or no faces", where,
-                "Give a file with a surface, not points or lines");
+    throw Error(ErrorCode::kBadMesh, Text::tr("M06 the file declares no vertices with x, y, z or no faces"),
+                where, Text::tr("Give a file with a surface, not points or lines"));
   }
   return vertices;
 }
@@ -189,26 +189,26 @@ void checkAsciiRow(const PlyElement& element, const Words& words, std::uint64_t 
   std::size_t next = 0;
   const auto take = [&]() {
     if (next >= words.size()) {
-      refuseRow(where, row, "values are missing");
+      refuseRow(where, row, Text::tr("values are missing"));
     }
     return words[next++];
   };
   for (const PlyProperty& p : element.properties) {
     const auto items = p.listCount ? parseCount(take()) : std::optional<std::uint64_t>(1);
     if (!items || (p.indices && *items == 0)) {
-      refuseRow(where, row, "the length of a list is no count");
+      refuseRow(where, row, Text::tr("the length of a list is no count"));
     }
     for (std::uint64_t i = 0; i < *items; ++i) {
       const std::string_view word = take();
       if (!p.indices) {
         if (!isNumber(word)) {
-          refuseRow(where, row, "a value is not a number");
+          refuseRow(where, row, Text::tr("a value is not a number"));
         }
         continue;
       }
       const auto index = parseCount(word);
       if (!index) {
-        refuseRow(where, row, "an index is not a whole number");
+        refuseRow(where, row, Text::tr("an index is not a whole number"));
       }
       if (*index >= vertices) {
         refuseIndex(where, row, static_cast<std::int64_t>(*index), vertices);
@@ -216,7 +216,7 @@ void checkAsciiRow(const PlyElement& element, const Words& words, std::uint64_t 
     }
   }
   if (next != words.size()) {
-    refuseRow(where, row, "it has more values than declared");
+    refuseRow(where, row, Text::tr("it has more values than declared"));
   }
 }
 
@@ -227,7 +227,7 @@ void walkAscii(const PlyHeader& header, std::uint64_t vertices, TextLines& lines
       const auto line = lines.next();
       const std::string row = "line " + std::to_string(lines.number());
       if (!line) {
-        refuseRow(where, row, "the file ends early");
+        refuseRow(where, row, Text::tr("the file ends early"));
       }
       splitWords(*line, words);
       checkAsciiRow(element, words, vertices, row, where);
@@ -255,7 +255,7 @@ void walkBinary(const PlyHeader& header, std::uint64_t vertices, std::string_vie
   std::uint64_t at = 0;
   const auto need = [&](std::uint64_t bytes, const std::string& row) {
     if (bytes > body.size() - at) {
-      refuseRow(where, row, "the file ends early");
+      refuseRow(where, row, Text::tr("the file ends early"));
     }
   };
   for (const PlyElement& element : header.elements) {
@@ -268,7 +268,7 @@ void walkBinary(const PlyHeader& header, std::uint64_t vertices, std::string_vie
           items = integerAt(body, at, *p.listCount, header.format);
           at += p.listCount->bytes;
           if (items < (p.indices ? 1 : 0)) {
-            refuseRow(where, row, "the length of a list is no count");
+            refuseRow(where, row, Text::tr("the length of a list is no count"));
           }
         }
         need(static_cast<std::uint64_t>(items) * p.type.bytes, row);

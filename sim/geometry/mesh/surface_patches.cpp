@@ -239,9 +239,10 @@ void SurfacePatches::fill(const TriangleMesh& mesh, const std::vector<std::vecto
       facets_.push_back(facet);
       if (local.size() > kMostVertices) {
         throw Error(ErrorCode::kBadMesh,
-                    Text("the surface has %1 triangles, more than a tick can look at",
-                         std::to_string(triangles_.size())),
-                    "collision mesh", "Reduce the surface to half a million triangles or fewer");
+                    Text::tr("the surface has %1 triangles, more than a tick can look at",
+                             std::to_string(triangles_.size())),
+                    Text::tr("collision mesh"),
+                    Text::tr("Reduce the surface to half a million triangles or fewer"));
       }
     }
     patch.vertexCount = static_cast<std::uint32_t>(local.size());

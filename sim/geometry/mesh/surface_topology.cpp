@@ -24,19 +24,20 @@ std::string placeOf(const Vec3& point_m) {
 
 void requireUsable(const TriangleMesh& mesh) {
   if (mesh.triangles.empty()) {
-    throw Error(ErrorCode::kBadMesh, "the mesh has no triangles", "", "Give a closed triangle surface.");
+    throw Error(ErrorCode::kBadMesh, Text::tr("the mesh has no triangles"), "",
+                Text::tr("Give a closed triangle surface."));
   }
   for (std::size_t v = 0; v < mesh.vertices_m.size(); ++v) {
     if (!isFinite(mesh.vertices_m[v])) {
-      throw Error(ErrorCode::kBadMesh, "a vertex is not a finite point", Text("vertex %1", std::to_string(v)),
-                  "Export the mesh again.");
+      throw Error(ErrorCode::kBadMesh, Text::tr("a vertex is not a finite point"),
+                  Text::tr("vertex %1", std::to_string(v)), Text::tr("Export the mesh again."));
     }
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const std::uint32_t corner : mesh.triangles[t]) {
       if (corner >= mesh.vertices_m.size()) {
-        throw Error(ErrorCode::kBadMesh, "a triangle refers to a vertex that does not exist",
-                    Text("triangle %1", std::to_string(t)), "Export the mesh again.");
+        throw Error(ErrorCode::kBadMesh, Text::tr("a triangle refers to a vertex that does not exist"),
+                    Text::tr("triangle %1", std::to_string(t)), Text::tr("Export the mesh again."));
       }
     }
   }
@@ -86,8 +87,9 @@ void SurfaceTopology::pairEdges(const TriangleMesh& mesh) {
     if (last - first != 1 || from == target(half)) {
       throw Error(
           ErrorCode::kBadMesh,
-          "an edge of the surface is open, used more than twice or runs the same way in both triangles",
-          placeOf(mesh.vertices_m[from]), "Close and repair the mesh.");
+          Text::tr(
+              "an edge of the surface is open, used more than twice or runs the same way in both triangles"),
+          placeOf(mesh.vertices_m[from]), Text::tr("Close and repair the mesh."));
     }
     opposite_[half] = *first;
   }

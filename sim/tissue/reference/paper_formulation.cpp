@@ -18,25 +18,31 @@ void checkInput(std::span<const PaperSection> sections, double length_m, double 
                 const PaperOptions& options) {
   TORSIO_EXPECTS(sections.size() >= 2);
   if (!(shearModulus_Pa > 0.0) || !std::isfinite(shearModulus_Pa)) {
-    throw Error(ErrorCode::kBadParameter,
-                Text("the shear modulus is %1 Pa, but must be above 0", std::to_string(shearModulus_Pa)),
-                "material", "Give G in pascal; for nearly incompressible tissue it is E / 3.");
+    throw Error(
+        ErrorCode::kBadParameter,
+        Text::verbatim("the shear modulus is %1 Pa, but must be above 0", std::to_string(shearModulus_Pa)),
+        Text::verbatim("material"),
+        Text::verbatim("Give G in pascal; for nearly incompressible tissue it is E / 3."));
   }
   if (!(length_m > 0.0) || !std::isfinite(length_m)) {
-    throw Error(ErrorCode::kBadParameter, Text("the organ's length is %1 m", std::to_string(length_m)),
-                "lattice", "Give a length above 0.");
+    throw Error(ErrorCode::kBadParameter,
+                Text::verbatim("the organ's length is %1 m", std::to_string(length_m)),
+                Text::verbatim("lattice"), Text::verbatim("Give a length above 0."));
   }
   const double exponent = options.rateExponent;
   if (!(exponent >= kSmallestRateExponent && exponent <= kLargestRateExponent)) {
-    throw Error(ErrorCode::kBadParameter,
-                Text("(M - 1) / beta of Eq. 18 is %1, but must lie in -20..1", std::to_string(exponent)),
-                "paper options", "Give at most 1, or the free end turns less than the middle.");
+    throw Error(
+        ErrorCode::kBadParameter,
+        Text::verbatim("(M - 1) / beta of Eq. 18 is %1, but must lie in -20..1", std::to_string(exponent)),
+        Text::verbatim("paper options"),
+        Text::verbatim("Give at most 1, or the free end turns less than the middle."));
   }
   for (std::size_t j = 0; j < sections.size(); ++j) {
     if (!(sections[j].sag_m2 > 0.0) || !(sections[j].area_m2 > 0.0) ||
         !std::isfinite(sections[j].sag_m2 * sections[j].area_m2)) {
-      throw Error(ErrorCode::kBadParameter, "a section has no area", Text("section %1", std::to_string(j)),
-                  "Check the organ's surface there.");
+      throw Error(ErrorCode::kBadParameter, Text::verbatim("a section has no area"),
+                  Text::verbatim("section %1", std::to_string(j)),
+                  Text::verbatim("Check the organ's surface there."));
     }
   }
 }

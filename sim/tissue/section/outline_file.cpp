@@ -17,7 +17,7 @@ namespace torsio {
 namespace {
 
 constexpr std::string_view kSeparators = " \t,;\r";
-constexpr const char* kRemedy = "Write one point a line as x,y";
+constexpr Phrase kRemedy = Text::verbatim("Write one point a line as x,y");
 
 /// The values between separators.
 std::vector<std::string_view> fieldsOf(std::string_view line) {
@@ -41,17 +41,17 @@ bool parse(std::string_view field, double& value) {
 
 Point2 pointOf(const std::vector<std::string_view>& fields, const std::string& where) {
   if (fields.size() != 2) {
-    throw Error(ErrorCode::kBadData, Text("expected 2 values, found %1", std::to_string(fields.size())),
-                where, kRemedy);
+    throw Error(ErrorCode::kBadData,
+                Text::verbatim("expected 2 values, found %1", std::to_string(fields.size())), where, kRemedy);
   }
   Point2 point{};
   for (std::size_t k = 0; k < 2; ++k) {
     if (!parse(fields[k], point[k])) {
-      throw Error(ErrorCode::kBadData, Text("'%1' is not a number", std::string(fields[k].substr(0, 40))),
+      throw Error(ErrorCode::kBadData, Text::tr("'%1' is not a number", std::string(fields[k].substr(0, 40))),
                   where, kRemedy);
     }
     if (!std::isfinite(point[k])) {
-      throw Error(ErrorCode::kBadData, "a coordinate is not a finite number", where, kRemedy);
+      throw Error(ErrorCode::kBadData, Text::verbatim("a coordinate is not a finite number"), where, kRemedy);
     }
   }
   return point;
@@ -96,9 +96,10 @@ std::vector<Point2> readOutline(const std::filesystem::path& file) {
     points.pop_back();
   }
   if (points.size() < 3) {
-    throw Error(ErrorCode::kBadData,
-                Text("a section needs at least 3 points, this file has %1", std::to_string(points.size())),
-                file.string(), kRemedy);
+    throw Error(
+        ErrorCode::kBadData,
+        Text::verbatim("a section needs at least 3 points, this file has %1", std::to_string(points.size())),
+        file.string(), kRemedy);
   }
   return points;
 }

@@ -53,13 +53,15 @@ double extent(std::span<const Point2> points) {
 
 void checkNumbers(std::span<const Point2> points, const std::string& name) {
   if (points.size() < 3) {
-    refuseParameter(Text("a section needs at least 3 points, this one has %1", std::to_string(points.size())),
-                    name, "Give the outline as a polygon");
+    refuseParameter(
+        Text::verbatim("a section needs at least 3 points, this one has %1", std::to_string(points.size())),
+        name, Text::verbatim("Give the outline as a polygon"));
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!std::isfinite(points[i][0]) || !std::isfinite(points[i][1])) {
-      refuseParameter("a coordinate is not a finite number",
-                      Text("%1, point %2", name, std::to_string(i + 1)), "Remove or correct the point");
+      refuseParameter(Text::verbatim("a coordinate is not a finite number"),
+                      Text::verbatim("%1, point %2", name, std::to_string(i + 1)),
+                      Text::verbatim("Remove or correct the point"));
     }
   }
 }
@@ -107,19 +109,21 @@ CheckedLoop checkLoop(std::span<const Point2> points, const std::string& name) {
   checkNumbers(points, name);
   CheckedLoop loop = joinRepeated(points, name);
   if (loop.points.size() < 3 || onOneLine(loop.points)) {
-    refuseParameter("the polygon has no area", name, "Give points that go round an area");
+    refuseParameter(Text::verbatim("the polygon has no area"), name,
+                    Text::verbatim("Give points that go round an area"));
   }
   if (const auto edges = firstSelfCrossing(loop.points)) {
-    refuseParameter(
-        Text("the outline crosses or touches itself: %1 and %2", edgeName(loop, edges->first, points.size()),
-             edgeName(loop, edges->second, points.size())),
-        name, "List the points in order round the section");
+    refuseParameter(Text::verbatim("the outline crosses or touches itself: %1 and %2",
+                                   edgeName(loop, edges->first, points.size()),
+                                   edgeName(loop, edges->second, points.size())),
+                    name, Text::verbatim("List the points in order round the section"));
   }
   loop.moments = polygonMoments(loop.points);
   const double length = perimeter(loop.points);
   if (std::abs(loop.moments.area) <= kLeastArea * length * length) {
-    refuseParameter("the polygon is too thin: its area is below 1e-7 of its squared perimeter", name,
-                    "Give a section that is wider");
+    refuseParameter(
+        Text::verbatim("the polygon is too thin: its area is below 1e-7 of its squared perimeter"), name,
+        Text::verbatim("Give a section that is wider"));
   }
   if (loop.moments.area < 0.0) {
     std::reverse(loop.points.begin(), loop.points.end());
@@ -137,19 +141,20 @@ void checkHoles(const CheckedLoop& outline, const std::vector<CheckedLoop>& hole
   for (std::size_t k = 0; k < holes.size(); ++k) {
     const CheckedLoop& hole = holes[k];
     if (const auto edges = firstCrossing(hole.points, outline.points)) {
-      refuseParameter(Text("a hole crosses or touches the outline: its %1 and %2 of the outline",
-                           edgeName(hole, edges->first, hole.ownOf.size()),
-                           edgeName(outline, edges->second, outline.ownOf.size())),
-                      hole.name, "Keep holes inside the outline");
+      refuseParameter(Text::verbatim("a hole crosses or touches the outline: its %1 and %2 of the outline",
+                                     edgeName(hole, edges->first, hole.ownOf.size()),
+                                     edgeName(outline, edges->second, outline.ownOf.size())),
+                      hole.name, Text::verbatim("Keep holes inside the outline"));
     }
     if (!contains(outline.points, hole.points.front())) {
-      refuseParameter("a hole lies outside the outline", hole.name, "Keep holes inside the outline");
+      refuseParameter(Text::verbatim("a hole lies outside the outline"), hole.name,
+                      Text::verbatim("Keep holes inside the outline"));
     }
     for (std::size_t j = 0; j < k; ++j) {
       if (firstCrossing(hole.points, holes[j].points) || contains(holes[j].points, hole.points.front()) ||
           contains(hole.points, holes[j].points.front())) {
-        refuseParameter(Text("two holes overlap: %1 and %2", holes[j].name, hole.name), hole.name,
-                        "Give the holes as one polygon");
+        refuseParameter(Text::verbatim("two holes overlap: %1 and %2", holes[j].name, hole.name), hole.name,
+                        Text::verbatim("Give the holes as one polygon"));
       }
     }
   }

@@ -35,9 +35,9 @@ void requireRange(double value, double low, double high, const char* name) {
     return;  // false for NaN
   }
   throw Error(ErrorCode::kBadParameter,
-              Text("%1 is %2, outside %3 to %4", std::string(name), std::to_string(value),
-                   std::to_string(low), std::to_string(high)),
-              "section solver options", "Choose a value inside the range");
+              Text::verbatim("%1 is %2, outside %3 to %4", std::string(name), std::to_string(value),
+                             std::to_string(low), std::to_string(high)),
+              Text::verbatim("section solver options"), Text::verbatim("Choose a value inside the range"));
 }
 
 std::vector<char> worstElements(const std::vector<double>& gap) {
@@ -147,8 +147,10 @@ class SectionSolver::Impl {
         return byFiniteElements(shape, *mesh, field);
       }
       if (options_.method == SectionMethod::kFiniteElements) {
-        throw Error(ErrorCode::kBadParameter, "edges of the outline all but touch: no mesh fits between them",
-                    "outline", "Use boundary elements, or join the points that touch");
+        throw Error(ErrorCode::kBadParameter,
+                    Text::verbatim("edges of the outline all but touch: no mesh fits between them"),
+                    Text::verbatim("outline"),
+                    Text::verbatim("Use boundary elements, or join the points that touch"));
       }
     }
     return byBoundaryElements(shape);

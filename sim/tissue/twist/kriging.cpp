@@ -31,35 +31,39 @@ constexpr double kLastNugget = 0.999e-8;  // 1e-8 up to rounding
 void checkOptions(const KrigingOptions& options) {
   const auto text = [](double value) { return std::to_string(value); };
   if (!(options.rangeInSpacings > 0.0) || !(options.rangeInSpacings <= 1e6)) {
-    refuseParameter(Text("kriging range is %1 spacings, outside 0 to 1e6", text(options.rangeInSpacings)),
-                    "kriging options", "Choose a range above 0, usually 20");
+    refuseParameter(
+        Text::verbatim("kriging range is %1 spacings, outside 0 to 1e6", text(options.rangeInSpacings)),
+        Text::verbatim("kriging options"), Text::verbatim("Choose a range above 0, usually 20"));
   }
   if (!(options.nugget >= 0.0) || !(options.nugget <= 1.0)) {
-    refuseParameter(Text("kriging nugget is %1, outside 0 to 1", text(options.nugget)), "kriging options",
-                    "Choose 0 unless the samples carry noise");
+    refuseParameter(Text::verbatim("kriging nugget is %1, outside 0 to 1", text(options.nugget)),
+                    Text::verbatim("kriging options"),
+                    Text::verbatim("Choose 0 unless the samples carry noise"));
   }
   if (options.window < 0 || options.window == 1) {
-    refuseParameter(Text("kriging window is %1 samples, it must be 0 (all) or at least 2",
-                         std::to_string(options.window)),
-                    "kriging options", "Choose 8");
+    refuseParameter(Text::verbatim("kriging window is %1 samples, it must be 0 (all) or at least 2",
+                                   std::to_string(options.window)),
+                    Text::verbatim("kriging options"), Text::verbatim("Choose 8"));
   }
 }
 
 void checkSamples(std::span<const double> samples) {
   if (samples.size() < 2) {
-    refuseParameter(Text("kriging needs at least 2 samples, there are %1", std::to_string(samples.size())),
-                    "kriging samples", "Give more sections");
+    refuseParameter(
+        Text::verbatim("kriging needs at least 2 samples, there are %1", std::to_string(samples.size())),
+        Text::verbatim("kriging samples"), Text::verbatim("Give more sections"));
   }
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!std::isfinite(samples[i])) {
-      refuseParameter("an abscissa is not a finite number", Text("kriging sample %1", std::to_string(i + 1)),
-                      "Correct the sample");
+      refuseParameter(Text::verbatim("an abscissa is not a finite number"),
+                      Text::verbatim("kriging sample %1", std::to_string(i + 1)),
+                      Text::verbatim("Correct the sample"));
     }
     if (i > 0 && !(samples[i] > samples[i - 1])) {
-      refuseParameter(Text("abscissae must increase: %1 follows %2", std::to_string(samples[i]),
-                           std::to_string(samples[i - 1])),
-                      Text("kriging sample %1", std::to_string(i + 1)),
-                      "Sort the samples and leave out repeated ones");
+      refuseParameter(Text::verbatim("abscissae must increase: %1 follows %2", std::to_string(samples[i]),
+                                     std::to_string(samples[i - 1])),
+                      Text::verbatim("kriging sample %1", std::to_string(i + 1)),
+                      Text::verbatim("Sort the samples and leave out repeated ones"));
     }
   }
 }
@@ -217,8 +221,9 @@ void Kriging1d::chooseNugget(Systems& systems) {
       return;
     }
     if (nuggetUsed_ >= kLastNugget) {
-      refuseParameter("the covariance matrix is singular even with a nugget of 1e-8", "kriging options",
-                      "Choose a shorter range or another covariance");
+      refuseParameter(Text::verbatim("the covariance matrix is singular even with a nugget of 1e-8"),
+                      Text::verbatim("kriging options"),
+                      Text::verbatim("Choose a shorter range or another covariance"));
     }
     nuggetUsed_ = std::max(10.0 * nuggetUsed_, kFirstNugget);
   }

@@ -82,8 +82,9 @@ SectionProfile::SectionProfile(std::span<const double> arcs_m, std::span<const T
   for (std::size_t j = 0; j < sections.size(); ++j) {
     const TorsionSection& s = sections[j];
     if (!positive(s.torsionConstant_m4) || !positive(s.polarMoment_m4) || !positive(s.area_m2)) {
-      refuseParameter("a section has no area or no torsion constant",
-                      Text("arc length %1 m", std::to_string(arcs_m[j])), "Check the organ's surface there.");
+      refuseParameter(Text::verbatim("a section has no area or no torsion constant"),
+                      Text::verbatim("arc length %1 m", std::to_string(arcs_m[j])),
+                      Text::verbatim("Check the organ's surface there."));
     }
     torsionLength_.push_back(fourthRoot(s.torsionConstant_m4));
     polarLength_.push_back(fourthRoot(s.polarMoment_m4));
@@ -110,11 +111,14 @@ std::vector<double> sectionCompliances(const SectionProfile& profile, int sectio
                                        const TorsionCorrections& corrections) {
   TORSIO_EXPECTS(sections >= 2);
   if (!positive(shearModulus_Pa)) {
-    refuseParameter(Text("the shear modulus is %1 Pa, but must be above 0", std::to_string(shearModulus_Pa)),
-                    "material", "Give G in pascal; for nearly incompressible tissue it is E / 3.");
+    refuseParameter(
+        Text::verbatim("the shear modulus is %1 Pa, but must be above 0", std::to_string(shearModulus_Pa)),
+        Text::verbatim("material"),
+        Text::verbatim("Give G in pascal; for nearly incompressible tissue it is E / 3."));
   }
   if (!positive(length_m)) {
-    refuseParameter("the organ's length is not above 0", "lattice", "Check the organ's ends.");
+    refuseParameter(Text::verbatim("the organ's length is not above 0"), Text::verbatim("lattice"),
+                    Text::verbatim("Check the organ's ends."));
   }
   const int perSection = (kFewestIntegrationIntervals + sections - 2) / (sections - 1);
   const double step = length_m / static_cast<double>((sections - 1) * perSection);

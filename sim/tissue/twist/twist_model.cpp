@@ -110,9 +110,9 @@ double TwistModel::torque_Nm(const TwistState& state) const noexcept {
 TwistState TwistModel::stateForTorque(double graspArc_m, double torque_Nm) const {
   if (!std::isfinite(torque_Nm) || !std::isfinite(graspArc_m)) {
     throw Error(ErrorCode::kBadParameter,
-                Text("the torque %1 N m at arc length %2 m is not finite", std::to_string(torque_Nm),
-                     std::to_string(graspArc_m)),
-                "twist", "Give finite numbers.");
+                Text::verbatim("the torque %1 N m at arc length %2 m is not finite",
+                               std::to_string(torque_Nm), std::to_string(graspArc_m)),
+                Text::verbatim("twist"), Text::tr("Give finite numbers."));
   }
   TwistState state{graspArc_m, torque_Nm / linearStiffness(*tables_, graspArc_m)};
   // Newton from above on a rising, convex curve; linear tissue is there at once.

@@ -98,9 +98,10 @@ void PreparedOperation::prepareElastic(int index, const OperationBase& base) {
     }
   }
   if (!(nodes.back() - nodes.front() > kLeastReach * base.series->node(whole.nodes() - 1))) {
-    throw Error(ErrorCode::kBadParameter, "the organ hardly reaches along the axis of an elastic twist",
-                Text("twist operation %1", std::to_string(index + 1)),
-                "Use a ramp or a tent, or another axis or range.");
+    throw Error(ErrorCode::kBadParameter,
+                Text::verbatim("the organ hardly reaches along the axis of an elastic twist"),
+                Text::verbatim("twist operation %1", std::to_string(index + 1)),
+                Text::verbatim("Use a ramp or a tent, or another axis or range."));
   }
   elastic_ = TorsionTable(from, step, std::move(nodes), base.ends, {base.foundation_m});
 }

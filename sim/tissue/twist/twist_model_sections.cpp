@@ -100,7 +100,8 @@ SectionProperties solvedOutline(SectionSolver& solver, Outline& outline, int poi
   try {
     return solver.solve(outline.points);
   } catch (const Error& error) {
-    throw Error(error.code(), error.happened(), Text("section %1", std::to_string(j)), error.remedy());
+    throw Error(error.code(), error.happened(), Text::verbatim("section %1", std::to_string(j)),
+                error.remedy());
   }
 }
 

@@ -25,16 +25,17 @@ void checkNumber(double value, double low, double high, const char* name) {
   if (value >= low && value <= high) {
     return;  // false for NaN
   }
-  refuseParameter(Text("%1 is %2, but must lie in %3..%4", std::string(name), std::to_string(value),
-                       std::to_string(low), std::to_string(high)),
-                  "twist model options", "Choose a value inside the range.");
+  refuseParameter(Text::verbatim("%1 is %2, but must lie in %3..%4", std::string(name), std::to_string(value),
+                                 std::to_string(low), std::to_string(high)),
+                  Text::verbatim("twist model options"), Text::verbatim("Choose a value inside the range."));
 }
 
 void checkOptions(const TwistModelOptions& o, const Material& material) {
   if (!(material.shearModulus_Pa > 0.0) || !std::isfinite(material.shearModulus_Pa)) {
-    refuseParameter(
-        Text("the shear modulus is %1 Pa, but must be above 0", std::to_string(material.shearModulus_Pa)),
-        Text("material %1", material.id), "Give G in pascal; for nearly incompressible tissue it is E / 3.");
+    refuseParameter(Text::verbatim("the shear modulus is %1 Pa, but must be above 0",
+                                   std::to_string(material.shearModulus_Pa)),
+                    Text::verbatim("material %1", material.id),
+                    Text::verbatim("Give G in pascal; for nearly incompressible tissue it is E / 3."));
   }
   checkOperations(o.operations);
   checkNumber(o.foundationLengths, 0.0, 1e6, "foundationLengths");
@@ -47,16 +48,20 @@ void checkOptions(const TwistModelOptions& o, const Material& material) {
   checkNumber(o.solvedSections, 2.0, kMostSections, "solvedSections");
   const bool paper = o.formulation == Formulation::kPaper;
   if (o.poynting && (paper || o.ends != EndCondition::kClampedFree || !o.operations.empty())) {
-    refuseParameter("the axial stretch needs a free end and one Saint-Venant twist about the centreline",
-                    "twist model options", "Switch poynting off or leave the operations empty.");
+    refuseParameter(
+        Text::verbatim("the axial stretch needs a free end and one Saint-Venant twist about the centreline"),
+        Text::verbatim("twist model options"),
+        Text::verbatim("Switch poynting off or leave the operations empty."));
   }
   if (paper && (o.foundationLengths > 0.0 || o.centre == TwistCentre::kShearCentre)) {
-    refuseParameter("the paper's formulation knows neither a foundation nor a shear centre",
-                    "twist model options", "Use the Saint-Venant formulation.");
+    refuseParameter(Text::verbatim("the paper's formulation knows neither a foundation nor a shear centre"),
+                    Text::verbatim("twist model options"),
+                    Text::verbatim("Use the Saint-Venant formulation."));
   }
   if (paper && o.paperInterpolation == PaperInterpolation::kComponents && !o.operations.empty()) {
-    refuseParameter("component kriging knows no twist operations", "twist model options",
-                    "Krige the angle, or leave the operations empty.");
+    refuseParameter(Text::verbatim("component kriging knows no twist operations"),
+                    Text::verbatim("twist model options"),
+                    Text::verbatim("Krige the angle, or leave the operations empty."));
   }
 }
 

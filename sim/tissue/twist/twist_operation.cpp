@@ -21,32 +21,36 @@ bool isSmooth(TwistProfile profile) {
 }
 
 [[noreturn]] void refuse(std::size_t index, const Text& what, const Text& remedy) {
-  throw Error(ErrorCode::kBadParameter, what, Text("twist operation %1", std::to_string(index + 1)), remedy);
+  throw Error(ErrorCode::kBadParameter, what, Text::verbatim("twist operation %1", std::to_string(index + 1)),
+              remedy);
 }
 
 void checkStraightAxis(std::size_t index, const TwistOperation& op) {
   if (!isFinite(op.axisFrom_m) || !isFinite(op.axisTo_m)) {
-    refuse(index, "an axis point is not a number", "Give two finite points in metres.");
+    refuse(index, Text::verbatim("an axis point is not a number"),
+           Text::verbatim("Give two finite points in metres."));
   }
   if (norm(op.axisTo_m - op.axisFrom_m) < kShortestAxis_m) {
-    refuse(index, "the axis points are closer together than 1 mm", "Give two landmarks that lie apart.");
+    refuse(index, Text::verbatim("the axis points are closer together than 1 mm"),
+           Text::verbatim("Give two landmarks that lie apart."));
   }
 }
 
 void checkRange(std::size_t index, const TwistOperation& op) {
   if (!std::isfinite(op.from) || !std::isfinite(op.to) || !(op.to > op.from)) {
     refuse(index,
-           Text("the twisted part runs from %1 to %2, but its end must lie beyond its start",
-                std::to_string(op.from), std::to_string(op.to)),
-           "Give from < to.");
+           Text::verbatim("the twisted part runs from %1 to %2, but its end must lie beyond its start",
+                          std::to_string(op.from), std::to_string(op.to)),
+           Text::verbatim("Give from < to."));
   }
   const bool alongAxis = op.axis == TwistAxis::kStraight && op.coordinate == TwistCoordinate::kAlongAxis;
   if (!alongAxis && (op.from < 0.0 || op.to > 1.0)) {
-    refuse(index, "a fraction of the organ's length lies outside 0..1", "Give 0 <= from < to <= 1.");
+    refuse(index, Text::verbatim("a fraction of the organ's length lies outside 0..1"),
+           Text::verbatim("Give 0 <= from < to <= 1."));
   }
   if (op.peak && !(*op.peak > op.from && *op.peak <= op.to)) {
-    refuse(index, Text("the peak at %1 lies outside the twisted part", std::to_string(*op.peak)),
-           "Give from < peak <= to.");
+    refuse(index, Text::verbatim("the peak at %1 lies outside the twisted part", std::to_string(*op.peak)),
+           Text::verbatim("Give from < peak <= to."));
   }
 }
 
@@ -81,8 +85,9 @@ double profileSlope(const TwistOperation& operation, double x, double peak) noex
 void checkOperations(std::span<const TwistOperation> operations) {
   if (operations.size() > static_cast<std::size_t>(kMostOperations)) {
     throw Error(ErrorCode::kBadParameter,
-                Text("%1 twist operations in one pattern", std::to_string(operations.size())),
-                "twist pattern", Text("Give at most %1.", std::to_string(kMostOperations)));
+                Text::verbatim("%1 twist operations in one pattern", std::to_string(operations.size())),
+                Text::verbatim("twist pattern"),
+                Text::verbatim("Give at most %1.", std::to_string(kMostOperations)));
   }
   for (std::size_t i = 0; i < operations.size(); ++i) {
     const TwistOperation& op = operations[i];
@@ -91,8 +96,8 @@ void checkOperations(std::span<const TwistOperation> operations) {
     }
     checkRange(i, op);
     if (!std::isfinite(op.ratio) || op.ratio == 0.0) {
-      refuse(i, Text("the ratio %1 turns nothing", std::to_string(op.ratio)),
-             "Give a finite ratio other than 0.");
+      refuse(i, Text::verbatim("the ratio %1 turns nothing", std::to_string(op.ratio)),
+             Text::verbatim("Give a finite ratio other than 0."));
     }
   }
 }

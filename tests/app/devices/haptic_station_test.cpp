@@ -45,10 +45,11 @@ TEST(HapticStation, IsRedWithoutALibraryAndSaysWhatToDo) {
 
 TEST(HapticStation, TheWorstFindingOfASubjectIsItsLight) {
   DeviceCheckResult check;
-  check.findings = {{"Library", FindingGrade::kGood, "found", ""},
-                    {"Device", FindingGrade::kNote, "a value is assumed", "none"},
-                    {"Rate", FindingGrade::kGood, "1000 Hz", ""},
-                    {"Jitter", FindingGrade::kBad, "uneven", "close other programs"}};
+  check.findings = {
+      {"Library", FindingGrade::kGood, Text::verbatim("found"), ""},
+      {"Device", FindingGrade::kNote, Text::verbatim("a value is assumed"), Text::verbatim("none")},
+      {"Rate", FindingGrade::kGood, Text::verbatim("1000 Hz"), ""},
+      {"Jitter", FindingGrade::kBad, Text::verbatim("uneven"), Text::verbatim("close other programs")}};
 
   const DeviceReadiness readiness = hapticReadiness(check);
 

@@ -373,10 +373,10 @@ TEST(ReportPreview, ShowsTheReportInTheLanguageItWillBeWrittenIn) {
 
 TEST(FigureCanvas, CopiesPictureAndTableAndSaysItsValues) {
   ReportFigure figure;
-  figure.title = "Scores";
-  figure.categories = {"a", "b"};
+  figure.title = Text::verbatim("Scores");
+  figure.categories = {Text::verbatim("a"), Text::verbatim("b")};
   FigureSeries series;
-  series.name = "Group 1";
+  series.name = Text::verbatim("Group 1");
   series.y = {1.25, std::nullopt};
   figure.series = {series};
   FigureCanvas canvas;

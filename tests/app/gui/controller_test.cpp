@@ -96,7 +96,8 @@ TEST_F(Controller, AFailedLoadIsReportedAndTheOldSceneStays) {
   SimulationController controller(
       [&broken](const SceneRequest& request) {
         if (broken) {
-          throw Error(ErrorCode::kBadMesh, "the mesh is open", "x.obj", "Close it");
+          throw Error(ErrorCode::kBadMesh, Text::verbatim("the mesh is open"), Text::verbatim("x.obj"),
+                      Text::verbatim("Close it"));
         }
         return loadBar(request);
       },

@@ -109,7 +109,7 @@ TEST_F(HapticPractice, UsesTheDeviceOnceItIsOpen) {
 
 TEST_F(HapticPractice, GoesOnWithTheMouseWhenThereIsNoDeviceAndSaysSo) {
   controller_.useHapticDevice([](const Scene&) -> std::unique_ptr<HapticDevice> {
-    throw Error(ErrorCode::kDevice, "no device answers", "", "Plug it in");
+    throw Error(ErrorCode::kDevice, Text::verbatim("no device answers"), "", Text::verbatim("Plug it in"));
   });
   load("bar");
   ASSERT_TRUE(eventually([this] { return !said_.isEmpty(); }));

@@ -27,8 +27,6 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/program/screenshots.h"
 #include "app/report/typeface.h"
-#include "assessment/people/audit_terms.h"
-#include "tests/support/service_texts.h"
 
 namespace torsio::gui {
 namespace {
@@ -301,67 +299,12 @@ TEST(EveryScreen, IsChineseAfterALiveSwitchEnglishAgainAndHasRoomForALongerLangu
   EXPECT_TRUE(walk.cut.empty()) << told(walk.cut);
 }
 
-TEST(ServiceTexts, AllHaveAChineseSentence) {
-  const ServiceTexts texts = readServiceTexts(std::filesystem::path(TORSIO_SOURCE_DIR));
-  EXPECT_GT(texts.patterns.size(), 800U);
-
-  LanguageSwitch language;
-  language.choose(Language::kSimplifiedChinese);
-  for (const std::string& pattern : texts.patterns) {
-    // A word that is the same in both languages ("STL") comes back as it is, with another object.
-    QTranslator chinese;
-    ASSERT_TRUE(chinese.load(QStringLiteral(":/torsio/translations/torsio_zh_CN.qm")));
-    EXPECT_FALSE(chinese.translate("Services", pattern.c_str()).isEmpty()) << pattern;
-  }
-}
-
-TEST(AuditTerms, AllHaveAChineseLabel) {
-  QTranslator chinese;
-  ASSERT_TRUE(chinese.load(QStringLiteral(":/torsio/translations/torsio_zh_CN.qm")));
-  const auto expectChinese = [&chinese](const auto& terms) {
-    for (const auto& term : terms) {
-      EXPECT_FALSE(chinese.translate("Services", std::string(term.label).c_str()).isEmpty()) << term.label;
-    }
-  };
-  expectChinese(kAuditActions);
-  expectChinese(kAuditObjects);
-}
-
-TEST(ServiceTexts, AreNeverGluedTogether) {
-  for (const GluedText& text : readServiceTexts(std::filesystem::path(TORSIO_SOURCE_DIR)).glued) {
-    ADD_FAILURE() << text.file << ":" << text.line << ": \"" << text.literal
-                  << "\" needs Text(\"... %1\", x)";
-  }
-}
-
-TEST(ServiceTexts, AreReadFromCallsThatSpeak) {
-  ServiceTexts texts;
-  readServiceTexts(R"cpp(
-                     // "not this" throw Error(code, "nor this");
-                     [[noreturn]] void refuse(const Text& what, const Text& where) {
-                       throw Error(code, what, where, "Do \"so\"");
-                     }
-                     void f() {
-                       refuse(Text("row %1", 7),
-                              "a"
-                              "b c");
-                       g("quiet");
-                       throw Error(code, "glued " + name, "", "");
-                     }
-                   )cpp",
-                   "f.cpp", texts);
-
-  EXPECT_EQ(texts.patterns, (std::set<std::string>{"Do \"so\"", "row %1", "ab c"}));
-  ASSERT_EQ(texts.glued.size(), 1U);
-  EXPECT_EQ(texts.glued.front().literal, "glued ");
-}
-
 TEST(Spoken, PutsArgumentsIntoTheChineseSentence) {
   LanguageSwitch language;
   language.choose(Language::kSimplifiedChinese);
 
-  const Error error(ErrorCode::kBadData, Text("row %1 is not answered", "C2"), Text("case %1", "7F"),
-                    "Fill it in");
+  const Error error(ErrorCode::kBadData, Text::tr("row %1 is not answered", std::string("C2")),
+                    Text::tr("case %1", std::string("7F")), Text::tr("Fill it in"));
   const TranslatedError said = translated(error);
 
   EXPECT_EQ(said.happened.toStdString(), "\u7b2c C2 \u9879\u672a\u4f5c\u7b54");
@@ -373,13 +316,15 @@ TEST(Spoken, TellsTheKindOfTroubleWhereTheLanguageLacksTheSentence) {
   LanguageSwitch language;
   language.choose(Language::kSimplifiedChinese);
 
-  const TranslatedError said = translated(Error(ErrorCode::kDatabase, "zxqv 17", "", "Try again"));
+  const TranslatedError said =
+      translated(Error(ErrorCode::kDatabase, Text::verbatim("zxqv 17"), "", Text::tr("Try again")));
 
   EXPECT_FALSE(leftInEnglish(said.happened));
   EXPECT_TRUE(said.details.contains(QStringLiteral("zxqv 17")));
   language.choose(Language::kEnglish);
-  EXPECT_EQ(translated(Error(ErrorCode::kDatabase, "zxqv 17", "", "Try again")).happened,
-            QStringLiteral("Zxqv 17"));
+  EXPECT_EQ(
+      translated(Error(ErrorCode::kDatabase, Text::verbatim("zxqv 17"), "", Text::tr("Try again"))).happened,
+      QStringLiteral("Zxqv 17"));
 }
 
 }  // namespace

@@ -181,7 +181,8 @@ TEST(RunDevice, AGradedRunDoesNotBeginWithADeviceThatCannotBeOpened) {
   TrainingCentre centre;
   Station station(centre);
   station.openRun(true, [](const Scene&, double) -> std::unique_ptr<HapticDevice> {
-    throw Error(ErrorCode::kDevice, "the device does not answer", "port 1", "Check its cable");
+    throw Error(ErrorCode::kDevice, Text::verbatim("the device does not answer"), Text::verbatim("port 1"),
+                Text::verbatim("Check its cable"));
   });
 
   ASSERT_TRUE(soon([&] { return !station.problems.empty(); }));

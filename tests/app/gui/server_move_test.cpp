@@ -74,7 +74,7 @@ class ServerMove : public CarePages {
     }
     const auto giveUp = [](const Progress& now) {
       if (now.step.pattern() == "Comparing %1") {
-        throw Error(ErrorCode::kUsage, "given up", "", "");
+        throw Error(ErrorCode::kUsage, Text::verbatim("given up"), "", "");
       }
     };
     EXPECT_THROW((void)moveToServer(*window_->session(), address_, giveUp, in("unstored")), Error);

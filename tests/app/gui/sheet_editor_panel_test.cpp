@@ -75,7 +75,8 @@ TEST(SheetEditorPanel, SaysWhetherASheetIsKept) {
   QLabel said;
 
   const bool failed = panel.save(desk.shell(), &said, QStringLiteral("Saved"), [] {
-    throw Error(ErrorCode::kDatabase, "the disk is full", "", "Free some space");
+    throw Error(ErrorCode::kDatabase, Text::verbatim("the disk is full"), "",
+                Text::verbatim("Free some space"));
   });
 
   EXPECT_FALSE(failed);

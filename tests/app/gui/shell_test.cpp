@@ -452,9 +452,9 @@ TEST_F(Shell, AProblemIsSaidPlainlyWithItsDetailsFoldedAndCanBeCopied) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
 
-  window_->desk()->context().report(
-      std::make_exception_ptr(Error(ErrorCode::kFileUnwritable, "the report cannot be written",
-                                    "/reports/a.pdf", "Choose another folder")));
+  window_->desk()->context().report(std::make_exception_ptr(
+      Error(ErrorCode::kFileUnwritable, Text::verbatim("the report cannot be written"),
+            Text::verbatim("/reports/a.pdf"), Text::verbatim("Choose another folder"))));
 
   auto* panel = window_->desk()->findChild<ProblemPanel*>();
   ASSERT_TRUE(panel->isVisible());
@@ -470,8 +470,8 @@ TEST_F(Shell, AProblemIsSaidPlainlyWithItsDetailsFoldedAndCanBeCopied) {
 TEST_F(Shell, AProblemThatIsOpenFollowsTheLanguage) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
-  const Error error(ErrorCode::kBadParameter, "the moment lies outside the recording", "7F",
-                    "Choose a time within it");
+  const Error error(ErrorCode::kBadParameter, Text::verbatim("the moment lies outside the recording"),
+                    Text::verbatim("7F"), Text::verbatim("Choose a time within it"));
   window_->desk()->context().report(std::make_exception_ptr(error));
   auto* panel = window_->desk()->findChild<ProblemPanel*>();
   press(*panel, QStringLiteral("Details"));
@@ -503,7 +503,7 @@ TEST_F(Shell, LongWorkShowsItsProgressAndCanBeCancelled) {
       QStringLiteral("Export"),
       [&seen](SessionContext&, const ProgressCallback& progress) {
         while (true) {
-          progress({"Writing", 0.5, 30.0});
+          progress({Text::verbatim("Writing"), 0.5, 30.0});
           seen.store(true);
         }
       },

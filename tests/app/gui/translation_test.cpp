@@ -1,13 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every sentence of the window has a Chinese one, and a switch of the language reaches everything that is
-// seen.
+// Every sentence of the window, of the services and of the report has a Chinese one, and a switch of the
+// language reaches everything that is seen.
+#include <algorithm>
+#include <array>
+#include <set>
+#include <tuple>
+
+#include <QCoreApplication>
 #include <QDate>
+#include <QDirIterator>
 #include <QFile>
 #include <QGuiApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QLocale>
+#include <QProcess>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QTemporaryDir>
 #include <QXmlStreamReader>
 #include <gtest/gtest.h>
 
@@ -19,25 +31,34 @@ namespace torsio::gui {
 namespace {
 
 struct Message {
+  QString context;
   QString source;
+  QString comment;
   QString translation;
   bool finished = true;
 };
 
-std::vector<Message> chineseMessages() {
-  QFile file(QStringLiteral(TORSIO_SOURCE_DIR "/assets/translations/torsio_zh_CN.ts"));
-  EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+std::vector<Message> messagesOf(const QString& path) {
+  QFile file(path);
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
   QXmlStreamReader xml(&file);
   std::vector<Message> messages;
+  QString context;
   while (!xml.atEnd()) {
     if (xml.readNext() != QXmlStreamReader::StartElement) {
       continue;
     }
+    if (xml.name() == QLatin1String("name")) {
+      context = xml.readElementText();
+    }
     if (xml.name() == QLatin1String("message")) {
-      messages.emplace_back();
+      messages.emplace_back().context = context;
     }
     if (xml.name() == QLatin1String("source")) {
       messages.back().source = xml.readElementText();
+    }
+    if (xml.name() == QLatin1String("comment")) {
+      messages.back().comment = xml.readElementText();
     }
     if (xml.name() == QLatin1String("translation")) {
       messages.back().finished = !xml.attributes().hasAttribute(QLatin1String("type"));
@@ -46,6 +67,12 @@ std::vector<Message> chineseMessages() {
   }
   EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
   return messages;
+}
+
+const QString kTranslations = QStringLiteral(TORSIO_SOURCE_DIR "/assets/translations");
+
+std::vector<Message> chineseMessages() {
+  return messagesOf(kTranslations + QStringLiteral("/torsio_zh_CN.ts"));
 }
 
 QStringList placesIn(const QString& text) {
@@ -72,6 +99,105 @@ TEST(ChineseTranslation, IsCompleteAndFillsTheSamePlaces) {
     given.removeAll(QStringLiteral("%n"));
     EXPECT_EQ(given, wanted) << message.source.toStdString();
   }
+}
+
+using Key = std::tuple<std::string, std::string, std::string>;
+
+std::set<Key> keysOf(const std::vector<Message>& messages) {
+  std::set<Key> keys;
+  for (const Message& message : messages) {
+    keys.emplace(message.context.toStdString(), message.source.toStdString(), message.comment.toStdString());
+  }
+  return keys;
+}
+
+std::string told(const std::set<Key>& keys, const std::set<Key>& without) {
+  std::string lines;
+  for (const Key& key : keys) {
+    if (!without.contains(key)) {
+      lines += std::get<0>(key) + ": " + std::get<1>(key) + "\n";
+    }
+  }
+  return lines;
+}
+
+TEST(Translations, AreThoseOfTheSourcesAsLupdateReadsThem) {
+  const QTemporaryDir folder;
+  const QStringList files{QStringLiteral("/torsio_zh_CN.ts"), QStringLiteral("/torsio_en.ts")};
+  for (const QString& name : files) {
+    ASSERT_TRUE(QFile::copy(kTranslations + name, folder.path() + name));
+  }
+
+  QProcess renew;
+  renew.setProcessChannelMode(QProcess::ForwardedChannels);
+  renew.start(kTranslations + QStringLiteral("/renew"), {folder.path()});
+  ASSERT_TRUE(renew.waitForFinished(120'000));
+  ASSERT_EQ(renew.exitCode(), 0);
+
+  for (const QString& name : files) {
+    const std::set<Key> stored = keysOf(messagesOf(kTranslations + name));
+    const std::set<Key> said = keysOf(messagesOf(folder.path() + name));
+    EXPECT_EQ(told(said, stored), "")
+        << "missing in " << name.toStdString() << ": run assets/translations/renew";
+    EXPECT_EQ(told(stored, said), "") << "said no more, in " << name.toStdString();
+  }
+}
+
+/// lupdate loses the class of a Text::tr() that is the first argument of another one, and takes a literal in
+/// that place for a comment.
+TEST(ChineseTranslation, KnowsTheClassOfEachText) {
+  std::size_t texts = 0;
+  for (const Message& message : chineseMessages()) {
+    EXPECT_FALSE(message.context.isEmpty()) << message.source.toStdString();
+    if (message.context == QLatin1String("Text")) {
+      ++texts;
+      EXPECT_TRUE(message.comment.isEmpty()) << message.source.toStdString();
+    }
+  }
+
+  EXPECT_GT(texts, 1500U);
+}
+
+void addAssetTexts(const QJsonValue& value, std::set<std::string>& texts) {
+  static const std::array<QString, 4> kSaid{QStringLiteral("title"), QStringLiteral("label"),
+                                            QStringLiteral("meaning"), QStringLiteral("description")};
+  for (const QJsonValue& item : value.toArray()) {
+    addAssetTexts(item, texts);
+  }
+  const QJsonObject object = value.toObject();
+  for (auto member = object.begin(); member != object.end(); ++member) {
+    if (member.value().isString() && std::find(kSaid.begin(), kSaid.end(), member.key()) != kSaid.end()) {
+      texts.insert(member.value().toString().toStdString());
+    }
+    addAssetTexts(member.value(), texts);
+  }
+}
+
+TEST(ChineseTranslation, HasTheTextsOfTheShippedCurriculaAndRubrics) {
+  std::set<std::string> texts;
+  for (const QString& kind : {QStringLiteral("curricula"), QStringLiteral("rubrics")}) {
+    QDirIterator files(QStringLiteral(TORSIO_SOURCE_DIR "/assets/") + kind, {QStringLiteral("*.json")},
+                       QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+      QFile file(files.next());
+      ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+      const QJsonDocument document = QJsonDocument::fromJson(file.readAll());
+      addAssetTexts(document.isArray() ? QJsonValue(document.array()) : QJsonValue(document.object()), texts);
+    }
+  }
+
+  LanguageSwitch language;
+  language.choose(Language::kSimplifiedChinese);
+
+  static const QRegularExpression kWords(QStringLiteral("[A-Za-z]{2}"));
+  EXPECT_GT(texts.size(), 30U);
+  for (const std::string& text : texts) {
+    const QString english = QString::fromStdString(text);
+    if (kWords.match(english).hasMatch()) {
+      EXPECT_NE(QCoreApplication::translate("Text", text.c_str()), english) << text;
+    }
+  }
+  language.choose(Language::kEnglish);
 }
 
 /// Texts of labels and buttons that are shown.

@@ -197,8 +197,8 @@ void askTheTen(AdministratorDesk& office, const CohortId& cohortId, const std::v
 void runTheDay(AdministratorDesk& office, const CohortId& cohortId) {
   const std::int64_t now_us = office.centre.session().now_us();
   StationState room{.station = "room 2", .heartbeatUtc_us = now_us};
-  DeviceReadiness unfit{.device = Text("Touch"), .haptic = true};
-  unfit.findings = {{"connected", Light::kRed, Text("no device answers"), ""}};
+  DeviceReadiness unfit{.device = Text::verbatim("Touch"), .haptic = true};
+  unfit.findings = {{"connected", Light::kRed, Text::verbatim("no device answers"), ""}};
   storeDevice(stationDevice(unfit, now_us), room);
   StationRepository(office.centre.connection()).heartbeat(room);
   StationState yesterday{.station = "room 3", .heartbeatUtc_us = now_us};

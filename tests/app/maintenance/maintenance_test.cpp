@@ -173,14 +173,15 @@ TEST_F(CareTest, NothingIsReplacedWhileARunGoesOnOrAnotherStationIsConnected) {
   const std::int64_t longAgo_us = now_us_ - 2 * kStationSilence_us;
   stations.heartbeat({.station = "room 3", .heartbeatUtc_us = longAgo_us});
 
-  EXPECT_EQ(othersAtWork(office), std::vector<Text>{"the station room 2 is connected"});
+  EXPECT_EQ(othersAtWork(office), std::vector<Text>{Text::verbatim("the station room 2 is connected")});
   EXPECT_EQ(refusalFrom([&] { (void)planRestore(office, in("backup.sqlite")); }).code, ErrorCode::kDatabase);
   stations.leave("room 2");
   TrialHeader header = sampleHeader("a trial that runs", "");
   TrialRepository(connection_, {.station = "room 1"}).begin(header);
   stations.heartbeat({.station = "room 1", .trialId = header.trialId, .heartbeatUtc_us = now_us_});
 
-  EXPECT_EQ(othersAtWork(office), std::vector<Text>{"a run is going on at the station room 1"});
+  EXPECT_EQ(othersAtWork(office),
+            std::vector<Text>{Text::verbatim("a run is going on at the station room 1")});
 }
 
 TEST_F(CareTest, ABackupWithAChangedMarkIsNotRestored) {

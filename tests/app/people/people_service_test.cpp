@@ -103,7 +103,7 @@ TEST(RosterAccounts, GivingUpKeepsTheAccountsThatWereMade) {
   EXPECT_THROW(addAccounts(session, trainees, made,
                            [](const Progress& progress) {
                              if (progress.fraction >= 0.5) {
-                               throw Error(ErrorCode::kBadData, "stop", "", "");
+                               throw Error(ErrorCode::kBadData, Text::verbatim("stop"), "", "");
                              }
                            }),
                Error);

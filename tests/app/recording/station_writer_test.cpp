@@ -108,7 +108,8 @@ TEST(StationWriter, ShowsTheDeviceAndKeepsItsCheckWhenTheNextOneSignsIn) {
   EXPECT_EQ(shown(), uncheckedDevice(false));
   DeviceReadiness readiness = deviceWith(Light::kAmber);
   readiness.haptic = true;
-  readiness.findings.push_back({"rate", Light::kAmber, Text("%1; 1000 Hz are wanted", "950 Hz"), ""});
+  readiness.findings.push_back(
+      {"rate", Light::kAmber, Text::verbatim("%1; 1000 Hz are wanted", Text::verbatim("950 Hz")), ""});
   readiness.findings.front().light = Light::kGreen;
   const StationDevice checked = stationDevice(readiness, 42);
   EXPECT_EQ(checked.problem.str(), "950 Hz; 1000 Hz are wanted");
@@ -182,12 +183,13 @@ TEST(StationWriter, AServerThatIsAwayIsAskedAgainAndARefusedWriteIsGivenUp) {
       [&away, &tries, key] {
         ++tries;
         if (away) {
-          throw DbError(DbFault::kUnreachable, "", "away", "server", "");
+          throw DbError(DbFault::kUnreachable, "", Text::verbatim("away"), Text::verbatim("server"), "");
         }
         return std::make_unique<SessionContext>(key);
       },
       kQuick);
-  line.write([](SessionContext&) { throw Error(ErrorCode::kPermission, "not allowed", "", ""); });
+  line.write(
+      [](SessionContext&) { throw Error(ErrorCode::kPermission, Text::verbatim("not allowed"), "", ""); });
   bool second = false;
   line.write([&second](SessionContext&) { second = true; });
   EXPECT_TRUE(soon([&] { return tries > 2 && !line.answers(); }));
@@ -211,7 +213,7 @@ TEST(StationWriter, EndsInTimeThoughTheServerNeverAnswers) {
         [gate, ended]() -> std::unique_ptr<SessionContext> {
           gate->pass();
           *ended = true;
-          throw DbError(DbFault::kUnreachable, "", "away", "server", "");
+          throw DbError(DbFault::kUnreachable, "", Text::verbatim("away"), Text::verbatim("server"), "");
         },
         kQuick);
     EXPECT_TRUE(soon([&] { return !line.answers(); }));

@@ -38,10 +38,10 @@ fs::path freshFolder(const std::string& name) {
 ReportFigure figureOf(FigureKind kind) {
   ReportFigure figure;
   figure.id = "figure";
-  figure.title = "Marks by index";
+  figure.title = Text::verbatim("Marks by index");
   figure.kind = kind;
-  figure.xLabel = "index";
-  figure.yLabel = "mark (0 to 10)";
+  figure.xLabel = Text::verbatim("index");
+  figure.yLabel = Text::verbatim("mark (0 to 10)");
   figure.yMin = 0.0;
   figure.yMax = 10.0;
   for (int c = 1; c <= 9; ++c) {
@@ -49,7 +49,7 @@ ReportFigure figureOf(FigureKind kind) {
   }
   for (const char* name : {"proposed model", "finite elements", "mass-spring"}) {
     FigureSeries series;
-    series.name = name;
+    series.name = std::string(name);
     for (int c = 0; c < 9; ++c) {
       series.y.push_back(8.0 - 0.3 * c - static_cast<double>(figure.series.size()));
       series.low.push_back(*series.y.back() - 2.0);
@@ -59,30 +59,31 @@ ReportFigure figureOf(FigureKind kind) {
     series.box = BoxSummary{5, 6, 7, 8, 9, 6.9, {2.5}};
     figure.series.push_back(series);
   }
-  figure.notes = {"The whisker ends at the last value within 1.5 interquartile ranges."};
-  figure.provenance = {"Eq. 25", "1", 40, 0, {}};
+  figure.notes = {Text::verbatim("The whisker ends at the last value within 1.5 interquartile ranges.")};
+  figure.provenance = {Text::verbatim("Eq. 25"), "1", 40, 0, {}};
   return figure;
 }
 
 ReportModel smallReport() {
   ReportModel model;
-  model.title = "Twist training: cohort report";
-  model.subtitle = "Three groups of ten";
+  model.title = Text::verbatim("Twist training: cohort report");
+  model.subtitle = Text::verbatim("Three groups of ten");
   model.softwareVersion = "0.1.0";
   model.demonstration = true;
-  model.facts = {{"Trainees", "30"}, {"Raters", "10"}};
+  model.facts = {{Text::verbatim("Trainees"), Text::verbatim("30")},
+                 {Text::verbatim("Raters"), Text::verbatim("10")}};
   ReportSection section;
-  section.title = "Evaluation";
-  section.paragraphs = {"Forty raters marked nine indices of three models."};
+  section.title = Text::verbatim("Evaluation");
+  section.paragraphs = {Text::verbatim("Forty raters marked nine indices of three models.")};
   for (const FigureKind kind : {FigureKind::kGroupedBars, FigureKind::kRanges, FigureKind::kBoxes,
                                 FigureKind::kPoints, FigureKind::kLines}) {
     section.figures.push_back(figureOf(kind));
   }
   ReportTable table;
-  table.title = "A table longer than a page";
-  table.columns = {"index", "name", "M"};
+  table.title = Text::verbatim("A table longer than a page");
+  table.columns = {Text::verbatim("index"), Text::verbatim("name"), Text::verbatim("M")};
   for (int i = 0; i < 80; ++i) {
-    table.rows.push_back({std::to_string(i), "effectiveness", "7.87"});
+    table.rows.push_back({std::to_string(i), Text::verbatim("effectiveness"), Text::verbatim("7.87")});
   }
   section.tables.push_back(table);
   model.sections.push_back(section);
@@ -91,7 +92,7 @@ ReportModel smallReport() {
 
 ReportFigure intervals() {
   ReportFigure figure = figureOf(FigureKind::kForest);
-  figure.references = {{5.0, "middle"}};
+  figure.references = {{5.0, Text::verbatim("middle")}};
   return figure;
 }
 
@@ -136,9 +137,15 @@ TEST(ChartBuilder, DrawsOneBarSetASeries) {
 TEST(ChartBuilder, CutsNoNameOfTheNineIndicesOnPaper) {
   ReportFigure figure = figureOf(FigureKind::kGroupedBars);
   figure.xLabel = {};
-  figure.categories = {"Effectiveness",    "Force feedback",         "Real-time performance",
-                       "System stability", "Deformation efficiency", "Fidelity",
-                       "Image fluency",    "Telepresence",           "Texture"};
+  figure.categories = {Text::verbatim("Effectiveness"),
+                       Text::verbatim("Force feedback"),
+                       Text::verbatim("Real-time performance"),
+                       Text::verbatim("System stability"),
+                       Text::verbatim("Deformation efficiency"),
+                       Text::verbatim("Fidelity"),
+                       Text::verbatim("Image fluency"),
+                       Text::verbatim("Telepresence"),
+                       Text::verbatim("Texture")};
   QGraphicsScene scene;
   QChart* chart = buildChart(figure).release();  // the scene owns it from here
   scene.addItem(chart);
@@ -180,9 +187,9 @@ TEST(PdfReport, TellsEveryPageAndLeavesNothingWhenGivenUp) {
 
 TEST(PdfReport, DrawsForestsHeatMapsAndCloudsAsVectors) {
   ReportModel model;
-  model.title = "Kinds";
+  model.title = Text::verbatim("Kinds");
   ReportSection section;
-  section.title = "All";
+  section.title = Text::verbatim("All");
   ReportFigure cloud = figureOf(FigureKind::kScatter);
   section.figures = {intervals(), figureOf(FigureKind::kHeatMap), cloud};
   model.sections.push_back(section);

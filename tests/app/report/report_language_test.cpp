@@ -21,11 +21,11 @@ namespace {
 /// Everything a report may say: frozen data, deviations, doses, attempts of a recording.
 CohortInputs everything() {
   CohortInputs in = testing::demonstrationCohort();
-  in.title = Text("Twist training: cohort report");
+  in.title = Text::verbatim("Twist training: cohort report");
   in.centre = "Demonstration centre (simulated)";
   in.freeze = CohortFreeze{"final", std::string(64, 'b'), 1'767'600'000'000'000, "admin", false};
-  in.allocation.method = Text("complete permutation");
-  in.allocation.design = {{Text("Block sizes"), "3, 6"}};
+  in.allocation.method = Text::verbatim("complete permutation");
+  in.allocation.design = {{Text::verbatim("Block sizes"), Text::verbatim("3, 6")}};
   in.deviations = {{1'767'600'000'000'000, "x101", "device failed", ""}};
   in.doses = {{"x101", 38.5, 0.0, 5.0}};
   in.notAllocated = 2;

@@ -132,9 +132,10 @@ TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
   EXPECT_EQ(inputs.unfinishedEvaluation->classesMissing,
             (std::vector<std::string>{"deputy chief physician", "chief physician"}));
   const ReportModel report = cohortReport(inputs);
-  const auto section = std::find_if(
-      report.sections.begin(), report.sections.end(),
-      [](const ReportSection& candidate) { return candidate.title == Text("Evaluation of the models"); });
+  const auto section =
+      std::find_if(report.sections.begin(), report.sections.end(), [](const ReportSection& candidate) {
+        return candidate.title == Text::verbatim("Evaluation of the models");
+      });
   ASSERT_NE(section, report.sections.end());
   EXPECT_NE(section->paragraphs.at(0).str().find("27 marks are in so far"), std::string::npos);
 

@@ -109,7 +109,7 @@ TEST(BlindedRecording, ItsTroublesNameTheCaseOnly) {
   ReviewCentre centre(ReviewCentre::Setup{});
   try {
     rethrowBlinded(std::make_exception_ptr(Error(ErrorCode::kVerifyFailed, "trial " + centre.trialIds()[0],
-                                                 centre.trialIds()[0], "ask TR-4100")),
+                                                 centre.trialIds()[0], Text::verbatim("ask TR-4100"))),
                    "7F");
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::kVerifyFailed);

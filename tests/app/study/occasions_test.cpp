@@ -131,7 +131,9 @@ TEST(Occasions, AFourthOneGoesThroughPlanReleaseReportAndExport) {
   EXPECT_EQ(releases.back().occasion.code, study.fourth.code);
   EXPECT_EQ(releases.back().sheets, 6U);
   EXPECT_TRUE(SheetRepository(study.centre.connection()).isReleased(study.cohortId, study.fourth.code));
-  EXPECT_EQ(inputs.occasions, (std::vector<Text>{"before", "after 20 min", "after 40 min", "after 60 min"}));
+  EXPECT_EQ(inputs.occasions,
+            (std::vector<Text>{Text::verbatim("before"), Text::verbatim("after 20 min"),
+                               Text::verbatim("after 40 min"), Text::verbatim("after 60 min")}));
   ASSERT_EQ(inputs.scores.size(), 12U);
   for (const TraineeScore& score : inputs.scores) {
     EXPECT_DOUBLE_EQ(score.score, 5.0 + static_cast<double>(score.occasion));
@@ -149,9 +151,10 @@ TEST(Occasions, AFollowUpAfterAsMuchTrainingHasItsOwnPlaceInReportAndExport) {
       reportInputs(study.centre.as("statistician"), {.cohortId = study.cohortId}, digests);
   const std::vector<CohortCsvRow> exported = cohortCsvRows(inputs);
 
-  EXPECT_EQ(inputs.occasions,
-            (std::vector<Text>{"before", "after 20 min", "after 40 min",
-                               Text("%1 (%2)", Text("after %1 min", "40"), std::string("six weeks later"))}));
+  EXPECT_EQ(inputs.occasions, (std::vector<Text>{Text::verbatim("before"), Text::verbatim("after 20 min"),
+                                                 Text::verbatim("after 40 min"),
+                                                 Text::verbatim("%1 (%2)", Text::verbatim("after %1 min", 40),
+                                                                std::string("six weeks later"))}));
   const auto scoresAt = [&](const std::string& occasion) {
     return std::count_if(exported.begin(), exported.end(), [&](const CohortCsvRow& row) {
       return row.occasion == occasion && row.statistic == "score";
@@ -227,7 +230,7 @@ TEST(Occasions, OfACurriculumMustBeKnownToTheRecord) {
   const std::vector<CurriculumProblem> problems = curriculumProblems(content, centre.assets(), known);
 
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_EQ(problems.front().where, Text("occasion \"%1\"", "never heard of"));
+  EXPECT_EQ(problems.front().where, Text::verbatim("occasion \"%1\"", Text::verbatim("never heard of")));
 }
 
 }  // namespace

@@ -383,10 +383,11 @@ TEST(RunDayBoard, TellsOfADeviceThatIsNotFitWhileItsStationAnswers) {
   Study study;
   SessionContext& session = study.centre.as("administrator");
   const DeviceReadiness unfit{
-      .device = Text("Touch"),
+      .device = Text::verbatim("Touch"),
       .haptic = true,
-      .findings = {{"connected", Light::kGreen, "", ""},
-                   {"rate", Light::kRed, Text("%1; below %2 Hz", "700 Hz", 800), ""}}};
+      .findings = {
+          {"connected", Light::kGreen, "", ""},
+          {"rate", Light::kRed, Text::verbatim("%1; below %2 Hz", Text::verbatim("700 Hz"), 800), ""}}};
   StationState state{.station = "room 1", .heartbeatUtc_us = testing::kStudyTime_us};
   storeDevice(stationDevice(unfit, testing::kStudyTime_us - 1), state);
   StationRepository(study.centre.connection()).heartbeat(state);

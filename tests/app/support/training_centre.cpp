@@ -50,8 +50,8 @@ const Scene& trainingBar() {
 
 DeviceReadiness deviceWith(Light light) {
   DeviceReadiness readiness;
-  readiness.device = "Scripted hand";
-  readiness.findings.push_back({"connected", light, "scripted", ""});
+  readiness.device = Text::verbatim("Scripted hand");
+  readiness.findings.push_back({"connected", light, Text::verbatim("scripted"), ""});
   return readiness;
 }
 

@@ -118,7 +118,8 @@ TEST_F(FileIo, SaysWhatIsWrongWithAFile) {
 }
 
 TEST(Error, SaysWhereWhatAndWhatToDo) {
-  const Error error(ErrorCode::kBadMesh, "vertex 3 is not a number", "arm.obj", "Repair the mesh");
+  const Error error(ErrorCode::kBadMesh, Text::verbatim("vertex 3 is not a number"),
+                    Text::verbatim("arm.obj"), Text::verbatim("Repair the mesh"));
 
   EXPECT_STREQ(error.what(), "arm.obj: vertex 3 is not a number. Repair the mesh");
   EXPECT_EQ(static_cast<int>(error.code()), 6);

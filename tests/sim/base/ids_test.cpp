@@ -53,7 +53,7 @@ TEST(Ids, BecomeTextsAndTextsBecomeIdsWithoutAWord) {
   EXPECT_EQ(again, trialId);
   EXPECT_EQ(again, "t-1");
   EXPECT_EQ("trial " + trialId + "!", "trial t-1!");
-  EXPECT_EQ(Text("trial %1", trialId).str(), "trial t-1");
+  EXPECT_EQ(Text::verbatim("trial %1", trialId).str(), "trial t-1");
   EXPECT_TRUE(TrialId().empty());
 }
 

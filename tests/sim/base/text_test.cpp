@@ -2,6 +2,8 @@
 #include "sim/base/text.h"
 
 #include <sstream>
+#include <string>
+#include <type_traits>
 
 #include <gtest/gtest.h>
 
@@ -11,42 +13,61 @@ namespace torsio {
 namespace {
 
 TEST(Text, PutsItsArgumentsInTheirPlaces) {
-  const Text text("row %2 of %1 has %3 values", std::string("roster.csv"), 7, "no");
+  const Text text =
+      Text::verbatim("row %2 of %1 has %3 values", std::string("roster.csv"), 7, Text::verbatim("no"));
 
   EXPECT_EQ(text.str(), "row 7 of roster.csv has no values");
   EXPECT_EQ(text.pattern(), "row %2 of %1 has %3 values");
 }
 
 TEST(Text, TakesTextsAsArguments) {
-  const Text place("module %1", "V2");
-  const Text text("%1, mastery %2", place, "peak_force");
+  const Text place = Text::verbatim("module %1", Text::verbatim("V2"));
+  const Text text = Text::verbatim("%1, mastery %2", place, Text::verbatim("peak_force"));
 
   EXPECT_EQ(text.str(), "module V2, mastery peak_force");
   EXPECT_EQ(text.arguments().front().pattern(), "module %1");
 }
 
 TEST(Text, NeverReadsAnArgumentAsAPattern) {
-  EXPECT_EQ(Text("%1 and %2", "100 %2", "b").str(), "100 %2 and b");
+  EXPECT_EQ(Text::verbatim("%1 and %2", Text::verbatim("100 %2"), Text::verbatim("b")).str(), "100 %2 and b");
 }
 
 TEST(Text, LeavesAPlainSentenceAlone) {
-  const Text text = "only 40 % of %1";
+  const Text text = Text::verbatim("only 40 % of %1");
 
   EXPECT_EQ(text.str(), "only 40 % of %1");
   EXPECT_TRUE(Text().empty());
 }
 
 TEST(Text, IsEqualToWhatSaysTheSame) {
-  EXPECT_EQ(Text("trial %1", 4), Text("trial 4"));
-  EXPECT_FALSE(Text("trial %1", 4) == Text("trial %1", 5));
+  EXPECT_EQ(Text::verbatim("trial %1", 4), Text::verbatim("trial 4"));
+  EXPECT_FALSE(Text::verbatim("trial %1", 4) == Text::verbatim("trial %1", 5));
   std::ostringstream out;
-  out << Text("trial %1", 4);
+  out << Text::verbatim("trial %1", 4);
   EXPECT_EQ(out.str(), "trial 4");
 }
 
+// A literal that nobody marked is no text, wherever a text is wanted.
+static_assert(!std::is_constructible_v<Text, const char (&)[4]>);
+static_assert(!std::is_constructible_v<Text, const char*>);
+static_assert(!std::is_constructible_v<Phrase, const char (&)[4]>);
+static_assert(!std::is_constructible_v<Error, ErrorCode, const char (&)[4], Text, Text>);
+static_assert(!std::is_constructible_v<Error, ErrorCode, Text, const char (&)[4], Text>);
+static_assert(!std::is_constructible_v<Error, ErrorCode, Text, Text, const char (&)[4]>);
+static_assert(std::is_constructible_v<Error, ErrorCode, Phrase, std::string, const char (&)[1]>);
+
+TEST(Text, IsMadeAgainOfItsPatternAndItsArguments) {
+  const Text text = Text::verbatim("case %1", std::string("7F"));
+
+  const Text again = Text::restored(text.pattern(), text.arguments());
+
+  EXPECT_EQ(again.pattern(), "case %1");
+  EXPECT_EQ(again.str(), "case 7F");
+}
+
 TEST(Error, SpeaksEnglishOnItsOwnAndKeepsItsPatterns) {
-  const Error error(ErrorCode::kBadData, Text("row %1 is not answered", "C2"), Text("case %1", "7F"),
-                    "Fill it in");
+  const Error error(ErrorCode::kBadData, Text::verbatim("row %1 is not answered", Text::verbatim("C2")),
+                    Text::verbatim("case %1", Text::verbatim("7F")), Text::verbatim("Fill it in"));
 
   EXPECT_STREQ(error.what(), "case 7F: row C2 is not answered. Fill it in");
   EXPECT_EQ(error.happened(), "row C2 is not answered");

@@ -22,7 +22,7 @@ class HdapiOpen : public testing::HdapiBench {
     return "";
   }
   bool assumed(const std::string& what) {
-    const std::vector<std::string>& list = device->identity().assumed;
+    const std::vector<Text>& list = device->identity().assumed;
     return std::find(list.begin(), list.end(), what) != list.end();
   }
 };

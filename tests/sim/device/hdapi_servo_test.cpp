@@ -63,7 +63,8 @@ TEST_F(HdapiServes, S2_GoesOnAtTheLibrarysOwnRateWhenARateIsRefused) {
     fake.run(5);
 
     EXPECT_EQ(loop.ticks, 5);
-    EXPECT_EQ(device->identity().notes, std::vector<Text>{"The library keeps its own servo rate"});
+    EXPECT_EQ(device->identity().notes,
+              std::vector<Text>{Text::verbatim("The library keeps its own servo rate")});
     device.reset();
   }
 }

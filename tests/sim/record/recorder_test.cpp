@@ -57,7 +57,8 @@ class StubbornSink final : public TrialSink {
   void mayRefuse() {
     if (refusals_ > 0) {
       --refusals_;
-      throw Error(ErrorCode::kDatabase, "the database is locked", "test", "Try again");
+      throw Error(ErrorCode::kDatabase, Text::verbatim("the database is locked"), Text::verbatim("test"),
+                  Text::verbatim("Try again"));
     }
   }
   int refusals_;

@@ -70,7 +70,7 @@ QString ReportPreview::tableHtml(const ReportTable& table, const Wording& wordin
   text += QStringLiteral("</table>");
   if (table.rows.size() > kRowsShown) {
     text += QStringLiteral("<p><i>%1</i></p>")
-                .arg(html(Text("further rows in the report: %1", table.rows.size() - kRowsShown)));
+                .arg(html(Text::tr("further rows in the report: %1", table.rows.size() - kRowsShown)));
   }
   for (const Text& note : table.notes) {
     text += QStringLiteral("<p style='color:#51606c'>%1</p>").arg(html(note));
@@ -84,7 +84,7 @@ void ReportPreview::setReport(const ReportModel& model, const Wording& wording) 
   QString text = QStringLiteral("<h1>%1</h1><p>%2</p>").arg(html(model.title), html(model.subtitle));
   if (model.demonstration) {
     text += QStringLiteral("<p style='color:#a04a00'><b>%1</b></p>")
-                .arg(html(Text("Demonstration data: nothing in it is a result.")));
+                .arg(html(Text::tr("Demonstration data: nothing in it is a result.")));
   }
   text += QStringLiteral("<table cellpadding='3'>");
   for (const auto& [label, value] : model.facts) {

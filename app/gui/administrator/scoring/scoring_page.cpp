@@ -168,7 +168,8 @@ std::string ScoringPage::rubricRevision() {
   if (all.empty()) {
     const std::vector<RubricTemplate> templates = rubricTemplates(shell().assets());
     if (templates.empty()) {
-      throw Error(ErrorCode::kBadData, "there is no rubric", "assets/rubrics", "Add a rubric first");
+      throw Error(ErrorCode::kBadData, Text::tr("there is no rubric"), Text::verbatim("assets/rubrics"),
+                  Text::tr("Add a rubric first"));
     }
     return addRubric(shell().session(), templates.front().title, templates.front().revision);
   }

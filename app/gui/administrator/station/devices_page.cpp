@@ -65,7 +65,7 @@ void DevicesPage::check() {
       tr("Checking the device"),
       [request, result](SessionContext&, const ProgressCallback& progress) mutable {
         request.say = [&progress](const Text& sentence) { progress({sentence, 0.5, -1.0}); };
-        progress({"Looking for the device", 0.1, -1.0});
+        progress({Text::tr("Looking for the device"), 0.1, -1.0});
         *result = checkDevice(request);
       },
       [this, result] {
