@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "sim/base/contracts.h"
-#include "sim/tissue/rod/rod_algebra.h"
 
 namespace torsio {
 namespace {
@@ -55,14 +54,6 @@ void addShearCentre(RodElement& element, double e1_m, double e2_m) noexcept {
   element.coupling_Nm[2] -= shear1_N * e2_m;
   element.coupling_Nm[5] += shear2_N * e1_m;
   element.bend_Nm2[8] += shear1_N * e2_m * e2_m + shear2_N * e1_m * e1_m;
-}
-
-RodStrain rodStrain(double length_m, const Pose& first, const Pose& second) noexcept {
-  const Vec3 sigma = quarterTangent(conjugate(first.orientation) * second.orientation);
-  const Mat3 middle = rotationMatrix(first.orientation * unitFrom(sigma));
-  const double perLength = 1.0 / length_m;
-  return {.stretch = transposedTimes(middle, perLength * (second.position_m - first.position_m)),
-          .curvature_per_m = (4.0 * perLength) * sigma};
 }
 
 Rod::Rod(std::vector<RodElement> elements, const RodPose& rest, std::vector<double> radii_m,

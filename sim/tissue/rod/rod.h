@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/tissue/rod/restraint.h"
+#include "sim/tissue/rod/rod_algebra.h"
 #include "sim/tissue/rod/rod_pose.h"
 
 namespace torsio {
@@ -49,7 +50,13 @@ struct RodStrain {
   Vec3 stretch;
   Vec3 curvature_per_m;
 };
-[[nodiscard]] RodStrain rodStrain(double length_m, const Pose& first, const Pose& second) noexcept;
+[[nodiscard]] inline RodStrain rodStrain(double length_m, const Pose& first, const Pose& second) noexcept {
+  const Vec3 sigma = quarterTangent(conjugate(first.orientation) * second.orientation);
+  const Mat3 middle = rotationMatrix(first.orientation * unitFrom(sigma));
+  const double perLength = 1.0 / length_m;
+  return {.stretch = transposedTimes(middle, perLength * (second.position_m - first.position_m)),
+          .curvature_per_m = (4.0 * perLength) * sigma};
+}
 
 /// What belongs to the whole rod. Damping and drag are assumed (docs/model.md R.9).
 struct RodSettings {
