@@ -240,6 +240,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
        {"sim/base", "sim/device", "sim/device/safety", "sim/device/virtual", "sim/geometry/mesh",
         "sim/geometry/query", "sim/record", "sim/scene", "sim/tissue/twist"}},
       {"sim/tissue/reference", {"sim/base"}},
+      {"sim/tissue/rod", {"sim/base"}},
       {"sim/tissue/section", {"sim/base"}},
       {"sim/tissue/twist",
        {"sim/base", "sim/geometry/lattice", "sim/tissue/reference", "sim/tissue/section", "sim/tissue/view"}},

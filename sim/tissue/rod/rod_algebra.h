@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+#include "sim/tissue/rod/rod_pose.h"
+
+/// Small rotations and 3 x 3 matrices of the rod: +, -, *, / and sqrt only, so that every build gives the
+/// same bits. Shared by the sources of sim/tissue/rod.
+namespace torsio {
+
+constexpr Vec3 vectorPart(const Quat& q) noexcept {
+  return {q.x, q.y, q.z};
+}
+constexpr Quat quatOf(double w, const Vec3& v) noexcept {
+  return {w, v.x, v.y, v.z};
+}
+/// Returns sigma = p_v / (1 + p_w) = e tan(angle / 4) of the shorter of the two ways of turning by `p`.
+constexpr Vec3 quarterTangent(const Quat& p) noexcept {
+  const double sign = p.w < 0.0 ? -1.0 : 1.0;
+  return (sign / (1.0 + sign * p.w)) * vectorPart(p);
+}
+/// Returns the unit quaternion of the turn (1, v) points along.
+inline Quat unitFrom(const Vec3& v) noexcept {
+  const double scale = 1.0 / std::sqrt(1.0 + dot(v, v));
+  return quatOf(scale, scale * v);
+}
+/// Returns `q` turned by the body rotation theta: q cay(theta), cay = (1, theta/2) / sqrt(1 + |theta|^2/4).
+inline Quat turnedBy(const Quat& q, const Vec3& theta) noexcept {
+  return normalized(q * unitFrom(0.5 * theta));
+}
+
+/// A 3 x 3 matrix, row after row.
+struct Mat3 {
+  double m[9] = {};
+};
+
+constexpr Mat3 operator+(const Mat3& a, const Mat3& b) noexcept {
+  Mat3 r;
+  for (int i = 0; i < 9; ++i) {
+    r.m[i] = a.m[i] + b.m[i];
+  }
+  return r;
+}
+constexpr Mat3 operator-(const Mat3& a, const Mat3& b) noexcept {
+  Mat3 r;
+  for (int i = 0; i < 9; ++i) {
+    r.m[i] = a.m[i] - b.m[i];
+  }
+  return r;
+}
+constexpr Mat3 operator*(double k, const Mat3& a) noexcept {
+  Mat3 r;
+  for (int i = 0; i < 9; ++i) {
+    r.m[i] = k * a.m[i];
+  }
+  return r;
+}
+constexpr Mat3 operator*(const Mat3& a, const Mat3& b) noexcept {
+  Mat3 r;
+  for (int i = 0; i < 9; i += 3) {
+    r.m[i] = a.m[i] * b.m[0] + a.m[i + 1] * b.m[3] + a.m[i + 2] * b.m[6];
+    r.m[i + 1] = a.m[i] * b.m[1] + a.m[i + 1] * b.m[4] + a.m[i + 2] * b.m[7];
+    r.m[i + 2] = a.m[i] * b.m[2] + a.m[i + 1] * b.m[5] + a.m[i + 2] * b.m[8];
+  }
+  return r;
+}
+constexpr Vec3 operator*(const Mat3& a, const Vec3& v) noexcept {
+  return {a.m[0] * v.x + a.m[1] * v.y + a.m[2] * v.z, a.m[3] * v.x + a.m[4] * v.y + a.m[5] * v.z,
+          a.m[6] * v.x + a.m[7] * v.y + a.m[8] * v.z};
+}
+constexpr Mat3 transposed(const Mat3& a) noexcept {
+  return {{a.m[0], a.m[3], a.m[6], a.m[1], a.m[4], a.m[7], a.m[2], a.m[5], a.m[8]}};
+}
+/// Returns a^T v.
+constexpr Vec3 transposedTimes(const Mat3& a, const Vec3& v) noexcept {
+  return {a.m[0] * v.x + a.m[3] * v.y + a.m[6] * v.z, a.m[1] * v.x + a.m[4] * v.y + a.m[7] * v.z,
+          a.m[2] * v.x + a.m[5] * v.y + a.m[8] * v.z};
+}
+constexpr Mat3 scaledIdentity(double k) noexcept {
+  return {{k, 0, 0, 0, k, 0, 0, 0, k}};
+}
+/// Returns [a x], the matrix of the cross product.
+constexpr Mat3 crossMatrix(const Vec3& a) noexcept {
+  return {{0, -a.z, a.y, a.z, 0, -a.x, -a.y, a.x, 0}};
+}
+/// Returns a b^T.
+constexpr Mat3 outer(const Vec3& a, const Vec3& b) noexcept {
+  return {
+      {a.x * b.x, a.x * b.y, a.x * b.z, a.y * b.x, a.y * b.y, a.y * b.z, a.z * b.x, a.z * b.y, a.z * b.z}};
+}
+/// Returns the rotation matrix of the unit quaternion `q`: columns e1, e2, t.
+constexpr Mat3 rotationMatrix(const Quat& q) noexcept {
+  const double xx = q.x * q.x;
+  const double yy = q.y * q.y;
+  const double zz = q.z * q.z;
+  const double xy = q.x * q.y;
+  const double xz = q.x * q.z;
+  const double yz = q.y * q.z;
+  const double wx = q.w * q.x;
+  const double wy = q.w * q.y;
+  const double wz = q.w * q.z;
+  return {{1.0 - 2.0 * (yy + zz), 2.0 * (xy - wz), 2.0 * (xz + wy), 2.0 * (xy + wz), 1.0 - 2.0 * (xx + zz),
+           2.0 * (yz - wx), 2.0 * (xz - wy), 2.0 * (yz + wx), 1.0 - 2.0 * (xx + yy)}};
+}
+/// Returns B(sigma) = (1 - sigma^2) I + 2 [sigma x] + 2 sigma sigma^T: 4 d sigma = B d theta_j - B^T d
+/// theta_i.
+constexpr Mat3 turnRate(const Vec3& s) noexcept {
+  return scaledIdentity(1.0 - dot(s, s)) + 2.0 * crossMatrix(s) + 2.0 * outer(s, s);
+}
+
+}  // namespace torsio
