@@ -1,37 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/tissue/rod/grip.h"
 
-#include <span>
-
 #include "sim/tissue/rod/rod_algebra.h"
 
 namespace torsio {
 
 RodGrip gripAt(const Rod& rod, const RodPose& pose, int node, double halfWidth_m, const Pose& hand,
                const GripStiffness& stiffness) noexcept {
-  const std::span<const RodElement> elements = rod.elements();
-  int first = node;
-  int last = node;
-  double below_m = 0.0;
-  double above_m = 0.0;
-  bool grew = true;
-  while (grew) {  // one node on each side, so that the patch stays symmetric about the node
-    grew = false;
-    if (first > 0 && last - first + 1 < kMostGripNodes) {
-      below_m += elements[static_cast<std::size_t>(first - 1)].length_m;
-      grew = below_m <= halfWidth_m;
-      first -= grew ? 1 : 0;
-    }
-    if (last + 1 < pose.count && last - first + 1 < kMostGripNodes) {
-      above_m += elements[static_cast<std::size_t>(last)].length_m;
-      const bool more = above_m <= halfWidth_m;
-      last += more ? 1 : 0;
-      grew = grew || more;
-    }
+  double arc_m = 0.0;
+  for (int i = 0; i < node; ++i) {
+    arc_m += rod.elements()[static_cast<std::size_t>(i)].length_m;
   }
+  const NodeRange patch = nodesAround(rod.elements(), arc_m, halfWidth_m, kMostGripNodes);
   RodGrip grip;
   grip.stiffness = stiffness;
-  for (int i = first; i <= last; ++i) {
+  for (int i = patch.first; i <= patch.last; ++i) {
     const Pose& at = pose.nodes[static_cast<std::size_t>(i)];
     grip.nodes[static_cast<std::size_t>(grip.count++)] = {
         .node = i,

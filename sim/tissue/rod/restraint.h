@@ -40,4 +40,67 @@ struct RodRestraints {
   std::vector<HeldNode> held;
 };
 
+/// A run of neighbouring nodes.
+struct NodeRange {
+  int first = 0;
+  int last = 0;
+  [[nodiscard]] constexpr int count() const noexcept { return last - first + 1; }
+};
+
+/// Returns the nodes within `halfWidth_m` of arc length `arc_m`, `most` at most and one at least, of a rod of
+/// `elements`. What holds a section is spread over the nodes within half its radius: a single
+/// node that carries a point load kinks. Real time.
+template <typename Elements>
+[[nodiscard]] constexpr NodeRange nodesAround(const Elements& elements, double arc_m, double halfWidth_m,
+                                              int most) noexcept {
+  NodeRange range{.first = 0, .last = -1};
+  int nearest = 0;
+  double nearest_m = 1e300;
+  double at_m = 0.0;
+  int node = 0;
+  const auto look = [&] {
+    const double apart_m = at_m < arc_m ? arc_m - at_m : at_m - arc_m;
+    if (apart_m < nearest_m) {
+      nearest = node;
+      nearest_m = apart_m;
+    }
+    if (apart_m <= halfWidth_m * (1.0 + 1e-9)) {
+      range = {.first = range.last < 0 ? node : range.first, .last = node};
+    }
+  };
+  look();
+  for (const auto& e : elements) {
+    at_m += e.length_m;
+    ++node;
+    look();
+  }
+  if (range.last < 0) {
+    return {.first = nearest, .last = nearest};
+  }
+  while (range.count() > most) {  // give away the end that lies further from the middle of the patch
+    if (nearest - range.first > range.last - nearest) {
+      ++range.first;
+    } else {
+      --range.last;
+    }
+  }
+  return range;
+}
+
+/// A spring of a point of the organ, shared alike by the nodes of a patch.
+struct PatchSpring {
+  NodeRange nodes;
+  Vec3 point_m;   ///< at rest, world frame
+  Vec3 anchor_m;  ///< world frame
+  double slack_m = 0.0;
+  double stiffness_N_per_m = 0.0;
+};
+
+/// Adds the point springs of a patch on `rest`.
+void addPatchSpring(const PatchSpring& spring, const RodPose& rest, RodRestraints& restraints);
+
+/// Adds turn springs of `stiffness_Nm_per_rad` in sum towards the orientations at rest of `nodes`.
+void addPatchTurn(NodeRange nodes, double stiffness_Nm_per_rad, const RodPose& rest,
+                  RodRestraints& restraints);
+
 }  // namespace torsio
