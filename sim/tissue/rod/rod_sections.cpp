@@ -15,8 +15,9 @@ namespace torsio {
 
 namespace {
 
-constexpr double kShearFactor = 0.9;   // of a circle; 0.85 changes the torque of a bent tube by 0.2 %
-constexpr double kLeastFibre = 0.25;   // j0: a section that reaches the centre of its bend is cut off there
+constexpr double kShearFactor = 0.9;  // of a circle; 0.85 changes the torque of a bent tube by 0.2 %
+constexpr double kLeastRestFibre =
+    0.25;                              // j0: a section that reaches the centre of its bend is cut off there
 constexpr double kMostCoupling = 0.5;  // of the energy that shear and twist may exchange through a bend
 constexpr double kBendStiffness = 200.0;  // k_b of the bend limit, assumed
 constexpr double kLeastBendLimit = 0.40;  // z0
@@ -24,7 +25,10 @@ constexpr double kAboveRest = 0.02;       // z0 over z at rest
 constexpr double kTipSlope = 1.0;         // |dr/ds| from which on an end is a tip
 constexpr double kLongestTip = 0.25;      // of the length
 constexpr double kSmoothedEnd = 0.04;  // of the length: so near to an end the smoothed axis has lost its bend
-constexpr int kTipSteps = 200;         // of the length
+constexpr double kArcShare = 2.0 / 3.0;  // of a step along the rod; the rest counts compliance
+constexpr int kDivisionPlaces = 1001;
+constexpr int kHalvings = 60;
+constexpr int kTipSteps = 200;  // of the length
 
 // Gauss-Legendre on [0, 1]: four points along an element, six from the axis to the outline, three on an edge.
 constexpr std::array<double, 4> kArcPoints{0.069431844202973712, 0.33000947820757187, 0.66999052179242813,
@@ -134,21 +138,21 @@ struct SectionPart {
 class RodMaker {
  public:
   RodMaker(const SectionLattice& lattice, const SolvedSections& sections, const RodMaterial& material,
-           int elements)
+           const RodDivision& division)
       : lattice_(lattice),
         sections_(sections),
         shear_Pa_(material.shearModulus_Pa),
         young_Pa_(2.0 * material.shearModulus_Pa * (1.0 + material.poisson)),
-        count_(elements) {}
+        division_(division),
+        count_(division.elements) {}
 
   OrganRod make() {
-    rod_.firstArc_m = endOfTip(1.0);
-    rod_.lastArc_m = lattice_.length_m() - endOfTip(-1.0);
+    divide(endOfTip(1.0), lattice_.length_m() - endOfTip(-1.0));
     placeNodes();
     std::vector<double> arcs;
     for (int i = 0; i < count_; ++i) {
       for (const double share : kArcPoints) {
-        arcs.push_back(arcAt(i + share));
+        arcs.push_back(rod_.arcs_m[at(i)] + share * length(i));
       }
     }
     const std::vector<LatticeOutline> outlines = lattice_.outlinesAt(arcs);
@@ -161,8 +165,42 @@ class RodMaker {
   }
 
  private:
-  [[nodiscard]] double arcAt(double place) const {
-    return rod_.firstArc_m + (rod_.lastArc_m - rod_.firstArc_m) * place / count_;
+  [[nodiscard]] double length(int i) const { return rod_.arcs_m[at(i + 1)] - rod_.arcs_m[at(i)]; }
+
+  // Equal steps of kArcShare of the length and the rest of the compliance: a thin end, which takes most of a
+  // twist, gets shorter elements, because an element turns by less than half a turn.
+  void divide(double first_m, double last_m) {
+    const std::vector<double> compliances = sectionCompliances(
+        sections_.profile(), kDivisionPlaces, lattice_.length_m(), shear_Pa_, EndCondition::kClampedFree);
+    const HermiteTable compliance(0.0, lattice_.length_m() / (kDivisionPlaces - 1), compliances, true);
+    const double from = compliance.value(first_m);
+    const double rise = compliance.value(last_m) - from;
+    const auto progress = [&](double arc_m) {
+      return kArcShare * (arc_m - first_m) / (last_m - first_m) +
+             (1.0 - kArcShare) * (compliance.value(arc_m) - from) / rise;
+    };
+    double node = 0.0;
+    int before = 0;
+    if (division_.node_m > first_m && division_.node_m < last_m) {
+      node = progress(division_.node_m);
+      before = std::clamp(static_cast<int>(std::lround(node * count_)), 1, count_ - 1);
+    }
+    for (int i = 0; i <= count_; ++i) {
+      const double wanted =
+          i < before ? node * i / before : node + (1.0 - node) * (i - before) / (count_ - before);
+      double low = first_m;
+      double high = last_m;
+      for (int halving = 0; halving < kHalvings; ++halving) {
+        const double middle = 0.5 * (low + high);
+        (progress(middle) < wanted ? low : high) = middle;
+      }
+      rod_.arcs_m.push_back(0.5 * (low + high));
+    }
+    rod_.arcs_m.front() = first_m;
+    rod_.arcs_m.back() = last_m;
+    if (before > 0) {
+      rod_.arcs_m[at(before)] = division_.node_m;
+    }
   }
 
   // Way from an end to where the organ is a tube: `direction` 1 from the fixed end, -1 from the free one.
@@ -181,9 +219,9 @@ class RodMaker {
   void placeNodes() {
     rod_.rest.count = count_ + 1;
     for (int i = 0; i <= count_; ++i) {
-      const AxisFrame frame = frameAt(arcAt(i));
+      const AxisFrame frame = frameAt(rod_.arcs_m[at(i)]);
       rod_.rest.nodes[at(i)] = {frame.centre_m, quatOfFrame(frame)};
-      rod_.radii_m.push_back(sections_.profile().radius_m(arcAt(i)));
+      rod_.radii_m.push_back(sections_.profile().radius_m(rod_.arcs_m[at(i)]));
     }
   }
 
@@ -260,7 +298,7 @@ class RodMaker {
   [[nodiscard]] RodElement element(int i, std::span<const double> arcs,
                                    std::span<const LatticeOutline> outlines) const {
     RodElement result;
-    result.length_m = (rod_.lastArc_m - rod_.firstArc_m) / count_;
+    result.length_m = length(i);
     const RodStrain rest = rodStrain(result.length_m, rod_.rest.nodes[at(i)], rod_.rest.nodes[at(i + 1)]);
     result.restStrain = {rest.stretch.x, rest.stretch.y, rest.stretch.z};
     result.restCurvature_per_m = {rest.curvature_per_m.x, rest.curvature_per_m.y, rest.curvature_per_m.z};
@@ -287,6 +325,7 @@ class RodMaker {
   const SolvedSections& sections_;
   double shear_Pa_;
   double young_Pa_;
+  RodDivision division_;
   int count_;
   OrganRod rod_;
 };
@@ -305,7 +344,7 @@ SectionMoments momentsOf(std::span<const Point2> outline_m, double kappa1_per_m,
       for (std::size_t r = 0; r < kRayPoints.size(); ++r) {
         const double x = kRayPoints[r] * px;
         const double y = kRayPoints[r] * py;
-        const double fibre = std::max(kLeastFibre, 1.0 + kappa1_per_m * y - kappa2_per_m * x);
+        const double fibre = std::max(kLeastRestFibre, 1.0 + kappa1_per_m * y - kappa2_per_m * x);
         const double weight = twice * kEdgeWeights[e] * kRayWeights[r] * kRayPoints[r] / fibre;
         sum.area_m2 += weight;
         sum.x_m3 += weight * x;
@@ -320,9 +359,9 @@ SectionMoments momentsOf(std::span<const Point2> outline_m, double kappa1_per_m,
 }
 
 OrganRod rodOfOrgan(const SectionLattice& lattice, const SolvedSections& sections,
-                    const RodMaterial& material, int elements) {
-  checkMaterial(material, elements);
-  return RodMaker(lattice, sections, material, elements).make();
+                    const RodMaterial& material, const RodDivision& division) {
+  checkMaterial(material, division.elements);
+  return RodMaker(lattice, sections, material, division).make();
 }
 
 }  // namespace torsio

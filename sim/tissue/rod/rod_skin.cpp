@@ -18,8 +18,8 @@ constexpr double kLimitFrom = 0.455;  // z from which on a bend is let in less a
 constexpr double kLimit = 0.495;      // z that no bend reaches; at 1/2 the inside of the bend has no length
 constexpr double kMostOfLimit = 0.9;  // of the way between them that a point at rest may lie
 constexpr double kStraight_per_m = 1e-9;  // a bend that does nothing
-constexpr double kLeastStretch = 0.05;
-constexpr double kLeastFibre = 0.2;  // of a step towards the section of a point
+constexpr double kLeastSkinStretch = 0.05;
+constexpr double kLeastSkinFibre = 0.2;  // of a step towards the section of a point
 constexpr int kMostFootSteps = 40;
 constexpr double kFootTolerance = 1e-15;  // of the length
 
@@ -78,7 +78,7 @@ void smoothNodes(std::array<Pose, kMostRodNodes>& nodes, int count) noexcept {
 // both nodes is their bend: 4 d sigma = B(sigma) bend ds.
 CurvePoint pointOf(const RodCurve& c, std::size_t i, double w) noexcept {
   const Hermite t(w);
-  const double h = c.spacing_m;
+  const double h = c.arcs_m[i + 1] - c.arcs_m[i];
   const Vec3& a = c.nodes[i].position_m;
   const Vec3& b = c.nodes[i + 1].position_m;
   CurvePoint p;
@@ -93,14 +93,19 @@ CurvePoint pointOf(const RodCurve& c, std::size_t i, double w) noexcept {
   p.turn = normalized(c.nodes[i].orientation * quatOf((1.0 - s2) * scale, (2.0 * scale) * sigma));
   p.bend_per_m =
       (scale * scale) * ((1.0 - s2) * rate - 2.0 * cross(sigma, rate) + 2.0 * dot(sigma, rate) * sigma);
-  p.stretch = std::max(kLeastStretch, dot(rotate(p.turn, {0, 0, 1}), p.slope));
+  p.stretch = std::max(kLeastSkinStretch, dot(rotate(p.turn, {0, 0, 1}), p.slope));
   return p;
 }
 
 CurvePoint pointAt(const RodCurve& c, double arc_m) noexcept {
-  const double place = std::clamp(arc_m / c.spacing_m, 0.0, static_cast<double>(c.count - 1));
-  const std::size_t i = std::min(static_cast<std::size_t>(place), at(c.count - 2));
-  return pointOf(c, i, place - static_cast<double>(i));
+  std::size_t low = 0;
+  std::size_t high = at(c.count - 1);
+  while (high - low > 1) {
+    const std::size_t middle = (low + high) / 2;
+    (c.arcs_m[middle] <= arc_m ? low : high) = middle;
+  }
+  const double w = (arc_m - c.arcs_m[low]) / (c.arcs_m[high] - c.arcs_m[low]);
+  return pointOf(c, low, std::clamp(w, 0.0, 1.0));
 }
 
 // Bend over stretch of the axis: the inside of a section lies towards this direction.
@@ -151,12 +156,13 @@ std::array<double, 2> bent(const std::array<double, 2>& w, const std::array<doub
 // Arc length of the section in which `point_m` lies, from a guess near it.
 double footOf(const RodCurve& c, const Vec3& point_m, double arc_m) noexcept {
   const double length = c.length_m();
+  const double stride = length / (c.count - 1);
   double arc = std::clamp(arc_m, 0.0, length);
   for (int step = 0; step < kMostFootSteps; ++step) {
     const CurvePoint p = pointAt(c, arc);
     const Vec3 local = rotate(conjugate(p.turn), point_m - p.place_m);
-    const double way = local.z / std::max(kLeastFibre, fibre(p, {local.x, local.y}));
-    const double next = std::clamp(arc + std::clamp(way, -c.spacing_m, c.spacing_m), 0.0, length);
+    const double way = local.z / std::max(kLeastSkinFibre, fibre(p, {local.x, local.y}));
+    const double next = std::clamp(arc + std::clamp(way, -stride, stride), 0.0, length);
     if (std::abs(next - arc) <= kFootTolerance * length) {
       return next;
     }
@@ -176,18 +182,23 @@ double nearestSample(const RodCurve& c, const Vec3& point_m) noexcept {
       nearest = i;
     }
   }
-  return c.spacing_m / RodCurve::kSamples * static_cast<double>(nearest);
+  const std::size_t i = std::min(nearest / RodCurve::kSamples, at(c.count - 2));
+  const double share = static_cast<double>(nearest - i * RodCurve::kSamples) / RodCurve::kSamples;
+  return c.arcs_m[i] + share * (c.arcs_m[i + 1] - c.arcs_m[i]);
 }
 
 }  // namespace
 
 RodSkin::RodSkin(const OrganRod& organ, const SectionLattice& lattice, const TriangleMesh& mesh) {
-  TORSIO_EXPECTS(mesh.vertices_m.size() == lattice.vertexCoordinates().size() && organ.rest.count >= 2);
-  rest_.spacing_m = (organ.lastArc_m - organ.firstArc_m) / (organ.rest.count - 1);
+  TORSIO_EXPECTS(mesh.vertices_m.size() == lattice.vertexCoordinates().size() && organ.rest.count >= 2 &&
+                 organ.arcs_m.size() == at(organ.rest.count));
+  for (std::size_t i = 0; i < organ.arcs_m.size(); ++i) {
+    rest_.arcs_m[i] = organ.arcs_m[i] - organ.arcs_m.front();
+  }
   rest_ = curveOf(organ.rest);
   vertices_.reserve(mesh.vertices_m.size());
   for (std::size_t v = 0; v < mesh.vertices_m.size(); ++v) {
-    const double arc = lattice.vertexCoordinates()[v].arc_m - organ.firstArc_m;
+    const double arc = lattice.vertexCoordinates()[v].arc_m - organ.arcs_m.front();
     vertices_.push_back(placeAt(mesh.vertices_m[v], footOf(rest_, mesh.vertices_m[v], arc)));
   }
 }
@@ -195,20 +206,23 @@ RodSkin::RodSkin(const OrganRod& organ, const SectionLattice& lattice, const Tri
 RodCurve RodSkin::curveOf(const RodPose& pose) const noexcept {
   RodCurve c;
   c.count = pose.count;
-  c.spacing_m = rest_.spacing_m;
+  c.arcs_m = rest_.arcs_m;
   c.nodes = pose.nodes;
   smoothNodes(c.nodes, c.count);
   std::array<Vec3, kMostRodNodes> stretches{};
+  std::array<Vec3, kMostRodNodes> bends{};
   const std::size_t elements = at(c.count - 1);
   for (std::size_t i = 0; i < elements; ++i) {
-    const RodStrain strain = rodStrain(c.spacing_m, c.nodes[i], c.nodes[i + 1]);
+    const double h = c.arcs_m[i + 1] - c.arcs_m[i];
+    const RodStrain strain = rodStrain(h, c.nodes[i], c.nodes[i + 1]);
     stretches[i] = strain.stretch;
-    c.turns[i] = c.spacing_m * strain.curvature_per_m;
+    bends[i] = strain.curvature_per_m;
+    c.turns[i] = h * strain.curvature_per_m;
   }
   for (std::size_t i = 0; i <= elements; ++i) {
     const std::size_t before = i > 0 ? i - 1 : 0;
     const std::size_t after = std::min(i, elements - 1);
-    c.bends_per_m[i] = (0.5 / c.spacing_m) * (c.turns[before] + c.turns[after]);
+    c.bends_per_m[i] = 0.5 * (bends[before] + bends[after]);
     c.slopes[i] = rotate(c.nodes[i].orientation, 0.5 * (stretches[before] + stretches[after]));
   }
   for (std::size_t i = 0; i < elements; ++i) {
@@ -262,7 +276,7 @@ Vec3 RodSkin::toRest_m(const Vec3& deformed_m, const RodCurve& curve) const noex
   const double thick = std::sqrt(now.stretch / rest.stretch);
   const std::array<double, 2> w = straightened(u, inwards(now));
   const std::array<double, 2> back = bent({thick * w[0], thick * w[1]}, inwards(rest));
-  const double shorter = fibre(rest, back) / std::max(kLeastStretch, fibre(now, u));
+  const double shorter = fibre(rest, back) / std::max(kLeastSkinStretch, fibre(now, u));
   return rest.place_m + rotate(rest.turn, {back[0], back[1], shorter * local.z});
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -18,7 +19,7 @@ namespace torsio {
 struct RodCurve {
   static constexpr int kSamples = 4;  ///< places an element that a search for the nearest one begins at
   int count = 0;                      ///< nodes in use
-  double spacing_m = 1.0;             ///< between nodes along the curve at rest
+  std::array<double, kMostRodNodes> arcs_m{};  ///< of the nodes along the curve at rest, from 0
   std::array<Pose, kMostRodNodes> nodes{};
   std::array<Vec3, kMostRodNodes> slopes{};       ///< d place / d arc
   std::array<Vec3, kMostRodNodes> bends_per_m{};  ///< curvature in the axes of the node
@@ -26,7 +27,9 @@ struct RodCurve {
   std::array<Vec3, kMostRodNodes * kSamples> samples_m{};
 
   /// Returns the length of the curve at rest.
-  [[nodiscard]] double length_m() const noexcept { return spacing_m * (count - 1); }
+  [[nodiscard]] double length_m() const noexcept {
+    return count > 0 ? arcs_m[static_cast<std::size_t>(count - 1)] : 0.0;
+  }
 };
 static_assert(std::is_trivially_copyable_v<RodCurve>);
 
