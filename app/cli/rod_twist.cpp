@@ -114,7 +114,7 @@ RodTwistResult rodTwist(const Scene& scene, const RodTwistRequest& request) {
   result.torque_Nm = solved.torque_Nm;
   result.energy_J = solved.balance.energy_J;
   result.elements = static_cast<int>(organ.elements.size());
-  const RodSkin skin(organ, lattice, scene.mesh);
+  const RodSkin skin(organ, lattice, sections, scene.mesh);
   const RodCurve curve = skin.curveOf(solved.pose);
   result.vertices_m.resize(scene.mesh.vertices_m.size());
   skin.deform(curve, result.vertices_m);

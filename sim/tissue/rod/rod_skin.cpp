@@ -20,6 +20,8 @@ constexpr double kMostOfLimit = 0.9;  // of the way between them that a point at
 constexpr double kStraight_per_m = 1e-9;  // a bend that does nothing
 constexpr double kLeastSkinStretch = 0.05;
 constexpr double kLeastSkinFibre = 0.2;  // of a step towards the section of a point
+constexpr int kWarpingRows = 256;        // places along the organ at which psi is known
+constexpr double kHeldFade = 0.5;        // of the radius
 constexpr int kMostFootSteps = 40;
 constexpr double kFootTolerance = 1e-15;  // of the length
 
@@ -189,7 +191,8 @@ double nearestSample(const RodCurve& c, const Vec3& point_m) noexcept {
 
 }  // namespace
 
-RodSkin::RodSkin(const OrganRod& organ, const SectionLattice& lattice, const TriangleMesh& mesh) {
+RodSkin::RodSkin(const OrganRod& organ, const SectionLattice& lattice, const SolvedSections& sections,
+                 const TriangleMesh& mesh) {
   TORSIO_EXPECTS(mesh.vertices_m.size() == lattice.vertexCoordinates().size() && organ.rest.count >= 2 &&
                  organ.arcs_m.size() == at(organ.rest.count));
   for (std::size_t i = 0; i < organ.arcs_m.size(); ++i) {
@@ -200,6 +203,30 @@ RodSkin::RodSkin(const OrganRod& organ, const SectionLattice& lattice, const Tri
   for (std::size_t v = 0; v < mesh.vertices_m.size(); ++v) {
     const double arc = lattice.vertexCoordinates()[v].arc_m - organ.arcs_m.front();
     vertices_.push_back(placeAt(mesh.vertices_m[v], footOf(rest_, mesh.vertices_m[v], arc)));
+  }
+  warpVertices(organ, lattice, sections);
+}
+
+void RodSkin::warpVertices(const OrganRod& organ, const SectionLattice& lattice,
+                           const SolvedSections& sections) {
+  const double step = lattice.length_m() / kWarpingRows;
+  std::vector<std::vector<double>> rows;
+  for (int i = 0; i <= kWarpingRows; ++i) {
+    rows.push_back(sections.warping_m2(std::min(lattice.length_m(), step * i)));
+  }
+  const auto fade = [](double way_m, double radius_m) {
+    const double t = std::clamp(way_m / (kHeldFade * radius_m), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+  };
+  for (std::size_t v = 0; v < vertices_.size(); ++v) {
+    RodSkinPlace& place = vertices_[v];
+    const double along = std::clamp((place.arc_m + organ.arcs_m.front()) / step, 0.0, 1.0 * kWarpingRows);
+    const std::size_t low = std::min(static_cast<std::size_t>(along), at(kWarpingRows - 1));
+    const double share = along - static_cast<double>(low);
+    const double angle = lattice.vertexCoordinates()[v].angle_rad;
+    const double psi = (1.0 - share) * atAngle(rows[low], angle) + share * atAngle(rows[low + 1], angle);
+    place.warping_m2 = psi * fade(place.arc_m, organ.radii_m.front()) *
+                       fade(rest_.length_m() - place.arc_m, organ.radii_m.back());
   }
 }
 
@@ -246,6 +273,7 @@ RodSkinPlace RodSkin::placeAt(const Vec3& rest_m, double arc_m) const noexcept {
   place.left_m = {u[0] - back[0], u[1] - back[1]};
   place.beyond_m = local.z;
   place.restStretch = p.stretch;
+  place.restTwist_per_m = p.bend_per_m.z;
   place.restFibre = fibre(p, back);  // above 0: no point goes through the centre of a bend
   return place;
 }
@@ -259,8 +287,9 @@ Vec3 RodSkin::positionOf_m(const RodSkinPlace& place, const RodCurve& curve) con
   const double thin = std::sqrt(place.restStretch / p.stretch);
   const std::array<double, 2> u = bent({thin * place.section_m[0], thin * place.section_m[1]}, inwards(p));
   const double longer = fibre(p, u) / place.restFibre;
+  const double warped = (p.bend_per_m.z - place.restTwist_per_m) / p.stretch * place.warping_m2;
   return p.place_m +
-         rotate(p.turn, {u[0] + place.left_m[0], u[1] + place.left_m[1], longer * place.beyond_m});
+         rotate(p.turn, {u[0] + place.left_m[0], u[1] + place.left_m[1], longer * place.beyond_m + warped});
 }
 
 Vec3 RodSkin::toDeformed_m(const Vec3& rest_m, const RodCurve& curve) const noexcept {

@@ -42,6 +42,8 @@ struct RodSkinPlace {
   double restStretch = 1.0;           ///< Gamma3 of the curve at rest
   double restFibre = 1.0;             ///< rest length of this fibre over that of the axis
   std::array<double, 2> left_m{};     ///< what the map cannot say: zero except near the centre of a bend
+  double restTwist_per_m = 0.0;       ///< of the curve at rest
+  double warping_m2 = 0.0;            ///< psi: way along the tangent for unit twist rate; vertices only
 };
 
 /// Shape of an organ whose rod has moved: maps the organ at rest onto the organ as it is. The map keeps every
@@ -51,7 +53,10 @@ struct RodSkinPlace {
 class RodSkin {
  public:
   /// Takes the rest pose of `organ` and finds where the vertices of `mesh`, the surface of `lattice`, belong.
-  RodSkin(const OrganRod& organ, const SectionLattice& lattice, const TriangleMesh& mesh);
+  /// `sections`: of the same lattice; vertices are warped by theta psi, which fades out over half a radius
+  /// towards both ends of the rod, as a held face keeps flat.
+  RodSkin(const OrganRod& organ, const SectionLattice& lattice, const SolvedSections& sections,
+          const TriangleMesh& mesh);
 
   /// Draws the curve of a pose.
   [[nodiscard]] RodCurve curveOf(const RodPose& pose) const noexcept;
@@ -59,7 +64,7 @@ class RodSkin {
   [[nodiscard]] RodSkinPlace placeOf(const Vec3& rest_m) const noexcept;
   /// Returns where the point with these coordinates lies.
   [[nodiscard]] Vec3 positionOf_m(const RodSkinPlace& place, const RodCurve& curve) const noexcept;
-  /// Maps a point of the organ at rest to its place now.
+  /// Maps a point of the organ at rest to its place now, without warping.
   [[nodiscard]] Vec3 toDeformed_m(const Vec3& rest_m, const RodCurve& curve) const noexcept;
   /// Maps a point near the organ as it is back to where it would be at rest: the inverse of toDeformed_m.
   [[nodiscard]] Vec3 toRest_m(const Vec3& deformed_m, const RodCurve& curve) const noexcept;
@@ -67,6 +72,7 @@ class RodSkin {
   void deform(const RodCurve& curve, std::span<Vec3> out_m) const noexcept;
 
  private:
+  void warpVertices(const OrganRod& organ, const SectionLattice& lattice, const SolvedSections& sections);
   [[nodiscard]] RodSkinPlace placeAt(const Vec3& rest_m, double arc_m) const noexcept;
 
   RodCurve rest_;

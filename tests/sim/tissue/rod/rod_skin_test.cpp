@@ -23,8 +23,9 @@ struct SkinnedOrgan {
   explicit SkinnedOrgan(TriangleMesh surface)
       : mesh(std::move(surface)),
         lattice(mesh, automatic()),
-        organ(rodOfOrgan(lattice, SolvedSections::solve(lattice, {}), {1e4, 0.5})),
-        skin(organ, lattice, mesh) {}
+        sections(SolvedSections::solve(lattice, {})),
+        organ(rodOfOrgan(lattice, sections, {1e4, 0.5})),
+        skin(organ, lattice, sections, mesh) {}
 
   static LatticeOptions automatic() {
     LatticeOptions options;
@@ -44,6 +45,7 @@ struct SkinnedOrgan {
 
   TriangleMesh mesh;
   SectionLattice lattice;
+  SolvedSections sections;
   OrganRod organ;
   RodSkin skin;
 };
@@ -149,6 +151,29 @@ TEST(RodSkin, ABentSectionKeepsItsAreaAlongEveryFibre) {
     const double inside = rho - fromCentre(rest);
     EXPECT_NEAR((inside - inside * inside / (2.0 * rho)) * std::sqrt(rho / bend), rest, 1e-5);
   }
+}
+
+TEST(RodSkin, ATwistedEllipseWarpsByTheClosedForm) {
+  // psi = -(a^2 - b^2) / (a^2 + b^2) x y, flat at the held ends.
+  const double a = 0.03;
+  const double b = 0.02;
+  const SkinnedOrgan o(testing::prism(testing::ellipseOutline(a, b, 96), kLength_m, 48));
+  const double rate = radians(30.0) / kLength_m;
+
+  const std::vector<Vec3> drawn = o.drawn(o.turned(30.0));
+
+  double most = 0.0;
+  for (std::size_t v = 0; v < drawn.size(); ++v) {
+    const Vec3& rest = o.mesh.vertices_m[v];
+    if (rest.z < 0.03 || rest.z > kLength_m - 0.03) {
+      continue;
+    }
+    const double psi = -(a * a - b * b) / (a * a + b * b) * rest.x * rest.y;
+    EXPECT_NEAR(drawn[v].z - rest.z, rate * psi, 1e-6);
+    most = std::max(most, std::abs(rate * psi));
+  }
+  EXPECT_GT(most, 2e-4);
+  EXPECT_NEAR(drawn.front().z, 0.0, 1e-9);
 }
 
 TEST(RodSkin, ThePlaceAtRestIsFoundAgain) {
