@@ -12,10 +12,12 @@ struct Landmarks {
   Vec3 to;
 };
 
-/// Returns the angle by which `now.point` has turned about its line since `rest`, in radians, right-handed about the
-/// line from `from` to `to`; the line itself may have moved: the direction at rest is carried along by the shortest
-/// rotation. Of all whole turns the one nearest to `before_rad`, the last measurement, is meant. A point on the line,
-/// or a line turned back on itself, has no turn: `before_rad` is returned. Real time, portable arithmetic.
-[[nodiscard]] double landmarkTurn_rad(const Landmarks& rest, const Landmarks& now, double before_rad) noexcept;
+/// Returns the angle by which `now.point` has turned about its line since `rest`, in radians, right-handed
+/// about the line from `from` to `to`; the line itself may have moved: the direction at rest is carried along
+/// by the shortest rotation. Of all whole turns the one nearest to `before_rad`, the last measurement, is
+/// meant. A point on the line, or a line turned back on itself, has no turn: `before_rad` is returned. Real
+/// time, portable arithmetic.
+[[nodiscard]] double landmarkTurn_rad(const Landmarks& rest, const Landmarks& now,
+                                      double before_rad) noexcept;
 
 }  // namespace torsio

@@ -55,7 +55,7 @@ struct RodStrain {
   const Mat3 middle = rotationMatrix(first.orientation * unitFrom(sigma));
   const double perLength = 1.0 / length_m;
   return {.stretch = transposedTimes(middle, perLength * (second.position_m - first.position_m)),
-          .curvature_per_m = (4.0 * perLength) * sigma};
+          .curvature_per_m = (4.0 * perLength * angleScale(dot(sigma, sigma)).f) * sigma};
 }
 
 /// What belongs to the whole rod. Damping and drag are assumed (docs/model.md R.9).

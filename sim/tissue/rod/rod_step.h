@@ -15,7 +15,7 @@ namespace torsio {
 struct RodStepRules {
   int newtonSteps = 2;
   int halvings = 6;
-  int contactIterations = 8;       ///< conjugate gradients a Newton step
+  int contactIterations = 6;       ///< conjugate gradients a Newton step
   double turn_rad = 0.3;           ///< longest turn of a node in a Newton step
   double way_m = 0.003;            ///< longest way of a node in a Newton step
   double pivotFloor = 1e-3;        ///< of the stiffness of the element beside

@@ -32,7 +32,7 @@ double pressed_m(const Rod& rod, const Rod& loop, int ticks, double& force_N) {
   const RodGrip grip = gripAt(rod, pose, 7, 0.006, hand, {});
   double deepest_m = 0.0;
   for (int tick = 0; tick < ticks; ++tick) {
-    hand.position_m.x += 0.060 / ticks;
+    hand.position_m.x += 0.090 / ticks;
     force_N = norm(stepRod(rod, &grip, hand, 1e-3, pose, *work).load.force_N);
     deepest_m = std::max(deepest_m, deepestOverlap_m(loop, pose));
   }
@@ -60,7 +60,7 @@ TEST(RodContact, HoldsAtRestToo) {
   const RodGrip grip = gripAt(loop, pose, 7, 0.006, hand, {});
   RodBalance balance;
 
-  for (int step = 1; step <= 12; ++step) {
+  for (int step = 1; step <= 18; ++step) {
     hand.position_m.x += 0.005;
     balance = balanceRod(loop, &grip, hand, {}, pose);
     ASSERT_TRUE(balance.converged) << step << " residual " << balance.residual;

@@ -105,7 +105,7 @@ inline RodPose bentPose(double length_m, double angle_rad, int elements) {
 /// Returns 1 / mean(1 / GJ) over an element of a bar of sections `at`, a share of its length: composite
 /// Simpson.
 inline double torsionOver(const std::function<EllipticSection(double)>& at, double from, double to) {
-  constexpr int kParts = 16;
+  constexpr int kParts = 256;
   double sum = 0.0;
   for (int k = 0; k <= kParts; ++k) {
     const double weight = k == 0 || k == kParts ? 1.0 : (k % 2 == 1 ? 4.0 : 2.0);
