@@ -12,8 +12,8 @@ namespace torsio {
 /// slack)^2, only while it is longer than its slack. Slack 0 is a pin, more is a ligament.
 struct PointSpring {
   int node = 0;
-  Vec3 arm_m;     ///< the point, in the axes of the section
-  Vec3 anchor_m;  ///< the place, world frame
+  Vec3 arm_m{};     ///< the point, in the axes of the section
+  Vec3 anchor_m{};  ///< the place, world frame
   double slack_m = 0.0;
   double stiffness_N_per_m = 0.0;
 };
@@ -22,7 +22,7 @@ struct PointSpring {
 /// 4 |sigma| = 4 tan(angle / 4).
 struct TurnSpring {
   int node = 0;
-  Quat orientation;
+  Quat orientation{};
   double stiffness_Nm_per_rad = 0.0;
 };
 
@@ -89,9 +89,9 @@ template <typename Elements>
 
 /// A spring of a point of the organ, shared alike by the nodes of a patch.
 struct PatchSpring {
-  NodeRange nodes;
-  Vec3 point_m;   ///< at rest, world frame
-  Vec3 anchor_m;  ///< world frame
+  NodeRange nodes{};
+  Vec3 point_m{};   ///< at rest, world frame
+  Vec3 anchor_m{};  ///< world frame
   double slack_m = 0.0;
   double stiffness_N_per_m = 0.0;
 };

@@ -37,7 +37,7 @@ struct RodElement {
   RowMajor3 coupling_Nm{};                      ///< X: rows g, columns k
   RowMajor3 bend_Nm2{};                         ///< C, symmetric: bending 1, bending 2, torsion
   double axial_N = 0.0;                         ///< EA of the neo-Hookean axial law, beside stretch_N[8]
-  RodBendLimit bendLimit;
+  RodBendLimit bendLimit{};
 };
 
 /// Moves the line of the shear force of an element from the centroid to the shear centre (e1, e2) of its
@@ -55,7 +55,7 @@ struct RodStrain {
   const Mat3 middle = rotationMatrix(first.orientation * unitFrom(sigma));
   const double perLength = 1.0 / length_m;
   return {.stretch = transposedTimes(middle, perLength * (second.position_m - first.position_m)),
-          .curvature_per_m = (4.0 * perLength) * sigma};
+          .curvature_per_m = (4.0 * perLength * angleScale(dot(sigma, sigma)).f) * sigma};
 }
 
 /// What belongs to the whole rod. Damping and drag are assumed (docs/model.md R.9).

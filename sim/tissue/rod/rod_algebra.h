@@ -20,6 +20,22 @@ constexpr Vec3 quarterTangent(const Quat& p) noexcept {
   const double sign = p.w < 0.0 ? -1.0 : 1.0;
   return (sign / (1.0 + sign * p.w)) * vectorPart(p);
 }
+/// How the rotation vector grows with sigma: phi e = 4 f(sigma^2) sigma, f(s) = atan(sqrt(s)) / sqrt(s), by
+/// its Pade approximant (945 + 735 s + 64 s^2) / (945 + 1050 s + 225 s^2). Its error is 2e-4 s^5: below
+/// rounding up to a turn of 20 degrees, 1e-9 at 65, 2e-4 at 180; it is what the rod means by an angle, at any
+/// angle.
+struct AngleScale {
+  double f = 1.0;
+  double slope = 0.0;  ///< df / ds
+  double bend = 0.0;   ///< d2f / ds2
+};
+constexpr AngleScale angleScale(double s) noexcept {
+  const double inverse = 1.0 / (945.0 + s * (1050.0 + 225.0 * s));
+  const double below1 = 1050.0 + 450.0 * s;
+  const double f = (945.0 + s * (735.0 + 64.0 * s)) * inverse;
+  const double slope = (735.0 + 128.0 * s - f * below1) * inverse;
+  return {.f = f, .slope = slope, .bend = (128.0 - 2.0 * slope * below1 - 450.0 * f) * inverse};
+}
 /// Returns the unit quaternion of the turn (1, v) points along.
 inline Quat unitFrom(const Vec3& v) noexcept {
   const double scale = 1.0 / std::sqrt(1.0 + dot(v, v));

@@ -14,8 +14,8 @@ namespace torsio {
 struct RodTask {
   const Rod* rod = nullptr;
   const RodGrip* grip = nullptr;  ///< null: free
-  Pose hand;                      ///< finite; its quaternion is a unit
-  std::span<const RodContactPair> near;
+  Pose hand{};                    ///< finite; its quaternion is a unit
+  std::span<const RodContactPair> near{};
   const RodPose* before = nullptr;  ///< pose at the start of the step; unused without rate
   std::span<const RodStrain> strainsBefore{};
   std::span<const HeldNode> held{};  ///< beside those of the rod

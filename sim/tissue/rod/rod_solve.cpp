@@ -43,7 +43,7 @@ Unbalance unbalanceOf(const Rod& rod, const RodPose& pose, const NodeVector& gra
       }
     }
   }
-  u.carried_Nm += 1e-9 * stiffest_Nm;
+  u.carried_Nm += 1e-6 * stiffest_Nm;
   return u;
 }
 

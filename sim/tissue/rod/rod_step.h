@@ -15,9 +15,9 @@ namespace torsio {
 struct RodStepRules {
   int newtonSteps = 2;
   int halvings = 6;
-  int contactIterations = 8;       ///< conjugate gradients a Newton step
+  int contactIterations = 6;       ///< conjugate gradients a Newton step
   double turn_rad = 0.3;           ///< longest turn of a node in a Newton step
-  double way_m = 0.005;            ///< longest way of a node in a Newton step
+  double way_m = 0.003;            ///< longest way of a node in a Newton step
   double pivotFloor = 1e-3;        ///< of the stiffness of the element beside
   double settledForce_N = 1e-3;    ///< unbalanced force at a node that is let stand
   double settledMoment_Nm = 3e-5;  ///< unbalanced moment at a node that is let stand

@@ -53,6 +53,24 @@ constexpr Mat3 symmetricPart(const Mat3& a) noexcept {
   return 0.5 * (a + transposed(a));
 }
 
+/// Turns moment and stiffness that belong to kappa into those that belong to 4 sigma / h. With kappa = 4 f
+/// sigma / h and M = f I + 2 f' sigma sigma^T: M m, X M, M C M + (h/4) dM/dsigma m.
+void bySigma(const Vec3& sigma, double h, ElementStress& stress) noexcept {
+  const AngleScale scale = angleScale(dot(sigma, sigma));
+  const Vec3 m = stress.moment_Nm;
+  const double along = dot(sigma, m);
+  const double f = scale.f;
+  const double twice = 2.0 * scale.slope;
+  const Vec3 bent = stress.bend_Nm2 * sigma;
+  stress.moment_Nm = f * m + (twice * along) * sigma;
+  stress.coupling_Nm = f * stress.coupling_Nm + outer(twice * (stress.coupling_Nm * sigma), sigma);
+  const Vec3 side = (twice * f) * bent + (0.5 * h * scale.slope) * m;
+  const double both = twice * twice * dot(sigma, bent) + h * scale.bend * along;
+  const Mat3 mixed = outer(side, sigma);
+  stress.bend_Nm2 = (f * f) * stress.bend_Nm2 + mixed + transposed(mixed) + outer(both * sigma, sigma) +
+                    scaledIdentity(0.5 * h * scale.slope * along);
+}
+
 /// Derivatives of one element by the turns of its nodes (docs/model.md R.4). P = (I - [s x])/2 turns the
 /// middle with the first node, P^T with the second.
 struct TurnBlocks {
@@ -99,10 +117,11 @@ void addElement(const RodTask& task, const RodPose& pose, std::size_t i, RodSyst
   const Vec3 sigma = quarterTangent(conjugate(p.orientation) * q.orientation);
   const Mat3 r = rotationMatrix(p.orientation * unitFrom(sigma));
   const RodStrain strain{.stretch = transposedTimes(r, perLength * (q.position_m - p.position_m)),
-                         .curvature_per_m = (4.0 * perLength) * sigma};
+                         .curvature_per_m = (4.0 * perLength * angleScale(dot(sigma, sigma)).f) * sigma};
   const bool damped = task.rate_per_s > 0.0;
   const double viscous = task.rod->settings().damping_s * task.rate_per_s;
-  const ElementStress stress = elementStress(e, strain, viscous, damped ? task.strainsBefore[i] : strain);
+  ElementStress stress = elementStress(e, strain, viscous, damped ? task.strainsBefore[i] : strain);
+  bySigma(sigma, h, stress);
 
   const Vec3 c = h * cross(stress.force_N, strain.stretch);
   const Vec3 turned = cross(sigma, c);

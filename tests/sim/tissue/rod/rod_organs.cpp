@@ -59,7 +59,7 @@ void limitBend(double radius_m, double stretch_N, RodElement& element) {
   RodBendLimit& limit = element.bendLimit;
   limit.lever_m = {-0.5 * spread_m2 * bend1, -0.5 * spread_m2 * bend2};  // <xi^2> = r^2 / 4
   limit.spread_m2 = {spread_m2, 0.0, spread_m2};
-  const double bend = std::hypot(bend1, bend2);
+  const double bend = std::sqrt(bend1 * bend1 + bend2 * bend2);
   limit.limit = std::max(0.40, bend * radius_m - 0.5 * bend * bend * spread_m2 + 0.02);
   limit.stiffness_N = 200.0 * stretch_N / 4.0;
 }

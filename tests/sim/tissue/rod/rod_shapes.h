@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <cmath>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -22,10 +20,11 @@ struct EllipticSection {
   double shear_Pa = 0.0;
 
   [[nodiscard]] double area_m2() const { return kPi * a_m * b_m; }
-  [[nodiscard]] double bending1_Nm2() const { return young_Pa * kPi * a_m * std::pow(b_m, 3) / 4.0; }
-  [[nodiscard]] double bending2_Nm2() const { return young_Pa * kPi * std::pow(a_m, 3) * b_m / 4.0; }
+  [[nodiscard]] double bending1_Nm2() const { return young_Pa * kPi * a_m * b_m * b_m * b_m / 4.0; }
+  [[nodiscard]] double bending2_Nm2() const { return young_Pa * kPi * a_m * a_m * a_m * b_m / 4.0; }
   [[nodiscard]] double torsion_Nm2() const {
-    return shear_Pa * kPi * std::pow(a_m * b_m, 3) / (a_m * a_m + b_m * b_m);
+    const double ab_m2 = a_m * b_m;
+    return shear_Pa * kPi * ab_m2 * ab_m2 * ab_m2 / (a_m * a_m + b_m * b_m);
   }
 };
 
@@ -40,20 +39,22 @@ inline RodElement straightElement(const EllipticSection& s, double length_m) {
 }
 
 /// Stiffness of an element bent at rest by kappa2 = `bend_per_m` about e2: every integral over the section
-/// carries 1/j0, j0 = 1 - kappa2 u1 (docs/model.md R.2), here by the middle rule in 200 x 200 polar cells.
+/// carries 1/j0, j0 = 1 - kappa2 u1 (docs/model.md R.2), here by the middle rule in 60 x 96 polar cells.
 inline RodElement curvedElement(const EllipticSection& s, double bend_per_m, double length_m) {
   double s2 = 0.0;
   double i1 = 0.0;
   double i2 = 0.0;
-  constexpr int kCells = 200;
-  for (int r = 0; r < kCells; ++r) {
-    for (int k = 0; k < kCells; ++k) {
-      const double radius = (r + 0.5) / kCells;
-      const double angle = 2.0 * kPi * (k + 0.5) / kCells;
-      const double u1 = s.a_m * radius * std::cos(angle);
-      const double u2 = s.b_m * radius * std::sin(angle);
+  constexpr int kRings = 60;
+  constexpr int kRays = 96;
+  for (int r = 0; r < kRings; ++r) {
+    for (int k = 0; k < kRays; ++k) {
+      const double radius = (r + 0.5) / kRings;
+      const double angle = 2.0 * kPi * (k + 0.5) / kRays;
+      const SinCos turn = portableSinCos(angle);
+      const double u1 = s.a_m * radius * turn.cos;
+      const double u2 = s.b_m * radius * turn.sin;
       const double w =
-          radius * s.a_m * s.b_m * (1.0 / kCells) * (2.0 * kPi / kCells) / (1.0 - bend_per_m * u1);
+          radius * s.a_m * s.b_m * (1.0 / kRings) * (2.0 * kPi / kRays) / (1.0 - bend_per_m * u1);
       s2 += w * u1;
       i1 += w * u2 * u2;
       i2 += w * u1 * u1;
@@ -95,15 +96,36 @@ inline RodPose bentPose(double length_m, double angle_rad, int elements) {
   for (int i = 0; i <= elements; ++i) {
     const double at = angle_rad * i / elements;
     pose.nodes[static_cast<std::size_t>(i)] = {
-        .position_m = {radius_m * (1.0 - std::cos(at)), 0, radius_m * std::sin(at)},
+        .position_m = {radius_m * (1.0 - portableSinCos(at).cos), 0, radius_m * portableSinCos(at).sin},
         .orientation = axisAngle({0, 1, 0}, at)};
   }
   return pose;
 }
 
-/// A straight rod of sections `at` (share of its length), each element of its exact torsional compliance
-/// (mean of 1/GJ by eight-point Gauss in pairs).
-Rod straightRod(double length_m, int elements, const std::function<EllipticSection(double)>& at,
-                RodRestraints restraints = {}, double radius_m = 0.0);
+/// Returns 1 / mean(1 / GJ) over an element of a bar of sections `at`, a share of its length: composite
+/// Simpson.
+inline double torsionOver(const std::function<EllipticSection(double)>& at, double from, double to) {
+  constexpr int kParts = 256;
+  double sum = 0.0;
+  for (int k = 0; k <= kParts; ++k) {
+    const double weight = k == 0 || k == kParts ? 1.0 : (k % 2 == 1 ? 4.0 : 2.0);
+    sum += weight / at(from + (to - from) * k / kParts).torsion_Nm2();
+  }
+  return 3.0 * kParts / sum;
+}
+
+/// A straight rod of sections `at` (share of its length), each element with its exact compliance in torsion.
+inline Rod straightRod(double length_m, int elements, const std::function<EllipticSection(double)>& at,
+                       RodRestraints restraints = {}) {
+  std::vector<RodElement> chain;
+  for (int i = 0; i < elements; ++i) {
+    const double from = static_cast<double>(i) / elements;
+    const double to = static_cast<double>(i + 1) / elements;
+    chain.push_back(straightElement(at(0.5 * (from + to)), length_m / elements));
+    chain.back().bend_Nm2[8] = torsionOver(at, from, to);
+  }
+  return Rod(std::move(chain), straightPose(length_m, elements),
+             std::vector<double>(static_cast<std::size_t>(elements) + 1, 0.0), std::move(restraints));
+}
 
 }  // namespace torsio
