@@ -114,6 +114,8 @@ QString meaningOf(ErrorCode code) {
       return QCoreApplication::translate("Services", "The haptic device has a problem");
     case ErrorCode::kVerifyFailed:
       return QCoreApplication::translate("Services", "A check found a difference");
+    case ErrorCode::kFolded:
+      return QCoreApplication::translate("Services", "The organ would be folded");
     case ErrorCode::kInternal:
       break;
   }
