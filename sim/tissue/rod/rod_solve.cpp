@@ -137,7 +137,7 @@ RodBalance balance(const RodTask& task, RodPose& pose, RodWorkspace& work) {
   assemble(task, pose, 1e-10, work.system);
   result.residual = best;
   result.converged = best < kBalancedEnough;
-  result.energy_J = stepEnergy_J(task, pose);
+  result.energy_J = storedEnergy_J(rod, pose, task.grip, task.hand);
   return result;
 }
 
