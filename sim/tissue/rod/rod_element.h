@@ -26,7 +26,7 @@ constexpr Vec3 transposedTimes(const RowMajor3& m, const Vec3& v) noexcept {
           m[2] * v.x + m[5] * v.y + m[8] * v.z};
 }
 constexpr Mat3 matrix(const RowMajor3& m) noexcept {
-  return {{m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8]}};
+  return {m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8]};
 }
 
 /// How far an element is bent towards its limit.
@@ -94,11 +94,11 @@ inline void addBendLimit(const RodBendLimit& limit, const Vec3& curvature, Eleme
   const double bend12 = push * (limit.spread_m2[1] - u * v) / s.root;
   const double bend22 = push * (limit.spread_m2[2] - v * v) / s.root;
   stress.moment_Nm += push * rate;
-  double* c = stress.bend_Nm2.m;
-  c[0] += limit.stiffness_N * rate.x * rate.x + bend22;
-  c[1] += limit.stiffness_N * rate.x * rate.y - bend12;
-  c[3] += limit.stiffness_N * rate.x * rate.y - bend12;
-  c[4] += limit.stiffness_N * rate.y * rate.y + bend11;
+  Mat3& c = stress.bend_Nm2;
+  c.xx += limit.stiffness_N * rate.x * rate.x + bend22;
+  c.xy += limit.stiffness_N * rate.x * rate.y - bend12;
+  c.yx += limit.stiffness_N * rate.x * rate.y - bend12;
+  c.yy += limit.stiffness_N * rate.y * rate.y + bend11;
 }
 
 /// Returns stress and stiffness of an element. `viscous`: damping time over the tick, 0 without damping;
@@ -120,7 +120,7 @@ inline ElementStress elementStress(const RodElement& e, const RodStrain& strain,
   const double inverse2 = 1.0 / (l * l);
   s.force_N.z +=
       third_N * rest3 * (l - inverse2) + viscous * e.axial_N * (strain.stretch.z - before.stretch.z);
-  s.stretch_N.m[8] += third_N * (1.0 + 2.0 * inverse2 / l) + viscous * e.axial_N;
+  s.stretch_N.zz += third_N * (1.0 + 2.0 * inverse2 / l) + viscous * e.axial_N;
   addBendLimit(e.bendLimit, strain.curvature_per_m, s);
   return s;
 }

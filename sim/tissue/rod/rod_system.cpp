@@ -9,27 +9,6 @@
 namespace torsio {
 namespace {
 
-/// Returns M [a x]: each row of M crossed with a.
-constexpr Mat3 timesCross(const Mat3& m, const Vec3& a) noexcept {
-  Mat3 r;
-  for (int i = 0; i < 9; i += 3) {
-    r.m[i] = m.m[i + 1] * a.z - m.m[i + 2] * a.y;
-    r.m[i + 1] = m.m[i + 2] * a.x - m.m[i] * a.z;
-    r.m[i + 2] = m.m[i] * a.y - m.m[i + 1] * a.x;
-  }
-  return r;
-}
-/// Returns [a x] M: each column of M crossed by a.
-constexpr Mat3 crossTimes(const Vec3& a, const Mat3& m) noexcept {
-  Mat3 r;
-  for (int j = 0; j < 3; ++j) {
-    r.m[j] = a.y * m.m[6 + j] - a.z * m.m[3 + j];
-    r.m[3 + j] = a.z * m.m[j] - a.x * m.m[6 + j];
-    r.m[6 + j] = a.x * m.m[3 + j] - a.y * m.m[j];
-  }
-  return r;
-}
-
 void addVector(Freedoms& to, int at, const Vec3& v) noexcept {
   const auto k = static_cast<std::size_t>(at);
   to[k] += v.x;
@@ -38,11 +17,15 @@ void addVector(Freedoms& to, int at, const Vec3& v) noexcept {
 }
 void addBlock(Block6& to, int row, int column, const Mat3& a) noexcept {
   double* at = to.data() + 6 * row + column;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      at[6 * i + j] += a.m[3 * i + j];
-    }
-  }
+  at[0] += a.xx;
+  at[1] += a.xy;
+  at[2] += a.xz;
+  at[6] += a.yx;
+  at[7] += a.yy;
+  at[8] += a.yz;
+  at[12] += a.zx;
+  at[13] += a.zy;
+  at[14] += a.zz;
 }
 /// Adds `a` at (row, column) and its transpose at (column, row) of a symmetric block.
 void addPair(Block6& to, int row, int column, const Mat3& a) noexcept {
