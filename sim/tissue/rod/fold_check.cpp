@@ -14,7 +14,7 @@ namespace torsio {
 namespace {
 
 constexpr std::array<double, 2> kDepths{0.5, 0.95};  // of the way from the axis to the surface
-constexpr double kDifference_m = 1e-6;
+constexpr double kDifference_m = 1e-7;
 
 std::string threeDigits(double value) {
   char text[32];

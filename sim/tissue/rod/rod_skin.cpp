@@ -13,10 +13,12 @@ namespace torsio {
 
 namespace {
 
-constexpr int kSmoothings = 6;        // of (1, 2, 1) / 4: a standard deviation of 1.7 elements
-constexpr double kLimitFrom = 0.455;  // z from which on a bend is let in less and less
-constexpr double kLimit = 0.495;      // z that no bend reaches; at 1/2 the inside of the bend has no length
-constexpr double kMostOfLimit = 0.9;  // of the way between them that a point at rest may lie
+constexpr int kSmoothings = 6;          // of (1, 2, 1) / 4: a standard deviation of 1.7 elements
+constexpr int kMostSmoothings = 96;     // of an axis that is bent too sharply at rest
+constexpr double kSharpestRest = 0.67;  // of the way to the centre of the bend that a vertex may lie at
+constexpr double kLimitFrom = 0.455;    // z from which on a bend is let in less and less
+constexpr double kLimit = 0.495;        // z that no bend reaches; at 1/2 the inside of the bend has no length
+constexpr double kMostOfLimit = 0.9;    // of the way between them that a point at rest may lie
 constexpr double kStraight_per_m = 1e-9;  // a bend that does nothing
 constexpr double kLeastSkinStretch = 0.05;
 constexpr double kLeastSkinFibre = 0.2;  // of a step towards the section of a point
@@ -48,7 +50,7 @@ struct Hermite {
   double fromSlopeRate, toSlopeRate;
 };
 
-void smoothNodes(std::array<Pose, kMostRodNodes>& nodes, int count) noexcept {
+void smoothNodes(std::array<Pose, kMostRodNodes>& nodes, int count, int passes) noexcept {
   const auto sum = [](const Pose& a, const Pose& b, const Pose& c) {
     // The three quaternions are taken on the same side: q and -q turn alike.
     const auto side = [&b](const Quat& q) {
@@ -66,7 +68,7 @@ void smoothNodes(std::array<Pose, kMostRodNodes>& nodes, int count) noexcept {
                  sa * qa.y + 2.0 * qb.y + sc * qc.y, sa * qa.z + 2.0 * qb.z + sc * qc.z};
     return Pose{0.25 * (a.position_m + c.position_m) + 0.5 * b.position_m, normalized(q)};
   };
-  for (int pass = 0; pass < kSmoothings; ++pass) {
+  for (int pass = 0; pass < passes; ++pass) {
     Pose before = nodes[0];
     for (std::size_t i = 1; i + 1 < at(count); ++i) {
       const Pose here = nodes[i];
@@ -173,6 +175,12 @@ double footOf(const RodCurve& c, const Vec3& point_m, double arc_m) noexcept {
   return arc;
 }
 
+// Share of the way from the axis to the centre of the bend.
+double insideOfBend(const CurvePoint& p, const Vec3& point_m) noexcept {
+  const Vec3 local = rotate(conjugate(p.turn), point_m - p.place_m);
+  return 1.0 - fibre(p, {local.x, local.y}) / p.stretch;
+}
+
 double nearestSample(const RodCurve& c, const Vec3& point_m) noexcept {
   const std::size_t count = at((c.count - 1) * RodCurve::kSamples + 1);
   std::size_t nearest = 0;
@@ -198,11 +206,19 @@ RodSkin::RodSkin(const OrganRod& organ, const SectionLattice& lattice, const Sol
   for (std::size_t i = 0; i < organ.arcs_m.size(); ++i) {
     rest_.arcs_m[i] = organ.arcs_m[i] - organ.arcs_m.front();
   }
-  rest_ = curveOf(organ.rest);
-  vertices_.reserve(mesh.vertices_m.size());
-  for (std::size_t v = 0; v < mesh.vertices_m.size(); ++v) {
-    const double arc = lattice.vertexCoordinates()[v].arc_m - organ.arcs_m.front();
-    vertices_.push_back(placeAt(mesh.vertices_m[v], footOf(rest_, mesh.vertices_m[v], arc)));
+  for (smoothings_ = kSmoothings;; smoothings_ *= 2) {
+    rest_ = curveOf(organ.rest);
+    double sharpest = 0.0;
+    vertices_.clear();
+    for (std::size_t v = 0; v < mesh.vertices_m.size(); ++v) {
+      const double guess = lattice.vertexCoordinates()[v].arc_m - organ.arcs_m.front();
+      const double arc = footOf(rest_, mesh.vertices_m[v], guess);
+      sharpest = std::max(sharpest, insideOfBend(pointAt(rest_, arc), mesh.vertices_m[v]));
+      vertices_.push_back(placeAt(mesh.vertices_m[v], arc));
+    }
+    if (sharpest <= kSharpestRest || 2 * smoothings_ > kMostSmoothings) {
+      break;
+    }
   }
   warpVertices(organ, lattice, sections);
 }
@@ -235,7 +251,7 @@ RodCurve RodSkin::curveOf(const RodPose& pose) const noexcept {
   c.count = pose.count;
   c.arcs_m = rest_.arcs_m;
   c.nodes = pose.nodes;
-  smoothNodes(c.nodes, c.count);
+  smoothNodes(c.nodes, c.count, smoothings_);
   std::array<Vec3, kMostRodNodes> stretches{};
   std::array<Vec3, kMostRodNodes> bends{};
   const std::size_t elements = at(c.count - 1);

@@ -54,7 +54,8 @@ class RodSkin {
  public:
   /// Takes the rest pose of `organ` and finds where the vertices of `mesh`, the surface of `lattice`, belong.
   /// `sections`: of the same lattice; vertices are warped by theta psi, which fades out over half a radius
-  /// towards both ends of the rod, as a held face keeps flat.
+  /// towards both ends of the rod, as a held face keeps flat. Where the axis at rest bends more sharply than
+  /// the sections allow, the curve is smoothed further.
   RodSkin(const OrganRod& organ, const SectionLattice& lattice, const SolvedSections& sections,
           const TriangleMesh& mesh);
 
@@ -75,6 +76,7 @@ class RodSkin {
   void warpVertices(const OrganRod& organ, const SectionLattice& lattice, const SolvedSections& sections);
   [[nodiscard]] RodSkinPlace placeAt(const Vec3& rest_m, double arc_m) const noexcept;
 
+  int smoothings_ = 0;
   RodCurve rest_;
   std::vector<RodSkinPlace> vertices_;
 };
