@@ -58,7 +58,7 @@ struct RodStrain {
           .curvature_per_m = (4.0 * perLength * angleScale(dot(sigma, sigma)).f) * sigma};
 }
 
-/// What belongs to the whole rod. Damping and drag are assumed (docs/model.md R.10).
+/// What belongs to the whole rod. Damping and drag are assumed (docs/model.md R.11).
 struct RodSettings {
   double damping_s = 0.02;                     ///< eta: strain-rate damping over stiffness
   double drag_Ns_per_m = 0.02;                 ///< of a node: makes the pose at rest unique

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rod against closed forms of beams and rods: docs/model.md R.9.
+// The rod against closed forms of beams and rods: docs/model.md R.10.
 #include <cmath>
 #include <memory>
 #include <vector>
