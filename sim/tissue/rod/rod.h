@@ -16,7 +16,7 @@ namespace torsio {
 using RowMajor3 = std::array<double, 9>;
 
 /// How far a section lets itself be bent. With bend = (kappa2, -kappa1) in 1/m,
-///   z = bend . lever + sqrt(bend^T spread bend)
+///   z = l^(-3/2) (bend . lever + sqrt(bend^T spread bend)), l = Gamma3 / Gamma03,
 /// is the normalised bend of docs/model.md (R.3); above `limit` it costs stiffness h (z - limit)^2 / 2.
 struct RodBendLimit {
   std::array<double, 2> lever_m{};    ///< w-bar = -2 <xi^2> bend0
