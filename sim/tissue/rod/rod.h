@@ -16,8 +16,8 @@ namespace torsio {
 using RowMajor3 = std::array<double, 9>;
 
 /// How far a section lets itself be bent. With bend = (kappa2, -kappa1) in 1/m,
-///   z = bend . lever + sqrt(bend^T spread bend)
-/// is the normalised bend of docs/model.md (R.7); above `limit` it costs stiffness h (z - limit)^2 / 2.
+///   z = l^(-3/2) (bend . lever + sqrt(bend^T spread bend)), l = Gamma3 / Gamma03,
+/// is the normalised bend of docs/model.md (R.3); above `limit` it costs stiffness h (z - limit)^2 / 2.
 struct RodBendLimit {
   std::array<double, 2> lever_m{};    ///< w-bar = -2 <xi^2> bend0
   std::array<double, 3> spread_m2{};  ///< S = 4 I / A: S11, S12, S22, positive semi-definite
@@ -58,7 +58,7 @@ struct RodStrain {
           .curvature_per_m = (4.0 * perLength * angleScale(dot(sigma, sigma)).f) * sigma};
 }
 
-/// What belongs to the whole rod. Damping and drag are assumed (docs/model.md R.9).
+/// What belongs to the whole rod. Damping and drag are assumed (docs/model.md R.11).
 struct RodSettings {
   double damping_s = 0.02;                     ///< eta: strain-rate damping over stiffness
   double drag_Ns_per_m = 0.02;                 ///< of a node: makes the pose at rest unique

@@ -46,64 +46,65 @@ inline Quat turnedBy(const Quat& q, const Vec3& theta) noexcept {
   return normalized(q * unitFrom(0.5 * theta));
 }
 
-/// A 3 x 3 matrix, row after row.
+/// A 3 x 3 matrix: row, column. No array, so that a compiler keeps it in registers.
 struct Mat3 {
-  double m[9] = {};
+  double xx = 0.0, xy = 0.0, xz = 0.0;
+  double yx = 0.0, yy = 0.0, yz = 0.0;
+  double zx = 0.0, zy = 0.0, zz = 0.0;
 };
 
 constexpr Mat3 operator+(const Mat3& a, const Mat3& b) noexcept {
-  Mat3 r;
-  for (int i = 0; i < 9; ++i) {
-    r.m[i] = a.m[i] + b.m[i];
-  }
-  return r;
+  return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yx + b.yx, a.yy + b.yy,
+          a.yz + b.yz, a.zx + b.zx, a.zy + b.zy, a.zz + b.zz};
 }
 constexpr Mat3 operator-(const Mat3& a, const Mat3& b) noexcept {
-  Mat3 r;
-  for (int i = 0; i < 9; ++i) {
-    r.m[i] = a.m[i] - b.m[i];
-  }
-  return r;
+  return {a.xx - b.xx, a.xy - b.xy, a.xz - b.xz, a.yx - b.yx, a.yy - b.yy,
+          a.yz - b.yz, a.zx - b.zx, a.zy - b.zy, a.zz - b.zz};
 }
 constexpr Mat3 operator*(double k, const Mat3& a) noexcept {
-  Mat3 r;
-  for (int i = 0; i < 9; ++i) {
-    r.m[i] = k * a.m[i];
-  }
-  return r;
+  return {k * a.xx, k * a.xy, k * a.xz, k * a.yx, k * a.yy, k * a.yz, k * a.zx, k * a.zy, k * a.zz};
 }
 constexpr Mat3 operator*(const Mat3& a, const Mat3& b) noexcept {
-  Mat3 r;
-  for (int i = 0; i < 9; i += 3) {
-    r.m[i] = a.m[i] * b.m[0] + a.m[i + 1] * b.m[3] + a.m[i + 2] * b.m[6];
-    r.m[i + 1] = a.m[i] * b.m[1] + a.m[i + 1] * b.m[4] + a.m[i + 2] * b.m[7];
-    r.m[i + 2] = a.m[i] * b.m[2] + a.m[i + 1] * b.m[5] + a.m[i + 2] * b.m[8];
-  }
-  return r;
+  return {a.xx * b.xx + a.xy * b.yx + a.xz * b.zx, a.xx * b.xy + a.xy * b.yy + a.xz * b.zy,
+          a.xx * b.xz + a.xy * b.yz + a.xz * b.zz, a.yx * b.xx + a.yy * b.yx + a.yz * b.zx,
+          a.yx * b.xy + a.yy * b.yy + a.yz * b.zy, a.yx * b.xz + a.yy * b.yz + a.yz * b.zz,
+          a.zx * b.xx + a.zy * b.yx + a.zz * b.zx, a.zx * b.xy + a.zy * b.yy + a.zz * b.zy,
+          a.zx * b.xz + a.zy * b.yz + a.zz * b.zz};
 }
 constexpr Vec3 operator*(const Mat3& a, const Vec3& v) noexcept {
-  return {a.m[0] * v.x + a.m[1] * v.y + a.m[2] * v.z, a.m[3] * v.x + a.m[4] * v.y + a.m[5] * v.z,
-          a.m[6] * v.x + a.m[7] * v.y + a.m[8] * v.z};
+  return {a.xx * v.x + a.xy * v.y + a.xz * v.z, a.yx * v.x + a.yy * v.y + a.yz * v.z,
+          a.zx * v.x + a.zy * v.y + a.zz * v.z};
 }
 constexpr Mat3 transposed(const Mat3& a) noexcept {
-  return {{a.m[0], a.m[3], a.m[6], a.m[1], a.m[4], a.m[7], a.m[2], a.m[5], a.m[8]}};
+  return {a.xx, a.yx, a.zx, a.xy, a.yy, a.zy, a.xz, a.yz, a.zz};
 }
 /// Returns a^T v.
 constexpr Vec3 transposedTimes(const Mat3& a, const Vec3& v) noexcept {
-  return {a.m[0] * v.x + a.m[3] * v.y + a.m[6] * v.z, a.m[1] * v.x + a.m[4] * v.y + a.m[7] * v.z,
-          a.m[2] * v.x + a.m[5] * v.y + a.m[8] * v.z};
+  return {a.xx * v.x + a.yx * v.y + a.zx * v.z, a.xy * v.x + a.yy * v.y + a.zy * v.z,
+          a.xz * v.x + a.yz * v.y + a.zz * v.z};
 }
 constexpr Mat3 scaledIdentity(double k) noexcept {
-  return {{k, 0, 0, 0, k, 0, 0, 0, k}};
+  return {k, 0, 0, 0, k, 0, 0, 0, k};
 }
 /// Returns [a x], the matrix of the cross product.
 constexpr Mat3 crossMatrix(const Vec3& a) noexcept {
-  return {{0, -a.z, a.y, a.z, 0, -a.x, -a.y, a.x, 0}};
+  return {0, -a.z, a.y, a.z, 0, -a.x, -a.y, a.x, 0};
 }
 /// Returns a b^T.
 constexpr Mat3 outer(const Vec3& a, const Vec3& b) noexcept {
-  return {
-      {a.x * b.x, a.x * b.y, a.x * b.z, a.y * b.x, a.y * b.y, a.y * b.z, a.z * b.x, a.z * b.y, a.z * b.z}};
+  return {a.x * b.x, a.x * b.y, a.x * b.z, a.y * b.x, a.y * b.y, a.y * b.z, a.z * b.x, a.z * b.y, a.z * b.z};
+}
+/// Returns M [a x]: each row of M crossed with a.
+constexpr Mat3 timesCross(const Mat3& m, const Vec3& a) noexcept {
+  return {m.xy * a.z - m.xz * a.y, m.xz * a.x - m.xx * a.z, m.xx * a.y - m.xy * a.x,
+          m.yy * a.z - m.yz * a.y, m.yz * a.x - m.yx * a.z, m.yx * a.y - m.yy * a.x,
+          m.zy * a.z - m.zz * a.y, m.zz * a.x - m.zx * a.z, m.zx * a.y - m.zy * a.x};
+}
+/// Returns [a x] M: each column of M crossed by a.
+constexpr Mat3 crossTimes(const Vec3& a, const Mat3& m) noexcept {
+  return {a.y * m.zx - a.z * m.yx, a.y * m.zy - a.z * m.yy, a.y * m.zz - a.z * m.yz,
+          a.z * m.xx - a.x * m.zx, a.z * m.xy - a.x * m.zy, a.z * m.xz - a.x * m.zz,
+          a.x * m.yx - a.y * m.xx, a.x * m.yy - a.y * m.xy, a.x * m.yz - a.y * m.xz};
 }
 /// Returns the rotation matrix of the unit quaternion `q`: columns e1, e2, t.
 constexpr Mat3 rotationMatrix(const Quat& q) noexcept {
@@ -116,8 +117,9 @@ constexpr Mat3 rotationMatrix(const Quat& q) noexcept {
   const double wx = q.w * q.x;
   const double wy = q.w * q.y;
   const double wz = q.w * q.z;
-  return {{1.0 - 2.0 * (yy + zz), 2.0 * (xy - wz), 2.0 * (xz + wy), 2.0 * (xy + wz), 1.0 - 2.0 * (xx + zz),
-           2.0 * (yz - wx), 2.0 * (xz - wy), 2.0 * (yz + wx), 1.0 - 2.0 * (xx + yy)}};
+  return {1.0 - 2.0 * (yy + zz), 2.0 * (xy - wz),       2.0 * (xz + wy),
+          2.0 * (xy + wz),       1.0 - 2.0 * (xx + zz), 2.0 * (yz - wx),
+          2.0 * (xz - wy),       2.0 * (yz + wx),       1.0 - 2.0 * (xx + yy)};
 }
 /// Returns B(sigma) = (1 - sigma^2) I + 2 [sigma x] + 2 sigma sigma^T: 4 d sigma = B d theta_j - B^T d
 /// theta_i.

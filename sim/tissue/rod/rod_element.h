@@ -26,24 +26,29 @@ constexpr Vec3 transposedTimes(const RowMajor3& m, const Vec3& v) noexcept {
           m[2] * v.x + m[5] * v.y + m[8] * v.z};
 }
 constexpr Mat3 matrix(const RowMajor3& m) noexcept {
-  return {{m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8]}};
+  return {m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8]};
 }
 
-/// How far an element is bent towards its limit.
+/// How far an element is bent towards its limit: z = stretch^(-3/2) (bend . lever + root).
 struct BendState {
+  double z = 0.0;
   double over = 0.0;                    ///< z - limit
+  double scale = 1.0;                   ///< stretch^(-3/2)
   double root = 0.0;                    ///< sqrt(bend^T spread bend)
   double spread1 = 0.0, spread2 = 0.0;  ///< spread bend
 };
 
-inline BendState bendState(const RodBendLimit& limit, const Vec3& curvature) noexcept {
+/// `stretch`: l = Gamma3 / Gamma03 > 0.
+inline BendState bendState(const RodBendLimit& limit, const Vec3& curvature, double stretch) noexcept {
   const double bend1 = curvature.y;
   const double bend2 = -curvature.x;
   BendState s;
   s.spread1 = limit.spread_m2[0] * bend1 + limit.spread_m2[1] * bend2;
   s.spread2 = limit.spread_m2[1] * bend1 + limit.spread_m2[2] * bend2;
   s.root = std::sqrt(bend1 * s.spread1 + bend2 * s.spread2 + 1e-12);
-  s.over = bend1 * limit.lever_m[0] + bend2 * limit.lever_m[1] + s.root - limit.limit;
+  s.scale = 1.0 / (stretch * std::sqrt(stretch));
+  s.z = s.scale * (bend1 * limit.lever_m[0] + bend2 * limit.lever_m[1] + s.root);
+  s.over = s.z - limit.limit;
   return s;
 }
 
@@ -65,7 +70,7 @@ inline double elementEnergy_J(const RodElement& e, const RodStrain& strain) noex
     return kForbiddenEnergy_J;
   }
   perLength += e.axial_N * (1.0 / 3.0) * rest3 * rest3 * (0.5 * l * l + 1.0 / l - 1.5);
-  const BendState bend = bendState(e.bendLimit, strain.curvature_per_m);
+  const BendState bend = bendState(e.bendLimit, strain.curvature_per_m, l);
   if (bend.over > 0.0) {
     perLength += 0.5 * e.bendLimit.stiffness_N * bend.over * bend.over;
   }
@@ -81,24 +86,34 @@ struct ElementStress {
   Mat3 bend_Nm2;     ///< dm / dkappa
 };
 
-inline void addBendLimit(const RodBendLimit& limit, const Vec3& curvature, ElementStress& stress) noexcept {
-  const BendState s = bendState(limit, curvature);
+/// Adds the bend limit of `e`: derivatives of stiffness/2 (z - limit)^2 by Gamma3 and kappa.
+inline void addBendLimit(const RodElement& e, const RodStrain& strain, ElementStress& stress) noexcept {
+  const RodBendLimit& limit = e.bendLimit;
+  const double perStretch = 1.0 / strain.stretch.z;  // of d ln(stretch)
+  const BendState s = bendState(limit, strain.curvature_per_m, strain.stretch.z / e.restStrain[2]);
   if (!(s.over > 0.0)) {
     return;
   }
   const double u = s.spread1 / s.root;
   const double v = s.spread2 / s.root;
-  const Vec3 rate{-(limit.lever_m[1] + v), limit.lever_m[0] + u, 0.0};  // dz / dkappa
+  const Vec3 rate = s.scale * Vec3{-(limit.lever_m[1] + v), limit.lever_m[0] + u, 0.0};  // dz / dkappa
+  const double thin = -1.5 * perStretch * s.z;                                           // dz / dGamma3
   const double push = limit.stiffness_N * s.over;
-  const double bend11 = push * (limit.spread_m2[0] - u * u) / s.root;
-  const double bend12 = push * (limit.spread_m2[1] - u * v) / s.root;
-  const double bend22 = push * (limit.spread_m2[2] - v * v) / s.root;
+  const double curved = push * s.scale / s.root;
+  const double bend11 = curved * (limit.spread_m2[0] - u * u);
+  const double bend12 = curved * (limit.spread_m2[1] - u * v);
+  const double bend22 = curved * (limit.spread_m2[2] - v * v);
+  stress.force_N.z += push * thin;
   stress.moment_Nm += push * rate;
-  double* c = stress.bend_Nm2.m;
-  c[0] += limit.stiffness_N * rate.x * rate.x + bend22;
-  c[1] += limit.stiffness_N * rate.x * rate.y - bend12;
-  c[3] += limit.stiffness_N * rate.x * rate.y - bend12;
-  c[4] += limit.stiffness_N * rate.y * rate.y + bend11;
+  stress.stretch_N.zz += limit.stiffness_N * thin * thin - 2.5 * perStretch * push * thin;
+  const double mixed = limit.stiffness_N * thin - 1.5 * perStretch * push;
+  stress.coupling_Nm.zx += mixed * rate.x;
+  stress.coupling_Nm.zy += mixed * rate.y;
+  Mat3& c = stress.bend_Nm2;
+  c.xx += limit.stiffness_N * rate.x * rate.x + bend22;
+  c.xy += limit.stiffness_N * rate.x * rate.y - bend12;
+  c.yx += limit.stiffness_N * rate.x * rate.y - bend12;
+  c.yy += limit.stiffness_N * rate.y * rate.y + bend11;
 }
 
 /// Returns stress and stiffness of an element. `viscous`: damping time over the tick, 0 without damping;
@@ -120,8 +135,8 @@ inline ElementStress elementStress(const RodElement& e, const RodStrain& strain,
   const double inverse2 = 1.0 / (l * l);
   s.force_N.z +=
       third_N * rest3 * (l - inverse2) + viscous * e.axial_N * (strain.stretch.z - before.stretch.z);
-  s.stretch_N.m[8] += third_N * (1.0 + 2.0 * inverse2 / l) + viscous * e.axial_N;
-  addBendLimit(e.bendLimit, strain.curvature_per_m, s);
+  s.stretch_N.zz += third_N * (1.0 + 2.0 * inverse2 / l) + viscous * e.axial_N;
+  addBendLimit(e, strain, s);
   return s;
 }
 

@@ -137,7 +137,7 @@ RodBalance balance(const RodTask& task, RodPose& pose, RodWorkspace& work) {
   assemble(task, pose, 1e-10, work.system);
   result.residual = best;
   result.converged = best < kBalancedEnough;
-  result.energy_J = stepEnergy_J(task, pose);
+  result.energy_J = storedEnergy_J(rod, pose, task.grip, task.hand);
   return result;
 }
 
@@ -197,6 +197,7 @@ TurnedRod solveTurned(const Rod& rod, const RodTurn& turn) {
   result.balance.newtonSteps = newtonSteps;
   result.end = result.balance.held[1];
   result.torque_Nm = dot(result.end.torque_Nm, axis);
+  result.overlap_m = deepestOverlap_m(rod, result.pose);
   result.arc_m.push_back(0.0);
   for (const RodElement& e : rod.elements()) {
     result.arc_m.push_back(result.arc_m.back() + e.length_m);

@@ -39,8 +39,9 @@ struct TurnedRod {
   std::vector<double> arc_m;     ///< of each node, along the rod at rest
   std::vector<double> turn_rad;  ///< of each section about its own tangent at rest; counts whole turns
   double torque_Nm = 0.0;        ///< on the turned section, about its tangent at rest
-  GripLoad end;                  ///< on the turned section: force and moment, world frame
-  RodBalance balance;            ///< of the last step; newtonSteps of all
+  double overlap_m = 0.0;  ///< how far the rod overlaps itself: 0 unless parts are pressed on each other
+  GripLoad end;            ///< on the turned section: force and moment, world frame
+  RodBalance balance;      ///< of the last step; newtonSteps of all
 };
 
 /// Turns a section of `rod` about its own tangent at rest, in steps of at most 5 degrees, the first section

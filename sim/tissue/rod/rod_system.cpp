@@ -9,27 +9,6 @@
 namespace torsio {
 namespace {
 
-/// Returns M [a x]: each row of M crossed with a.
-constexpr Mat3 timesCross(const Mat3& m, const Vec3& a) noexcept {
-  Mat3 r;
-  for (int i = 0; i < 9; i += 3) {
-    r.m[i] = m.m[i + 1] * a.z - m.m[i + 2] * a.y;
-    r.m[i + 1] = m.m[i + 2] * a.x - m.m[i] * a.z;
-    r.m[i + 2] = m.m[i] * a.y - m.m[i + 1] * a.x;
-  }
-  return r;
-}
-/// Returns [a x] M: each column of M crossed by a.
-constexpr Mat3 crossTimes(const Vec3& a, const Mat3& m) noexcept {
-  Mat3 r;
-  for (int j = 0; j < 3; ++j) {
-    r.m[j] = a.y * m.m[6 + j] - a.z * m.m[3 + j];
-    r.m[3 + j] = a.z * m.m[j] - a.x * m.m[6 + j];
-    r.m[6 + j] = a.x * m.m[3 + j] - a.y * m.m[j];
-  }
-  return r;
-}
-
 void addVector(Freedoms& to, int at, const Vec3& v) noexcept {
   const auto k = static_cast<std::size_t>(at);
   to[k] += v.x;
@@ -38,11 +17,15 @@ void addVector(Freedoms& to, int at, const Vec3& v) noexcept {
 }
 void addBlock(Block6& to, int row, int column, const Mat3& a) noexcept {
   double* at = to.data() + 6 * row + column;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      at[6 * i + j] += a.m[3 * i + j];
-    }
-  }
+  at[0] += a.xx;
+  at[1] += a.xy;
+  at[2] += a.xz;
+  at[6] += a.yx;
+  at[7] += a.yy;
+  at[8] += a.yz;
+  at[12] += a.zx;
+  at[13] += a.zy;
+  at[14] += a.zz;
 }
 /// Adds `a` at (row, column) and its transpose at (column, row) of a symmetric block.
 void addPair(Block6& to, int row, int column, const Mat3& a) noexcept {
@@ -293,86 +276,6 @@ void setFloors(const Rod& rod, double pivotFloor, RodSystem& system) noexcept {
   }
 }
 
-/// Makes `y` L^-1 y, L the factor `l` with inverse diagonal, and takes y^T y from `a` (lower triangle).
-void eliminate(const double* l, double* y, double* a) noexcept {
-  for (int r = 0; r < 6; ++r) {
-    for (int k = 0; k < r; ++k) {
-      const double f = l[6 * r + k];
-      for (int c = 0; c < 6; ++c) {
-        y[6 * r + c] -= f * y[6 * k + c];
-      }
-    }
-    for (int c = 0; c < 6; ++c) {
-      y[6 * r + c] *= l[7 * r];
-    }
-  }
-  for (int k = 0; k < 6; ++k) {
-    for (int r = 0; r < 6; ++r) {
-      const double f = y[6 * k + r];
-      for (int c = 0; c <= r; ++c) {
-        a[6 * r + c] -= f * y[6 * k + c];
-      }
-    }
-  }
-}
-
-/// Factorises the lower triangle of `a` in place, its diagonal inverted; returns how many pivots were
-/// negative.
-int factoriseBlock(double* a, const std::array<double, 2>& floors) noexcept {
-  int negative = 0;
-  for (int r = 0; r < 6; ++r) {
-    for (int c = 0; c < r; ++c) {
-      double v = a[6 * r + c];
-      for (int k = 0; k < c; ++k) {
-        v -= a[6 * r + k] * a[6 * c + k];
-      }
-      a[6 * r + c] = v * a[7 * c];
-    }
-    double pivot = a[7 * r];
-    for (int k = 0; k < r; ++k) {
-      pivot -= a[6 * r + k] * a[6 * r + k];
-    }
-    negative += pivot < 0.0 ? 1 : 0;
-    const double floor = floors[r < 3 ? 0 : 1];
-    if (!(pivot > floor)) {
-      pivot = pivot < -floor ? -pivot : floor;
-    }
-    a[7 * r] = 1.0 / std::sqrt(pivot);
-  }
-  return negative;
-}
-
-double product(const NodeVector& a, const NodeVector& b, std::size_t count) noexcept {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t k = 0; k < 6; ++k) {
-      sum += a[i][k] * b[i][k];
-    }
-  }
-  return sum;
-}
-
-/// Subtracts k d (d . p) of every contact from `v`, but for held freedoms.
-void subtractContacts(const RodSystem& system, const NodeVector& p, NodeVector& v) noexcept {
-  for (int c = 0; c < system.contactCount; ++c) {
-    const RodContact& contact = system.contacts[static_cast<std::size_t>(c)];
-    double along = 0.0;
-    for (std::size_t n = 0; n < 4; ++n) {
-      const Freedoms& at = p[static_cast<std::size_t>(contact.nodes[n])];
-      const double size = n < 2 ? contact.shares[n] : -contact.shares[n];
-      along += size * (contact.normal.x * at[0] + contact.normal.y * at[1] + contact.normal.z * at[2]);
-    }
-    const Vec3 push = (system.contactStiffness_N_per_m * along) * contact.normal;
-    for (std::size_t n = 0; n < 4; ++n) {
-      const auto node = static_cast<std::size_t>(contact.nodes[n]);
-      const double size = n < 2 ? contact.shares[n] : -contact.shares[n];
-      v[node][0] -= system.held[node][0] ? 0.0 : size * push.x;
-      v[node][1] -= system.held[node][1] ? 0.0 : size * push.y;
-      v[node][2] -= system.held[node][2] ? 0.0 : size * push.z;
-    }
-  }
-}
-
 }  // namespace
 
 void assemble(const RodTask& task, const RodPose& pose, double pivotFloor, RodSystem& system) noexcept {
@@ -394,113 +297,6 @@ void assemble(const RodTask& task, const RodPose& pose, double pivotFloor, RodSy
   hold(task.rod->restraints().held, system);
   hold(task.held, system);
   setFloors(*task.rod, pivotFloor, system);
-}
-
-int factorise(RodSystem& system) noexcept {
-  int negative = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(system.count); ++i) {
-    double* block = system.diagonal[i].data();
-    if (i > 0) {
-      eliminate(system.diagonal[i - 1].data(), system.coupling[i - 1].data(), block);
-    }
-    negative += factoriseBlock(block, system.floors[i]);
-  }
-  return negative;
-}
-
-void solveFactorised(const RodSystem& system, const NodeVector& right, NodeVector& z) noexcept {
-  const auto count = static_cast<std::size_t>(system.count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double* l = system.diagonal[i].data();
-    double v[6];
-    for (std::size_t r = 0; r < 6; ++r) {
-      v[r] = right[i][r];
-    }
-    if (i > 0) {
-      const double* y = system.coupling[i - 1].data();
-      for (std::size_t k = 0; k < 6; ++k) {
-        for (std::size_t r = 0; r < 6; ++r) {
-          v[r] -= y[6 * k + r] * z[i - 1][k];
-        }
-      }
-    }
-    for (std::size_t r = 0; r < 6; ++r) {
-      for (std::size_t k = 0; k < r; ++k) {
-        v[r] -= l[6 * r + k] * z[i][k];
-      }
-      z[i][r] = v[r] * l[7 * r];
-    }
-  }
-  for (std::size_t i = count; i-- > 0;) {
-    const double* l = system.diagonal[i].data();
-    if (i + 1 < count) {
-      const double* y = system.coupling[i].data();
-      for (std::size_t k = 0; k < 6; ++k) {
-        double v = 0.0;
-        for (std::size_t c = 0; c < 6; ++c) {
-          v += y[6 * k + c] * z[i + 1][c];
-        }
-        z[i][k] -= v;
-      }
-    }
-    for (std::size_t r = 6; r-- > 0;) {
-      double v = z[i][r];
-      for (std::size_t k = r + 1; k < 6; ++k) {
-        v -= l[6 * k + r] * z[i][k];
-      }
-      z[i][r] = v * l[7 * r];
-    }
-  }
-}
-
-void solveNewton(const RodSystem& system, int iterations, RodSearch& search, NodeVector& step) noexcept {
-  const auto count = static_cast<std::size_t>(system.count);
-  NodeVector& r = search.residual;
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t k = 0; k < 6; ++k) {
-      r[i][k] = -system.gradient[i][k];
-    }
-  }
-  solveFactorised(system, r, step);
-  if (system.contactCount == 0) {
-    return;
-  }
-  NodeVector& z = search.preconditioned;
-  NodeVector& p = search.direction;
-  NodeVector& ap = search.bandTimesDirection;
-  p = step;
-  ap = r;
-  double rz = product(r, p, count);
-  const double enough = 1e-8 * rz;
-  for (int n = 0; n < iterations; ++n) {
-    NodeVector& curvature = z;  // z is free until the next preconditioning
-    curvature = ap;
-    subtractContacts(system, p, curvature);
-    const double bend = product(p, curvature, count);
-    if (!(bend > 0.0)) {
-      return;  // what was found so far leads down; the first is the step of the band alone
-    }
-    const double alpha = rz / bend;
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t k = 0; k < 6; ++k) {
-        step[i][k] = (n == 0 ? 0.0 : step[i][k]) + alpha * p[i][k];
-        r[i][k] -= alpha * curvature[i][k];
-      }
-    }
-    solveFactorised(system, r, z);
-    const double next = product(r, z, count);
-    if (!(next > enough)) {
-      return;
-    }
-    const double beta = next / rz;
-    rz = next;
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t k = 0; k < 6; ++k) {
-        p[i][k] = z[i][k] + beta * p[i][k];
-        ap[i][k] = r[i][k] + beta * ap[i][k];
-      }
-    }
-  }
 }
 
 }  // namespace torsio
