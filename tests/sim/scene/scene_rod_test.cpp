@@ -180,12 +180,6 @@ TEST(SceneRod, AnOrganoAxialTurnIsASwingThatCostsLittleTorque) {
   EXPECT_GT(result.fold.minDeterminant, 0.95);
 }
 
-TEST(SceneRod, BeyondTheTorqueLimitTheStomachFoldsAndIsJudged) {
-  const HandResult result = heldStomach().turned({{.grip = 0.7, .angle_deg = 180.0}});
-  EXPECT_TRUE(result.fold.folded());
-  EXPECT_GT(norm(result.balance.load.torque_Nm), 0.2);
-}
-
 TEST(SceneRod, ALoopOfBowelHeldAtBothFeetStaysWholeOverAWholeTurn) {
   HeldOrgan bowel("intestine");
   const RodPose& rest = bowel.organ.rest;
