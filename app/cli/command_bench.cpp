@@ -7,14 +7,25 @@
 
 #include "app/cli/commands.h"
 #include "assessment/report/number_format.h"
+#include "sim/tissue/rod/rod_bench.h"
 #include "sim/tissue/twist/twist_bench.h"
 
 namespace torsio::cli {
 
 namespace {
 
+constexpr double kRodTickTarget_us = 60.0;  // docs/model.md R.6
+
 void runBench(bool json) {
-  const TissueBenchResult result = runTissueBench();
+  TissueBenchResult result = runTissueBench();
+  const RodBenchResult rod = runRodBench();
+  result.rows.push_back({.name = "rod_tick_median", .value = rod.median_us, .unit = "us"});
+  result.rows.push_back({.name = "rod_tick_999",
+                         .value = rod.p999_us,
+                         .unit = "us",
+                         .target = kRodTickTarget_us,
+                         .atLeast = false});
+  result.rows.push_back({.name = "rod_landmark_turn", .value = rod.turn_rad, .unit = "rad"});
   if (!json) {
     std::cout << "instruction set " << result.isa << ", load average " << formatFixed(result.loadAverage, 2)
               << "\n";

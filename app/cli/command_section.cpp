@@ -71,7 +71,10 @@ void runSection(const SectionArguments& arguments) {
   const SectionProperties section = arguments.points.empty()
                                         ? solveSection(outline, options, holes)
                                         : SectionSolver(options).solve(outline, holes, &field);
+  const bool rigorous = section.methodUsed == SectionMethod::kFiniteElements;
   nlohmann::ordered_json result;
+  result["method"] = rigorous ? "fem" : "bem";
+  result["bracket"] = rigorous ? "bounds" : "estimate";
   result["area"] = section.area;
   result["centroid"] = section.centroid;
   result["polar_moment"] = section.polarMoment;

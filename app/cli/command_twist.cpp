@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -12,10 +13,12 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/organ_option.h"
+#include "app/cli/rod_twist.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/scene/scene.h"
+#include "sim/tissue/rod/fold_check.h"
 
 namespace torsio::cli {
 
@@ -27,6 +30,10 @@ struct TwistArguments {
   OrganArguments organ;
   std::optional<double> angle_deg;
   std::optional<double> grasp;
+  std::string ends;  // empty: a pattern of the scene
+  std::optional<double> shearModulus_Pa;
+  double poisson = 0.5;
+  bool allowFold = false;
   std::string out;
   bool json = false;
 };
@@ -46,17 +53,18 @@ nlohmann::ordered_json angleProfile(const TwistModel& model, const TwistState& s
   return profile;
 }
 
-void runTwist(const TwistArguments& arguments) {
-  const auto started = SteadyClock::now();
-  const Scene scene = loadScene(sceneRequest(arguments.organ));
-  const double setUp_ms = millisecondsSince(started);
-  const double length_m = scene.lattice().length_m();
-  const double grasp = arguments.grasp.value_or(scene.pattern.graspArc);
+double graspOf(const TwistArguments& arguments, const Scene& scene) {
+  const double whole = arguments.ends.empty() ? scene.pattern.graspArc : 1.0;
+  const double grasp = arguments.grasp.value_or(whole);
   if (!(grasp > 0.0 && grasp <= 1.0)) {
     throw Error(ErrorCode::kBadParameter,
                 Text::verbatim("the grasp must lie in (0, 1], as a fraction of the organ's length"),
                 "--grasp " + std::to_string(grasp), Text::verbatim("Give a fraction such as 0.8"));
   }
+  return grasp;
+}
+
+double angleOf_rad(const TwistArguments& arguments, const Scene& scene) {
   const double angle_rad =
       arguments.angle_deg ? radians(*arguments.angle_deg) : scene.pattern.targetAngle_rad;
   constexpr double kLargestAngle_deg = 3600.0;
@@ -65,45 +73,46 @@ void runTwist(const TwistArguments& arguments) {
                 "--angle " + std::to_string(arguments.angle_deg.value_or(0.0)),
                 Text::verbatim("Give the angle in degrees"));
   }
-  const TwistState state{grasp * length_m, angle_rad};
+  return angle_rad;
+}
 
-  const auto deforming = SteadyClock::now();
-  TriangleMesh twisted = scene.mesh;
-  scene.model.deform(state, twisted.vertices_m);
-  const double deform_ms = millisecondsSince(deforming);
-  const TwistSummary summary = scene.model.summary(state);
-  if (!arguments.out.empty()) {
-    const std::filesystem::path out = arguments.out;
-    out.extension() == ".obj" ? writeObj(out, twisted) : writePly(out, twisted);
+void requireUnfolded(const FoldReport& fold, const TwistArguments& arguments) {
+  if (fold.folded() && !arguments.allowFold) {
+    throw Error(ErrorCode::kFolded, Text("the twist folds the organ: %1", fold.reason()),
+                Text("organ %1", arguments.organ.organ),
+                "Twist less far, or give --allow-fold to see it all the same");
   }
+}
 
-  nlohmann::ordered_json result;
+void addFold(nlohmann::ordered_json& result, const FoldReport& fold) {
+  result["volume_ratio"] = fold.volumeRatio;
+  result["det_f_min"] = fold.minDeterminant;
+  result["det_f_max"] = fold.maxDeterminant;
+  result["crossings"] = fold.crossings;
+  result["folded"] = fold.folded();
+  if (fold.folded()) {
+    result["fold"] = fold.reason().str();
+  }
+}
+
+void addOrgan(nlohmann::ordered_json& result, const Scene& scene, const TwistArguments& arguments) {
   result["organ"] = arguments.organ.organ;
   if (scene.repairs.any()) {
     result["repairs"] = scene.repairs.text();
   }
-  result["pattern"] = scene.pattern.id;
-  result["formulation"] = scene.model.options().formulation == Formulation::kPaper ? "paper" : "saint-venant";
-  result["ridges"] = scene.lattice().ridges();
-  result["sections"] = scene.lattice().sections();
-  result["patches"] = scene.lattice().patches();
-  result["length_m"] = length_m;
-  result["grasp_s_m"] = state.graspArc_m;
-  result["angle_rad"] = angle_rad;
-  result["torque_nm"] = summary.torque_Nm;
-  result["compliance_rad_per_nm"] = scene.model.graspCompliance(state.graspArc_m);
-  result["max_displacement_m"] = summary.maxDisplacement_m;
-  result["radius_change"] = summary.maxRadiusGrowth;
-  result["det_f_min"] = summary.minDeterminant;
-  result["det_f_max"] = summary.maxDeterminant;
-  result["peak_shear_pa"] = summary.peakShear_Pa;
-  result["set_up_ms"] = setUp_ms;
-  result["deform_ms"] = deform_ms;
-  if (!arguments.out.empty()) {
-    result["out"] = arguments.out;
+}
+
+void writeSurface(const TwistArguments& arguments, TriangleMesh mesh, std::vector<Vec3> vertices_m) {
+  if (arguments.out.empty()) {
+    return;
   }
-  result["profile"] = angleProfile(scene.model, state);
-  if (arguments.json) {
+  mesh.vertices_m = std::move(vertices_m);
+  const std::filesystem::path out = arguments.out;
+  out.extension() == ".obj" ? writeObj(out, mesh) : writePly(out, mesh);
+}
+
+void print(const nlohmann::ordered_json& result, bool json) {
+  if (json) {
     std::cout << result.dump(2) << '\n';
     return;
   }
@@ -112,6 +121,102 @@ void runTwist(const TwistArguments& arguments) {
       std::cout << key << " = " << value.dump() << '\n';
     }
   }
+}
+
+void runPattern(const TwistArguments& arguments, const Scene& scene, double setUp_ms) {
+  const double length_m = scene.lattice().length_m();
+  const TwistState state{graspOf(arguments, scene) * length_m, angleOf_rad(arguments, scene)};
+
+  const auto deforming = SteadyClock::now();
+  std::vector<Vec3> twisted = scene.mesh.vertices_m;
+  scene.model.deform(state, twisted);
+  const double deform_ms = millisecondsSince(deforming);
+  const TwistSummary summary = scene.model.summary(state);
+  const FoldReport fold = FoldCheck(scene.mesh, scene.lattice()).judge(twisted, [&](const Vec3& rest_m) {
+    return scene.model.toDeformed_m(rest_m, state);
+  });
+  requireUnfolded(fold, arguments);
+  writeSurface(arguments, scene.mesh, std::move(twisted));
+
+  nlohmann::ordered_json result;
+  addOrgan(result, scene, arguments);
+  result["pattern"] = scene.pattern.id;
+  result["formulation"] = scene.model.options().formulation == Formulation::kPaper ? "paper" : "saint-venant";
+  result["ridges"] = scene.lattice().ridges();
+  result["sections"] = scene.lattice().sections();
+  result["patches"] = scene.lattice().patches();
+  result["length_m"] = length_m;
+  result["grasp_s_m"] = state.graspArc_m;
+  result["angle_rad"] = state.graspAngle_rad;
+  result["torque_nm"] = summary.torque_Nm;
+  result["compliance_rad_per_nm"] = scene.model.graspCompliance(state.graspArc_m);
+  result["max_displacement_m"] = summary.maxDisplacement_m;
+  result["radius_change"] = summary.maxRadiusGrowth;
+  addFold(result, fold);
+  result["peak_shear_pa"] = summary.peakShear_Pa;
+  result["set_up_ms"] = setUp_ms;
+  result["deform_ms"] = deform_ms;
+  if (!arguments.out.empty()) {
+    result["out"] = arguments.out;
+  }
+  result["profile"] = angleProfile(scene.model, state);
+  print(result, arguments.json);
+}
+
+void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms) {
+  const bool free = arguments.ends == "clamped-free";
+  if (!free && arguments.grasp) {
+    throw Error(ErrorCode::kUsage, "with --ends clamped-turned the upper face is turned, nothing is gripped",
+                "--grasp", "Leave it out, or give --ends clamped-free");
+  }
+  RodTwistRequest request;
+  request.ends = free ? RodEnds::kClampedFree : RodEnds::kClampedTurned;
+  request.shearModulus_Pa = arguments.shearModulus_Pa.value_or(scene.model.material().shearModulus_Pa);
+  request.poisson = arguments.poisson;
+  request.angle_rad = angleOf_rad(arguments, scene);
+  request.grasp = graspOf(arguments, scene);
+  const auto twisting = SteadyClock::now();
+  RodTwistResult twist = rodTwist(scene, request);
+  const double twist_ms = millisecondsSince(twisting);
+  requireUnfolded(twist.fold, arguments);
+  writeSurface(arguments, scene.mesh, std::move(twist.vertices_m));
+
+  nlohmann::ordered_json result;
+  addOrgan(result, scene, arguments);
+  result["model"] = "rod";
+  result["ends"] = arguments.ends;
+  result["shear_modulus_pa"] = request.shearModulus_Pa;
+  result["nu"] = request.poisson;
+  result["elements"] = twist.elements;
+  result["sections"] = scene.lattice().sections();
+  result["length_m"] = scene.lattice().length_m();
+  result["grasp_s_m"] = request.grasp * scene.lattice().length_m();
+  result["angle_rad"] = request.angle_rad;
+  result["torque_nm"] = twist.torque_Nm;
+  result["energy_j"] = twist.energy_J;
+  addFold(result, twist.fold);
+  result["set_up_ms"] = setUp_ms;
+  result["twist_ms"] = twist_ms;
+  if (!arguments.out.empty()) {
+    result["out"] = arguments.out;
+  }
+  nlohmann::ordered_json profile = nlohmann::ordered_json::array();
+  for (std::size_t j = 0; j < twist.arcs_m.size(); ++j) {
+    profile.push_back({{"s_m", twist.arcs_m[j]}, {"phi_rad", twist.turn_rad[j]}});
+  }
+  result["profile"] = std::move(profile);
+  print(result, arguments.json);
+}
+
+void runTwist(const TwistArguments& arguments) {
+  if (arguments.ends.empty() && arguments.shearModulus_Pa) {
+    throw Error(ErrorCode::kUsage, "a pattern takes its material from the scene", "--shear-modulus",
+                "Give --ends too, or choose --material");
+  }
+  const auto started = SteadyClock::now();
+  const Scene scene = loadScene(sceneRequest(arguments.organ));
+  const double setUp_ms = millisecondsSince(started);
+  arguments.ends.empty() ? runPattern(arguments, scene, setUp_ms) : runRod(arguments, scene, setUp_ms);
 }
 
 }  // namespace
@@ -125,6 +230,17 @@ void addTwist(CLI::App& program) {
                       "Angle at the grasp in degrees; default: the pattern's target");
   command->add_option("--grasp", arguments->grasp,
                       "Where it is gripped, fraction of the length from the fixed end");
+  command
+      ->add_option(
+          "--ends", arguments->ends,
+          "Twist the organ as a curved rod: clamped-turned (the upper face is turned about its tangent, "
+          "its place held) or clamped-free (the section at --grasp is turned); default: the pattern")
+      ->check(CLI::IsMember({"clamped-turned", "clamped-free"}));
+  command->add_option("--shear-modulus", arguments->shearModulus_Pa,
+                      "G in pascal, with --ends; default: the material's");
+  command->add_option("--nu", arguments->poisson, "Poisson's ratio, with --ends: E = 2 G (1 + nu)")
+      ->capture_default_str();
+  command->add_flag("--allow-fold", arguments->allowFold, "Also show a twist that folds the organ");
   command->add_option("--out", arguments->out,
                       "Write the twisted surface as PLY or OBJ, by its ending (millimetres)");
   command->add_flag("--json", arguments->json, "Print JSON with the angle at every section");

@@ -1682,6 +1682,10 @@
         <translation>校验发现差异</translation>
     </message>
     <message>
+        <source>The organ would be folded</source>
+        <translation>器官会发生折叠</translation>
+    </message>
+    <message>
         <source>Something unexpected happened</source>
         <translation>发生意外情况</translation>
     </message>

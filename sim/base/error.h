@@ -22,6 +22,7 @@ enum class ErrorCode : int {
   kPermission = 11,     ///< the role may not do this
   kDevice = 12,         ///< the haptic device refused or was lost
   kVerifyFailed = 13,   ///< a replay or an integrity check found a difference
+  kFolded = 14,         ///< the organ would have to fold, tear or swell to look like this
   kInternal = 70,       ///< our own bug (ContractError)
 };
 

@@ -111,6 +111,8 @@ QString meaningOf(ErrorCode code) {
       return QCoreApplication::translate("Text", "The haptic device has a problem");
     case ErrorCode::kVerifyFailed:
       return QCoreApplication::translate("Text", "A check found a difference");
+    case ErrorCode::kFolded:
+      return QCoreApplication::translate("Text", "The organ would be folded");
     case ErrorCode::kInternal:
       break;
   }

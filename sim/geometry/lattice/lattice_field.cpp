@@ -336,12 +336,8 @@ class FieldBuilder {
   }
 
   LevelLoop stationLoop(std::size_t k, std::vector<LevelLoop> loops) const {
-    // Between the sections a plane may cut off a bump: then the longest loop is the organ's.
-    if (field_.mode == LatticeMode::kStraightAxis && !loops.empty()) {
-      return std::move(loops.front());
-    }
-    return theOneLoop(std::move(loops), field_.mode,
-                      "level " + std::to_string(field_.stationLevels[k]) + " of the harmonic field");
+    return organLoop(std::move(loops), field_.mode,
+                     "level " + std::to_string(field_.stationLevels[k]) + " of the harmonic field");
   }
 
   struct Turn {
@@ -431,6 +427,17 @@ LevelLoop theOneLoop(std::vector<LevelLoop> loops, LatticeMode mode, const std::
         remedy);
   }
   return std::move(loops.front());
+}
+
+LevelLoop organLoop(std::vector<LevelLoop> loops, LatticeMode mode, const std::string& name) {
+  if (mode == LatticeMode::kStraightAxis && !loops.empty()) {
+    return std::move(loops.front());
+  }
+  return theOneLoop(std::move(loops), mode, name);
+}
+
+std::string placeName(double arc_m) {
+  return "the section " + millimetres(arc_m) + " from the fixed end";
 }
 
 std::string sectionName(int j, int sections, double arc_m) {

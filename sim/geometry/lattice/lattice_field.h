@@ -49,6 +49,13 @@ struct LatticeField {
 /// mode.
 LevelLoop theOneLoop(std::vector<LevelLoop> loops, LatticeMode mode, const std::string& name);
 
+/// Returns the loop about the organ where no section of the lattice lies: with parallel planes the longest
+/// one, because a plane may cut off a bump there; else theOneLoop.
+LevelLoop organLoop(std::vector<LevelLoop> loops, LatticeMode mode, const std::string& name);
+
+/// Names a place on the organ: "the section 16.7 mm from the fixed end".
+[[nodiscard]] std::string placeName(double arc_m);
+
 /// Names a section: "section 3 of 25 (16.7 mm from the fixed end)"; j counts from 0.
 [[nodiscard]] std::string sectionName(int j, int sections, double arc_m);
 

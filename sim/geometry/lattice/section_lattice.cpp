@@ -142,6 +142,25 @@ std::span<const double> SectionLattice::outlineAngles_rad(int j) const {
   return outlineAngles_[static_cast<std::size_t>(j)];
 }
 
+std::vector<LatticeOutline> SectionLattice::outlinesAt(std::span<const double> arcs_m) const {
+  std::vector<double> levels;
+  levels.reserve(arcs_m.size());
+  for (const double arc : arcs_m) {
+    TORSIO_EXPECTS(arc >= 0.0 && arc <= length_m());
+    levels.push_back(arc < length_m() ? field_->levelAtArc(arc) : 1.0);
+  }
+  std::vector<LatticeOutline> outlines;
+  outlines.reserve(arcs_m.size());
+  const LevelTracer tracer(field_->mesh, field_->topology, field_->harmonic);
+  tracer.traceAll(levels, [&](std::size_t k, std::vector<LevelLoop> found) {
+    const std::string name = placeName(arcs_m[k]);
+    SectionOutline outline = cutOutline(organLoop(std::move(found), field_->mode, name), frameAt(arcs_m[k]),
+                                        field_->rule, ridges(), name);
+    outlines.push_back({std::move(outline.points_m), std::move(outline.angles_rad)});
+  });
+  return outlines;
+}
+
 LatticePoint SectionLattice::surfacePoint(const LatticeCoordinate& coordinate) const {
   TORSIO_EXPECTS(std::isfinite(coordinate.arc_m) && std::isfinite(coordinate.angle_rad));
   const double arc = std::clamp(coordinate.arc_m, 0.0, length_m());

@@ -25,6 +25,13 @@ struct LatticeCoordinate {
 
 using Point2 = std::array<double, 2>;
 
+/// Outline of one section in the frame of the centreline there: (x, y) along e1, e2 from the centre, metres,
+/// anticlockwise about the tangent, first point not repeated, with the ridge angle of each point.
+struct LatticeOutline {
+  std::vector<Point2> points_m;
+  std::vector<double> angles_rad;  ///< strictly increasing from 0, below 2 pi
+};
+
 enum class LatticeMode {
   kHarmonic,  ///< level sets of a harmonic field between two caps: any closed genus-0 organ, curved or not
   kStraightAxis,  ///< the paper's parallel planes along the principal axis
@@ -103,6 +110,10 @@ class SectionLattice {
   [[nodiscard]] std::span<const Point2> outline_m(int j) const;
   /// Returns the ridge angle of each outline point of section j, strictly increasing from 0, below 2 pi.
   [[nodiscard]] std::span<const double> outlineAngles_rad(int j) const;
+  /// Cuts the outlines of sections at other places than the lattice's own, as outline_m and
+  /// outlineAngles_rad give them. `arcs_m`: ascending, in [0, length]. Throws Error{kBadMesh} naming the
+  /// place where the organ has no simple section. Allocates, not for the tick.
+  [[nodiscard]] std::vector<LatticeOutline> outlinesAt(std::span<const double> arcs_m) const;
   /// Returns the coordinates of the mesh's vertices, in their order.
   [[nodiscard]] std::span<const LatticeCoordinate> vertexCoordinates() const noexcept { return coordinates_; }
   [[nodiscard]] std::span<const LatticePart> vertexParts() const noexcept { return parts_; }

@@ -106,10 +106,10 @@ double SectionProfile::radius_m(double arc_m) const {
   return std::max(kriging_.estimate(arc_m, areaLength_), smallest_) / std::sqrt(kPi);
 }
 
-std::vector<double> sectionCompliances(const SectionProfile& profile, int sections, double length_m,
+std::vector<double> sectionCompliances(const SectionProfile& profile, int places, double length_m,
                                        double shearModulus_Pa, EndCondition ends,
                                        const TorsionCorrections& corrections) {
-  TORSIO_EXPECTS(sections >= 2);
+  TORSIO_EXPECTS(places >= 2);
   if (!positive(shearModulus_Pa)) {
     refuseParameter(
         Text::verbatim("the shear modulus is %1 Pa, but must be above 0", std::to_string(shearModulus_Pa)),
@@ -120,8 +120,8 @@ std::vector<double> sectionCompliances(const SectionProfile& profile, int sectio
     refuseParameter(Text::verbatim("the organ's length is not above 0"), Text::verbatim("lattice"),
                     Text::verbatim("Check the organ's ends."));
   }
-  const int perSection = (kFewestIntegrationIntervals + sections - 2) / (sections - 1);
-  const double step = length_m / static_cast<double>((sections - 1) * perSection);
+  const int perPlace = (kFewestIntegrationIntervals + places - 2) / (places - 1);
+  const double step = length_m / static_cast<double>((places - 1) * perPlace);
   const auto shortening = [&](double end) {
     const TorsionSection s = profile.at(end);
     const bool flat = 1.0 - s.torsionConstant_m4 / s.polarMoment_m4 > kCircularTolerance;
@@ -149,11 +149,11 @@ std::vector<double> sectionCompliances(const SectionProfile& profile, int sectio
   };
   std::vector<double> result{0.0};
   double sum = 0.0;
-  for (int i = 0; i < (sections - 1) * perSection; ++i) {
+  for (int i = 0; i < (places - 1) * perPlace; ++i) {
     for (std::size_t p = 0; p < kGaussPoints.size(); ++p) {
       sum += step * kGaussWeights[p] * density((static_cast<double>(i) + kGaussPoints[p]) * step);
     }
-    if ((i + 1) % perSection == 0) {
+    if ((i + 1) % perPlace == 0) {
       result.push_back(sum);
     }
   }
@@ -167,7 +167,7 @@ int fineNodes(int sections) noexcept {
 }
 
 std::vector<double> krigedNodes(std::span<const double> atSections, double length_m,
-                                const KrigingOptions& kriging, bool monotone) {
+                                const KrigingOptions& kriging) {
   const int sections = static_cast<int>(atSections.size());
   TORSIO_EXPECTS(sections >= 2);
   std::vector<double> arcs;
@@ -184,12 +184,6 @@ std::vector<double> krigedNodes(std::span<const double> atSections, double lengt
     double value = atSections[section];
     if (i % perSection != 0) {
       value = along.estimate(length_m * i / intervals, atSections);
-      if (monotone) {
-        value = std::clamp(value, atSections[section], atSections[section + 1]);
-      }
-    }
-    if (monotone && !nodes.empty()) {
-      value = std::max(value, nodes.back());
     }
     nodes.push_back(value);
   }

@@ -53,18 +53,18 @@ class SectionProfile {
   double smallest_ = 0.0;
 };
 
-/// Computes the compliance coordinate C(s_j) = integral from 0 to s_j of ds / (G J), rad/(N m), at sections
-/// s_j = j length / (sections - 1), by Gauss's rule on the profile: exact to 1e-9 for tapers. Throws
-/// Error{kBadParameter}: G or length not positive and finite.
-[[nodiscard]] std::vector<double> sectionCompliances(const SectionProfile& profile, int sections,
+/// Computes the compliance coordinate C(s_j) = integral from 0 to s_j of ds / (G J), rad/(N m), at places
+/// s_j = j length / (places - 1), by Gauss's rule on the profile: exact to 1e-9 for tapers, whatever the
+/// number of places. Throws Error{kBadParameter}: G or length not positive and finite.
+[[nodiscard]] std::vector<double> sectionCompliances(const SectionProfile& profile, int places,
                                                      double length_m, double shearModulus_Pa,
                                                      EndCondition ends,
                                                      const TorsionCorrections& corrections = {});
 
-/// Computes the compliance coordinate between the sections: kriged from the M values onto a fine grid of
-/// nodes that contains the sections, kept from falling, at least 257 nodes.
+/// Computes what the paper's formulation interpolates between the sections: kriged from the M values onto a
+/// fine grid of nodes that contains the sections, at least 257 nodes.
 [[nodiscard]] std::vector<double> krigedNodes(std::span<const double> atSections, double length_m,
-                                              const KrigingOptions& kriging, bool monotone);
+                                              const KrigingOptions& kriging);
 /// Returns the number of nodes of krigedNodes for M sections.
 [[nodiscard]] int fineNodes(int sections) noexcept;
 

@@ -10,27 +10,18 @@
 #include "sim/base/angle.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
+#include "sim/base/index.h"
 #include "sim/base/portable_math.h"
 
 namespace torsio {
 
 namespace {
 
-// `count` of M sections, both ends among them, as evenly as whole numbers allow.
-std::vector<int> chosenSections(int available, int count) {
-  const int n = std::clamp(count, 2, available);
-  std::vector<int> chosen;
-  chosen.reserve(static_cast<std::size_t>(n));
-  for (int k = 0; k < n; ++k) {
-    chosen.push_back((k * (available - 1) + (n - 1) / 2) / (n - 1));
-  }
-  return chosen;
-}
-
-std::vector<double> arcsOf(const SectionLattice& lattice, std::span<const int> chosen) {
+std::vector<double> equalArcs(double length_m, int count) {
   std::vector<double> arcs;
-  for (const int j : chosen) {
-    arcs.push_back(lattice.sectionArc_m(j));
+  arcs.reserve(at(count));
+  for (int k = 0; k < count; ++k) {
+    arcs.push_back(std::min(length_m, length_m * k / (count - 1)));
   }
   return arcs;
 }
@@ -42,11 +33,6 @@ double tilt(const Point2& point, const std::array<double, 2>& centroid, const st
          (centre[1] - centroid[1]) * (point[0] - centroid[0]);
 }
 
-struct Outline {
-  std::vector<Point2> points;
-  std::vector<double> angles_rad;  // ridge angle of each
-};
-
 double areaOf(std::span<const Point2> points) {
   double twice = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -57,60 +43,52 @@ double areaOf(std::span<const Point2> points) {
   return 0.5 * twice;
 }
 
-Outline fullOutline(const SectionLattice& lattice, int j) {
-  const std::span<const Point2> points = lattice.outline_m(j);
-  const std::span<const double> angles = lattice.outlineAngles_rad(j);
-  return {{points.begin(), points.end()}, {angles.begin(), angles.end()}};
-}
-
 // Fewer points at equal ridge angles, blown up to the old area: J goes with the square of the area, so that
 // what the chords cut off is made good.
-Outline drawnAgain(const Outline& full, int count) {
+LatticeOutline drawnAgain(const LatticeOutline& full, int count) {
   std::vector<double> x;
   std::vector<double> y;
-  for (const Point2& p : full.points) {
+  for (const Point2& p : full.points_m) {
     x.push_back(p[0]), y.push_back(p[1]);
   }
   const std::vector<double> evenX = onEqualAngles(full.angles_rad, x, count);
   const std::vector<double> evenY = onEqualAngles(full.angles_rad, y, count);
-  Outline outline;
+  LatticeOutline outline;
   for (int a = 0; a < count; ++a) {
     const std::size_t i = static_cast<std::size_t>(a);
-    outline.points.push_back({evenX[i], evenY[i]});
+    outline.points_m.push_back({evenX[i], evenY[i]});
     outline.angles_rad.push_back(kTurn * a / count);
   }
-  const double area = areaOf(outline.points);
-  const double factor = area > 0.0 ? std::sqrt(areaOf(full.points) / area) : 1.0;
-  for (Point2& p : outline.points) {
+  const double area = areaOf(outline.points_m);
+  const double factor = area > 0.0 ? std::sqrt(areaOf(full.points_m) / area) : 1.0;
+  for (Point2& p : outline.points_m) {
     p = {factor * p[0], factor * p[1]};
   }
   return outline;
 }
 
-SectionProperties solvedOutline(SectionSolver& solver, Outline& outline, int points, int j) {
-  if (outline.points.size() > static_cast<std::size_t>(points)) {
+SectionProperties solvedOutline(SectionSolver& solver, LatticeOutline& outline, int points, double arc_m) {
+  if (outline.points_m.size() > static_cast<std::size_t>(points)) {
     try {
-      Outline fewer = drawnAgain(outline, points);
-      SectionProperties properties = solver.solve(fewer.points);
+      LatticeOutline fewer = drawnAgain(outline, points);
+      SectionProperties properties = solver.solve(fewer.points_m);
       outline = std::move(fewer);
       return properties;
     } catch (const Error&) {  // fewer points may cross where the full outline does not
     }
   }
   try {
-    return solver.solve(outline.points);
+    return solver.solve(outline.points_m);
   } catch (const Error& error) {
-    throw Error(error.code(), error.happened(), Text::verbatim("section %1", std::to_string(j)),
-                error.remedy());
+    throw Error(error.code(), error.happened(),
+                Text::tr("the section %1 mm from the fixed end", std::to_string(1000.0 * arc_m)), error.remedy());
   }
 }
 
-SolvedSection solved(SectionSolver& solver, const SectionLattice& lattice, int j,
+SolvedSection solved(SectionSolver& solver, LatticeOutline outline, double arc_m,
                      const SolvedSections::Options& options) {
-  Outline outline = fullOutline(lattice, j);
-  const SectionProperties p = solvedOutline(solver, outline, options.points, j);
+  const SectionProperties p = solvedOutline(solver, outline, options.points, arc_m);
   SolvedSection section;
-  section.index = j;
   section.torsion = {p.torsionConstant, p.polarMoment, p.area};
   section.sag_m2 = p.sag;
   section.maxShear_m = p.maxShear;
@@ -119,7 +97,7 @@ SolvedSection solved(SectionSolver& solver, const SectionLattice& lattice, int j
       options.aboutShearCentre ? p.shearCentre : std::array<double, 2>{0.0, 0.0};
   std::vector<double> warping = p.outlineWarping;
   for (std::size_t i = 0; i < warping.size(); ++i) {
-    warping[i] += tilt(outline.points[i], p.centroid, centre);
+    warping[i] += tilt(outline.points_m[i], p.centroid, centre);
   }
   section.warping_m2 = onEqualAngles(outline.angles_rad, warping, SolvedSections::kAngles);
   section.shear_m = onEqualAngles(outline.angles_rad, p.outlineShear, SolvedSections::kAngles);
@@ -167,14 +145,15 @@ double atAngle(std::span<const double> table, double angle_rad) noexcept {
 }
 
 SolvedSections SolvedSections::solve(const SectionLattice& lattice, const Options& options) {
-  const std::vector<int> chosen = chosenSections(lattice.sections(), options.sections);
+  const std::vector<double> arcs = equalArcs(lattice.length_m(), options.sections);
+  std::vector<LatticeOutline> outlines = lattice.outlinesAt(arcs);
   SectionSolver solver(options.solver);
   std::vector<SolvedSection> sections;
-  sections.reserve(chosen.size());
-  for (const int j : chosen) {
-    sections.push_back(solved(solver, lattice, j, options));
+  sections.reserve(arcs.size());
+  for (std::size_t k = 0; k < arcs.size(); ++k) {
+    sections.push_back(solved(solver, std::move(outlines[k]), arcs[k], options));
   }
-  return {arcsOf(lattice, chosen), std::move(sections), options.kriging};
+  return {arcs, std::move(sections), options.kriging};
 }
 
 SolvedSections::SolvedSections(std::vector<double> arcs_m, std::vector<SolvedSection> sections,

@@ -12,9 +12,8 @@
 
 namespace torsio {
 
-/// Result of the membrane solver for one section of the lattice.
+/// Result of the membrane solver for one section of the organ.
 struct SolvedSection {
-  int index = 0;  ///< j
   TorsionSection torsion;
   double sag_m2 = 0.0;
   double maxShear_m = 0.0;                ///< largest |tau| of the outline for G = 1 and unit twist rate
@@ -23,15 +22,15 @@ struct SolvedSection {
   std::vector<double> shear_m;            ///< |tau| there
 };
 
-/// The membrane problems along an organ, solved at some of its sections, and kriged between them. Every
-/// property is kriged as a length or as a share of the section's size, which a taper leaves linear or
-/// constant.
+/// The membrane problems along an organ, solved at equal steps of the arc length, whatever sections the
+/// lattice has, and kriged between them. Every property is kriged as a length or as a share of the section's
+/// size, which a taper leaves linear or constant.
 class SolvedSections {
  public:
   static constexpr int kAngles = 180;  ///< ridge angles of the warping and shear tables
 
   struct Options {
-    int sections = 49;              ///< at most as many are solved, both ends among them
+    int sections = 97;              ///< number that are solved, both ends among them
     int points = 128;               ///< an outline with more is drawn again with so many
     bool aboutShearCentre = false;  ///< psi about the shear centre instead of the frame's centre
     SectionSolverOptions solver;

@@ -135,7 +135,7 @@ class TableMaker {
 
 void TableMaker::makeCompliance() {
   tables_.linear = options_.formulation == Formulation::kPaper;
-  std::vector<double> atSections;
+  std::vector<double> nodes;
   if (tables_.linear) {
     std::vector<PaperSection> sections;
     for (int j = 0; j < lattice_.sections(); ++j) {
@@ -143,23 +143,21 @@ void TableMaker::makeCompliance() {
       sections.push_back({solved_.sag_m2(arc), solved_.profile().at(arc).area_m2});
     }
     const PaperTwist twist = paperTwist(sections, length(), material_.shearModulus_Pa, options_.paper);
-    atSections = twist.angle_rad;
+    nodes = krigedNodes(twist.angle_rad, length(), options_.kriging);
     tables_.spacing_m = twist.spacing_m;
-    const std::vector<double> rates = krigedNodes(twist.rate_per_m, length(), options_.kriging, false);
+    const std::vector<double> rates = krigedNodes(twist.rate_per_m, length(), options_.kriging);
     std::vector<double> sum{0.0};
     for (std::size_t i = 1; i < rates.size(); ++i) {
       sum.push_back(sum.back() + 0.5 * step() * std::max(0.0, rates[i - 1] + rates[i]));
     }
     series_ = HermiteTable(0.0, step(), std::move(sum), true);
-    tables_.lift =
-        HermiteTable(0.0, step(), krigedNodes(twist.lift_m2, length(), options_.kriging, false), false);
+    tables_.lift = HermiteTable(0.0, step(), krigedNodes(twist.lift_m2, length(), options_.kriging), false);
   } else {
-    atSections = sectionCompliances(solved_.profile(), lattice_.sections(), length(),
-                                    material_.shearModulus_Pa, options_.ends, options_.corrections);
+    nodes = sectionCompliances(solved_.profile(), intervals() + 1, length(), material_.shearModulus_Pa,
+                               options_.ends, options_.corrections);
   }
   const bool monotone = !tables_.linear;
-  tables_.compliance =
-      HermiteTable(0.0, step(), krigedNodes(atSections, length(), options_.kriging, monotone), monotone);
+  tables_.compliance = HermiteTable(0.0, step(), std::move(nodes), monotone);
   if (monotone) {
     series_ = tables_.compliance;
   }

@@ -180,6 +180,38 @@ TEST(CommandLine, ASectionTellsMembraneAndStressAtAPoint) {
   EXPECT_EQ(runTorsio(call + " --at 2,2", scratch).code, static_cast<int>(ErrorCode::kBadParameter));
 }
 
+TEST(CommandLine, ASectionNamesItsMethodAndWhetherItsBracketIsABound) {
+  const fs::path scratch = emptyFolder("section-method");
+  write(scratch / "square.csv", "0,0\n1,0\n1,1\n0,1\n");
+  const std::string call = "section " + (scratch / "square.csv").string() + " --json --method ";
+
+  const nlohmann::json elements = nlohmann::json::parse(runTorsio(call + "auto", scratch).out);
+  const nlohmann::json boundary = nlohmann::json::parse(runTorsio(call + "bem", scratch).out);
+
+  EXPECT_EQ(elements["method"], "fem");
+  EXPECT_EQ(elements["bracket"], "bounds");
+  EXPECT_LE(elements["J_lower"].get<double>(),
+            0.140577014955);  // Timoshenko and Goodier: J of the unit square
+  EXPECT_GE(elements["J_upper"].get<double>(), 0.140577014955);
+  EXPECT_EQ(boundary["method"], "bem");
+  EXPECT_EQ(boundary["bracket"], "estimate");
+}
+
+TEST(CommandLine, APatternThatSwellsTheOrganIsRefusedUnlessItIsAskedFor) {
+  // The combined pattern of the stomach as drawn: volume 1.58 of that at rest.
+  const fs::path scratch = emptyFolder("pattern-fold");
+  const std::string call = "twist --organ stomach --pattern combined --json";
+
+  const ProgramRun refused = runTorsio(call, scratch);
+
+  EXPECT_EQ(refused.code, static_cast<int>(ErrorCode::kFolded)) << refused.err;
+  EXPECT_EQ(refused.out, "");
+  EXPECT_NE(refused.err.find("volume"), std::string::npos) << refused.err;
+  const ProgramRun shown = runTorsio(call + " --allow-fold", scratch);
+  ASSERT_EQ(shown.code, 0) << shown.err;
+  EXPECT_NEAR(nlohmann::json::parse(shown.out)["volume_ratio"].get<double>(), 1.58, 0.02);
+}
+
 TEST(CommandLine, ATwistOfAMeshTellsItsRepairsAndIsWrittenAsObj) {
   // A tube of 12 corners whose first face stands twice.
   const fs::path scratch = emptyFolder("obj");

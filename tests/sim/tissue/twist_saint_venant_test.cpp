@@ -92,7 +92,7 @@ TEST(SectionCompliances, KrigedBetweenTheSectionsStayWithinAMillionthFromFiftySe
     const std::vector<double> c =
         sectionCompliances(profile, sections, kLength, 1.0, EndCondition::kClampedFree);
 
-    const std::vector<double> nodes = krigedNodes(c, kLength, {}, true);
+    const std::vector<double> nodes = krigedNodes(c, kLength, {});
 
     ASSERT_EQ(nodes.size(), static_cast<std::size_t>(fineNodes(sections)));
     double worstAtSections = 0.0;

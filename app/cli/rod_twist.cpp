@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/rod_twist.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "sim/base/angle.h"
+#include "sim/base/error.h"
+#include "sim/tissue/rod/rod.h"
+#include "sim/tissue/rod/rod_sections.h"
+#include "sim/tissue/rod/rod_skin.h"
+#include "sim/tissue/rod/rod_solve.h"
+
+namespace torsio::cli {
+
+namespace {
+
+// Turns at the nodes of a rod, cubic between them. Beyond the turned section nothing carries torque, so that
+// the twist rate jumps there: pieces on either side know nothing of one another.
+class NodeTurns {
+ public:
+  NodeTurns(std::span<const double> arcs_m, std::span<const double> turns_rad, std::size_t jump)
+      : arcs_(arcs_m), turns_(turns_rad), jump_(jump) {}
+
+  [[nodiscard]] double at(double arc_m) const {
+    const auto after = std::upper_bound(arcs_.begin() + 1, arcs_.end() - 1, arc_m);
+    const auto i = static_cast<std::size_t>(after - arcs_.begin()) - 1;
+    const double h = arcs_[i + 1] - arcs_[i];
+    const double w = std::clamp((arc_m - arcs_[i]) / h, 0.0, 1.0);
+    const double rise = turns_[i + 1] - turns_[i];
+    const double from = h * slope(i, i) - rise;
+    const double to = rise - h * slope(i + 1, i);
+    return turns_[i] + w * rise + w * (1.0 - w) * ((1.0 - w) * from + w * to);
+  }
+
+ private:
+  // Slope at a node of the parabola through it and its neighbours, seen from the element `side` beside it.
+  [[nodiscard]] double slope(std::size_t node, std::size_t side) const {
+    const std::size_t first = side >= jump_ ? jump_ : 0;
+    const std::size_t last = side >= jump_ ? arcs_.size() - 1 : std::min(jump_, arcs_.size() - 1);
+    const auto rate = [this](std::size_t i) {
+      return (turns_[i + 1] - turns_[i]) / (arcs_[i + 1] - arcs_[i]);
+    };
+    if (last - first < 2) {
+      return rate(first);
+    }
+    const std::size_t middle = std::clamp(node, first + 1, last - 1);
+    const double bend =
+        (rate(middle) - rate(middle - 1)) / (arcs_[middle + 1] - arcs_[middle - 1]);  // half the curvature
+    return rate(middle - 1) + bend * (2.0 * arcs_[node] - arcs_[middle - 1] - arcs_[middle]);
+  }
+
+  std::span<const double> arcs_;
+  std::span<const double> turns_;
+  std::size_t jump_;
+};
+
+std::size_t nearestNode(std::span<const double> arcs_m, double arc_m) {
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < arcs_m.size(); ++i) {
+    if (std::abs(arcs_m[i] - arc_m) < std::abs(arcs_m[nearest] - arc_m)) {
+      nearest = i;
+    }
+  }
+  return std::max<std::size_t>(nearest, 1);  // the first section is the clamp
+}
+
+// Twist of an element is only known up to whole turns: more than half a turn in one comes back as less the
+// other way.
+void requireTwistWithin(const RodPose& pose, std::span<const double> arcs_m,
+                        std::span<const double> turns_rad, double angle_rad) {
+  for (std::size_t i = 0; i + 1 < arcs_m.size(); ++i) {
+    const double length_m = arcs_m[i + 1] - arcs_m[i];
+    const double own_rad = length_m * rodStrain(length_m, pose.nodes[i], pose.nodes[i + 1]).curvature_per_m.z;
+    if (std::abs(turns_rad[i + 1] - turns_rad[i] - own_rad) > kPi) {
+      throw Error(ErrorCode::kBadParameter,
+                  Text("the twist gathers in one place: more than half a turn within %1 mm",
+                       std::to_string(1000.0 * length_m)),
+                  "--angle " + std::to_string(degrees(angle_rad)), "Twist less far.");
+    }
+  }
+}
+
+}  // namespace
+
+RodTwistResult rodTwist(const Scene& scene, const RodTwistRequest& request) {
+  const SectionLattice& lattice = scene.lattice();
+  const TwistModelOptions& model = scene.model.options();
+  const SolvedSections sections = SolvedSections::solve(lattice, {.sections = model.solvedSections,
+                                                                  .points = model.sectionPoints,
+                                                                  .solver = model.sectionSolver,
+                                                                  .kriging = model.kriging});
+  const bool free = request.ends == RodEnds::kClampedFree;
+  const double grasp_m = free ? request.grasp * lattice.length_m() : lattice.length_m();
+  const OrganRod organ = rodOfOrgan(lattice, sections, {request.shearModulus_Pa, request.poisson},
+                                    {.node_m = free ? grasp_m : -1.0});
+  const Rod rod(organ.elements, organ.rest, organ.radii_m);
+  const std::size_t turned = nearestNode(organ.arcs_m, grasp_m);
+  const TurnedRod solved = solveTurned(
+      rod, {.angle_rad = request.angle_rad, .node = static_cast<int>(turned), .holdsPlace = !free});
+  if (!solved.balance.converged) {
+    throw Error(ErrorCode::kBadParameter, "the rod finds no pose at rest at this angle",
+                "--angle " + std::to_string(degrees(request.angle_rad)), "Twist less far.");
+  }
+  requireTwistWithin(solved.pose, organ.arcs_m, solved.turn_rad, request.angle_rad);
+  RodTwistResult result;
+  const NodeTurns turns(organ.arcs_m, solved.turn_rad, turned);
+  for (int j = 0; j < lattice.sections(); ++j) {
+    result.arcs_m.push_back(lattice.sectionArc_m(j));
+    result.turn_rad.push_back(turns.at(result.arcs_m.back()));
+  }
+  result.torque_Nm = solved.torque_Nm;
+  result.energy_J = solved.balance.energy_J;
+  result.elements = static_cast<int>(organ.elements.size());
+  const RodSkin skin(organ, lattice, sections, scene.mesh);
+  const RodCurve curve = skin.curveOf(solved.pose);
+  result.vertices_m.resize(scene.mesh.vertices_m.size());
+  skin.deform(curve, result.vertices_m);
+  result.fold = FoldCheck(scene.mesh, lattice).judge(result.vertices_m, [&](const Vec3& rest_m) {
+    return skin.toDeformed_m(rest_m, curve);
+  });
+  return result;
+}
+
+}  // namespace torsio::cli

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/scene/scene.h"
+#include "sim/tissue/rod/fold_check.h"
+
+namespace torsio::cli {
+
+/// Ends of an organ that is twisted as a curved rod.
+enum class RodEnds {
+  kClampedTurned,  ///< lower face held; upper face turned about its tangent, its place held
+  kClampedFree,    ///< lower face held; one section turned about its tangent, all else free
+};
+
+/// Request for one twist of an organ as a curved rod.
+struct RodTwistRequest {
+  RodEnds ends = RodEnds::kClampedTurned;
+  double shearModulus_Pa = 0.0;
+  double poisson = 0.5;
+  double angle_rad = 0.0;
+  double grasp = 1.0;  ///< place of the turned section, fraction of the length; the upper face: 1
+};
+
+/// What one twist of an organ as a curved rod comes to.
+struct RodTwistResult {
+  std::vector<double> arcs_m;    ///< of the sections of the lattice
+  std::vector<double> turn_rad;  ///< of each about its own tangent at rest
+  double torque_Nm = 0.0;        ///< about the tangent at rest of the turned section
+  double energy_J = 0.0;
+  int elements = 0;
+  std::vector<Vec3> vertices_m;  ///< of the mesh, twisted
+  FoldReport fold;
+};
+
+/// Twists the organ of a scene as a curved rod. Throws Error{kBadParameter} for a material out of range, or
+/// when no pose at rest is found at this angle.
+[[nodiscard]] RodTwistResult rodTwist(const Scene& scene, const RodTwistRequest& request);
+
+}  // namespace torsio::cli

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/tissue/rod/rod_sections.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "sim/base/index.h"
+#include "sim/base/refusal.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr double kShearFactor = 0.9;  // of a circle; 0.85 changes the torque of a bent tube by 0.2 %
+constexpr double kLeastRestFibre =
+    0.25;                              // j0: a section that reaches the centre of its bend is cut off there
+constexpr double kMostCoupling = 0.5;  // of the energy that shear and twist may exchange through a bend
+constexpr double kBendStiffness = 200.0;  // k_b of the bend limit, assumed
+constexpr double kLeastBendLimit = 0.40;  // z0
+constexpr double kAboveRest = 0.02;       // z0 over z at rest
+constexpr double kTipSlope = 1.0;         // |dr/ds| from which on an end is a tip
+constexpr double kLongestTip = 0.25;      // of the length
+constexpr double kSmoothedEnd = 0.04;  // of the length: so near to an end the smoothed axis has lost its bend
+constexpr double kArcShare = 2.0 / 3.0;  // of a step along the rod; the rest counts compliance
+constexpr int kDivisionPlaces = 1001;
+constexpr int kHalvings = 60;
+constexpr int kTipSteps = 200;  // of the length
+
+// Gauss-Legendre on [0, 1]: four points along an element, six from the axis to the outline, three on an edge.
+constexpr std::array<double, 4> kArcPoints{0.069431844202973712, 0.33000947820757187, 0.66999052179242813,
+                                           0.93056815579702629};
+constexpr std::array<double, 4> kArcWeights{0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                                            0.17392742256872693};
+constexpr std::array<double, 6> kRayPoints{0.033765242898423986, 0.16939530676686774, 0.38069040695840155,
+                                           0.61930959304159845,  0.83060469323313226, 0.96623475710157601};
+constexpr std::array<double, 6> kRayWeights{0.085662246189585172, 0.18038078652406930, 0.23395696728634552,
+                                            0.23395696728634552,  0.18038078652406930, 0.085662246189585172};
+constexpr std::array<double, 3> kEdgePoints{0.11270166537925831, 0.5, 0.88729833462074169};
+constexpr std::array<double, 3> kEdgeWeights{0.27777777777777778, 0.44444444444444444, 0.27777777777777778};
+
+// Stiffness or compliance of a section: stretch 1-3, curvature 1-3; symmetric, row after row.
+using Matrix6 = std::array<double, 36>;
+
+// Inverse of a symmetric positive definite matrix by Gauss-Jordan, no pivoting needed. Same bits everywhere.
+Matrix6 inverse(Matrix6 a) {
+  for (std::size_t k = 0; k < 6; ++k) {
+    const double pivot = 1.0 / a[7 * k];
+    for (std::size_t j = 0; j < 6; ++j) {
+      a[6 * k + j] *= j == k ? 0.0 : pivot;
+    }
+    a[7 * k] = pivot;
+    for (std::size_t i = 0; i < 6; ++i) {
+      if (i == k) {
+        continue;
+      }
+      const double factor = a[6 * i + k];
+      a[6 * i + k] = 0.0;
+      for (std::size_t j = 0; j < 6; ++j) {
+        a[6 * i + j] -= factor * a[6 * k + j];
+      }
+    }
+  }
+  return a;
+}
+
+Matrix6 stiffnessOf(const RodElement& e) {
+  Matrix6 k{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      k[6 * i + j] = e.stretch_N[3 * i + j];
+      k[6 * i + j + 3] = e.coupling_Nm[3 * i + j];
+      k[6 * (j + 3) + i] = e.coupling_Nm[3 * i + j];
+      k[6 * (i + 3) + j + 3] = e.bend_Nm2[3 * i + j];
+    }
+  }
+  return k;
+}
+
+void setStiffness(RodElement& e, const Matrix6& k) {
+  const auto mean = [&k](std::size_t i, std::size_t j) { return 0.5 * (k[6 * i + j] + k[6 * j + i]); };
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      e.stretch_N[3 * i + j] = mean(i, j);
+      e.coupling_Nm[3 * i + j] = mean(i, j + 3);
+      e.bend_Nm2[3 * i + j] = mean(i + 3, j + 3);
+    }
+  }
+  e.axial_N = e.stretch_N[8];  // the axial law is neo-Hookean: l - 1 / l^2 in place of 3 (l - 1)
+  e.stretch_N[8] = 0.0;
+}
+
+Quat quatOfFrame(const AxisFrame& f) {
+  // Shepperd's method: the largest of the four squares decides which root is taken.
+  const double m[3][3] = {
+      {f.e1.x, f.e2.x, f.tangent.x}, {f.e1.y, f.e2.y, f.tangent.y}, {f.e1.z, f.e2.z, f.tangent.z}};
+  const double trace = m[0][0] + m[1][1] + m[2][2];
+  Quat q;
+  if (trace >= m[0][0] && trace >= m[1][1] && trace >= m[2][2]) {
+    q = {1.0 + trace, m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]};
+  } else if (m[0][0] >= m[1][1] && m[0][0] >= m[2][2]) {
+    q = {m[2][1] - m[1][2], 1.0 + 2.0 * m[0][0] - trace, m[0][1] + m[1][0], m[0][2] + m[2][0]};
+  } else if (m[1][1] >= m[2][2]) {
+    q = {m[0][2] - m[2][0], m[0][1] + m[1][0], 1.0 + 2.0 * m[1][1] - trace, m[1][2] + m[2][1]};
+  } else {
+    q = {m[1][0] - m[0][1], m[0][2] + m[2][0], m[1][2] + m[2][1], 1.0 + 2.0 * m[2][2] - trace};
+  }
+  return normalized(q);
+}
+
+void checkMaterial(const RodMaterial& material, int elements) {
+  if (!(material.shearModulus_Pa > 0.0) || !std::isfinite(material.shearModulus_Pa)) {
+    refuseParameter(
+        Text("the shear modulus is %1 Pa, but must be above 0", std::to_string(material.shearModulus_Pa)),
+        "material", "Give G in pascal; for nearly incompressible tissue it is E / 3.");
+  }
+  if (!(material.poisson >= 0.0 && material.poisson <= 0.5)) {
+    refuseParameter(Text("Poisson's ratio is %1, but must lie in 0..0.5", std::to_string(material.poisson)),
+                    "material", "Give 0.5 for incompressible tissue.");
+  }
+  if (elements < 2 || elements >= kMostRodNodes) {
+    refuseParameter(Text("%1 elements asked for; a rod takes 2 to %2", elements, kMostRodNodes - 1), "rod",
+                    "Choose a number inside the range.");
+  }
+}
+
+// One section of the organ.
+struct SectionPart {
+  RodElement stiffness;               // as of a short element there, axial law linear
+  std::array<double, 3> second_m2{};  // mean of x x, x y, y y over the section, about its centroid
+  double axial_N = 0.0;               // E A
+};
+
+// Builder: one section after another becomes stiffness, and the sections of an element its mean compliance.
+class RodMaker {
+ public:
+  RodMaker(const SectionLattice& lattice, const SolvedSections& sections, const RodMaterial& material,
+           const RodDivision& division)
+      : lattice_(lattice),
+        sections_(sections),
+        shear_Pa_(material.shearModulus_Pa),
+        young_Pa_(2.0 * material.shearModulus_Pa * (1.0 + material.poisson)),
+        division_(division),
+        count_(division.elements) {}
+
+  OrganRod make() {
+    divide(endOfTip(1.0), lattice_.length_m() - endOfTip(-1.0));
+    placeNodes();
+    std::vector<double> arcs;
+    for (int i = 0; i < count_; ++i) {
+      for (const double share : kArcPoints) {
+        arcs.push_back(rod_.arcs_m[at(i)] + share * length(i));
+      }
+    }
+    const std::vector<LatticeOutline> outlines = lattice_.outlinesAt(arcs);
+    for (int i = 0; i < count_; ++i) {
+      const std::size_t first = kArcPoints.size() * at(i);
+      rod_.elements.push_back(element(i, std::span(arcs).subspan(first, kArcPoints.size()),
+                                      std::span(outlines).subspan(first, kArcPoints.size())));
+    }
+    return std::move(rod_);
+  }
+
+ private:
+  [[nodiscard]] double length(int i) const { return rod_.arcs_m[at(i + 1)] - rod_.arcs_m[at(i)]; }
+
+  // Equal steps of kArcShare of the length and the rest of the compliance: a thin end, which takes most of a
+  // twist, gets shorter elements, because an element turns by less than half a turn.
+  void divide(double first_m, double last_m) {
+    const std::vector<double> compliances = sectionCompliances(
+        sections_.profile(), kDivisionPlaces, lattice_.length_m(), shear_Pa_, EndCondition::kClampedFree);
+    const HermiteTable compliance(0.0, lattice_.length_m() / (kDivisionPlaces - 1), compliances, true);
+    const double from = compliance.value(first_m);
+    const double rise = compliance.value(last_m) - from;
+    const auto progress = [&](double arc_m) {
+      return kArcShare * (arc_m - first_m) / (last_m - first_m) +
+             (1.0 - kArcShare) * (compliance.value(arc_m) - from) / rise;
+    };
+    double node = 0.0;
+    int before = 0;
+    if (division_.node_m > first_m && division_.node_m < last_m) {
+      node = progress(division_.node_m);
+      before = std::clamp(static_cast<int>(std::lround(node * count_)), 1, count_ - 1);
+    }
+    for (int i = 0; i <= count_; ++i) {
+      const double wanted =
+          i < before ? node * i / before : node + (1.0 - node) * (i - before) / (count_ - before);
+      double low = first_m;
+      double high = last_m;
+      for (int halving = 0; halving < kHalvings; ++halving) {
+        const double middle = 0.5 * (low + high);
+        (progress(middle) < wanted ? low : high) = middle;
+      }
+      rod_.arcs_m.push_back(0.5 * (low + high));
+    }
+    rod_.arcs_m.front() = first_m;
+    rod_.arcs_m.back() = last_m;
+    if (before > 0) {
+      rod_.arcs_m[at(before)] = division_.node_m;
+    }
+  }
+
+  // Way from an end to where the organ is a tube: `direction` 1 from the fixed end, -1 from the free one.
+  [[nodiscard]] double endOfTip(double direction) const {
+    const double step = lattice_.length_m() / kTipSteps;
+    const double start = direction > 0.0 ? 0.0 : lattice_.length_m();
+    for (double way = 0.0; way < kLongestTip * lattice_.length_m(); way += step) {
+      const double here = sections_.profile().radius_m(start + direction * way);
+      if (sections_.profile().radius_m(start + direction * (way + step)) - here <= kTipSlope * step) {
+        return way;
+      }
+    }
+    return 0.0;
+  }
+
+  void placeNodes() {
+    rod_.rest.count = count_ + 1;
+    for (int i = 0; i <= count_; ++i) {
+      const AxisFrame frame = frameAt(rod_.arcs_m[at(i)]);
+      rod_.rest.nodes[at(i)] = {frame.centre_m, quatOfFrame(frame)};
+      rod_.radii_m.push_back(sections_.profile().radius_m(rod_.arcs_m[at(i)]));
+    }
+  }
+
+  // Near its ends the centreline keeps the end points but not the bend: there the tangent goes on turning as
+  // it does just inside.
+  [[nodiscard]] AxisFrame frameAt(double arc_m) const {
+    AxisFrame frame = lattice_.frameAt(arc_m);
+    const double margin = kSmoothedEnd * lattice_.length_m();
+    const double end = arc_m < margin ? margin : lattice_.length_m() - margin;
+    if (arc_m >= margin && arc_m <= end) {
+      return frame;
+    }
+    const Vec3 pivot = lattice_.frameAt(end).tangent;
+    const Vec3 inside = lattice_.frameAt(2.0 * end - arc_m).tangent;
+    frame.tangent = normalized(2.0 * dot(pivot, inside) * pivot - inside);
+    frame.e1 = normalized(frame.e1 - dot(frame.e1, frame.tangent) * frame.tangent);
+    frame.e2 = cross(frame.tangent, frame.e1);
+    return frame;
+  }
+
+  [[nodiscard]] SectionPart section(double arc_m, std::span<const Point2> outline,
+                                    const std::array<double, 3>& bend) const {
+    const SectionMoments plain = momentsOf(outline, 0.0, 0.0);
+    const SectionMoments m = momentsOf(outline, bend[0], bend[1]);
+    const double cx = plain.x_m3 / plain.area_m2;
+    const double cy = plain.y_m3 / plain.area_m2;
+    const auto polar = [cx, cy](const SectionMoments& s) {
+      return s.xx_m4 + s.yy_m4 - 2.0 * (cx * s.x_m3 + cy * s.y_m3) + (cx * cx + cy * cy) * s.area_m2;
+    };
+    const double torsion_m4 = sections_.profile().at(arc_m).torsionConstant_m4 * polar(m) / polar(plain);
+    RodElement e;
+    const double shear_N = kShearFactor * shear_Pa_ * m.area_m2;
+    e.stretch_N = {shear_N, 0, 0, 0, shear_N, 0, 0, 0, young_Pa_ * m.area_m2};
+    // What bending at rest alone shifts; of a straight bar the shear centre says it all.
+    double shiftX = m.x_m3 - m.area_m2 * cx;
+    double shiftY = m.y_m3 - m.area_m2 * cy;
+    const double most2 = kMostCoupling * kShearFactor * m.area_m2 * torsion_m4;
+    const double size2 = shiftX * shiftX + shiftY * shiftY;
+    if (size2 > most2) {
+      const double scale = std::sqrt(most2 / size2);
+      shiftX *= scale;
+      shiftY *= scale;
+    }
+    e.coupling_Nm = {
+        0, 0, -shear_Pa_ * shiftY, 0, 0, shear_Pa_ * shiftX, young_Pa_ * m.y_m3, -young_Pa_ * m.x_m3, 0};
+    e.bend_Nm2 = {
+        young_Pa_ * m.yy_m4,   -young_Pa_ * m.xy_m4, 0, -young_Pa_ * m.xy_m4, young_Pa_ * m.xx_m4, 0, 0, 0,
+        shear_Pa_ * torsion_m4};
+    const std::array<double, 2> centre = sections_.shearCentre_m(arc_m);
+    addShearCentre(e, centre[0], centre[1]);
+    return {e,
+            {(plain.xx_m4 - cx * plain.x_m3) / plain.area_m2, (plain.xy_m4 - cx * plain.y_m3) / plain.area_m2,
+             (plain.yy_m4 - cy * plain.y_m3) / plain.area_m2},
+            young_Pa_ * plain.area_m2};
+  }
+
+  static RodBendLimit bendLimit(const std::array<double, 3>& second_m2, double axial_N,
+                                const std::array<double, 3>& curvature) {
+    const double bx = curvature[1];
+    const double by = -curvature[0];
+    const double bend2 = bx * bx + by * by;
+    const double along =
+        second_m2[0] * bx * bx + 2.0 * second_m2[1] * bx * by + second_m2[2] * by * by;  // <xi^2> bend^2
+    const double lever = bend2 > 0.0 ? -2.0 * along / bend2 : 0.0;
+    RodBendLimit limit;
+    limit.lever_m = {lever * bx, lever * by};
+    limit.spread_m2 = {4.0 * second_m2[0], 4.0 * second_m2[1], 4.0 * second_m2[2]};
+    const double atRest = lever * bend2 + 2.0 * std::sqrt(along);
+    limit.limit = std::max(kLeastBendLimit, atRest + kAboveRest);
+    limit.stiffness_N = 0.25 * kBendStiffness * axial_N;
+    return limit;
+  }
+
+  [[nodiscard]] RodElement element(int i, std::span<const double> arcs,
+                                   std::span<const LatticeOutline> outlines) const {
+    RodElement result;
+    result.length_m = length(i);
+    const RodStrain rest = rodStrain(result.length_m, rod_.rest.nodes[at(i)], rod_.rest.nodes[at(i + 1)]);
+    result.restStrain = {rest.stretch.x, rest.stretch.y, rest.stretch.z};
+    result.restCurvature_per_m = {rest.curvature_per_m.x, rest.curvature_per_m.y, rest.curvature_per_m.z};
+    Matrix6 compliance{};
+    std::array<double, 3> second{};
+    double axial_N = 0.0;
+    for (std::size_t p = 0; p < arcs.size(); ++p) {
+      const SectionPart here = section(arcs[p], outlines[p].points_m, result.restCurvature_per_m);
+      const Matrix6 part = inverse(stiffnessOf(here.stiffness));
+      for (std::size_t k = 0; k < compliance.size(); ++k) {
+        compliance[k] += kArcWeights[p] * part[k];
+      }
+      for (std::size_t k = 0; k < second.size(); ++k) {
+        second[k] += kArcWeights[p] * here.second_m2[k];
+      }
+      axial_N += kArcWeights[p] * here.axial_N;
+    }
+    setStiffness(result, inverse(compliance));
+    result.bendLimit = bendLimit(second, axial_N, result.restCurvature_per_m);
+    return result;
+  }
+
+  const SectionLattice& lattice_;
+  const SolvedSections& sections_;
+  double shear_Pa_;
+  double young_Pa_;
+  RodDivision division_;
+  int count_;
+  OrganRod rod_;
+};
+
+}  // namespace
+
+SectionMoments momentsOf(std::span<const Point2> outline_m, double kappa1_per_m, double kappa2_per_m) {
+  SectionMoments sum;
+  for (std::size_t i = 0; i < outline_m.size(); ++i) {
+    const Point2& a = outline_m[i];
+    const Point2& b = outline_m[i + 1 < outline_m.size() ? i + 1 : 0];
+    const double twice = a[0] * b[1] - a[1] * b[0];
+    for (std::size_t e = 0; e < kEdgePoints.size(); ++e) {
+      const double px = a[0] + kEdgePoints[e] * (b[0] - a[0]);
+      const double py = a[1] + kEdgePoints[e] * (b[1] - a[1]);
+      for (std::size_t r = 0; r < kRayPoints.size(); ++r) {
+        const double x = kRayPoints[r] * px;
+        const double y = kRayPoints[r] * py;
+        const double fibre = std::max(kLeastRestFibre, 1.0 + kappa1_per_m * y - kappa2_per_m * x);
+        const double weight = twice * kEdgeWeights[e] * kRayWeights[r] * kRayPoints[r] / fibre;
+        sum.area_m2 += weight;
+        sum.x_m3 += weight * x;
+        sum.y_m3 += weight * y;
+        sum.xx_m4 += weight * x * x;
+        sum.xy_m4 += weight * x * y;
+        sum.yy_m4 += weight * y * y;
+      }
+    }
+  }
+  return sum;
+}
+
+OrganRod rodOfOrgan(const SectionLattice& lattice, const SolvedSections& sections,
+                    const RodMaterial& material, const RodDivision& division) {
+  checkMaterial(material, division.elements);
+  return RodMaker(lattice, sections, material, division).make();
+}
+
+}  // namespace torsio

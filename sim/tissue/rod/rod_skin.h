@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "sim/base/vec3.h"
+#include "sim/tissue/rod/rod_pose.h"
+#include "sim/tissue/rod/rod_sections.h"
+
+namespace torsio {
+
+/// Curve through the nodes of a rod that the surface is drawn from: smoothed nodes, cubic pieces between
+/// them. Places and frames have continuous derivatives. Fixed size, trivially copyable; made by
+/// RodSkin::curveOf.
+struct RodCurve {
+  static constexpr int kSamples = 4;  ///< places an element that a search for the nearest one begins at
+  int count = 0;                      ///< nodes in use
+  std::array<double, kMostRodNodes> arcs_m{};  ///< of the nodes along the curve at rest, from 0
+  std::array<Pose, kMostRodNodes> nodes{};
+  std::array<Vec3, kMostRodNodes> slopes{};       ///< d place / d arc
+  std::array<Vec3, kMostRodNodes> bends_per_m{};  ///< curvature in the axes of the node
+  std::array<Vec3, kMostRodNodes> turns{};        ///< 4 sigma from a node to the next
+  std::array<Vec3, kMostRodNodes * kSamples> samples_m{};
+
+  /// Returns the length of the curve at rest.
+  [[nodiscard]] double length_m() const noexcept {
+    return count > 0 ? arcs_m[static_cast<std::size_t>(count - 1)] : 0.0;
+  }
+};
+static_assert(std::is_trivially_copyable_v<RodCurve>);
+
+/// Coordinates of a point of the organ that go with the tissue: section, place in the straightened section,
+/// distance from the section beyond an end.
+struct RodSkinPlace {
+  double arc_m = 0.0;                 ///< along the rod at rest, from node 0
+  std::array<double, 2> section_m{};  ///< in the section, brought to a straight axis
+  double beyond_m = 0.0;              ///< along the tangent, where the point lies in a cap
+  double restStretch = 1.0;           ///< Gamma3 of the curve at rest
+  double restFibre = 1.0;             ///< rest length of this fibre over that of the axis
+  std::array<double, 2> left_m{};     ///< what the map cannot say: zero except near the centre of a bend
+  double restTwist_per_m = 0.0;       ///< of the curve at rest
+  double warping_m2 = 0.0;            ///< psi: way along the tangent for unit twist rate; vertices only
+};
+
+/// Shape of an organ whose rod has moved: maps the organ at rest onto the organ as it is. The map keeps every
+/// volume (det F = 1) as long as no section is bent more sharply than z = 0.455 (docs/model.md R.8), and
+/// gives back the organ at rest to rounding. Immutable; the queries are noexcept and allocate nothing; + - *
+/// / and square roots only.
+class RodSkin {
+ public:
+  /// Takes the rest pose of `organ` and finds where the vertices of `mesh`, the surface of `lattice`, belong.
+  /// `sections`: of the same lattice; vertices are warped by theta psi, which fades out over half a radius
+  /// towards both ends of the rod, as a held face keeps flat. Where the axis at rest bends more sharply than
+  /// the sections allow, the curve is smoothed further.
+  RodSkin(const OrganRod& organ, const SectionLattice& lattice, const SolvedSections& sections,
+          const TriangleMesh& mesh);
+
+  /// Draws the curve of a pose.
+  [[nodiscard]] RodCurve curveOf(const RodPose& pose) const noexcept;
+  /// Returns the coordinates of a point of the organ at rest, or near it.
+  [[nodiscard]] RodSkinPlace placeOf(const Vec3& rest_m) const noexcept;
+  /// Returns where the point with these coordinates lies.
+  [[nodiscard]] Vec3 positionOf_m(const RodSkinPlace& place, const RodCurve& curve) const noexcept;
+  /// Maps a point of the organ at rest to its place now, without warping.
+  [[nodiscard]] Vec3 toDeformed_m(const Vec3& rest_m, const RodCurve& curve) const noexcept;
+  /// Maps a point near the organ as it is back to where it would be at rest: the inverse of toDeformed_m.
+  [[nodiscard]] Vec3 toRest_m(const Vec3& deformed_m, const RodCurve& curve) const noexcept;
+  /// Computes the vertices of the mesh into `out_m`, one entry a vertex.
+  void deform(const RodCurve& curve, std::span<Vec3> out_m) const noexcept;
+
+ private:
+  void warpVertices(const OrganRod& organ, const SectionLattice& lattice, const SolvedSections& sections);
+  [[nodiscard]] RodSkinPlace placeAt(const Vec3& rest_m, double arc_m) const noexcept;
+
+  int smoothings_ = 0;
+  RodCurve rest_;
+  std::vector<RodSkinPlace> vertices_;
+};
+
+}  // namespace torsio

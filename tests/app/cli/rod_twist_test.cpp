@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The curved rod as a user asks for it: torsio twist --ends.
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/base/angle.h"
+#include "sim/base/error.h"
+#include "sim/base/portable_math.h"
+#include "sim/geometry/mesh/mesh_export.h"
+#include "sim/geometry/mesh/mesh_import.h"
+#include "tests/app/cli/program.h"
+#include "tests/support/procedural_mesh.h"
+
+namespace torsio {
+namespace {
+
+namespace fs = std::filesystem;
+using test::emptyFolder;
+using test::ProgramRun;
+using test::runTorsio;
+
+constexpr double kLength_m = 0.240;
+
+/// A tube of elliptic sections: half axes in the plane of the bend and across it, at the lower and the upper
+/// end. Its axis leaves the origin along z and turns towards x by `angle_rad` over 240 mm.
+struct Tube {
+  std::string name;
+  double angle_rad = 0.0;
+  std::array<double, 2> lower_m{};
+  std::array<double, 2> upper_m{};
+};
+
+Vec3 axisPoint(const Tube& tube, double share) {
+  const double radius = kLength_m / tube.angle_rad;
+  const double at = tube.angle_rad * share;
+  return {radius * (1.0 - std::cos(at)), 0.0, radius * std::sin(at)};
+}
+
+std::string words(const Vec3& p_m) {
+  std::ostringstream text;
+  text << 1000.0 * p_m.x << ' ' << 1000.0 * p_m.y << ' ' << 1000.0 * p_m.z;
+  return text.str();
+}
+
+/// Writes the tube in millimetres; returns the options that name it and its ends.
+std::string written(const Tube& tube, const fs::path& folder) {
+  const TriangleMesh mesh = testing::sweep(testing::circleOutline(1.0, 96), 80, [&tube](double share) {
+    const double at = tube.angle_rad * share;
+    const double a = tube.lower_m[0] + share * (tube.upper_m[0] - tube.lower_m[0]);
+    const double b = tube.lower_m[1] + share * (tube.upper_m[1] - tube.lower_m[1]);
+    return testing::SweepFrame{
+        axisPoint(tube, share), {a * std::cos(at), 0.0, -a * std::sin(at)}, {0.0, b, 0.0}};
+  });
+  const fs::path file = folder / (tube.name + ".obj");
+  writeObj(file, mesh);
+  return "--organ " + file.string() + " --fixed-end " + words(axisPoint(tube, 0.0)) + " --free-end " +
+         words(axisPoint(tube, 1.0));
+}
+
+nlohmann::json resultOf(const std::string& arguments, const fs::path& scratch) {
+  const ProgramRun run = runTorsio("twist " + arguments + " --json", scratch);
+  EXPECT_EQ(run.code, 0) << arguments << '\n' << run.err;
+  return nlohmann::json::parse(run.out);
+}
+
+/// Turn at a share of the length, linear between the sections of the profile.
+double turnAt(const nlohmann::json& result, double share) {
+  const nlohmann::json& profile = result["profile"];
+  const double arc = share * profile.back()["s_m"].get<double>();
+  for (std::size_t i = 1; i < profile.size(); ++i) {
+    const double from = profile[i - 1]["s_m"];
+    const double to = profile[i]["s_m"];
+    if (arc <= to) {
+      const double low = profile[i - 1]["phi_rad"];
+      const double high = profile[i]["phi_rad"];
+      return low + (arc - from) / (to - from) * (high - low);
+    }
+  }
+  return profile.back()["phi_rad"];
+}
+
+TEST(RodTwist, TheTorqueOfBentTubesIsThatOfThreeDimensionalFiniteElements) {
+  // CalculiX 2.20, C3D20R, 11,741 to 14,005 nodes, nu 0.45, G 10 kPa: all nodes of the lower face held, those
+  // of the upper face moved as a rigid turn of 1 degree about that face's tangent. N mm/rad.
+  const fs::path scratch = emptyFolder("rod-bent");
+  const std::vector<std::pair<Tube, double>> tubes{
+      {{"bent90", 0.5 * kPi, {0.025, 0.025}, {0.025, 0.025}}, 49.48},
+      {{"bent90_taper", 0.5 * kPi, {0.032, 0.024}, {0.020, 0.016}}, 20.00},
+      {{"bent180", kPi, {0.020, 0.020}, {0.020, 0.020}}, 32.36}};
+  for (const auto& [tube, expected] : tubes) {
+    const nlohmann::json result = resultOf(
+        written(tube, scratch) + " --ends clamped-turned --angle 1 --shear-modulus 10000 --nu 0.45", scratch);
+
+    const double stiffness = 1000.0 * result["torque_nm"].get<double>() / radians(1.0);
+    EXPECT_NEAR(stiffness / expected, 1.0, 0.015) << tube.name;
+    EXPECT_NEAR(result["volume_ratio"].get<double>(), 1.0, 1e-4) << tube.name;
+    EXPECT_NEAR(result["det_f_min"].get<double>(), 1.0, 1e-6) << tube.name;
+    EXPECT_EQ(result["crossings"], 0) << tube.name;
+    EXPECT_NEAR(turnAt(result, 1.0), radians(1.0), 1e-9) << tube.name;
+    EXPECT_NEAR(turnAt(result, 0.0), 0.0, 1e-12) << tube.name;
+  }
+}
+
+TEST(RodTwist, AQuarterTurnOfABentTubeAgreesWithNeoHookeanFiniteElements) {
+  // CalculiX 2.20, neo-Hookean, 2,240 nodes, nine steps of 10 degrees, nu 0.45, G 10 kPa: 45.45 N mm/rad.
+  const fs::path scratch = emptyFolder("rod-quarter");
+  const Tube tube{"bent90", 0.5 * kPi, {0.025, 0.025}, {0.025, 0.025}};
+
+  const nlohmann::json result = resultOf(
+      written(tube, scratch) + " --ends clamped-turned --angle 90 --shear-modulus 10000 --nu 0.45", scratch);
+
+  EXPECT_NEAR(1000.0 * result["torque_nm"].get<double>() / radians(90.0) / 45.45, 1.0, 0.01);
+  EXPECT_NEAR(result["volume_ratio"].get<double>(), 1.0, 0.005);
+  EXPECT_GT(result["det_f_min"].get<double>(), 0.95);
+}
+
+TEST(RodTwist, TheTorqueDoesNotDependOnTheSectionsOfTheLattice) {
+  const fs::path scratch = emptyFolder("rod-sections");
+  const Tube tube{"bent90_taper", 0.5 * kPi, {0.032, 0.024}, {0.020, 0.016}};
+  const std::string call = written(tube, scratch) + " --ends clamped-turned --angle 5";
+  const double reference = resultOf(call + " --sections 73", scratch)["torque_nm"];
+  for (const std::string sections : {"4", "8", "37"}) {
+    const nlohmann::json result = resultOf(call + " --sections " + sections, scratch);
+
+    EXPECT_NEAR(result["torque_nm"].get<double>() / reference, 1.0, 0.005) << sections;
+    EXPECT_EQ(result["profile"].size(), std::stoul(sections));
+  }
+}
+
+TEST(RodTwist, AStraightBarTwistsByTheIntegralOfItsCompliance) {
+  const fs::path scratch = emptyFolder("rod-straight");
+  const std::vector<std::pair<std::string, TriangleMesh>> bars{
+      {"round", testing::prism(testing::circleOutline(0.025, 96), kLength_m, 48)},
+      {"ellipse", testing::prism(testing::ellipseOutline(0.030, 0.018, 96), kLength_m, 48)},
+      {"taper", testing::prism(testing::ellipseOutline(0.030, 0.018, 96), kLength_m, 48, 0.6)}};
+  for (const auto& [name, mesh] : bars) {
+    writeObj(scratch / (name + ".obj"), mesh);
+    const std::string organ = "--organ " + (scratch / (name + ".obj")).string();
+    for (const std::string grasp : {"0.37", "1"}) {
+      const std::string gripped = organ + " --angle 1 --grasp " + grasp;
+      const nlohmann::json integral = resultOf(gripped, scratch);
+      const std::string rodEnds = grasp == "1" ? " --angle 1 --ends clamped-turned"
+                                               : " --angle 1 --ends clamped-free --grasp " + grasp;
+
+      const nlohmann::json rod = resultOf(organ + rodEnds, scratch);
+
+      const double expected = radians(1.0) / integral["compliance_rad_per_nm"].get<double>();
+      EXPECT_NEAR(rod["torque_nm"].get<double>() / expected, 1.0, 1e-6) << name << ' ' << grasp;
+      for (const double share : {0.25, 0.5, 0.75}) {
+        EXPECT_NEAR(turnAt(rod, share), turnAt(integral, share), 1e-5 * radians(1.0)) << name << ' ' << grasp;
+      }
+    }
+  }
+}
+
+TEST(RodTwist, ATwistThatFoldsTheOrganIsRefusedUnlessItIsAskedFor) {
+  const fs::path scratch = emptyFolder("rod-fold");
+  // Five whole turns: the chords of the triangles alone lose more than 2 % of the volume.
+  const Tube tube{"wrung", radians(20.0), {0.020, 0.020}, {0.020, 0.020}};
+  const std::string call = written(tube, scratch) + " --ends clamped-turned --angle 1800 --json --out " +
+                           (scratch / "folded.obj").string();
+
+  const ProgramRun refused = runTorsio("twist " + call, scratch);
+
+  EXPECT_EQ(refused.code, static_cast<int>(ErrorCode::kFolded)) << refused.err;
+  EXPECT_EQ(refused.code, 14);
+  EXPECT_EQ(refused.out, "");
+  EXPECT_NE(refused.err.find("--allow-fold"), std::string::npos) << refused.err;
+  EXPECT_FALSE(fs::exists(scratch / "folded.obj"));
+  const ProgramRun shown = runTorsio("twist " + call + " --allow-fold", scratch);
+  ASSERT_EQ(shown.code, 0) << shown.err;
+  EXPECT_EQ(nlohmann::json::parse(shown.out)["folded"], true);
+  EXPECT_TRUE(fs::exists(scratch / "folded.obj"));
+}
+
+TEST(RodTwist, TheTwistedSurfaceIsWrittenWithItsVolume) {
+  const fs::path scratch = emptyFolder("rod-out");
+  const Tube tube{"bent90", 0.5 * kPi, {0.025, 0.025}, {0.025, 0.025}};
+  const std::string call = written(tube, scratch) + " --ends clamped-turned --angle 45";
+  for (const std::string ending : {"obj", "ply"}) {
+    const fs::path out = scratch / ("out." + ending);
+
+    const nlohmann::json result = resultOf(call + " --out " + out.string(), scratch);
+
+    const TriangleMesh twisted = importMesh(out);
+    const double rest_m3 = signedVolume_m3(importMesh(scratch / "bent90.obj"));
+    EXPECT_NEAR(signedVolume_m3(twisted) / rest_m3, result["volume_ratio"].get<double>(), 1e-5) << ending;
+  }
+}
+
+TEST(RodTwist, ShippedOrgansKeepTheirVolumeAndDoNotFoldAtAQuarterTurn) {
+  const fs::path scratch = emptyFolder("rod-organs");
+  for (const std::string organ : {"stomach", "forearm", "intestine"}) {
+    const nlohmann::json result =
+        resultOf("--organ " + organ + " --ends clamped-free --grasp 0.5 --angle 90", scratch);
+
+    EXPECT_NEAR(result["volume_ratio"].get<double>(), 1.0, 0.005) << organ;
+    EXPECT_GE(result["det_f_min"].get<double>(), 0.95) << organ;
+    EXPECT_EQ(result["crossings"], 0) << organ;
+  }
+}
+
+TEST(RodTwist, OptionsWithoutMeaningAreRefused) {
+  const fs::path scratch = emptyFolder("rod-options");
+  const auto codeOf = [&](const std::string& options) {
+    return runTorsio("twist --organ forearm --angle 10 " + options, scratch).code;
+  };
+  EXPECT_EQ(codeOf("--ends hinged"), static_cast<int>(ErrorCode::kUsage));
+  EXPECT_EQ(codeOf("--ends clamped-turned --grasp 0.5"), static_cast<int>(ErrorCode::kUsage));
+  EXPECT_EQ(codeOf("--shear-modulus 5000"), static_cast<int>(ErrorCode::kUsage));
+  EXPECT_EQ(codeOf("--ends clamped-turned --nu 0.6"), static_cast<int>(ErrorCode::kBadParameter));
+  EXPECT_EQ(codeOf("--ends clamped-turned --shear-modulus -1"), static_cast<int>(ErrorCode::kBadParameter));
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One tick of the rod in each of its scenes, in processor time of this thread: every tick is done seven times
+// from the same pose and the fastest counts, because neighbours on a shared machine are no part of the rod.
+// Prints median, 99 % and 99.9 % against the target, Newton steps, and the ratio to the median of one STREAM
+// triad over 100,000 doubles.
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <vector>
+
+#include "tests/sim/tissue/rod/rod_scenes.h"
+
+namespace torsio {
+namespace {
+
+constexpr double kP999Target_us = 60.0;
+constexpr int kRepeats = 7;
+
+double threadTime_us() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
+}
+
+double quantile(const std::vector<double>& sorted, double share) {
+  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+double triad_us() {
+  std::vector<double> a(100'000, 0.0);
+  const std::vector<double> b(a.size(), 1.0);
+  const std::vector<double> c(a.size(), 2.0);
+  std::vector<double> times_us;
+  double scale = 0.5;
+  for (std::size_t repeat = 0; repeat < 201; ++repeat) {
+    const double begun = threadTime_us();
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      a[i] = b[i] + scale * c[i];
+    }
+    times_us.push_back(threadTime_us() - begun);
+    scale = a[repeat] * 0.25;  // each pass needs the one before
+  }
+  std::sort(times_us.begin(), times_us.end());
+  return quantile(times_us, 0.5);
+}
+
+void measure(const RodScene& scene, double triad) {
+  RunningRodScene run(scene);
+  std::vector<double> times_us;
+  int steps = 0;
+  for (int tick = 0; tick < scene.ticks; ++tick) {
+    run.moveHand();
+    const RodPose before = run.pose();
+    double best_us = 1e9;
+    for (int repeat = 0; repeat < kRepeats; ++repeat) {
+      run.setPose(before);
+      const double begun = threadTime_us();
+      const RodStepResult step = run.step();
+      best_us = std::min(best_us, threadTime_us() - begun);
+      steps += repeat == 0 ? step.newtonSteps : 0;
+    }
+    times_us.push_back(best_us);
+  }
+  std::sort(times_us.begin(), times_us.end());
+  const double p999_us = quantile(times_us, 0.999);
+  std::printf("%-44s %8.1f %8.1f %8.1f us  %4.2f steps  %6.2f triads  %s\n", scene.name.c_str(),
+              quantile(times_us, 0.5), quantile(times_us, 0.99), p999_us,
+              static_cast<double>(steps) / scene.ticks, p999_us / triad,
+              p999_us <= kP999Target_us ? "ok" : "over the target");
+}
+
+}  // namespace
+}  // namespace torsio
+
+int main() {
+  const double triad = torsio::triad_us();
+  std::printf("rod of 32 nodes, target of 99.9 %%: %.0f us; one triad: %.1f us\n%-44s %8s %8s %8s\n",
+              torsio::kP999Target_us, triad, "scene", "50 %", "99 %", "99.9 %");
+  for (const torsio::RodScene& scene : torsio::rodScenes()) {
+    torsio::measure(scene, triad);
+  }
+  return 0;
+}

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rod against closed forms of beams and rods: docs/model.md R.10.
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "sim/tissue/rod/rod_solve.h"
+#include "sim/tissue/rod/rod_system.h"
+#include "tests/sim/tissue/rod/rod_shapes.h"
+
+namespace torsio {
+namespace {
+
+constexpr int kElements = 31;
+constexpr double kShear_Pa = 1e4;
+constexpr double kYoung_Pa = 2.9e4;  // 2 G (1 + 0.45)
+
+std::function<EllipticSection(double)> round(double first_m, double last_m) {
+  return [=](double s) {
+    const double r = first_m + (last_m - first_m) * s;
+    return EllipticSection{r, r, kYoung_Pa, kShear_Pa};
+  };
+}
+
+HeldNode heldAt(int node, std::array<bool, 6> freedoms = {true, true, true, true, true, true}) {
+  return {.node = node, .freedoms = freedoms};
+}
+
+/// Number of negative eigenvalues of the stiffness at `pose` (Sylvester's law of inertia).
+int instabilities(const Rod& rod, const RodPose& pose, const std::vector<HeldNode>& held) {
+  const auto system = std::make_unique<RodSystem>();
+  assemble({.rod = &rod, .near = rod.contactPairs(), .held = held}, pose, 0.0, *system);
+  return factorise(*system);
+}
+
+TEST(RodTorsion, OfStraightBarsIsTheComplianceAlongThem) {
+  // Torque and turn of a section against the integral of ds/GJ, as the straight model has it; taper 1 : 1/2.
+  struct Bar {
+    std::function<EllipticSection(double)> at;
+  };
+  const EllipticSection ellipse{0.036, 0.024, kYoung_Pa, kShear_Pa};
+  for (const Bar& bar :
+       {Bar{round(0.030, 0.030)}, Bar{round(0.030, 0.015)}, Bar{[=](double) { return ellipse; }}}) {
+    const Rod rod = straightRod(0.24, kElements, bar.at);
+    const double whole = 0.24 / torsionOver(bar.at, 0.0, 1.0);
+
+    const TurnedRod turned = solveTurned(rod, {.angle_rad = radians(1.0)});
+
+    EXPECT_TRUE(turned.balance.converged);
+    EXPECT_NEAR(turned.torque_Nm * whole / radians(1.0), 1.0, 1e-6);
+    for (int i = 1; i < kElements; ++i) {
+      const double share = static_cast<double>(i) / kElements;
+      const double part = 0.24 * share / torsionOver(bar.at, 0.0, share);
+      EXPECT_NEAR(turned.turn_rad[static_cast<std::size_t>(i)] / radians(1.0), part / whole, 1e-6);
+    }
+  }
+}
+
+TEST(RodTorsion, OfATaperIsItsClosedForm) {
+  // r = r0 (1 - s/2L): integral of 2 ds/(pi G r^4) = 2L/(pi G r0^4) * (2/3) (2^3 - 1).
+  const double compliance = 2.0 * 0.24 / (kPi * kShear_Pa * std::pow(0.030, 4)) * (14.0 / 3.0);
+  const Rod rod = straightRod(0.24, kElements, round(0.030, 0.015));
+
+  const TurnedRod small = solveTurned(rod, {.angle_rad = radians(1.0)});
+  const TurnedRod large = solveTurned(rod, {.angle_rad = kPi});
+
+  EXPECT_NEAR(small.torque_Nm * compliance / radians(1.0), 1.0, 1e-9);
+  EXPECT_NEAR(large.torque_Nm * compliance / kPi, 1.0, 1e-9);  // an element turns by its true angle
+}
+
+TEST(RodBending, OfACantileverIsTimoshenkos) {
+  const Rod rod = straightRod(0.3, kElements, round(0.030, 0.030));
+  const EllipticSection section = round(0.030, 0.030)(0.0);
+  const std::vector<HeldNode> held{heldAt(0)};
+  RodPose pose = rod.rest();
+  Pose hand{.position_m = {0, 0, 0.3}, .orientation = {}};
+  const RodGrip grip =
+      gripAt(rod, pose, kElements, 0.0, hand, {.place_N_per_m = 1.0, .turn_Nm_per_rad = 0.0});
+  hand.position_m.x = 0.001;
+
+  const RodBalance balance = balanceRod(rod, &grip, hand, held, pose);
+
+  const double force_N = -balance.load.force_N.x;
+  const double sag_m = force_N * (std::pow(0.3, 3) / (3.0 * section.bending2_Nm2()) +
+                                  0.3 / (0.9 * kShear_Pa * section.area_m2()));
+  EXPECT_TRUE(balance.converged);
+  EXPECT_NEAR(pose.nodes[kElements].position_m.x / sag_m, 1.0, 2e-3);
+  EXPECT_NEAR(balance.held[0].force_N.x, -force_N, 1e-9);
+  EXPECT_NEAR(balance.held[0].torque_Nm.y, -0.3 * force_N, 1e-4 * 0.3 * force_N);
+}
+
+TEST(RodBending, OfAForceThroughTheShearCentreDoesNotTwist) {
+  // A force at the centroid twists by F e1 L / GJ, one at the shear centre (e1, 0) not at all. The force runs
+  // along e2.
+  constexpr double kOffset_m = 0.008;
+  const EllipticSection section = round(0.030, 0.030)(0.0);
+  std::vector<RodElement> elements(kElements, straightElement(section, 0.3 / kElements));
+  for (RodElement& e : elements) {
+    addShearCentre(e, kOffset_m, 0.0);
+  }
+  const Rod rod(elements, straightPose(0.3, kElements), std::vector<double>(kElements + 1, 0.0));
+  const std::vector<HeldNode> held{heldAt(0)};
+  const auto twist = [&](double at_m, double& force_N) {
+    RodPose pose = rod.rest();
+    Pose hand{.position_m = {at_m, 0, 0.3}, .orientation = {}};
+    const RodGrip grip = gripAt(rod, pose, kElements, 0.0, hand, {.place_N_per_m = 1, .turn_Nm_per_rad = 0});
+    hand.position_m.y = 0.001;
+    force_N = -balanceRod(rod, &grip, hand, held, pose).load.force_N.y;
+    return 2.0 * pose.nodes[kElements].orientation.z;
+  };
+  double force_N = 0.0;
+
+  const double atCentre_rad = twist(kOffset_m, force_N);
+  const double atCentroid_rad = twist(0.0, force_N);
+
+  EXPECT_NEAR(atCentroid_rad / (-force_N * kOffset_m * 0.3 / section.torsion_Nm2()), 1.0, 1e-3);
+  EXPECT_LT(std::abs(atCentre_rad), 1e-3 * std::abs(atCentroid_rad));
+}
+
+TEST(RodBending, ByTheTurnOfAnEndGivesHalfACircle) {
+  const Rod rod = straightRod(0.3, kElements, round(0.010, 0.010));
+  const std::vector<HeldNode> held{heldAt(0), heldAt(kElements, {false, false, false, true, true, true})};
+  RodPose pose = rod.rest();
+  RodBalance balance;
+
+  for (int step = 1; step <= 12; ++step) {
+    pose.nodes[kElements].orientation = axisAngle({0, 1, 0}, kPi * step / 12);
+    balance = balanceRod(rod, nullptr, {}, held, pose);
+  }
+
+  const double moment_Nm = round(0.010, 0.010)(0.0).bending2_Nm2() * kPi / 0.3;
+  EXPECT_TRUE(balance.converged);
+  EXPECT_NEAR(balance.held[1].torque_Nm.y / moment_Nm, 1.0, 1e-6);
+  EXPECT_NEAR(norm(pose.nodes[kElements].position_m - Vec3{2.0 * 0.3 / kPi, 0, 0}), 0.0, 5e-4 * 0.3);
+}
+
+/// A helix of radius 3, pitch 2 per radian and one turn, of a thin straight rod; ends held.
+struct Helix {
+  double length = 2.0 * kPi * std::sqrt(13.0);
+  EllipticSection section{0.3, 0.3, kYoung_Pa, kShear_Pa};
+  RodPose pose;
+
+  Helix() {
+    pose.count = kElements + 1;
+    // Normal inward along -x, tangent (0, 3, 2) / sqrt(13).
+    const Quat first = axisAngle({1, 0, 0}, -std::atan2(3.0, 2.0)) * axisAngle({0, 0, 1}, kPi);
+    for (int i = 0; i <= kElements; ++i) {
+      const double a = 2.0 * kPi * i / kElements;
+      pose.nodes[static_cast<std::size_t>(i)] = {
+          .position_m = {3.0 * std::cos(a), 3.0 * std::sin(a), 2.0 * a},
+          .orientation = axisAngle({0, 0, 1}, a) * first};
+    }
+  }
+};
+
+TEST(RodBending, OfAStraightRodIntoAHelixCarriesItsMoments) {
+  Helix helix;
+  std::vector<RodElement> elements(kElements, straightElement(helix.section, helix.length / kElements));
+  for (RodElement& e : elements) {  // thin: no shear, no stretch
+    for (double& a : e.stretch_N) {
+      a *= 1e2;
+    }
+  }
+  const Rod rod(elements, straightPose(helix.length, kElements), std::vector<double>(kElements + 1, 0.0));
+  RodPose pose = helix.pose;
+  for (std::size_t i = 1; i < kElements; ++i) {  // a small fixed disturbance
+    pose.nodes[i].position_m +=
+        0.01 * Vec3{std::sin(3.0 * static_cast<double>(i)), std::cos(5.0 * static_cast<double>(i)), 0.0};
+  }
+  const std::vector<HeldNode> held{heldAt(0), heldAt(kElements)};
+
+  const RodBalance balance = balanceRod(rod, nullptr, {}, held, pose);
+
+  ASSERT_TRUE(balance.converged);
+  double bending = 0.0;
+  double torsion = 0.0;
+  double deviation = 0.0;
+  for (std::size_t i = 0; i < kElements; ++i) {
+    const RodStrain strain = rodStrain(elements[i].length_m, pose.nodes[i], pose.nodes[i + 1]);
+    bending += std::hypot(strain.curvature_per_m.x, strain.curvature_per_m.y) / kElements;
+    torsion += strain.curvature_per_m.z / kElements;
+    deviation = std::max(deviation, norm(pose.nodes[i].position_m - helix.pose.nodes[i].position_m));
+  }
+  EXPECT_NEAR(bending / (3.0 / 13.0), 1.0,
+              2e-3);  // curvature r/(r^2+p^2), torsion p/(r^2+p^2): M = EI kappa, GJ tau
+  EXPECT_NEAR(torsion / (2.0 / 13.0), 1.0, 2e-3);
+  EXPECT_LT(deviation, 1e-3 * helix.length);
+}
+
+TEST(RodStability, OfATwistedShaftIsGreenhills) {
+  // Ends clamped, free to come nearer: M L = 8.9868 E I, the first root of tan(x/2) = x/2 (Greenhill 1883).
+  // L/R = 160.
+  const Rod rod = straightRod(1.6, kElements, round(0.010, 0.010));
+  const EllipticSection section = round(0.010, 0.010)(0.0);
+  const std::vector<HeldNode> held{heldAt(0), heldAt(kElements, {true, true, false, true, true, true})};
+  const auto unstable = [&](double twist_rad) {
+    RodPose pose = rod.rest();
+    for (int i = 0; i <= kElements; ++i) {
+      pose.nodes[static_cast<std::size_t>(i)].orientation = axisAngle({0, 0, 1}, twist_rad * i / kElements);
+    }
+    return instabilities(rod, pose, held) > 0;
+  };
+  double below = 1.0;
+  double above = 40.0;
+
+  while (above - below > 1e-6) {
+    const double middle = 0.5 * (below + above);
+    (unstable(middle) ? above : below) = middle;
+  }
+
+  EXPECT_NEAR(below * section.torsion_Nm2() / section.bending1_Nm2(), 8.9868, 5e-3 * 8.9868);
+}
+
+TEST(RodStability, OfATwistedRingIsMichells) {
+  // A rod straight at rest, closed to a ring and twisted: it leaves its plane at 2 pi sqrt(3) EI/GJ (Michell
+  // 1889).
+  constexpr int kRing = 48;
+  constexpr double kRadius_m = 0.2;
+  const EllipticSection section = round(0.010, 0.010)(0.0);
+  const double length_m = 2.0 * kPi * kRadius_m;
+  const Rod rod = straightRod(length_m, kRing, round(0.010, 0.010));
+  // The ring as a whole may swing about its held tangent at no cost: its far side stays in the plane.
+  const std::vector<HeldNode> held{heldAt(0), heldAt(kRing),
+                                   heldAt(kRing / 2, {false, true, false, false, false, false})};
+  const auto leavesItsPlane = [&](double twist_rad) {
+    RodPose pose;
+    pose.count = kRing + 1;
+    for (int i = 0; i <= kRing; ++i) {
+      const double a = 2.0 * kPi * i / kRing;
+      const double out_m = 1e-3 * kRadius_m * (1.0 - std::cos(2.0 * a));  // a small fixed disturbance
+      pose.nodes[static_cast<std::size_t>(i)] = {
+          .position_m = {kRadius_m * (1.0 - std::cos(a)), out_m, kRadius_m * std::sin(a)},
+          .orientation = axisAngle({0, 1, 0}, a) * axisAngle({0, 0, 1}, twist_rad * i / kRing)};
+    }
+    EXPECT_TRUE(balanceRod(rod, nullptr, {}, held, pose).converged) << twist_rad;
+    // In its plane: EI (2 pi)^2 / 2L + GJ twist^2 / 2L. Out of it, twist turns into writhe: a quarter of that
+    // is left.
+    const double plane_J =
+        0.5 * (section.bending1_Nm2() * 4.0 * kPi * kPi + section.torsion_Nm2() * twist_rad * twist_rad) /
+        length_m;
+    return storedEnergy_J(rod, pose, nullptr, {}) < 0.5 * plane_J;
+  };
+  double below = 10.0;
+  double above = 20.0;
+
+  while (above - below > 1e-3) {
+    const double middle = 0.5 * (below + above);
+    (leavesItsPlane(middle) ? above : below) = middle;
+  }
+
+  const double michell_rad = 2.0 * kPi * std::sqrt(3.0) * section.bending1_Nm2() / section.torsion_Nm2();
+  EXPECT_NEAR(below, michell_rad, 5e-3 * michell_rad);
+}
+
+TEST(RodBendLimit, KeepsAFoldShortOfTheInsideOfTheSection) {
+  // A tube of radius 20 mm folded by 170 degrees over 120 mm: even, z = kappa r = 0.49; without the limit the
+  // fold sits where the tube is thinnest.
+  const auto fold = [](double stiffness_N) {
+    std::vector<RodElement> elements;
+    for (int i = 0; i < kElements; ++i) {
+      const double r = i == 15 ? 0.012 : 0.020;
+      elements.push_back(straightElement({r, r, kYoung_Pa, kShear_Pa}, 0.2 / kElements));
+      elements.back().bendLimit = {.spread_m2 = {r * r, 0, r * r}, .limit = 0.40, .stiffness_N = stiffness_N};
+    }
+    const Rod rod(elements, straightPose(0.2, kElements), std::vector<double>(kElements + 1, 0.0));
+    const std::vector<HeldNode> held{heldAt(0), heldAt(kElements, {false, false, false, true, true, true})};
+    RodPose pose = rod.rest();
+    for (int step = 1; step <= 20; ++step) {
+      pose.nodes[kElements].orientation = axisAngle({0, 1, 0}, radians(170.0) * step / 20);
+      EXPECT_TRUE(balanceRod(rod, nullptr, {}, held, pose).converged);
+    }
+    const RodStrain strain = rodStrain(0.2 / kElements, pose.nodes[15], pose.nodes[16]);
+    return std::abs(strain.curvature_per_m.y) * 0.012 * std::pow(strain.stretch.z, -1.5);
+  };
+
+  const double limited = fold(200.0 * kYoung_Pa * kPi * 4e-4 / 4.0);
+  const double unlimited = fold(0.0);
+
+  EXPECT_GT(unlimited, 0.6);
+  EXPECT_LT(limited, 0.45);
+}
+
+}  // namespace
+}  // namespace torsio
