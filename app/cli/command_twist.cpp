@@ -78,9 +78,9 @@ double angleOf_rad(const TwistArguments& arguments, const Scene& scene) {
 
 void requireUnfolded(const FoldReport& fold, const TwistArguments& arguments) {
   if (fold.folded() && !arguments.allowFold) {
-    throw Error(ErrorCode::kFolded, Text("the twist folds the organ: %1", fold.reason()),
-                Text("organ %1", arguments.organ.organ),
-                "Twist less far, or give --allow-fold to see it all the same");
+    throw Error(ErrorCode::kFolded, Text::verbatim("the twist folds the organ: %1", fold.reason()),
+                Text::tr("organ %1", arguments.organ.organ),
+                Text::verbatim("Twist less far, or give --allow-fold to see it all the same"));
   }
 }
 
@@ -166,8 +166,9 @@ void runPattern(const TwistArguments& arguments, const Scene& scene, double setU
 void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms) {
   const bool free = arguments.ends == "clamped-free";
   if (!free && arguments.grasp) {
-    throw Error(ErrorCode::kUsage, "with --ends clamped-turned the upper face is turned, nothing is gripped",
-                "--grasp", "Leave it out, or give --ends clamped-free");
+    throw Error(ErrorCode::kUsage,
+                Text::verbatim("with --ends clamped-turned the upper face is turned, nothing is gripped"),
+                Text::verbatim("--grasp"), Text::verbatim("Leave it out, or give --ends clamped-free"));
   }
   RodTwistRequest request;
   request.ends = free ? RodEnds::kClampedFree : RodEnds::kClampedTurned;
@@ -210,8 +211,8 @@ void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms
 
 void runTwist(const TwistArguments& arguments) {
   if (arguments.ends.empty() && arguments.shearModulus_Pa) {
-    throw Error(ErrorCode::kUsage, "a pattern takes its material from the scene", "--shear-modulus",
-                "Give --ends too, or choose --material");
+    throw Error(ErrorCode::kUsage, Text::verbatim("a pattern takes its material from the scene"),
+                Text::verbatim("--shear-modulus"), Text::verbatim("Give --ends too, or choose --material"));
   }
   const auto started = SteadyClock::now();
   const Scene scene = loadScene(sceneRequest(arguments.organ));

@@ -76,9 +76,9 @@ void requireTwistWithin(const RodPose& pose, std::span<const double> arcs_m,
     const double own_rad = length_m * rodStrain(length_m, pose.nodes[i], pose.nodes[i + 1]).curvature_per_m.z;
     if (std::abs(turns_rad[i + 1] - turns_rad[i] - own_rad) > kPi) {
       throw Error(ErrorCode::kBadParameter,
-                  Text("the twist gathers in one place: more than half a turn within %1 mm",
-                       std::to_string(1000.0 * length_m)),
-                  "--angle " + std::to_string(degrees(angle_rad)), "Twist less far.");
+                  Text::verbatim("the twist gathers in one place: more than half a turn within %1 mm",
+                                 std::to_string(1000.0 * length_m)),
+                  "--angle " + std::to_string(degrees(angle_rad)), Text::verbatim("Twist less far."));
     }
   }
 }
@@ -101,8 +101,8 @@ RodTwistResult rodTwist(const Scene& scene, const RodTwistRequest& request) {
   const TurnedRod solved = solveTurned(
       rod, {.angle_rad = request.angle_rad, .node = static_cast<int>(turned), .holdsPlace = !free});
   if (!solved.balance.converged) {
-    throw Error(ErrorCode::kBadParameter, "the rod finds no pose at rest at this angle",
-                "--angle " + std::to_string(degrees(request.angle_rad)), "Twist less far.");
+    throw Error(ErrorCode::kBadParameter, Text::verbatim("the rod finds no pose at rest at this angle"),
+                "--angle " + std::to_string(degrees(request.angle_rad)), Text::verbatim("Twist less far."));
   }
   requireTwistWithin(solved.pose, organ.arcs_m, solved.turn_rad, request.angle_rad);
   RodTwistResult result;

@@ -8769,6 +8769,54 @@
         <source>has left</source>
         <translation>已离开</translation>
     </message>
+    <message>
+        <source>det F, the local volume ratio, falls to %1</source>
+        <translation>局部体积比 det F 降至 %1</translation>
+    </message>
+    <message>
+        <source>the surface crosses itself in %1 pairs of triangles</source>
+        <translation>表面有 %1 对三角形相互穿过</translation>
+    </message>
+    <message>
+        <source>the volume becomes %1 of what it was</source>
+        <translation>体积变为原来的 %1 倍</translation>
+    </message>
+    <message>
+        <source>the shear modulus is %1 Pa, but must be above 0</source>
+        <translation>剪切模量为 %1 Pa，但必须大于 0</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Give G in pascal; for nearly incompressible tissue it is E / 3.</source>
+        <translation>请以帕斯卡给出 G；近似不可压缩组织的 G 为 E / 3。</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio is %1, but must lie in 0..0.5</source>
+        <translation>泊松比为 %1，但必须在 0 至 0.5 之间</translation>
+    </message>
+    <message>
+        <source>Give 0.5 for incompressible tissue.</source>
+        <translation>不可压缩组织请取 0.5。</translation>
+    </message>
+    <message>
+        <source>%1 elements asked for; a rod takes 2 to %2</source>
+        <translation>要求 %1 个单元；杆模型可取 2 至 %2 个</translation>
+    </message>
+    <message>
+        <source>rod</source>
+        <translation>杆模型</translation>
+    </message>
+    <message>
+        <source>Choose a number inside the range.</source>
+        <translation>请选择范围内的数值。</translation>
+    </message>
+    <message>
+        <source>the section %1 mm from the fixed end</source>
+        <translation>距固定端 %1 毫米处的截面</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

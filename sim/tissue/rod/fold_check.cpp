@@ -39,13 +39,13 @@ bool FoldReport::folded() const noexcept {
 
 Text FoldReport::reason() const {
   if (!(minDeterminant >= kLeastDeterminant)) {
-    return {"det F, the local volume ratio, falls to %1", threeDigits(minDeterminant)};
+    return Text::tr("det F, the local volume ratio, falls to %1", threeDigits(minDeterminant));
   }
   if (crossings > 0) {
-    return {"the surface crosses itself in %1 pairs of triangles", std::to_string(crossings)};
+    return Text::tr("the surface crosses itself in %1 pairs of triangles", std::to_string(crossings));
   }
   if (!(std::abs(volumeRatio - 1.0) <= kMostVolumeChange)) {
-    return {"the volume becomes %1 of what it was", threeDigits(volumeRatio)};
+    return Text::tr("the volume becomes %1 of what it was", threeDigits(volumeRatio));
   }
   return {};
 }

@@ -114,16 +114,17 @@ Quat quatOfFrame(const AxisFrame& f) {
 void checkMaterial(const RodMaterial& material, int elements) {
   if (!(material.shearModulus_Pa > 0.0) || !std::isfinite(material.shearModulus_Pa)) {
     refuseParameter(
-        Text("the shear modulus is %1 Pa, but must be above 0", std::to_string(material.shearModulus_Pa)),
-        "material", "Give G in pascal; for nearly incompressible tissue it is E / 3.");
+        Text::tr("the shear modulus is %1 Pa, but must be above 0", std::to_string(material.shearModulus_Pa)),
+        Text::tr("material"), Text::tr("Give G in pascal; for nearly incompressible tissue it is E / 3."));
   }
   if (!(material.poisson >= 0.0 && material.poisson <= 0.5)) {
-    refuseParameter(Text("Poisson's ratio is %1, but must lie in 0..0.5", std::to_string(material.poisson)),
-                    "material", "Give 0.5 for incompressible tissue.");
+    refuseParameter(
+        Text::tr("Poisson's ratio is %1, but must lie in 0..0.5", std::to_string(material.poisson)),
+        Text::tr("material"), Text::tr("Give 0.5 for incompressible tissue."));
   }
   if (elements < 2 || elements >= kMostRodNodes) {
-    refuseParameter(Text("%1 elements asked for; a rod takes 2 to %2", elements, kMostRodNodes - 1), "rod",
-                    "Choose a number inside the range.");
+    refuseParameter(Text::tr("%1 elements asked for; a rod takes 2 to %2", elements, kMostRodNodes - 1),
+                    Text::tr("rod"), Text::tr("Choose a number inside the range."));
   }
 }
 
