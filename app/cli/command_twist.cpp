@@ -195,6 +195,7 @@ void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms
   result["angle_rad"] = request.angle_rad;
   result["torque_nm"] = twist.torque_Nm;
   result["energy_j"] = twist.energy_J;
+  result["inverse_m"] = twist.inverse_m;
   addFold(result, twist.fold);
   result["set_up_ms"] = setUp_ms;
   result["twist_ms"] = twist_ms;

@@ -118,6 +118,10 @@ RodTwistResult rodTwist(const Scene& scene, const RodTwistRequest& request) {
   const RodCurve curve = skin.curveOf(solved.pose);
   result.vertices_m.resize(scene.mesh.vertices_m.size());
   skin.deform(curve, result.vertices_m);
+  for (const Vec3& rest_m : scene.mesh.vertices_m) {
+    const Vec3 back_m = skin.toRest_m(skin.toDeformed_m(rest_m, curve), curve);
+    result.inverse_m = std::max(result.inverse_m, norm(back_m - rest_m));
+  }
   result.fold = FoldCheck(scene.mesh, lattice).judge(result.vertices_m, [&](const Vec3& rest_m) {
     return skin.toDeformed_m(rest_m, curve);
   });

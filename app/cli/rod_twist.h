@@ -32,6 +32,7 @@ struct RodTwistResult {
   double energy_J = 0.0;
   int elements = 0;
   std::vector<Vec3> vertices_m;  ///< of the mesh, twisted
+  double inverse_m = 0.0;        ///< largest error of a vertex that is moved and traced back to rest
   FoldReport fold;
 };
 

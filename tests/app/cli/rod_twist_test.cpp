@@ -104,6 +104,7 @@ TEST(RodTwist, TheTorqueOfBentTubesIsThatOfThreeDimensionalFiniteElements) {
     EXPECT_NEAR(result["volume_ratio"].get<double>(), 1.0, 1e-4) << tube.name;
     EXPECT_NEAR(result["det_f_min"].get<double>(), 1.0, 1e-6) << tube.name;
     EXPECT_EQ(result["crossings"], 0) << tube.name;
+    EXPECT_LT(result["inverse_m"].get<double>(), 1e-12) << tube.name;
     EXPECT_NEAR(turnAt(result, 1.0), radians(1.0), 1e-9) << tube.name;
     EXPECT_NEAR(turnAt(result, 0.0), 0.0, 1e-12) << tube.name;
   }
