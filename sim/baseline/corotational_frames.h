@@ -44,14 +44,14 @@ class CorotationalFrames {
   std::vector<Vec3> rest_m_;
   CorotationalTetrahedra body_;
   std::vector<double> masses_kg_;
-  std::vector<int> kind_;        ///< of a node: 0 free, 1 held, 2 turned
-  std::vector<int> rowStart_;    ///< block rows of the matrix
+  std::vector<int> kind_;      ///< of a node: 0 free, 1 held, 2 turned
+  std::vector<int> rowStart_;  ///< block rows of the matrix
   std::vector<int> column_;
-  std::vector<int> placeOf_;     ///< [16 cell + 4 a + b]: which block
+  std::vector<int> placeOf_;  ///< [16 cell + 4 a + b]: which block
   std::vector<Matrix3> blocks_;
   std::vector<Matrix3> inverse_;  ///< of the diagonal blocks
   double inverseAngle_ = 0.0;
-  std::vector<Vec3> motion_m_;    ///< d place / d angle of the turned nodes, else 0
+  std::vector<Vec3> motion_m_;  ///< d place / d angle of the turned nodes, else 0
   std::vector<Vec3> forces_N_;
   TwistPose pose_;
   Field velocity_;

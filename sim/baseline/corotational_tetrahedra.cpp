@@ -68,8 +68,7 @@ void CorotationalTetrahedra::elementStiffness(std::size_t element, std::span<con
   for (int c = 0; c < 4; ++c) {
     const Vec3& g = gradients_[element][static_cast<std::size_t>(c)];
     const Eigen::Matrix<double, 9, 3> byPlace =
-        volumes_m3_[element] *
-        (a.leftCols<3>() * g.x + a.middleCols<3>(3) * g.y + a.rightCols<3>() * g.z);
+        volumes_m3_[element] * (a.leftCols<3>() * g.x + a.middleCols<3>(3) * g.y + a.rightCols<3>() * g.z);
     for (int r = 0; r < 4; ++r) {
       const Vec3& h = gradients_[element][static_cast<std::size_t>(r)];
       k.block<3, 3>(3 * r, 3 * c) =

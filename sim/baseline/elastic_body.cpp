@@ -37,8 +37,7 @@ void turnEnd(const TwistEnds& ends, std::span<const Vec3> rest_m, double angle_r
     const auto i = static_cast<std::size_t>(node);
     const Vec3 arm = rest_m[i] - ends.axisPoint_m;
     const Vec3 along = dot(arm, ends.axis) * ends.axis;
-    pose.places_m[i] =
-        ends.axisPoint_m + along + turn.cos * (arm - along) + turn.sin * cross(ends.axis, arm);
+    pose.places_m[i] = ends.axisPoint_m + along + turn.cos * (arm - along) + turn.sin * cross(ends.axis, arm);
   }
   pose.angle_rad = angle_rad;
 }

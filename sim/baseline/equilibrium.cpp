@@ -234,8 +234,7 @@ EquilibriumReport Equilibrium::solve(double torque_Nm, TwistPose& pose) {
     }
     const Eigen::VectorXd move =
         linear_->solver.solve(-Eigen::Map<const Eigen::VectorXd>(residual_.data(), unknowns_));
-    if (!move.allFinite() ||
-        !advance(torque_Nm, {move.data(), static_cast<std::size_t>(unknowns_)}, pose)) {
+    if (!move.allFinite() || !advance(torque_Nm, {move.data(), static_cast<std::size_t>(unknowns_)}, pose)) {
       fail();
     }
   }

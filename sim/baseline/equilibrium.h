@@ -11,9 +11,9 @@ namespace torsio {
 
 /// What a body does under a torque, as found by Newton's method.
 struct EquilibriumReport {
-  int iterations = 0;       ///< factorisations
-  double energy_J = 0.0;    ///< stored
-  double residual = 0.0;    ///< of the forces, over the forces that hold the ends
+  int iterations = 0;     ///< factorisations
+  double energy_J = 0.0;  ///< stored
+  double residual = 0.0;  ///< of the forces, over the forces that hold the ends
 };
 
 /// Static equilibrium of an elastic body with one end held and a torque on the other. The turned end's angle
@@ -28,8 +28,8 @@ class Equilibrium {
   Equilibrium& operator=(const Equilibrium&) = delete;
 
   /// Moves `pose` into equilibrium with the torque on the turned end, N m, about the axis of the ends. Throws
-  /// Error{kBadParameter} for a torque that is not finite, and when it finds none near the pose: the torque is
-  /// too large, or too far from the one before.
+  /// Error{kBadParameter} for a torque that is not finite, and when it finds none near the pose: the torque
+  /// is too large, or too far from the one before.
   [[nodiscard]] EquilibriumReport solve(double torque_Nm, TwistPose& pose);
 
  private:

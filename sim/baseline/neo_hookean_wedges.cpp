@@ -130,8 +130,8 @@ NeoHookeanWedges::NeoHookeanWedges(SolidMesh mesh, std::span<const Vec3> rest_m,
       const WedgeGradients local = localGradients(p, quadratic);
       Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();  // d place / d (xi, eta, t)
       for (std::size_t a = 0; a < nodes.size(); ++a) {
-        jacobian += vector(rest_m[static_cast<std::size_t>(nodes[a])]) *
-                    local.col(static_cast<int>(a)).transpose();
+        jacobian +=
+            vector(rest_m[static_cast<std::size_t>(nodes[a])]) * local.col(static_cast<int>(a)).transpose();
       }
       const double det = jacobian.determinant();
       if (!(det > 0.0)) {
@@ -187,8 +187,7 @@ void NeoHookeanWedges::elementStiffness(std::size_t element, std::span<const Vec
       const Vec3& g = point.gradients[static_cast<std::size_t>(c)];
       // d P by the place of node c
       const Eigen::Matrix<double, 9, 3> byPlace =
-          point.volume_m3 *
-          (a.leftCols<3>() * g.x + a.middleCols<3>(3) * g.y + a.rightCols<3>() * g.z);
+          point.volume_m3 * (a.leftCols<3>() * g.x + a.middleCols<3>(3) * g.y + a.rightCols<3>() * g.z);
       for (Eigen::Index r = 0; r < count; ++r) {
         const Vec3& h = point.gradients[static_cast<std::size_t>(r)];
         k.block<3, 3>(3 * r, 3 * c) +=

@@ -14,11 +14,21 @@ namespace torsio {
 
 namespace {
 
-constexpr std::array<std::array<int, 2>, 15> kPrismSprings{{{0, 1}, {1, 2}, {2, 0},    // lower triangle
-                                                            {3, 4}, {4, 5}, {5, 3},    // upper triangle
-                                                            {0, 3}, {1, 4}, {2, 5},    // along
-                                                            {0, 4}, {1, 3}, {1, 5},    // both diagonals
-                                                            {2, 4}, {2, 3}, {0, 5}}};  // of each side
+constexpr std::array<std::array<int, 2>, 15> kPrismSprings{{{0, 1},
+                                                            {1, 2},
+                                                            {2, 0},  // lower triangle
+                                                            {3, 4},
+                                                            {4, 5},
+                                                            {5, 3},  // upper triangle
+                                                            {0, 3},
+                                                            {1, 4},
+                                                            {2, 5},  // along
+                                                            {0, 4},
+                                                            {1, 3},
+                                                            {1, 5},  // both diagonals
+                                                            {2, 4},
+                                                            {2, 3},
+                                                            {0, 5}}};  // of each side
 
 double prismVolume(std::span<const int> cell, std::span<const Vec3> points) {
   const auto at = [&](std::size_t k) { return points[static_cast<std::size_t>(cell[k])]; };
@@ -94,8 +104,12 @@ SpringLattice SpringLattice::calibrated(std::span<const Vec3> places_m, double e
     refuseParameter("Springs are calibrated by a displacement that holds energy", "calibration",
                     "Give a torque that is not 0");
   }
+  return scaled(energy_J / held_J);
+}
+
+SpringLattice SpringLattice::scaled(double factor) const {
+  TORSIO_EXPECTS(factor > 0.0);
   SpringLattice result = *this;
-  const double factor = energy_J / held_J;
   for (LengthSpring& spring : result.lengths_) {
     spring.stiffness_N_per_m *= factor;
   }
@@ -174,8 +188,8 @@ void SpringLattice::elementStiffness(std::size_t element, std::span<const Vec3> 
   for (int a = 0; a < 4; ++a) {
     for (int b = 0; b < 4; ++b) {
       k.block<3, 3>(3 * a, 3 * b) +=
-          spring.stiffness_J_per_m6 * outerProduct(now.byPlace[static_cast<std::size_t>(a)],
-                                                   now.byPlace[static_cast<std::size_t>(b)]);
+          spring.stiffness_J_per_m6 *
+          outerProduct(now.byPlace[static_cast<std::size_t>(a)], now.byPlace[static_cast<std::size_t>(b)]);
     }
   }
 }

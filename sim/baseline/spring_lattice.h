@@ -35,6 +35,8 @@ class SpringLattice final : public ElasticBody {
   /// Returns the same springs with a common factor such that the displaced `places_m` hold `energy_J`. Throws
   /// Error{kBadParameter} when the displacement holds no energy.
   [[nodiscard]] SpringLattice calibrated(std::span<const Vec3> places_m, double energy_J) const;
+  /// Returns the same springs, all stiffer by a factor > 0 (contract).
+  [[nodiscard]] SpringLattice scaled(double factor) const;
 
   [[nodiscard]] std::span<const LengthSpring> lengthSprings() const noexcept { return lengths_; }
   [[nodiscard]] std::span<const VolumeSpring> volumeSprings() const noexcept { return volumes_; }

@@ -66,8 +66,7 @@ StressState neoHookeanStress(const Matrix3& gradient, const ElasticConstants& co
   const Eigen::Matrix3d f = matrix(gradient);
   const double g = constants.shearModulus_Pa;
   const double logJ = std::log(f.determinant());
-  const Eigen::Matrix3d stress =
-      g * f + (constants.lame_Pa() * logJ - g) * f.inverse().transpose();
+  const Eigen::Matrix3d stress = g * f + (constants.lame_Pa() * logJ - g) * f.inverse().transpose();
   return {0.5 * g * (f.squaredNorm() - 3.0) - g * logJ + 0.5 * constants.lame_Pa() * logJ * logJ,
           numbers(stress)};
 }
@@ -84,8 +83,7 @@ Matrix9 neoHookeanTangent(const Matrix3& gradient, const ElasticConstants& const
   for (int k = 0; k < 9; ++k) {
     Eigen::Matrix3d df = Eigen::Matrix3d::Zero();
     df(k % 3, k / 3) = 1.0;
-    const Eigen::Matrix3d dp =
-        g * df + turned * h * df.transpose() * h + lambda * h(k % 3, k / 3) * h;
+    const Eigen::Matrix3d dp = g * df + turned * h * df.transpose() * h + lambda * h(k % 3, k / 3) * h;
     a.col(k) = dp.reshaped();
   }
   return tangent;

@@ -105,10 +105,11 @@ void requireNoFold(const SweptSolid& solid) {
   const std::size_t perLayer = mesh.cells() / static_cast<std::size_t>(solid.sections - 1);
   for (std::size_t c = 0; c < volumes.size(); ++c) {
     if (!(volumes[c] > 0.0)) {
-      throw Error(ErrorCode::kBadMesh,
-                  "The organ cannot be filled with elements: an outline is not star-shaped about its centre, or "
-                  "two sections cross",
-                  sectionName(c / perLayer) + " to the next", "Give other ends, or fewer sections");
+      throw Error(
+          ErrorCode::kBadMesh,
+          "The organ cannot be filled with elements: an outline is not star-shaped about its centre, or "
+          "two sections cross",
+          sectionName(c / perLayer) + " to the next", "Give other ends, or fewer sections");
     }
   }
 }

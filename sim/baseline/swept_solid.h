@@ -14,9 +14,9 @@ namespace torsio {
 /// with a centre and rings of points between centre and outline. Straight or curved. What finite elements and
 /// springs are made of; the outermost ring are the key points of the lattice.
 struct SweptSolid {
-  int ridges = 0;    ///< outline points of a section
-  int sections = 0;  ///< along the organ, both ends included
-  int rings = 0;     ///< of points round the centre; the last one is the outline
+  int ridges = 0;              ///< outline points of a section
+  int sections = 0;            ///< along the organ, both ends included
+  int rings = 0;               ///< of points round the centre; the last one is the outline
   std::vector<Vec3> points_m;  ///< number: see point()
   Vec3 endCentre_m;            ///< centre of the last section
   Vec3 endTangent;             ///< unit vector along the organ at its last section

@@ -39,7 +39,7 @@ class XpbdFrames {
   std::vector<double> inverseMass_;  ///< of a node; 0 held or turned
   std::vector<char> turned_;         ///< whether the node belongs to the turned end
   double inverseInertia_ = 0.0;
-  double angle_rad_ = 0.0;           ///< of the turned end within a substep
+  double angle_rad_ = 0.0;  ///< of the turned end within a substep
   double cosine_ = 1.0;
   double sine_ = 0.0;
   double spin_rad_per_s_ = 0.0;
