@@ -20,7 +20,7 @@ class Comparison : public ::testing::Test {
  protected:
   TriangleMesh mesh_ = testing::prism(testing::circleOutline(kRadius_m, 96), kLength_m, 40);
   SectionLattice lattice_{mesh_, options()};
-  Material material_{.id = "tissue", .shearModulus_Pa = 4000.0};
+  Material material_{"tissue", 4000.0, "assumed", "Tissue", 4000.0, 4000.0};
   TwistModel model_{mesh_, lattice_, material_, {}};
   ComparedOrgan organ_ = compared();
 
