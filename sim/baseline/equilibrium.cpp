@@ -20,6 +20,7 @@ constexpr int kTurnedNode = -2;
 constexpr double kResidualWanted = 1e-7;  ///< over the forces that hold the ends
 /// Where rounding ends the way: a residual below this that no step makes smaller is taken.
 constexpr double kResidualOfRounding = 1e-5;
+constexpr double kEnergyOfRounding_J = 1e-20;  ///< of a body at rest
 constexpr int kMostNewtonSteps = 60;
 constexpr int kMostStepHalvings = 16;
 /// A finite rotation in one step is not what a tangent describes.
@@ -223,7 +224,7 @@ EquilibriumReport Equilibrium::solve(double torque_Nm, TwistPose& pose) {
     const double end = std::abs(residual_.back()) / std::max(std::abs(torque_Nm), 1e-300);
     const double worse = std::max(report.residual, end);
     if (worse <= kResidualWanted || (worse <= kResidualOfRounding && worse > 0.5 * before) ||
-        (torque_Nm == 0.0 && energy_J_ == 0.0)) {
+        (torque_Nm == 0.0 && energy_J_ <= kEnergyOfRounding_J)) {
       report.energy_J = energy_J_;
       return report;
     }

@@ -100,7 +100,8 @@ SpringLattice::SpringLattice(const SweptSolid& solid, const ElasticConstants& co
 
 SpringLattice SpringLattice::calibrated(std::span<const Vec3> places_m, double energy_J) const {
   const double held_J = elasticEnergy_J(*this, places_m);
-  if (!(held_J > 0.0) || !(energy_J > 0.0)) {
+  constexpr double kRounding = 1e-12;
+  if (!(energy_J > 0.0) || !(held_J > kRounding * energy_J)) {
     refuseParameter("Springs are calibrated by a displacement that holds energy", "calibration",
                     "Give a torque that is not 0");
   }
