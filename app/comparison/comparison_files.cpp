@@ -61,18 +61,27 @@ Json measuredJson(const ComparisonResult& result) {
   return markers;
 }
 
+/// A line of a table of names without commas and numbers, which may be negative.
+std::string plainLine(const std::vector<std::string>& cells) {
+  std::string line;
+  for (const std::string& cell : cells) {
+    line += (line.empty() ? "" : ",") + cell;
+  }
+  return line + "\r\n";
+}
+
 std::string modelsCsv(const ComparisonResult& result) {
-  std::string text = csvLine({"model", "unknowns", "set_up_s", "frames", "frame_median_s", "frame_worst_s",
-                              "deformation_s", "settle_s", "angle_rad", "energy_j", "volume_ratio",
-                              "radius_change", "roughness_m", "rmse_m", "marker_rmse_m", "course_rmse_m"});
+  std::string text = plainLine({"model", "unknowns", "set_up_s", "frames", "frame_median_s", "frame_worst_s",
+                                "deformation_s", "settle_s", "angle_rad", "energy_j", "volume_ratio",
+                                "radius_change", "roughness_m", "rmse_m", "marker_rmse_m", "course_rmse_m"});
   for (const ModelResult& m : result.models) {
     text +=
-        csvLine({m.id, std::to_string(m.unknowns), formatExact(m.setUp_s), std::to_string(m.frames),
-                 formatExact(m.frameMedian_s), formatExact(m.frameWorst_s), formatExact(m.deformation_s),
-                 formatExact(m.settle_s), formatExact(m.settled.angle_rad), formatExact(m.settled.energy_J),
-                 formatExact(m.settled.volumeRatio), formatExact(m.settled.radiusChange),
-                 formatExact(m.settled.roughness_m), formatExact(m.settled.rmse_m),
-                 formatExact(m.settled.markerRmse_m), formatExact(m.courseRmse_m)});
+        plainLine({m.id, std::to_string(m.unknowns), formatExact(m.setUp_s), std::to_string(m.frames),
+                   formatExact(m.frameMedian_s), formatExact(m.frameWorst_s), formatExact(m.deformation_s),
+                   formatExact(m.settle_s), formatExact(m.settled.angle_rad), formatExact(m.settled.energy_J),
+                   formatExact(m.settled.volumeRatio), formatExact(m.settled.radiusChange),
+                   formatExact(m.settled.roughness_m), formatExact(m.settled.rmse_m),
+                   formatExact(m.settled.markerRmse_m), formatExact(m.courseRmse_m)});
   }
   return text;
 }
@@ -100,11 +109,11 @@ std::string markersCsv(const ComparisonResult& result) {
 }
 
 std::string courseCsv(const ComparisonResult& result) {
-  std::string text = csvLine({"model", "time_s", "torque_nm", "angle_rad", "displacement_m"});
+  std::string text = plainLine({"model", "time_s", "torque_nm", "angle_rad", "displacement_m"});
   for (const ModelResult& model : result.models) {
     for (const CoursePoint& point : model.course) {
-      text += csvLine({model.id, formatExact(point.time_s), formatExact(point.torque_Nm),
-                       formatExact(point.angle_rad), formatExact(point.displacement_m)});
+      text += plainLine({model.id, formatExact(point.time_s), formatExact(point.torque_Nm),
+                         formatExact(point.angle_rad), formatExact(point.displacement_m)});
     }
   }
   return text;

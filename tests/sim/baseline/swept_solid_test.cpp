@@ -62,8 +62,8 @@ TEST(SweptSolid, TetrahedraOfABentBarShareTheirFacesAndFillIt) {
   EXPECT_EQ(mesh.cells(), 27216U);
   EXPECT_GT(*std::min_element(volumes.begin(), volumes.end()), 0.0);
   EXPECT_NEAR(sumOf(volumes) / boundaryVolume_m3(mesh, bar.points_m), 1.0, 1e-12);
-  // Pappus: area of the 36-gon (18 R^2 sin 10 degrees) times the way of its centroid. Prisms of 2.5 degrees in
-  // place of the arc: sin(x) cos(x) / x with x = 1.25 degrees is 1 - 3.17e-4.
+  // Pappus: area of the 36-gon (18 R^2 sin 10 degrees) times the way of its centroid. Prisms of 2.5 degrees
+  // in place of the arc: sin(x) cos(x) / x with x = 1.25 degrees is 1 - 3.17e-4.
   const double expected_m3 = 18.0 * 0.025 * 0.025 * std::sin(kPi / 18.0) * 0.24;
   EXPECT_NEAR(sumOf(volumes) / expected_m3, 1.0 - 3.17e-4, 1e-6);
 }
