@@ -18,8 +18,9 @@ struct EquilibriumReport {
 
 /// Static equilibrium of an elastic body with one end held and a torque on the other. The turned end's angle
 /// is an unknown beside the free nodes: no search for the angle that belongs to a torque. Newton's method
-/// with a sparse factorisation; a tangent that is not positive definite is shifted until it is; a step is
-/// halved until the potential energy falls. One thread at a time; body and rest places outlive it.
+/// with a factorisation that uses how slender a bar is; a tangent that is not positive definite is shifted
+/// until it is; a step is halved until the potential energy falls. One thread at a time; body and rest places
+/// outlive it.
 class Equilibrium {
  public:
   Equilibrium(const ElasticBody& body, TwistEnds ends, std::span<const Vec3> rest_m);
@@ -33,10 +34,12 @@ class Equilibrium {
   [[nodiscard]] EquilibriumReport solve(double torque_Nm, TwistPose& pose);
 
  private:
-  struct Linear;  // the factorisation
+  struct Linear;  // the tangent and its factors
   [[nodiscard]] bool evaluate(double torque_Nm, const TwistPose& pose);
   [[nodiscard]] bool advance(double torque_Nm, std::span<const double> move, TwistPose& pose);
+  void numberUnknowns();
   void assemble(const TwistPose& pose);
+  [[nodiscard]] bool factorise(const TwistPose& pose);
   [[nodiscard]] double forceScale() const;
 
   const ElasticBody& body_;
