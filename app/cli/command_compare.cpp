@@ -21,7 +21,7 @@ namespace torsio::cli {
 
 namespace {
 
-struct CompareArguments {
+struct OrganComparison {
   OrganArguments organ;
   ComparisonOptions options;
   std::string calibration = "affine";
@@ -48,7 +48,7 @@ void printComparison(const ComparisonResult& result, const std::string& out) {
             << "the report is " << out << "/comparison.pdf\n";
 }
 
-void runCompare(CompareArguments arguments) {
+void runCompare(OrganComparison arguments) {
   constexpr int kComparedRidges = 36;
   constexpr int kComparedSections = 37;
   arguments.organ.ridges = arguments.organ.ridges.value_or(kComparedRidges);
@@ -82,7 +82,7 @@ void runCompare(CompareArguments arguments) {
 }  // namespace
 
 void addCompare(CLI::App& program) {
-  auto arguments = std::make_shared<CompareArguments>();
+  auto arguments = std::make_shared<OrganComparison>();
   CLI::App* command = program.add_subcommand(
       "compare", "Twist an organ by the twist model, finite elements and springs under one torque");
   addOrganOptions(*command, arguments->organ);
