@@ -38,7 +38,8 @@ Json modelJson(const ModelResult& model) {
           {"deformation_s", model.deformation_s},
           {"settle_s", model.settle_s},
           {"moving", stateJson(model.moving)},
-          {"settled", stateJson(model.settled)},
+          {"settled",
+           model.noEquilibrium.empty() ? stateJson(model.settled) : Json{{"undefined", model.noEquilibrium}}},
           {"course_rmse_m", model.courseRmse_m},
           {"course", course}};
 }
@@ -75,13 +76,13 @@ std::string modelsCsv(const ComparisonResult& result) {
                                 "deformation_s", "settle_s", "angle_rad", "energy_j", "volume_ratio",
                                 "radius_change", "roughness_m", "rmse_m", "marker_rmse_m", "course_rmse_m"});
   for (const ModelResult& m : result.models) {
-    text +=
-        plainLine({m.id, std::to_string(m.unknowns), formatExact(m.setUp_s), std::to_string(m.frames),
-                   formatExact(m.frameMedian_s), formatExact(m.frameWorst_s), formatExact(m.deformation_s),
-                   formatExact(m.settle_s), formatExact(m.settled.angle_rad), formatExact(m.settled.energy_J),
-                   formatExact(m.settled.volumeRatio), formatExact(m.settled.radiusChange),
-                   formatExact(m.settled.roughness_m), formatExact(m.settled.rmse_m),
-                   formatExact(m.settled.markerRmse_m), formatExact(m.courseRmse_m)});
+    const auto settled = [&m](double value) { return m.noEquilibrium.empty() ? formatExact(value) : ""; };
+    text += plainLine(
+        {m.id, std::to_string(m.unknowns), formatExact(m.setUp_s), std::to_string(m.frames),
+         formatExact(m.frameMedian_s), formatExact(m.frameWorst_s), formatExact(m.deformation_s),
+         formatExact(m.settle_s), settled(m.settled.angle_rad), settled(m.settled.energy_J),
+         settled(m.settled.volumeRatio), settled(m.settled.radiusChange), settled(m.settled.roughness_m),
+         settled(m.settled.rmse_m), settled(m.settled.markerRmse_m), formatExact(m.courseRmse_m)});
   }
   return text;
 }
@@ -98,7 +99,7 @@ std::string markersCsv(const ComparisonResult& result) {
     const OrganMarker& marker = result.markers[i];
     std::vector<std::string> line{std::to_string(marker.number), marker.name};
     for (const ModelResult& model : result.models) {
-      line.push_back(formatExact(model.settled.displacements_m[i]));
+      line.push_back(model.noEquilibrium.empty() ? formatExact(model.settled.displacements_m[i]) : "");
     }
     const MeasuredDisplacement found = finalDisplacement(result.measured, marker.number);
     line.push_back(found.subjects > 0 ? formatExact(found.mean_m) : "");

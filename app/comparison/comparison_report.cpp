@@ -79,7 +79,7 @@ ReportFigure markerFigure(const ComparisonResult& result) {
     FigureSeries series;
     series.name = model.id;
     for (const double d : model.settled.displacements_m) {
-      series.y.emplace_back(kMillimetres * d);
+      series.y.push_back(model.noEquilibrium.empty() ? std::optional(kMillimetres * d) : std::nullopt);
     }
     figure.series.push_back(series);
   }
@@ -141,16 +141,19 @@ ReportTable accuracyTable(const ComparisonResult& result) {
       "roughness (mm)", "radius change (%)", "volume change (%)", "energy (mJ)"};
   for (const ModelResult& model : result.models) {
     const ModelState& state = model.settled;
+    if (!model.noEquilibrium.empty()) {
+      table.notes.emplace_back("%1 has no row: %2.", model.id, model.noEquilibrium);
+      continue;
+    }
     table.rows.push_back(
         {model.id, formatFixed(degrees(state.angle_rad), 2), formatFixed(kMillimetres * state.rmse_m, 3),
          formatFixed(kMillimetres * state.markerRmse_m, 3), formatFixed(kMillimetres * model.courseRmse_m, 3),
          formatFixed(kMillimetres * state.roughness_m, 4), formatFixed(100.0 * state.radiusChange, 2),
          formatFixed(100.0 * (state.volumeRatio - 1.0), 3), formatFixed(1e3 * state.energy_J, 4)});
   }
-  table.notes = {
+  table.notes.emplace_back(
       "RMSE: over all key points of the lattice. Roughness: what the radius of a key point changes "
-      "differently from "
-      "its four neighbours."};
+      "differently from its four neighbours.");
   table.provenance = comparedFrom(result, "Eq. 24", static_cast<std::int64_t>(result.models.size()));
   return table;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "sim/base/contracts.h"
+#include "sim/base/error.h"
 #include "sim/base/refusal.h"
 #include "sim/baseline/lattice_update.h"
 
@@ -201,10 +202,17 @@ class ComparisonBench {
   std::vector<MarkerAnchor> anchors_;
 };
 
-double settleTime_s(TwistSimulation& model, double torque_Nm) {
+/// Brings a model to equilibrium and reads it there; a model that has none says why.
+void settleAndRead(TwistSimulation& model, double torque_Nm, const ComparisonBench& bench, ModelResult& run) {
   const auto start = RunClock::now();
-  model.settle(torque_Nm);
-  return secondsSince(start);
+  try {
+    model.settle(torque_Nm);
+    run.settled = bench.state(model);
+  } catch (const Error& none) {
+    run.noEquilibrium = none.happened();
+    run.settled = run.moving;
+  }
+  run.settle_s = secondsSince(start);
 }
 
 /// Finite elements and springs: frames first, undisturbed; then both look for their equilibrium side by side.
@@ -220,11 +228,10 @@ void runMovingModels(const ComparedOrgan& organ, const TwistModel& twist, const 
   ModelResult msm =
       bench.runFrames("msm", "MSM (springs, XPBD)", organ, *springs, start, partOf(progress, 0.45, 0.6));
   tellProgress(progress, "Equilibrium of elements and springs", 0.6);
-  auto waiting = std::async(std::launch::async, [&] { return settleTime_s(*elements, result.torque_Nm); });
-  msm.settle_s = settleTime_s(*springs, result.torque_Nm);
-  fem.settle_s = waiting.get();
-  fem.settled = bench.state(*elements);
-  msm.settled = bench.state(*springs);
+  auto waiting =
+      std::async(std::launch::async, [&] { settleAndRead(*elements, result.torque_Nm, bench, fem); });
+  settleAndRead(*springs, result.torque_Nm, bench, msm);
+  waiting.get();
   result.models.push_back(std::move(fem));
   result.models.push_back(std::move(msm));
 }

@@ -55,6 +55,7 @@ struct ModelResult {
   double deformation_s = 0.0;  ///< processing time of the whole twist (Fig. 10)
   double settle_s = 0.0;       ///< from the last frame to equilibrium; not part of the deformation time
   ModelState moving;           ///< as the last frame showed it
+  std::string noEquilibrium;   ///< why none was found; then `settled` is as `moving`. Empty: found
   ModelState settled;          ///< in equilibrium: what accuracy is read from
   std::vector<CoursePoint> course;
   double courseRmse_m = 0.0;  ///< of the marker's course against the reference's

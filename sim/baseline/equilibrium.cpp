@@ -21,7 +21,7 @@ constexpr double kResidualWanted = 1e-7;  ///< over the forces that hold the end
 /// Where rounding ends the way: a residual below this that no step makes smaller is taken.
 constexpr double kResidualOfRounding = 1e-5;
 constexpr double kEnergyOfRounding_J = 1e-20;  ///< of a body at rest
-constexpr int kMostNewtonSteps = 60;
+constexpr int kMostNewtonSteps = 30;
 constexpr int kMostStepHalvings = 16;
 /// A finite rotation in one step is not what a tangent describes.
 constexpr double kMostTurnAStep_rad = 0.5;
