@@ -118,7 +118,7 @@ ReportFigure courseFigure(const ComparisonResult& result) {
       continue;
     }
     FigureSeries series;
-    series.name = "measured: " + subject.name;
+    series.name = subject.name;
     for (const MarkerSample& sample : found->second) {
       series.x.push_back(sample.time_s);
       series.y.emplace_back(kMillimetres * norm(sample.place_m - found->second.front().place_m));
@@ -127,7 +127,7 @@ ReportFigure courseFigure(const ComparisonResult& result) {
   }
   figure.notes = {
       "Finite elements and springs have mass and follow the torque late; the others are in equilibrium at "
-      "once."};
+      "once. All values are in course.csv; what was measured goes by the name of the person."};
   figure.provenance = comparedFrom(result, "Eq. 24", static_cast<std::int64_t>(result.models.size()));
   return figure;
 }
