@@ -11,6 +11,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -27,7 +28,7 @@ AccessRepository entrance(SessionContext& session) {
   return AccessRepository(session.connectionWithoutRight(), session.passwordCost());
 }
 
-UserAccount userOf(const AccessRepository& access, const std::string& userId) {
+UserAccount userOf(const AccessRepository& access, const UserId& userId) {
   for (const UserAccount& user : access.users()) {
     if (user.id == userId) {
       return user;
@@ -66,7 +67,7 @@ const char* failureName(SignIn outcome) {
 
 /// A failure, without what was typed: an unknown login may be a password in the wrong field.
 void noteFailure(SessionContext& session, const std::string& login, SignIn outcome, const char* with) {
-  std::string userId;
+  UserId userId;
   for (const UserAccount& user : entrance(session).users()) {
     if (user.login == login) {
       userId = user.id;
@@ -126,7 +127,7 @@ void setUpCentre(SessionContext& session, const FirstRun& first) {
       .setCentre({session.ids().newUuid(), first.centre, now_us, false});
   SettingRepository settings(session.connectionWithoutRight());
   settings.set("language", first.language, now_us);
-  const std::string userId = session.ids().newUuid();
+  const UserId userId = session.ids().newUuid();
   access.addUser({.id = userId, .login = first.login, .createdUtc_us = now_us, .roles = {kAdministrator}},
                  password);
   access.setPassword(userId, password, false);
@@ -177,9 +178,9 @@ void signOut(SessionContext& session) {
   session.setActor({});
 }
 
-std::string addUser(SessionContext& session, const NewUser& user) {
+UserId addUser(SessionContext& session, const NewUser& user) {
   session.require(Operation::kUserManage);
-  const std::string id = session.ids().newUuid();
+  const UserId id = session.ids().newUuid();
   AccessRepository access = repository(session);
   const SealedSecret password = access.sealPassword(user.login, user.startPassword);
   Transaction transaction(session.connection());
@@ -203,7 +204,7 @@ std::vector<UserAccount> users(SessionContext& session) {
   return repository(session).users();
 }
 
-void setUserRoles(SessionContext& session, const std::string& userId, const std::vector<std::string>& roles,
+void setUserRoles(SessionContext& session, const UserId& userId, const std::vector<std::string>& roles,
                   const std::string& reason) {
   session.require(Operation::kUserManage);
   Transaction transaction(session.connection());
@@ -222,8 +223,7 @@ void setUserRoles(SessionContext& session, const std::string& userId, const std:
   transaction.commit();
 }
 
-void setUserActive(SessionContext& session, const std::string& userId, bool active,
-                   const std::string& reason) {
+void setUserActive(SessionContext& session, const UserId& userId, bool active, const std::string& reason) {
   session.require(Operation::kUserManage);
   Transaction transaction(session.connection());
   if (!active && isActiveAdministrator(userOf(repository(session), userId))) {
@@ -237,7 +237,7 @@ void setUserActive(SessionContext& session, const std::string& userId, bool acti
   transaction.commit();
 }
 
-void resetPassword(SessionContext& session, const std::string& userId, const std::string& startPassword,
+void resetPassword(SessionContext& session, const UserId& userId, const std::string& startPassword,
                    const std::string& reason) {
   session.require(Operation::kUserManage);
   AccessRepository access = repository(session);

@@ -7,6 +7,7 @@
 
 #include "app/access/session_context.h"
 #include "assessment/people/account.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -50,20 +51,19 @@ void signOut(SessionContext& session);
 /// A user and a start password that must be changed at the first sign-in. kUserManage.
 struct NewUser {
   std::string login{};
-  std::string personId{};
+  PersonId personId{};
   std::vector<std::string> roles{};
   std::string startPassword{};
   bool demonstration = false;
 };
-std::string addUser(SessionContext& session, const NewUser& user);
+UserId addUser(SessionContext& session, const NewUser& user);
 [[nodiscard]] std::vector<UserAccount> users(SessionContext& session);
 /// At least one active administrator must remain: throws Error{kBadParameter} otherwise.
-void setUserRoles(SessionContext& session, const std::string& userId, const std::vector<std::string>& roles,
+void setUserRoles(SessionContext& session, const UserId& userId, const std::vector<std::string>& roles,
                   const std::string& reason);
-void setUserActive(SessionContext& session, const std::string& userId, bool active,
-                   const std::string& reason);
+void setUserActive(SessionContext& session, const UserId& userId, bool active, const std::string& reason);
 /// A new start password, to be changed at the next sign-in.
-void resetPassword(SessionContext& session, const std::string& userId, const std::string& startPassword,
+void resetPassword(SessionContext& session, const UserId& userId, const std::string& startPassword,
                    const std::string& reason);
 /// One's own station PIN; empty removes it.
 void setOwnPin(SessionContext& session, const std::string& pin);

@@ -15,6 +15,7 @@
 #include "db/repository/people/access_repository.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -87,7 +88,7 @@ void SessionContext::requireEither(Operation first, Operation second) const {
   require(may(first) ? first : second);
 }
 
-void SessionContext::requireOwn(Operation operation, const std::string& personId) const {
+void SessionContext::requireOwn(Operation operation, const PersonId& personId) const {
   require(operation);
   if (!key_.actor.personId.empty() && key_.actor.personId == personId) {
     return;

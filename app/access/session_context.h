@@ -11,6 +11,7 @@
 #include "app/access/operation.h"
 #include "assessment/people/account.h"
 #include "assessment/people/audit_terms.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -19,9 +20,9 @@ class IdSource;
 
 /// Somebody who has signed in (access_service.h is the only place that makes one from a password).
 struct Actor {
-  std::string userId{};
+  UserId userId{};
   std::string login{};
-  std::string personId{};  ///< empty: nobody of the record (an administrator, say)
+  PersonId personId{};  ///< empty: nobody of the record (an administrator, say)
   std::vector<std::string> roles{};
   /// Came in with a station PIN: practice without a record and nothing else, whatever the roles say.
   bool practiceOnly = false;
@@ -96,7 +97,7 @@ class SessionContext {
   /// Asks for either of two operations; a refusal names the second.
   void requireEither(Operation first, Operation second) const;
   /// For "own" operations: the record must also belong to the actor's person.
-  void requireOwn(Operation operation, const std::string& personId) const;
+  void requireOwn(Operation operation, const PersonId& personId) const;
 
   /// Adds an entry to the audit trail; call it inside the transaction of the change.
   void note(const AuditNote& note) const;

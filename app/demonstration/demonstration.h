@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/base/progress.h"
+#include "sim/base/ids.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {
@@ -36,7 +37,7 @@ struct DemonstrationSummary {
   std::int64_t samples = 0;
   std::int64_t twists = 0;
   double recorded_min = 0.0;  ///< simulated time
-  std::string firstTrialId;   ///< to try `torsio replay` with
+  TrialId firstTrialId;       ///< to try `torsio replay` with
 };
 
 /// The main job, end to end, through the same code as the real thing but on a manual clock: load the organs,

@@ -10,6 +10,7 @@
 #include "assessment/people/person.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/base/contracts.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -19,8 +20,8 @@ constexpr double kDesksAt = 0.97;  // of the whole work
 
 /// Whose accounts are worth signing in with: their pages hold something.
 struct DemonstrationUsers {
-  std::string traineeId;
-  std::string raterId;
+  TraineeId traineeId;
+  RaterId raterId;
 };
 
 DemonstrationUsers fillWithPeople(SessionContext& session, const std::filesystem::path& assets,

@@ -2,17 +2,18 @@
 #include "app/demonstration/demonstration_curriculum.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 #include <vector>
 
 #include "app/study/curriculum_content.h"
+#include "app/study/curriculum_ids.h"
 #include "assessment/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -42,28 +43,6 @@ void fitTo(TrainingModule& module, const Scene& training) {
   module.maxTorque_Nm = training.pattern.torqueLimit_Nm;
 }
 
-/// Codes become ids: a template carries codes where a stored version has ids.
-void giveIds(CurriculumVersion& version, IdSource& ids) {
-  std::map<std::string, std::string> idOf;
-  for (TrainingModule& module : version.modules) {
-    idOf[module.code] = module.id = ids.newUuid();
-  }
-  for (TrainingModule& module : version.modules) {
-    for (std::string& required : module.requires_) {
-      required = idOf.at(required);
-    }
-  }
-  for (StudyArm& arm : version.arms) {
-    arm.id = ids.newUuid();
-    for (TrainingPhase& phase : arm.phases) {
-      phase.id = ids.newUuid();
-      if (!phase.moduleId.empty()) {
-        phase.moduleId = idOf.at(phase.moduleId);
-      }
-    }
-  }
-}
-
 }  // namespace
 
 CurriculumVersion storeDemonstrationCurriculum(Connection& connection, const DemonstrationStudy& study,
@@ -71,7 +50,7 @@ CurriculumVersion storeDemonstrationCurriculum(Connection& connection, const Dem
                                                std::uint64_t seed, std::int64_t utc_us) {
   SeededIdSource ids(seed ^ kCurriculumStream);
   const CurriculumTemplate paper = paperTemplate(assets);
-  const std::string id = ids.newUuid();
+  const CurriculumId id = ids.newUuid();
   CurriculumRepository curricula(connection);
   curricula.addCurriculum({id, paper.title + " (demonstration)", paper.description, utc_us, true});
   CurriculumVersion version = paper.content;
@@ -80,7 +59,7 @@ CurriculumVersion storeDemonstrationCurriculum(Connection& connection, const Dem
   version.note = "as the demonstration followed it";
   version.createdUtc_us = utc_us;
   fitTo(version.modules.front(), training);
-  giveIds(version, ids);
+  version = withIds(std::move(version), ids);
   curricula.addVersion(version, kDemonstrationName);
   curricula.moveTo(version.id, CurriculumState::kRunning, kDemonstrationName, utc_us);
   curricula.assign(study.cohortId, version.id);
@@ -105,16 +84,16 @@ void storeDemonstrationExposures(Connection& connection, const DemonstrationStud
   for (const DemonstrationTrainee& trainee : study.trainees) {
     const StudyArm& arm = curriculum.arms.at(trainee.group);
     std::int64_t at_us = utc_us;
-    const auto spend = [&](const std::string& phaseId, const std::string& kind, std::int64_t duration_us) {
+    const auto spend = [&](const PhaseId& phaseId, ExposureKind kind, std::int64_t duration_us) {
       exposures.push_back(
           {ids.newUuid(), trainee.enrolmentId, phaseId, kind, at_us, duration_us, kDemonstrationName, true});
       at_us += duration_us;
     };
     for (std::size_t i = 0; i < arm.phases.size(); ++i) {
       if (i == 1 && trainee.number % 2 == 0 && arm.restAllowance_us > 0) {
-        spend("", "rest", arm.restAllowance_us);
+        spend("", ExposureKind::kRest, arm.restAllowance_us);
       }
-      spend(arm.phases[i].id, std::string(storedText(arm.phases[i].kind)), arm.phases[i].duration_us);
+      spend(arm.phases[i].id, exposureIn(arm.phases[i].kind), arm.phases[i].duration_us);
     }
   }
   StudyRepository(connection).addExposures(exposures);

@@ -7,6 +7,7 @@
 
 #include "app/demonstration/demonstration_people.h"
 #include "assessment/study/curriculum.h"
+#include "sim/base/ids.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {
@@ -17,8 +18,8 @@ class Connection;
 
 /// Where a simulated trial belongs in the curriculum; empty ids: nowhere.
 struct DemonstrationPlace {
-  std::string moduleId;
-  std::string phaseId;
+  ModuleId moduleId;
+  PhaseId phaseId;
 };
 
 /// Stores the paper's protocol as a curriculum of its own that runs, with what `training` twists as its

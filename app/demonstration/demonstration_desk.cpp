@@ -22,6 +22,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "sim/base/random.h"
 
 namespace torsio {
@@ -121,7 +122,7 @@ class DeskMaker {
     }
   }
 
-  std::string record(const std::string& code, const std::string& enrolmentId, int person,
+  std::string record(const std::string& code, const EnrolmentId& enrolmentId, int person,
                      double practised_min) {
     ScriptedTrial trial;
     trial.recording = {.trialId = ids_.newUuid(),
@@ -229,7 +230,7 @@ class DeskMaker {
       if (rater == 0 && own > 4) {
         continue;
       }
-      const std::string markId = ids_.newUuid();
+      const MarkId markId = ids_.newUuid();
       sheets.submit(one.id, markId, sheet, "", options_.utc_us);
       SheetViewing viewing;
       viewing.watched_permille = 1000;

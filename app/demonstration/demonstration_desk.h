@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/rating/rubric.h"
+#include "sim/base/ids.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {
@@ -15,11 +16,11 @@ class IdSource;
 
 /// What was laid on the desks.
 struct DemonstrationDesk {
-  std::string cohortId{};
-  std::string rubricRevisionId{};
-  std::string campaignId{};
-  std::vector<std::string> raterIds{};       ///< the ten chief physicians; the first one has work left
-  std::vector<std::string> assignmentIds{};  ///< recorded cases of the first one, in order
+  CohortId cohortId{};
+  RubricRevisionId rubricRevisionId{};
+  CampaignId campaignId{};
+  std::vector<RaterId> raterIds{};            ///< the ten chief physicians; the first one has work left
+  std::vector<AssignmentId> assignmentIds{};  ///< recorded cases of the first one, in order
 };
 
 struct DemonstrationDeskOptions {

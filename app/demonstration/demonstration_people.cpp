@@ -179,8 +179,8 @@ Campaign makeCampaign(IdSource& ids, const std::vector<std::vector<Rater>>& rate
 }
 
 /// An overall mark and nothing else: that is what the paper's physicians gave on the real arm.
-std::string addOverallRubric(Connection& connection, IdSource& ids, const ScoreScale& scale,
-                             std::int64_t utc_us) {
+RubricRevisionId addOverallRubric(Connection& connection, IdSource& ids, const ScoreScale& scale,
+                                  std::int64_t utc_us) {
   SheetRepository sheets(connection);
   RubricRevision rubric;
   rubric.id = ids.newUuid();
@@ -214,7 +214,7 @@ void assignMarks(Connection& connection, std::vector<SubmittedMark>& marks, std:
     return;
   }
   SeededIdSource ids(seed ^ kOwnStream);
-  const std::string rubric = addOverallRubric(connection, ids, marks.front().scale, utc_us);
+  const RubricRevisionId rubric = addOverallRubric(connection, ids, marks.front().scale, utc_us);
   std::map<std::pair<std::string, std::string>, std::string> labels;  // one for all raters: it is called out
   for (const SubmittedMark& mark : marks) {
     labels[{mark.enrolmentId, mark.occasionCode}];
@@ -302,11 +302,11 @@ DemonstrationStudy storeDemonstrationPeople(Connection& connection, IdSource& id
 
 void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& study, IdSource& ids,
                               std::uint64_t seed, std::int64_t utc_us) {
-  std::map<std::string, std::string> raterIds;
+  std::map<std::string, RaterId> raterIds;
   for (const Rater& rater : PeopleRepository(connection).raters()) {
     raterIds[rater.person.code] = rater.person.id;
   }
-  std::map<std::string, std::string> enrolmentIds;
+  std::map<std::string, EnrolmentId> enrolmentIds;
   for (const DemonstrationTrainee& trainee : study.trainees) {
     enrolmentIds[trainee.code] = trainee.enrolmentId;
   }

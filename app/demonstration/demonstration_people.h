@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/study/demonstration_marks.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -15,15 +16,15 @@ class IdSource;
 /// One simulated trainee of the demonstration.
 struct DemonstrationTrainee {
   std::string code;  ///< "T-07"
-  std::string enrolmentId;
+  EnrolmentId enrolmentId;
   std::size_t group = 0;   ///< 0, 1, 2
   std::size_t number = 0;  ///< 1..10 within the group
 };
 
 /// The people and the study of the paper's section 6, as stored.
 struct DemonstrationStudy {
-  std::string cohortId;
-  std::string campaignId;
+  CohortId cohortId;
+  CampaignId campaignId;
   std::vector<std::string> groupLabels;        ///< "40 min virtual" ...
   std::vector<DemonstrationTrainee> trainees;  ///< by group, then number
   DemonstrationPeople people;                  ///< codes, for the rule that simulates marks

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
 #include "app/demonstration/demonstration_curriculum.h"
 #include "app/recording/pipeline.h"
 #include "app/study/curriculum_content.h"
+#include "app/study/curriculum_ids.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/people/person.h"
 #include "assessment/study/cohort.h"
@@ -20,6 +21,7 @@
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -34,25 +36,16 @@ constexpr std::size_t kSecondAttempts = 4;
 constexpr double kPractisedPerAttempt_min = 2.0;
 constexpr std::uint64_t kPersonSeed = 4;
 
-/// Codes become ids: a template carries codes where a stored version has ids.
+/// The modules of a template as a version of this curriculum, without groups and occasions.
 CurriculumVersion versionFrom(const CurriculumVersion& content, IdSource& ids,
-                              const std::string& curriculumId, std::int64_t utc_us) {
+                              const CurriculumId& curriculumId, std::int64_t utc_us) {
   CurriculumVersion version = content;
   version.id = ids.newUuid();
   version.curriculumId = curriculumId;
   version.createdUtc_us = utc_us;
   version.arms.clear();
   version.plannedOccasions.clear();
-  std::map<std::string, std::string> idOf;
-  for (TrainingModule& module : version.modules) {
-    idOf[module.code] = module.id = ids.newUuid();
-  }
-  for (TrainingModule& module : version.modules) {
-    for (std::string& required : module.requires_) {
-      required = idOf.at(required);
-    }
-  }
-  return version;
+  return withIds(std::move(version), ids);
 }
 
 CurriculumVersion storeCurriculum(Connection& connection, IdSource& ids, const std::filesystem::path& assets,
@@ -62,7 +55,7 @@ CurriculumVersion storeCurriculum(Connection& connection, IdSource& ids, const s
       continue;
     }
     CurriculumRepository curricula(connection);
-    const std::string id = ids.newUuid();
+    const CurriculumId id = ids.newUuid();
     curricula.addCurriculum({id, found.title + " (demonstration)", found.description, utc_us, true});
     const CurriculumVersion version = versionFrom(found.content, ids, id, utc_us);
     curricula.addVersion(version, kDemonstrationName);
@@ -75,7 +68,7 @@ CurriculumVersion storeCurriculum(Connection& connection, IdSource& ids, const s
 
 /// Simulated attempts at one module; returns the last trial.
 std::string recordAttempts(Connection& connection, IdSource& ids, const std::filesystem::path& assets,
-                           const TrainingModule& module, const std::string& enrolmentId,
+                           const TrainingModule& module, const EnrolmentId& enrolmentId,
                            const std::string& traineeCode, std::size_t count, double practised_min,
                            std::int64_t& utc_us) {
   SceneRequest request;
@@ -105,7 +98,7 @@ std::string recordAttempts(Connection& connection, IdSource& ids, const std::fil
     recordScriptedTrial(scene, trial, sink);
     exposures.push_back({.id = ids.newUuid(),
                          .enrolmentId = enrolmentId,
-                         .kind = "virtual",
+                         .kind = ExposureKind::kVirtual,
                          .startedUtc_us = utc_us,
                          .duration_us = std::llround(kAttempt_s * 1e6),
                          .recordedBy = kDemonstrationName,
@@ -116,7 +109,7 @@ std::string recordAttempts(Connection& connection, IdSource& ids, const std::fil
   return last;
 }
 
-void addRemark(Connection& connection, IdSource& ids, const std::string& trialId, std::int64_t utc_us) {
+void addRemark(Connection& connection, IdSource& ids, const TrialId& trialId, std::int64_t utc_us) {
   const std::vector<Rater> raters = PeopleRepository(connection).raters();
   const auto chief =
       std::find_if(raters.begin(), raters.end(), [](const Rater& r) { return r.classCode == "chief"; });

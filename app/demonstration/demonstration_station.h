@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "sim/base/ids.h"
+
 namespace torsio {
 
 class Connection;
@@ -12,10 +14,10 @@ class IdSource;
 
 /// What was laid out for the trainee of the demonstration.
 struct DemonstrationStation {
-  std::string cohortId{};
-  std::string personId{};
-  std::string firstModuleId{};
-  std::string newestTrialId{};
+  CohortId cohortId{};
+  PersonId personId{};
+  ModuleId firstModuleId{};
+  TrialId newestTrialId{};
 };
 
 /// A second demonstration cohort that follows the curriculum "First steps" of `assets`: the first simulated

@@ -13,6 +13,7 @@
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/ids.h"
 #include "sim/record/trial_file.h"
 
 namespace torsio {
@@ -89,7 +90,7 @@ void writeTable(const fs::path& folder, const PersonTable& table) {
 }
 
 /// A trial that still runs or lost its samples to an erase has no whole file.
-bool writeRecording(Connection& connection, const std::string& trialId, const fs::path& folder) {
+bool writeRecording(Connection& connection, const TrialId& trialId, const fs::path& folder) {
   const Trial trial = TrialRepository(connection).load(trialId);
   if (trial.summary.contentHash.empty() || trial.chunks.empty()) {
     return false;
@@ -103,7 +104,7 @@ bool writeRecording(Connection& connection, const std::string& trialId, const fs
   return true;
 }
 
-void writeManifest(const fs::path& folder, const std::string& personId, std::int64_t now_us) {
+void writeManifest(const fs::path& folder, const PersonId& personId, std::int64_t now_us) {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.is_regular_file()) {
@@ -145,8 +146,8 @@ class FolderInTheMaking {
 
 }  // namespace
 
-PersonPackage exportPersonPackage(SessionContext& session, const std::string& personId,
-                                  const fs::path& folder, const std::string& reason) {
+PersonPackage exportPersonPackage(SessionContext& session, const PersonId& personId, const fs::path& folder,
+                                  const std::string& reason) {
   session.require(Operation::kPersonExport);
   if (fs::exists(folder)) {
     throw Error(ErrorCode::kFileUnwritable, "this folder exists already", folder.string(),
@@ -188,7 +189,7 @@ PersonPackage exportPersonPackage(SessionContext& session, const std::string& pe
   return package;
 }
 
-void erasePersonRecord(SessionContext& session, const std::string& personId, const std::string& reason) {
+void erasePersonRecord(SessionContext& session, const PersonId& personId, const std::string& reason) {
   session.require(Operation::kPersonErase);
   if (reason.empty()) {
     throw Error(ErrorCode::kBadParameter, "erasing needs a reason", personId, "Say why, for the audit trail");

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/access/session_context.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -21,11 +22,11 @@ struct PersonPackage {
 /// trial files, manifest.json with the BLAKE2b-256 of every file, README.txt in plain words. The folder gets
 /// its name when it is complete. kPersonExport, audited. Throws Error: kFileUnwritable when the folder exists
 /// already, kBadData when there is no such person.
-PersonPackage exportPersonPackage(SessionContext& session, const std::string& personId,
+PersonPackage exportPersonPackage(SessionContext& session, const PersonId& personId,
                                   const std::filesystem::path& folder, const std::string& reason);
 
 /// Erases a person: what goes and what stays is said at erasePerson (db/repository/people/person_data.h).
 /// kPersonErase, audited. Throws Error (kBadParameter) without a reason.
-void erasePersonRecord(SessionContext& session, const std::string& personId, const std::string& reason);
+void erasePersonRecord(SessionContext& session, const PersonId& personId, const std::string& reason);
 
 }  // namespace torsio

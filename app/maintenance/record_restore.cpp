@@ -18,6 +18,7 @@
 #include "db/repository/people/person_data.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -83,7 +84,7 @@ struct Contents {
 };
 
 struct Erasure {
-  std::string personId;
+  PersonId personId;
   std::string requestedBy;
   std::string reason;
   std::int64_t erasedUtc_us = 0;

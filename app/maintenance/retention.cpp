@@ -8,6 +8,7 @@
 #include "db/repository/people/retention_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -86,11 +87,11 @@ std::vector<RetentionItem> retentionQueue(SessionContext& session) {
   return RetentionRepository(session.connection()).due(session.now_us());
 }
 
-void lockRecord(SessionContext& session, const std::string& personId, const std::string& reason) {
+void lockRecord(SessionContext& session, const PersonId& personId, const std::string& reason) {
   hold(session, {.personId = personId, .kind = HoldKind::kLock, .reason = reason});
 }
 
-void extendRecord(SessionContext& session, const std::string& personId, std::int64_t untilUtc_us,
+void extendRecord(SessionContext& session, const PersonId& personId, std::int64_t untilUtc_us,
                   const std::string& reason) {
   session.require(Operation::kRetentionManage);
   if (untilUtc_us <= session.now_us()) {
@@ -100,11 +101,11 @@ void extendRecord(SessionContext& session, const std::string& personId, std::int
        {.personId = personId, .kind = HoldKind::kExtend, .untilUtc_us = untilUtc_us, .reason = reason});
 }
 
-void releaseRecord(SessionContext& session, const std::string& personId, const std::string& reason) {
+void releaseRecord(SessionContext& session, const PersonId& personId, const std::string& reason) {
   hold(session, {.personId = personId, .kind = HoldKind::kRelease, .reason = reason});
 }
 
-RetentionOutcome eraseDue(SessionContext& session, std::span<const std::string> personIds,
+RetentionOutcome eraseDue(SessionContext& session, std::span<const PersonId> personIds,
                           const std::string& reason, bool dryRun) {
   if (!dryRun) {
     session.require(Operation::kPersonErase);
@@ -112,7 +113,7 @@ RetentionOutcome eraseDue(SessionContext& session, std::span<const std::string> 
   }
   const std::vector<RetentionItem> queue = retentionQueue(session);
   RetentionOutcome outcome{.dryRun = dryRun};
-  for (const std::string& id : personIds) {
+  for (const PersonId& id : personIds) {
     const auto item = std::find_if(queue.begin(), queue.end(),
                                    [&](const RetentionItem& due) { return due.personId == id; });
     if (item == queue.end()) {

@@ -8,6 +8,7 @@
 
 #include "app/access/session_context.h"
 #include "assessment/people/retention.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -23,10 +24,10 @@ void removeRetentionRule(SessionContext& session, const std::string& category);
 
 /// Keeps a record for good, or until a day; release ends it. Throws Error (kBadParameter) without a reason,
 /// or for a day that has passed.
-void lockRecord(SessionContext& session, const std::string& personId, const std::string& reason);
-void extendRecord(SessionContext& session, const std::string& personId, std::int64_t untilUtc_us,
+void lockRecord(SessionContext& session, const PersonId& personId, const std::string& reason);
+void extendRecord(SessionContext& session, const PersonId& personId, std::int64_t untilUtc_us,
                   const std::string& reason);
-void releaseRecord(SessionContext& session, const std::string& personId, const std::string& reason);
+void releaseRecord(SessionContext& session, const PersonId& personId, const std::string& reason);
 
 /// What an erase of due records would do, or did.
 struct RetentionOutcome {
@@ -38,7 +39,7 @@ struct RetentionOutcome {
 /// The reviewer's choice out of the queue. A dry run changes nothing. Else also kPersonErase: each person is
 /// erased in a transaction of their own through erasePerson. Throws Error (kBadData) before anything is
 /// erased when somebody is not due.
-RetentionOutcome eraseDue(SessionContext& session, std::span<const std::string> personIds,
+RetentionOutcome eraseDue(SessionContext& session, std::span<const PersonId> personIds,
                           const std::string& reason, bool dryRun);
 
 }  // namespace torsio

@@ -10,6 +10,7 @@
 #include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -45,12 +46,12 @@ std::vector<ConsentText> consentTexts(const std::filesystem::path& assets, const
   return texts;
 }
 
-std::vector<ConsentDecision> consentHistory(SessionContext& session, const std::string& personId) {
+std::vector<ConsentDecision> consentHistory(SessionContext& session, const PersonId& personId) {
   session.require(Operation::kPersonViewCoded);
   return PeopleRepository(session.connection()).consents(personId);
 }
 
-void recordConsent(SessionContext& session, const std::string& personId, const std::string& purpose,
+void recordConsent(SessionContext& session, const PersonId& personId, const std::string& purpose,
                    bool granted, const std::string& textVersion) {
   session.require(Operation::kConsentRecord);
   if (!isPurpose(purpose)) {
@@ -63,7 +64,7 @@ void recordConsent(SessionContext& session, const std::string& personId, const s
   Transaction transaction(session.connection());
   PeopleRepository repository(session.connection());
   const auto person = repository.find(personId);
-  if (!person || person->state == "erased") {
+  if (!person || person->state == PersonState::kErased) {
     throw Error(ErrorCode::kBadParameter, "there is no such person", personId, "Choose one from the list");
   }
   repository.recordConsent({personId, purpose, granted, textVersion, session.now_us(), session.actor().userId,

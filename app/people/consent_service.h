@@ -7,6 +7,7 @@
 
 #include "app/access/session_context.h"
 #include "assessment/people/consent.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -24,12 +25,11 @@ struct ConsentText {
                                                     const std::string& language = "en");
 
 /// Every decision, oldest first. kPersonViewCoded.
-[[nodiscard]] std::vector<ConsentDecision> consentHistory(SessionContext& session,
-                                                          const std::string& personId);
+[[nodiscard]] std::vector<ConsentDecision> consentHistory(SessionContext& session, const PersonId& personId);
 
 /// Given, or withdrawn (`granted` false). Audited. kConsentRecord. Throws Error{kBadParameter} for an unknown
 /// purpose or person, or an empty version.
-void recordConsent(SessionContext& session, const std::string& personId, const std::string& purpose,
+void recordConsent(SessionContext& session, const PersonId& personId, const std::string& purpose,
                    bool granted, const std::string& textVersion);
 
 }  // namespace torsio

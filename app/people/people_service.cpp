@@ -17,13 +17,12 @@
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/ids.h"
 #include "sim/base/refusal.h"
 
 namespace torsio {
 
 namespace {
-
-constexpr std::array<const char*, 2> kStates{"active", "left"};
 
 std::map<std::string, PersonRow> rowsById(PeopleRepository& repository) {
   std::map<std::string, PersonRow> rows;
@@ -39,7 +38,7 @@ std::map<std::string, PersonRow> rowsById(PeopleRepository& repository) {
     row.raterClass = rater.classCode;
     row.person = std::move(rater.person);
   }
-  std::erase_if(rows, [](const auto& entry) { return entry.second.person.state == "erased"; });
+  std::erase_if(rows, [](const auto& entry) { return entry.second.person.state == PersonState::kErased; });
   for (const ConsentDecision& consent : repository.newestConsents()) {
     const auto row = rows.find(consent.personId);
     if (row != rows.end() && consent.granted) {
@@ -59,9 +58,9 @@ std::vector<PersonRow> byCode(std::map<std::string, PersonRow> rows) {
   return list;
 }
 
-PersonRow rowOf(PeopleRepository& repository, const std::string& personId) {
+PersonRow rowOf(PeopleRepository& repository, const PersonId& personId) {
   const std::optional<Person> person = repository.find(personId);
-  if (!person || person->state == "erased") {
+  if (!person || person->state == PersonState::kErased) {
     refuse("there is no such person", personId, "Choose one from the list");
   }
   PersonRow row;
@@ -77,7 +76,7 @@ PersonRow rowOf(PeopleRepository& repository, const std::string& personId) {
   return row;
 }
 
-void checkEntry(PeopleRepository& repository, const PersonEntry& entry, const std::string& personId) {
+void checkEntry(PeopleRepository& repository, const PersonEntry& entry, const PersonId& personId) {
   if (entry.fullName.empty()) {
     refuse("the name is missing", "name", "Enter the full name");
   }
@@ -157,7 +156,7 @@ std::vector<std::string> codedCells(const PersonRow& row) {
           person.experience,
           person.age_years ? std::to_string(*person.age_years) : "",
           row.handedness,
-          person.state};
+          std::string(storedText(person.state))};
 }
 
 }  // namespace
@@ -185,7 +184,7 @@ std::vector<NamedPersonRow> namedPeople(SessionContext& session) {
   return list;
 }
 
-std::string addPerson(SessionContext& session, const PersonEntry& entry) {
+PersonId addPerson(SessionContext& session, const PersonEntry& entry) {
   session.require(Operation::kPersonEdit);
   Transaction transaction(session.connection());
   PeopleRepository repository(session.connection());
@@ -216,7 +215,7 @@ std::string addPerson(SessionContext& session, const PersonEntry& entry) {
   return person.id;
 }
 
-PersonEntry personEntry(SessionContext& session, const std::string& personId) {
+PersonEntry personEntry(SessionContext& session, const PersonId& personId) {
   session.require(Operation::kPersonEdit);
   session.require(Operation::kPersonViewIdentity);
   PeopleRepository repository(session.connection());
@@ -234,7 +233,7 @@ PersonEntry personEntry(SessionContext& session, const std::string& personId) {
           .raterClass = row.raterClass};
 }
 
-void changePerson(SessionContext& session, const std::string& personId, const PersonEntry& entry,
+void changePerson(SessionContext& session, const PersonId& personId, const PersonEntry& entry,
                   const std::string& reason) {
   session.require(Operation::kPersonEdit);
   Transaction transaction(session.connection());
@@ -275,22 +274,22 @@ void changePerson(SessionContext& session, const std::string& personId, const Pe
   transaction.commit();
 }
 
-void setPersonState(SessionContext& session, const std::string& personId, const std::string& state,
+void setPersonState(SessionContext& session, const PersonId& personId, PersonState state,
                     const std::string& reason) {
   session.require(Operation::kPersonEdit);
-  if (std::find(kStates.begin(), kStates.end(), state) == kStates.end()) {
-    refuse("this is no state of a person", state, "Choose active or left");
+  if (state == PersonState::kErased) {
+    refuse("an identity is erased with its retention, not by hand", personId, "Choose active or left");
   }
   Transaction transaction(session.connection());
   PeopleRepository repository(session.connection());
   Person person = rowOf(repository, personId).person;
-  const std::string before = std::exchange(person.state, state);
+  const PersonState before = std::exchange(person.state, state);
   repository.updatePerson(person);
   session.note({.action = AuditAction::kPersonSetState,
                 .objectKind = AuditObject::kPerson,
                 .objectId = personId,
-                .oldJson = nlohmann::json{{"state", before}}.dump(),
-                .newJson = nlohmann::json{{"state", state}}.dump(),
+                .oldJson = nlohmann::json{{"state", storedText(before)}}.dump(),
+                .newJson = nlohmann::json{{"state", storedText(state)}}.dump(),
                 .reason = reason});
   transaction.commit();
 }

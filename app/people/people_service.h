@@ -9,6 +9,7 @@
 
 #include "app/access/session_context.h"
 #include "assessment/people/person.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -53,14 +54,14 @@ struct PersonEntry {
 
 /// Stores a new person under the next free code ("T-31", "R-11"). Returns the id. Audited under the code,
 /// never with the name. kPersonEdit. Throws Error{kBadData} when the staff number is known already.
-std::string addPerson(SessionContext& session, const PersonEntry& entry);
+PersonId addPerson(SessionContext& session, const PersonEntry& entry);
 /// What the dialog starts from. kPersonEdit and kPersonViewIdentity.
-[[nodiscard]] PersonEntry personEntry(SessionContext& session, const std::string& personId);
+[[nodiscard]] PersonEntry personEntry(SessionContext& session, const PersonId& personId);
 /// Replaces all fields; a part (trainee, rater) can be added, not taken away. kPersonEdit.
-void changePerson(SessionContext& session, const std::string& personId, const PersonEntry& entry,
+void changePerson(SessionContext& session, const PersonId& personId, const PersonEntry& entry,
                   const std::string& reason);
-/// "active" or "left": who left keeps the record and is offered nowhere. kPersonEdit.
-void setPersonState(SessionContext& session, const std::string& personId, const std::string& state,
+/// Active or left: who left keeps the record and is offered nowhere. kPersonEdit.
+void setPersonState(SessionContext& session, const PersonId& personId, PersonState state,
                     const std::string& reason);
 
 /// Interns, deputy chiefs and chiefs (paper section 5.3).

@@ -46,12 +46,12 @@ std::vector<PersonRow> peopleWithoutAccount(SessionContext& session) {
   }
   std::vector<PersonRow> rows = people(session);
   std::erase_if(rows, [&withAccount](const PersonRow& row) {
-    return row.person.state != "active" || withAccount.contains(row.person.id);
+    return row.person.state != PersonState::kActive || withAccount.contains(row.person.id);
   });
   return rows;
 }
 
-void addAccounts(SessionContext& session, const std::vector<std::string>& personIds,
+void addAccounts(SessionContext& session, const std::vector<PersonId>& personIds,
                  std::vector<StartAccount>& made, const ProgressCallback& progress) {
   std::vector<PersonRow> rows = peopleWithoutAccount(session);
   const std::set<std::string> wanted(personIds.begin(), personIds.end());

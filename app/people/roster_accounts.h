@@ -18,7 +18,7 @@ namespace torsio {
 /// Each account is stored by itself, since sealing a password takes about a second; every stored one is put
 /// into `made` at once, so that none is lost when `progress` or the database throws. Whoever has an account,
 /// or left, is passed over. kUserManage.
-void addAccounts(SessionContext& session, const std::vector<std::string>& personIds,
+void addAccounts(SessionContext& session, const std::vector<PersonId>& personIds,
                  std::vector<StartAccount>& made, const ProgressCallback& progress = {});
 
 }  // namespace torsio

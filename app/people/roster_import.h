@@ -12,6 +12,7 @@
 #include "app/access/session_context.h"
 #include "app/base/csv_table.h"
 #include "app/base/progress.h"
+#include "sim/base/ids.h"
 #include "sim/base/text.h"
 
 namespace torsio {
@@ -77,7 +78,7 @@ struct RosterRow {
   std::size_t line = 0;
   RosterStatus status = RosterStatus::kError;
   std::array<std::string, kRosterFields> values{};  ///< as understood: "female" for "F"
-  std::string personId{};                           ///< of a known person
+  PersonId personId{};                              ///< of a known person
   std::string code{};                               ///< of a known person
   std::vector<RosterChange> changes{};
   Text problem{};

@@ -119,7 +119,7 @@ KnownPeople readKnown(SessionContext& session) {
     KnownPeople::Known& person = known.byNumber[named.identity.externalId];
     person.id = named.row.person.id;
     person.code = named.row.person.code;
-    person.left = named.row.person.state == "left";
+    person.left = named.row.person.state == PersonState::kLeft;
     person.entry = {.fullName = named.identity.fullName,
                     .externalId = named.identity.externalId,
                     .email = named.identity.email,

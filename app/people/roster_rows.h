@@ -23,7 +23,7 @@ namespace torsio {
 struct KnownPeople {
   struct Known {
     PersonEntry entry;
-    std::string id;
+    PersonId id;
     std::string code;
     bool left = false;
   };

@@ -10,6 +10,7 @@
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "sim/record/sample_codec.h"
 #include "sim/scene/scene_file.h"
 
@@ -21,8 +22,8 @@ constexpr double kMinute_us = 60e6;
 
 }  // namespace
 
-AttemptRules ExerciseRules::of(Connection& connection, const std::string& sceneId,
-                               const std::string& patternId, const std::string& moduleId) {
+AttemptRules ExerciseRules::of(Connection& connection, const SceneId& sceneId, const PatternId& patternId,
+                               const ModuleId& moduleId) {
   if (!moduleId.empty()) {
     if (const auto known = modules_.find(moduleId); known != modules_.end()) {
       return known->second;
@@ -38,13 +39,13 @@ AttemptRules ExerciseRules::of(Connection& connection, const std::string& sceneI
   return ofPattern(sceneId, patternId);
 }
 
-AttemptRules ExerciseRules::ofPattern(const std::string& sceneId, const std::string& patternId) {
+AttemptRules ExerciseRules::ofPattern(const SceneId& sceneId, const PatternId& patternId) {
   AttemptRules rules;
   rules.tolerance_rad = patternTolerance_rad(sceneId, patternId);
   return rules;
 }
 
-double ExerciseRules::patternTolerance_rad(const std::string& sceneId, const std::string& patternId) {
+double ExerciseRules::patternTolerance_rad(const SceneId& sceneId, const PatternId& patternId) {
   const auto [known, isNew] = patterns_.try_emplace({sceneId, patternId}, kUsualTolerance_rad);
   if (!isNew) {
     return known->second;

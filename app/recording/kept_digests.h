@@ -12,6 +12,7 @@
 #include "assessment/attempt/trial_digest.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/report/cohort_report.h"
+#include "sim/base/ids.h"
 #include "sim/base/live_types.h"
 #include "sim/record/trial.h"
 
@@ -29,14 +30,14 @@ class ExerciseRules {
 
   /// Finds the rules of a recording in `connection`; `moduleId` is empty for one that belongs to no module.
   /// Throws DbError.
-  [[nodiscard]] AttemptRules of(Connection& connection, const std::string& sceneId,
-                                const std::string& patternId, const std::string& moduleId);
+  [[nodiscard]] AttemptRules of(Connection& connection, const SceneId& sceneId, const PatternId& patternId,
+                                const ModuleId& moduleId);
 
   /// Finds the rules of a recording that belongs to no module.
-  [[nodiscard]] AttemptRules ofPattern(const std::string& sceneId, const std::string& patternId);
+  [[nodiscard]] AttemptRules ofPattern(const SceneId& sceneId, const PatternId& patternId);
 
  private:
-  [[nodiscard]] double patternTolerance_rad(const std::string& sceneId, const std::string& patternId);
+  [[nodiscard]] double patternTolerance_rad(const SceneId& sceneId, const PatternId& patternId);
 
   std::filesystem::path assets_;
   std::map<std::string, AttemptRules> modules_;                     // by id; they never change

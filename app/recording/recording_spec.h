@@ -6,6 +6,7 @@
 #include <string>
 
 #include "assessment/attempt/trial_listing.h"
+#include "sim/base/ids.h"
 #include "sim/device/haptic_device.h"
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"
@@ -14,7 +15,7 @@ namespace torsio {
 
 /// What a recording is for: all that must be known of it and that neither its scene nor its device can tell.
 struct RecordingSpec {
-  std::string trialId{};                    ///< UUID made by the application
+  TrialId trialId{};                        ///< UUID made by the application
   std::string traineeCode{};                ///< pseudonym, never a name; empty: nobody's
   std::string phaseLabel{};                 ///< "virtual 0-20 min" ...; empty for free practice
   std::optional<double> targetAngle_rad{};  ///< none: that of the scene's pattern

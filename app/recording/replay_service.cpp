@@ -10,6 +10,7 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {
@@ -22,7 +23,7 @@ std::string fullTrialId(TrialRepository& trials, const std::string& text) {
   everything.limit = std::numeric_limits<std::int32_t>::max();
   std::vector<std::string> found;
   for (const TrialListing& listing : trials.list(everything)) {
-    if (listing.trialId.rfind(text, 0) == 0) {
+    if (listing.trialId.text().rfind(text, 0) == 0) {
       found.push_back(listing.trialId);
     }
   }
@@ -37,13 +38,13 @@ std::string fullTrialId(TrialRepository& trials, const std::string& text) {
 
 }  // namespace
 
-Trial loadStoredTrial(const std::string& database, const std::string& trialId) {
+Trial loadStoredTrial(const std::string& database, const TrialId& trialId) {
   Connection connection = openRecord(database, OpenMode::kReadOnly);
   TrialRepository trials(connection);
   return trials.load(fullTrialId(trials, trialId));
 }
 
-LoadedRun loadStoredRun(const std::string& database, const std::string& trialId,
+LoadedRun loadStoredRun(const std::string& database, const TrialId& trialId,
                         const std::filesystem::path& assets) {
   Connection connection = openRecord(database, OpenMode::kReadOnly);
   TrialRepository trials(connection);

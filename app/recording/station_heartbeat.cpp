@@ -7,6 +7,7 @@
 #include "db/connection/db_error.h"
 #include "db/repository/trial/station_repository.h"
 #include "db/repository/trial/trial_repository.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -17,7 +18,7 @@ constexpr std::int64_t kAgain_us = 1'000'000;
 
 }  // namespace
 
-void StationHeartbeat::show(const std::string& trialId) {
+void StationHeartbeat::show(const TrialId& trialId) {
   changed_ = changed_ || trialId != trialId_;
   trialId_ = trialId;
 }

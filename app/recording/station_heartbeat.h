@@ -6,6 +6,7 @@
 
 #include "app/access/session_context.h"
 #include "app/devices/station_device.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -21,7 +22,7 @@ class StationHeartbeat {
   explicit StationHeartbeat(SessionContext& session) : session_(&session) {}
 
   /// What runs from now on; empty: nothing. Shown with the next heartbeat that finds it in the database.
-  void show(const std::string& trialId);
+  void show(const TrialId& trialId);
   /// Which device this station has, and what its last check found.
   void showDevice(const StationDevice& device);
   /// Call it often: it writes when something changed or kHeartbeat_us have passed.
@@ -33,7 +34,7 @@ class StationHeartbeat {
 
  private:
   SessionContext* session_;
-  std::string trialId_;
+  TrialId trialId_;
   StationDevice device_;
   std::string shownTrial_;
   std::string shownUser_;

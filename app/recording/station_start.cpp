@@ -49,7 +49,7 @@ std::int64_t logMissing_us(SessionContext& session, const TrialListing& trial) {
   std::int64_t logged_us = 0;
   for (const Exposure& exposure : studies.exposures(enrolment->cohortId)) {
     const bool same = exposure.enrolmentId == trial.enrolmentId && exposure.phaseId == trial.phaseId &&
-                      exposure.kind == "virtual" &&
+                      exposure.kind == ExposureKind::kVirtual &&
                       exposure.startedUtc_us >= trial.startedUtc_us - kAgreesWithin_us;
     if (same) {
       logged_us += exposure.duration_us;
@@ -62,7 +62,7 @@ std::int64_t logMissing_us(SessionContext& session, const TrialListing& trial) {
   const Exposure found{.id = session.ids().newUuid(),
                        .enrolmentId = trial.enrolmentId,
                        .phaseId = trial.phaseId,
-                       .kind = "virtual",
+                       .kind = ExposureKind::kVirtual,
                        .startedUtc_us = trial.startedUtc_us + logged_us,
                        .duration_us = missing_us,
                        .recordedBy = session.actor().userId.empty() ? "torsio" : session.actor().userId,

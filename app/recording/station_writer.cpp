@@ -11,6 +11,7 @@
 #include "app/recording/station_heartbeat.h"
 #include "db/connection/db_error.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -43,7 +44,7 @@ struct StationWriter::State {
   mutable std::condition_variable changed;
   std::deque<Waiting> writes;
   Actor actor;
-  std::string trialId;
+  TrialId trialId;
   StationDevice device;
   std::optional<Steady::time_point> since;  // of the present try
   std::size_t refused = 0;
@@ -160,7 +161,7 @@ void StationWriter::signIn(const Actor& actor) {
   state_->changed.notify_all();
 }
 
-void StationWriter::show(const std::string& trialId) {
+void StationWriter::show(const TrialId& trialId) {
   const std::lock_guard lock(state_->mutex);
   if (state_->trialId == trialId) {
     return;

@@ -10,6 +10,7 @@
 
 #include "app/access/session_context.h"
 #include "app/devices/station_device.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -41,7 +42,7 @@ class StationWriter {
   /// Who sits at the station from now on: shown on the board, and the actor of the writes that follow.
   void signIn(const Actor& actor);
   /// Which trial runs; empty: none.
-  void show(const std::string& trialId);
+  void show(const TrialId& trialId);
   /// Which device this station has. One that was not checked takes the place of none, or of another one, but
   /// never of a check of the same.
   void showDevice(const StationDevice& device);

@@ -12,6 +12,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
+#include "sim/base/ids.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {
@@ -23,7 +24,7 @@ constexpr std::size_t kProgressEvery = 16;
 constexpr std::size_t kKeepEvery = 256;
 
 /// Positions of the groups of a cohort's enrolments.
-std::map<std::string, std::size_t> groupOfEnrolment(StudyRepository& study, const std::string& cohortId) {
+std::map<std::string, std::size_t> groupOfEnrolment(StudyRepository& study, const CohortId& cohortId) {
   const std::vector<StudyGroup> groups = study.groups(cohortId);
   std::map<std::string, std::size_t> out;
   for (const Enrolment& enrolment : study.enrolments(cohortId)) {
@@ -52,7 +53,7 @@ std::vector<TrialListing> finishedTrials(TrialRepository& trials,
 using Kept = std::map<std::string, std::vector<TrialDigest>>;
 
 /// What was kept of the trials of a cohort by the present formulas, by trial.
-Kept keptOf(Connection& connection, const std::string& cohortId) {
+Kept keptOf(Connection& connection, const CohortId& cohortId) {
   Kept kept;
   for (auto& [trialId, digest] : DigestRepository(connection).ofCohort(cohortId, kMetricsVersion)) {
     kept[trialId].push_back(std::move(digest));
@@ -87,7 +88,7 @@ class Fresh {
 
 }  // namespace
 
-std::vector<TrialSummaryRow> TrialDigests::ofCohort(SessionContext& session, const std::string& cohortId,
+std::vector<TrialSummaryRow> TrialDigests::ofCohort(SessionContext& session, const CohortId& cohortId,
                                                     const ProgressCallback& progress) {
   session.require(Operation::kResultsCompute);
   Connection& connection = session.connection();

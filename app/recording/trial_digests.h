@@ -10,6 +10,7 @@
 #include "app/base/progress.h"
 #include "app/recording/kept_digests.h"
 #include "assessment/report/cohort_report.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -26,7 +27,7 @@ class TrialDigests {
   /// formulas are read and measured, which takes a second for twenty minutes; `progress` is told and
   /// may throw to give up; most of what was measured until then is kept. kResultsCompute.
   /// Throws Error, DbError.
-  [[nodiscard]] std::vector<TrialSummaryRow> ofCohort(SessionContext& session, const std::string& cohortId,
+  [[nodiscard]] std::vector<TrialSummaryRow> ofCohort(SessionContext& session, const CohortId& cohortId,
                                                       const ProgressCallback& progress = {});
 
   /// Recordings that had to be read since this was made.

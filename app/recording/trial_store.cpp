@@ -9,6 +9,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/file_io.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -32,7 +33,7 @@ std::vector<TrialListing> TrialStore::list() {
   return TrialRepository(*connection_).list();
 }
 
-Trial TrialStore::load(const std::string& trialId) {
+Trial TrialStore::load(const TrialId& trialId) {
   return TrialRepository(*connection_).load(trialId);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/attempt/trial_listing.h"
+#include "sim/base/ids.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
@@ -25,7 +26,7 @@ class TrialStore {
 
   /// Newest first, finished or not.
   [[nodiscard]] std::vector<TrialListing> list();
-  [[nodiscard]] Trial load(const std::string& trialId);
+  [[nodiscard]] Trial load(const TrialId& trialId);
   /// Where it is, for people; never a password.
   [[nodiscard]] const std::string& location() const noexcept;
 

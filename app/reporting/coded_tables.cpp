@@ -16,6 +16,7 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/file_io.h"
+#include "sim/base/ids.h"
 #include "sim/base/tick_period.h"
 
 namespace torsio {
@@ -28,7 +29,7 @@ constexpr std::int64_t kAllTrials = 1'000'000;
 
 /// Keeps in the audit trail what leaves, then writes it: a trace of a file that could not be written is
 /// better than data that left without a trace.
-std::size_t write(SessionContext& session, AuditAction action, const std::string& cohortId,
+std::size_t write(SessionContext& session, AuditAction action, const CohortId& cohortId,
                   const std::vector<Cells>& lines, const std::filesystem::path& file) {
   std::string text = "\xEF\xBB\xBF";
   for (const Cells& cells : lines) {
@@ -54,7 +55,7 @@ std::string endOf(const TrialListing& trial) {
 
 }  // namespace
 
-std::size_t exportRecordings(SessionContext& session, const std::string& cohortId,
+std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
                              const std::filesystem::path& file) {
   session.require(Operation::kTrialViewCoded);
   std::vector<Cells> lines{{"trial", "trainee", "scene", "pattern", "phase", "mode", "station", "started_utc",
@@ -74,7 +75,7 @@ std::size_t exportRecordings(SessionContext& session, const std::string& cohortI
   return write(session, AuditAction::kTrialExportCoded, cohortId, lines, file);
 }
 
-std::size_t exportMarks(SessionContext& session, const std::string& cohortId,
+std::size_t exportMarks(SessionContext& session, const CohortId& cohortId,
                         const std::filesystem::path& file) {
   session.require(Operation::kMarkViewCoded);
   std::vector<Cells> lines{

@@ -6,18 +6,18 @@
 #include <string>
 
 #include "app/access/session_context.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 /// Writes the recordings of a cohort's trainees as a table under their codes, oldest first (UTF-8 with byte
 /// order mark, comma-separated), and keeps in the audit trail that it was taken out. Returns how many there
 /// are. kTrialViewCoded. Throws Error{kFileUnwritable}.
-std::size_t exportRecordings(SessionContext& session, const std::string& cohortId,
+std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
                              const std::filesystem::path& file);
 
 /// Writes every newest mark of a cohort under the codes of trainee and rater, without comments, in the same
 /// form. Returns how many there are. kMarkViewCoded. Throws Error{kFileUnwritable}.
-std::size_t exportMarks(SessionContext& session, const std::string& cohortId,
-                        const std::filesystem::path& file);
+std::size_t exportMarks(SessionContext& session, const CohortId& cohortId, const std::filesystem::path& file);
 
 }  // namespace torsio

@@ -19,6 +19,7 @@
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "sim/base/text_list.h"
 
 namespace torsio {
@@ -57,7 +58,7 @@ bool showsSingleMarks(SessionContext& session, const ReportRequest& request, con
 }
 
 /// The design in words, and whether the draw could be repeated.
-void addAllocation(SessionContext& session, const std::string& cohortId, CohortInputs& inputs) {
+void addAllocation(SessionContext& session, const CohortId& cohortId, CohortInputs& inputs) {
   if (!session.may(Operation::kAllocationView)) {
     return;
   }

@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "app/recording/trial_digests.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 /// A campaign that can be reported.
 struct ReportableCampaign {
-  std::string id{};
+  CampaignId id{};
   std::string name{};
   bool hasMarks = false;  ///< somebody has scored in it
 };
@@ -21,9 +22,9 @@ struct ReportableCampaign {
 
 /// What a report is asked for.
 struct ReportRequest {
-  std::string cohortId{};
-  std::string campaignId{};  ///< empty: no evaluation of models
-  std::string frozenId{};    ///< empty: the data as they are now
+  CohortId cohortId{};
+  CampaignId campaignId{};  ///< empty: no evaluation of models
+  FreezeId frozenId{};      ///< empty: the data as they are now
   ReportIdentity identity = ReportIdentity::kCoded;
 };
 

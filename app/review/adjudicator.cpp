@@ -24,6 +24,7 @@
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "sim/base/refusal.h"
 
 namespace torsio {
@@ -43,7 +44,7 @@ struct CaseSheets {
 };
 
 /// Cases of a cohort on which a third rater was asked for and none has been found yet.
-std::map<CaseKey, CaseSheets> openCases(Connection& connection, const std::string& cohortId) {
+std::map<CaseKey, CaseSheets> openCases(Connection& connection, const CohortId& cohortId) {
   std::map<std::string, DiscrepancyDecision> asked;
   for (DiscrepancyDecision& decision : DiscrepancyRepository(connection).ofCohort(cohortId)) {
     if (decision.choice == DiscrepancyChoice::kThird) {
@@ -90,7 +91,7 @@ std::map<std::string, Adjudicator> activeRaters(Connection& connection) {
   std::map<std::string, Adjudicator> raters;
   SheetRepository sheets(connection);
   for (const Rater& rater : PeopleRepository(connection).raters()) {
-    if (rater.person.state != "active") {
+    if (rater.person.state != PersonState::kActive) {
       continue;
     }
     Adjudicator one{rater.person.id, rater.person.code, rater.classCode, 0};
@@ -125,7 +126,7 @@ std::vector<Adjudicator> freeFor(const CaseSheets& sheets, const std::map<std::s
 
 }  // namespace
 
-std::vector<ThirdRequest> thirdRequests(SessionContext& session, const std::string& cohortId) {
+std::vector<ThirdRequest> thirdRequests(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kStudySetup);
   Connection& connection = session.connection();
   std::vector<ThirdRequest> requests;
@@ -167,8 +168,8 @@ std::vector<ThirdRequest> thirdRequests(SessionContext& session, const std::stri
   return requests;
 }
 
-std::string assignThird(SessionContext& session, const std::string& cohortId, const std::string& assignmentId,
-                        const std::string& raterId) {
+std::string assignThird(SessionContext& session, const CohortId& cohortId, const AssignmentId& assignmentId,
+                        const RaterId& raterId) {
   session.require(Operation::kStudySetup);
   Transaction transaction(session.connection());
   SheetRepository sheets(session.connection());

@@ -7,12 +7,13 @@
 
 #include "app/access/session_context.h"
 #include "assessment/study/occasion.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 /// Somebody who may be asked.
 struct Adjudicator {
-  std::string id{};
+  RaterId id{};
   std::string code{};
   std::string classCode{};
   std::size_t open = 0;  ///< sheets that wait for them already
@@ -20,7 +21,7 @@ struct Adjudicator {
 
 /// Physicians could not agree about a case and asked for one more. No mark is in it.
 struct ThirdRequest {
-  std::string assignmentId{};  ///< of the first who asked; handle for assignThird()
+  AssignmentId assignmentId{};  ///< of the first who asked; handle for assignThird()
   std::string traineeCode{};
   Occasion occasion{};
   bool live = false;  ///< on the real arm: the trainee has to be there again
@@ -34,12 +35,12 @@ struct ThirdRequest {
 
 /// What waits in a cohort, oldest first: cases on which a physician's newest decision is "third" and nobody
 /// has been asked since. kStudySetup.
-[[nodiscard]] std::vector<ThirdRequest> thirdRequests(SessionContext& session, const std::string& cohortId);
+[[nodiscard]] std::vector<ThirdRequest> thirdRequests(SessionContext& session, const CohortId& cohortId);
 
 /// Asks `raterId` about the case of a request, under a label of their own and with the same rubric. Returns
 /// the new assignment. kStudySetup; audited. Throws Error{kBadData}: no request, or the rater was asked about
 /// this case before or is none.
-std::string assignThird(SessionContext& session, const std::string& cohortId, const std::string& assignmentId,
-                        const std::string& raterId);
+std::string assignThird(SessionContext& session, const CohortId& cohortId, const AssignmentId& assignmentId,
+                        const RaterId& raterId);
 
 }  // namespace torsio

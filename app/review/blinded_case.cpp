@@ -6,6 +6,7 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "sim/record/content_hash.h"
 
 namespace torsio {
@@ -37,7 +38,7 @@ std::string blindedDigest(const std::string& contentHash, const std::string& sal
   return digest.hex().substr(0, kDigestDigits);
 }
 
-Assignment ownAssignment(SessionContext& session, Operation operation, const std::string& assignmentId) {
+Assignment ownAssignment(SessionContext& session, Operation operation, const AssignmentId& assignmentId) {
   session.require(operation);
   DeskRepository desk(session.connection());
   const std::optional<Assignment> found = desk.assignment(assignmentId);
@@ -53,7 +54,7 @@ Assignment ownAssignment(SessionContext& session, Operation operation, const std
   return *found;
 }
 
-BlindedCase blindedCase(SessionContext& session, const std::string& assignmentId) {
+BlindedCase blindedCase(SessionContext& session, const AssignmentId& assignmentId) {
   const Assignment found = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   BlindedCase shown{.assignmentId = assignmentId,
                     .label = found.caseLabel,
@@ -65,7 +66,7 @@ BlindedCase blindedCase(SessionContext& session, const std::string& assignmentId
   return shown;
 }
 
-BlindedRecording loadBlindedRecording(SessionContext& session, const std::string& assignmentId) {
+BlindedRecording loadBlindedRecording(SessionContext& session, const AssignmentId& assignmentId) {
   const Assignment found = ownAssignment(session, Operation::kTrialViewAssigned, assignmentId);
   if (found.trialId.empty()) {
     throw Error(ErrorCode::kBadData, "this case is scored live and has no recording",
@@ -74,8 +75,8 @@ BlindedRecording loadBlindedRecording(SessionContext& session, const std::string
   return blindedRecordingOf(session.connection(), found.trialId, found.caseLabel, assignmentId);
 }
 
-BlindedRecording blindedRecordingOf(Connection& connection, const std::string& trialId,
-                                    const std::string& label, const std::string& salt) {
+BlindedRecording blindedRecordingOf(Connection& connection, const TrialId& trialId, const std::string& label,
+                                    const std::string& salt) {
   try {
     Trial trial = TrialRepository(connection).load(trialId);
     verifyContent(trial);

@@ -9,6 +9,7 @@
 
 #include "app/access/session_context.h"
 #include "assessment/rating/assignment.h"
+#include "sim/base/ids.h"
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"
 
@@ -21,9 +22,9 @@ class Connection;
 /// an enrolment or a person. There is no name, no pseudonym, no group, no stage, no date and no id of a trial
 /// in it.
 struct BlindedCase {
-  std::string assignmentId{};  ///< handle for the services; never shown
-  std::string label{};         ///< "7F"
-  bool live = false;           ///< on the real arm: nothing to replay
+  AssignmentId assignmentId{};  ///< handle for the services; never shown
+  std::string label{};          ///< "7F"
+  bool live = false;            ///< on the real arm: nothing to replay
   std::optional<std::int64_t> dueUtc_us{};
   std::optional<std::int64_t> length_us{};  ///< of the recording
   friend bool operator==(const BlindedCase&, const BlindedCase&) = default;
@@ -47,18 +48,19 @@ struct BlindedRecording {
 /// The assignment behind a case, for services only. Throws Error{kPermission}: the actor may not, or it is
 /// another rater's or nobody's (which of the two is not told), or it was withdrawn.
 [[nodiscard]] Assignment ownAssignment(SessionContext& session, Operation operation,
-                                       const std::string& assignmentId);
+                                       const AssignmentId& assignmentId);
 /// kMarkSubmit, own case.
-[[nodiscard]] BlindedCase blindedCase(SessionContext& session, const std::string& assignmentId);
+[[nodiscard]] BlindedCase blindedCase(SessionContext& session, const AssignmentId& assignmentId);
 
 /// Loads the recording of an own case and checks it against its content hash, so that what is played is what
 /// was recorded, bit for bit. kTrialViewAssigned, and only while the case is assigned. Throws
 /// Error{kPermission}, {kBadData}: a live case; {kVerifyFailed}: the recording was changed. No text names the
 /// trial.
-[[nodiscard]] BlindedRecording loadBlindedRecording(SessionContext& session, const std::string& assignmentId);
+[[nodiscard]] BlindedRecording loadBlindedRecording(SessionContext& session,
+                                                    const AssignmentId& assignmentId);
 
 /// The recording `trialId` under `label`, checked as above: for services that have decided who may see it.
-[[nodiscard]] BlindedRecording blindedRecordingOf(Connection& connection, const std::string& trialId,
+[[nodiscard]] BlindedRecording blindedRecordingOf(Connection& connection, const TrialId& trialId,
                                                   const std::string& label, const std::string& salt);
 
 /// What rebuilds the scene of a recording: organ, pattern and model parameters. Throws Error{kBadData}.

@@ -9,10 +9,11 @@
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
-std::vector<CaseRemark> caseRemarks(SessionContext& session, const std::string& assignmentId) {
+std::vector<CaseRemark> caseRemarks(SessionContext& session, const AssignmentId& assignmentId) {
   const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   std::vector<CaseRemark> own;
   if (assignment.trialId.empty()) {
@@ -26,7 +27,7 @@ std::vector<CaseRemark> caseRemarks(SessionContext& session, const std::string& 
   return own;
 }
 
-void addCaseRemark(SessionContext& session, const std::string& assignmentId, const CaseRemark& remark) {
+void addCaseRemark(SessionContext& session, const AssignmentId& assignmentId, const CaseRemark& remark) {
   const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   if (assignment.trialId.empty() || remark.time_us < 0) {
     throw Error(ErrorCode::kBadData, "this case has no recording to score",

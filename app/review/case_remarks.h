@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -18,8 +19,8 @@ struct CaseRemark {
 
 /// Own ones only, by time: nobody sees another rater's before all have committed, nor after. kMarkSubmit, own
 /// case.
-[[nodiscard]] std::vector<CaseRemark> caseRemarks(SessionContext& session, const std::string& assignmentId);
+[[nodiscard]] std::vector<CaseRemark> caseRemarks(SessionContext& session, const AssignmentId& assignmentId);
 /// Stored at once. kMarkSubmit, own recorded case; audited. Throws Error{kBadData} for a live case.
-void addCaseRemark(SessionContext& session, const std::string& assignmentId, const CaseRemark& remark);
+void addCaseRemark(SessionContext& session, const AssignmentId& assignmentId, const CaseRemark& remark);
 
 }  // namespace torsio

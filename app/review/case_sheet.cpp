@@ -18,6 +18,7 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -79,7 +80,7 @@ KeptAt keptAt(SessionContext& session) {
   return session.connection().engine() == Engine::kSqlite ? KeptAt::kThisMachine : KeptAt::kServer;
 }
 
-OpenedSheet openSheet(SessionContext& session, const std::string& assignmentId) {
+OpenedSheet openSheet(SessionContext& session, const AssignmentId& assignmentId) {
   const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   SheetRepository sheets(session.connection());
   DeskRepository desk(session.connection());
@@ -103,7 +104,7 @@ OpenedSheet openSheet(SessionContext& session, const std::string& assignmentId) 
   return opened;
 }
 
-std::int64_t saveSheet(SessionContext& session, const std::string& assignmentId, Sheet sheet,
+std::int64_t saveSheet(SessionContext& session, const AssignmentId& assignmentId, Sheet sheet,
                        const WatchLog& watched) {
   static_cast<void>(ownAssignment(session, Operation::kMarkSubmit, assignmentId));
   sheet.changedUtc_us = session.now_us();
@@ -128,7 +129,7 @@ SheetCheck checkSheet(const RubricRevision& rubric, const Sheet& sheet, bool liv
   return checkSheetLines(lines, seen, rules);
 }
 
-void submitSheet(SessionContext& session, const std::string& assignmentId, const Sheet& sheet,
+void submitSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
                  const WatchLog& watched) {
   const OpenedSheet opened = openSheet(session, assignmentId);
   const SheetCheck check =
@@ -143,7 +144,7 @@ void submitSheet(SessionContext& session, const std::string& assignmentId, const
     throw Error(ErrorCode::kBadData, "the recording was played at a speed that is not allowed", where,
                 "Play it again at an allowed speed");
   }
-  const std::string markId = session.ids().newUuid();
+  const MarkId markId = session.ids().newUuid();
   Transaction transaction(session.connection());
   SheetRepository(session.connection()).submit(assignmentId, markId, sheet, "", session.now_us());
   DeskRepository(session.connection()).sealViewing(assignmentId, markId, watched.stored());
@@ -154,7 +155,7 @@ void submitSheet(SessionContext& session, const std::string& assignmentId, const
   transaction.commit();
 }
 
-void amendSheet(SessionContext& session, const std::string& assignmentId, const Sheet& sheet,
+void amendSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
                 const std::string& reason) {
   const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   const std::string where = "case " + assignment.caseLabel;
@@ -175,7 +176,7 @@ void amendSheet(SessionContext& session, const std::string& assignmentId, const 
   transaction.commit();
 }
 
-std::vector<SheetVersion> sheetVersions(SessionContext& session, const std::string& assignmentId) {
+std::vector<SheetVersion> sheetVersions(SessionContext& session, const AssignmentId& assignmentId) {
   const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   std::vector<SheetVersion> versions;
   for (const SubmittedMark& mark :

@@ -12,6 +12,7 @@
 #include "assessment/rating/rubric.h"
 #include "assessment/rating/sheet.h"
 #include "assessment/rating/sheet_check.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -34,12 +35,12 @@ struct OpenedSheet {
   WatchLog watched{};
 };
 /// kMarkSubmit, own case.
-[[nodiscard]] OpenedSheet openSheet(SessionContext& session, const std::string& assignmentId);
+[[nodiscard]] OpenedSheet openSheet(SessionContext& session, const AssignmentId& assignmentId);
 
 /// Stores the draft; it is on the disk when the call returns. Call it with every keystroke. Returns the new
 /// revision. Drafts leave no trace in the audit trail: they are nobody's record until they are submitted.
 /// kMarkSubmit, own case. Throws DbError{kConflict} when the draft was changed at another station meanwhile.
-std::int64_t saveSheet(SessionContext& session, const std::string& assignmentId, Sheet sheet,
+std::int64_t saveSheet(SessionContext& session, const AssignmentId& assignmentId, Sheet sheet,
                        const WatchLog& watched);
 
 /// Checks a sheet against its rubric with the rules of assessment/rating. Pure.
@@ -48,12 +49,12 @@ std::int64_t saveSheet(SessionContext& session, const std::string& assignmentId,
 
 /// Seals the sheet with what was watched and how fast. kMarkSubmit, own case; audited. Throws Error{kBadData}
 /// when checkSheet() says no, DbError{kUnique} when it was submitted before.
-void submitSheet(SessionContext& session, const std::string& assignmentId, const Sheet& sheet,
+void submitSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
                  const WatchLog& watched);
 
 /// The next version of a submitted sheet; the one before stays as it is. kMarkSubmit, own case; audited.
 /// Throws Error{kBadParameter} without a reason, {kBadData}: not submitted yet, or not complete.
-void amendSheet(SessionContext& session, const std::string& assignmentId, const Sheet& sheet,
+void amendSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
                 const std::string& reason);
 
 /// One sealed version of an own sheet.
@@ -66,6 +67,6 @@ struct SheetVersion {
 };
 /// Oldest first. kMarkSubmit, own case.
 [[nodiscard]] std::vector<SheetVersion> sheetVersions(SessionContext& session,
-                                                      const std::string& assignmentId);
+                                                      const AssignmentId& assignmentId);
 
 }  // namespace torsio

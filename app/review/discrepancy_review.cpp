@@ -17,6 +17,7 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -78,7 +79,7 @@ std::optional<RowComparison> compare(const std::vector<CaseMark>& marks, const s
 }
 
 /// Throws unless everybody has committed on this own case.
-Assignment committedCase(SessionContext& session, const std::string& assignmentId) {
+Assignment committedCase(SessionContext& session, const AssignmentId& assignmentId) {
   Assignment found = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   if (!SheetRepository(session.connection()).allSubmitted(found.enrolmentId, found.occasionCode)) {
     throw Error(ErrorCode::kBadData, "not everybody has submitted this case yet",
@@ -87,7 +88,7 @@ Assignment committedCase(SessionContext& session, const std::string& assignmentI
   return found;
 }
 
-void decide(SessionContext& session, const std::string& assignmentId, DiscrepancyChoice choice,
+void decide(SessionContext& session, const AssignmentId& assignmentId, DiscrepancyChoice choice,
             const std::string& reason) {
   DiscrepancyRepository(session.connection(), session.station())
       .add({.assignmentId = assignmentId,
@@ -147,12 +148,12 @@ std::vector<DiscrepancyCase> alignmentCases(SessionContext& session) {
   return found;
 }
 
-void keepMark(SessionContext& session, const std::string& assignmentId, const std::string& reason) {
+void keepMark(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason) {
   static_cast<void>(committedCase(session, assignmentId));
   decide(session, assignmentId, DiscrepancyChoice::kKeep, reason);
 }
 
-void moveMark(SessionContext& session, const std::string& assignmentId, const Sheet& sheet,
+void moveMark(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
               const std::string& reason) {
   const Assignment found = committedCase(session, assignmentId);
   requireReason(reason, found.caseLabel);
@@ -162,7 +163,7 @@ void moveMark(SessionContext& session, const std::string& assignmentId, const Sh
   transaction.commit();
 }
 
-void askForThird(SessionContext& session, const std::string& assignmentId, const std::string& reason) {
+void askForThird(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason) {
   const Assignment found = committedCase(session, assignmentId);
   requireReason(reason, found.caseLabel);
   decide(session, assignmentId, DiscrepancyChoice::kThird, reason);

@@ -9,6 +9,7 @@
 #include "app/review/blinded_case.h"
 #include "assessment/rating/sheet.h"
 #include "assessment/scoring/instrument.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -42,12 +43,12 @@ inline constexpr double kAlignmentThreshold_points = 2.0;
 [[nodiscard]] std::vector<DiscrepancyCase> alignmentCases(SessionContext& session);
 
 /// The mark stays. kMarkSubmit, own committed case; audited.
-void keepMark(SessionContext& session, const std::string& assignmentId, const std::string& reason);
+void keepMark(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason);
 /// A new version of the own sheet; both stay. Throws Error{kBadParameter} without a reason, {kBadData} when
 /// not all have committed. kMarkSubmit, own committed case; audited.
-void moveMark(SessionContext& session, const std::string& assignmentId, const Sheet& sheet,
+void moveMark(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
               const std::string& reason);
 /// The administrator is asked for a further rater; needs a reason. kMarkSubmit, own committed case; audited.
-void askForThird(SessionContext& session, const std::string& assignmentId, const std::string& reason);
+void askForThird(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason);
 
 }  // namespace torsio

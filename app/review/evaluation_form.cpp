@@ -9,6 +9,7 @@
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -38,7 +39,7 @@ std::vector<CampaignModel> inOwnOrder(const Campaign& campaign, const std::strin
   return models;
 }
 
-const CampaignRater* asked(const Campaign& campaign, const std::string& raterId) {
+const CampaignRater* asked(const Campaign& campaign, const RaterId& raterId) {
   for (const CampaignRater& rater : campaign.raters) {
     if (rater.raterId == raterId) {
       return &rater;
@@ -83,7 +84,7 @@ OpenForm formOf(Connection& connection, const Campaign& campaign, const Campaign
   return open;
 }
 
-OpenForm ownForm(SessionContext& session, const std::string& campaignId) {
+OpenForm ownForm(SessionContext& session, const CampaignId& campaignId) {
   session.require(Operation::kEvaluationSubmit);
   const auto campaign = EvaluationRepository(session.connection()).campaign(campaignId);
   const std::string& person = session.actor().personId;
@@ -136,7 +137,7 @@ std::vector<EvaluationForm> evaluationForms(SessionContext& session) {
   return forms;
 }
 
-void saveEvaluationScore(SessionContext& session, const std::string& campaignId,
+void saveEvaluationScore(SessionContext& session, const CampaignId& campaignId,
                          const std::string& hiddenLabel, std::size_t index,
                          std::optional<std::int64_t> score_steps) {
   const OpenForm open = ownForm(session, campaignId);
@@ -152,8 +153,7 @@ void saveEvaluationScore(SessionContext& session, const std::string& campaignId,
                            static_cast<std::int64_t>(index + 1), score_steps, session.now_us());
 }
 
-void submitEvaluation(SessionContext& session, const std::string& campaignId,
-                      const std::string& hiddenLabel) {
+void submitEvaluation(SessionContext& session, const CampaignId& campaignId, const std::string& hiddenLabel) {
   const OpenForm open = ownForm(session, campaignId);
   const std::size_t model = openModel(open, hiddenLabel);
   const std::vector<std::optional<std::int64_t>>& scores = open.form.models[model].scores;

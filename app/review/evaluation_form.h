@@ -8,6 +8,7 @@
 
 #include "app/access/session_context.h"
 #include "assessment/scoring/instrument.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -21,7 +22,7 @@ struct EvaluationFormModel {
 /// What one rater fills in, with the models in the order that was drawn for this rater. Neither names of the
 /// models nor weights are in it.
 struct EvaluationForm {
-  std::string campaignId{};  ///< handle; never shown
+  CampaignId campaignId{};  ///< handle; never shown
   std::string title{};
   ScoreScale scale{};
   std::vector<std::string> indices{};  ///< names, in the instrument's order
@@ -34,11 +35,11 @@ struct EvaluationForm {
 /// Stores one mark of the draft, empty takes it back; it is on the disk when the call returns.
 /// kEvaluationSubmit, own form. Throws Error{kPermission}: not asked, {kBadData}: unknown model or index, out
 /// of the scale, or submitted already.
-void saveEvaluationScore(SessionContext& session, const std::string& campaignId,
+void saveEvaluationScore(SessionContext& session, const CampaignId& campaignId,
                          const std::string& hiddenLabel, std::size_t index,
                          std::optional<std::int64_t> score_steps);
 /// Seals the marks of one model. kEvaluationSubmit, own form; audited. Throws Error{kBadData} naming the
 /// first index without a mark.
-void submitEvaluation(SessionContext& session, const std::string& campaignId, const std::string& hiddenLabel);
+void submitEvaluation(SessionContext& session, const CampaignId& campaignId, const std::string& hiddenLabel);
 
 }  // namespace torsio

@@ -14,6 +14,7 @@
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -153,8 +154,8 @@ void scoreReferenceRun(SessionContext& session, std::size_t number, std::int64_t
 std::vector<ReferenceCandidate> referenceCandidates(SessionContext& session) {
   session.require(Operation::kStudySetup);
   DeskRepository desk(session.connection());
-  std::set<std::string> decided;
-  for (const std::string& trialId : desk.assignedTrials()) {
+  std::set<TrialId> decided;
+  for (const TrialId& trialId : desk.assignedTrials()) {
     decided.insert(trialId);
   }
   for (const ReferenceRun& run : desk.allReferenceRuns()) {
@@ -225,7 +226,7 @@ void addReferenceRuns(SessionContext& session, const std::vector<ReferenceChoice
   transaction.commit();
 }
 
-void withdrawReferenceRun(SessionContext& session, const std::string& trialId, const std::string& reason) {
+void withdrawReferenceRun(SessionContext& session, const TrialId& trialId, const std::string& reason) {
   session.require(Operation::kStudySetup);
   if (reason.empty()) {
     throw Error(ErrorCode::kBadParameter, "a withdrawal needs a reason", trialId, "Say why, in a few words");

@@ -10,6 +10,7 @@
 #include "app/review/blinded_case.h"
 #include "assessment/rating/rubric.h"
 #include "assessment/scoring/instrument.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -44,9 +45,9 @@ void scoreReferenceRun(SessionContext& session, std::size_t number, std::int64_t
 /// A recording that may become a reference run: complete, never one before, and nobody is asked to score it
 /// (the panel's mark would give the case away).
 struct ReferenceCandidate {
-  std::string trialId{};
+  TrialId trialId{};
   std::string traineeCode{};  ///< empty: nobody's
-  std::string sceneId{};
+  SceneId sceneId{};
   std::string phaseLabel{};
   std::int64_t length_us = 0;
   std::int64_t startedUtc_us = 0;
@@ -58,9 +59,9 @@ struct ReferenceCandidate {
 /// A reference run as the administrator sees it.
 struct ReferenceRow {
   std::size_t number = 0;  ///< what raters call it: 1, 2 ...; 0: withdrawn
-  std::string trialId{};
+  TrialId trialId{};
   std::string traineeCode{};  ///< empty: nobody's
-  std::string sceneId{};
+  SceneId sceneId{};
   std::optional<std::int64_t> length_us{};
   ScoreScale scale{};
   double panel_points = 0.0;
@@ -73,8 +74,8 @@ struct ReferenceRow {
 
 /// A run for the warm-up, chosen by the administrator.
 struct ReferenceChoice {
-  std::string trialId{};
-  std::string rubricRevisionId{};
+  TrialId trialId{};
+  RubricRevisionId rubricRevisionId{};
   double panel_points = 0.0;
   std::int64_t panelRaters = 1;
   bool demonstration = false;
@@ -86,6 +87,6 @@ void addReferenceRuns(SessionContext& session, const std::vector<ReferenceChoice
 /// From now on no rater is given the run; it stays stored with what raters scored, and later ones move up.
 /// For good: what raters have seen cannot come back as new. kStudySetup; audited with the reason. Throws
 /// Error{kBadData}: no such reference run; {kBadParameter}: no reason.
-void withdrawReferenceRun(SessionContext& session, const std::string& trialId, const std::string& reason);
+void withdrawReferenceRun(SessionContext& session, const TrialId& trialId, const std::string& reason);
 
 }  // namespace torsio

@@ -11,7 +11,7 @@ namespace torsio {
 
 /// What a trainee answered to one's remark. Never who it was.
 struct RemarkReply {
-  std::string id{};
+  RemarkId id{};
   std::string remark{};  ///< one's own words
   std::string text{};
   std::int64_t time_us = 0;  ///< of the moment in the recording

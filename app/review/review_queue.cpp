@@ -9,6 +9,7 @@
 #include "assessment/rating/assignment.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -21,7 +22,7 @@ constexpr double kLiveCase_min = 4.0;
 constexpr double kMinute_us = 60e6;
 
 /// Minutes a case takes this rater; empty before there are enough of them.
-std::optional<double> ownPace_min(DeskRepository& desk, const std::string& raterId) {
+std::optional<double> ownPace_min(DeskRepository& desk, const RaterId& raterId) {
   std::vector<std::int64_t> times_us = desk.workingTimes_us(raterId, kPaceCases);
   if (times_us.size() < kFewestForPace) {
     return std::nullopt;

@@ -15,6 +15,7 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -22,7 +23,7 @@ namespace {
 
 /// Repeats the stored allocation from its seed. Only the paper's case, one permutation of all, is rebuilt
 /// here.
-CohortAllocation checkedAllocation(StudyRepository& study, const std::string& cohortId,
+CohortAllocation checkedAllocation(StudyRepository& study, const CohortId& cohortId,
                                    const std::vector<StudyGroup>& groups) {
   const std::vector<LockedDesign> designs = study.designs(cohortId);
   CohortAllocation shown;
@@ -68,7 +69,7 @@ CohortAllocation checkedAllocation(StudyRepository& study, const std::string& co
 constexpr double kMinute_us = 60e6;
 
 /// Doses, rests and deviations.
-void addTimes(StudyRepository& study, const std::string& cohortId, CohortInputs& inputs) {
+void addTimes(StudyRepository& study, const CohortId& cohortId, CohortInputs& inputs) {
   std::map<std::string, std::string> codeOf;
   for (const Enrolment& enrolment : study.enrolments(cohortId)) {
     codeOf[enrolment.id] = enrolment.traineeCode;
@@ -77,9 +78,9 @@ void addTimes(StudyRepository& study, const std::string& cohortId, CohortInputs&
   for (const Exposure& exposure : study.exposures(cohortId)) {
     CohortDose& dose = doses[codeOf[exposure.enrolmentId]];
     const double minutes = static_cast<double>(exposure.duration_us) / kMinute_us;
-    (exposure.kind == "rest"   ? dose.rest_min
-     : exposure.kind == "real" ? dose.real_min
-                               : dose.virtual_min) += minutes;
+    (exposure.kind == ExposureKind::kRest   ? dose.rest_min
+     : exposure.kind == ExposureKind::kReal ? dose.real_min
+                                            : dose.virtual_min) += minutes;
   }
   for (auto& [code, dose] : doses) {
     dose.trainee = code;
@@ -96,7 +97,7 @@ void addTimes(StudyRepository& study, const std::string& cohortId, CohortInputs&
 
 }  // namespace
 
-CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, const CampaignResult& campaign,
+CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, const CampaignResult& campaign,
                           const TrainingResult& training) {
   StudyRepository study(connection);
   CohortInputs inputs;
@@ -121,7 +122,7 @@ CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, c
       continue;
     }
     inputs.trainees.push_back({person.code, static_cast<std::size_t>(group - groups.begin()), person.sex,
-                               person.level, std::string(storedText(enrolment.state))});
+                               person.level, enrolment.state == EnrolmentState::kWithdrawn});
   }
   inputs.allocation = checkedAllocation(study, cohortId, groups);
 

@@ -5,6 +5,7 @@
 
 #include "app/scoring/scoring_service.h"
 #include "assessment/report/cohort_report.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -12,7 +13,7 @@ class Connection;
 
 /// Gathers what a cohort report says of people, groups, allocation and scores from the record. The allocation
 /// is repeated from its seed and compared; the caller adds trials, facts and title.
-[[nodiscard]] CohortInputs cohortInputs(Connection& connection, const std::string& cohortId,
+[[nodiscard]] CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId,
                                         const CampaignResult& campaign, const TrainingResult& training);
 
 }  // namespace torsio

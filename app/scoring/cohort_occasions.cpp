@@ -11,10 +11,11 @@
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
-Occasions occasionsOfCohort(Connection& connection, const std::string& cohortId) {
+Occasions occasionsOfCohort(Connection& connection, const CohortId& cohortId) {
   const Cohort cohort = StudyRepository(connection).cohort(cohortId);
   OccasionRepository repository(connection);
   Occasions all = repository.all();

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "assessment/study/occasion.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -12,6 +13,6 @@ class Connection;
 /// Gives the occasions of a cohort in order of time: those of its curriculum, with their times of exposure,
 /// and any other at which it was marked or raters are asked. A cohort whose curriculum names none has all
 /// occasions of the record. Throws Error{kBadData} when there is no such cohort.
-[[nodiscard]] Occasions occasionsOfCohort(Connection& connection, const std::string& cohortId);
+[[nodiscard]] Occasions occasionsOfCohort(Connection& connection, const CohortId& cohortId);
 
 }  // namespace torsio

@@ -20,6 +20,7 @@
 #include "sim/base/contracts.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -102,7 +103,7 @@ std::vector<std::string> classesMissing(const Campaign& campaign,
   return missing;
 }
 
-ReadCampaign campaignWithHash(Connection& connection, const std::string& campaignId) {
+ReadCampaign campaignWithHash(Connection& connection, const CampaignId& campaignId) {
   EvaluationRepository repository(connection);
   const auto campaign = repository.campaign(campaignId);
   if (!campaign) {
@@ -118,7 +119,7 @@ ReadCampaign campaignWithHash(Connection& connection, const std::string& campaig
         positionOf(campaign->instrument.classes, mark.classCode, [](const RaterClass& c) { return c.id; });
     rating.index = static_cast<std::size_t>(mark.indexNumber - 1);
     rating.steps = mark.score_steps;
-    read.inputs.update(mark.id);
+    read.inputs.update(mark.id.text());
     read.inputs.update(mark.version);
     read.inputs.update(mark.score_steps);
     read.result.ratings.push_back(std::move(rating));
@@ -144,12 +145,12 @@ struct ReadTraining {
   Digest inputs;
 };
 
-ReadTraining trainingWithHash(Connection& connection, const std::string& cohortId) {
+ReadTraining trainingWithHash(Connection& connection, const CohortId& cohortId) {
   const std::vector<StudyGroup> groups = StudyRepository(connection).groups(cohortId);
   ReadTraining read;
   read.result.occasions = occasionsOfCohort(connection, cohortId);
   for (const SubmittedMark& mark : RatingRepository(connection).marks(cohortId)) {
-    read.inputs.update(mark.id);
+    read.inputs.update(mark.id.text());
     read.inputs.update(mark.version);
     read.inputs.update(mark.score_steps.value_or(-1));
     const std::size_t occasion =
@@ -198,7 +199,7 @@ std::map<Case, double> betweenRaterVariances(const TrainingResult& result) {
 
 }  // namespace
 
-CampaignResult readCampaign(Connection& connection, const std::string& campaignId) {
+CampaignResult readCampaign(Connection& connection, const CampaignId& campaignId) {
   CampaignResult result = campaignWithHash(connection, campaignId).result;
   if (result.classesMissing.empty()) {
     evaluateIn(result);
@@ -206,11 +207,11 @@ CampaignResult readCampaign(Connection& connection, const std::string& campaignI
   return result;
 }
 
-TrainingResult readTraining(Connection& connection, const std::string& cohortId) {
+TrainingResult readTraining(Connection& connection, const CohortId& cohortId) {
   return trainingWithHash(connection, cohortId).result;
 }
 
-CampaignResult evaluateCampaign(Connection& connection, const std::string& campaignId, IdSource& ids,
+CampaignResult evaluateCampaign(Connection& connection, const CampaignId& campaignId, IdSource& ids,
                                 const ScoringStamp& stamp) {
   auto [result, inputs] = campaignWithHash(connection, campaignId);
   if (!result.ratings.empty()) {
@@ -232,7 +233,7 @@ CampaignResult evaluateCampaign(Connection& connection, const std::string& campa
   return result;
 }
 
-TrainingResult scoreTraining(Connection& connection, const std::string& cohortId, IdSource& ids,
+TrainingResult scoreTraining(Connection& connection, const CohortId& cohortId, IdSource& ids,
                              const ScoringStamp& stamp) {
   StudyRepository study(connection);
   const std::vector<StudyGroup> groups = study.groups(cohortId);

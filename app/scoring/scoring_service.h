@@ -9,6 +9,7 @@
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/training_scores.h"
 #include "assessment/study/occasion.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -32,12 +33,12 @@ struct CampaignResult {
 /// Reads and evaluates the marks of a campaign without storing anything, for previews and reports. While a
 /// class of raters that has a weight has not scored every index of every model, there are marks but no
 /// models. Throws Error{kBadData} when there is no such campaign.
-[[nodiscard]] CampaignResult readCampaign(Connection& connection, const std::string& campaignId);
+[[nodiscard]] CampaignResult readCampaign(Connection& connection, const CampaignId& campaignId);
 
 /// Reads the marks of a campaign, computes Eqs. 25-27, stores the results with formula version, policy and
 /// the hash of the marks, and returns them. Throws Error{kBadData} when there is no such campaign or a class
 /// is empty.
-[[nodiscard]] CampaignResult evaluateCampaign(Connection& connection, const std::string& campaignId,
+[[nodiscard]] CampaignResult evaluateCampaign(Connection& connection, const CampaignId& campaignId,
                                               IdSource& ids, const ScoringStamp& stamp);
 
 /// The training study of a stored cohort.
@@ -51,10 +52,10 @@ struct TrainingResult {
 };
 
 /// The marks of a cohort with scores and summaries, without storing anything.
-[[nodiscard]] TrainingResult readTraining(Connection& connection, const std::string& cohortId);
+[[nodiscard]] TrainingResult readTraining(Connection& connection, const CohortId& cohortId);
 
 /// Reads the marks of a cohort, computes trainee scores and group summaries, stores and returns them.
-[[nodiscard]] TrainingResult scoreTraining(Connection& connection, const std::string& cohortId, IdSource& ids,
+[[nodiscard]] TrainingResult scoreTraining(Connection& connection, const CohortId& cohortId, IdSource& ids,
                                            const ScoringStamp& stamp);
 
 }  // namespace torsio

@@ -18,6 +18,7 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "sim/base/refusal.h"
 
 namespace torsio {
@@ -36,7 +37,7 @@ std::vector<AllocationEntry> drawnOf(const std::vector<AllocationEntry>& records
   return drawn;
 }
 
-std::uint64_t seedFrom(const std::string& text, const std::string& designId) {
+std::uint64_t seedFrom(const std::string& text, const DesignId& designId) {
   std::uint64_t seed = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
   if (error != std::errc() || end != text.data() + text.size() || text.empty()) {
@@ -54,7 +55,7 @@ struct OpenDraw {
   std::map<std::string, std::int64_t> highestNumber;  ///< in use, by group
 };
 
-std::map<std::string, std::string> codesOf(StudyRepository& study, const std::string& cohortId) {
+std::map<std::string, std::string> codesOf(StudyRepository& study, const CohortId& cohortId) {
   std::map<std::string, std::string> codes;
   for (const Enrolment& enrolment : study.enrolments(cohortId)) {
     codes[enrolment.id] = enrolment.traineeCode;
@@ -251,7 +252,7 @@ AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan
   return {stored, design, 0, 0};
 }
 
-std::vector<AllocationDesignRow> allocationDesigns(SessionContext& session, const std::string& cohortId) {
+std::vector<AllocationDesignRow> allocationDesigns(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kAllocationView);
   StudyRepository study(session.connection());
   std::vector<std::string> groups;
@@ -265,12 +266,12 @@ std::vector<AllocationDesignRow> allocationDesigns(SessionContext& session, cons
   return rows;
 }
 
-std::vector<AllocationEntry> allocations(SessionContext& session, const std::string& designId) {
+std::vector<AllocationEntry> allocations(SessionContext& session, const DesignId& designId) {
   session.require(Operation::kAllocationView);
   return StudyRepository(session.connection()).allocations(designId);
 }
 
-std::size_t allocateAll(SessionContext& session, const std::string& cohortId) {
+std::size_t allocateAll(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kAllocationRun);
   Transaction transaction(session.connection());
   const DrawField field = readDrawField(session, cohortId);
@@ -286,8 +287,8 @@ std::size_t allocateAll(SessionContext& session, const std::string& cohortId) {
   return waiting.size();
 }
 
-AllocationEntry overrideAllocation(SessionContext& session, const std::string& cohortId,
-                                   const std::string& enrolmentId, const std::string& groupId,
+AllocationEntry overrideAllocation(SessionContext& session, const CohortId& cohortId,
+                                   const EnrolmentId& enrolmentId, const GroupId& groupId,
                                    const std::string& reason) {
   session.require(Operation::kAllocationRun);
   if (reason.empty()) {
@@ -330,7 +331,7 @@ AllocationEntry overrideAllocation(SessionContext& session, const std::string& c
   return record;
 }
 
-std::string revealSeed(SessionContext& session, const std::string& designId, const std::string& reason) {
+std::string revealSeed(SessionContext& session, const DesignId& designId, const std::string& reason) {
   session.require(Operation::kAllocationReveal);
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
@@ -357,7 +358,7 @@ std::string revealSeed(SessionContext& session, const std::string& designId, con
   return seed;
 }
 
-AllocationCheck checkAllocation(SessionContext& session, const std::string& designId) {
+AllocationCheck checkAllocation(SessionContext& session, const DesignId& designId) {
   session.require(Operation::kAllocationView);
   StudyRepository study(session.connection());
   AllocationCheck check;
@@ -368,7 +369,7 @@ AllocationCheck checkAllocation(SessionContext& session, const std::string& desi
   };
   for (const Cohort& cohort : study.cohorts()) {
     std::vector<std::string> groupCodes;
-    std::map<std::string, std::string> groupIds;
+    std::map<std::string, GroupId> groupIds;
     for (const StudyGroup& group : study.groups(cohort.id)) {
       groupCodes.push_back(group.code);
       groupIds[group.code] = group.id;
@@ -418,7 +419,7 @@ AllocationCheck checkAllocation(SessionContext& session, const std::string& desi
   refuse("there is no such design", designId, "Choose one from the list");
 }
 
-std::vector<SealedCard> takeOutCards(SessionContext& session, const std::string& cohortId) {
+std::vector<SealedCard> takeOutCards(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kAllocationRun);
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());

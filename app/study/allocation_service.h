@@ -10,13 +10,14 @@
 #include "app/access/session_context.h"
 #include "assessment/study/allocation.h"
 #include "assessment/study/allocation_entry.h"
+#include "sim/base/ids.h"
 #include "sim/base/text.h"
 
 namespace torsio {
 
 /// How the allocator wants to divide a cohort.
 struct AllocationPlan {
-  std::string cohortId{};
+  CohortId cohortId{};
   AllocationMethod method = AllocationMethod::kCompletePermutation;
   std::vector<std::string> factors{};     ///< of allocationFactorNames(): strata, or margins of minimisation
   std::vector<std::size_t> blockSizes{};  ///< multiples of the number of groups
@@ -65,7 +66,7 @@ AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan
                                    const std::string& supersedeReason = {});
 /// Oldest first; the last one counts. kAllocationView.
 [[nodiscard]] std::vector<AllocationDesignRow> allocationDesigns(SessionContext& session,
-                                                                 const std::string& cohortId);
+                                                                 const CohortId& cohortId);
 /// What goes into one envelope.
 struct SealedCard {
   std::int64_t sequence = 0;
@@ -75,21 +76,21 @@ struct SealedCard {
 };
 /// The cards of the newest design, in the order of the draw, to be printed and put into envelopes. That they
 /// were taken out is audited. kAllocationRun. Throws Error{kBadData} when nobody is allocated yet.
-[[nodiscard]] std::vector<SealedCard> takeOutCards(SessionContext& session, const std::string& cohortId);
+[[nodiscard]] std::vector<SealedCard> takeOutCards(SessionContext& session, const CohortId& cohortId);
 
 /// Who was put where, in order, overrides too. kAllocationView.
-[[nodiscard]] std::vector<AllocationEntry> allocations(SessionContext& session, const std::string& designId);
+[[nodiscard]] std::vector<AllocationEntry> allocations(SessionContext& session, const DesignId& designId);
 
 /// Everybody who is enrolled and has no group, by code: all or none. Returns how many. The same.
-std::size_t allocateAll(SessionContext& session, const std::string& cohortId);
+std::size_t allocateAll(SessionContext& session, const CohortId& cohortId);
 /// Moves somebody to another group, as a new record with its reason beside the drawn one. Audited.
 /// kAllocationRun.
-AllocationEntry overrideAllocation(SessionContext& session, const std::string& cohortId,
-                                   const std::string& enrolmentId, const std::string& groupId,
+AllocationEntry overrideAllocation(SessionContext& session, const CohortId& cohortId,
+                                   const EnrolmentId& enrolmentId, const GroupId& groupId,
                                    const std::string& reason);
 /// Opens the seal: from now on anybody can repeat the draw. Returns the seed. Audited. kAllocationReveal.
 /// Refused while an enrolled person has no group, unless a reason is given.
-std::string revealSeed(SessionContext& session, const std::string& designId, const std::string& reason = {});
+std::string revealSeed(SessionContext& session, const DesignId& designId, const std::string& reason = {});
 
 struct AllocationCheck {
   bool sound = true;
@@ -98,6 +99,6 @@ struct AllocationCheck {
   std::size_t overrides = 0;
 };
 /// Repeats the whole draw from the seed and compares commitment, chain and every record. kAllocationView.
-[[nodiscard]] AllocationCheck checkAllocation(SessionContext& session, const std::string& designId);
+[[nodiscard]] AllocationCheck checkAllocation(SessionContext& session, const DesignId& designId);
 
 }  // namespace torsio

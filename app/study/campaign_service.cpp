@@ -88,7 +88,7 @@ std::map<std::string, std::vector<Rater>> ratersByClass(SessionContext& session,
   std::map<std::string, std::vector<Rater>> byClass;
   std::size_t found = 0;
   for (Rater& rater : PeopleRepository(session.connection()).raters()) {
-    if (!wanted.contains(rater.person.id) || rater.person.state != "active") {
+    if (!wanted.contains(rater.person.id) || rater.person.state != PersonState::kActive) {
       continue;
     }
     ++found;
@@ -122,7 +122,7 @@ EvaluationInstrument paperEvaluationInstrument() {
   return instrument;
 }
 
-std::string addCampaign(SessionContext& session, const CampaignPlan& plan) {
+CampaignId addCampaign(SessionContext& session, const CampaignPlan& plan) {
   session.require(Operation::kEvaluationSetup);
   if (plan.name.empty()) {
     refuseParameter("the evaluation has no name", "name", "Enter one");

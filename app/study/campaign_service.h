@@ -24,7 +24,7 @@ struct CampaignPlan {
   /// Scale, weights of classes and indices. RaterClass::id is the code of a stored rater class.
   EvaluationInstrument instrument{};
   std::vector<NewModel> models{};
-  std::vector<std::string> raterIds{};  ///< each counts in the class they have now
+  std::vector<RaterId> raterIds{};  ///< each counts in the class they have now
   std::optional<std::uint64_t>
       seed{};  ///< of hidden labels and orders; empty: drawn, and kept in the audit trail
   bool demonstration = false;
@@ -36,14 +36,14 @@ struct CampaignPlan {
 /// within each class (every order as often as any other, up to four models; beyond, rows of a Latin square).
 /// Returns the id. Audited. kEvaluationSetup. Throws Error{kBadParameter}: weights that do not sum to 1,
 /// fewer than two models, a weighted class without a rater, a rater whose class has no weight.
-std::string addCampaign(SessionContext& session, const CampaignPlan& plan);
+CampaignId addCampaign(SessionContext& session, const CampaignPlan& plan);
 
 struct CampaignRow {
   Campaign campaign{};
   std::size_t marksExpected = 0;
   std::size_t marksSubmitted = 0;
   struct Rater {
-    std::string id{};
+    RaterId id{};
     std::string code{};
     std::string classCode{};
     std::size_t submitted = 0;

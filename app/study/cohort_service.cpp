@@ -13,13 +13,14 @@
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "sim/base/refusal.h"
 
 namespace torsio {
 
 namespace {
 
-Enrolment enrolmentOf(StudyRepository& study, const std::string& cohortId, const std::string& enrolmentId) {
+Enrolment enrolmentOf(StudyRepository& study, const CohortId& cohortId, const EnrolmentId& enrolmentId) {
   for (Enrolment& enrolment : study.enrolments(cohortId)) {
     if (enrolment.id == enrolmentId) {
       return enrolment;
@@ -50,7 +51,7 @@ void checkNewCohort(const NewCohort& cohort) {
 }
 
 /// What a phase id means, within the arm of an enrolment.
-const TrainingPhase* phaseOf(const StudyArm& arm, const std::string& phaseId) {
+const TrainingPhase* phaseOf(const StudyArm& arm, const PhaseId& phaseId) {
   const auto found = std::find_if(arm.phases.begin(), arm.phases.end(),
                                   [&](const TrainingPhase& phase) { return phase.id == phaseId; });
   return found == arm.phases.end() ? nullptr : &*found;
@@ -66,7 +67,7 @@ void checkPhase(SessionContext& session, const Cohort& cohort, const Enrolment& 
     refuse("the cohort follows no curriculum", "phase", "Record the time without a phase");
   }
   StudyRepository study(session.connection());
-  std::string armId;
+  ArmId armId;
   for (const StudyGroup& group : study.groups(cohort.id)) {
     if (group.id == enrolment.groupId) {
       armId = group.armId;
@@ -80,12 +81,12 @@ void checkPhase(SessionContext& session, const Cohort& cohort, const Enrolment& 
     if (phase == nullptr) {
       break;
     }
-    const std::string kind(storedText(phase->kind));
-    if (exposure.kind == "rest" || kind == exposure.kind) {
+    if (exposure.kind == ExposureKind::kRest || exposure.kind == exposureIn(phase->kind)) {
       return;
     }
-    refuse(Text("the phase is %1, the time is %2", kind, exposure.kind), enrolment.traineeCode,
-           "Record it for the phase that it was spent in");
+    refuse(Text("the phase is %1, the time is %2", std::string(storedText(phase->kind)),
+                std::string(storedText(exposure.kind))),
+           enrolment.traineeCode, "Record it for the phase that it was spent in");
   }
   refuse("this phase belongs to another arm", enrolment.traineeCode,
          "Choose a phase of the trainee's own arm");
@@ -125,14 +126,14 @@ std::vector<CohortRow> cohorts(SessionContext& session) {
   return rows;
 }
 
-std::vector<Enrolment> enrolments(SessionContext& session, const std::string& cohortId) {
+std::vector<Enrolment> enrolments(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kPersonViewCoded);
   std::vector<Enrolment> list = StudyRepository(session.connection()).enrolments(cohortId);
   if (session.may(Operation::kAllocationView)) {
     return list;
   }
   for (Enrolment& enrolment : list) {
-    enrolment.groupId.clear();
+    enrolment.groupId = {};
     enrolment.groupCode.clear();
     enrolment.numberInGroup = 0;
   }
@@ -142,11 +143,11 @@ std::vector<Enrolment> enrolments(SessionContext& session, const std::string& co
   return list;
 }
 
-std::string addCohort(SessionContext& session, const NewCohort& cohort) {
+CohortId addCohort(SessionContext& session, const NewCohort& cohort) {
   session.require(Operation::kStudySetup);
   checkNewCohort(cohort);
   Transaction transaction(session.connection());
-  const std::string id = session.ids().newUuid();
+  const CohortId id = session.ids().newUuid();
   std::vector<NewGroup> names = cohort.groups;
   CurriculumRepository curricula(session.connection());
   if (names.empty()) {
@@ -180,7 +181,8 @@ std::string addCohort(SessionContext& session, const NewCohort& cohort) {
   return id;
 }
 
-void assignCurriculum(SessionContext& session, const std::string& cohortId, const std::string& versionId) {
+void assignCurriculum(SessionContext& session, const CohortId& cohortId,
+                      const CurriculumVersionId& versionId) {
   session.require(Operation::kStudySetup);
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
@@ -198,8 +200,8 @@ void assignCurriculum(SessionContext& session, const std::string& cohortId, cons
   transaction.commit();
 }
 
-std::vector<std::string> enrolTrainees(SessionContext& session, const std::string& cohortId,
-                                       const std::vector<std::string>& traineeIds) {
+std::vector<EnrolmentId> enrolTrainees(SessionContext& session, const CohortId& cohortId,
+                                       const std::vector<TraineeId>& traineeIds) {
   session.require(Operation::kStudyEnrol);
   if (traineeIds.empty()) {
     refuse("nobody was chosen", "enrolment", "Choose at least one trainee");
@@ -207,17 +209,18 @@ std::vector<std::string> enrolTrainees(SessionContext& session, const std::strin
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
   const Cohort cohort = study.cohort(cohortId);
-  std::set<std::string> enrolled;
+  std::set<TraineeId> enrolled;
   for (const Enrolment& enrolment : study.enrolments(cohortId)) {
     enrolled.insert(enrolment.traineeId);
   }
   PeopleRepository people(session.connection());
   std::vector<Enrolment> records;
-  std::vector<std::string> ids;
-  for (const std::string& traineeId : traineeIds) {
+  std::vector<EnrolmentId> ids;
+  for (const TraineeId& traineeId : traineeIds) {
     const auto person = people.find(traineeId);
-    if (!person || person->state != "active" || !people.findTrainee(person->code)) {
-      refuse("this is no active trainee", person ? person->code : traineeId, "Choose one from the list");
+    if (!person || person->state != PersonState::kActive || !people.findTrainee(person->code)) {
+      refuse("this is no active trainee", person ? person->code : traineeId.text(),
+             "Choose one from the list");
     }
     if (!enrolled.insert(traineeId).second) {
       refuse("is enrolled in this cohort already", person->code, "Leave them out");
@@ -238,7 +241,7 @@ std::vector<std::string> enrolTrainees(SessionContext& session, const std::strin
   return ids;
 }
 
-void setEnrolmentState(SessionContext& session, const std::string& cohortId, const std::string& enrolmentId,
+void setEnrolmentState(SessionContext& session, const CohortId& cohortId, const EnrolmentId& enrolmentId,
                        EnrolmentState state, const std::string& reason) {
   session.require(Operation::kStudyEnrol);
   if (state == EnrolmentState::kWithdrawn && reason.empty()) {
@@ -264,7 +267,7 @@ const std::vector<std::string>& deviationKinds() {
   return kKinds;
 }
 
-std::string reportDeviation(SessionContext& session, const NewDeviation& deviation) {
+DeviationId reportDeviation(SessionContext& session, const NewDeviation& deviation) {
   session.require(Operation::kStudySetup);
   if (std::find(deviationKinds().begin(), deviationKinds().end(), deviation.kind) == deviationKinds().end()) {
     refuse("this kind of deviation is not known", deviation.kind, "Choose one from the list");
@@ -279,7 +282,7 @@ std::string reportDeviation(SessionContext& session, const NewDeviation& deviati
     (void)enrolmentOf(study, cohort.id, deviation.enrolmentId);
   }
   const std::int64_t now_us = session.now_us();
-  const std::string id = session.ids().newUuid();
+  const DeviationId id = session.ids().newUuid();
   study.addDeviation({id, cohort.id, deviation.enrolmentId, deviation.kind, deviation.description,
                       deviation.happenedUtc_us == 0 ? now_us : deviation.happenedUtc_us,
                       session.actor().userId, now_us, cohort.demonstration});
@@ -295,16 +298,13 @@ std::string reportDeviation(SessionContext& session, const NewDeviation& deviati
   return id;
 }
 
-std::vector<ProtocolDeviation> deviations(SessionContext& session, const std::string& cohortId) {
+std::vector<ProtocolDeviation> deviations(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kPersonViewCoded);
   return StudyRepository(session.connection()).deviations(cohortId);
 }
 
-std::string recordExposure(SessionContext& session, const NewExposure& exposure) {
+ExposureId recordExposure(SessionContext& session, const NewExposure& exposure) {
   session.requireEither(Operation::kStudySetup, Operation::kTrialRecordOwn);
-  if (exposure.kind != "virtual" && exposure.kind != "real" && exposure.kind != "rest") {
-    refuse("this is no kind of training time", exposure.kind, "Choose virtual, real or rest");
-  }
   if (exposure.duration_us <= 0) {
     refuse("no time was spent", "exposure", "Enter the minutes");
   }
@@ -327,7 +327,7 @@ std::string recordExposure(SessionContext& session, const NewExposure& exposure)
                 .objectKind = AuditObject::kExposure,
                 .objectId = stored.id,
                 .newJson = nlohmann::json{{"enrolment", exposure.enrolmentId},
-                                          {"kind", exposure.kind},
+                                          {"kind", storedText(exposure.kind)},
                                           {"phase", exposure.phaseId},
                                           {"duration_us", exposure.duration_us}}
                                .dump()});

@@ -9,6 +9,7 @@
 #include "app/access/session_context.h"
 #include "assessment/study/cohort.h"
 #include "assessment/study/protocol_terms.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -27,7 +28,7 @@ struct CohortRow {
 [[nodiscard]] std::vector<CohortRow> cohorts(SessionContext& session);
 /// Enrolments in order of group and number. Without kAllocationView the groups are left out.
 /// kPersonViewCoded.
-[[nodiscard]] std::vector<Enrolment> enrolments(SessionContext& session, const std::string& cohortId);
+[[nodiscard]] std::vector<Enrolment> enrolments(SessionContext& session, const CohortId& cohortId);
 
 struct NewGroup {
   std::string code{};   ///< "G1"
@@ -36,29 +37,30 @@ struct NewGroup {
 struct NewCohort {
   std::string name{};
   std::string description{};
-  std::vector<NewGroup> groups{};     ///< empty: taken from the arms of the curriculum
-  std::string curriculumVersionId{};  ///< may be empty: assignCurriculum() later
+  std::vector<NewGroup> groups{};             ///< empty: taken from the arms of the curriculum
+  CurriculumVersionId curriculumVersionId{};  ///< may be empty: assignCurriculum() later
   bool demonstration = false;
 };
 /// Returns the id. Audited. kStudySetup. Throws Error{kBadParameter}: no name, no groups, a code twice;
 /// kBadData when the curriculum is not running or has not an arm a group.
-std::string addCohort(SessionContext& session, const NewCohort& cohort);
+CohortId addCohort(SessionContext& session, const NewCohort& cohort);
 /// Ties the groups, number by number, to the arms of a running version. Audited. kStudySetup. Refused once
 /// training has begun.
-void assignCurriculum(SessionContext& session, const std::string& cohortId, const std::string& versionId);
+void assignCurriculum(SessionContext& session, const CohortId& cohortId,
+                      const CurriculumVersionId& versionId);
 
 /// Enrols trainees (ids of people), before allocation. Returns the ids of the enrolments. Audited.
 /// kStudyEnrol. Throws Error{kBadData} for somebody who is no active trainee or is enrolled already.
-std::vector<std::string> enrolTrainees(SessionContext& session, const std::string& cohortId,
-                                       const std::vector<std::string>& traineeIds);
+std::vector<EnrolmentId> enrolTrainees(SessionContext& session, const CohortId& cohortId,
+                                       const std::vector<TraineeId>& traineeIds);
 /// Completed or withdrawn (or back to enrolled); what was recorded stays. Audited. kStudyEnrol.
-void setEnrolmentState(SessionContext& session, const std::string& cohortId, const std::string& enrolmentId,
+void setEnrolmentState(SessionContext& session, const CohortId& cohortId, const EnrolmentId& enrolmentId,
                        EnrolmentState state, const std::string& reason);
 
 /// Something that did not go by the protocol.
 struct NewDeviation {
-  std::string cohortId{};
-  std::string enrolmentId{};  ///< empty: the whole cohort
+  CohortId cohortId{};
+  EnrolmentId enrolmentId{};  ///< empty: the whole cohort
   std::string kind{};         ///< one of deviationKinds()
   std::string description{};
   std::int64_t happenedUtc_us = 0;  ///< 0: now
@@ -67,21 +69,21 @@ struct NewDeviation {
 /// "other".
 [[nodiscard]] const std::vector<std::string>& deviationKinds();
 /// Audited. kStudySetup.
-std::string reportDeviation(SessionContext& session, const NewDeviation& deviation);
+DeviationId reportDeviation(SessionContext& session, const NewDeviation& deviation);
 /// Oldest first. kPersonViewCoded.
-[[nodiscard]] std::vector<ProtocolDeviation> deviations(SessionContext& session, const std::string& cohortId);
+[[nodiscard]] std::vector<ProtocolDeviation> deviations(SessionContext& session, const CohortId& cohortId);
 
 /// Time spent on the virtual or real arm, or resting.
 struct NewExposure {
-  std::string cohortId{};
-  std::string enrolmentId{};
-  std::string phaseId{};  ///< empty: outside any phase
-  std::string kind{};     ///< "virtual", "real", "rest"
+  CohortId cohortId{};
+  EnrolmentId enrolmentId{};
+  PhaseId phaseId{};  ///< empty: outside any phase
+  ExposureKind kind = ExposureKind::kVirtual;
   std::int64_t startedUtc_us = 0;
   std::int64_t duration_us = 0;
 };
 /// Append-only. One's own at the station: kTrialRecordOwn; anybody's, on the run day: kStudySetup. Audited.
 /// Throws Error{kBadData}: not enrolled, a phase of another arm, a kind that is not the phase's, no time.
-std::string recordExposure(SessionContext& session, const NewExposure& exposure);
+ExposureId recordExposure(SessionContext& session, const NewExposure& exposure);
 
 }  // namespace torsio

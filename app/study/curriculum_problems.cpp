@@ -164,7 +164,7 @@ class Examination {
 
   /// Takes away, again and again, the modules whose prerequisites are all gone; what stays runs in a circle.
   void checkCircle() {
-    std::map<std::string, std::vector<std::string>> open;
+    std::map<std::string, std::vector<ModuleId>> open;
     for (const TrainingModule& module : content_.modules) {
       open[module.code] = module.requires_;
     }

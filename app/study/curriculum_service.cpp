@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/study/curriculum_ids.h"
 #include "assessment/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
@@ -14,66 +15,19 @@
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 namespace {
 
-Curriculum curriculumOf(CurriculumRepository& repository, const std::string& curriculumId) {
+Curriculum curriculumOf(CurriculumRepository& repository, const CurriculumId& curriculumId) {
   for (Curriculum& curriculum : repository.curricula()) {
     if (curriculum.id == curriculumId) {
       return curriculum;
     }
   }
   throw Error(ErrorCode::kBadData, "there is no such curriculum", curriculumId, "Choose one from the list");
-}
-
-/// A stored version as a draft: codes in place of ids.
-CurriculumVersion withCodes(CurriculumVersion version) {
-  std::map<std::string, std::string> codes;
-  for (const TrainingModule& module : version.modules) {
-    codes[module.id] = module.code;
-  }
-  for (TrainingModule& module : version.modules) {
-    module.id = module.code;
-    for (std::string& required : module.requires_) {
-      required = codes[required];
-    }
-  }
-  for (StudyArm& arm : version.arms) {
-    arm.id = arm.code;
-    for (TrainingPhase& phase : arm.phases) {
-      phase.id.clear();
-      if (!phase.moduleId.empty()) {
-        phase.moduleId = codes[phase.moduleId];
-      }
-    }
-  }
-  return version;
-}
-
-/// A draft as a version: ids in place of codes.
-CurriculumVersion withIds(CurriculumVersion content, IdSource& ids) {
-  std::map<std::string, std::string> idOf;
-  for (TrainingModule& module : content.modules) {
-    module.id = ids.newUuid();
-    idOf[module.code] = module.id;
-  }
-  for (TrainingModule& module : content.modules) {
-    for (std::string& required : module.requires_) {
-      required = idOf.at(required);
-    }
-  }
-  for (StudyArm& arm : content.arms) {
-    arm.id = ids.newUuid();
-    for (TrainingPhase& phase : arm.phases) {
-      phase.id = ids.newUuid();
-      if (!phase.moduleId.empty()) {
-        phase.moduleId = idOf.at(phase.moduleId);
-      }
-    }
-  }
-  return content;
 }
 
 /// What the audit trail says of a version that has come into `state`; a version begins as a draft when it is
@@ -90,7 +44,7 @@ AuditAction actionOf(CurriculumState state) {
   throw ContractError("no such state");
 }
 
-void moveTo(SessionContext& session, const std::string& versionId, CurriculumState state,
+void moveTo(SessionContext& session, const CurriculumVersionId& versionId, CurriculumState state,
             const std::string& reason) {
   session.require(Operation::kCurriculumEdit);
   Transaction transaction(session.connection());
@@ -109,7 +63,7 @@ void moveTo(SessionContext& session, const std::string& versionId, CurriculumSta
 std::vector<CurriculumRow> curricula(SessionContext& session) {
   session.require(Operation::kPersonViewCoded);
   CurriculumRepository repository(session.connection());
-  std::map<std::string, std::vector<std::string>> followers;
+  std::map<CurriculumVersionId, std::vector<std::string>> followers;
   for (const Cohort& cohort : StudyRepository(session.connection()).cohorts()) {
     followers[cohort.curriculumVersionId].push_back(cohort.name);
   }
@@ -120,7 +74,7 @@ std::vector<CurriculumRow> curricula(SessionContext& session) {
       row.hasDraft = true;
       row.draftChangedUtc_us = draft->changedUtc_us;
     }
-    for (const std::string& id : repository.versionIds(curriculum.id)) {
+    for (const CurriculumVersionId& id : repository.versionIds(curriculum.id)) {
       const CurriculumVersion version = repository.version(id).value();
       row.versions.push_back(
           {id, version.number, version.note, version.state, version.createdUtc_us, followers[id]});
@@ -131,7 +85,7 @@ std::vector<CurriculumRow> curricula(SessionContext& session) {
   return rows;
 }
 
-CurriculumVersion publishedContent(SessionContext& session, const std::string& versionId) {
+CurriculumVersion publishedContent(SessionContext& session, const CurriculumVersionId& versionId) {
   session.require(Operation::kPersonViewCoded);
   auto version = CurriculumRepository(session.connection()).version(versionId);
   if (!version) {
@@ -140,15 +94,15 @@ CurriculumVersion publishedContent(SessionContext& session, const std::string& v
   return withCodes(*std::move(version));
 }
 
-std::string addCurriculum(SessionContext& session, const std::string& name, const std::string& description,
-                          const std::optional<CurriculumVersion>& content, bool demonstration) {
+CurriculumId addCurriculum(SessionContext& session, const std::string& name, const std::string& description,
+                           const std::optional<CurriculumVersion>& content, bool demonstration) {
   session.require(Operation::kCurriculumEdit);
   if (name.empty()) {
     throw Error(ErrorCode::kBadParameter, "the curriculum has no name", "curriculum", "Enter one");
   }
   Transaction transaction(session.connection());
   CurriculumRepository repository(session.connection());
-  const std::string id = session.ids().newUuid();
+  const CurriculumId id = session.ids().newUuid();
   repository.addCurriculum({id, name, description, session.now_us(), demonstration});
   repository.saveDraft(id, {0, curriculumJson(content.value_or(CurriculumVersion{})), session.actor().userId,
                             session.now_us()});
@@ -158,7 +112,7 @@ std::string addCurriculum(SessionContext& session, const std::string& name, cons
   return id;
 }
 
-CurriculumDraft curriculumDraft(SessionContext& session, const std::string& curriculumId) {
+CurriculumDraft curriculumDraft(SessionContext& session, const CurriculumId& curriculumId) {
   session.require(Operation::kCurriculumEdit);
   CurriculumRepository repository(session.connection());
   const Curriculum curriculum = curriculumOf(repository, curriculumId);
@@ -166,14 +120,14 @@ CurriculumDraft curriculumDraft(SessionContext& session, const std::string& curr
     return {draft->revision, parseCurriculum(draft->contentJson, curriculum.name), draft->changedBy,
             draft->changedUtc_us};
   }
-  const std::vector<std::string> versions = repository.versionIds(curriculumId);
+  const std::vector<CurriculumVersionId> versions = repository.versionIds(curriculumId);
   if (versions.empty()) {
     return {};
   }
   return {0, withCodes(repository.version(versions.back()).value()), "", 0};
 }
 
-std::int64_t saveCurriculumDraft(SessionContext& session, const std::string& curriculumId,
+std::int64_t saveCurriculumDraft(SessionContext& session, const CurriculumId& curriculumId,
                                  const CurriculumDraft& draft) {
   session.require(Operation::kCurriculumEdit);
   Transaction transaction(session.connection());
@@ -189,8 +143,8 @@ std::int64_t saveCurriculumDraft(SessionContext& session, const std::string& cur
   return revision;
 }
 
-std::string publishCurriculum(SessionContext& session, const std::string& curriculumId,
-                              const std::string& note, const std::filesystem::path& assets) {
+CurriculumVersionId publishCurriculum(SessionContext& session, const CurriculumId& curriculumId,
+                                      const std::string& note, const std::filesystem::path& assets) {
   session.require(Operation::kCurriculumEdit);
   Transaction transaction(session.connection());
   const CurriculumDraft draft = curriculumDraft(session, curriculumId);
@@ -217,11 +171,12 @@ std::string publishCurriculum(SessionContext& session, const std::string& curric
   return version.id;
 }
 
-void runCurriculum(SessionContext& session, const std::string& versionId) {
+void runCurriculum(SessionContext& session, const CurriculumVersionId& versionId) {
   moveTo(session, versionId, CurriculumState::kRunning, "");
 }
 
-void closeCurriculum(SessionContext& session, const std::string& versionId, const std::string& reason) {
+void closeCurriculum(SessionContext& session, const CurriculumVersionId& versionId,
+                     const std::string& reason) {
   moveTo(session, versionId, CurriculumState::kClosed, reason);
 }
 

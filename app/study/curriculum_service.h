@@ -10,12 +10,13 @@
 #include "app/access/session_context.h"
 #include "app/study/curriculum_content.h"
 #include "assessment/study/curriculum.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 /// One version in a list.
 struct CurriculumVersionRow {
-  std::string id{};
+  CurriculumVersionId id{};
   std::int64_t number = 1;
   std::string note{};
   CurriculumState state = CurriculumState::kDraft;
@@ -34,13 +35,14 @@ struct CurriculumRow {
 [[nodiscard]] std::vector<CurriculumRow> curricula(SessionContext& session);
 /// A published version with codes in place of ids: as it looks in the editor, and as a start of the next
 /// draft. kPersonViewCoded. Throws Error{kBadData} for an unknown id.
-[[nodiscard]] CurriculumVersion publishedContent(SessionContext& session, const std::string& versionId);
+[[nodiscard]] CurriculumVersion publishedContent(SessionContext& session,
+                                                 const CurriculumVersionId& versionId);
 
 /// A new curriculum with a first draft: empty, or from a template. Returns its id. kCurriculumEdit. Throws
 /// Error{kBadParameter} for an empty name, DbError{kUnique} when the name is taken.
-std::string addCurriculum(SessionContext& session, const std::string& name, const std::string& description,
-                          const std::optional<CurriculumVersion>& content = std::nullopt,
-                          bool demonstration = false);
+CurriculumId addCurriculum(SessionContext& session, const std::string& name, const std::string& description,
+                           const std::optional<CurriculumVersion>& content = std::nullopt,
+                           bool demonstration = false);
 
 /// What is being written (curriculum_content.h: codes in place of ids).
 struct CurriculumDraft {
@@ -50,19 +52,20 @@ struct CurriculumDraft {
   std::int64_t changedUtc_us = 0;
 };
 /// The draft; without one: the newest version as a start of the next, revision 0. kCurriculumEdit.
-[[nodiscard]] CurriculumDraft curriculumDraft(SessionContext& session, const std::string& curriculumId);
+[[nodiscard]] CurriculumDraft curriculumDraft(SessionContext& session, const CurriculumId& curriculumId);
 /// Saves also what cannot be published yet. Returns the new revision. kCurriculumEdit. Throws
 /// DbError{kConflict} when somebody else saved meanwhile: nothing is overwritten.
-std::int64_t saveCurriculumDraft(SessionContext& session, const std::string& curriculumId,
+std::int64_t saveCurriculumDraft(SessionContext& session, const CurriculumId& curriculumId,
                                  const CurriculumDraft& draft);
 
 /// Makes a version that never changes out of the saved draft. Returns its id. Audited. kCurriculumEdit.
 /// Throws Error{kBadData} with the first problem.
-std::string publishCurriculum(SessionContext& session, const std::string& curriculumId,
-                              const std::string& note, const std::filesystem::path& assets);
+CurriculumVersionId publishCurriculum(SessionContext& session, const CurriculumId& curriculumId,
+                                      const std::string& note, const std::filesystem::path& assets);
 /// From now on cohorts can follow it / no cohort may begin it any more. Audited. kCurriculumEdit. Throws
 /// Error{kBadData} for any other step.
-void runCurriculum(SessionContext& session, const std::string& versionId);
-void closeCurriculum(SessionContext& session, const std::string& versionId, const std::string& reason);
+void runCurriculum(SessionContext& session, const CurriculumVersionId& versionId);
+void closeCurriculum(SessionContext& session, const CurriculumVersionId& versionId,
+                     const std::string& reason);
 
 }  // namespace torsio

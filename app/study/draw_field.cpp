@@ -8,6 +8,7 @@
 #include "app/study/allocation_design.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -31,7 +32,7 @@ std::vector<Enrolment> DrawField::waiting() const {
   return list;
 }
 
-DrawField readDrawField(SessionContext& session, const std::string& cohortId) {
+DrawField readDrawField(SessionContext& session, const CohortId& cohortId) {
   StudyRepository study(session.connection());
   DrawField field;
   field.cohort = study.cohort(cohortId);

@@ -8,6 +8,7 @@
 #include "app/study/allocation_service.h"
 #include "assessment/people/person.h"
 #include "assessment/study/cohort.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -25,7 +26,7 @@ struct DrawField {
 };
 
 /// Reads a cohort for the draw. Throws Error{kBadData} when there is no such cohort.
-[[nodiscard]] DrawField readDrawField(SessionContext& session, const std::string& cohortId);
+[[nodiscard]] DrawField readDrawField(SessionContext& session, const CohortId& cohortId);
 /// Gives the levels that a factor has among the people who wait.
 [[nodiscard]] AllocationFactor factorOf(const DrawField& field, const std::string& name);
 /// Makes the design that a plan means for the people who wait. Throws Error{kBadParameter} where it cannot be

@@ -23,6 +23,7 @@
 #include "db/repository/study/study_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "sim/base/refusal.h"
 
 namespace torsio {
@@ -44,7 +45,7 @@ std::string hashOf(const Enrolment& row) {
 
 std::string hashOf(const Exposure& row) {
   FieldDigest digest("torsio frozen exposure 1");
-  digest.add(row.id).add(row.enrolmentId).add(row.phaseId).add(row.kind).add(row.startedUtc_us);
+  digest.add(row.id).add(row.enrolmentId).add(row.phaseId).add(storedText(row.kind)).add(row.startedUtc_us);
   digest.add(row.duration_us);
   return digest.hex();
 }
@@ -86,16 +87,16 @@ Hashes hashesOf(const std::vector<Row>& rows) {
 }
 
 template <class Row>
-std::vector<std::string> idsOf(const std::vector<Row>& rows) {
-  std::vector<std::string> ids;
+auto idsOf(const std::vector<Row>& rows) {
+  std::vector<decltype(Row::id)> ids;
   for (const Row& row : rows) {
     ids.push_back(row.id);
   }
   return ids;
 }
 
-Manifest manifestOf(SessionContext& session, const std::string& cohortId,
-                    const std::vector<std::string>& campaignIds) {
+Manifest manifestOf(SessionContext& session, const CohortId& cohortId,
+                    const std::vector<CampaignId>& campaignIds) {
   Connection& connection = session.connection();
   StudyRepository study(connection);
   Manifest manifest;
@@ -112,8 +113,8 @@ Manifest manifestOf(SessionContext& session, const std::string& cohortId,
     manifest["training_mark"] = markHashes(connection, marks);
   }
   Hashes& trials = manifest["trial"];
-  const std::vector<std::string> trialIds = study.trialIds(cohortId);
-  for (const std::string& id : trialIds) {
+  const std::vector<TrialId> trialIds = study.trialIds(cohortId);
+  for (const TrialId& id : trialIds) {
     trials[id] = "not ended";
   }
   if (!trialIds.empty()) {
@@ -122,7 +123,7 @@ Manifest manifestOf(SessionContext& session, const std::string& cohortId,
     }
   }
   EvaluationRepository evaluations(connection);
-  for (const std::string& campaignId : campaignIds) {
+  for (const CampaignId& campaignId : campaignIds) {
     const auto campaign = evaluations.campaign(campaignId);
     if (!campaign) {
       refuseParameter("there is no such evaluation", campaignId, "Choose one from the list");
@@ -172,7 +173,7 @@ FrozenRow rowOf(const DataFreeze& stored, const std::string& createdBy) {
   return row;
 }
 
-std::optional<DataFreeze> findFreeze(SessionContext& session, const std::string& frozenId) {
+std::optional<DataFreeze> findFreeze(SessionContext& session, const FreezeId& frozenId) {
   FreezeRepository repository(session.connection());
   for (const Cohort& cohort : StudyRepository(session.connection()).cohorts()) {
     for (DataFreeze& freeze : repository.list(cohort.id)) {
@@ -209,8 +210,8 @@ void compareTable(const std::string& table, const Hashes& then, const Hashes& no
 
 }  // namespace
 
-FrozenRow freezeData(SessionContext& session, const std::string& cohortId, const std::string& name,
-                     const std::vector<std::string>& campaignIds) {
+FrozenRow freezeData(SessionContext& session, const CohortId& cohortId, const std::string& name,
+                     const std::vector<CampaignId>& campaignIds) {
   session.require(Operation::kResultsCompute);
   if (name.empty()) {
     refuseParameter("the data set has no name", "name", "Enter one");
@@ -236,7 +237,7 @@ FrozenRow freezeData(SessionContext& session, const std::string& cohortId, const
   return rowOf(freeze, session.actor().login);
 }
 
-std::vector<FrozenRow> frozenData(SessionContext& session, const std::string& cohortId) {
+std::vector<FrozenRow> frozenData(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kResultsCompute);
   std::map<std::string, std::string> loginOf;  // by user
   for (const UserAccount& user : AccessRepository(session.connection()).users()) {
@@ -250,7 +251,7 @@ std::vector<FrozenRow> frozenData(SessionContext& session, const std::string& co
   return rows;
 }
 
-FrozenCheck compareWithFrozen(SessionContext& session, const std::string& frozenId) {
+FrozenCheck compareWithFrozen(SessionContext& session, const FreezeId& frozenId) {
   session.require(Operation::kResultsCompute);
   const auto stored = findFreeze(session, frozenId);
   if (!stored) {
@@ -264,7 +265,7 @@ FrozenCheck compareWithFrozen(SessionContext& session, const std::string& frozen
     return check;
   }
   const Manifest then = manifestFrom(*stored);
-  std::vector<std::string> campaignIds;
+  std::vector<CampaignId> campaignIds;
   if (const auto campaigns = then.find("evaluation_campaign"); campaigns != then.end()) {
     for (const auto& [id, hash] : campaigns->second) {
       campaignIds.push_back(id);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
+#include "sim/base/ids.h"
 #include "sim/base/text.h"
 
 namespace torsio {
@@ -24,8 +25,8 @@ struct FrozenCounts {
 
 /// A named state of a cohort's data: which rows, with their hashes.
 struct FrozenRow {
-  std::string id{};
-  std::string cohortId{};
+  FreezeId id{};
+  CohortId cohortId{};
   std::string name{};
   std::string contentHash{};
   FrozenCounts counts{};
@@ -36,10 +37,10 @@ struct FrozenRow {
 /// Stores the manifest of everything that a report of the cohort (and of `campaignIds`) is made of, under a
 /// name. Nothing is copied or locked: the hash says later whether it is still the same. Audited.
 /// kResultsCompute. Throws Error{kBadParameter} for an empty or used name, an unknown cohort or campaign.
-FrozenRow freezeData(SessionContext& session, const std::string& cohortId, const std::string& name,
-                     const std::vector<std::string>& campaignIds = {});
+FrozenRow freezeData(SessionContext& session, const CohortId& cohortId, const std::string& name,
+                     const std::vector<CampaignId>& campaignIds = {});
 /// Oldest first. kResultsCompute.
-[[nodiscard]] std::vector<FrozenRow> frozenData(SessionContext& session, const std::string& cohortId);
+[[nodiscard]] std::vector<FrozenRow> frozenData(SessionContext& session, const CohortId& cohortId);
 
 struct FrozenCheck {
   bool same = true;
@@ -47,6 +48,6 @@ struct FrozenCheck {
 };
 /// Compares a frozen state with what is there now. kResultsCompute. Throws Error{kBadParameter} when there is
 /// none.
-[[nodiscard]] FrozenCheck compareWithFrozen(SessionContext& session, const std::string& frozenId);
+[[nodiscard]] FrozenCheck compareWithFrozen(SessionContext& session, const FreezeId& frozenId);
 
 }  // namespace torsio

@@ -12,6 +12,7 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/ids.h"
 #include "sim/base/refusal.h"
 #include "sim/scene/json_fields.h"
 
@@ -84,8 +85,8 @@ void checkRevision(const RubricRevision& revision) {
   }
 }
 
-std::string storeRevision(SessionContext& session, const std::string& rubricId, RubricRevision revision,
-                          std::int64_t number, const std::string& note) {
+RubricRevisionId storeRevision(SessionContext& session, const RubricId& rubricId, RubricRevision revision,
+                               std::int64_t number, const std::string& note) {
   revision.id = session.ids().newUuid();
   revision.rubricId = rubricId;
   revision.number = number;
@@ -157,7 +158,7 @@ std::vector<RubricRow> rubrics(SessionContext& session) {
   std::vector<RubricRow> rows;
   for (const Rubric& rubric : repository.rubrics()) {
     RubricRow row{rubric.id, rubric.name, {}};
-    for (const std::string& id : repository.revisionIds(rubric.id)) {
+    for (const RubricRevisionId& id : repository.revisionIds(rubric.id)) {
       row.revisions.push_back(repository.revision(id).value());
     }
     rows.push_back(std::move(row));
@@ -165,23 +166,23 @@ std::vector<RubricRow> rubrics(SessionContext& session) {
   return rows;
 }
 
-std::string addRubric(SessionContext& session, const std::string& name, const RubricRevision& first,
-                      bool demonstration) {
+RubricRevisionId addRubric(SessionContext& session, const std::string& name, const RubricRevision& first,
+                           bool demonstration) {
   session.require(Operation::kCurriculumEdit);
   if (name.empty()) {
     refuseParameter("the rubric has no name", "rubric", "Enter one");
   }
   checkRevision(first);
   Transaction transaction(session.connection());
-  const std::string rubricId = session.ids().newUuid();
+  const RubricId rubricId = session.ids().newUuid();
   SheetRepository(session.connection()).addRubric(rubricId, name, session.now_us(), demonstration);
-  const std::string id = storeRevision(session, rubricId, first, 1, first.note);
+  const RubricRevisionId id = storeRevision(session, rubricId, first, 1, first.note);
   transaction.commit();
   return id;
 }
 
-std::string reviseRubric(SessionContext& session, const std::string& rubricId, const RubricRevision& next,
-                         const std::string& note) {
+RubricRevisionId reviseRubric(SessionContext& session, const RubricId& rubricId, const RubricRevision& next,
+                              const std::string& note) {
   session.require(Operation::kCurriculumEdit);
   checkRevision(next);
   Transaction transaction(session.connection());
@@ -189,7 +190,8 @@ std::string reviseRubric(SessionContext& session, const std::string& rubricId, c
   if (before == 0) {
     refuseParameter("there is no such rubric", rubricId, "Choose one from the list");
   }
-  const std::string id = storeRevision(session, rubricId, next, static_cast<std::int64_t>(before + 1), note);
+  const RubricRevisionId id =
+      storeRevision(session, rubricId, next, static_cast<std::int64_t>(before + 1), note);
   transaction.commit();
   return id;
 }

@@ -7,6 +7,7 @@
 
 #include "app/access/session_context.h"
 #include "assessment/rating/rubric.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -22,7 +23,7 @@ struct RubricTemplate {
 [[nodiscard]] RubricTemplate parseRubric(const std::string& json, const std::string& id);
 
 struct RubricRow {
-  std::string id{};
+  RubricId id{};
   std::string name{};
   std::vector<RubricRevision> revisions{};  ///< oldest first; the last one is offered
 };
@@ -32,10 +33,10 @@ struct RubricRow {
 /// Stores a rubric with its first revision. Returns the id of the revision. Audited. kCurriculumEdit. Throws
 /// Error{kBadParameter}: no rows, a row without code or label, a code twice, a scale or an anchor out of
 /// range.
-std::string addRubric(SessionContext& session, const std::string& name, const RubricRevision& first,
-                      bool demonstration = false);
+RubricRevisionId addRubric(SessionContext& session, const std::string& name, const RubricRevision& first,
+                           bool demonstration = false);
 /// The next revision: sheets that were assigned keep theirs. Returns its id. Audited. kCurriculumEdit.
-std::string reviseRubric(SessionContext& session, const std::string& rubricId, const RubricRevision& next,
-                         const std::string& note);
+RubricRevisionId reviseRubric(SessionContext& session, const RubricId& rubricId, const RubricRevision& next,
+                              const std::string& note);
 
 }  // namespace torsio

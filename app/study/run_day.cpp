@@ -15,6 +15,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -62,7 +63,7 @@ using SheetCounts = std::map<std::pair<std::string, std::string>, SheetCount>;
 
 /// Gives the newest occasion that this much training has reached. Of several after as much training, the
 /// first whose sheets are not all in: a follow-up is due when the occasion before it is done. No code: none.
-Occasion occasionDue(const Occasions& occasions, std::int64_t trained_us, const std::string& enrolmentId,
+Occasion occasionDue(const Occasions& occasions, std::int64_t trained_us, const EnrolmentId& enrolmentId,
                      const SheetCounts& sheets) {
   Occasion due;
   for (const Occasion& occasion : occasions) {
@@ -86,13 +87,14 @@ PhaseProgress phaseProgress(const StudyArm& arm, std::span<const Exposure> expos
   PhaseProgress progress;
   progress.restLeft_us = arm.restAllowance_us;
   std::vector<std::int64_t> spent_us(arm.phases.size(), 0);
-  std::map<std::string, std::int64_t> unnamed_us;
+  std::map<ExposureKind, std::int64_t> unnamed_us;
   for (const Exposure& exposure : exposures) {
-    if (exposure.kind == "rest") {
+    if (exposure.kind == ExposureKind::kRest) {
       countRest(arm, exposure.duration_us, progress);
       continue;
     }
-    (exposure.kind == "virtual" ? progress.virtual_us : progress.real_us) += exposure.duration_us;
+    (exposure.kind == ExposureKind::kVirtual ? progress.virtual_us : progress.real_us) +=
+        exposure.duration_us;
     const auto phase = std::find_if(arm.phases.begin(), arm.phases.end(), [&](const TrainingPhase& p) {
       return !exposure.phaseId.empty() && p.id == exposure.phaseId;
     });
@@ -102,11 +104,8 @@ PhaseProgress phaseProgress(const StudyArm& arm, std::span<const Exposure> expos
       spent_us[static_cast<std::size_t>(phase - arm.phases.begin())] += exposure.duration_us;
     }
   }
-  for (const auto& [kind, time_us] : unnamed_us) {
-    const std::optional<PhaseKind> spentOn = fromStoredText<PhaseKind>(kind);  // empty: rest
-    if (spentOn) {
-      fillInOrder(arm, *spentOn, time_us, spent_us);
-    }
+  for (const PhaseKind kind : {PhaseKind::kReal, PhaseKind::kVirtual}) {
+    fillInOrder(arm, kind, unnamed_us[exposureIn(kind)], spent_us);
   }
   while (progress.phase < arm.phases.size() &&
          spent_us[progress.phase] >= arm.phases[progress.phase].duration_us) {
@@ -129,7 +128,7 @@ struct Today {
   SheetCounts sheets;
 };
 
-Today readToday(SessionContext& session, const std::string& cohortId) {
+Today readToday(SessionContext& session, const CohortId& cohortId) {
   StudyRepository study(session.connection());
   Today today;
   for (Exposure& exposure : study.exposures(cohortId)) {
@@ -151,7 +150,7 @@ Today readToday(SessionContext& session, const std::string& cohortId) {
 
 }  // namespace
 
-RunDayBoard runDayBoard(SessionContext& session, const std::string& cohortId) {
+RunDayBoard runDayBoard(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kStudySetup);
   StudyRepository study(session.connection());
   RunDayBoard board;
@@ -250,8 +249,8 @@ std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board) {
   return alerts;
 }
 
-void swapTurns(SessionContext& session, const std::string& cohortId, const std::string& enrolmentId,
-               const std::string& otherEnrolmentId, const std::string& reason) {
+void swapTurns(SessionContext& session, const CohortId& cohortId, const EnrolmentId& enrolmentId,
+               const EnrolmentId& otherEnrolmentId, const std::string& reason) {
   session.require(Operation::kStudySetup);
   if (enrolmentId == otherEnrolmentId) {
     throw Error(ErrorCode::kBadData, "nobody swaps with themselves", cohortId, "Choose another trainee");

@@ -12,6 +12,7 @@
 #include "assessment/study/occasion.h"
 #include "assessment/study/protocol_terms.h"
 #include "assessment/study/station_state.h"
+#include "sim/base/ids.h"
 #include "sim/base/text.h"
 
 namespace torsio {
@@ -33,8 +34,8 @@ struct PhaseProgress {
 
 /// One line of the board.
 struct RunDayRow {
-  std::string enrolmentId{};
-  std::string traineeId{};
+  EnrolmentId enrolmentId{};
+  TraineeId traineeId{};
   std::string traineeCode{};
   EnrolmentState state = EnrolmentState::kEnrolled;
   std::string groupCode{};  ///< empty: not allocated
@@ -47,7 +48,7 @@ struct RunDayRow {
   Occasion occasionDue{};         ///< the newest one that the exposure has reached; of
                                   ///< several, the first that lacks sheets; no code: none
   std::size_t sheetsMissing = 0;  ///< of that occasion
-  std::string runningTrialId{};   ///< empty: nothing runs
+  TrialId runningTrialId{};       ///< empty: nothing runs
   std::string station{};          ///< where it runs
   std::int64_t runningSinceUtc_us = 0;
   std::size_t deviations = 0;
@@ -84,10 +85,10 @@ struct RunDayAlert {
 /// Two trainees take each other's turn today; their groups stay as they were drawn. A deviation of kind
 /// "swapped" for each, naming the other, both or none. kStudySetup. Throws Error{kBadData} for one and the
 /// same trainee.
-void swapTurns(SessionContext& session, const std::string& cohortId, const std::string& enrolmentId,
-               const std::string& otherEnrolmentId, const std::string& reason);
+void swapTurns(SessionContext& session, const CohortId& cohortId, const EnrolmentId& enrolmentId,
+               const EnrolmentId& otherEnrolmentId, const std::string& reason);
 
 /// Everything about today in one look. kStudySetup.
-[[nodiscard]] RunDayBoard runDayBoard(SessionContext& session, const std::string& cohortId);
+[[nodiscard]] RunDayBoard runDayBoard(SessionContext& session, const CohortId& cohortId);
 
 }  // namespace torsio

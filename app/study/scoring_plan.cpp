@@ -23,6 +23,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/question_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "sim/base/refusal.h"
 
 namespace torsio {
@@ -32,19 +33,15 @@ namespace {
 constexpr std::uint64_t kCommonLabels = 1;  // streams of the seed
 constexpr std::uint64_t kLabelsOfRater = 100'000;
 
-[[noreturn]] void refuseParameter(const Text& what, const Text& where, const Text& remedy) {
-  throw Error(ErrorCode::kBadParameter, what, where, remedy);
-}
-
 /// One trainee at one occasion.
 struct Case {
   Enrolment enrolment;
   std::string occasionCode;
-  std::string trialId;      ///< empty: live
+  TrialId trialId;          ///< empty: live
   std::string commonLabel;  ///< of a live case: the same for all raters
 };
 
-std::string keyOf(const std::string& enrolmentId, const std::string& occasionCode) {
+std::string keyOf(const EnrolmentId& enrolmentId, const std::string& occasionCode) {
   return enrolmentId + " " + occasionCode;
 }
 
@@ -86,7 +83,7 @@ void checkPlan(SessionContext& session, const ScoringPlan& plan) {
   }
   std::set<std::string> known;
   for (const Rater& rater : PeopleRepository(session.connection()).raters()) {
-    if (rater.person.state == "active") {
+    if (rater.person.state == PersonState::kActive) {
       known.insert(rater.person.id);
     }
   }
@@ -145,7 +142,7 @@ void giveCommonLabels(std::vector<Case>& cases, const std::vector<AssignmentStat
 std::vector<Assignment> assignmentsFor(SessionContext& session, const ScoringPlan& plan,
                                        const std::vector<Case>& cases, std::size_t panelPosition,
                                        std::uint64_t seed) {
-  const std::string& raterId = plan.raterIds.at(panelPosition);
+  const RaterId& raterId = plan.raterIds.at(panelPosition);
   std::set<std::string> asked;
   std::set<std::string> labels;
   std::int64_t position = 0;
@@ -189,7 +186,7 @@ ScoringCell cellOf(const AssignmentStatus& status) {
           status.changedUtc_us};
 }
 
-void setReleased(SessionContext& session, const std::string& cohortId, const std::string& occasionCode,
+void setReleased(SessionContext& session, const CohortId& cohortId, const std::string& occasionCode,
                  bool released, const std::string& reason) {
   SheetRepository(session.connection())
       .setReleased(cohortId, occasionCode, released, reason, session.actor().userId, session.now_us());
@@ -244,7 +241,7 @@ ScoringPlanOutcome createAssignments(SessionContext& session, const ScoringPlan&
   return outcome;
 }
 
-ScoringMatrix scoringMatrix(SessionContext& session, const std::string& cohortId) {
+ScoringMatrix scoringMatrix(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kStudySetup);
   const std::vector<AssignmentStatus> all = SheetRepository(session.connection()).assignments(cohortId);
   std::map<std::string, std::string> codes;
@@ -284,8 +281,8 @@ ScoringMatrix scoringMatrix(SessionContext& session, const std::string& cohortId
   return matrix;
 }
 
-std::string reassign(SessionContext& session, const std::string& assignmentId, const std::string& newRaterId,
-                     const std::string& reason) {
+AssignmentId reassign(SessionContext& session, const AssignmentId& assignmentId, const RaterId& newRaterId,
+                      const std::string& reason) {
   session.require(Operation::kStudySetup);
   if (reason.empty()) {
     refuse("taking a sheet from its rater needs a reason", assignmentId, "Say why");
@@ -300,7 +297,7 @@ std::string reassign(SessionContext& session, const std::string& assignmentId, c
     refuse("the sheet was withdrawn already", before->assignment.caseLabel, "Read the matrix again");
   }
   sheets.withdraw(assignmentId, reason, session.actor().userId, session.now_us());
-  std::string newId;
+  AssignmentId newId;
   if (!newRaterId.empty()) {
     Assignment next = before->assignment;
     std::set<std::string> labels;
@@ -314,7 +311,7 @@ std::string reassign(SessionContext& session, const std::string& assignmentId, c
     }
     const std::vector<Rater> raters = PeopleRepository(session.connection()).raters();
     if (std::none_of(raters.begin(), raters.end(), [&](const Rater& rater) {
-          return rater.person.id == newRaterId && rater.person.state == "active";
+          return rater.person.id == newRaterId && rater.person.state == PersonState::kActive;
         })) {
       refuse("this is no active rater", newRaterId, "Choose one from the list");
     }
@@ -340,7 +337,7 @@ std::string reassign(SessionContext& session, const std::string& assignmentId, c
   return newId;
 }
 
-std::vector<ReleaseState> releaseStates(SessionContext& session, const std::string& cohortId) {
+std::vector<ReleaseState> releaseStates(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kMarkRelease);
   SheetRepository sheets(session.connection());
   std::vector<ReleaseState> states;
@@ -361,7 +358,7 @@ std::vector<ReleaseState> releaseStates(SessionContext& session, const std::stri
   return states;
 }
 
-void releaseMarks(SessionContext& session, const std::string& cohortId, const std::string& occasionCode,
+void releaseMarks(SessionContext& session, const CohortId& cohortId, const std::string& occasionCode,
                   const std::string& reason) {
   session.require(Operation::kMarkRelease);
   Transaction transaction(session.connection());
@@ -383,7 +380,7 @@ void releaseMarks(SessionContext& session, const std::string& cohortId, const st
   refuse("there is no such occasion", occasionCode, "Choose one from the list");
 }
 
-void retractMarks(SessionContext& session, const std::string& cohortId, const std::string& occasionCode,
+void retractMarks(SessionContext& session, const CohortId& cohortId, const std::string& occasionCode,
                   const std::string& reason) {
   session.require(Operation::kMarkRelease);
   if (reason.empty()) {

@@ -10,25 +10,26 @@
 #include "assessment/people/person.h"
 #include "assessment/rating/sheet_state.h"
 #include "assessment/study/occasion.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 /// A recording that stands for a trainee at an occasion. Cases without one are scored live, on the real
 /// arm.
 struct CaseRecording {
-  std::string enrolmentId{};
+  EnrolmentId enrolmentId{};
   std::string occasionCode{};
-  std::string trialId{};
+  TrialId trialId{};
 };
 
 /// Who is asked to score whom, when.
 struct ScoringPlan {
-  std::string cohortId{};
+  CohortId cohortId{};
   std::vector<std::string> occasionCodes{};  ///< codes of occasions
-  std::vector<std::string> raterIds{};
-  std::vector<std::string> enrolmentIds{};  ///< empty: everybody who has not withdrawn
+  std::vector<RaterId> raterIds{};
+  std::vector<EnrolmentId> enrolmentIds{};  ///< empty: everybody who has not withdrawn
   std::vector<CaseRecording> recordings{};
-  std::string rubricRevisionId{};
+  RubricRevisionId rubricRevisionId{};
   std::optional<std::int64_t> dueUtc_us{};
   std::optional<std::uint64_t> seed{};  ///< of order and labels; empty: drawn, and kept in the audit trail
 };
@@ -50,7 +51,7 @@ ScoringPlanOutcome createAssignments(SessionContext& session, const ScoringPlan&
 
 /// One cell of the matrix.
 struct ScoringCell {
-  std::string assignmentId{};  ///< empty: this rater was not asked
+  AssignmentId assignmentId{};  ///< empty: this rater was not asked
   SheetState state = SheetState::kOpen;
   std::string caseLabel{};
   std::optional<std::int64_t> dueUtc_us{};
@@ -58,14 +59,14 @@ struct ScoringCell {
 };
 struct ScoringMatrix {
   struct Rater {
-    std::string id{};
+    RaterId id{};
     std::string code{};
     std::string classCode{};
     std::size_t open = 0;  ///< sheets that are open or drafts
     std::size_t submitted = 0;
   };
   struct Line {
-    std::string enrolmentId{};
+    EnrolmentId enrolmentId{};
     std::string traineeCode{};
     Occasion occasion{};
     std::vector<ScoringCell> cells{};  ///< one a rater
@@ -76,13 +77,13 @@ struct ScoringMatrix {
   Occasions occasions{};      ///< of the cohort: what can be asked for
 };
 /// Who has scored whom; no marks. kStudySetup.
-[[nodiscard]] ScoringMatrix scoringMatrix(SessionContext& session, const std::string& cohortId);
+[[nodiscard]] ScoringMatrix scoringMatrix(SessionContext& session, const CohortId& cohortId);
 
 /// Takes a sheet that was not submitted from its rater; with `newRaterId` another one is asked, under a label
 /// of theirs. Returns the new assignment, empty without one. Audited. kStudySetup. Throws Error{kBadData}:
 /// submitted already, or the other rater was asked about this case before.
-std::string reassign(SessionContext& session, const std::string& assignmentId, const std::string& newRaterId,
-                     const std::string& reason);
+AssignmentId reassign(SessionContext& session, const AssignmentId& assignmentId, const RaterId& newRaterId,
+                      const std::string& reason);
 
 /// What stands before a release.
 struct ReleaseState {
@@ -92,13 +93,13 @@ struct ReleaseState {
   std::size_t missing = 0;  ///< not submitted yet
 };
 /// In order of time. kMarkRelease.
-[[nodiscard]] std::vector<ReleaseState> releaseStates(SessionContext& session, const std::string& cohortId);
+[[nodiscard]] std::vector<ReleaseState> releaseStates(SessionContext& session, const CohortId& cohortId);
 /// Shows the marks of an occasion to the trainees. While sheets are missing only with a reason. Audited.
 /// kMarkRelease.
-void releaseMarks(SessionContext& session, const std::string& cohortId, const std::string& occasionCode,
+void releaseMarks(SessionContext& session, const CohortId& cohortId, const std::string& occasionCode,
                   const std::string& reason = {});
 /// Takes them back; the reason is required. Audited. kMarkRelease.
-void retractMarks(SessionContext& session, const std::string& cohortId, const std::string& occasionCode,
+void retractMarks(SessionContext& session, const CohortId& cohortId, const std::string& occasionCode,
                   const std::string& reason);
 
 }  // namespace torsio

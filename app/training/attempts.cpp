@@ -9,6 +9,7 @@
 #include "assessment/metrics/metric_cards.h"
 #include "db/connection/connection.h"
 #include "db/repository/trial/trial_repository.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -39,7 +40,7 @@ Attempt measured(SessionContext& session, const TrialListing& listing, ExerciseR
 
 }  // namespace
 
-Attempt attemptOf(SessionContext& session, const std::string& trialId) {
+Attempt attemptOf(SessionContext& session, const TrialId& trialId) {
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   const TrialListing listing = ownTrial(session, record, trialId);
   ExerciseRules rules;
@@ -49,8 +50,7 @@ Attempt attemptOf(SessionContext& session, const std::string& trialId) {
   return attempt;
 }
 
-std::vector<Attempt> attemptsOf(SessionContext& session, const std::string& personId,
-                                const std::string& moduleId) {
+std::vector<Attempt> attemptsOf(SessionContext& session, const PersonId& personId, const ModuleId& moduleId) {
   session.requireOwn(Operation::kTrialViewOwn, personId);
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   TrialRepository trials(session.connection());

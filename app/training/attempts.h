@@ -13,14 +13,15 @@
 #include "assessment/attempt/mastery.h"
 #include "assessment/study/curriculum.h"
 #include "assessment/study/protocol_terms.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 /// One recorded try at a module, with what it is judged by.
 struct Attempt {
-  std::string trialId{};
-  std::string moduleId{};
-  std::string phaseId{};
+  TrialId trialId{};
+  ModuleId moduleId{};
+  PhaseId phaseId{};
   std::optional<AttemptMode> mode{};  ///< empty: free practice
   std::int64_t startedUtc_us = 0;
   double duration_s = 0.0;
@@ -34,12 +35,12 @@ struct Attempt {
 
 /// Reads what was measured of a stored trial (reporting/kept_digests.h); measures it when nobody has yet.
 /// kTrialViewOwn, own trials only.
-Attempt attemptOf(SessionContext& session, const std::string& trialId);
+Attempt attemptOf(SessionContext& session, const TrialId& trialId);
 
 /// The tries of a trainee, oldest first; empty `moduleId`: at all modules. Trials that were not measured yet
 /// are measured now. kTrialViewOwn, own trials only.
-[[nodiscard]] std::vector<Attempt> attemptsOf(SessionContext& session, const std::string& personId,
-                                              const std::string& moduleId = {});
+[[nodiscard]] std::vector<Attempt> attemptsOf(SessionContext& session, const PersonId& personId,
+                                              const ModuleId& moduleId = {});
 
 /// Whether an attempt counts for mastery and for the limit: ended in good order, and graded unless the module
 /// is there for practice.

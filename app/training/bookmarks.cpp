@@ -10,14 +10,14 @@
 
 namespace torsio {
 
-std::string keepBookmark(SessionContext& session, const TrialListing& trial, double at_s,
-                         const std::string& text) {
+RemarkId keepBookmark(SessionContext& session, const TrialListing& trial, double at_s,
+                      const std::string& text) {
   const double length_s = trial.summary ? spanOf_s(trial.summary->samples) : 0.0;
   if (!std::isfinite(at_s) || at_s < 0.0 || at_s > length_s) {
     throw Error(ErrorCode::kBadParameter, "the moment lies outside the recording", trial.trialId,
                 "Choose a time within it");
   }
-  const std::string id = session.ids().newUuid();
+  const RemarkId id = session.ids().newUuid();
   RemarkRepository(session.connection())
       .add({.id = id,
             .trialId = trial.trialId,

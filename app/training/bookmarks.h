@@ -11,7 +11,7 @@ namespace torsio {
 /// Keeps a bookmark of the actor at a moment of a run that the caller has found to be the actor's own, inside
 /// the caller's transaction. Returns its id. Throws Error{kBadParameter} for a
 /// moment outside the recording.
-std::string keepBookmark(SessionContext& session, const TrialListing& trial, double at_s,
-                         const std::string& text);
+RemarkId keepBookmark(SessionContext& session, const TrialListing& trial, double at_s,
+                      const std::string& text);
 
 }  // namespace torsio

@@ -12,6 +12,7 @@
 #include "app/training/attempts.h"
 #include "assessment/attempt/pass_rule.h"
 #include "assessment/study/protocol_terms.h"
+#include "sim/base/ids.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {
@@ -51,15 +52,15 @@ struct DebriefTrace {
 };
 
 struct DebriefBookmark {
-  std::string id{};
+  RemarkId id{};
   double at_s = 0.0;
   std::string text{};
 };
 
 /// What a trainee is told right after a run.
 struct Debrief {
-  std::string trialId{};
-  std::string moduleId{};
+  TrialId trialId{};
+  ModuleId moduleId{};
   std::string moduleTitle{};
   std::string phaseLabel{};
   std::optional<AttemptMode> mode{};
@@ -93,10 +94,10 @@ struct Debrief {
 
 /// The debrief of a stored trial. kTrialViewOwn, own trials only. `scene`: that of the trial when it is
 /// loaded already; else it is loaded from `assets` for the expert run. Seconds: call it off the GUI thread.
-[[nodiscard]] Debrief debrief(SessionContext& session, const std::string& trialId,
+[[nodiscard]] Debrief debrief(SessionContext& session, const TrialId& trialId,
                               const std::filesystem::path& assets, const Scene* scene = nullptr);
 
 /// A bookmark of one's own in a trial of one's own. Audited. kTrialViewOwn.
-void addBookmark(SessionContext& session, const std::string& trialId, double at_s, const std::string& text);
+void addBookmark(SessionContext& session, const TrialId& trialId, double at_s, const std::string& text);
 
 }  // namespace torsio

@@ -13,6 +13,7 @@
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {
@@ -87,7 +88,7 @@ void addMastery(const TrainingModule& module, const Attempt& attempt, const std:
 
 }  // namespace
 
-Debrief debrief(SessionContext& session, const std::string& trialId, const std::filesystem::path& assets,
+Debrief debrief(SessionContext& session, const TrialId& trialId, const std::filesystem::path& assets,
                 const Scene* scene) {
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   const TrialListing listing = ownTrial(session, record, trialId);
@@ -121,11 +122,11 @@ Debrief debrief(SessionContext& session, const std::string& trialId, const std::
   return out;
 }
 
-void addBookmark(SessionContext& session, const std::string& trialId, double at_s, const std::string& text) {
+void addBookmark(SessionContext& session, const TrialId& trialId, double at_s, const std::string& text) {
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   const TrialListing listing = ownTrial(session, record, trialId);
   Transaction transaction(session.connection());
-  const std::string id = keepBookmark(session, listing, at_s, text);
+  const RemarkId id = keepBookmark(session, listing, at_s, text);
   session.note(
       {.action = AuditAction::kTrialBookmark, .objectKind = AuditObject::kTrialRemark, .objectId = id});
   transaction.commit();

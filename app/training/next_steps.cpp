@@ -12,6 +12,7 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -36,7 +37,7 @@ ModuleStep stepFor(const TrainingModule& module, const std::vector<Attempt>& all
     }
     step.last = attempt;
     if (counts(attempt, module)) {
-      counted.insert(attempt.phaseId.empty() ? attempt.trialId : attempt.phaseId);
+      counted.insert(attempt.phaseId.empty() ? attempt.trialId.text() : attempt.phaseId.text());
     }
   }
   step.attempts = static_cast<std::int64_t>(counted.size());
@@ -87,12 +88,11 @@ void planArm(Connection& connection, const TraineeRecord& record, NextSteps& ste
   const PhaseProgress progress = phaseProgress(*record.arm, own);
   for (std::size_t i = 0; i < record.arm->phases.size(); ++i) {
     const TrainingPhase& stored = record.arm->phases[i];
-    RunPhase phase{
-        .phaseId = stored.id,
-        .label = stored.label,
-        .arm = stored.kind == PhaseKind::kReal ? TrainingSetting::kReal : TrainingSetting::kVirtual,
-        .duration_us = stored.duration_us,
-        .moduleId = stored.moduleId};
+    RunPhase phase{.phaseId = stored.id,
+                   .label = stored.label,
+                   .arm = stored.kind,
+                   .duration_us = stored.duration_us,
+                   .moduleId = stored.moduleId};
     if (i < progress.phase) {
       phase.done_us = phase.duration_us;
     }
@@ -137,7 +137,7 @@ void chooseNext(NextSteps& steps) {
 
 }  // namespace
 
-NextSteps nextSteps(SessionContext& session, const std::string& personId) {
+NextSteps nextSteps(SessionContext& session, const PersonId& personId) {
   session.requireOwn(Operation::kTrialViewOwn, personId);
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   NextSteps steps;
@@ -174,7 +174,7 @@ NextSteps nextSteps(SessionContext& session, const std::string& personId) {
   return steps;
 }
 
-const ModuleStep& stepOf(const NextSteps& steps, const std::string& moduleId) {
+const ModuleStep& stepOf(const NextSteps& steps, const ModuleId& moduleId) {
   const auto found = std::find_if(steps.modules.begin(), steps.modules.end(),
                                   [&](const ModuleStep& step) { return step.module.id == moduleId; });
   if (found != steps.modules.end()) {

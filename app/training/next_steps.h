@@ -10,6 +10,7 @@
 #include "app/training/attempts.h"
 #include "app/training/training_run.h"
 #include "assessment/study/curriculum.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -35,10 +36,10 @@ struct ModuleStep {
 
 /// Everything the first page of a trainee shows.
 struct NextSteps {
-  std::string personId{};
+  PersonId personId{};
   std::string traineeCode{};
-  std::string enrolmentId{};  ///< empty: in no cohort yet
-  std::string cohortId{};
+  EnrolmentId enrolmentId{};  ///< empty: in no cohort yet
+  CohortId cohortId{};
   std::string cohortName{};
   std::string armLabel{};  ///< "20 min virtual, 20 min real arm"; empty: no arm
   bool demonstration = false;
@@ -60,9 +61,9 @@ inline constexpr std::int64_t kModuleTime_us = 600'000'000;
 
 /// Modules of the running curriculum of the trainee's cohort, what is open, what is locked and why.
 /// kTrialViewOwn, own person only.
-[[nodiscard]] NextSteps nextSteps(SessionContext& session, const std::string& personId);
+[[nodiscard]] NextSteps nextSteps(SessionContext& session, const PersonId& personId);
 
 /// The step of one module. Throws Error{kBadParameter} when the curriculum has no such module.
-[[nodiscard]] const ModuleStep& stepOf(const NextSteps& steps, const std::string& moduleId);
+[[nodiscard]] const ModuleStep& stepOf(const NextSteps& steps, const ModuleId& moduleId);
 
 }  // namespace torsio

@@ -18,6 +18,7 @@
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {
@@ -26,7 +27,7 @@ namespace {
 
 constexpr const char* kChief = "chief";
 
-std::string nameOf(PeopleRepository& people, const std::string& personId, const std::string& code) {
+std::string nameOf(PeopleRepository& people, const PersonId& personId, const std::string& code) {
   const std::optional<Identity> identity = people.identity(personId);
   return identity && !identity->fullName.empty() ? identity->fullName : code;
 }
@@ -48,7 +49,7 @@ std::vector<AskablePhysician> askable(SessionContext& session, const TraineeReco
   std::vector<AskablePhysician> physicians;
   for (const Rater& rater : people.raters()) {
     const Person& person = rater.person;
-    if (rater.classCode != kChief || person.state != "active") {
+    if (rater.classCode != kChief || person.state != PersonState::kActive) {
       continue;
     }
     if (person.demonstration != record.demonstration) {
@@ -59,7 +60,7 @@ std::vector<AskablePhysician> askable(SessionContext& session, const TraineeReco
   return physicians;
 }
 
-TraineeQuestion questionToMe(SessionContext& session, const std::string& questionId) {
+TraineeQuestion questionToMe(SessionContext& session, const RemarkId& questionId) {
   session.require(Operation::kTrialViewAssigned);
   const std::optional<TraineeQuestion> question = QuestionRepository(session.connection()).find(questionId);
   if (!question) {
@@ -72,7 +73,7 @@ TraineeQuestion questionToMe(SessionContext& session, const std::string& questio
   return *question;
 }
 
-std::string moduleTitle(SessionContext& session, const std::string& trialId) {
+std::string moduleTitle(SessionContext& session, const TrialId& trialId) {
   const auto context = TrialRepository(session.connection()).context(trialId);
   if (!context || context->moduleId.empty()) {
     return {};
@@ -88,7 +89,7 @@ std::string moduleTitle(SessionContext& session, const std::string& trialId) {
 
 }  // namespace
 
-QuestionDesk questionDesk(SessionContext& session, const std::string& trialId) {
+QuestionDesk questionDesk(SessionContext& session, const TrialId& trialId) {
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   const TrialListing trial = ownTrial(session, record, trialId);
   PeopleRepository people(session.connection());
@@ -109,8 +110,8 @@ QuestionDesk questionDesk(SessionContext& session, const std::string& trialId) {
   return desk;
 }
 
-std::string askPhysician(SessionContext& session, const std::string& trialId, double at_s,
-                         const std::string& raterId, const std::string& text) {
+RemarkId askPhysician(SessionContext& session, const TrialId& trialId, double at_s, const RaterId& raterId,
+                      const std::string& text) {
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   const TrialListing trial = ownTrial(session, record, trialId);
   if (!namesMayBeShown(session, trial)) {
@@ -124,7 +125,7 @@ std::string askPhysician(SessionContext& session, const std::string& trialId, do
                 "Choose one from the list");
   }
   Transaction transaction(session.connection());
-  const std::string id = keepBookmark(session, trial, at_s, text);
+  const RemarkId id = keepBookmark(session, trial, at_s, text);
   QuestionRepository(session.connection())
       .add({.remarkId = id, .raterId = raterId, .askedUtc_us = session.now_us()});
   session.note(
@@ -156,27 +157,27 @@ std::vector<PhysicianQuestion> questionsToMe(SessionContext& session) {
   return questions;
 }
 
-Debrief questionedRun(SessionContext& session, const std::string& questionId) {
+Debrief questionedRun(SessionContext& session, const RemarkId& questionId) {
   const TraineeQuestion question = questionToMe(session, questionId);
   const Trial trial = TrialRepository(session.connection()).load(question.trialId);
   const std::optional<TrialContext> context = TrialRepository(session.connection()).context(question.trialId);
   ExerciseRules exercises;
   const AttemptRules rules = exercises.of(session.connection(), trial.header.sceneId, trial.header.patternId,
-                                          context ? context->moduleId : std::string());
+                                          context ? context->moduleId : ModuleId());
   Debrief run = makeDebrief(trial.header, decodeTrial(trial), rules, nullptr);
   run.moduleTitle = moduleTitle(session, question.trialId);
   run.bookmarks.push_back({question.remarkId, secondsOf(question.time_us), question.text});
   return run;
 }
 
-void answerQuestion(SessionContext& session, const std::string& questionId, const std::string& text) {
+void answerQuestion(SessionContext& session, const RemarkId& questionId, const std::string& text) {
   const TraineeQuestion question = questionToMe(session, questionId);
   if (text.empty()) {
     throw Error(ErrorCode::kBadParameter, "the answer is empty", "", "Write what you want to say");
   }
   RemarkRepository remarks(session.connection());
   const std::optional<Remark> bookmark = remarks.find(questionId);
-  const std::string id = session.ids().newUuid();
+  const RemarkId id = session.ids().newUuid();
   Transaction transaction(session.connection());
   remarks.add({.id = id,
                .trialId = question.trialId,

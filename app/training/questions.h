@@ -7,19 +7,20 @@
 
 #include "app/access/session_context.h"
 #include "app/training/debrief.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 /// A chief physician whom a trainee may ask.
 struct AskablePhysician {
-  std::string raterId{};
+  RaterId raterId{};
   std::string name{};  ///< the code where no name is known
   bool lastAsked = false;
 };
 
 /// What a trainee asked about a moment of a run, and what came back.
 struct OwnQuestion {
-  std::string id{};
+  RemarkId id{};
   std::string physician{};
   double at_s = 0.0;
   std::string text{};
@@ -38,21 +39,21 @@ struct QuestionDesk {
   std::vector<OwnQuestion> questions{};  ///< by moment
 };
 /// kTrialViewOwn, own trials only.
-[[nodiscard]] QuestionDesk questionDesk(SessionContext& session, const std::string& trialId);
+[[nodiscard]] QuestionDesk questionDesk(SessionContext& session, const TrialId& trialId);
 
 /// Sends a moment of a practice run to a chief physician; `text` may be empty: the moment speaks. It is a
 /// bookmark, too. Returns its id. Audited. kTrialViewOwn, own trials only. Throws Error{kPermission} for a
 /// trial that is, was or may become a blinded case, {kBadParameter} for a moment outside the recording or a
 /// physician who cannot be asked.
-std::string askPhysician(SessionContext& session, const std::string& trialId, double at_s,
-                         const std::string& raterId, const std::string& text);
+RemarkId askPhysician(SessionContext& session, const TrialId& trialId, double at_s, const RaterId& raterId,
+                      const std::string& text);
 
 /// A question as the physician sees it.
 struct PhysicianQuestion {
-  std::string id{};
+  RemarkId id{};
   std::string trainee{};  ///< name, or the code where no name is known
   std::string moduleTitle{};
-  std::string trialId{};
+  TrialId trialId{};
   double at_s = 0.0;
   std::string text{};
   std::int64_t askedUtc_us = 0;
@@ -63,9 +64,9 @@ struct PhysicianQuestion {
 [[nodiscard]] std::vector<PhysicianQuestion> questionsToMe(SessionContext& session);
 /// The run that one of these questions is about, without an expert's. kTrialViewAssigned; the question must
 /// be to the actor.
-[[nodiscard]] Debrief questionedRun(SessionContext& session, const std::string& questionId);
+[[nodiscard]] Debrief questionedRun(SessionContext& session, const RemarkId& questionId);
 /// A remark at the moment of the question, for the trainee to read at once. Audited. kTrialViewAssigned; the
 /// question must be to the actor. Throws Error{kBadParameter} for an empty text.
-void answerQuestion(SessionContext& session, const std::string& questionId, const std::string& text);
+void answerQuestion(SessionContext& session, const RemarkId& questionId, const std::string& text);
 
 }  // namespace torsio

@@ -23,6 +23,7 @@
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -50,8 +51,8 @@ class Release {
       asked_[assignment.trialId].push_back(std::move(status));
     }
   }
-  [[nodiscard]] bool mayShow(const std::string& trialId) const { return !held_.contains(trialId); }
-  [[nodiscard]] const std::vector<AssignmentStatus>& asked(const std::string& trialId) const {
+  [[nodiscard]] bool mayShow(const TrialId& trialId) const { return !held_.contains(trialId); }
+  [[nodiscard]] const std::vector<AssignmentStatus>& asked(const TrialId& trialId) const {
     static const std::vector<AssignmentStatus> kNobody;
     const auto found = asked_.find(trialId);
     return found == asked_.end() ? kNobody : found->second;
@@ -147,7 +148,7 @@ TrialRemarks remarksOf(SessionContext& session, const TraineeRecord& record, con
 }
 
 /// A remark that the actor may see, with its trial.
-Remark visibleRemark(SessionContext& session, const std::string& remarkId) {
+Remark visibleRemark(SessionContext& session, const RemarkId& remarkId) {
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   const std::optional<Remark> remark = RemarkRepository(session.connection()).find(remarkId);
   if (!remark) {
@@ -263,7 +264,7 @@ std::size_t unreadRemarks(SessionContext& session) {
   }));
 }
 
-void markRemarkRead(SessionContext& session, const std::string& remarkId) {
+void markRemarkRead(SessionContext& session, const RemarkId& remarkId) {
   const Remark remark = visibleRemark(session, remarkId);
   Transaction transaction(session.connection());
   RemarkRepository(session.connection())
@@ -276,12 +277,12 @@ void markRemarkRead(SessionContext& session, const std::string& remarkId) {
   transaction.commit();
 }
 
-std::string replyToRemark(SessionContext& session, const std::string& remarkId, const std::string& text) {
+RemarkId replyToRemark(SessionContext& session, const RemarkId& remarkId, const std::string& text) {
   const Remark remark = visibleRemark(session, remarkId);
   if (text.empty()) {
     throw Error(ErrorCode::kBadParameter, "the reply is empty", "", "Write what you want to say");
   }
-  const std::string id = session.ids().newUuid();
+  const RemarkId id = session.ids().newUuid();
   Transaction transaction(session.connection());
   RemarkRepository(session.connection())
       .add({.id = id,
@@ -301,7 +302,7 @@ std::string replyToRemark(SessionContext& session, const std::string& remarkId, 
   return id;
 }
 
-ScoreGap scoreGap(SessionContext& session, const std::string& trialId) {
+ScoreGap scoreGap(SessionContext& session, const TrialId& trialId) {
   session.require(Operation::kMarkViewOwn);
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   static_cast<void>(ownTrial(session, record, trialId));
@@ -341,7 +342,7 @@ ScoreGap scoreGap(SessionContext& session, const std::string& trialId) {
   return gap;
 }
 
-void selfScore(SessionContext& session, const std::string& trialId, double overall,
+void selfScore(SessionContext& session, const TrialId& trialId, double overall,
                const std::vector<SelfScoreRow>& rows) {
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   const TrialListing trial = ownTrial(session, record, trialId);

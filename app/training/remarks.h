@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "app/access/session_context.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 /// What a physician wrote at a time of one's trial, with the answers. Never who it was.
 struct TraineeRemark {
-  std::string id{};
-  std::string trialId{};
+  RemarkId id{};
+  TrialId trialId{};
   double at_s = 0.0;
   std::string text{};
   std::int64_t writtenUtc_us = 0;
@@ -25,7 +26,7 @@ struct TraineeRemark {
 
 /// One trial that somebody has something to say about.
 struct TrialRemarks {
-  std::string trialId{};
+  TrialId trialId{};
   std::string moduleTitle{};
   std::string phaseLabel{};
   std::int64_t startedUtc_us = 0;
@@ -39,9 +40,9 @@ struct TrialRemarks {
 /// Remarks that may be seen and were not read yet. kTrialViewOwn.
 [[nodiscard]] std::size_t unreadRemarks(SessionContext& session);
 /// Audited. kTrialViewOwn.
-void markRemarkRead(SessionContext& session, const std::string& remarkId);
+void markRemarkRead(SessionContext& session, const RemarkId& remarkId);
 /// Returns the id of the reply. Audited. kTrialViewOwn. Throws Error{kBadParameter} for an empty text.
-std::string replyToRemark(SessionContext& session, const std::string& remarkId, const std::string& text);
+RemarkId replyToRemark(SessionContext& session, const RemarkId& remarkId, const std::string& text);
 
 /// One row of a sheet beside the trainee's own answer; points, not steps.
 struct ScoreGapRow {
@@ -56,7 +57,7 @@ struct ScoreGapRow {
 
 /// Own marks first, then the gap.
 struct ScoreGap {
-  std::string trialId{};
+  TrialId trialId{};
   ScoreGapRow overall{};
   std::vector<ScoreGapRow> rows{};
   bool selfScored = false;
@@ -64,7 +65,7 @@ struct ScoreGap {
   std::size_t raters = 0;  ///< whose marks the means rest on
 };
 /// kTrialViewOwn and kMarkViewOwn. The raters' means are empty until the trainee has scored.
-[[nodiscard]] ScoreGap scoreGap(SessionContext& session, const std::string& trialId);
+[[nodiscard]] ScoreGap scoreGap(SessionContext& session, const TrialId& trialId);
 
 struct SelfScoreRow {
   std::string code{};
@@ -73,7 +74,7 @@ struct SelfScoreRow {
 /// Stores the trainee's own sheet; a change of mind before the raters' marks were seen is a new version.
 /// Audited. kTrialViewOwn. Throws Error{kBadParameter} for points that the scale does not have,
 /// {kPermission} once the raters' marks were shown.
-void selfScore(SessionContext& session, const std::string& trialId, double overall,
+void selfScore(SessionContext& session, const TrialId& trialId, double overall,
                const std::vector<SelfScoreRow>& rows);
 
 }  // namespace torsio

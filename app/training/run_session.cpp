@@ -17,6 +17,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "sim/base/tick_period.h"
 
 namespace torsio {
@@ -47,7 +48,7 @@ void checkPermission(const NextSteps& steps, const RunRequest& request) {
 bool hasVirtualTime(const RunPlan& plan) {
   return plan.phases.empty() ||
          std::any_of(plan.phases.begin(), plan.phases.end(), [](const RunPhase& phase) {
-           return phase.arm == TrainingSetting::kVirtual && phase.done_us < phase.duration_us;
+           return phase.arm == PhaseKind::kVirtual && phase.done_us < phase.duration_us;
          });
 }
 
@@ -75,7 +76,7 @@ RunPlan planOf(const NextSteps& steps, const ModuleStep& step) {
   }
   RunPlan plan;
   plan.phases.push_back({.label = step.module.title,
-                         .arm = TrainingSetting::kVirtual,
+                         .arm = PhaseKind::kVirtual,
                          .duration_us = kModuleTime_us,
                          .moduleId = step.module.id});
   return plan;
@@ -104,7 +105,7 @@ void RunSession::write(StationWriter::Write write) {
   }
 }
 
-void RunSession::show(const std::string& trialId) {
+void RunSession::show(const TrialId& trialId) {
   if (line_ != nullptr) {
     line_->show(trialId);
   } else {

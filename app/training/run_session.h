@@ -17,12 +17,13 @@
 #include "app/training/training_run.h"
 #include "assessment/study/curriculum.h"
 #include "assessment/study/protocol_terms.h"
+#include "sim/base/ids.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
 
 struct RunRequest {
-  std::string moduleId{};
+  ModuleId moduleId{};
   bool graded = false;
   DeviceReadiness device{};
 };
@@ -60,12 +61,12 @@ class RunSession {
   /// Orders a new recording for the present phase, kept where recordingSink says. Virtual phases only.
   [[nodiscard]] RecordingSpec newTrial();
   /// Ids of the recordings so far.
-  [[nodiscard]] const std::vector<std::string>& trials() const noexcept { return trials_; }
+  [[nodiscard]] const std::vector<TrialId>& trials() const noexcept { return trials_; }
 
  private:
   void log(bool all);
   void write(StationWriter::Write write);
-  void show(const std::string& trialId);
+  void show(const TrialId& trialId);
   [[nodiscard]] AttemptMode mode() const noexcept;
   void heartbeat();
 
@@ -76,15 +77,15 @@ class RunSession {
   bool graded_;
   TrainingRun run_;
   std::int64_t utcOffset_us_ = 0;  // wall clock minus run clock at the start
-  std::vector<std::string> trials_;
+  std::vector<TrialId> trials_;
   StationWriter* line_;
   StationHeartbeat heartbeat_;  // unless there is a line
 };
 
 /// An interrupted run that was found at the start of the program.
 struct RecoveredTrial {
-  std::string trialId{};
-  std::string moduleId{};
+  TrialId trialId{};
+  ModuleId moduleId{};
   std::string phaseLabel{};
   std::int64_t startedUtc_us = 0;
   double recorded_s = 0.0;

@@ -10,6 +10,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -58,7 +59,7 @@ void findCurriculum(Connection& connection, TraineeRecord& record) {
 
 }  // namespace
 
-const TrainingModule* TraineeRecord::module(const std::string& moduleId) const {
+const TrainingModule* TraineeRecord::module(const ModuleId& moduleId) const {
   if (!version) {
     return nullptr;
   }
@@ -68,7 +69,7 @@ const TrainingModule* TraineeRecord::module(const std::string& moduleId) const {
 }
 
 TraineeRecord ownRecord(SessionContext& session, Operation operation) {
-  const std::string& personId = session.actor().personId;
+  const PersonId& personId = session.actor().personId;
   session.requireOwn(operation, personId);
   for (const Trainee& trainee : PeopleRepository(session.connection()).trainees()) {
     if (trainee.person.id != personId) {
@@ -86,7 +87,7 @@ TraineeRecord ownRecord(SessionContext& session, Operation operation) {
               "Ask an administrator to add you to the roster");
 }
 
-TrialListing ownTrial(SessionContext& session, const TraineeRecord& record, const std::string& trialId) {
+TrialListing ownTrial(SessionContext& session, const TraineeRecord& record, const TrialId& trialId) {
   TrialRepository trials(session.connection());
   TrialFilter filter;
   filter.traineeCode = record.code;

@@ -8,6 +8,7 @@
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/study/cohort.h"
 #include "assessment/study/curriculum.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -16,7 +17,7 @@ inline constexpr std::int64_t kAllTrials = 10'000;
 
 /// Where a trainee belongs: what the services of the station read first.
 struct TraineeRecord {
-  std::string personId{};
+  PersonId personId{};
   std::string code{};
   bool demonstration = false;
   std::optional<Enrolment> enrolment{};        ///< the newest that is neither completed nor withdrawn
@@ -25,7 +26,7 @@ struct TraineeRecord {
   std::optional<StudyArm> arm{};
 
   /// Null when the curriculum has no such module.
-  [[nodiscard]] const TrainingModule* module(const std::string& moduleId) const;
+  [[nodiscard]] const TrainingModule* module(const ModuleId& moduleId) const;
 };
 
 /// The record of the actor. Throws Error{kPermission}: no right to `operation`, or no trainee.
@@ -33,6 +34,6 @@ struct TraineeRecord {
 
 /// A trial of this trainee. Throws Error{kPermission} for somebody else's, {kBadParameter} for none.
 [[nodiscard]] TrialListing ownTrial(SessionContext& session, const TraineeRecord& record,
-                                    const std::string& trialId);
+                                    const TrialId& trialId);
 
 }  // namespace torsio

@@ -6,14 +6,11 @@
 
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 namespace {
-
-const char* kindOf(TrainingSetting arm) {
-  return arm == TrainingSetting::kVirtual ? "virtual" : "real";
-}
 
 std::int64_t left_us(const RunPhase& phase) {
   return phase.duration_us - phase.done_us;
@@ -67,8 +64,8 @@ void TrainingRun::start() {
   begin(last_us_);
 }
 
-void TrainingRun::book(const std::string& kind, std::int64_t from_us, std::int64_t span_us) {
-  const std::string phaseId = kind == "rest" ? std::string() : phase().phaseId;
+void TrainingRun::book(ExposureKind kind, std::int64_t from_us, std::int64_t span_us) {
+  const PhaseId phaseId = kind == ExposureKind::kRest ? PhaseId() : phase().phaseId;
   while (span_us > 0) {
     const bool goesOn = !pieces_.empty() && pieces_.back().kind == kind &&
                         pieces_.back().phaseId == phaseId &&
@@ -86,7 +83,7 @@ void TrainingRun::book(const std::string& kind, std::int64_t from_us, std::int64
 
 void TrainingRun::endPhase(std::int64_t at_us) {
   emit(RunEvent::Kind::kPhaseEnded, at_us);
-  const TrainingSetting before = phase().arm;
+  const PhaseKind before = phase().arm;
   std::size_t next = phase_ + 1;
   while (next < plan_.phases.size() && left_us(plan_.phases[next]) <= 0) {
     ++next;
@@ -109,7 +106,7 @@ void TrainingRun::endPhase(std::int64_t at_us) {
 std::int64_t TrainingRun::spend(std::int64_t from_us, std::int64_t span_us) {
   if (state_ == RunState::kRunning) {
     const std::int64_t used_us = std::min(span_us, remainingInPhase_us());
-    book(kindOf(phase().arm), from_us, used_us);
+    book(exposureIn(phase().arm), from_us, used_us);
     plan_.phases[phase_].done_us += used_us;
     if (remainingInPhase_us() == 0) {
       endPhase(from_us + used_us);
@@ -118,7 +115,7 @@ std::int64_t TrainingRun::spend(std::int64_t from_us, std::int64_t span_us) {
   }
   if (state_ == RunState::kResting) {
     const std::int64_t used_us = std::min(span_us, restLeft_us());
-    book("rest", from_us, used_us);
+    book(ExposureKind::kRest, from_us, used_us);
     plan_.restTaken_us += used_us;
     if (restLeft_us() == 0) {
       state_ = RunState::kRunning;

@@ -6,21 +6,20 @@
 #include <string>
 #include <vector>
 
+#include "assessment/study/protocol_terms.h"
 #include "sim/base/clock.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
-/// Where a phase of training happens.
-enum class TrainingSetting { kVirtual, kReal };
-
 /// One stretch of a run.
 struct RunPhase {
-  std::string phaseId{};  ///< of the curriculum; empty: a run outside any phase
+  PhaseId phaseId{};  ///< of the curriculum; empty: a run outside any phase
   std::string label{};
-  TrainingSetting arm = TrainingSetting::kVirtual;
+  PhaseKind arm = PhaseKind::kVirtual;
   std::int64_t duration_us = 0;
   std::int64_t done_us = 0;  ///< spent in earlier runs
-  std::string moduleId{};    ///< what is practised; empty: the module of the run
+  ModuleId moduleId{};       ///< what is practised; empty: the module of the run
 };
 
 /// What a trainee goes through (paper section 6): phases in their order and the rest that is allowed.
@@ -60,8 +59,8 @@ struct RunEvent {
 
 /// Time that was spent, to be logged.
 struct ExposurePiece {
-  std::string phaseId{};
-  std::string kind{};         ///< "virtual", "real", "rest"
+  PhaseId phaseId{};
+  ExposureKind kind = ExposureKind::kVirtual;
   std::int64_t begun_us = 0;  ///< on the clock of the run
   std::int64_t duration_us = 0;
 };
@@ -116,7 +115,7 @@ class TrainingRun {
   /// Lets `span_us` pass in the present state from `from_us` on; returns how much of it was used.
   std::int64_t spend(std::int64_t from_us, std::int64_t span_us);
   void endPhase(std::int64_t at_us);
-  void book(const std::string& kind, std::int64_t from_us, std::int64_t span_us);
+  void book(ExposureKind kind, std::int64_t from_us, std::int64_t span_us);
 
   RunPlan plan_;
   const Clock* clock_;

@@ -5,6 +5,7 @@
 #include "assessment/study/cohort.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -21,13 +22,13 @@ void addTimes(SessionContext& session, const NextSteps& steps, Transcript& trans
       continue;
     }
     const double minutes = static_cast<double>(exposure.duration_us) / kMinute_us;
-    if (exposure.kind == "virtual") {
+    if (exposure.kind == ExposureKind::kVirtual) {
       transcript.virtual_min += minutes;
     }
-    if (exposure.kind == "real") {
+    if (exposure.kind == ExposureKind::kReal) {
       transcript.real_min += minutes;
     }
-    if (exposure.kind == "rest") {
+    if (exposure.kind == ExposureKind::kRest) {
       transcript.rest_min += minutes;
     }
   }
@@ -35,7 +36,7 @@ void addTimes(SessionContext& session, const NextSteps& steps, Transcript& trans
 
 }  // namespace
 
-Transcript transcript(SessionContext& session, const std::string& personId) {
+Transcript transcript(SessionContext& session, const PersonId& personId) {
   const NextSteps steps = nextSteps(session, personId);
   Transcript transcript;
   if (const auto centre = StudyRepository(session.connection()).centre()) {

@@ -8,6 +8,7 @@
 #include "app/access/session_context.h"
 #include "app/training/next_steps.h"
 #include "app/training/trend.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -33,6 +34,6 @@ struct Transcript {
   double rest_min = 0.0;
 };
 /// kTrialViewOwn, own person only. Audited: it may leave the house.
-[[nodiscard]] Transcript transcript(SessionContext& session, const std::string& personId);
+[[nodiscard]] Transcript transcript(SessionContext& session, const PersonId& personId);
 
 }  // namespace torsio

@@ -10,6 +10,7 @@
 #include "assessment/statistics/cusum.h"
 #include "assessment/study/curriculum.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -132,7 +133,7 @@ LevelCourse levelCourse(const std::vector<bool>& failed) {
   return course;
 }
 
-Trend trend(SessionContext& session, const std::string& personId, const std::string& moduleId,
+Trend trend(SessionContext& session, const PersonId& personId, const ModuleId& moduleId,
             const std::string& metric) {
   session.requireOwn(Operation::kTrialViewOwn, personId);
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);

@@ -10,6 +10,7 @@
 #include "app/access/session_context.h"
 #include "app/training/attempts.h"
 #include "assessment/study/protocol_terms.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -25,7 +26,7 @@ enum class SkillLevel {
 };
 
 struct TrendPoint {
-  std::string trialId{};
+  TrialId trialId{};
   std::int64_t attempt = 1;
   std::int64_t startedUtc_us = 0;
   std::optional<double> value{};
@@ -43,7 +44,7 @@ struct TrendCurvePoint {
 
 /// A trainee's way at one module.
 struct Trend {
-  std::string moduleId{};
+  ModuleId moduleId{};
   std::string moduleTitle{};
   std::string metric{};  ///< of the first mastery rule, or the chosen one
   std::string unit{};    ///< "s", "rad", "N", "1"
@@ -74,7 +75,7 @@ struct LevelCourse {
 
 /// kTrialViewOwn, own attempts only. `metric`: empty: that of the module's first mastery rule. Throws
 /// Error{kBadParameter} for a module that is not in the trainee's curriculum.
-[[nodiscard]] Trend trend(SessionContext& session, const std::string& personId, const std::string& moduleId,
+[[nodiscard]] Trend trend(SessionContext& session, const PersonId& personId, const ModuleId& moduleId,
                           const std::string& metric = {});
 
 }  // namespace torsio

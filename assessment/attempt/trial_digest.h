@@ -8,12 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/ids.h"
+
 namespace torsio {
 
 /// Everything that was measured of one recording, with the version of the formulas and the rules that it was
 /// judged by.
 struct TrialDigest {
-  std::string trialId{};
+  TrialId trialId{};
   std::int64_t formulaVersion = 0;
   double tolerance_rad = 0.0;
   std::optional<double> forceLimit_N{};    ///< at least 0; empty: none

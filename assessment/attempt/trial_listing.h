@@ -6,6 +6,7 @@
 #include <string>
 
 #include "assessment/study/protocol_terms.h"
+#include "sim/base/ids.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
@@ -22,9 +23,9 @@ struct RecordingHost {
 /// What the database adds to a trial's header.
 struct TrialContext {
   std::string station{};      ///< which machine records: it alone may close its interrupted trials
-  std::string enrolmentId{};  ///< the cohort for which the trial counts; empty for free practice
-  std::string moduleId{};     ///< of the curriculum version that was running; empty for free practice
-  std::string phaseId{};      ///< empty: outside any phase
+  EnrolmentId enrolmentId{};  ///< the cohort for which the trial counts; empty for free practice
+  ModuleId moduleId{};        ///< of the curriculum version that was running; empty for free practice
+  PhaseId phaseId{};          ///< empty: outside any phase
   std::optional<AttemptMode> attemptMode{};  ///< as it counted then; empty for free practice
   RecordingHost host{};
   friend bool operator==(const TrialContext&, const TrialContext&) = default;
@@ -32,29 +33,29 @@ struct TrialContext {
 
 /// One line of a list of trials.
 struct TrialListing {
-  std::string trialId{};
+  TrialId trialId{};
   std::string traineeCode{};  ///< empty: nobody (free practice)
-  std::string enrolmentId{};
+  EnrolmentId enrolmentId{};
   std::string station{};
-  std::string sceneId{};
-  std::string patternId{};
+  SceneId sceneId{};
+  PatternId patternId{};
   std::string phaseLabel{};
   std::int64_t startedUtc_us = 0;
   bool demonstration = false;
   std::optional<TrialSummary> summary{};  ///< empty: running, or interrupted and not closed yet
-  std::string moduleId{};
-  std::string phaseId{};
+  ModuleId moduleId{};
+  PhaseId phaseId{};
   std::optional<AttemptMode> attemptMode{};  ///< empty: free practice
 };
 
 /// Which trials to list, newest first. Empty texts do not restrict.
 struct TrialFilter {
   std::string traineeCode{};
-  std::string enrolmentId{};
-  std::string sceneId{};
+  EnrolmentId enrolmentId{};
+  SceneId sceneId{};
   std::int64_t limit = 200;
   std::int64_t offset = 0;
-  std::string moduleId{};
+  ModuleId moduleId{};
 };
 
 }  // namespace torsio

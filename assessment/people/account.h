@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/ids.h"
+
 namespace torsio {
 
 /// How much time and memory one guess costs (Argon2id of libsodium).
@@ -16,9 +18,9 @@ enum class PasswordCost {
 
 /// Somebody who may sign in. No default user and no default password exist.
 struct UserAccount {
-  std::string id{};
-  std::string login{};     ///< unique
-  std::string personId{};  ///< empty: nobody of the record (an administrator, say)
+  UserId id{};
+  std::string login{};  ///< unique
+  PersonId personId{};  ///< empty: nobody of the record (an administrator, say)
   bool mustChangePassword = true;
   bool active = true;
   bool hasPin = false;  ///< filled when read

@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <string>
 
+#include "sim/base/ids.h"
+
 namespace torsio {
 
 /// A person's decision about one purpose. Append-only: the newest one counts.
 struct ConsentDecision {
-  std::string personId{};
+  PersonId personId{};
   std::string purpose{};  ///< "training_record", "video", "research", "xapi_export", "teaching"
   bool granted = false;
   std::string textVersion{};  ///< of the text that was shown

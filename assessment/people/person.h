@@ -5,25 +5,28 @@
 #include <optional>
 #include <string>
 
+#include "assessment/study/protocol_terms.h"
+#include "sim/base/ids.h"
+
 namespace torsio {
 
 /// The coded record of a person: a pseudonym and what groups are balanced by. Never a name. The code and the
 /// demonstration flag are frozen once stored. Empty texts mean "not known".
 struct Person {
-  std::string id{};    ///< UUID
+  PersonId id{};       ///< UUID
   std::string code{};  ///< pseudonym, unique: "T-07"
   std::string sex{};   ///< "female", "male", "other" or empty
   std::string level{};
   std::string experience{};
   std::optional<std::int64_t> age_years{};
-  std::string state = "active";  ///< "active", "left", "erased"
+  PersonState state = PersonState::kActive;
   std::int64_t createdUtc_us = 0;
   bool demonstration = false;
 };
 
 /// The link from code to name, kept in a table of its own.
 struct Identity {
-  std::string personId{};
+  PersonId personId{};
   std::string fullName{};
   std::string email{};
   std::string externalId{};  ///< staff or student number; unique

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "assessment/study/protocol_terms.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -37,7 +38,7 @@ inline constexpr std::array<Term<HoldKind>, 3> kHoldKinds{{
 
 /// What a reviewer decided about one person's record. Append-only; the newest counts.
 struct RetentionHold {
-  std::string personId{};
+  PersonId personId{};
   HoldKind kind = HoldKind::kLock;
   std::optional<std::int64_t> untilUtc_us{};  ///< for kExtend only
   std::string reason{};
@@ -47,7 +48,7 @@ struct RetentionHold {
 
 /// One line of the review queue.
 struct RetentionItem {
-  std::string personId{};
+  PersonId personId{};
   std::string code{};
   std::string category{};  ///< the rule that fell due first
   std::string basis{};

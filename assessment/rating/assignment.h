@@ -6,17 +6,18 @@
 #include <string>
 
 #include "assessment/rating/sheet_state.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 /// One rater is asked for one sheet about one trainee at one scoring point.
 struct Assignment {
-  std::string id{};
-  std::string raterId{};
-  std::string enrolmentId{};
+  AssignmentId id{};
+  RaterId raterId{};
+  EnrolmentId enrolmentId{};
   std::string occasionCode{};
-  std::string trialId{};  ///< empty: live, on the real arm
-  std::string rubricRevisionId{};
+  TrialId trialId{};  ///< empty: live, on the real arm
+  RubricRevisionId rubricRevisionId{};
   std::string caseLabel{};    ///< all that the rater sees: "7F"
   std::int64_t position = 0;  ///< shuffled order of this rater
   std::optional<std::int64_t> dueUtc_us{};
@@ -27,10 +28,10 @@ struct Assignment {
 
 /// One line of a rater's queue: nothing in it tells who, which group or which stage.
 struct QueueEntry {
-  std::string assignmentId{};
+  AssignmentId assignmentId{};
   std::string caseLabel{};
-  std::string trialId{};
-  std::string rubricRevisionId{};
+  TrialId trialId{};
+  RubricRevisionId rubricRevisionId{};
   std::optional<std::int64_t> dueUtc_us{};
   SheetState state = SheetState::kOpen;
   std::int64_t submittedUtc_us = 0;  ///< of the newest version; 0: not submitted

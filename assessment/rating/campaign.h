@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/scoring/instrument.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -19,7 +20,7 @@ struct CampaignModel {
 
 /// A rater of a campaign, with the class that counted then.
 struct CampaignRater {
-  std::string raterId{};
+  RaterId raterId{};
   std::string classCode{};
   std::string modelOrder{};  ///< "FEM,PM,MSM": the order in which this rater met the models
 };
@@ -27,7 +28,7 @@ struct CampaignRater {
 /// A nine-index evaluation (paper section 5.3). Fixed once stored. In `instrument`, RaterClass::id is the
 /// code of a stored rater class; the order of classes and indices is kept.
 struct Campaign {
-  std::string id{};
+  CampaignId id{};
   std::string name{};  ///< unique
   EvaluationInstrument instrument{};
   std::vector<CampaignModel> models{};
@@ -38,8 +39,8 @@ struct Campaign {
 
 /// One submitted mark: one rater, one model, one index. A correction is a new version with a reason.
 struct EvaluationMark {
-  std::string id{};
-  std::string raterId{};
+  EvaluationMarkId id{};
+  RaterId raterId{};
   std::string modelCode{};
   std::int64_t indexNumber = 0;  ///< 1 .. number of indices
   std::int64_t version = 1;

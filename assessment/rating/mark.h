@@ -9,12 +9,13 @@
 #include "assessment/rating/sheet.h"
 #include "assessment/scoring/instrument.h"
 #include "assessment/study/protocol_terms.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 /// One row of the sheet behind a mark: a score on the scale of its rubric row, or why there is none.
 struct MarkRow {
-  std::string rubricRevisionId{};
+  RubricRevisionId rubricRevisionId{};
   std::string rowCode{};
   std::optional<std::int64_t> score_steps{};
   std::string notAssessableReason{};
@@ -24,17 +25,17 @@ struct MarkRow {
 /// One submitted mark of the training study: one rater, one trainee, one scoring point. Sealed by the
 /// database: a correction is a new version with a reason.
 struct SubmittedMark {
-  std::string id{};
-  std::string enrolmentId{};
-  std::string raterId{};
+  MarkId id{};
+  EnrolmentId enrolmentId{};
+  RaterId raterId{};
   std::string occasionCode{};  ///< "pre", "mid", "post"
   std::int64_t version = 1;
-  std::string trialId{};                      ///< the recording that was judged; empty: live, on the real arm
+  TrialId trialId{};                          ///< the recording that was judged; empty: live, on the real arm
   std::optional<std::int64_t> score_steps{};  ///< empty: not assessable, with a reason
   ScoreScale scale{.lo = 10, .hi = 100, .stepsPerPoint = 10};  ///< paper section 6: 1 to 10
   std::string notAssessableReason{};
   std::string comment{};
-  std::string assignmentId{};   ///< the request that it answers; empty: entered without one
+  AssignmentId assignmentId{};  ///< the request that it answers; empty: entered without one
   std::vector<MarkRow> rows{};  ///< written by submit(); read by SheetRepository::submitted()
   std::string amendReason{};    ///< from version 2 on
   std::int64_t submittedUtc_us = 0;
@@ -47,9 +48,9 @@ struct SubmittedMark {
 
 /// The newest version of one rater's mark about a case, with its rows.
 struct CaseMark {
-  std::string markId{};
-  std::string assignmentId{};
-  std::string raterId{};
+  MarkId markId{};
+  AssignmentId assignmentId{};
+  RaterId raterId{};
   std::int64_t version = 1;
   std::optional<std::int64_t> score_steps{};
   ScoreScale scale{};
@@ -58,7 +59,7 @@ struct CaseMark {
 
 /// What was decided about a mark that lies apart from the others.
 struct DiscrepancyDecision {
-  std::string assignmentId{};
+  AssignmentId assignmentId{};
   std::int64_t sequence = 0;  ///< given by add(): 1, 2, 3 ... of the assignment
   DiscrepancyChoice choice = DiscrepancyChoice::kKeep;
   std::string reason{};

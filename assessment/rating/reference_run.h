@@ -5,14 +5,15 @@
 #include <string>
 
 #include "assessment/scoring/instrument.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 /// A run with the mark of a panel, for the warm-up.
 struct ReferenceRun {
-  std::string trialId{};
+  TrialId trialId{};
   std::int64_t position = 0;
-  std::string rubricRevisionId{};
+  RubricRevisionId rubricRevisionId{};
   double panel_steps = 0.0;  ///< mean of the panel, steps of the rubric's overall scale
   std::int64_t panelRaters = 1;
   std::string setBy{};
@@ -22,7 +23,7 @@ struct ReferenceRun {
 
 /// A reference run that is given to nobody any more.
 struct ReferenceWithdrawal {
-  std::string trialId{};
+  TrialId trialId{};
   std::string reason{};
   std::string withdrawnBy{};
   std::int64_t withdrawnUtc_us = 0;
@@ -30,10 +31,10 @@ struct ReferenceWithdrawal {
 
 /// A rater's score of a reference trial before the real ones. Append-only.
 struct CalibrationScore {
-  std::string id{};
-  std::string raterId{};
-  std::string referenceTrialId{};
-  std::string rubricRevisionId{};  ///< empty: the overall mark only
+  CalibrationScoreId id{};
+  RaterId raterId{};
+  TrialId referenceTrialId{};
+  RubricRevisionId rubricRevisionId{};  ///< empty: the overall mark only
   std::int64_t score_steps = 0;
   ScoreScale scale{.lo = 10, .hi = 100, .stepsPerPoint = 10};
   double panelOffset_steps = 0.0;  ///< rater minus panel

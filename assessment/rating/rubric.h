@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/scoring/instrument.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -25,8 +26,8 @@ struct RubricLine {
 
 /// A rubric as it was at one time. Never changes once stored.
 struct RubricRevision {
-  std::string id{};
-  std::string rubricId{};
+  RubricRevisionId id{};
+  RubricId rubricId{};
   std::int64_t number = 1;
   std::string note{};
   ScoreScale overall{};  ///< of the overall mark
@@ -37,7 +38,7 @@ struct RubricRevision {
 
 /// A rubric in a list.
 struct Rubric {
-  std::string id{};
+  RubricId id{};
   std::string name{};  ///< unique
   std::int64_t createdUtc_us = 0;
   bool demonstration = false;

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "assessment/scoring/instrument.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 /// One row of a trainee's own sheet.
 struct SelfScoreLine {
-  std::string rubricRevisionId{};
+  RubricRevisionId rubricRevisionId{};
   std::string rowCode{};
   std::int64_t score_steps = 0;
   friend bool operator==(const SelfScoreLine&, const SelfScoreLine&) = default;
@@ -19,11 +20,11 @@ struct SelfScoreLine {
 
 /// How a trainee judges a trial of their own. Append-only: a change of mind is the next version.
 struct SelfScore {
-  std::string id{};
-  std::string trialId{};
-  std::string traineeId{};
-  std::int64_t version = 1;        ///< 1, 2, 3 ... of this trial and trainee
-  std::string rubricRevisionId{};  ///< empty: the overall mark only
+  SelfScoreId id{};
+  TrialId trialId{};
+  TraineeId traineeId{};
+  std::int64_t version = 1;             ///< 1, 2, 3 ... of this trial and trainee
+  RubricRevisionId rubricRevisionId{};  ///< empty: the overall mark only
   std::int64_t score_steps = 0;
   ScoreScale scale{.lo = 10, .hi = 100, .stepsPerPoint = 10};
   std::vector<SelfScoreLine> rows{};

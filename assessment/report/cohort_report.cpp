@@ -119,7 +119,7 @@ ReportTable flowTable(const CohortInputs& in) {
     std::int64_t interrupted = 0;
     for (const CohortTrainee& trainee : in.trainees) {
       allocated += trainee.group == g ? 1 : 0;
-      withdrew += trainee.group == g && trainee.state == "withdrawn" ? 1 : 0;
+      withdrew += trainee.group == g && trainee.withdrew ? 1 : 0;
     }
     for (const TrialSummaryRow& trial : in.trials) {
       trials += trial.group == g ? 1 : 0;

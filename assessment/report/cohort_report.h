@@ -11,6 +11,7 @@
 #include "assessment/report/report_model.h"
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/training_scores.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -30,7 +31,7 @@ struct CohortTrainee {
   std::size_t group = 0;
   std::string sex;
   std::string level;
-  std::string state = "enrolled";  ///< "enrolled", "completed", "withdrawn"
+  bool withdrew = false;  ///< takes part no more; what was recorded stays
 };
 
 /// A group and what it does.
@@ -84,7 +85,7 @@ struct TwistAttempt {
 
 /// Summary of one recorded trial.
 struct TrialSummaryRow {
-  std::string trialId;
+  TrialId trialId;
   std::string trainee;
   std::size_t group = 0;
   Text phase;  ///< "virtual 0-20 min"

@@ -40,7 +40,7 @@ std::string hashOfEvaluationMarks(const CohortInputs& in) {
 std::string hashOfTrials(const CohortInputs& in) {
   Digest digest;
   for (const TrialSummaryRow& trial : in.trials) {
-    digest.update(trial.trialId);
+    digest.update(trial.trialId.text());
     digest.update(trial.contentHash);
   }
   return digest.hex();
@@ -120,7 +120,7 @@ ReportTable chainTable(const CohortInputs& in) {
     if (!trials.empty()) {
       trials += ", ";
     }
-    trials += trial.trialId.substr(0, 8);
+    trials += trial.trialId.text().substr(0, 8);
   }
   ReportTable table;
   table.id = "table-chain";

@@ -9,38 +9,12 @@
 #include <vector>
 
 #include "assessment/scoring/instrument.h"
+#include "assessment/scoring/model_ratings.h"
 
 namespace torsio {
 
 /// Version of everything in this file; stored beside each result.
 inline constexpr const char* kEvaluationFormulaVersion = "evaluation-1";
-
-/// One mark: a rater scores one index of one model. Empty steps are a mark that was not given.
-struct EvaluationRating {
-  std::string model;
-  std::string rater;
-  std::size_t raterClass = 0;  ///< position in EvaluationInstrument::classes
-  std::size_t index = 0;       ///< position in EvaluationInstrument::indices
-  std::optional<std::int64_t> steps;
-};
-
-/// All marks of one rater for one model.
-struct RaterSheet {
-  std::string rater;
-  std::size_t raterClass = 0;
-  std::vector<std::optional<std::int64_t>> steps;  ///< one an index
-};
-
-struct ModelRatings {
-  std::string model;
-  std::vector<RaterSheet> sheets;  ///< ordered by class, then by rater
-};
-
-/// Groups marks by model, in the order in which the models first appear. Throws Error{kBadData} that names
-/// rater, index and model when a mark lies outside the scale, appears twice, or when a rater appears in two
-/// classes.
-[[nodiscard]] std::vector<ModelRatings> groupRatings(const EvaluationInstrument& instrument,
-                                                     std::span<const EvaluationRating> ratings);
 
 /// Policy for missing marks.
 enum class MissingPolicy {
@@ -102,29 +76,5 @@ struct ModelEvaluation {
 [[nodiscard]] std::vector<ModelEvaluation> evaluate(const EvaluationInstrument& instrument,
                                                     std::span<const EvaluationRating> ratings,
                                                     const EvaluationPolicy& policy = {});
-
-/// Eqs. 25 to 27 for complete marks, without any allocation: for repeated evaluation (resampling,
-/// simulation). Made for fixed class sizes, none of weight 0; refuses class sizes whose common multiple is
-/// too large. One thread an object.
-class EvaluationKernel {
- public:
-  /// Prepares the kernel. `raterClasses`: the class of each rater, in the order of the rows given to run().
-  EvaluationKernel(const EvaluationInstrument& instrument, std::span<const std::size_t> raterClasses);
-
-  /// Evaluates `steps`, raters x indices, row-major: fills m and s2 (one an index) and returns N. Gives the
-  /// values of evaluateModel, bit for bit.
-  double run(std::span<const std::int64_t> steps, std::span<double> m, std::span<double> s2);
-
- private:
-  EvaluationInstrument instrument_;
-  std::vector<std::size_t> raterClasses_;
-  std::vector<std::int64_t> classCounts_;
-  std::vector<std::int64_t> sums_;         // class x index
-  std::vector<std::int64_t> squares_;      // index
-  std::vector<std::int64_t> meanFactors_;  // weight x L / n of each class
-  std::vector<std::int64_t> indexWeights_;
-  std::int64_t indexWeightSum_ = 1;
-  std::int64_t commonDenominator_ = 1;
-};
 
 }  // namespace torsio

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/scoring/evaluation_kernel.h"
 #include "sim/base/error.h"
 #include "sim/base/random.h"
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "assessment/scoring/evaluation.h"
+#include "assessment/scoring/model_ratings.h"
 
 namespace torsio {
 

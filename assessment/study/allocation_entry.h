@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <string>
 
+#include "sim/base/ids.h"
+
 namespace torsio {
 
 /// How a cohort is divided, fixed before the first allocation.
 struct LockedDesign {
-  std::string id{};
-  std::string cohortId{};
+  DesignId id{};
+  CohortId cohortId{};
   std::string algorithm{};  ///< "complete", "permuted blocks", "minimisation" ...
   std::string algorithmVersion{};
   std::string parametersJson{};
@@ -22,11 +24,11 @@ struct LockedDesign {
 
 /// One person put into one group. Append-only and hash-chained: a mistake or an override is a new record.
 struct AllocationEntry {
-  std::string id{};
-  std::string designId{};
+  AllocationId id{};
+  DesignId designId{};
   std::int64_t sequence = 0;  ///< 1, 2, 3 ... within the design
-  std::string enrolmentId{};
-  std::string groupId{};
+  EnrolmentId enrolmentId{};
+  GroupId groupId{};
   std::int64_t numberInGroup = 0;
   std::string covariatesJson = "{}";    ///< stratum as used
   std::string countsBeforeJson = "{}";  ///< people in each group before

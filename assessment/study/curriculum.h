@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "assessment/study/protocol_terms.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -21,11 +22,11 @@ struct MasteryCriterion {
 
 /// One exercise of a curriculum.
 struct TrainingModule {
-  std::string id{};
+  ModuleId id{};
   std::string code{};  ///< unique within the version
   std::string title{};
-  std::string sceneId{};
-  std::string patternId{};
+  SceneId sceneId{};
+  PatternId patternId{};
   AttemptMode mode = AttemptMode::kPractice;
   double targetAngle_rad = 0.0;
   double tolerance_rad = 0.1;
@@ -33,22 +34,22 @@ struct TrainingModule {
   std::optional<double> maxForce_N{};
   std::optional<double> maxTorque_Nm{};
   std::optional<std::int64_t> attemptLimit{};
-  std::vector<std::string> requires_{};  ///< ids of modules of the same version that must be mastered first
+  std::vector<ModuleId> requires_{};  ///< ids of modules of the same version that must be mastered first
   std::vector<MasteryCriterion> mastery{};
 };
 
 /// A stretch of training on the virtual or the real arm.
 struct TrainingPhase {
-  std::string id{};
+  PhaseId id{};
   PhaseKind kind = PhaseKind::kVirtual;
   std::string label{};
   std::int64_t duration_us = 0;
-  std::string moduleId{};  ///< empty: any module
+  ModuleId moduleId{};  ///< empty: any module
 };
 
 /// What one group of a study goes through (paper section 6). Rest stops the clock of the phases.
 struct StudyArm {
-  std::string id{};
+  ArmId id{};
   std::string code{};
   std::string label{};
   std::int64_t restAllowance_us = 0;
@@ -64,8 +65,8 @@ struct PlannedOccasion {
 
 /// A version of a curriculum with all its parts, in their order. Never changes once stored.
 struct CurriculumVersion {
-  std::string id{};
-  std::string curriculumId{};
+  CurriculumVersionId id{};
+  CurriculumId curriculumId{};
   std::int64_t number = 1;
   std::string note{};
   std::int64_t createdUtc_us = 0;
@@ -77,7 +78,7 @@ struct CurriculumVersion {
 
 /// A curriculum in a list; what it says stands in its versions.
 struct Curriculum {
-  std::string id{};
+  CurriculumId id{};
   std::string name{};  ///< unique
   std::string description{};
   std::int64_t createdUtc_us = 0;

@@ -43,6 +43,26 @@ inline constexpr std::array<Term<PhaseKind>, 2> kPhaseKinds{{
     {PhaseKind::kReal, "real", "real", "on the real forearm; its time is entered by hand"},
 }};
 
+/// What time was spent on. Rest stops the clock of the phases.
+enum class ExposureKind : std::uint8_t { kVirtual, kReal, kRest };
+inline constexpr std::array<Term<ExposureKind>, 3> kExposureKinds{{
+    {ExposureKind::kVirtual, "virtual", "on the simulator", "counts towards a virtual phase"},
+    {ExposureKind::kReal, "real", "on the real arm", "counts towards a real phase"},
+    {ExposureKind::kRest, "rest", "rest", "counts towards the rest that an arm allows"},
+}};
+/// Returns what time in a phase of this kind is spent on.
+[[nodiscard]] constexpr ExposureKind exposureIn(PhaseKind phase) noexcept {
+  return phase == PhaseKind::kVirtual ? ExposureKind::kVirtual : ExposureKind::kReal;
+}
+
+/// Whether somebody can be chosen for anything new.
+enum class PersonState : std::uint8_t { kActive, kLeft, kErased };
+inline constexpr std::array<Term<PersonState>, 3> kPersonStates{{
+    {PersonState::kActive, "active", "active", "can be chosen"},
+    {PersonState::kLeft, "left", "left", "keeps the record and is offered nowhere"},
+    {PersonState::kErased, "erased", "erased", "the identity is gone for good; marks stay"},
+}};
+
 /// Where somebody stands in a cohort.
 enum class EnrolmentState : std::uint8_t { kEnrolled, kCompleted, kWithdrawn };
 inline constexpr std::array<Term<EnrolmentState>, 3> kEnrolmentStates{{
@@ -73,6 +93,12 @@ inline constexpr std::array<Term<DiscrepancyChoice>, 3> kDiscrepancyChoices{{
 }
 [[nodiscard]] constexpr const auto& termsOf(PhaseKind) noexcept {
   return kPhaseKinds;
+}
+[[nodiscard]] constexpr const auto& termsOf(ExposureKind) noexcept {
+  return kExposureKinds;
+}
+[[nodiscard]] constexpr const auto& termsOf(PersonState) noexcept {
+  return kPersonStates;
 }
 [[nodiscard]] constexpr const auto& termsOf(EnrolmentState) noexcept {
   return kEnrolmentStates;

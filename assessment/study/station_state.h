@@ -4,13 +4,15 @@
 #include <cstdint>
 #include <string>
 
+#include "sim/base/ids.h"
+
 namespace torsio {
 
 /// What a station does now.
 struct StationState {
   std::string station{};
-  std::string trialId{};  ///< that runs there; empty: none
-  std::string userId{};   ///< signed in there; empty: nobody
+  TrialId trialId{};  ///< that runs there; empty: none
+  UserId userId{};    ///< signed in there; empty: nobody
   std::string softwareVersion{};
   std::int64_t heartbeatUtc_us = 0;  ///< last sign of life
   std::string deviceJson{};          ///< app/devices/station_device.h; empty: no training station
@@ -19,7 +21,7 @@ struct StationState {
   std::string deviceProblemJson{};       ///< empty: none
   std::int64_t deviceCheckedUtc_us = 0;  ///< 0: not checked
   std::string traineeCode{};             ///< filled when read: of the running trial
-  std::string sceneId{};                 ///< filled when read
+  SceneId sceneId{};                     ///< filled when read
   std::string phaseLabel{};              ///< filled when read
   std::int64_t startedUtc_us = 0;        ///< filled when read: of the running trial; 0: none
   bool ended = false;                    ///< filled when read: the trial has its closing row already

@@ -1619,10 +1619,6 @@
         <translation>请重新选择备份</translation>
     </message>
     <message>
-        <source>Choose virtual, real or rest</source>
-        <translation>请选择虚拟、实物或休息</translation>
-    </message>
-    <message>
         <source>Close Torsio at every station and try again</source>
         <translation>请关闭所有工作站上的 Torsio 后重试</translation>
     </message>
@@ -5039,16 +5035,12 @@
         <translation>不是在册学员</translation>
     </message>
     <message>
-        <source>this is no kind of training time</source>
-        <translation>没有这种训练时间</translation>
+        <source>an identity is erased with its retention, not by hand</source>
+        <translation>身份信息随保存期限删除，不可手工删除</translation>
     </message>
     <message>
         <source>this is no name of a setting</source>
         <translation>没有该设置名称</translation>
-    </message>
-    <message>
-        <source>this is no state of a person</source>
-        <translation>没有该人员状态</translation>
     </message>
     <message>
         <source>this is the last administrator who can sign in</source>

@@ -116,6 +116,11 @@ template <typename Read>
 [[nodiscard]] inline std::string readText(RowReader& row) {
   return row.text();
 }
+/// Reads rows of one id of this kind.
+template <typename Kind>
+[[nodiscard]] Kind readId(RowReader& row) {
+  return row.text();
+}
 
 /// Reads a row of one whole number.
 [[nodiscard]] inline std::int64_t readInt64(RowReader& row) {

@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "sim/base/ids.h"
+
 namespace torsio {
 
 using Blob = std::vector<std::byte>;
@@ -35,6 +37,8 @@ class Value {
   Value(std::string_view text) : storage_(std::string(text)) {}  // NOLINT(google-explicit-constructor)
   Value(const char* text) : storage_(std::string(text)) {}       // NOLINT(google-explicit-constructor)
   Value(Blob bytes) : storage_(std::move(bytes)) {}              // NOLINT(google-explicit-constructor)
+  template <typename Tag>
+  Value(const Id<Tag>& id) : storage_(id.text()) {}  // NOLINT(google-explicit-constructor)
   template <typename T>
   Value(const std::optional<T>& maybe) {  // NOLINT(google-explicit-constructor)
     if (maybe) {

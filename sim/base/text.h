@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/ids.h"
+
 namespace torsio {
 
 /// A sentence with places for its arguments: `Text("trial %1 is sealed", id)`. English stands in the
@@ -20,6 +22,8 @@ class Text {
   Text() = default;
   Text(const char* words) : pattern_(words) {}             // NOLINT(google-explicit-constructor)
   Text(std::string words) : pattern_(std::move(words)) {}  // NOLINT(google-explicit-constructor)
+  template <typename Tag>
+  Text(const Id<Tag>& id) : pattern_(id.text()) {}  // NOLINT(google-explicit-constructor)
   /// `%1` to `%9` of the pattern stand for the arguments: texts, strings and whole numbers.
   template <typename... Rest>
   Text(std::string pattern, const auto& first, const Rest&... rest)

@@ -9,6 +9,7 @@
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/ids.h"
 #include "sim/record/spill_place.h"
 #include "sim/record/trial_file.h"
 
@@ -21,7 +22,7 @@ namespace {
 constexpr std::chrono::milliseconds kPeriod{20};
 constexpr std::chrono::milliseconds kPeriodAfterRefusal{1000};
 
-std::string fileNameOf(const std::string& trialId) {
+std::string fileNameOf(const TrialId& trialId) {
   std::string name = trialId.empty() ? "trial" : trialId;
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/ids.h"
 #include "sim/base/live_types.h"
 #include "sim/base/tick_period.h"
 
@@ -25,10 +26,10 @@ struct DeviceLimits {
 
 /// Everything that must be known to replay a trial, stored before the first sample.
 struct TrialHeader {
-  std::string trialId;      ///< UUID made by the application
+  TrialId trialId;          ///< UUID made by the application
   std::string traineeCode;  ///< pseudonym, never a name
-  std::string sceneId;
-  std::string patternId;
+  SceneId sceneId;
+  PatternId patternId;
   std::string organHash;
   std::string parameterHash;
   std::string parametersJson;

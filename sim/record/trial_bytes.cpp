@@ -67,6 +67,12 @@ class Reader {
     const std::span<const std::byte> raw = block();
     text.assign(reinterpret_cast<const char*>(raw.data()), raw.size());
   }
+  template <typename Tag>
+  void operator()(Id<Tag>& id) {
+    std::string text;
+    (*this)(text);
+    id = std::move(text);
+  }
   void operator()(std::vector<std::byte>& raw) {
     const std::span<const std::byte> found = block();
     raw.assign(found.begin(), found.end());

@@ -135,7 +135,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
         "app/maintenance", "app/recording", "app/training", "assessment/people"}},
       {"app/gui/administrator/study",
        {"app/devices", "app/gui/administrator/base", "app/gui/base", "app/gui/widgets", "app/study",
-        "assessment/study"}},
+        "assessment/study", "sim/base"}},
       {"app/gui/base",
        {"app/access", "app/base", "app/gui/widgets", "app/recording", "app/report", "assessment/report",
         "sim/base"}},

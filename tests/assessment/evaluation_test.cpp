@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "assessment/scoring/evaluation_kernel.h"
 #include "assessment/scoring/evaluation_resampling.h"
 #include "sim/base/error.h"
 #include "sim/base/random.h"

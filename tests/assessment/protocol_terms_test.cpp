@@ -11,7 +11,8 @@ namespace {
 
 template <typename Value>
 class ProtocolTerms : public ::testing::Test {};
-using Terms = ::testing::Types<AttemptMode, PhaseKind, EnrolmentState, CurriculumState, DiscrepancyChoice>;
+using Terms = ::testing::Types<AttemptMode, PhaseKind, ExposureKind, PersonState, EnrolmentState,
+                               CurriculumState, DiscrepancyChoice>;
 TYPED_TEST_SUITE(ProtocolTerms, Terms);
 
 TYPED_TEST(ProtocolTerms, StandForTheirTextAndBack) {
@@ -37,6 +38,12 @@ TEST(ProtocolTermsTexts, OfTheFirstReleaseStay) {
   EXPECT_EQ(storedText(AttemptMode::kGraded), "graded");
   EXPECT_EQ(storedText(PhaseKind::kVirtual), "virtual");
   EXPECT_EQ(storedText(PhaseKind::kReal), "real");
+  EXPECT_EQ(storedText(ExposureKind::kVirtual), "virtual");
+  EXPECT_EQ(storedText(ExposureKind::kReal), "real");
+  EXPECT_EQ(storedText(ExposureKind::kRest), "rest");
+  EXPECT_EQ(storedText(PersonState::kActive), "active");
+  EXPECT_EQ(storedText(PersonState::kLeft), "left");
+  EXPECT_EQ(storedText(PersonState::kErased), "erased");
   EXPECT_EQ(storedText(EnrolmentState::kEnrolled), "enrolled");
   EXPECT_EQ(storedText(EnrolmentState::kCompleted), "completed");
   EXPECT_EQ(storedText(EnrolmentState::kWithdrawn), "withdrawn");

@@ -10,6 +10,7 @@
 
 #include "assessment/metrics/trial_metrics.h"
 #include "assessment/scoring/evaluation.h"
+#include "assessment/scoring/evaluation_kernel.h"
 
 namespace torsio {
 namespace {

@@ -24,6 +24,7 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
+#include "sim/base/ids.h"
 #include "tests/db/large_record.h"
 
 namespace torsio {
@@ -118,7 +119,7 @@ bool run(const std::string& file) {
   std::printf("triad over a million doubles: %.3f ms\n", bench.triad_ms);
   Connection connection = openRecord(file, OpenMode::kCreate, {.softwareVersion = "bench"});
   SampleRecord sample(connection, 1);
-  std::string cohortId;
+  CohortId cohortId;
   const std::clock_t begun = std::clock();
   const double fill_ms = time_ms([&] { cohortId = fillLargeRecord(connection, sample); });
   addTrials(connection, sample);

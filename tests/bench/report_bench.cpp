@@ -29,6 +29,7 @@
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
+#include "sim/base/ids.h"
 #include "sim/record/sample_codec.h"
 #include "tests/app/support/study_centre.h"
 
@@ -122,7 +123,7 @@ std::string fill(testing::StudyCentre& centre) {
     trainee.person.createdUtc_us = testing::kStudyTime_us;
     trainees.push_back(trainee);
   }
-  const std::vector<std::string> raters = centre.addChiefs(kRaters);
+  const std::vector<RaterId> raters = centre.addChiefs(kRaters);
   Transaction transaction(connection);
   PeopleRepository(connection).addTrainees(trainees);
   StudyRepository study(connection);
@@ -184,7 +185,7 @@ std::string fill(testing::StudyCentre& centre) {
   return cohort.id;
 }
 
-Verdict measureReport(testing::StudyCentre& centre, const std::string& cohortId) {
+Verdict measureReport(testing::StudyCentre& centre, const CohortId& cohortId) {
   ReportRequest request;
   request.cohortId = cohortId;
   SessionContext& session = centre.as("statistician");
@@ -286,7 +287,7 @@ int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   QApplication application(argc, argv);
   torsio::testing::StudyCentre centre;
-  std::string cohortId;
+  CohortId cohortId;
   torsio::print("filling", torsio::milliseconds([&] { cohortId = torsio::fill(centre); }));
   std::printf("\n");
   const torsio::Verdict report = torsio::measureReport(centre, cohortId);

@@ -64,7 +64,7 @@ TEST_F(CurriculumRepositoryTest, ReturnsAVersionWithAllItsParts) {
   EXPECT_EQ(stored.modules[0].mastery[1].threshold, 12.5);
   EXPECT_EQ(stored.modules[0].mastery[1].consecutive, 3);
   EXPECT_EQ(stored.modules[1].attemptLimit, 5);
-  EXPECT_EQ(stored.modules[1].requires_, (std::vector<std::string>{version.modules[0].id}));
+  EXPECT_EQ(stored.modules[1].requires_, (std::vector<ModuleId>{version.modules[0].id}));
   ASSERT_EQ(stored.arms.size(), 2U);
   EXPECT_EQ(stored.arms[0].phases.at(0).moduleId, version.modules[0].id);
   EXPECT_TRUE(stored.arms[1].restSplittable);
@@ -73,7 +73,7 @@ TEST_F(CurriculumRepositoryTest, ReturnsAVersionWithAllItsParts) {
   EXPECT_EQ(stored.arms[1].phases[1].duration_us, 20 * kMinute_us);
   ASSERT_EQ(stored.plannedOccasions.size(), 3U);
   EXPECT_EQ(stored.plannedOccasions[2].code, "post");
-  EXPECT_EQ(curricula.versionIds(version.curriculumId), (std::vector<std::string>{version.id}));
+  EXPECT_EQ(curricula.versionIds(version.curriculumId), (std::vector<CurriculumVersionId>{version.id}));
   EXPECT_EQ(curricula.curricula().at(0).name, "Paper protocol");
 }
 

@@ -6,6 +6,7 @@
 
 #include "db/connection/connection.h"
 #include "db/repository/system/schema_tables.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -16,9 +17,9 @@ namespace torsio {
 struct FullRecord {
   FullRecord(Connection& connection, const std::string& prefix, bool demonstration);
 
-  std::string traineeId;
-  std::string raterId;
-  std::string trialId;
+  TraineeId traineeId;
+  RaterId raterId;
+  TrialId trialId;
 };
 
 /// For the messages of failed tests.

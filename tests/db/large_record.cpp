@@ -7,6 +7,7 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/study/study_repository.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -39,7 +40,7 @@ std::vector<SubmittedMark> marksFor(SampleRecord& sample, const std::vector<Enro
 
 std::string fillLargeRecord(Connection& connection, SampleRecord& sample) {
   StudyRepository study(connection);
-  std::string cohortId;
+  CohortId cohortId;
   for (int first = 0; first < kManyTrainees; first += kTraineesPerCohort) {
     Transaction transaction(connection);
     cohortId = sample.ids.newUuid();

@@ -30,7 +30,7 @@ TEST_F(PeopleRepositoryTest, ReturnsTraineesAsTheyWereEntered) {
   EXPECT_EQ(person.level, "graduate");
   EXPECT_EQ(person.experience, "");
   EXPECT_EQ(person.age_years, 24);
-  EXPECT_EQ(person.state, "active");
+  EXPECT_EQ(person.state, PersonState::kActive);
   EXPECT_EQ(person.createdUtc_us, kSampleTime_us);
   EXPECT_TRUE(person.demonstration);
   EXPECT_EQ(trainees[1].handedness, "right");

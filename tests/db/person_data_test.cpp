@@ -127,7 +127,7 @@ class PersonDataTest : public DatabaseTest {
       sheets.saveDraft(assignment.id, {.comment = text, .rows = {{"time", 50, ""}}});
     }
     SampleRecord sample;
-    std::vector<std::string> trialIds;
+    std::vector<TrialId> trialIds;
   };
 
   static void erase(Connection& connection, const Full& full) {
@@ -200,7 +200,7 @@ TEST_F(PersonDataTest, ErasingLeavesNoTraceOfTheNameInAnyTable) {
 
   EXPECT_TRUE(tablesWithMarker(connection).empty()) << tablesWithMarker(connection).at(0);
   const Trainee left = PeopleRepository(connection).findTrainee("T-01").value();
-  EXPECT_EQ(left.person.state, "erased");
+  EXPECT_EQ(left.person.state, PersonState::kErased);
   EXPECT_EQ(left.person.sex, "");
   EXPECT_FALSE(left.person.age_years.has_value());
   EXPECT_TRUE(TrialRepository(connection).load(full.trialIds[0]).chunks.empty());

@@ -6,6 +6,7 @@
 #include "db/connection/db_error.h"
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
+#include "sim/base/ids.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 
@@ -47,7 +48,7 @@ class QuestionRepositoryTest : public DatabaseTest {
     SampleRecord sample;
     RemarkRepository remarks;
     QuestionRepository questions;
-    std::string trialId;
+    TrialId trialId;
     std::string trainee;
   };
 };

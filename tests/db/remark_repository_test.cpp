@@ -9,6 +9,7 @@
 #include "db/connection/db_error.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/trial/trial_repository.h"
+#include "sim/base/ids.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 
@@ -41,7 +42,7 @@ class RemarkRepositoryTest : public DatabaseTest {
     }
     SampleRecord sample;
     RemarkRepository remarks;
-    std::string trialId;
+    TrialId trialId;
     std::string trainee;
     std::string chief;
     std::int64_t written = 0;

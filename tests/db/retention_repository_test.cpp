@@ -24,8 +24,8 @@ constexpr std::int64_t kDay_us = 86'400'000'000;
 class RetentionRepositoryTest : public DatabaseTest {
  protected:
   /// A real trainee "R-<n>", entered on the sample day.
-  static std::string addTrainee(Connection& connection, const std::string& code,
-                                const std::string& state = "active") {
+  static PersonId addTrainee(Connection& connection, const std::string& code,
+                             PersonState state = PersonState::kActive) {
     Trainee trainee;
     trainee.person = {.id = "id of " + code, .code = code, .state = state, .createdUtc_us = kSampleTime_us};
     PeopleRepository(connection).addTrainees(std::span(&trainee, 1));
@@ -111,7 +111,7 @@ TEST_F(RetentionRepositoryTest, WhoLeftOrWithdrewIsDueByTheRuleThatFallsDueFirst
   retention.setRule({kRetainTrainee, 400, "contract", 1});
   retention.setRule({kRetainLeft, 100, "contract", 1});
   retention.setRule({kRetainWithdrawn, 7, "consent", 1});
-  addTrainee(connection, "R-1", "left");
+  addTrainee(connection, "R-1", PersonState::kLeft);
   const std::string withdrew = addTrainee(connection, "R-2");
   const std::string again = addTrainee(connection, "R-3");
   PeopleRepository people(connection);

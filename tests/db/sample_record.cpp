@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/db/sample_record.h"
 
+#include "sim/base/ids.h"
 #include "sim/base/random.h"
 
 namespace torsio {
@@ -31,7 +32,7 @@ SampleRecord::SampleRecord(Connection& connection, int traineeCount) {
                       .level = "graduate",
                       .experience = "",
                       .age_years = 24,
-                      .state = "active",
+                      .state = PersonState::kActive,
                       .createdUtc_us = kSampleTime_us,
                       .demonstration = true};
     trainee.handedness = "right";
@@ -66,7 +67,7 @@ SampleRecord::SampleRecord(Connection& connection, int traineeCount) {
   study.enrol(enrolments);
 }
 
-TrialHeader sampleHeader(const std::string& trialId, const std::string& traineeCode) {
+TrialHeader sampleHeader(const TrialId& trialId, const std::string& traineeCode) {
   TrialHeader header;
   header.trialId = trialId;
   header.traineeCode = traineeCode;

@@ -10,6 +10,7 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
+#include "sim/base/ids.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
@@ -30,7 +31,7 @@ struct SampleRecord {
 };
 
 /// A header in which every field differs from its default.
-[[nodiscard]] TrialHeader sampleHeader(const std::string& trialId, const std::string& traineeCode);
+[[nodiscard]] TrialHeader sampleHeader(const TrialId& trialId, const std::string& traineeCode);
 /// Chunk `index` of `samples` samples with `size` bytes that depend on the index.
 [[nodiscard]] TrialChunk sampleChunk(std::int64_t index, std::size_t size = 15000);
 

@@ -12,6 +12,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/clock.h"
+#include "sim/base/ids.h"
 #include "tests/db/large_record.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
@@ -56,7 +57,7 @@ class ScaleTest : public DatabaseTest {
 TEST_F(ScaleTest, ListsOpenAtOnceInALargeRecord) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
-  const std::string cohortId = fillLargeRecord(connection, sample);
+  const CohortId cohortId = fillLargeRecord(connection, sample);
   ASSERT_EQ(numberFrom(connection, "SELECT count(*) FROM training_mark"), kManyMarks);
 
   std::size_t marks = 0;

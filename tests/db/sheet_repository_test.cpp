@@ -9,6 +9,7 @@
 #include "db/connection/db_error.h"
 #include "db/repository/rating/rating_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 
@@ -21,7 +22,7 @@ class SheetRepositoryTest : public DatabaseTest {
   struct Desk {
     explicit Desk(Connection& connection, int trainees = 1)
         : sample(connection, trainees), sheets(connection) {
-      const std::string rubricId = sample.ids.newUuid();
+      const RubricId rubricId = sample.ids.newUuid();
       sheets.addRubric(rubricId, "Twist", kSampleTime_us, true);
       rubric = {.id = sample.ids.newUuid(), .rubricId = rubricId};
       rubric.overall = {10, 100, 10};

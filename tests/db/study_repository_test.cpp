@@ -6,6 +6,7 @@
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 
@@ -27,7 +28,7 @@ class StudyRepositoryTest : public DatabaseTest {
             .demonstration = true};
   }
   /// Trainees to the two groups in turn.
-  static std::vector<AllocationEntry> allocationsFor(SampleRecord& sample, const std::string& designId) {
+  static std::vector<AllocationEntry> allocationsFor(SampleRecord& sample, const DesignId& designId) {
     std::vector<AllocationEntry> records;
     for (std::size_t i = 0; i < sample.enrolments.size(); ++i) {
       AllocationEntry record;
@@ -188,15 +189,16 @@ TEST_F(StudyRepositoryTest, LogsExposureRestAndDeviations) {
   StudyRepository study(connection);
   const std::string enrolment = sample.enrolments[0].id;
 
-  study.addExposures(std::vector<Exposure>{
-      {sample.ids.newUuid(), enrolment, "", "virtual", kSampleTime_us, 600'000'000, "station-1", true},
-      {sample.ids.newUuid(), enrolment, "", "rest", kSampleTime_us + 1, 300'000'000, "station-1", true}});
+  study.addExposures(std::vector<Exposure>{{sample.ids.newUuid(), enrolment, "", ExposureKind::kVirtual,
+                                            kSampleTime_us, 600'000'000, "station-1", true},
+                                           {sample.ids.newUuid(), enrolment, "", ExposureKind::kRest,
+                                            kSampleTime_us + 1, 300'000'000, "station-1", true}});
   study.addDeviation({sample.ids.newUuid(), sample.cohort.id, enrolment, "device failed", "cable",
                       kSampleTime_us, "admin", kSampleTime_us + 5, true});
 
   const std::vector<Exposure> exposures = study.exposures(sample.cohort.id);
   ASSERT_EQ(exposures.size(), 2U);
-  EXPECT_EQ(exposures[1].kind, "rest");
+  EXPECT_EQ(exposures[1].kind, ExposureKind::kRest);
   EXPECT_EQ(exposures[1].duration_us, 300'000'000);
   const std::vector<ProtocolDeviation> deviations = study.deviations(sample.cohort.id);
   ASSERT_EQ(deviations.size(), 1U);

@@ -8,6 +8,7 @@
 #include <QString>
 
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "sim/base/text.h"
 
 namespace torsio::gui {
@@ -15,6 +16,11 @@ namespace torsio::gui {
 /// Text of a std::string (UTF-8) as it stands: names, codes, what people wrote. A term of the record that has
 /// a translation is given as `toQString(Text(term))`. Any thread.
 [[nodiscard]] QString toQString(const std::string& utf8);
+/// Gives the text of an id as it is.
+template <typename Tag>
+[[nodiscard]] QString toQString(const Id<Tag>& id) {
+  return toQString(id.text());
+}
 /// Text of a path, in the notation of this system. Any thread.
 [[nodiscard]] QString toQString(const std::filesystem::path& path);
 /// Path that a text names. The reverse of toQString(path); QString::toStdString() reverses toQString(utf8).

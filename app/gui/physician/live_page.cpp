@@ -18,6 +18,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "sim/base/ids.h"
 
 namespace torsio::gui {
 
@@ -165,7 +166,7 @@ void LivePage::showLines() {
     group_->addButton(button);
     order_->addWidget(button);
     button->show();
-    const std::string id = line.shown.assignmentId;
+    const AssignmentId id = line.shown.assignmentId;
     connect(button, &QToolButton::clicked, this, [this, id] {
       if (!leave()) {
         return showLines();
@@ -193,7 +194,7 @@ void LivePage::amend() {
   }
 }
 
-void LivePage::openLine(const std::string& assignmentId) {
+void LivePage::openLine(const AssignmentId& assignmentId) {
   opened_ = openSheet(shell().session(), assignmentId);
   sheet_->beginSheet(opened_.rubric, opened_.sheet);
   clocked_us_ = 0;

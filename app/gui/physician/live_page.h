@@ -12,6 +12,7 @@
 #include "app/review/case_sheet.h"
 #include "app/review/review_queue.h"
 #include "app/review/sheet_editor.h"
+#include "sim/base/ids.h"
 
 class QButtonGroup;
 class QLabel;
@@ -45,7 +46,7 @@ class LivePage : public Page {
   void createClock(QVBoxLayout* column);
   void readLines();
   void showLines();
-  void openLine(const std::string& assignmentId);
+  void openLine(const AssignmentId& assignmentId);
   void edited();
   void toggleClock();
   void showClock();

@@ -19,6 +19,7 @@
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "sim/base/ids.h"
 
 namespace torsio::gui {
 
@@ -66,7 +67,7 @@ void QuestionsCard::fill() {
   }
 }
 
-void QuestionsCard::open(const std::string& questionId) {
+void QuestionsCard::open(const RemarkId& questionId) {
   const auto found = std::find_if(questions_.begin(), questions_.end(),
                                   [&](const PhysicianQuestion& one) { return one.id == questionId; });
   if (found == questions_.end()) {

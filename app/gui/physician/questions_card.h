@@ -6,6 +6,7 @@
 
 #include "app/gui/widgets/card.h"
 #include "app/training/questions.h"
+#include "sim/base/ids.h"
 
 class QPushButton;
 class QVBoxLayout;
@@ -26,7 +27,7 @@ class QuestionsCard : public Card {
   void read();
   [[nodiscard]] const std::vector<PhysicianQuestion>& questions() const noexcept { return questions_; }
   /// Shows the moment with a field for the answer.
-  void open(const std::string& questionId);
+  void open(const RemarkId& questionId);
 
  protected:
   void changeEvent(QEvent* event) override;

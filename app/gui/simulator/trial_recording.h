@@ -8,15 +8,16 @@
 #include <vector>
 
 #include "app/recording/recording_spec.h"
+#include "sim/base/ids.h"
 #include "sim/record/trial.h"
 
 namespace torsio::gui {
 
 /// One line of the list from which a recording is chosen.
 struct RecordedTrial {
-  std::string id;
-  std::string sceneId;
-  std::string patternId;
+  TrialId id;
+  SceneId sceneId;
+  PatternId patternId;
   std::int64_t startedUtc_us = 0;
   double duration_s = 0.0;
 };

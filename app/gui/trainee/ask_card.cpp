@@ -14,6 +14,7 @@
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "sim/base/ids.h"
 
 namespace torsio::gui {
 
@@ -43,7 +44,7 @@ AskCard::AskCard(ShellContext& shell, QWidget* parent)
   hide();
 }
 
-void AskCard::setRun(const std::string& trialId) {
+void AskCard::setRun(const TrialId& trialId) {
   trialId_ = trialId;
   desk_ = trialId.empty() ? QuestionDesk{} : questionDesk(shell_.session(), trialId);
   whom_->clear();

@@ -6,6 +6,7 @@
 
 #include "app/gui/widgets/card.h"
 #include "app/training/questions.h"
+#include "sim/base/ids.h"
 
 class QComboBox;
 class QLabel;
@@ -26,7 +27,7 @@ class AskCard : public Card {
   explicit AskCard(ShellContext& shell, QWidget* parent = nullptr);
 
   /// Reads what may be asked about this own run; empty: none.
-  void setRun(const std::string& trialId);
+  void setRun(const TrialId& trialId);
   /// The moment that would be asked about, seconds.
   void setMoment(double at_s);
   /// Sends it.
@@ -43,7 +44,7 @@ class AskCard : public Card {
   void addQuestion(const OwnQuestion& question);
 
   ShellContext& shell_;
-  std::string trialId_;
+  TrialId trialId_;
   double at_s_ = 0.0;
   QuestionDesk desk_;
   QLabel* whomLabel_;

@@ -19,6 +19,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "sim/base/ids.h"
 
 namespace torsio::gui {
 
@@ -94,7 +95,7 @@ DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* pare
 
 void DebriefPage::enter(const QVariant& argument) {
   attempt(shell(), [&] {
-    std::string trialId = argument.toString().toStdString();
+    TrialId trialId = argument.toString().toStdString();
     if (trialId.empty()) {
       const auto all = attemptsOf(shell().session(), shell().session().actor().personId);
       for (const Attempt& attempt : all) {
@@ -117,7 +118,7 @@ void DebriefPage::enter(const QVariant& argument) {
   });
 }
 
-void DebriefPage::compute(const std::string& trialId) {
+void DebriefPage::compute(const TrialId& trialId) {
   const auto result = std::make_shared<Debrief>();
   debrief_ = {};
   computing_ = true;
@@ -176,7 +177,7 @@ void DebriefPage::addFinding(QVBoxLayout* column, const DebriefFinding& finding,
 }
 
 void DebriefPage::readQuestions() {
-  attempt(shell(), [&] { ask_->setRun(debrief_.interrupted ? std::string() : debrief_.trialId); });
+  attempt(shell(), [&] { ask_->setRun(debrief_.interrupted ? TrialId() : debrief_.trialId); });
 }
 
 void DebriefPage::retranslate() {

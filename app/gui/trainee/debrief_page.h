@@ -3,6 +3,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/training/debrief.h"
+#include "sim/base/ids.h"
 
 class QCheckBox;
 class QLabel;
@@ -38,7 +39,7 @@ class DebriefPage : public Page {
 
   void readQuestions();
   void showBookmark(double at_s);
-  void compute(const std::string& trialId);
+  void compute(const TrialId& trialId);
   void fill();
   void addFinding(QVBoxLayout* column, const DebriefFinding& finding, bool strength);
   void addBookmarkAt(double at_s);

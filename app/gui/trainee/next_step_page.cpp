@@ -17,6 +17,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "sim/base/ids.h"
 
 namespace torsio::gui {
 
@@ -91,7 +92,7 @@ void NextStepPage::applyTheme(const Theme& theme) {
   fill();
 }
 
-void NextStepPage::begin(const std::string& moduleId, bool graded) {
+void NextStepPage::begin(const ModuleId& moduleId, bool graded) {
   desk_.chosen = true;
   desk_.moduleId = moduleId;
   desk_.graded = graded;
@@ -141,7 +142,7 @@ void NextStepPage::fillNext() {
   nextContent_->addWidget(title);
   auto* quiet = plainLabel(next_, "quiet");
   const RunPhase* phase = presentPhase(steps_.plan);
-  const bool real = phase != nullptr && phase->arm == TrainingSetting::kReal;
+  const bool real = phase != nullptr && phase->arm == PhaseKind::kReal;
   if (steps_.enrolmentId.empty() || !steps_.hasCurriculum) {
     title->setText(tr("Nothing is planned for you yet"));
     quiet->setText(
@@ -189,7 +190,7 @@ void NextStepPage::fillNext() {
     then->setVisible(!step.unlocks.empty());
     texts->addWidget(then);
   }
-  const std::string id = steps_.next ? steps_.modules[*steps_.next].module.id : std::string();
+  const ModuleId id = steps_.next ? steps_.modules[*steps_.next].module.id : ModuleId();
   const bool graded = steps_.next && steps_.modules[*steps_.next].module.mode == AttemptMode::kGraded;
   auto* start = primaryButton(next_);
   start->setObjectName(QStringLiteral("begin"));
@@ -239,7 +240,7 @@ void NextStepPage::addModule(const ModuleStep& step) {
   facts->setAlignment(Qt::AlignRight | Qt::AlignTop);
   facts->setText(step.last ? StationLabels::lastResult(step) : locked ? QString() : tr("Not tried yet"));
   row->addWidget(facts, 0, Qt::AlignTop);
-  const std::string id = step.module.id;
+  const ModuleId id = step.module.id;
   if (step.last) {
     auto* trend = linkButton(frame);
     trend->setText(tr("Trend"));

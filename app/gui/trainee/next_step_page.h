@@ -6,6 +6,7 @@
 #include "app/gui/base/page.h"
 #include "app/training/next_steps.h"
 #include "app/training/run_session.h"
+#include "sim/base/ids.h"
 
 class QLabel;
 class QPushButton;
@@ -39,7 +40,7 @@ class NextStepPage : public Page {
   void fillNext();
   void fillNotices();
   void addModule(const ModuleStep& step);
-  void begin(const std::string& moduleId, bool graded);
+  void begin(const ModuleId& moduleId, bool graded);
 
   NextSteps steps_;
   std::vector<RecoveredTrial> recovered_;

@@ -21,6 +21,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "sim/base/ids.h"
 
 namespace torsio::gui {
 
@@ -141,7 +142,7 @@ void RemarksPage::fillList() {
   fillMarks();
 }
 
-void RemarksPage::answer(const std::string& remarkId, const QString& text) {
+void RemarksPage::answer(const RemarkId& remarkId, const QString& text) {
   attempt(shell(), [&] {
     if (text.isEmpty()) {
       markRemarkRead(shell().session(), remarkId);

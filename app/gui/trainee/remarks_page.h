@@ -5,6 +5,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/training/remarks.h"
+#include "sim/base/ids.h"
 
 class QLabel;
 class QListWidget;
@@ -32,7 +33,7 @@ class RemarksPage : public Page {
   void fillRemarks();
   void fillMarks();
   void addRemark(const TraineeRemark& remark, bool reply);
-  void answer(const std::string& remarkId, const QString& text);
+  void answer(const RemarkId& remarkId, const QString& text);
   [[nodiscard]] const TrialRemarks* chosen() const;
 
   std::vector<TrialRemarks> all_;

@@ -190,7 +190,7 @@ void RunPage::enter(const QVariant& argument) {
   lastTrial_.clear();
   inFile_ = false;
   retranslate();
-  if (runSession_->run().phase().arm == TrainingSetting::kReal) {
+  if (runSession_->run().phase().arm == PhaseKind::kReal) {
     begin();
     return;
   }
@@ -205,7 +205,7 @@ void RunPage::enter(const QVariant& argument) {
 
 /// The scene is there. The device of the first recording comes before the clock: waiting is not training.
 void RunPage::begin() {
-  const bool real = runSession_->run().phase().arm == TrainingSetting::kReal;
+  const bool real = runSession_->run().phase().arm == PhaseKind::kReal;
   if (!real && desk_.openDevice) {
     fetchDevice();
   } else {
@@ -347,7 +347,7 @@ void RunPage::follow(const std::vector<RunEvent>& events) {
     }
     const TrainingRun& run = runSession_->run();
     const bool recording = scene_->controller().mode() == SimulationController::Mode::kRecording;
-    if (run.state() == RunState::kRunning && run.phase().arm == TrainingSetting::kVirtual && !recording) {
+    if (run.state() == RunState::kRunning && run.phase().arm == PhaseKind::kVirtual && !recording) {
       record();
     }
   });

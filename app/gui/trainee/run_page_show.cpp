@@ -70,7 +70,7 @@ void RunPage::showState() {
   }
   const TrainingRun& run = runSession_->run();
   const RunPhase& phase = run.phase();
-  const bool real = phase.arm == TrainingSetting::kReal;
+  const bool real = phase.arm == PhaseKind::kReal;
   countdown_->setText(StationLabels::clock(run.remainingInPhase_us()));
   setLook(countdown_, "caution", run.state() == RunState::kRunning && run.remainingInPhase_us() < kSoon_us);
   progress_->setValue(static_cast<int>(phase.done_us * 1000 / std::max<std::int64_t>(1, phase.duration_us)));
@@ -94,7 +94,7 @@ void RunPage::showState() {
 bool RunPage::showNotice() {
   const TrainingRun& run = runSession_->run();
   const RunPhase& phase = run.phase();
-  const bool real = phase.arm == TrainingSetting::kReal;
+  const bool real = phase.arm == PhaseKind::kReal;
   goOn_->setVisible(opening_.going() ? waiting_ : run.state() != RunState::kRunning);
   noticeFigure_->setVisible(!opening_.going());
   setLook(goOn_, "primary", !opening_.going());

@@ -11,6 +11,7 @@
 #include "app/devices/device_readiness.h"
 #include "app/gui/simulator/simulation_controller.h"
 #include "sim/base/clock.h"
+#include "sim/base/ids.h"
 #include "sim/device/haptic_device.h"
 
 namespace torsio {
@@ -38,7 +39,7 @@ class StationDesk {
 
   std::optional<DeviceReadiness> readiness;  ///< of the last device check since the sign-in
   bool chosen = false;                       ///< something was chosen on the first page
-  std::string moduleId;                      ///< what; empty: the real arm
+  ModuleId moduleId;                         ///< what; empty: the real arm
   bool graded = false;
 
   /// Tells the board of the day, once, that a device stands here which nobody has checked yet. `line` may be

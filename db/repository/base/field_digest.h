@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "sim/base/digest.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -20,6 +21,10 @@ class FieldDigest {
     digest_.update(static_cast<std::int64_t>(text.size()));
     digest_.update(text);
     return *this;
+  }
+  template <typename Tag>
+  FieldDigest& add(const Id<Tag>& id) {
+    return add(std::string_view(id.text()));
   }
   template <std::integral T>
   FieldDigest& add(T number) {

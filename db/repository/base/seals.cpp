@@ -14,12 +14,12 @@ namespace {
 constexpr std::size_t kBatch = 500;  // placeholders a statement; SQLite allows 32766
 
 /// Calls `read` for every row of `sql` whose `column` is one of `ids`, or for all rows when there are none.
-template <typename Read>
+template <typename Kind, typename Read>
 void forEachRow(Connection& connection, const std::string& sql, const std::string& column,
-                std::span<const std::string> ids, const std::string& order, Read&& read) {
+                std::span<const Kind> ids, const std::string& order, Read&& read) {
   std::size_t done = 0;
   do {
-    const std::span<const std::string> batch = ids.subspan(done, std::min(kBatch, ids.size() - done));
+    const std::span<const Kind> batch = ids.subspan(done, std::min(kBatch, ids.size() - done));
     std::string where;
     for (std::size_t i = 0; i < batch.size(); ++i) {
       where += i == 0 ? "?" : ", ?";
@@ -54,7 +54,7 @@ std::string textHash(const std::string& text) {
   return text.empty() ? std::string() : FieldDigest("torsio text 1").add(text).hex();
 }
 
-std::map<std::string, std::string> markHashes(Connection& connection, std::span<const std::string> ids) {
+std::map<std::string, std::string> markHashes(Connection& connection, std::span<const MarkId> ids) {
   std::map<std::string, FieldDigest> digests;
   const std::string marks =
       "SELECT id, enrolment_id, rater_id, occasion, version, trial_id, score_steps, scale_lo_steps,"
@@ -98,7 +98,7 @@ std::map<std::string, std::string> markHashes(Connection& connection, std::span<
 }
 
 std::map<std::string, std::string> evaluationMarkHashes(Connection& connection,
-                                                        std::span<const std::string> ids) {
+                                                        std::span<const EvaluationMarkId> ids) {
   std::map<std::string, std::string> hashes;
   const std::string marks =
       "SELECT id, campaign_id, rater_id, model_code, index_number, version, score_steps, amend_reason,"
@@ -120,7 +120,7 @@ std::map<std::string, std::string> evaluationMarkHashes(Connection& connection,
   return hashes;
 }
 
-std::map<std::string, std::string> trialHashes(Connection& connection, std::span<const std::string> ids) {
+std::map<std::string, std::string> trialHashes(Connection& connection, std::span<const TrialId> ids) {
   std::map<std::string, std::string> hashes;
   const std::string trials =
       "SELECT trial_id, sample_count, refused_samples, late_ticks, outcome, content_hash, ended_utc_us"

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "db/connection/connection.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -13,12 +14,12 @@ namespace torsio {
 /// of every submitted training mark with its rows, as the tables have them now; `markId` empty: of all. A
 /// comment enters by its stored hash, so that it may be erased.
 [[nodiscard]] std::map<std::string, std::string> markHashes(Connection& connection,
-                                                            std::span<const std::string> ids = {});
-[[nodiscard]] std::map<std::string, std::string> evaluationMarkHashes(Connection& connection,
-                                                                      std::span<const std::string> ids = {});
+                                                            std::span<const MarkId> ids = {});
+[[nodiscard]] std::map<std::string, std::string> evaluationMarkHashes(
+    Connection& connection, std::span<const EvaluationMarkId> ids = {});
 /// Of every trial that has ended: its closing row with the content hash.
 [[nodiscard]] std::map<std::string, std::string> trialHashes(Connection& connection,
-                                                             std::span<const std::string> ids = {});
+                                                             std::span<const TrialId> ids = {});
 
 /// Hash of a free text; empty for an empty text.
 [[nodiscard]] std::string textHash(const std::string& text);

@@ -6,12 +6,13 @@
 #include "assessment/people/password_rule.h"
 #include "db/connection/row_reader.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 namespace {
 
-void insertRoles(Connection& connection, const std::string& userId, const std::vector<std::string>& roles) {
+void insertRoles(Connection& connection, const UserId& userId, const std::vector<std::string>& roles) {
   Statement insert = connection.prepare(insertInto("user_role", "user_id, role_code"));
   for (const std::string& role : roles) {
     insert.execute({userId, role});
@@ -21,7 +22,7 @@ void insertRoles(Connection& connection, const std::string& userId, const std::v
 }  // namespace
 
 struct AccessRepository::Account {
-  std::string id;
+  UserId id;
   std::string passwordHash;
   std::string pinHash;
   bool mustChange = false;
@@ -30,7 +31,7 @@ struct AccessRepository::Account {
   std::int64_t lockedUntilUtc_us = 0;
 };
 
-bool AccessRepository::allowed(const std::string& userId, const std::string& operation) const {
+bool AccessRepository::allowed(const UserId& userId, const std::string& operation) const {
   return selectFirst(connection_,
                      "SELECT count(*) FROM app_user u JOIN user_role r ON r.user_id = u.id"
                      " JOIN role_operation o ON o.role_code = r.role_code"
@@ -94,14 +95,14 @@ std::vector<UserAccount> AccessRepository::users() const {
   return users;
 }
 
-void AccessRepository::setRoles(const std::string& userId, const std::vector<std::string>& roles) {
+void AccessRepository::setRoles(const UserId& userId, const std::vector<std::string>& roles) {
   Transaction transaction(connection_);
   connection_.execute("DELETE FROM user_role WHERE user_id = ?", {userId});
   insertRoles(connection_, userId, roles);
   transaction.commit();
 }
 
-void AccessRepository::setActive(const std::string& userId, bool active) {
+void AccessRepository::setActive(const UserId& userId, bool active) {
   connection_.execute("UPDATE app_user SET state = ? WHERE id = ?", {active ? "active" : "disabled", userId});
 }
 
@@ -116,7 +117,7 @@ std::optional<AccessRepository::Account> AccessRepository::account(const std::st
       });
 }
 
-void AccessRepository::noteFailure(const std::string& userId, std::int64_t failures, std::int64_t now_us) {
+void AccessRepository::noteFailure(const UserId& userId, std::int64_t failures, std::int64_t now_us) {
   constexpr std::int64_t kFirstWait_us = 1'000'000;
   constexpr std::int64_t kDoublings = 10;  // 2^10 s is beyond the longest wait
   std::int64_t wait_us = 0;
@@ -162,14 +163,14 @@ SignInResult AccessRepository::signInForPractice(const std::string& login, const
   return check(login, pin, true, now_us);
 }
 
-void AccessRepository::setPassword(const std::string& userId, const SealedSecret& password, bool mustChange) {
+void AccessRepository::setPassword(const UserId& userId, const SealedSecret& password, bool mustChange) {
   connection_.execute(
       "UPDATE app_user SET password_hash = ?, must_change_password = ?, failed_count = 0,"
       " locked_until_utc_us = 0 WHERE id = ?",
       {password.hash, mustChange, userId});
 }
 
-void AccessRepository::setPin(const std::string& userId, const SealedSecret& pin) {
+void AccessRepository::setPin(const UserId& userId, const SealedSecret& pin) {
   connection_.execute("UPDATE app_user SET pin_hash = ? WHERE id = ?", {textOrNull(pin.hash), userId});
 }
 

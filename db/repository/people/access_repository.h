@@ -9,12 +9,13 @@
 #include "assessment/people/account.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/password.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 struct SignInResult {
   SignIn outcome = SignIn::kWrong;
-  std::string userId{};              ///< for kOk and kMustChange
+  UserId userId{};                   ///< for kOk and kMustChange
   std::int64_t waitUntilUtc_us = 0;  ///< for kWait
 };
 
@@ -34,7 +35,7 @@ class AccessRepository {
       : connection_(connection), cost_(cost) {}
 
   /// Whether one of the user's roles has the operation; unknown and disabled users may nothing.
-  [[nodiscard]] bool allowed(const std::string& userId, const std::string& operation) const;
+  [[nodiscard]] bool allowed(const UserId& userId, const std::string& operation) const;
 
   /// Sealing takes about a second on purpose: do it before a transaction begins, or everybody else waits for
   /// the database meanwhile. Throw Error (kBadParameter) for a weak secret; an empty PIN is none.
@@ -47,16 +48,16 @@ class AccessRepository {
     addUser(user, sealPassword(user.login, password));
   }
   [[nodiscard]] std::vector<UserAccount> users() const;
-  void setRoles(const std::string& userId, const std::vector<std::string>& roles);
-  void setActive(const std::string& userId, bool active);
+  void setRoles(const UserId& userId, const std::vector<std::string>& roles);
+  void setActive(const UserId& userId, bool active);
 
   [[nodiscard]] SignInResult signIn(const std::string& login, const std::string& password,
                                     std::int64_t now_us);
   /// Own change, or a reset by an administrator (`mustChange`). Ends any wait.
-  void setPassword(const std::string& userId, const SealedSecret& password, bool mustChange);
+  void setPassword(const UserId& userId, const SealedSecret& password, bool mustChange);
 
   /// A station PIN opens practice without a record and nothing else; none removes it.
-  void setPin(const std::string& userId, const SealedSecret& pin);
+  void setPin(const UserId& userId, const SealedSecret& pin);
   [[nodiscard]] SignInResult signInForPractice(const std::string& login, const std::string& pin,
                                                std::int64_t now_us);
 
@@ -65,7 +66,7 @@ class AccessRepository {
   [[nodiscard]] std::optional<Account> account(const std::string& login) const;
   [[nodiscard]] SignInResult check(const std::string& login, const std::string& secret, bool pin,
                                    std::int64_t now_us);
-  void noteFailure(const std::string& userId, std::int64_t failures, std::int64_t now_us);
+  void noteFailure(const UserId& userId, std::int64_t failures, std::int64_t now_us);
 
   Connection& connection_;
   PasswordCost cost_;

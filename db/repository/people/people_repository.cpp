@@ -2,6 +2,8 @@
 #include "db/repository/people/people_repository.h"
 
 #include "db/connection/row_reader.h"
+#include "db/repository/base/stored_term.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -26,8 +28,8 @@ Statement preparePersonInsert(Connection& connection) {
 
 void insertPerson(Statement& insert, const Person& person) {
   insert.execute({person.id, person.code, textOrNull(person.sex), textOrNull(person.level),
-                  textOrNull(person.experience), person.age_years, person.state, person.createdUtc_us,
-                  person.demonstration});
+                  textOrNull(person.experience), person.age_years, storedText(person.state),
+                  person.createdUtc_us, person.demonstration});
 }
 
 Person personOf(RowReader& row) {
@@ -37,7 +39,7 @@ Person personOf(RowReader& row) {
           .level = row.text(),
           .experience = row.text(),
           .age_years = row.maybeInt64(),
-          .state = row.text(),
+          .state = readTerm<PersonState>(row, "state"),
           .createdUtc_us = row.int64(),
           .demonstration = row.boolean()};
 }
@@ -103,11 +105,11 @@ void PeopleRepository::addRaters(std::span<const Rater> raters) {
   transaction.commit();
 }
 
-void PeopleRepository::makeRater(const std::string& personId, const std::string& classCode) {
+void PeopleRepository::makeRater(const PersonId& personId, const std::string& classCode) {
   connection_.execute(insertInto("rater", "person_id, class_code"), {personId, classCode});
 }
 
-void PeopleRepository::makeTrainee(const std::string& personId, const std::string& handedness) {
+void PeopleRepository::makeTrainee(const PersonId& personId, const std::string& handedness) {
   connection_.execute(insertInto("trainee", "person_id, handedness"), {personId, textOrNull(handedness)});
 }
 
@@ -115,19 +117,19 @@ void PeopleRepository::updatePerson(const Person& person) {
   connection_.execute(
       "UPDATE person SET sex = ?, level = ?, experience = ?, age_years = ?, state = ? WHERE id = ?",
       {textOrNull(person.sex), textOrNull(person.level), textOrNull(person.experience), person.age_years,
-       person.state, person.id});
+       storedText(person.state), person.id});
 }
 
-void PeopleRepository::setHandedness(const std::string& personId, const std::string& handedness) {
+void PeopleRepository::setHandedness(const PersonId& personId, const std::string& handedness) {
   connection_.execute("UPDATE trainee SET handedness = ? WHERE person_id = ?",
                       {textOrNull(handedness), personId});
 }
 
-void PeopleRepository::setRaterClass(const std::string& personId, const std::string& classCode) {
+void PeopleRepository::setRaterClass(const PersonId& personId, const std::string& classCode) {
   connection_.execute("UPDATE rater SET class_code = ? WHERE person_id = ?", {classCode, personId});
 }
 
-std::optional<Person> PeopleRepository::find(const std::string& personId) const {
+std::optional<Person> PeopleRepository::find(const PersonId& personId) const {
   return selectFirst(connection_, "SELECT " + kPersonColumns + " FROM person p WHERE p.id = ?", {personId},
                      personOf);
 }
@@ -152,7 +154,7 @@ std::optional<Rater> PeopleRepository::findRater(const std::string& code) const 
   return selectFirst(connection_, kRaters + " WHERE p.code = ?", {code}, raterOf);
 }
 
-std::optional<Identity> PeopleRepository::identity(const std::string& personId) const {
+std::optional<Identity> PeopleRepository::identity(const PersonId& personId) const {
   return selectFirst(connection_, kIdentities + " WHERE person_id = ?", {personId}, identityOf);
 }
 
@@ -181,7 +183,7 @@ void PeopleRepository::recordConsent(const ConsentDecision& consent) {
        consent.textVersion, consent.decidedUtc_us, consent.recordedBy, consent.demonstration});
 }
 
-std::vector<ConsentDecision> PeopleRepository::consents(const std::string& personId) const {
+std::vector<ConsentDecision> PeopleRepository::consents(const PersonId& personId) const {
   return selectAll(connection_,
                    kConsents + " WHERE c.person_id = ? ORDER BY c.decided_utc_us, c.purpose, c.sequence",
                    {personId}, consentOf);
@@ -196,7 +198,7 @@ std::vector<ConsentDecision> PeopleRepository::newestConsents() const {
                    {}, consentOf);
 }
 
-bool PeopleRepository::hasConsent(const std::string& personId, const std::string& purpose) const {
+bool PeopleRepository::hasConsent(const PersonId& personId, const std::string& purpose) const {
   return selectFirst(
              connection_,
              "SELECT granted FROM consent WHERE person_id = ? AND purpose = ? ORDER BY sequence DESC LIMIT 1",

@@ -10,6 +10,7 @@
 #include "assessment/people/consent.h"
 #include "assessment/people/person.h"
 #include "db/connection/connection.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -24,17 +25,17 @@ class PeopleRepository {
   void addTrainees(std::span<const Trainee> trainees);
   void addRaters(std::span<const Rater> raters);
   /// Gives a person who is stored already (an intern, say) the second part of a rater.
-  void makeRater(const std::string& personId, const std::string& classCode);
+  void makeRater(const PersonId& personId, const std::string& classCode);
 
   /// Gives a person who is stored already (a physician, say) the second part of a trainee.
-  void makeTrainee(const std::string& personId, const std::string& handedness);
+  void makeTrainee(const PersonId& personId, const std::string& handedness);
 
   /// Sex, level, experience, age and state; code and demonstration flag are frozen.
   void updatePerson(const Person& person);
-  void setHandedness(const std::string& personId, const std::string& handedness);
-  void setRaterClass(const std::string& personId, const std::string& classCode);
+  void setHandedness(const PersonId& personId, const std::string& handedness);
+  void setRaterClass(const PersonId& personId, const std::string& classCode);
   /// Whatever parts the person has; erased ones too.
-  [[nodiscard]] std::optional<Person> find(const std::string& personId) const;
+  [[nodiscard]] std::optional<Person> find(const PersonId& personId) const;
   /// Codes of all people, erased ones included: a code is never given twice.
   [[nodiscard]] std::vector<std::string> codes() const;
 
@@ -45,7 +46,7 @@ class PeopleRepository {
   [[nodiscard]] std::optional<Trainee> findTrainee(const std::string& code) const;
   [[nodiscard]] std::optional<Rater> findRater(const std::string& code) const;
 
-  [[nodiscard]] std::optional<Identity> identity(const std::string& personId) const;
+  [[nodiscard]] std::optional<Identity> identity(const PersonId& personId) const;
 
   /// Adds the identity, or replaces the one that is there.
   void setIdentity(const Identity& identity);
@@ -56,11 +57,11 @@ class PeopleRepository {
 
   void recordConsent(const ConsentDecision& consent);
   /// Every decision, oldest first.
-  [[nodiscard]] std::vector<ConsentDecision> consents(const std::string& personId) const;
+  [[nodiscard]] std::vector<ConsentDecision> consents(const PersonId& personId) const;
   /// The newest decision of every person about every purpose, by person and purpose.
   [[nodiscard]] std::vector<ConsentDecision> newestConsents() const;
   /// Whether the newest decision grants it; without one: false.
-  [[nodiscard]] bool hasConsent(const std::string& personId, const std::string& purpose) const;
+  [[nodiscard]] bool hasConsent(const PersonId& personId, const std::string& purpose) const;
 
  private:
   Connection& connection_;

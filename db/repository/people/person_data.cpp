@@ -8,18 +8,19 @@
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/person_rules.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 namespace {
 
 /// The person's id for every `?` of the condition.
-std::vector<Value> valuesFor(const PersonRule& rule, const std::string& personId) {
+std::vector<Value> valuesFor(const PersonRule& rule, const PersonId& personId) {
   const auto marks = std::count(rule.condition.begin(), rule.condition.end(), '?');
   return std::vector<Value>(static_cast<std::size_t>(marks), Value(personId));
 }
 
-void applyRule(Connection& connection, const PersonRule& rule, const std::string& personId) {
+void applyRule(Connection& connection, const PersonRule& rule, const PersonId& personId) {
   if (rule.condition.empty() || rule.onErase == OnErase::kKeep) {
     return;
   }
@@ -32,7 +33,7 @@ void applyRule(Connection& connection, const PersonRule& rule, const std::string
 
 }  // namespace
 
-std::vector<PersonTable> exportPerson(Connection& connection, const std::string& personId) {
+std::vector<PersonTable> exportPerson(Connection& connection, const PersonId& personId) {
   std::vector<PersonTable> tables;
   for (const PersonRule& rule : kPersonRules) {
     if (rule.condition.empty()) {
@@ -59,7 +60,7 @@ std::vector<PersonTable> exportPerson(Connection& connection, const std::string&
   return tables;
 }
 
-void erasePerson(Connection& connection, const std::string& personId, const std::string& requestedBy,
+void erasePerson(Connection& connection, const PersonId& personId, const std::string& requestedBy,
                  const std::string& reason, std::int64_t utc_us) {
   Transaction transaction(connection);
   if (connection.execute("UPDATE person SET state = 'erased' WHERE id = ? AND state <> 'erased'",

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "db/connection/connection.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -20,12 +21,12 @@ struct PersonTable {
 
 /// All that the record holds about a person; tables without such rows are left out. Recordings are listed by
 /// trial and chunk; load them with TrialRepository.
-[[nodiscard]] std::vector<PersonTable> exportPerson(Connection& connection, const std::string& personId);
+[[nodiscard]] std::vector<PersonTable> exportPerson(Connection& connection, const PersonId& personId);
 
 /// Erases a person: identity, demographics, recordings, comments, sign-in and drafts go; the code, marks,
 /// results and the audit trail stay as a tombstone, so that statistics keep their numbers. One transaction.
 /// Throws Error (kBadData) when there is no such person or they were erased already.
-void erasePerson(Connection& connection, const std::string& personId, const std::string& requestedBy,
+void erasePerson(Connection& connection, const PersonId& personId, const std::string& requestedBy,
                  const std::string& reason, std::int64_t utc_us);
 
 }  // namespace torsio

@@ -9,6 +9,7 @@
 #include "db/connection/row_reader.h"
 #include "db/repository/base/stored_term.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -44,7 +45,7 @@ constexpr const char* kHolds =
 
 /// What kPeople gives for one person.
 struct Activity {
-  std::string personId;
+  PersonId personId;
   std::string code;
   bool left = false;
   std::int64_t last_us = 0;
@@ -92,7 +93,7 @@ std::map<std::string, RetentionHold> newestHolds(Connection& connection) {
   std::map<std::string, RetentionHold> newest;
   for (RetentionHold& hold :
        selectAll(connection, std::string(kHolds) + " ORDER BY person_id, sequence", {}, holdOf)) {
-    std::string personId = hold.personId;
+    PersonId personId = hold.personId;
     newest.insert_or_assign(std::move(personId), std::move(hold));
   }
   return newest;

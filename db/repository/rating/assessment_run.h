@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "db/connection/connection.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 /// Where results came from: which formula over which inputs, when. Results are computed anew, never changed.
 struct AssessmentRun {
-  std::string id{};
+  RunId id{};
   std::string formulaVersion{};
   std::string policy{};      ///< what was done about missing marks
   std::string inputsHash{};  ///< over the marks that went in

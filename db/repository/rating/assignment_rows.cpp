@@ -2,6 +2,7 @@
 #include "db/repository/rating/assignment_rows.h"
 
 #include "db/connection/connection.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -40,11 +41,11 @@ Assignment readAssignment(RowReader& row) {
           .demonstration = row.boolean()};
 }
 
-std::vector<SheetRow> draftRows(Connection& connection, const std::string& assignmentId) {
+std::vector<SheetRow> draftRows(Connection& connection, const AssignmentId& assignmentId) {
   return sheetRows(connection, "mark_draft_row WHERE assignment_id", assignmentId);
 }
 
-std::vector<SheetRow> markRows(Connection& connection, const std::string& markId) {
+std::vector<SheetRow> markRows(Connection& connection, const MarkId& markId) {
   return sheetRows(connection, "training_mark_row WHERE mark_id", markId);
 }
 

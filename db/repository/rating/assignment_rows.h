@@ -9,6 +9,7 @@
 #include "assessment/rating/sheet.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -20,7 +21,7 @@ namespace torsio {
 [[nodiscard]] Assignment readAssignment(RowReader& row);
 
 /// Reads the rows of a sheet, by their code: those of a draft or of a sealed mark. Throws DbError.
-[[nodiscard]] std::vector<SheetRow> draftRows(Connection& connection, const std::string& assignmentId);
-[[nodiscard]] std::vector<SheetRow> markRows(Connection& connection, const std::string& markId);
+[[nodiscard]] std::vector<SheetRow> draftRows(Connection& connection, const AssignmentId& assignmentId);
+[[nodiscard]] std::vector<SheetRow> markRows(Connection& connection, const MarkId& markId);
 
 }  // namespace torsio

@@ -5,20 +5,21 @@
 
 #include "db/connection/row_reader.h"
 #include "db/repository/rating/assignment_rows.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
-std::optional<Assignment> DeskRepository::assignment(const std::string& assignmentId) const {
+std::optional<Assignment> DeskRepository::assignment(const AssignmentId& assignmentId) const {
   return selectFirst(connection_, selectAssignments() + " WHERE a.id = ?", {assignmentId}, readAssignment);
 }
 
-bool DeskRepository::isWithdrawn(const std::string& assignmentId) const {
+bool DeskRepository::isWithdrawn(const AssignmentId& assignmentId) const {
   return selectFirst(connection_, "SELECT count(*) FROM assignment_withdrawal WHERE assignment_id = ?",
                      {assignmentId}, readInt64)
              .value_or(0) > 0;
 }
 
-std::vector<CaseMark> DeskRepository::marksOfCase(const std::string& enrolmentId,
+std::vector<CaseMark> DeskRepository::marksOfCase(const EnrolmentId& enrolmentId,
                                                   const std::string& occasionCode) const {
   std::vector<CaseMark> marks = selectAll(
       connection_,
@@ -38,7 +39,7 @@ std::vector<CaseMark> DeskRepository::marksOfCase(const std::string& enrolmentId
   return marks;
 }
 
-std::vector<Assignment> DeskRepository::committed(const std::string& raterId) const {
+std::vector<Assignment> DeskRepository::committed(const RaterId& raterId) const {
   return selectAll(
       connection_,
       selectAssignments() +
@@ -56,7 +57,7 @@ std::vector<Assignment> DeskRepository::committed(const std::string& raterId) co
       {raterId}, readAssignment);
 }
 
-std::optional<std::int64_t> DeskRepository::trialLength_us(const std::string& trialId) const {
+std::optional<std::int64_t> DeskRepository::trialLength_us(const TrialId& trialId) const {
   return selectFirst(
       connection_,
       "SELECT e.sample_count * t.tick_period_us FROM trial t JOIN trial_end e ON e.trial_id = t.id"
@@ -64,7 +65,7 @@ std::optional<std::int64_t> DeskRepository::trialLength_us(const std::string& tr
       {trialId}, readInt64);
 }
 
-void DeskRepository::saveDraftViewing(const std::string& assignmentId, const SheetViewing& viewing) {
+void DeskRepository::saveDraftViewing(const AssignmentId& assignmentId, const SheetViewing& viewing) {
   connection_.execute(
       insertInto("draft_viewing", "assignment_id, watched, slowest_permille, fastest_permille, worked_us") +
           " ON CONFLICT (assignment_id) DO UPDATE SET watched = excluded.watched,"
@@ -73,7 +74,7 @@ void DeskRepository::saveDraftViewing(const std::string& assignmentId, const She
       {assignmentId, viewing.watched, viewing.slowest_permille, viewing.fastest_permille, viewing.worked_us});
 }
 
-std::optional<SheetViewing> DeskRepository::draftViewing(const std::string& assignmentId) const {
+std::optional<SheetViewing> DeskRepository::draftViewing(const AssignmentId& assignmentId) const {
   return selectFirst(connection_,
                      "SELECT watched, slowest_permille, fastest_permille, worked_us FROM draft_viewing"
                      " WHERE assignment_id = ?",
@@ -82,7 +83,7 @@ std::optional<SheetViewing> DeskRepository::draftViewing(const std::string& assi
                      });
 }
 
-void DeskRepository::sealViewing(const std::string& assignmentId, const std::string& markId,
+void DeskRepository::sealViewing(const AssignmentId& assignmentId, const MarkId& markId,
                                  const SheetViewing& viewing) {
   Transaction transaction(connection_);
   connection_.execute(
@@ -93,8 +94,7 @@ void DeskRepository::sealViewing(const std::string& assignmentId, const std::str
   transaction.commit();
 }
 
-std::vector<std::int64_t> DeskRepository::workingTimes_us(const std::string& raterId,
-                                                          std::int64_t limit) const {
+std::vector<std::int64_t> DeskRepository::workingTimes_us(const RaterId& raterId, std::int64_t limit) const {
   return selectAll(
       connection_,
       "SELECT v.worked_us FROM training_mark m JOIN mark_viewing v ON v.mark_id = m.id"
@@ -103,9 +103,9 @@ std::vector<std::int64_t> DeskRepository::workingTimes_us(const std::string& rat
       {raterId, limit}, readInt64);
 }
 
-std::vector<std::string> DeskRepository::assignedTrials() const {
+std::vector<TrialId> DeskRepository::assignedTrials() const {
   return selectAll(connection_, "SELECT DISTINCT trial_id FROM assignment WHERE trial_id IS NOT NULL", {},
-                   readText);
+                   readId<TrialId>);
 }
 
 void DeskRepository::addReferenceRuns(std::span<const ReferenceRun> runs) {
@@ -158,7 +158,7 @@ std::vector<ReferenceWithdrawal> DeskRepository::referenceWithdrawals() const {
                    });
 }
 
-void DeskRepository::saveEvaluationDraft(const std::string& campaignId, const std::string& raterId,
+void DeskRepository::saveEvaluationDraft(const CampaignId& campaignId, const RaterId& raterId,
                                          const std::string& modelCode, std::int64_t indexNumber,
                                          std::optional<std::int64_t> score_steps, std::int64_t utc_us) {
   if (!score_steps) {
@@ -176,8 +176,8 @@ void DeskRepository::saveEvaluationDraft(const std::string& campaignId, const st
       {campaignId, raterId, modelCode, indexNumber, *score_steps, utc_us});
 }
 
-std::vector<EvaluationDraftMark> DeskRepository::evaluationDraft(const std::string& campaignId,
-                                                                 const std::string& raterId) const {
+std::vector<EvaluationDraftMark> DeskRepository::evaluationDraft(const CampaignId& campaignId,
+                                                                 const RaterId& raterId) const {
   return selectAll(connection_,
                    "SELECT model_code, index_number, score_steps FROM evaluation_draft WHERE campaign_id = ?"
                    " AND rater_id = ? ORDER BY model_code, index_number",
@@ -186,7 +186,7 @@ std::vector<EvaluationDraftMark> DeskRepository::evaluationDraft(const std::stri
                    });
 }
 
-void DeskRepository::removeEvaluationDraft(const std::string& campaignId, const std::string& raterId,
+void DeskRepository::removeEvaluationDraft(const CampaignId& campaignId, const RaterId& raterId,
                                            const std::string& modelCode) {
   connection_.execute(
       "DELETE FROM evaluation_draft WHERE campaign_id = ? AND rater_id = ? AND model_code = ?",

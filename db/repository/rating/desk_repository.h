@@ -14,6 +14,7 @@
 #include "assessment/rating/sheet.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -22,27 +23,26 @@ class DeskRepository {
  public:
   explicit DeskRepository(Connection& connection) : connection_(connection) {}
 
-  [[nodiscard]] std::optional<Assignment> assignment(const std::string& assignmentId) const;
-  [[nodiscard]] bool isWithdrawn(const std::string& assignmentId) const;
+  [[nodiscard]] std::optional<Assignment> assignment(const AssignmentId& assignmentId) const;
+  [[nodiscard]] bool isWithdrawn(const AssignmentId& assignmentId) const;
   /// Everybody's newest mark about one trainee at one scoring point, ordered by rater.
-  [[nodiscard]] std::vector<CaseMark> marksOfCase(const std::string& enrolmentId,
+  [[nodiscard]] std::vector<CaseMark> marksOfCase(const EnrolmentId& enrolmentId,
                                                   const std::string& occasionCode) const;
   /// The rater's assignments about cases on which everybody has committed and more than one was asked, in the
   /// rater's own order.
-  [[nodiscard]] std::vector<Assignment> committed(const std::string& raterId) const;
+  [[nodiscard]] std::vector<Assignment> committed(const RaterId& raterId) const;
   /// Length of a trial that has ended, microseconds; empty: unknown trial or still open.
-  [[nodiscard]] std::optional<std::int64_t> trialLength_us(const std::string& trialId) const;
+  [[nodiscard]] std::optional<std::int64_t> trialLength_us(const TrialId& trialId) const;
 
-  void saveDraftViewing(const std::string& assignmentId, const SheetViewing& viewing);
-  [[nodiscard]] std::optional<SheetViewing> draftViewing(const std::string& assignmentId) const;
+  void saveDraftViewing(const AssignmentId& assignmentId, const SheetViewing& viewing);
+  [[nodiscard]] std::optional<SheetViewing> draftViewing(const AssignmentId& assignmentId) const;
   /// Seals it with the mark and removes the draft's.
-  void sealViewing(const std::string& assignmentId, const std::string& markId, const SheetViewing& viewing);
+  void sealViewing(const AssignmentId& assignmentId, const MarkId& markId, const SheetViewing& viewing);
   /// Working times of a rater's first versions, newest first, at most `limit`.
-  [[nodiscard]] std::vector<std::int64_t> workingTimes_us(const std::string& raterId,
-                                                          std::int64_t limit) const;
+  [[nodiscard]] std::vector<std::int64_t> workingTimes_us(const RaterId& raterId, std::int64_t limit) const;
 
   /// Recordings that somebody is or was asked to score, each once.
-  [[nodiscard]] std::vector<std::string> assignedTrials() const;
+  [[nodiscard]] std::vector<TrialId> assignedTrials() const;
 
   void addReferenceRuns(std::span<const ReferenceRun> runs);
   /// Reference runs that raters are given, by position.
@@ -54,12 +54,12 @@ class DeskRepository {
   [[nodiscard]] std::vector<ReferenceWithdrawal> referenceWithdrawals() const;
 
   /// Empty score: removes the mark from the draft.
-  void saveEvaluationDraft(const std::string& campaignId, const std::string& raterId,
-                           const std::string& modelCode, std::int64_t indexNumber,
-                           std::optional<std::int64_t> score_steps, std::int64_t utc_us);
-  [[nodiscard]] std::vector<EvaluationDraftMark> evaluationDraft(const std::string& campaignId,
-                                                                 const std::string& raterId) const;
-  void removeEvaluationDraft(const std::string& campaignId, const std::string& raterId,
+  void saveEvaluationDraft(const CampaignId& campaignId, const RaterId& raterId, const std::string& modelCode,
+                           std::int64_t indexNumber, std::optional<std::int64_t> score_steps,
+                           std::int64_t utc_us);
+  [[nodiscard]] std::vector<EvaluationDraftMark> evaluationDraft(const CampaignId& campaignId,
+                                                                 const RaterId& raterId) const;
+  void removeEvaluationDraft(const CampaignId& campaignId, const RaterId& raterId,
                              const std::string& modelCode);
 
  private:

@@ -6,6 +6,7 @@
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/stored_term.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -58,17 +59,17 @@ std::int64_t DiscrepancyRepository::add(const DiscrepancyDecision& decision) {
   return sequence;
 }
 
-std::vector<DiscrepancyDecision> DiscrepancyRepository::history(const std::string& assignmentId) const {
+std::vector<DiscrepancyDecision> DiscrepancyRepository::history(const AssignmentId& assignmentId) const {
   return selectAll(connection_, kDecisions + " WHERE d.assignment_id = ? ORDER BY d.sequence", {assignmentId},
                    decisionOf);
 }
 
-std::optional<DiscrepancyDecision> DiscrepancyRepository::latest(const std::string& assignmentId) const {
+std::optional<DiscrepancyDecision> DiscrepancyRepository::latest(const AssignmentId& assignmentId) const {
   const std::vector<DiscrepancyDecision> all = history(assignmentId);
   return all.empty() ? std::nullopt : std::optional(all.back());
 }
 
-std::vector<DiscrepancyDecision> DiscrepancyRepository::ofCohort(const std::string& cohortId) const {
+std::vector<DiscrepancyDecision> DiscrepancyRepository::ofCohort(const CohortId& cohortId) const {
   return selectAll(
       connection_,
       kDecisions +

@@ -9,6 +9,7 @@
 
 #include "assessment/rating/mark.h"
 #include "db/connection/connection.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -23,10 +24,10 @@ class DiscrepancyRepository {
   /// Returns the sequence number. Throws DbError: kForeignKey (no such assignment).
   std::int64_t add(const DiscrepancyDecision& decision);
   /// Oldest first.
-  [[nodiscard]] std::vector<DiscrepancyDecision> history(const std::string& assignmentId) const;
-  [[nodiscard]] std::optional<DiscrepancyDecision> latest(const std::string& assignmentId) const;
+  [[nodiscard]] std::vector<DiscrepancyDecision> history(const AssignmentId& assignmentId) const;
+  [[nodiscard]] std::optional<DiscrepancyDecision> latest(const AssignmentId& assignmentId) const;
   /// The newest of every assignment of a cohort, oldest first.
-  [[nodiscard]] std::vector<DiscrepancyDecision> ofCohort(const std::string& cohortId) const;
+  [[nodiscard]] std::vector<DiscrepancyDecision> ofCohort(const CohortId& cohortId) const;
 
  private:
   Connection& connection_;

@@ -9,6 +9,7 @@
 #include "db/repository/base/insert_idempotent.h"
 #include "db/repository/base/seals.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -42,7 +43,7 @@ void insertParticipants(Connection& connection, const Campaign& campaign) {
   }
 }
 
-std::vector<RaterClass> classesOf(Connection& connection, const std::string& campaignId) {
+std::vector<RaterClass> classesOf(Connection& connection, const CampaignId& campaignId) {
   return selectAll(connection,
                    "SELECT c.class_code, r.label, c.weight_milli FROM evaluation_class c"
                    " JOIN rater_class r ON r.code = c.class_code WHERE c.campaign_id = ? ORDER BY c.position",
@@ -51,7 +52,7 @@ std::vector<RaterClass> classesOf(Connection& connection, const std::string& cam
                    });
 }
 
-std::vector<EvaluationIndex> indicesOf(Connection& connection, const std::string& campaignId) {
+std::vector<EvaluationIndex> indicesOf(Connection& connection, const CampaignId& campaignId) {
   return selectAll(
       connection,
       "SELECT code, label, weight_milli FROM evaluation_index WHERE campaign_id = ? ORDER BY index_number",
@@ -60,7 +61,7 @@ std::vector<EvaluationIndex> indicesOf(Connection& connection, const std::string
       });
 }
 
-std::vector<CampaignModel> modelsOf(Connection& connection, const std::string& campaignId) {
+std::vector<CampaignModel> modelsOf(Connection& connection, const CampaignId& campaignId) {
   return selectAll(
       connection,
       "SELECT model_code, label, hidden_label, position FROM evaluation_model WHERE campaign_id = ?"
@@ -70,7 +71,7 @@ std::vector<CampaignModel> modelsOf(Connection& connection, const std::string& c
       });
 }
 
-std::vector<CampaignRater> ratersOf(Connection& connection, const std::string& campaignId) {
+std::vector<CampaignRater> ratersOf(Connection& connection, const CampaignId& campaignId) {
   return selectAll(connection,
                    "SELECT r.rater_id, r.class_code, r.model_order FROM evaluation_rater r"
                    " JOIN person p ON p.id = r.rater_id WHERE r.campaign_id = ? ORDER BY p.code",
@@ -90,7 +91,7 @@ Campaign campaignOf(RowReader& row) {
   return campaign;
 }
 
-std::optional<Campaign> findCampaign(Connection& connection, const std::string& campaignId) {
+std::optional<Campaign> findCampaign(Connection& connection, const CampaignId& campaignId) {
   return selectFirst(
       connection,
       "SELECT id, name, scale_lo_steps, scale_hi_steps, steps_per_point, created_utc_us, demonstration"
@@ -98,7 +99,7 @@ std::optional<Campaign> findCampaign(Connection& connection, const std::string& 
       {campaignId}, campaignOf);
 }
 
-ScoreScale scaleOf(Connection& connection, const std::string& campaignId) {
+ScoreScale scaleOf(Connection& connection, const CampaignId& campaignId) {
   const std::optional<Campaign> campaign = findCampaign(connection, campaignId);
   if (campaign) {
     return campaign->instrument.scale;
@@ -107,7 +108,7 @@ ScoreScale scaleOf(Connection& connection, const std::string& campaignId) {
 }
 
 /// Whether a mark is there already; refuses another one under its id.
-bool isStored(Connection& connection, const std::string& campaignId, const EvaluationMark& mark) {
+bool isStored(Connection& connection, const CampaignId& campaignId, const EvaluationMark& mark) {
   using Kind = IdempotentColumn::Kind;
   if (!selectFirst(connection, "SELECT id FROM evaluation_mark WHERE id = ?", {mark.id}, readText)) {
     return false;
@@ -149,7 +150,7 @@ std::vector<std::pair<std::string, std::string>> EvaluationRepository::campaigns
                    });
 }
 
-std::optional<Campaign> EvaluationRepository::campaign(const std::string& campaignId) const {
+std::optional<Campaign> EvaluationRepository::campaign(const CampaignId& campaignId) const {
   std::optional<Campaign> campaign = findCampaign(connection_, campaignId);
   if (!campaign) {
     return std::nullopt;
@@ -161,7 +162,7 @@ std::optional<Campaign> EvaluationRepository::campaign(const std::string& campai
   return campaign;
 }
 
-void EvaluationRepository::submit(const std::string& campaignId, std::span<const EvaluationMark> marks) {
+void EvaluationRepository::submit(const CampaignId& campaignId, std::span<const EvaluationMark> marks) {
   if (marks.empty()) {
     return;
   }
@@ -171,7 +172,7 @@ void EvaluationRepository::submit(const std::string& campaignId, std::span<const
       insertInto("evaluation_mark",
                  "id, campaign_id, rater_id, model_code, index_number, version, score_steps, amend_reason,"
                  " submitted_utc_us, demonstration"));
-  std::vector<std::string> ids;
+  std::vector<EvaluationMarkId> ids;
   std::vector<const EvaluationMark*> added;
   for (const EvaluationMark& mark : marks) {
     if (!isOnScale(mark.score_steps, scale)) {
@@ -211,13 +212,13 @@ void EvaluationRepository::submit(const std::string& campaignId, std::span<const
   transaction.commit();
 }
 
-bool EvaluationRepository::hasMarks(const std::string& campaignId) const {
+bool EvaluationRepository::hasMarks(const CampaignId& campaignId) const {
   return selectFirst(connection_, "SELECT id FROM evaluation_mark WHERE campaign_id = ? LIMIT 1",
                      {campaignId}, readText)
       .has_value();
 }
 
-std::vector<EvaluationMark> EvaluationRepository::marks(const std::string& campaignId) const {
+std::vector<EvaluationMark> EvaluationRepository::marks(const CampaignId& campaignId) const {
   return selectAll(
       connection_,
       "SELECT m.id, m.rater_id, m.model_code, m.index_number, m.version, m.score_steps, m.amend_reason,"
@@ -245,7 +246,7 @@ std::vector<EvaluationMark> EvaluationRepository::marks(const std::string& campa
       });
 }
 
-void EvaluationRepository::storeRun(const std::string& campaignId, const EvaluationRunRows& run) {
+void EvaluationRepository::storeRun(const CampaignId& campaignId, const EvaluationRunRows& run) {
   Transaction transaction(connection_);
   insertRun(connection_, RunOwner::kCampaign, campaignId, run.run);
   Statement result = connection_.prepare(insertInto(

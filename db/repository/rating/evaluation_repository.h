@@ -12,6 +12,7 @@
 #include "assessment/scoring/instrument.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/assessment_run.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -57,18 +58,18 @@ class EvaluationRepository {
   void addCampaign(const Campaign& campaign);
   /// Id and name, oldest first.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> campaigns() const;
-  [[nodiscard]] std::optional<Campaign> campaign(const std::string& campaignId) const;
+  [[nodiscard]] std::optional<Campaign> campaign(const CampaignId& campaignId) const;
 
   /// Seals marks, each with an entry in the audit trail. Throws Error (kBadData) naming rater, model and
   /// index when a score lies outside the campaign's scale, DbError when a mark exists already or belongs to
   /// no rater, model or index of the campaign.
-  void submit(const std::string& campaignId, std::span<const EvaluationMark> marks);
+  void submit(const CampaignId& campaignId, std::span<const EvaluationMark> marks);
   /// The newest version of every mark, ordered by model, class, rater code, index.
-  [[nodiscard]] std::vector<EvaluationMark> marks(const std::string& campaignId) const;
+  [[nodiscard]] std::vector<EvaluationMark> marks(const CampaignId& campaignId) const;
   /// Whether anybody has submitted a mark.
-  [[nodiscard]] bool hasMarks(const std::string& campaignId) const;
+  [[nodiscard]] bool hasMarks(const CampaignId& campaignId) const;
 
-  void storeRun(const std::string& campaignId, const EvaluationRunRows& run);
+  void storeRun(const CampaignId& campaignId, const EvaluationRunRows& run);
 
  private:
   Connection& connection_;

@@ -9,6 +9,7 @@
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
 #include "db/repository/base/seals.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -122,7 +123,7 @@ void RatingRepository::submit(std::span<const SubmittedMark> marks) {
           {mark.id, row.rubricRevisionId, row.rowCode, row.score_steps, textOrNull(row.notAssessableReason)});
     }
   }
-  std::vector<std::string> ids;
+  std::vector<MarkId> ids;
   ids.reserve(added.size());
   for (const SubmittedMark& mark : added) {
     ids.push_back(mark.id);
@@ -144,7 +145,7 @@ void RatingRepository::submit(std::span<const SubmittedMark> marks) {
   transaction.commit();
 }
 
-std::vector<SubmittedMark> RatingRepository::marks(const std::string& cohortId) const {
+std::vector<SubmittedMark> RatingRepository::marks(const CohortId& cohortId) const {
   return selectAll(
       connection_,
       kMarks +
@@ -155,8 +156,7 @@ std::vector<SubmittedMark> RatingRepository::marks(const std::string& cohortId) 
       {cohortId}, markOf);
 }
 
-std::vector<SubmittedMark> RatingRepository::history(const std::string& enrolmentId,
-                                                     const std::string& raterId,
+std::vector<SubmittedMark> RatingRepository::history(const EnrolmentId& enrolmentId, const RaterId& raterId,
                                                      const std::string& occasionCode) const {
   return selectAll(
       connection_,
@@ -164,7 +164,7 @@ std::vector<SubmittedMark> RatingRepository::history(const std::string& enrolmen
       {enrolmentId, raterId, occasionCode}, markOf);
 }
 
-void RatingRepository::storeRun(const std::string& cohortId, const TrainingRunRows& run) {
+void RatingRepository::storeRun(const CohortId& cohortId, const TrainingRunRows& run) {
   Transaction transaction(connection_);
   insertRun(connection_, RunOwner::kCohort, cohortId, run.run);
   Statement trainee = connection_.prepare(

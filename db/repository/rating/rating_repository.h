@@ -12,12 +12,13 @@
 #include "assessment/scoring/instrument.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/assessment_run.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 /// A trainee's score at one scoring point: mean over the raters.
 struct TrainingResultRow {
-  std::string enrolmentId{};
+  EnrolmentId enrolmentId{};
   std::string occasionCode{};
   double mean = 0.0;
   double variance = 0.0;  ///< between the raters, divisor n
@@ -28,7 +29,7 @@ struct TrainingResultRow {
 
 /// A group at one scoring point (paper Fig. 23), with both divisors.
 struct GroupResultRow {
-  std::string groupId{};
+  GroupId groupId{};
   std::string occasionCode{};
   std::int64_t traineeCount = 0;
   double mean = 0.0;
@@ -56,12 +57,12 @@ class RatingRepository {
   /// other content, kCheck for a score outside its scale.
   void submit(std::span<const SubmittedMark> marks);
   /// The newest version of every mark of a cohort, ordered by scoring point, group, number, rater code.
-  [[nodiscard]] std::vector<SubmittedMark> marks(const std::string& cohortId) const;
+  [[nodiscard]] std::vector<SubmittedMark> marks(const CohortId& cohortId) const;
   /// All versions of one mark, oldest first.
-  [[nodiscard]] std::vector<SubmittedMark> history(const std::string& enrolmentId, const std::string& raterId,
+  [[nodiscard]] std::vector<SubmittedMark> history(const EnrolmentId& enrolmentId, const RaterId& raterId,
                                                    const std::string& occasionCode) const;
 
-  void storeRun(const std::string& cohortId, const TrainingRunRows& run);
+  void storeRun(const CohortId& cohortId, const TrainingRunRows& run);
 
  private:
   Connection& connection_;

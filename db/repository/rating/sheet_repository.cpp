@@ -10,13 +10,14 @@
 #include "db/repository/rating/assignment_rows.h"
 #include "db/repository/rating/rating_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
 namespace {
 
 /// One row a row of the rubric and an anchor of it.
-std::vector<RubricLine> rowsOf(Connection& connection, const std::string& revisionId) {
+std::vector<RubricLine> rowsOf(Connection& connection, const RubricRevisionId& revisionId) {
   Statement statement = connection.prepare(
       "SELECT r.row_code, r.label, r.scale_lo_steps, r.scale_hi_steps, r.steps_per_point, a.score_steps,"
       " a.meaning FROM rubric_row r"
@@ -37,7 +38,7 @@ std::vector<RubricLine> rowsOf(Connection& connection, const std::string& revisi
   return rows;
 }
 
-Assignment assignmentOf(Connection& connection, const std::string& assignmentId) {
+Assignment assignmentOf(Connection& connection, const AssignmentId& assignmentId) {
   std::optional<Assignment> found =
       selectFirst(connection, selectAssignments() + " WHERE a.id = ?", {assignmentId}, readAssignment);
   if (!found) {
@@ -109,7 +110,7 @@ void checkComplete(const Sheet& sheet, const RubricRevision& rubric, const std::
 }
 
 /// Of a mark that is stored already.
-std::optional<std::int64_t> versionOf(Connection& connection, const std::string& markId) {
+std::optional<std::int64_t> versionOf(Connection& connection, const MarkId& markId) {
   return selectFirst(connection, "SELECT version FROM training_mark WHERE id = ?", {markId}, readInt64);
 }
 
@@ -156,7 +157,7 @@ void SheetRepository::addRevision(const RubricRevision& revision) {
   transaction.commit();
 }
 
-std::optional<RubricRevision> SheetRepository::revision(const std::string& revisionId) const {
+std::optional<RubricRevision> SheetRepository::revision(const RubricRevisionId& revisionId) const {
   return selectFirst(
       connection_,
       "SELECT id, rubric_id, number, note, scale_lo_steps, scale_hi_steps, steps_per_point, created_by,"
@@ -173,9 +174,9 @@ std::optional<RubricRevision> SheetRepository::revision(const std::string& revis
       });
 }
 
-std::vector<std::string> SheetRepository::revisionIds(const std::string& rubricId) const {
+std::vector<RubricRevisionId> SheetRepository::revisionIds(const RubricId& rubricId) const {
   return selectAll(connection_, "SELECT id FROM rubric_revision WHERE rubric_id = ? ORDER BY number",
-                   {rubricId}, readText);
+                   {rubricId}, readId<RubricRevisionId>);
 }
 
 void SheetRepository::assign(std::span<const Assignment> assignments) {
@@ -192,7 +193,7 @@ void SheetRepository::assign(std::span<const Assignment> assignments) {
   transaction.commit();
 }
 
-std::vector<AssignmentStatus> SheetRepository::assignments(const std::string& cohortId) const {
+std::vector<AssignmentStatus> SheetRepository::assignments(const CohortId& cohortId) const {
   return selectAll(
       connection_,
       selectStatus() +
@@ -202,16 +203,16 @@ std::vector<AssignmentStatus> SheetRepository::assignments(const std::string& co
       {cohortId}, statusOf);
 }
 
-std::vector<Assignment> SheetRepository::assignmentsOf(const std::string& raterId) const {
+std::vector<Assignment> SheetRepository::assignmentsOf(const RaterId& raterId) const {
   return selectAll(connection_, selectAssignments() + " WHERE a.rater_id = ? ORDER BY a.position", {raterId},
                    readAssignment);
 }
 
-std::optional<AssignmentStatus> SheetRepository::findAssignment(const std::string& assignmentId) const {
+std::optional<AssignmentStatus> SheetRepository::findAssignment(const AssignmentId& assignmentId) const {
   return selectFirst(connection_, selectStatus() + " WHERE a.id = ?", {assignmentId}, statusOf);
 }
 
-void SheetRepository::withdraw(const std::string& assignmentId, const std::string& reason,
+void SheetRepository::withdraw(const AssignmentId& assignmentId, const std::string& reason,
                                const std::string& withdrawnBy, std::int64_t utc_us) {
   Transaction transaction(connection_);
   if (stateOf(assignmentId) == SheetState::kSubmitted) {
@@ -224,7 +225,7 @@ void SheetRepository::withdraw(const std::string& assignmentId, const std::strin
   transaction.commit();
 }
 
-std::vector<QueueEntry> SheetRepository::queue(const std::string& raterId) const {
+std::vector<QueueEntry> SheetRepository::queue(const RaterId& raterId) const {
   return selectAll(connection_,
                    "SELECT a.id, a.case_label, a.trial_id, a.rubric_revision_id, a.due_utc_us,"
                    " (SELECT MAX(m.submitted_utc_us) FROM training_mark m WHERE m.assignment_id = a.id),"
@@ -234,7 +235,7 @@ std::vector<QueueEntry> SheetRepository::queue(const std::string& raterId) const
                    {raterId}, queueEntryOf);
 }
 
-SheetState SheetRepository::stateOf(const std::string& assignmentId) const {
+SheetState SheetRepository::stateOf(const AssignmentId& assignmentId) const {
   const std::optional<AssignmentStatus> status = findAssignment(assignmentId);
   if (!status) {
     throw Error(ErrorCode::kBadData, "no such assignment", assignmentId, "Read the queue again");
@@ -242,7 +243,7 @@ SheetState SheetRepository::stateOf(const std::string& assignmentId) const {
   return status->state;
 }
 
-std::int64_t SheetRepository::saveDraft(const std::string& assignmentId, const Sheet& sheet) {
+std::int64_t SheetRepository::saveDraft(const AssignmentId& assignmentId, const Sheet& sheet) {
   Transaction transaction(connection_);
   const SheetState state = stateOf(assignmentId);
   if (state == SheetState::kWithdrawn || state == SheetState::kSubmitted) {
@@ -282,7 +283,7 @@ std::int64_t SheetRepository::saveDraft(const std::string& assignmentId, const S
   return next;
 }
 
-std::optional<Sheet> SheetRepository::draft(const std::string& assignmentId) const {
+std::optional<Sheet> SheetRepository::draft(const AssignmentId& assignmentId) const {
   std::optional<Sheet> sheet = selectFirst(
       connection_,
       "SELECT revision, overall_steps, not_assessable_reason, comment, changed_utc_us FROM mark_draft"
@@ -296,7 +297,7 @@ std::optional<Sheet> SheetRepository::draft(const std::string& assignmentId) con
   return sheet;
 }
 
-void SheetRepository::submit(const std::string& assignmentId, const std::string& markId, const Sheet& sheet,
+void SheetRepository::submit(const AssignmentId& assignmentId, const MarkId& markId, const Sheet& sheet,
                              const std::string& amendReason, std::int64_t submittedUtc_us) {
   Transaction transaction(connection_);
   const Assignment assignment = assignmentOf(connection_, assignmentId);
@@ -336,8 +337,8 @@ void SheetRepository::submit(const std::string& assignmentId, const std::string&
   transaction.commit();
 }
 
-std::optional<Sheet> SheetRepository::submitted(const std::string& assignmentId) const {
-  std::string markId;
+std::optional<Sheet> SheetRepository::submitted(const AssignmentId& assignmentId) const {
+  MarkId markId;
   std::optional<Sheet> sheet = selectFirst(
       connection_,
       "SELECT id, score_steps, not_assessable_reason, comment, submitted_utc_us FROM training_mark"
@@ -352,7 +353,7 @@ std::optional<Sheet> SheetRepository::submitted(const std::string& assignmentId)
   return sheet;
 }
 
-bool SheetRepository::allSubmitted(const std::string& enrolmentId, const std::string& occasionCode) const {
+bool SheetRepository::allSubmitted(const EnrolmentId& enrolmentId, const std::string& occasionCode) const {
   return selectFirst(connection_,
                      "SELECT count(*) FROM assignment a WHERE a.enrolment_id = ? AND a.occasion = ?"
                      " AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
@@ -361,7 +362,7 @@ bool SheetRepository::allSubmitted(const std::string& enrolmentId, const std::st
              .value_or(1) == 0;
 }
 
-std::int64_t SheetRepository::openAssignments(const std::string& cohortId) const {
+std::int64_t SheetRepository::openAssignments(const CohortId& cohortId) const {
   return selectFirst(connection_,
                      "SELECT count(*) FROM enrolment e JOIN assignment a ON a.enrolment_id = e.id WHERE "
                      "e.cohort_id = ?"
@@ -371,7 +372,7 @@ std::int64_t SheetRepository::openAssignments(const std::string& cohortId) const
       .value_or(0);
 }
 
-void SheetRepository::setReleased(const std::string& cohortId, const std::string& occasionCode, bool released,
+void SheetRepository::setReleased(const CohortId& cohortId, const std::string& occasionCode, bool released,
                                   const std::string& reason, const std::string& decidedBy,
                                   std::int64_t utc_us) {
   connection_.execute(
@@ -382,7 +383,7 @@ void SheetRepository::setReleased(const std::string& cohortId, const std::string
       {cohortId, occasionCode, cohortId, occasionCode, released, reason, decidedBy, utc_us});
 }
 
-bool SheetRepository::isReleased(const std::string& cohortId, const std::string& occasionCode) const {
+bool SheetRepository::isReleased(const CohortId& cohortId, const std::string& occasionCode) const {
   return selectFirst(connection_,
                      "SELECT released FROM mark_release WHERE cohort_id = ? AND occasion = ?"
                      " ORDER BY sequence DESC LIMIT 1",

@@ -13,6 +13,7 @@
 #include "assessment/rating/sheet_state.h"
 #include "assessment/scoring/instrument.h"
 #include "db/connection/connection.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -27,48 +28,48 @@ class SheetRepository {
   /// By name.
   [[nodiscard]] std::vector<Rubric> rubrics() const;
   void addRevision(const RubricRevision& revision);
-  [[nodiscard]] std::optional<RubricRevision> revision(const std::string& revisionId) const;
+  [[nodiscard]] std::optional<RubricRevision> revision(const RubricRevisionId& revisionId) const;
   /// Ids of a rubric's revisions, oldest first.
-  [[nodiscard]] std::vector<std::string> revisionIds(const std::string& rubricId) const;
+  [[nodiscard]] std::vector<RubricRevisionId> revisionIds(const RubricId& rubricId) const;
 
   void assign(std::span<const Assignment> assignments);
   /// Of a cohort, withdrawn ones too, by scoring point, trainee, rater.
-  [[nodiscard]] std::vector<AssignmentStatus> assignments(const std::string& cohortId) const;
+  [[nodiscard]] std::vector<AssignmentStatus> assignments(const CohortId& cohortId) const;
   /// Of one rater in any cohort, withdrawn ones too.
-  [[nodiscard]] std::vector<Assignment> assignmentsOf(const std::string& raterId) const;
-  [[nodiscard]] std::optional<AssignmentStatus> findAssignment(const std::string& assignmentId) const;
+  [[nodiscard]] std::vector<Assignment> assignmentsOf(const RaterId& raterId) const;
+  [[nodiscard]] std::optional<AssignmentStatus> findAssignment(const AssignmentId& assignmentId) const;
   /// Throws Error (kBadData) when the sheet was submitted already.
-  void withdraw(const std::string& assignmentId, const std::string& reason, const std::string& withdrawnBy,
+  void withdraw(const AssignmentId& assignmentId, const std::string& reason, const std::string& withdrawnBy,
                 std::int64_t utc_us);
   /// In the rater's own order, without the withdrawn ones.
-  [[nodiscard]] std::vector<QueueEntry> queue(const std::string& raterId) const;
+  [[nodiscard]] std::vector<QueueEntry> queue(const RaterId& raterId) const;
 
   /// `sheet.revision` is the one that was read. Returns the new one. Throws DbError (kConflict) when the
   /// draft was saved elsewhere in between, Error (kBadData) when the sheet was submitted or withdrawn.
-  std::int64_t saveDraft(const std::string& assignmentId, const Sheet& sheet);
-  [[nodiscard]] std::optional<Sheet> draft(const std::string& assignmentId) const;
+  std::int64_t saveDraft(const AssignmentId& assignmentId, const Sheet& sheet);
+  [[nodiscard]] std::optional<Sheet> draft(const AssignmentId& assignmentId) const;
 
   /// Seals the first version, or with `amendReason` the next one, as mark `markId` with its rows, and removes
   /// the draft. Throws Error (kBadData) when a row of the rubric is missing or unknown, or a score lies
   /// outside its scale; DbError (kUnique) when another station sealed it first. The same again is no error.
-  void submit(const std::string& assignmentId, const std::string& markId, const Sheet& sheet,
+  void submit(const AssignmentId& assignmentId, const MarkId& markId, const Sheet& sheet,
               const std::string& amendReason, std::int64_t submittedUtc_us);
   /// The newest sealed version; empty: not submitted.
-  [[nodiscard]] std::optional<Sheet> submitted(const std::string& assignmentId) const;
+  [[nodiscard]] std::optional<Sheet> submitted(const AssignmentId& assignmentId) const;
 
   /// Whether every rater who is asked about this case has submitted: until then each sees only their own
   /// sheet.
-  [[nodiscard]] bool allSubmitted(const std::string& enrolmentId, const std::string& occasionCode) const;
+  [[nodiscard]] bool allSubmitted(const EnrolmentId& enrolmentId, const std::string& occasionCode) const;
 
   /// Sheets of a cohort that somebody is asked for and has not submitted.
-  [[nodiscard]] std::int64_t openAssignments(const std::string& cohortId) const;
+  [[nodiscard]] std::int64_t openAssignments(const CohortId& cohortId) const;
 
-  void setReleased(const std::string& cohortId, const std::string& occasionCode, bool released,
+  void setReleased(const CohortId& cohortId, const std::string& occasionCode, bool released,
                    const std::string& reason, const std::string& decidedBy, std::int64_t utc_us);
-  [[nodiscard]] bool isReleased(const std::string& cohortId, const std::string& occasionCode) const;
+  [[nodiscard]] bool isReleased(const CohortId& cohortId, const std::string& occasionCode) const;
 
  private:
-  [[nodiscard]] SheetState stateOf(const std::string& assignmentId) const;
+  [[nodiscard]] SheetState stateOf(const AssignmentId& assignmentId) const;
   Connection& connection_;
 };
 

@@ -8,6 +8,7 @@
 #include "db/connection/row_reader.h"
 #include "db/repository/base/stored_term.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -21,9 +22,9 @@ const TrainingModule* moduleWithId(const CurriculumVersion& version, const std::
 
 /// Takes away, again and again, the modules whose prerequisites are all gone; what stays runs in a circle.
 void checkPrerequisites(const CurriculumVersion& version) {
-  std::map<std::string, std::vector<std::string>> open;
+  std::map<ModuleId, std::vector<ModuleId>> open;
   for (const TrainingModule& module : version.modules) {
-    for (const std::string& id : module.requires_) {
+    for (const ModuleId& id : module.requires_) {
       if (moduleWithId(version, id) == nullptr) {
         throw Error(ErrorCode::kBadData, "requires a module that is not in this version", module.code,
                     "Choose prerequisites from the same version");
@@ -35,7 +36,7 @@ void checkPrerequisites(const CurriculumVersion& version) {
     before = open.size();
     std::erase_if(open, [&](const auto& entry) {
       return std::none_of(entry.second.begin(), entry.second.end(),
-                          [&](const std::string& id) { return open.contains(id); });
+                          [&](const ModuleId& id) { return open.contains(id); });
     });
   }
   if (!open.empty()) {
@@ -60,7 +61,7 @@ void insertModules(Connection& connection, const CurriculumVersion& version) {
   Statement mastery = connection.prepare(
       insertInto("mastery_rule", "module_id, metric, comparison, threshold, unit, consecutive"));
   for (const TrainingModule& module : version.modules) {
-    for (const std::string& id : module.requires_) {
+    for (const ModuleId& id : module.requires_) {
       prerequisite.execute({module.id, id});
     }
     for (const MasteryCriterion& rule : module.mastery) {
@@ -112,7 +113,7 @@ MasteryCriterion masteryRuleOf(RowReader& row) {
   return {row.text(), row.text(), row.real(), row.text(), row.int64()};
 }
 
-std::vector<TrainingModule> modulesOf(Connection& connection, const std::string& versionId) {
+std::vector<TrainingModule> modulesOf(Connection& connection, const CurriculumVersionId& versionId) {
   std::vector<TrainingModule> modules =
       selectAll(connection,
                 "SELECT id, code, title, scene_id, pattern_id, mode, target_angle_rad, tolerance_rad,"
@@ -127,7 +128,7 @@ std::vector<TrainingModule> modulesOf(Connection& connection, const std::string&
       " ORDER BY metric");
   for (TrainingModule& module : modules) {
     prerequisites.execute({module.id});
-    module.requires_ = readRows(prerequisites, readText);
+    module.requires_ = readRows(prerequisites, readId<ModuleId>);
     mastery.execute({module.id});
     module.mastery = readRows(mastery, masteryRuleOf);
   }
@@ -138,7 +139,7 @@ TrainingPhase phaseOf(RowReader& row) {
   return {row.text(), readTerm<PhaseKind>(row, "kind"), row.text(), row.int64(), row.text()};
 }
 
-std::vector<StudyArm> armsOf(Connection& connection, const std::string& versionId) {
+std::vector<StudyArm> armsOf(Connection& connection, const CurriculumVersionId& versionId) {
   std::vector<StudyArm> arms = selectAll(
       connection,
       "SELECT id, code, label, rest_allowance_us, rest_splittable FROM curriculum_arm WHERE version_id = ?"
@@ -156,7 +157,8 @@ std::vector<StudyArm> armsOf(Connection& connection, const std::string& versionI
   return arms;
 }
 
-std::vector<PlannedOccasion> plannedOccasionsOf(Connection& connection, const std::string& versionId) {
+std::vector<PlannedOccasion> plannedOccasionsOf(Connection& connection,
+                                                const CurriculumVersionId& versionId) {
   return selectAll(connection,
                    "SELECT p.occasion, p.after_exposure_us FROM curriculum_occasion p"
                    " JOIN occasion o ON o.code = p.occasion WHERE p.version_id = ?"
@@ -183,7 +185,7 @@ std::vector<Curriculum> CurriculumRepository::curricula() const {
       });
 }
 
-std::int64_t CurriculumRepository::saveDraft(const std::string& curriculumId,
+std::int64_t CurriculumRepository::saveDraft(const CurriculumId& curriculumId,
                                              const CurriculumDraftRow& draft) {
   Transaction transaction(connection_);
   const std::int64_t next = draft.revision + 1;
@@ -209,7 +211,7 @@ std::int64_t CurriculumRepository::saveDraft(const std::string& curriculumId,
   return next;
 }
 
-std::optional<CurriculumDraftRow> CurriculumRepository::draft(const std::string& curriculumId) const {
+std::optional<CurriculumDraftRow> CurriculumRepository::draft(const CurriculumId& curriculumId) const {
   return selectFirst(connection_,
                      "SELECT revision, content_json, changed_by, changed_utc_us FROM curriculum_draft"
                      " WHERE curriculum_id = ?",
@@ -233,7 +235,7 @@ void CurriculumRepository::addVersion(const CurriculumVersion& version, const st
   transaction.commit();
 }
 
-std::optional<CurriculumVersion> CurriculumRepository::version(const std::string& versionId) const {
+std::optional<CurriculumVersion> CurriculumRepository::version(const CurriculumVersionId& versionId) const {
   return selectFirst(
       connection_,
       "SELECT id, curriculum_id, number, note, created_utc_us FROM curriculum_version WHERE id = ?",
@@ -250,18 +252,18 @@ std::optional<CurriculumVersion> CurriculumRepository::version(const std::string
       });
 }
 
-std::vector<std::string> CurriculumRepository::versionIds(const std::string& curriculumId) const {
+std::vector<CurriculumVersionId> CurriculumRepository::versionIds(const CurriculumId& curriculumId) const {
   return selectAll(connection_, "SELECT id FROM curriculum_version WHERE curriculum_id = ? ORDER BY number",
-                   {curriculumId}, readText);
+                   {curriculumId}, readId<CurriculumVersionId>);
 }
 
-std::optional<CurriculumState> CurriculumRepository::stateOf(const std::string& versionId) const {
+std::optional<CurriculumState> CurriculumRepository::stateOf(const CurriculumVersionId& versionId) const {
   return selectFirst(connection_,
                      "SELECT state FROM curriculum_state WHERE version_id = ? ORDER BY sequence DESC LIMIT 1",
                      {versionId}, [](RowReader& row) { return readTerm<CurriculumState>(row, "state"); });
 }
 
-void CurriculumRepository::moveTo(const std::string& versionId, CurriculumState state,
+void CurriculumRepository::moveTo(const CurriculumVersionId& versionId, CurriculumState state,
                                   const std::string& changedBy, std::int64_t changedUtc_us) {
   Transaction transaction(connection_);
   const std::optional<CurriculumState> now = stateOf(versionId);
@@ -277,7 +279,7 @@ void CurriculumRepository::moveTo(const std::string& versionId, CurriculumState 
   transaction.commit();
 }
 
-void CurriculumRepository::assign(const std::string& cohortId, const std::string& versionId) {
+void CurriculumRepository::assign(const CohortId& cohortId, const CurriculumVersionId& versionId) {
   Transaction transaction(connection_);
   if (stateOf(versionId) != CurriculumState::kRunning) {
     throw Error(ErrorCode::kBadData, "this version of the curriculum is not running", versionId,

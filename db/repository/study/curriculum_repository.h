@@ -9,6 +9,7 @@
 #include "assessment/study/curriculum.h"
 #include "assessment/study/protocol_terms.h"
 #include "db/connection/connection.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -30,25 +31,25 @@ class CurriculumRepository {
 
   /// `draft.revision` is the one that was read. Returns the new revision. Throws DbError (kConflict) when
   /// somebody saved in between: nothing is overwritten.
-  std::int64_t saveDraft(const std::string& curriculumId, const CurriculumDraftRow& draft);
-  [[nodiscard]] std::optional<CurriculumDraftRow> draft(const std::string& curriculumId) const;
+  std::int64_t saveDraft(const CurriculumId& curriculumId, const CurriculumDraftRow& draft);
+  [[nodiscard]] std::optional<CurriculumDraftRow> draft(const CurriculumId& curriculumId) const;
 
   /// Stores a version in state kDraft. Throws Error (kBadData) when a prerequisite is no module of the
   /// version or when prerequisites run in a circle.
   void addVersion(const CurriculumVersion& version, const std::string& createdBy);
-  [[nodiscard]] std::optional<CurriculumVersion> version(const std::string& versionId) const;
+  [[nodiscard]] std::optional<CurriculumVersion> version(const CurriculumVersionId& versionId) const;
   /// Ids, oldest version first.
-  [[nodiscard]] std::vector<std::string> versionIds(const std::string& curriculumId) const;
+  [[nodiscard]] std::vector<CurriculumVersionId> versionIds(const CurriculumId& curriculumId) const;
   /// draft -> running -> closed; throws Error (kBadData) for any other step.
-  void moveTo(const std::string& versionId, CurriculumState state, const std::string& changedBy,
+  void moveTo(const CurriculumVersionId& versionId, CurriculumState state, const std::string& changedBy,
               std::int64_t changedUtc_us);
 
   /// Ties a cohort and its groups (number by number) to a version and its arms. Throws Error (kBadData)
   /// unless the version is running and has an arm for every group.
-  void assign(const std::string& cohortId, const std::string& versionId);
+  void assign(const CohortId& cohortId, const CurriculumVersionId& versionId);
 
  private:
-  [[nodiscard]] std::optional<CurriculumState> stateOf(const std::string& versionId) const;
+  [[nodiscard]] std::optional<CurriculumState> stateOf(const CurriculumVersionId& versionId) const;
   Connection& connection_;
 };
 

@@ -7,6 +7,7 @@
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -57,7 +58,7 @@ std::optional<DataFreeze> FreezeRepository::findByName(const std::string& name) 
   return selectFirst(connection_, kFreezes + " WHERE name = ?", {name}, freezeOf);
 }
 
-std::vector<DataFreeze> FreezeRepository::list(const std::string& cohortId) const {
+std::vector<DataFreeze> FreezeRepository::list(const CohortId& cohortId) const {
   return selectAll(connection_, kFreezes + " WHERE cohort_id = ? ORDER BY created_utc_us, id", {cohortId},
                    freezeOf);
 }

@@ -9,6 +9,7 @@
 
 #include "assessment/study/cohort.h"
 #include "db/connection/connection.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -24,7 +25,7 @@ class FreezeRepository {
   void add(const DataFreeze& freeze);
   [[nodiscard]] std::optional<DataFreeze> findByName(const std::string& name) const;
   /// Of one cohort, oldest first.
-  [[nodiscard]] std::vector<DataFreeze> list(const std::string& cohortId) const;
+  [[nodiscard]] std::vector<DataFreeze> list(const CohortId& cohortId) const;
 
  private:
   Connection& connection_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "db/connection/row_reader.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -22,7 +23,7 @@ void OccasionRepository::add(const Occasion& occasion) {
       {occasion.code, occasion.label});
 }
 
-std::set<std::string> OccasionRepository::usedBy(const std::string& cohortId) const {
+std::set<std::string> OccasionRepository::usedBy(const CohortId& cohortId) const {
   const std::vector<std::string> codes =
       selectAll(connection_,
                 "SELECT m.occasion FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id"

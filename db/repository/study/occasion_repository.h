@@ -6,6 +6,7 @@
 
 #include "assessment/study/occasion.h"
 #include "db/connection/connection.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -19,7 +20,7 @@ class OccasionRepository {
   /// Adds an occasion after all others. Throws DbError{kUnique} when the code is taken.
   void add(const Occasion& occasion);
   /// Gives the codes at which somebody of a cohort was marked or a rater is asked for marks.
-  [[nodiscard]] std::set<std::string> usedBy(const std::string& cohortId) const;
+  [[nodiscard]] std::set<std::string> usedBy(const CohortId& cohortId) const;
 
  private:
   Connection& connection_;

@@ -5,6 +5,7 @@
 #include "db/repository/base/field_digest.h"
 #include "db/repository/base/stored_term.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -94,7 +95,7 @@ std::vector<Cohort> StudyRepository::cohorts() const {
       });
 }
 
-Cohort StudyRepository::cohort(const std::string& cohortId) const {
+Cohort StudyRepository::cohort(const CohortId& cohortId) const {
   for (Cohort& one : cohorts()) {
     if (one.id == cohortId) {
       return std::move(one);
@@ -103,7 +104,7 @@ Cohort StudyRepository::cohort(const std::string& cohortId) const {
   throw Error(ErrorCode::kBadData, "there is no such cohort", cohortId, "Choose one from the list");
 }
 
-std::vector<StudyGroup> StudyRepository::groups(const std::string& cohortId) const {
+std::vector<StudyGroup> StudyRepository::groups(const CohortId& cohortId) const {
   return selectAll(connection_,
                    "SELECT id, cohort_id, number, code, label, arm_id FROM training_group WHERE cohort_id = ?"
                    " ORDER BY number",
@@ -127,7 +128,7 @@ void StudyRepository::enrol(std::span<const Enrolment> enrolments) {
   transaction.commit();
 }
 
-std::vector<Enrolment> StudyRepository::enrolments(const std::string& cohortId) const {
+std::vector<Enrolment> StudyRepository::enrolments(const CohortId& cohortId) const {
   return selectAll(
       connection_,
       "SELECT e.id, e.cohort_id, e.trainee_id, e.group_id, e.number_in_group, e.state, e.enrolled_utc_us,"
@@ -148,7 +149,7 @@ std::vector<Enrolment> StudyRepository::enrolments(const std::string& cohortId) 
       });
 }
 
-void StudyRepository::setEnrolmentState(const std::string& enrolmentId, EnrolmentState state) {
+void StudyRepository::setEnrolmentState(const EnrolmentId& enrolmentId, EnrolmentState state) {
   connection_.execute("UPDATE enrolment SET state = ? WHERE id = ?", {storedText(state), enrolmentId});
 }
 
@@ -164,18 +165,18 @@ void StudyRepository::lockDesign(const LockedDesign& design) {
   transaction.commit();
 }
 
-void StudyRepository::revealSeed(const std::string& designId, std::int64_t utc_us) {
+void StudyRepository::revealSeed(const DesignId& designId, std::int64_t utc_us) {
   connection_.execute("UPDATE allocation_seed SET revealed_utc_us = ? WHERE design_id = ?",
                       {utc_us, designId});
 }
 
-std::string StudyRepository::sealedSeed(const std::string& designId) const {
+std::string StudyRepository::sealedSeed(const DesignId& designId) const {
   return selectFirst(connection_, "SELECT seed FROM allocation_seed WHERE design_id = ?", {designId},
                      readText)
       .value_or("");
 }
 
-std::vector<LockedDesign> StudyRepository::designs(const std::string& cohortId) const {
+std::vector<LockedDesign> StudyRepository::designs(const CohortId& cohortId) const {
   return selectAll(
       connection_,
       "SELECT d.id, d.cohort_id, d.algorithm, d.algorithm_version, d.parameters_json, d.generator,"
@@ -226,14 +227,14 @@ std::vector<AllocationEntry> StudyRepository::allocate(std::span<const Allocatio
   return stored;
 }
 
-std::vector<AllocationEntry> StudyRepository::allocations(const std::string& designId) const {
+std::vector<AllocationEntry> StudyRepository::allocations(const DesignId& designId) const {
   return selectAll(
       connection_,
       std::string("SELECT ") + kAllocationColumns + " FROM allocation WHERE design_id = ? ORDER BY sequence",
       {designId}, allocationOf);
 }
 
-std::optional<std::int64_t> StudyRepository::firstBrokenAllocation(const std::string& designId) const {
+std::optional<std::int64_t> StudyRepository::firstBrokenAllocation(const DesignId& designId) const {
   std::string previous;
   std::int64_t sequence = 0;
   for (const AllocationEntry& record : allocations(designId)) {
@@ -254,33 +255,33 @@ void StudyRepository::addExposures(std::span<const Exposure> exposures) {
       "exposure",
       "id, enrolment_id, phase_id, kind, started_utc_us, duration_us, recorded_by, demonstration"));
   for (const Exposure& exposure : exposures) {
-    insert.execute({exposure.id, exposure.enrolmentId, textOrNull(exposure.phaseId), exposure.kind,
-                    exposure.startedUtc_us, exposure.duration_us, exposure.recordedBy,
-                    exposure.demonstration});
+    insert.execute({exposure.id, exposure.enrolmentId, textOrNull(exposure.phaseId),
+                    storedText(exposure.kind), exposure.startedUtc_us, exposure.duration_us,
+                    exposure.recordedBy, exposure.demonstration});
   }
   transaction.commit();
 }
 
-std::vector<Exposure> StudyRepository::exposures(const std::string& cohortId) const {
+std::vector<Exposure> StudyRepository::exposures(const CohortId& cohortId) const {
   return selectAll(
       connection_,
       "SELECT x.id, x.enrolment_id, x.phase_id, x.kind, x.started_utc_us, x.duration_us, x.recorded_by,"
       " x.demonstration FROM exposure x JOIN enrolment e ON e.id = x.enrolment_id WHERE e.cohort_id = ?"
       " ORDER BY x.enrolment_id, x.started_utc_us, x.id",
       {cohortId}, [](RowReader& row) {
-        return Exposure{row.text(),  row.text(),  row.text(), row.text(),
+        return Exposure{row.text(),  row.text(),  row.text(), readTerm<ExposureKind>(row, "kind"),
                         row.int64(), row.int64(), row.text(), row.boolean()};
       });
 }
 
-std::vector<std::string> StudyRepository::trialIds(const std::string& cohortId) const {
+std::vector<TrialId> StudyRepository::trialIds(const CohortId& cohortId) const {
   return selectAll(connection_,
                    "SELECT t.id FROM trial t JOIN enrolment e ON e.id = t.enrolment_id WHERE e.cohort_id = ?"
                    " ORDER BY t.started_utc_us, t.id",
-                   {cohortId}, readText);
+                   {cohortId}, readId<TrialId>);
 }
 
-std::vector<RunningTrial> StudyRepository::runningTrials(const std::string& cohortId) const {
+std::vector<RunningTrial> StudyRepository::runningTrials(const CohortId& cohortId) const {
   return selectAll(connection_,
                    "SELECT t.id, t.enrolment_id, t.station, t.phase_label, t.started_utc_us FROM trial t"
                    " JOIN enrolment e ON e.id = t.enrolment_id LEFT JOIN trial_end x ON x.trial_id = t.id"
@@ -300,7 +301,7 @@ void StudyRepository::addDeviation(const ProtocolDeviation& deviation) {
        deviation.reportedUtc_us, deviation.demonstration});
 }
 
-std::vector<ProtocolDeviation> StudyRepository::deviations(const std::string& cohortId) const {
+std::vector<ProtocolDeviation> StudyRepository::deviations(const CohortId& cohortId) const {
   return selectAll(
       connection_,
       "SELECT id, cohort_id, enrolment_id, kind, description, happened_utc_us, reported_by, reported_utc_us,"

@@ -11,6 +11,7 @@
 #include "assessment/study/cohort.h"
 #include "assessment/study/protocol_terms.h"
 #include "db/connection/connection.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -25,41 +26,41 @@ class StudyRepository {
   void addCohort(const Cohort& cohort, std::span<const StudyGroup> groups);
   [[nodiscard]] std::vector<Cohort> cohorts() const;
   /// Throws Error{kBadData} when there is no such cohort.
-  [[nodiscard]] Cohort cohort(const std::string& cohortId) const;
-  [[nodiscard]] std::vector<StudyGroup> groups(const std::string& cohortId) const;
+  [[nodiscard]] Cohort cohort(const CohortId& cohortId) const;
+  [[nodiscard]] std::vector<StudyGroup> groups(const CohortId& cohortId) const;
 
   void enrol(std::span<const Enrolment> enrolments);
   /// Ordered by group, number in the group, trainee code; those without a group come first.
-  [[nodiscard]] std::vector<Enrolment> enrolments(const std::string& cohortId) const;
+  [[nodiscard]] std::vector<Enrolment> enrolments(const CohortId& cohortId) const;
 
   /// Moves an enrolment on. Throws DbError.
-  void setEnrolmentState(const std::string& enrolmentId, EnrolmentState state);
+  void setEnrolmentState(const EnrolmentId& enrolmentId, EnrolmentState state);
 
   void lockDesign(const LockedDesign& design);
-  void revealSeed(const std::string& designId, std::int64_t utc_us);
+  void revealSeed(const DesignId& designId, std::int64_t utc_us);
   /// The seed whether it was revealed or not: for drawing the next arm and for nothing else.
-  [[nodiscard]] std::string sealedSeed(const std::string& designId) const;
-  [[nodiscard]] std::vector<LockedDesign> designs(const std::string& cohortId) const;
+  [[nodiscard]] std::string sealedSeed(const DesignId& designId) const;
+  [[nodiscard]] std::vector<LockedDesign> designs(const CohortId& cohortId) const;
 
   /// Appends the records, chains their hashes, and moves the enrolments. Returns them as stored. Throws Error
   /// (kBadData) when a sequence number does not follow the last one.
   std::vector<AllocationEntry> allocate(std::span<const AllocationEntry> records);
-  [[nodiscard]] std::vector<AllocationEntry> allocations(const std::string& designId) const;
+  [[nodiscard]] std::vector<AllocationEntry> allocations(const DesignId& designId) const;
   /// The sequence number of the first record whose hash does not fit; empty: the chain is whole.
-  [[nodiscard]] std::optional<std::int64_t> firstBrokenAllocation(const std::string& designId) const;
+  [[nodiscard]] std::optional<std::int64_t> firstBrokenAllocation(const DesignId& designId) const;
 
   void addExposures(std::span<const Exposure> exposures);
   /// Of one cohort, by enrolment and time.
-  [[nodiscard]] std::vector<Exposure> exposures(const std::string& cohortId) const;
+  [[nodiscard]] std::vector<Exposure> exposures(const CohortId& cohortId) const;
 
   /// Trials of all enrolments, ended or not, by their start.
-  [[nodiscard]] std::vector<std::string> trialIds(const std::string& cohortId) const;
+  [[nodiscard]] std::vector<TrialId> trialIds(const CohortId& cohortId) const;
   /// Newest first.
-  [[nodiscard]] std::vector<RunningTrial> runningTrials(const std::string& cohortId) const;
+  [[nodiscard]] std::vector<RunningTrial> runningTrials(const CohortId& cohortId) const;
 
   void addDeviation(const ProtocolDeviation& deviation);
   /// Oldest first.
-  [[nodiscard]] std::vector<ProtocolDeviation> deviations(const std::string& cohortId) const;
+  [[nodiscard]] std::vector<ProtocolDeviation> deviations(const CohortId& cohortId) const;
 
  private:
   Connection& connection_;

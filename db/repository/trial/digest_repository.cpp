@@ -7,6 +7,7 @@
 #include "db/connection/row_reader.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -18,7 +19,7 @@ constexpr std::size_t kAttemptBytes = kNumberBytes + 1;
 constexpr std::size_t kLongestId = 255;
 constexpr double kNoLimit = -1.0;
 
-[[noreturn]] void refuseCutOff(const std::string& trialId) {
+[[noreturn]] void refuseCutOff(const TrialId& trialId) {
   throw Error(ErrorCode::kBadData, "the digest of a recording is cut off", trialId,
               "Check the database, and restore a backup");
 }
@@ -48,7 +49,7 @@ Blob packed(const std::vector<std::pair<double, bool>>& attempts) {
   return bytes;
 }
 
-std::vector<std::pair<double, bool>> attemptsFrom(const Blob& bytes, const std::string& trialId) {
+std::vector<std::pair<double, bool>> attemptsFrom(const Blob& bytes, const TrialId& trialId) {
   if (bytes.size() % kAttemptBytes != 0) {
     refuseCutOff(trialId);
   }
@@ -73,7 +74,7 @@ Blob packed(const std::map<std::string, double>& measures) {
   return bytes;
 }
 
-std::map<std::string, double> measuresFrom(const Blob& bytes, const std::string& trialId) {
+std::map<std::string, double> measuresFrom(const Blob& bytes, const TrialId& trialId) {
   std::map<std::string, double> measures;
   for (std::size_t at = 0; at < bytes.size();) {
     const auto length = std::to_integer<std::size_t>(bytes[at]);
@@ -140,7 +141,7 @@ void DigestRepository::add(std::span<const TrialDigest> digests) {
   transaction.commit();
 }
 
-std::multimap<std::string, TrialDigest> DigestRepository::ofCohort(const std::string& cohortId,
+std::multimap<std::string, TrialDigest> DigestRepository::ofCohort(const CohortId& cohortId,
                                                                    std::int64_t formulaVersion) const {
   std::multimap<std::string, TrialDigest> digests;
   for (TrialDigest& digest :
@@ -156,7 +157,7 @@ std::multimap<std::string, TrialDigest> DigestRepository::ofCohort(const std::st
   return digests;
 }
 
-std::vector<TrialDigest> DigestRepository::ofTrial(const std::string& trialId,
+std::vector<TrialDigest> DigestRepository::ofTrial(const TrialId& trialId,
                                                    std::int64_t formulaVersion) const {
   return selectAll(connection_,
                    std::string("SELECT ") + kColumns +
@@ -164,7 +165,7 @@ std::vector<TrialDigest> DigestRepository::ofTrial(const std::string& trialId,
                    {trialId, formulaVersion}, digestFrom);
 }
 
-std::optional<ExerciseRulesRow> DigestRepository::rulesOfModule(const std::string& moduleId) const {
+std::optional<ExerciseRulesRow> DigestRepository::rulesOfModule(const ModuleId& moduleId) const {
   return selectFirst(connection_,
                      "SELECT tolerance_rad, hold_us, max_force_n, max_torque_nm FROM module WHERE id = ?",
                      {moduleId}, [](RowReader& row) {

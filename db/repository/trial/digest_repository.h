@@ -11,6 +11,7 @@
 
 #include "assessment/attempt/trial_digest.h"
 #include "db/connection/connection.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -32,14 +33,13 @@ class DigestRepository {
   void add(std::span<const TrialDigest> digests);
   /// Reads those of the trials of a cohort, with this version of the formulas, by trial; several where rules
   /// differ.
-  [[nodiscard]] std::multimap<std::string, TrialDigest> ofCohort(const std::string& cohortId,
+  [[nodiscard]] std::multimap<std::string, TrialDigest> ofCohort(const CohortId& cohortId,
                                                                  std::int64_t formulaVersion) const;
   /// Reads those of one trial, with this version of the formulas; several where rules differ.
-  [[nodiscard]] std::vector<TrialDigest> ofTrial(const std::string& trialId,
-                                                 std::int64_t formulaVersion) const;
+  [[nodiscard]] std::vector<TrialDigest> ofTrial(const TrialId& trialId, std::int64_t formulaVersion) const;
 
   /// Reads what a module asks of a run; empty: there is no such module.
-  [[nodiscard]] std::optional<ExerciseRulesRow> rulesOfModule(const std::string& moduleId) const;
+  [[nodiscard]] std::optional<ExerciseRulesRow> rulesOfModule(const ModuleId& moduleId) const;
 
  private:
   Connection& connection_;

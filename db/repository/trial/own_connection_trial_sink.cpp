@@ -80,7 +80,7 @@ void OwnConnectionTrialSink::append(const TrialChunk& chunk) {
 void OwnConnectionTrialSink::finish(const TrialSummary& summary) {
   TORSIO_EXPECTS(!trialId_.empty());
   store([&](TrialRepository& trials) { trials.finish(summary); });
-  trialId_.clear();
+  trialId_ = {};
   open_.reset();
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "db/connection/row_reader.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -51,16 +52,16 @@ std::vector<TraineeQuestion> QuestionRepository::read(const std::string& conditi
   return questions;
 }
 
-std::optional<TraineeQuestion> QuestionRepository::find(const std::string& remarkId) const {
+std::optional<TraineeQuestion> QuestionRepository::find(const RemarkId& remarkId) const {
   std::vector<TraineeQuestion> found = read("q.remark_id = ?", remarkId);
   return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
-std::vector<TraineeQuestion> QuestionRepository::ofTrial(const std::string& trialId) const {
+std::vector<TraineeQuestion> QuestionRepository::ofTrial(const TrialId& trialId) const {
   return read("m.trial_id = ? ORDER BY m.time_us, q.asked_utc_us, q.remark_id", trialId);
 }
 
-std::vector<TraineeQuestion> QuestionRepository::toRater(const std::string& raterId) const {
+std::vector<TraineeQuestion> QuestionRepository::toRater(const RaterId& raterId) const {
   std::vector<TraineeQuestion> questions =
       read("q.rater_id = ? ORDER BY q.asked_utc_us, q.remark_id", raterId);
   const auto answered = std::stable_partition(questions.begin(), questions.end(), waits);
@@ -68,7 +69,7 @@ std::vector<TraineeQuestion> QuestionRepository::toRater(const std::string& rate
   return questions;
 }
 
-std::string QuestionRepository::lastAsked(const std::string& personId) const {
+std::string QuestionRepository::lastAsked(const PersonId& personId) const {
   return selectFirst(connection_,
                      "SELECT q.rater_id FROM trial_question q JOIN trial_remark m ON m.id = q.remark_id"
                      " WHERE m.author_person_id = ? ORDER BY q.asked_utc_us DESC, q.remark_id LIMIT 1",
@@ -76,7 +77,7 @@ std::string QuestionRepository::lastAsked(const std::string& personId) const {
       .value_or("");
 }
 
-bool QuestionRepository::isScored(const std::string& trialId) const {
+bool QuestionRepository::isScored(const TrialId& trialId) const {
   return selectFirst(connection_,
                      "SELECT EXISTS (SELECT 1 FROM assignment WHERE trial_id = ?)"
                      " OR EXISTS (SELECT 1 FROM training_mark WHERE trial_id = ?)"

@@ -8,6 +8,7 @@
 
 #include "assessment/rating/remark.h"
 #include "db/connection/connection.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -18,16 +19,16 @@ class QuestionRepository {
 
   /// The bookmark must be stored. Throws DbError: kForeignKey, kUnique when it was sent before.
   void add(const TraineeQuestion& question);
-  [[nodiscard]] std::optional<TraineeQuestion> find(const std::string& remarkId) const;
+  [[nodiscard]] std::optional<TraineeQuestion> find(const RemarkId& remarkId) const;
   /// By moment.
-  [[nodiscard]] std::vector<TraineeQuestion> ofTrial(const std::string& trialId) const;
+  [[nodiscard]] std::vector<TraineeQuestion> ofTrial(const TrialId& trialId) const;
   /// What waits first, oldest first; then what was answered, newest first.
-  [[nodiscard]] std::vector<TraineeQuestion> toRater(const std::string& raterId) const;
+  [[nodiscard]] std::vector<TraineeQuestion> toRater(const RaterId& raterId) const;
   /// Whom this person asked last; empty: nobody yet.
-  [[nodiscard]] std::string lastAsked(const std::string& personId) const;
+  [[nodiscard]] std::string lastAsked(const PersonId& personId) const;
   /// Whether the trial is or was given to raters to be scored, or is their reference: then names are kept
   /// out.
-  [[nodiscard]] bool isScored(const std::string& trialId) const;
+  [[nodiscard]] bool isScored(const TrialId& trialId) const;
 
  private:
   [[nodiscard]] std::vector<TraineeQuestion> read(const std::string& condition,

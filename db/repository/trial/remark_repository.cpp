@@ -6,6 +6,7 @@
 
 #include "db/connection/row_reader.h"
 #include "db/repository/base/insert_idempotent.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -34,7 +35,7 @@ Remark remarkOf(RowReader& row) {
           .demonstration = row.boolean()};
 }
 
-std::vector<SelfScoreLine> selfScoreRows(Connection& connection, const std::string& selfScoreId) {
+std::vector<SelfScoreLine> selfScoreRows(Connection& connection, const SelfScoreId& selfScoreId) {
   return selectAll(connection,
                    "SELECT revision_id, row_code, score_steps FROM self_score_row WHERE self_score_id = ?"
                    " ORDER BY row_code",
@@ -62,11 +63,11 @@ void RemarkRepository::add(const Remark& remark) {
   transaction.commit();
 }
 
-std::optional<Remark> RemarkRepository::find(const std::string& remarkId) const {
+std::optional<Remark> RemarkRepository::find(const RemarkId& remarkId) const {
   return selectFirst(connection_, kRemarks + " WHERE m.id = ?", {remarkId}, remarkOf);
 }
 
-std::vector<Remark> RemarkRepository::remarks(const std::string& trialId) const {
+std::vector<Remark> RemarkRepository::remarks(const TrialId& trialId) const {
   return selectAll(connection_, kRemarks + " WHERE m.trial_id = ? ORDER BY m.time_us, m.created_utc_us, m.id",
                    {trialId}, remarkOf);
 }
@@ -78,7 +79,7 @@ void RemarkRepository::markRead(const ReadReceipt& receipt) {
       {receipt.remarkId, receipt.reader, textOrNull(receipt.readerPersonId), receipt.readUtc_us});
 }
 
-std::vector<ReadReceipt> RemarkRepository::receipts(const std::string& trialId) const {
+std::vector<ReadReceipt> RemarkRepository::receipts(const TrialId& trialId) const {
   return selectAll(
       connection_,
       "SELECT c.remark_id, c.reader, c.reader_person_id, c.read_utc_us FROM trial_remark m"
@@ -89,7 +90,7 @@ std::vector<ReadReceipt> RemarkRepository::receipts(const std::string& trialId) 
       });
 }
 
-std::vector<Remark> RemarkRepository::unreadOnTrialsOf(const std::string& traineeId,
+std::vector<Remark> RemarkRepository::unreadOnTrialsOf(const TraineeId& traineeId,
                                                        const std::string& reader) const {
   return selectAll(
       connection_,
@@ -130,7 +131,7 @@ void RemarkRepository::addSelfScore(const SelfScore& score) {
   transaction.commit();
 }
 
-std::vector<SelfScore> RemarkRepository::selfScores(const std::string& trialId) const {
+std::vector<SelfScore> RemarkRepository::selfScores(const TrialId& trialId) const {
   std::vector<SelfScore> scores = selectAll(
       connection_,
       "SELECT id, trial_id, trainee_id, version, rubric_revision_id, score_steps, scale_lo_steps,"
@@ -171,7 +172,7 @@ void RemarkRepository::addWarmup(const CalibrationScore& warmup) {
   transaction.commit();
 }
 
-std::vector<CalibrationScore> RemarkRepository::warmups(const std::string& raterId) const {
+std::vector<CalibrationScore> RemarkRepository::warmups(const RaterId& raterId) const {
   return selectAll(
       connection_,
       "SELECT id, rater_id, reference_trial_id, rubric_revision_id, score_steps, scale_lo_steps,"

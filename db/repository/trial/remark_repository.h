@@ -11,6 +11,7 @@
 #include "assessment/rating/self_score.h"
 #include "assessment/scoring/instrument.h"
 #include "db/connection/connection.h"
+#include "sim/base/ids.h"
 
 namespace torsio {
 
@@ -24,25 +25,25 @@ class RemarkRepository {
   /// Throws DbError: kForeignKey when the trial or the remark that is answered does not exist, kCheck when
   /// only one of purpose "reply" and replyTo is given.
   void add(const Remark& remark);
-  [[nodiscard]] std::optional<Remark> find(const std::string& remarkId) const;
+  [[nodiscard]] std::optional<Remark> find(const RemarkId& remarkId) const;
   /// By time in the trial, then by when they were written.
-  [[nodiscard]] std::vector<Remark> remarks(const std::string& trialId) const;
+  [[nodiscard]] std::vector<Remark> remarks(const TrialId& trialId) const;
   /// The first reading counts; later ones change nothing.
   void markRead(const ReadReceipt& receipt);
-  [[nodiscard]] std::vector<ReadReceipt> receipts(const std::string& trialId) const;
+  [[nodiscard]] std::vector<ReadReceipt> receipts(const TrialId& trialId) const;
   /// Remarks and replies of others on this trainee's trials that `reader` has not read, oldest first.
-  [[nodiscard]] std::vector<Remark> unreadOnTrialsOf(const std::string& traineeId,
+  [[nodiscard]] std::vector<Remark> unreadOnTrialsOf(const TraineeId& traineeId,
                                                      const std::string& reader) const;
   /// Replies of others to remarks of `author` that `author` has not read, oldest first.
   [[nodiscard]] std::vector<Remark> unreadReplies(const std::string& author) const;
 
   void addSelfScore(const SelfScore& score);
   /// All versions for a trial, oldest first.
-  [[nodiscard]] std::vector<SelfScore> selfScores(const std::string& trialId) const;
+  [[nodiscard]] std::vector<SelfScore> selfScores(const TrialId& trialId) const;
 
   void addWarmup(const CalibrationScore& warmup);
   /// Of one rater, oldest first.
-  [[nodiscard]] std::vector<CalibrationScore> warmups(const std::string& raterId) const;
+  [[nodiscard]] std::vector<CalibrationScore> warmups(const RaterId& raterId) const;
 
  private:
   Connection& connection_;

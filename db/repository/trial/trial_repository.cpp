@@ -14,6 +14,7 @@
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "sim/record/content_hash.h"
 
 namespace torsio {
@@ -116,7 +117,7 @@ TrialChunk chunkOf(RowReader& row) {
           .outputDigest = row.text()};
 }
 
-void insertChunk(Connection& connection, const std::string& trialId, const TrialChunk& chunk) {
+void insertChunk(Connection& connection, const TrialId& trialId, const TrialChunk& chunk) {
   const std::array<IdempotentColumn, 8> columns{{{"trial_id", trialId, Kind::kKey},
                                                  {"chunk_index", chunk.index, Kind::kKey},
                                                  {"first_tick", chunk.firstTick},
@@ -200,7 +201,7 @@ void TrialRepository::insertTrial(const TrialHeader& header, bool sameContext) {
   insertIdempotent(connection_, "trial", columns, "trial " + header.trialId);
 }
 
-void TrialRepository::resume(const std::string& trialId) {
+void TrialRepository::resume(const TrialId& trialId) {
   TORSIO_EXPECTS(current_.empty() && !trialId.empty());
   current_ = trialId;
 }
@@ -227,8 +228,7 @@ void TrialRepository::import(const Trial& trial) {
   transaction.commit();
 }
 
-void TrialRepository::end(const std::string& trialId, const std::string& station,
-                          const TrialSummary& summary) {
+void TrialRepository::end(const TrialId& trialId, const std::string& station, const TrialSummary& summary) {
   Transaction transaction(connection_);
   const std::int64_t now_us = utcNow_us();
   const std::array<IdempotentColumn, 7> columns{
@@ -277,11 +277,11 @@ std::vector<TrialListing> TrialRepository::list(const TrialFilter& filter) {
                    values, listingOf);
 }
 
-std::optional<TrialHeader> TrialRepository::find(const std::string& trialId) const {
+std::optional<TrialHeader> TrialRepository::find(const TrialId& trialId) const {
   return selectFirst(connection_, kSelectHeader, {trialId}, headerOf);
 }
 
-std::optional<TrialContext> TrialRepository::context(const std::string& trialId) const {
+std::optional<TrialContext> TrialRepository::context(const TrialId& trialId) const {
   return selectFirst(
       connection_,
       "SELECT station, enrolment_id, module_id, phase_id, attempt_mode, host_name, host_os, host_cpu, "
@@ -298,7 +298,7 @@ std::optional<TrialContext> TrialRepository::context(const std::string& trialId)
       });
 }
 
-Trial TrialRepository::load(const std::string& trialId) const {
+Trial TrialRepository::load(const TrialId& trialId) const {
   const std::optional<TrialHeader> header = find(trialId);
   if (!header) {
     throw Error(ErrorCode::kBadData, "no such trial", trialId, "List the trials to find its id");

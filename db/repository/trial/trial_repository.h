@@ -12,6 +12,7 @@
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/study/protocol_terms.h"
 #include "db/connection/connection.h"
+#include "sim/base/ids.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
@@ -31,17 +32,17 @@ class TrialRepository final : public TrialSink {
   /// Throws Error (kBadData) when no trainee has the header's code, DbError.
   void begin(const TrialHeader& header) override;
   /// Goes on with a trial that was begun over another connection. Touches no row.
-  void resume(const std::string& trialId);
+  void resume(const TrialId& trialId);
   void append(const TrialChunk& chunk) override;
   void finish(const TrialSummary& summary) override;
 
   [[nodiscard]] std::vector<TrialListing> list(const TrialFilter& filter = {});
-  [[nodiscard]] std::optional<TrialHeader> find(const std::string& trialId) const;
+  [[nodiscard]] std::optional<TrialHeader> find(const TrialId& trialId) const;
   /// Where and for what a trial was recorded; empty: no such trial.
-  [[nodiscard]] std::optional<TrialContext> context(const std::string& trialId) const;
+  [[nodiscard]] std::optional<TrialContext> context(const TrialId& trialId) const;
   /// Header, all chunks and the summary; an unfinished trial has a summary counted from its chunks, without
   /// content hash, with the outcome kInterrupted. Throws Error (kBadData) when there is no such trial.
-  [[nodiscard]] Trial load(const std::string& trialId) const;
+  [[nodiscard]] Trial load(const TrialId& trialId) const;
 
   /// Trials of `station` without a closing row: at program start, the interrupted ones. Oldest first.
   [[nodiscard]] std::vector<TrialListing> unfinished(const std::string& station) const;
@@ -58,7 +59,7 @@ class TrialRepository final : public TrialSink {
 
  private:
   void insertTrial(const TrialHeader& header, bool sameContext);
-  void end(const std::string& trialId, const std::string& station, const TrialSummary& summary);
+  void end(const TrialId& trialId, const std::string& station, const TrialSummary& summary);
 
   Connection& connection_;
   TrialContext context_;
@@ -85,7 +86,7 @@ class OwnConnectionTrialSink final : public TrialSink {
 
   std::string locator_;
   TrialContext context_;
-  std::string trialId_;  ///< once begun
+  TrialId trialId_;  ///< once begun
   std::unique_ptr<Open> open_;
 };
 

@@ -73,7 +73,7 @@ std::vector<ServiceCall> administratorCalls() {
       {O::kPersonEdit, "addPerson", [](SessionContext& w, Path) { (void)addPerson(w, {}); }},
       {O::kPersonEdit, "changePerson", [](SessionContext& w, Path) { changePerson(w, kNoSuch, {}, ""); }},
       {O::kPersonEdit, "setPersonState",
-       [](SessionContext& w, Path) { setPersonState(w, kNoSuch, "left", ""); }},
+       [](SessionContext& w, Path) { setPersonState(w, kNoSuch, PersonState::kLeft, ""); }},
       {O::kPersonEdit, "importRoster",
        [](SessionContext& w, Path) {
          (void)importRoster(w, {}, RosterKind::kTrainees, {}, "", RosterMode::kDryRun);

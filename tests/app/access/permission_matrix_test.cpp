@@ -23,6 +23,7 @@
 #include "db/repository/people/access_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "tests/app/access/permission_calls.h"
 #include "tests/app/support/study_centre.h"
 #include "tests/support/stored_rows.h"
@@ -128,7 +129,7 @@ struct ScoredCase {
                                                    .seed = 3});
     submit(raters.front());
   }
-  void submit(const std::string& raterId) {
+  void submit(const RaterId& raterId) {
     SheetRepository sheets(centre.connection());
     const RubricRevision revision = sheets.revision(rubric).value();
     for (const Assignment& one : sheets.assignmentsOf(raterId)) {
@@ -229,9 +230,9 @@ TEST(PermissionMatrix, ClaimedRolesDoNotCount) {
 TEST(PermissionMatrix, TimeOfOthersIsLoggedByTheAdministratorOnly) {
   StudyCentre centre;
   const std::string person = centre.addTrainees(2).front();
-  const std::string cohort = addCohort(centre.session(), {.name = "C", .groups = {{"G1", "one"}}});
+  const CohortId cohort = addCohort(centre.session(), {.name = "C", .groups = {{"G1", "one"}}});
   const std::string enrolment = enrolTrainees(centre.session(), cohort, {person}).front();
-  const NewExposure minute{cohort, enrolment, "", "virtual", 0, 60'000'000};
+  const NewExposure minute{cohort, enrolment, "", ExposureKind::kVirtual, 0, 60'000'000};
 
   recordExposure(centre.as("administrator"), minute);
   EXPECT_THROW(recordExposure(centre.as("trainee"), minute), Error);  // a trainee, but another one

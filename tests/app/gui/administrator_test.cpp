@@ -63,6 +63,7 @@
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/base/file_io.h"
+#include "sim/base/ids.h"
 #include "tests/app/gui/administrator_desk.h"
 #include "tests/support/demonstration_cohort.h"
 
@@ -113,7 +114,7 @@ std::size_t importFile(AdministratorDesk& office, const fs::path& file, RosterKi
 }
 
 /// Every open sheet of the cohort, filled in by the stated rule of the demonstration.
-void submitSimulatedMarks(StudyCentre& centre, const std::string& cohortId) {
+void submitSimulatedMarks(StudyCentre& centre, const CohortId& cohortId) {
   SheetRepository sheets(centre.connection());
   DemonstrationPeople people;
   people.groups.resize(3);
@@ -171,7 +172,7 @@ std::string setUpCohort(AdministratorDesk& office) {
   return child<DataTable>(*page, "cohorts").currentId().toStdString();
 }
 
-void allocateEverybody(AdministratorDesk& office, const std::string& cohortId, int people) {
+void allocateEverybody(AdministratorDesk& office, const CohortId& cohortId, int people) {
   auto page = office.open<AllocationPage>("allocator", toQString(cohortId));
   press(*page, QStringLiteral("Preview balance"));
   EXPECT_GT(child<DataTable>(*page, "balance").visibleRows(), 0);
@@ -185,7 +186,7 @@ void allocateEverybody(AdministratorDesk& office, const std::string& cohortId, i
   EXPECT_EQ(child<DataTable>(*page, "records").visibleRows(), people);
 }
 
-void askAllRaters(AdministratorDesk& office, const std::string& cohortId) {
+void askAllRaters(AdministratorDesk& office, const CohortId& cohortId) {
   auto page = office.open<ScoringPage>("administrator", toQString(cohortId));
   answer([](QDialog& dialog) {
     auto& raters = *dialog.findChild<DataTable*>();
@@ -242,7 +243,7 @@ TEST(AdministratorPages, RunsAWholeStudyFromTheRosterToTheReport) {
   EXPECT_EQ(importFile(office, rosterFile(office.centre.folder(), false), RosterKind::kTrainees), 30U);
   EXPECT_EQ(importFile(office, rosterFile(office.centre.folder(), true), RosterKind::kRaters), 10U);
   setUpCurriculum(office);
-  const std::string cohortId = setUpCohort(office);
+  const CohortId cohortId = setUpCohort(office);
   allocateEverybody(office, cohortId, 30);
   askAllRaters(office, cohortId);
   submitSimulatedMarks(office.centre, cohortId);

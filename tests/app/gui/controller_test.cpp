@@ -136,7 +136,7 @@ TEST_F(Controller, RecordsATrialFromItsFirstTick) {
   EXPECT_EQ(trial.summary.outcome, TrialOutcome::kCompleted);
   EXPECT_EQ(trial.header.sceneId, "bar");
   EXPECT_EQ(trial.header.organHash, controller_.scene()->organHash);
-  EXPECT_EQ(trial.header.trialId.size(), 36U);
+  EXPECT_EQ(trial.header.trialId.text().size(), 36U);
   EXPECT_EQ(controller_.mode(), Mode::kPractice);
 }
 

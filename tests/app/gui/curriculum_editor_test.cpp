@@ -207,7 +207,7 @@ TEST(CurriculumEditor, SetsSeveralRulesPrerequisitesAndLimits) {
   EXPECT_EQ(stored.maxForce_N, 2.5);
   EXPECT_EQ(stored.maxTorque_Nm, 0.25);
   EXPECT_EQ(stored.attemptLimit, 9);
-  EXPECT_EQ(stored.requires_, std::vector<std::string>{"A1"});
+  EXPECT_EQ(stored.requires_, std::vector<ModuleId>{"A1"});
   EXPECT_TRUE(child<CurriculumEditor>(*page, "editor").problems().empty());
 }
 

@@ -78,7 +78,7 @@ TEST(MaintenancePage, KeepsTheRulesFromWhoeverMayNotManageThem) {
 
 TEST(RosterPage, WritesEverythingAboutOnePersonIntoANewFolder) {
   AdministratorDesk office;
-  const std::vector<std::string> trainees = office.centre.addTrainees(2);
+  const std::vector<TraineeId> trainees = office.centre.addTrainees(2);
   auto page = office.open<RosterPage>("administrator");
   page->findChild<DataTable*>()->select(toQString(trainees.front()));
   const std::filesystem::path folder = office.centre.folder() / "record-T-01";
@@ -93,7 +93,7 @@ TEST(RosterPage, WritesEverythingAboutOnePersonIntoANewFolder) {
 
 TEST(RosterPage, ErasesOneRecordOnRequestWithAReason) {
   AdministratorDesk office;
-  const std::vector<std::string> trainees = office.centre.addTrainees(2);
+  const std::vector<TraineeId> trainees = office.centre.addTrainees(2);
   auto page = office.open<RosterPage>("administrator");
   page->findChild<DataTable*>()->select(toQString(trainees.front()));
   answer(giveReason);
@@ -108,7 +108,7 @@ TEST(RosterPage, ErasesOneRecordOnRequestWithAReason) {
 
 TEST(RosterPage, EntersWhatWasSignedOnPaperAndShowsEveryDecision) {
   AdministratorDesk office;
-  const std::vector<std::string> trainees = office.centre.addTrainees(1);
+  const std::vector<TraineeId> trainees = office.centre.addTrainees(1);
   auto page = office.open<RosterPage>("administrator");
   page->findChild<DataTable*>()->select(toQString(trainees.front()));
   int shown = 0;
@@ -145,10 +145,10 @@ TEST(RosterPage, OffersNeitherToWhoeverMayNot) {
 
 TEST(AllocationPage, MovesATraineeByHandBesideTheDrawnRecord) {
   AdministratorDesk office;
-  const std::vector<std::string> trainees = office.centre.addTrainees(3);
+  const std::vector<TraineeId> trainees = office.centre.addTrainees(3);
   const std::string version = office.centre.runPaperCurriculum();
   SessionContext& session = office.centre.as("administrator");
-  const std::string cohort = addCohort(session, {.name = "Study", .curriculumVersionId = version});
+  const CohortId cohort = addCohort(session, {.name = "Study", .curriculumVersionId = version});
   enrolTrainees(session, cohort, trainees);
   AllocationPlan plan;
   plan.cohortId = cohort;

@@ -86,7 +86,7 @@ TEST(TenPhysicians, ScoreTheSameTrialsByKeysAndSeeNothingOfEachOther) {
   }
   for (std::size_t rater = 0; rater < 10; ++rater) {
     const auto desk = centre.physician(rater);
-    const std::vector<std::string> ids = centre.cases(rater);
+    const std::vector<AssignmentId> ids = centre.cases(rater);
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const OpenedSheet sealed = openSheet(*desk, ids[i]);
       EXPECT_EQ(sealed.state, SheetState::kSubmitted);
@@ -419,7 +419,7 @@ TEST(LivePage, ScoresInRunningOrderWithTargetsForFingers) {
     desk.press(Qt::Key_Return, Qt::ControlModifier);
   }
 
-  const std::vector<std::string> live = centre.cases(0, true);
+  const std::vector<AssignmentId> live = centre.cases(0, true);
   EXPECT_EQ(openSheet(desk.session(), live[0]).sheet.overall_steps, 50);
   EXPECT_EQ(openSheet(desk.session(), live[1]).sheet.overall_steps, 60);
   EXPECT_EQ(openSheet(desk.session(), live[1]).state, SheetState::kSubmitted);

@@ -48,6 +48,7 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/base/file_io.h"
+#include "sim/base/ids.h"
 #include "tests/app/cli/program.h"
 #include "tests/app/gui/administrator_desk.h"
 
@@ -147,7 +148,7 @@ std::string makeCohort(AdministratorDesk& office) {
   return child<DataTable>(*page, "cohorts").currentId().toStdString();
 }
 
-void drawGroups(AdministratorDesk& office, const std::string& cohortId) {
+void drawGroups(AdministratorDesk& office, const CohortId& cohortId) {
   auto administrator = office.open<AllocationPage>("administrator", toQString(cohortId));
   EXPECT_FALSE(testing::button(*administrator, QStringLiteral("Lock design"))->isEnabled());
   auto page = office.open<AllocationPage>("allocator", toQString(cohortId));
@@ -183,8 +184,7 @@ void drawGroups(AdministratorDesk& office, const std::string& cohortId) {
   EXPECT_EQ(office.centre.audited("allocation.cards"), 1);
 }
 
-void askTheTen(AdministratorDesk& office, const std::string& cohortId,
-               const std::vector<std::string>& chiefs) {
+void askTheTen(AdministratorDesk& office, const CohortId& cohortId, const std::vector<std::string>& chiefs) {
   auto page = office.open<ScoringPage>("administrator", toQString(cohortId));
   answer([&](QDialog& dialog) {
     chooseCodes(dialog, chiefs);
@@ -194,7 +194,7 @@ void askTheTen(AdministratorDesk& office, const std::string& cohortId,
   EXPECT_EQ(child<DataTable>(*page, "matrix").visibleRows(), 90);  // 30 trainees at three scoring points
 }
 
-void runTheDay(AdministratorDesk& office, const std::string& cohortId) {
+void runTheDay(AdministratorDesk& office, const CohortId& cohortId) {
   const std::int64_t now_us = office.centre.session().now_us();
   StationState room{.station = "room 2", .heartbeatUtc_us = now_us};
   DeviceReadiness unfit{.device = Text("Touch"), .haptic = true};
@@ -273,8 +273,7 @@ struct Crowd {
   std::map<std::string, std::string> codeOf;  // of an enrolment
 };
 
-Crowd crowdOf(AdministratorDesk& office, const std::string& cohortId,
-              const std::vector<std::string>& chiefs) {
+Crowd crowdOf(AdministratorDesk& office, const CohortId& cohortId, const std::vector<std::string>& chiefs) {
   Crowd crowd;
   crowd.people.groups.resize(3);
   crowd.people.raters = chiefs;
@@ -300,7 +299,7 @@ Crowd crowdOf(AdministratorDesk& office, const std::string& cohortId,
 }
 
 /// Every open sheet of the cohort, filled in by the stated rule of the demonstration.
-void submitSheets(AdministratorDesk& office, const std::string& cohortId, const Crowd& crowd) {
+void submitSheets(AdministratorDesk& office, const CohortId& cohortId, const Crowd& crowd) {
   SheetRepository sheets(office.centre.connection());
   std::map<std::string, std::string> codeOfRater;
   for (const auto& [code, id] : crowd.idOf) {
@@ -437,7 +436,7 @@ TEST(WholeStudy, IsOneStoryFromTheRosterToTheReportWithTheNumbersOfTheCommandLin
                true, kEvaluators);
   const std::vector<std::string> chiefs = raterCodes(office.centre, false);
   makeCurriculum(office);
-  const std::string cohortId = makeCohort(office);
+  const CohortId cohortId = makeCohort(office);
   drawGroups(office, cohortId);
   askTheTen(office, cohortId, chiefs);
   runTheDay(office, cohortId);

@@ -289,10 +289,10 @@ TEST_F(CareTest, TheRetentionQueueIsReviewedBeforeAnythingIsErased) {
   setRetentionRule(office, kRetainTrainee, 30, "contract");
   now_us_ += 31 * kDay_us;
   lockRecord(office, "appeal", "an appeal is open");
-  const std::vector<std::string> chosen{"other", "appeal"};
+  const std::vector<PersonId> chosen{"other", "appeal"};
 
   const RetentionOutcome dry = eraseDue(office, chosen, "", true);
-  EXPECT_EQ(PeopleRepository(connection_).findTrainee("R-2")->person.state, "active");
+  EXPECT_EQ(PeopleRepository(connection_).findTrainee("R-2")->person.state, PersonState::kActive);
   const RetentionOutcome done = eraseDue(office, chosen, "yearly review", false);
 
   ASSERT_EQ(dry.erased.size(), 1U);
@@ -300,8 +300,8 @@ TEST_F(CareTest, TheRetentionQueueIsReviewedBeforeAnythingIsErased) {
   EXPECT_EQ(done.erased[0].code, "R-2");
   ASSERT_EQ(done.skipped.size(), 1U);
   EXPECT_EQ(done.skipped[0].hold->reason, "an appeal is open");
-  EXPECT_EQ(PeopleRepository(connection_).findTrainee("R-2")->person.state, "erased");
-  EXPECT_EQ(PeopleRepository(connection_).findTrainee("R-3")->person.state, "active");
+  EXPECT_EQ(PeopleRepository(connection_).findTrainee("R-2")->person.state, PersonState::kErased);
+  EXPECT_EQ(PeopleRepository(connection_).findTrainee("R-3")->person.state, PersonState::kActive);
   const AuditEntry entry = AuditRepository(connection_).entries().at(0);
   EXPECT_EQ(entry.action, "person.erase");
   EXPECT_EQ(entry.actor, "u-administrator");
@@ -330,7 +330,7 @@ TEST_F(CareTest, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
   audited("retention.extend", [&] { extendRecord(office, "due", now_us_ + kDay_us, "not read yet"); });
   audited("retention.release", [&] { releaseRecord(office, "due", "the appeal is closed"); });
   now_us_ += 2 * kDay_us;
-  const std::vector<std::string> chosen{"due"};
+  const std::vector<PersonId> chosen{"due"};
   audited("person.erase", [&] { (void)eraseDue(office, chosen, "yearly review", false); });
   audited("person.export", [&] { exportPersonPackage(office, real_.traineeId, in("package"), "asked"); });
   audited("demonstration.remove", [&] { removeDemonstrationData(office, "the course begins"); });

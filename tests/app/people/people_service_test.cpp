@@ -20,13 +20,13 @@ TEST(PeopleService, NumbersAreUniqueAndCodesNeverComeTwice) {
   const std::string first = centre.addTrainees(1).front();
 
   EXPECT_THROW(addPerson(centre.session(), {.fullName = "Other", .externalId = "S-1001"}), Error);
-  setPersonState(centre.session(), first, "left", "moved away");
+  setPersonState(centre.session(), first, PersonState::kLeft, "moved away");
   addPerson(centre.session(), {.fullName = "Next", .externalId = "S-2"});
 
   const std::vector<PersonRow> rows = people(centre.session());
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[0].person.code, "T-01");
-  EXPECT_EQ(rows[0].person.state, "left");
+  EXPECT_EQ(rows[0].person.state, PersonState::kLeft);
   EXPECT_EQ(rows[1].person.code, "T-02");
 }
 
@@ -68,16 +68,16 @@ TEST(PeopleService, NamedExportIsAuditedAndHarmlessToSpreadsheets) {
 
 TEST(RosterAccounts, EverybodyWithoutOneGetsAnAccountThatMustChangeItsPassword) {
   StudyCentre centre;
-  const std::vector<std::string> trainees = centre.addTrainees(3);
-  const std::vector<std::string> chiefs = centre.addChiefs(2);
+  const std::vector<TraineeId> trainees = centre.addTrainees(3);
+  const std::vector<RaterId> chiefs = centre.addChiefs(2);
   SessionContext& session = centre.as("administrator");
   addUser(session, {.login = "t-01",  // taken by somebody else, who needs no second account
                     .personId = trainees[1],
                     .roles = {"trainee"},
                     .startPassword = "window over the yard"});
-  setPersonState(session, chiefs[1], "left", "retired");
+  setPersonState(session, chiefs[1], PersonState::kLeft, "retired");
 
-  std::vector<std::string> everybody = trainees;
+  std::vector<PersonId> everybody = trainees;
   everybody.insert(everybody.end(), chiefs.begin(), chiefs.end());
   std::vector<StartAccount> made;
   addAccounts(session, everybody, made);
@@ -96,7 +96,7 @@ TEST(RosterAccounts, EverybodyWithoutOneGetsAnAccountThatMustChangeItsPassword) 
 
 TEST(RosterAccounts, GivingUpKeepsTheAccountsThatWereMade) {
   StudyCentre centre;
-  const std::vector<std::string> trainees = centre.addTrainees(4);
+  const std::vector<TraineeId> trainees = centre.addTrainees(4);
   SessionContext& session = centre.as("administrator");
   std::vector<StartAccount> made;
 

@@ -18,6 +18,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/recorder.h"
 #include "sim/record/trial_file.h"
@@ -277,7 +278,7 @@ class GatedSink final : public TrialSink {
   std::shared_ptr<MemoryTrialSink> to_;
 };
 
-TrialHeader headerOf(const std::string& trialId) {
+TrialHeader headerOf(const TrialId& trialId) {
   TrialHeader header;
   header.trialId = trialId;
   return header;

@@ -25,6 +25,7 @@
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/ids.h"
 #include "sim/record/sample_codec.h"
 #include "tests/app/support/study_centre.h"
 
@@ -40,7 +41,7 @@ struct SmallStudy {
   TrialDigests digests{centre.assets()};
 
   SmallStudy() {
-    const std::vector<std::string> trainees = centre.addTrainees(6);
+    const std::vector<TraineeId> trainees = centre.addTrainees(6);
     const std::string version = centre.runPaperCurriculum();
     request.cohortId = addCohort(centre.session(), {.name = "Study", .curriculumVersionId = version});
     enrolTrainees(centre.session(), request.cohortId, trainees);
@@ -108,7 +109,7 @@ TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
         {.fullName = "Rater", .externalId = raterClass, .trainee = false, .raterClass = raterClass}));
   }
   study.request.campaignId = addCampaign(session, plan);
-  const auto submit = [&](const std::string& raterId, const std::string& model) {
+  const auto submit = [&](const RaterId& raterId, const std::string& model) {
     std::vector<EvaluationMark> marks;
     for (std::int64_t index = 1; index <= 9; ++index) {
       marks.push_back({.id = session.ids().newUuid(),
@@ -151,7 +152,7 @@ TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
 }
 
 /// A recording of one twist that was let go after `ticks` hundredths of a radian.
-void record(SmallStudy& study, const std::string& trialId, std::size_t ticks) {
+void record(SmallStudy& study, const TrialId& trialId, std::size_t ticks) {
   std::vector<Sample> samples(300);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     samples[i].tick = static_cast<std::int64_t>(i);

@@ -17,6 +17,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "tests/app/support/audit_entries.h"
 #include "tests/app/support/review_centre.h"
 
@@ -49,7 +50,7 @@ ErrorCode refusal(const Action& action) {
 class Disagreement : public ::testing::Test {
  protected:
   ReviewCentre centre_{ReviewCentre::Setup{}};
-  std::string cohortId_ = StudyRepository(centre_.connection()).cohorts().front().id;
+  CohortId cohortId_ = StudyRepository(centre_.connection()).cohorts().front().id;
   std::string chiefId_ = addRater("CH-900", "chief");
   std::string internId_ = addRater("IN-900", "intern");
 
@@ -141,7 +142,7 @@ TEST(ReferenceRuns, AreOfferedFromRecordingsThatNobodyScores) {
   const auto office = centre.administrator();
   EXPECT_TRUE(referenceCandidates(*office).empty());  // every recording is a case
   const std::string assignment = centre.caseAbout(0, 0);
-  const std::string trialId = centre.trialIds()[0];
+  const TrialId trialId = centre.trialIds()[0];
   // The same recording once more, as nobody's case.
   Trial copy = TrialRepository(centre.connection()).load(trialId);
   const std::string free = "11111111-2222-4333-8444-555555555555";

@@ -306,7 +306,7 @@ TEST(ReviewQueue, CountsEstimatesAndKnowsWhatComesNext) {
   setup.live = true;
   ReviewCentre centre(setup);
   const auto desk = centre.physician(0);
-  const std::vector<std::string> ids = centre.cases(0);
+  const std::vector<AssignmentId> ids = centre.cases(0);
 
   const ReviewQueue fresh = reviewQueue(*desk);
   EXPECT_EQ(fresh.waiting, 5U);

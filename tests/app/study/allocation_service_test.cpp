@@ -12,6 +12,7 @@
 #include "assessment/study/allocation_entry.h"
 #include "assessment/study/cohort.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {
@@ -22,9 +23,9 @@ using testing::StudyCentre;
 /// Thirty trainees, enrolled in a cohort of three groups.
 struct Study {
   StudyCentre centre;
-  std::string cohortId;
-  std::vector<std::string> people;
-  std::vector<std::string> enrolmentIds;
+  CohortId cohortId;
+  std::vector<TraineeId> people;
+  std::vector<EnrolmentId> enrolmentIds;
 
   explicit Study(std::size_t trainees = 30, std::size_t enrolled = 30)
       : people(centre.addTrainees(trainees)) {
@@ -82,7 +83,7 @@ TEST(AllocationService, OneByOneGivesWhatAllAtOnceGives) {
     AllocationPlan plan = study.plan(AllocationMethod::kStratifiedBlocks);
     plan.seed = 20240601;
     lockAllocation(study.centre.as("allocator"), plan);
-    const std::vector<std::string> people(study.people.begin() + 6, study.people.end());
+    const std::vector<TraineeId> people(study.people.begin() + 6, study.people.end());
     if (together) {
       enrolTrainees(study.centre.as("administrator"), study.cohortId, people);
       allocateAll(study.centre.as("allocator"), study.cohortId);
@@ -160,7 +161,7 @@ TEST(AllocationService, PreviewTellsTheBalanceWithoutTheRealSeed) {
 
 TEST(AllocationService, NamesThoseWhoseFactorsAreMissing) {
   Study study(3);
-  const std::string extra =
+  const PersonId extra =
       addPerson(study.centre.as("administrator"), {.fullName = "No Sex", .externalId = "X"});
   enrolTrainees(study.centre.session(), study.cohortId, {extra});
   SessionContext& allocator = study.centre.as("allocator");
@@ -232,7 +233,7 @@ TEST(AllocationService, ASecondDesignNeedsAReasonAndLeavesGroupsAlone) {
   SessionContext& allocator = study.centre.as("allocator");
   lockAllocation(allocator, study.plan(AllocationMethod::kCompletePermutation));
   allocateAll(allocator, study.cohortId);
-  const std::vector<std::string> later = {
+  const std::vector<TraineeId> later = {
       addPerson(study.centre.as("administrator"), {.fullName = "A", .externalId = "L1"}),
       addPerson(study.centre.as("administrator"), {.fullName = "B", .externalId = "L2"}),
       addPerson(study.centre.as("administrator"), {.fullName = "C", .externalId = "L3"})};

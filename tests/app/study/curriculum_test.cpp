@@ -138,15 +138,15 @@ TEST(CurriculumContent, FindsModulesThatWaitForEachOther) {
 TEST(CurriculumService, DraftBecomesAVersionThatRunsAndCloses) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
-  const std::string id = addCurriculum(session, "Twists", "", shipped(centre, "first-steps"));
-  const std::string version = publishCurriculum(session, id, "first", centre.assets());
+  const CurriculumId id = addCurriculum(session, "Twists", "", shipped(centre, "first-steps"));
+  const CurriculumVersionId version = publishCurriculum(session, id, "first", centre.assets());
 
   const auto stored = CurriculumRepository(session.connectionWithoutRight()).version(version);
   ASSERT_TRUE(stored);
   EXPECT_EQ(stored->state, CurriculumState::kDraft);
   EXPECT_EQ(stored->modules.size(), 9U);
   EXPECT_NE(stored->modules[0].id, stored->modules[0].code);
-  EXPECT_EQ(stored->modules[1].requires_, std::vector<std::string>{stored->modules[0].id});
+  EXPECT_EQ(stored->modules[1].requires_, std::vector<ModuleId>{stored->modules[0].id});
   EXPECT_THROW(closeCurriculum(session, version, "too early"), Error);
   runCurriculum(session, version);
   closeCurriculum(session, version, "replaced");
@@ -160,7 +160,7 @@ TEST(CurriculumService, DraftBecomesAVersionThatRunsAndCloses) {
 TEST(CurriculumService, NobodyOverwritesADraftOfSomebodyElse) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
-  const std::string id = addCurriculum(session, "Twists", "");
+  const CurriculumId id = addCurriculum(session, "Twists", "");
   CurriculumDraft mine = curriculumDraft(session, id);
   const CurriculumDraft theirs = mine;
   mine.content = shipped(centre, "paper-three-arms");
@@ -174,7 +174,7 @@ TEST(CurriculumService, NobodyOverwritesADraftOfSomebodyElse) {
 TEST(CurriculumService, AnEmptyDraftIsKeptButNotPublished) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
-  const std::string id = addCurriculum(session, "Twists", "");
+  const CurriculumId id = addCurriculum(session, "Twists", "");
 
   EXPECT_THROW((void)publishCurriculum(session, id, "", centre.assets()), Error);
 

@@ -26,6 +26,7 @@
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {
@@ -53,21 +54,21 @@ CurriculumVersion longerPaperProtocol(StudyCentre& centre, const Occasion& fourt
 struct StudyOfFour {
   StudyCentre centre;
   Occasion fourth;
-  std::vector<std::string> chiefs;
+  std::vector<RaterId> chiefs;
   std::string rubric;
-  std::string cohortId;
+  CohortId cohortId;
 
   /// `longer_us`: training between the third occasion and the fourth; 0: only time passes.
   explicit StudyOfFour(const std::string& label = "after another 20 minutes",
                        std::int64_t longer_us = 20 * kMinute_us) {
-    const std::vector<std::string> trainees = centre.addTrainees(3);
+    const std::vector<TraineeId> trainees = centre.addTrainees(3);
     chiefs = centre.addChiefs(2);
     rubric = centre.addPaperRubric();
     SessionContext& office = centre.as("administrator");
     fourth = addOccasion(office, label);
-    const std::string curriculum =
+    const CurriculumId curriculum =
         addCurriculum(office, "Longer", "", longerPaperProtocol(centre, fourth, longer_us));
-    const std::string version = publishCurriculum(office, curriculum, "", centre.assets());
+    const CurriculumVersionId version = publishCurriculum(office, curriculum, "", centre.assets());
     runCurriculum(office, version);
     cohortId = addCohort(office, {.name = "Four", .curriculumVersionId = version});
     enrolTrainees(office, cohortId, trainees);
@@ -165,8 +166,8 @@ TEST(Occasions, AFollowUpIsDueWhenTheOccasionAfterAsMuchTrainingIsDone) {
   SessionContext& office = study.centre.as("administrator");
   study.askAll();
   const std::string first = runDayBoard(office, study.cohortId).rows.front().enrolmentId;
-  recordExposure(office, {study.cohortId, first, "", "virtual", 0, 40 * kMinute_us});
-  recordExposure(office, {study.cohortId, first, "", "real", 0, 40 * kMinute_us});
+  recordExposure(office, {study.cohortId, first, "", ExposureKind::kVirtual, 0, 40 * kMinute_us});
+  recordExposure(office, {study.cohortId, first, "", ExposureKind::kReal, 0, 40 * kMinute_us});
 
   const RunDayRow trained = runDayBoard(office, study.cohortId).rows.front();
   study.submitAll("post");
@@ -196,7 +197,7 @@ TEST(Occasions, OfAnotherStudyAreNotAskedForInThePapersProtocol) {
   centre.addTrainees(1);
   const std::string version = centre.runPaperCurriculum();
   SessionContext& office = centre.as("administrator");
-  const std::string cohort = addCohort(office, {.name = "Paper", .curriculumVersionId = version});
+  const CohortId cohort = addCohort(office, {.name = "Paper", .curriculumVersionId = version});
 
   addOccasion(office, "six months later");
 

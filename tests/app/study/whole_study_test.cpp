@@ -34,6 +34,7 @@
 #include "db/repository/trial/station_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {
@@ -46,13 +47,13 @@ constexpr std::int64_t kMinute_us = 60'000'000;
 /// Six trainees in three groups who follow the paper's curriculum, three chiefs, the shipped rubric.
 struct Study {
   StudyCentre centre;
-  std::vector<std::string> chiefs;
+  std::vector<RaterId> chiefs;
   std::string rubric;
-  std::string cohortId;
-  std::vector<std::string> enrolmentIds;
+  CohortId cohortId;
+  std::vector<EnrolmentId> enrolmentIds;
 
   Study() {
-    const std::vector<std::string> trainees = centre.addTrainees(6);
+    const std::vector<TraineeId> trainees = centre.addTrainees(6);
     chiefs = centre.addChiefs(3);
     rubric = centre.addPaperRubric();
     const std::string version = centre.runPaperCurriculum();
@@ -73,7 +74,7 @@ struct Study {
             .rubricRevisionId = rubric,
             .seed = 3};
   }
-  [[nodiscard]] StudyArm armOf(const std::string& enrolmentId) {
+  [[nodiscard]] StudyArm armOf(const EnrolmentId& enrolmentId) {
     SessionContext& session = centre.as("administrator");
     const CohortRow cohort = cohorts(session).at(0);
     const auto version =
@@ -181,7 +182,7 @@ TEST(ScoringPlan, ReassigningNeedsAReasonAndAnUnaskedRater) {
 
   EXPECT_THROW(reassign(session, cell.assignmentId, study.chiefs[2], ""), Error);
   EXPECT_THROW(reassign(session, cell.assignmentId, study.chiefs[1], "ill"), Error);
-  const std::string next = reassign(session, cell.assignmentId, study.chiefs[2], "ill");
+  const AssignmentId next = reassign(session, cell.assignmentId, study.chiefs[2], "ill");
 
   EXPECT_FALSE(next.empty());
   const ScoringMatrix matrix = scoringMatrix(session, study.cohortId);
@@ -265,11 +266,12 @@ TEST(PhaseProgress, CountsNamedUnnamedAndRestTime) {
   const StudyArm arm{.restAllowance_us = 5 * kMinute_us,
                      .phases = {{"p1", PhaseKind::kVirtual, "first", 20 * kMinute_us, ""},
                                 {"p2", PhaseKind::kReal, "second", 20 * kMinute_us, ""}}};
-  const auto spent = [](const char* kind, const char* phase, std::int64_t minutes) {
+  const auto spent = [](ExposureKind kind, const char* phase, std::int64_t minutes) {
     return Exposure{.phaseId = phase, .kind = kind, .duration_us = minutes * kMinute_us};
   };
-  const std::vector<Exposure> exposures{spent("virtual", "p1", 12), spent("rest", "p1", 3),
-                                        spent("virtual", "", 8), spent("real", "p2", 5)};
+  const std::vector<Exposure> exposures{
+      spent(ExposureKind::kVirtual, "p1", 12), spent(ExposureKind::kRest, "p1", 3),
+      spent(ExposureKind::kVirtual, "", 8), spent(ExposureKind::kReal, "p2", 5)};
 
   const PhaseProgress progress = phaseProgress(arm, exposures);
 
@@ -288,9 +290,9 @@ TEST(RunDayBoard, ShowsPhaseExposureRestAndMissingSheets) {
   createAssignments(session, study.plan());
   const std::string id = study.enrolmentIds[0];
   const StudyArm arm = study.armOf(id);
-  recordExposure(session, {study.cohortId, id, arm.phases[0].id, std::string(storedText(arm.phases[0].kind)),
-                           0, 20 * kMinute_us});
-  recordExposure(session, {study.cohortId, id, "", "rest", 0, 2 * kMinute_us});
+  recordExposure(session,
+                 {study.cohortId, id, arm.phases[0].id, exposureIn(arm.phases[0].kind), 0, 20 * kMinute_us});
+  recordExposure(session, {study.cohortId, id, "", ExposureKind::kRest, 0, 2 * kMinute_us});
   reportDeviation(session, {.cohortId = study.cohortId, .enrolmentId = id, .kind = "late"});
 
   const RunDayBoard board = runDayBoard(session, study.cohortId);
@@ -312,7 +314,7 @@ TEST(RunDayBoard, ShowsWhoRunsAtWhichStation) {
   Study study;
   study.allocate();
   SessionContext& session = study.centre.as("administrator");
-  const std::string trialId = session.ids().newUuid();
+  const TrialId trialId = session.ids().newUuid();
   TrialHeader header;
   header.trialId = trialId;
   header.traineeCode = "T-01";
@@ -350,7 +352,7 @@ TEST(RunDayBoard, ShowsWhoRunsAtWhichStation) {
 TEST(RunDayBoard, WarnsOfSilentStationsFirstThenOfWhatIsMissing) {
   Study study;
   SessionContext& session = study.centre.as("administrator");
-  const std::string trialId = session.ids().newUuid();
+  const TrialId trialId = session.ids().newUuid();
   TrialHeader header;
   header.trialId = trialId;
   header.traineeCode = "T-01";
@@ -443,12 +445,13 @@ TEST(CohortService, RefusesTimeInAPhaseOfAnotherArmOrKind) {
   SessionContext& session = study.centre.as("administrator");
   const std::string id = study.enrolmentIds[0];
   const StudyArm arm = study.armOf(id);
-  const char* other = arm.phases[0].kind == PhaseKind::kVirtual ? "real" : "virtual";
+  const ExposureKind other =
+      arm.phases[0].kind == PhaseKind::kVirtual ? ExposureKind::kReal : ExposureKind::kVirtual;
 
   EXPECT_THROW(recordExposure(session, {study.cohortId, id, arm.phases[0].id, other, 0, kMinute_us}), Error);
-  EXPECT_THROW(recordExposure(session, {study.cohortId, id, "no phase", "real", 0, kMinute_us}), Error);
-  EXPECT_THROW(recordExposure(session, {study.cohortId, id, "", "asleep", 0, kMinute_us}), Error);
-  EXPECT_THROW(recordExposure(session, {study.cohortId, id, "", "real", 0, 0}), Error);
+  EXPECT_THROW(recordExposure(session, {study.cohortId, id, "no phase", ExposureKind::kReal, 0, kMinute_us}),
+               Error);
+  EXPECT_THROW(recordExposure(session, {study.cohortId, id, "", ExposureKind::kReal, 0, 0}), Error);
 }
 
 TEST(CohortService, WhoMayNotSeeTheAllocationSeesNoGroups) {
@@ -494,8 +497,8 @@ TEST(Audit, AWholeStudyLeavesAnEntryForEveryChangeAndVerifies) {
   createAssignments(session, study.plan());
   for (const std::string& enrolment : study.enrolmentIds) {
     for (const TrainingPhase& phase : study.armOf(enrolment).phases) {
-      recordExposure(session, {study.cohortId, enrolment, phase.id, std::string(storedText(phase.kind)), 0,
-                               phase.duration_us});
+      recordExposure(session,
+                     {study.cohortId, enrolment, phase.id, exposureIn(phase.kind), 0, phase.duration_us});
     }
     setEnrolmentState(session, study.cohortId, enrolment, EnrolmentState::kCompleted, "");
   }

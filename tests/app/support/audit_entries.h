@@ -8,12 +8,13 @@
 #include "assessment/people/audit_entry.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/audit_repository.h"
+#include "sim/base/ids.h"
 
 namespace torsio::testing {
 
 /// Runs a change and expects that the newest entry of the trail tells of it: `action`, by `userId`.
 template <typename Change>
-void expectAudited(Connection& connection, const std::string& userId, const std::string& action,
+void expectAudited(Connection& connection, const UserId& userId, const std::string& action,
                    const Change& change) {
   AuditRepository audit(connection);
   const std::int64_t before = audit.length();

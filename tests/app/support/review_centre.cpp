@@ -160,7 +160,7 @@ void ReviewCentre::addAssignments(const Setup& setup) {
   revision.createdBy = "office";
   revision.createdUtc_us = kReviewTime_us;
   sheets.addRevision(revision);
-  rubricId_ = revision.id;
+  rubricRevisionId_ = revision.id;
   std::vector<Assignment> assignments;
   const std::size_t trainees = enrolmentIds_.size();
   for (std::size_t rater = 0; rater < static_cast<std::size_t>(setup.raters); ++rater) {
@@ -172,8 +172,8 @@ void ReviewCentre::addAssignments(const Setup& setup) {
       one.raterId = raterId(rater);
       one.enrolmentId = enrolmentIds_[trainee];
       one.occasionCode = live ? "post" : "mid";
-      one.trialId = live ? std::string() : trialIds_[trainee];
-      one.rubricRevisionId = rubricId_;
+      one.trialId = live ? TrialId() : trialIds_[trainee];
+      one.rubricRevisionId = rubricRevisionId_;
       one.caseLabel = std::to_string(k + 2) + std::string(1, "CFHKMPRTWX"[rater % 10]);
       one.position = static_cast<std::int64_t>(k);
       one.dueUtc_us = kReviewTime_us + 3 * kReviewDay_us;
@@ -197,12 +197,12 @@ std::unique_ptr<SessionContext> ReviewCentre::administrator() {
                                           [this] { return now_us_; });
 }
 
-std::string ReviewCentre::raterId(std::size_t index) {
+RaterId ReviewCentre::raterId(std::size_t index) {
   return actorIn(*connection_, physicianLogin(index)).personId;
 }
 
-std::vector<std::string> ReviewCentre::cases(std::size_t index, bool live) {
-  std::vector<std::string> ids;
+std::vector<AssignmentId> ReviewCentre::cases(std::size_t index, bool live) {
+  std::vector<AssignmentId> ids;
   for (const QueueEntry& entry : SheetRepository(*connection_).queue(raterId(index))) {
     if (entry.trialId.empty() == live) {
       ids.push_back(entry.assignmentId);
@@ -211,9 +211,9 @@ std::vector<std::string> ReviewCentre::cases(std::size_t index, bool live) {
   return ids;
 }
 
-std::string ReviewCentre::caseAbout(std::size_t index, std::size_t trainee) {
+AssignmentId ReviewCentre::caseAbout(std::size_t index, std::size_t trainee) {
   DeskRepository desk(*connection_);
-  for (const std::string& id : cases(index)) {
+  for (const AssignmentId& id : cases(index)) {
     if (desk.assignment(id)->trialId == trialIds_.at(trainee)) {
       return id;
     }
@@ -233,7 +233,7 @@ std::vector<std::string> ReviewCentre::secrets() {
   }
   for (const TrialListing& trial : TrialRepository(*connection_).list()) {
     found.push_back(trial.trialId);
-    found.push_back(trial.trialId.substr(0, 8));
+    found.push_back(trial.trialId.text().substr(0, 8));
     if (trial.summary) {
       found.push_back(trial.summary->contentHash.substr(0, 8));
     }

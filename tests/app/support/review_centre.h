@@ -12,6 +12,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "sim/base/ids.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::testing {
@@ -46,12 +47,12 @@ class ReviewCentre {
   [[nodiscard]] std::string locator() const { return (folder_ / "centre.sqlite").string(); }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   /// Assignments of physician `index` in their own order: recorded or live ones.
-  [[nodiscard]] std::vector<std::string> cases(std::size_t index, bool live = false);
+  [[nodiscard]] std::vector<AssignmentId> cases(std::size_t index, bool live = false);
   /// The assignment of physician `index` about trainee `trainee`.
-  [[nodiscard]] std::string caseAbout(std::size_t index, std::size_t trainee);
-  [[nodiscard]] const std::vector<std::string>& trialIds() const { return trialIds_; }
-  [[nodiscard]] const std::string& rubricRevisionId() const { return rubricId_; }
-  [[nodiscard]] std::string raterId(std::size_t index);
+  [[nodiscard]] AssignmentId caseAbout(std::size_t index, std::size_t trainee);
+  [[nodiscard]] const std::vector<TrialId>& trialIds() const { return trialIds_; }
+  [[nodiscard]] const RubricRevisionId& rubricRevisionId() const { return rubricRevisionId_; }
+  [[nodiscard]] RaterId raterId(std::size_t index);
   /// Everything that a rater must not meet: names, pseudonyms, groups, stages, phases, trial ids.
   [[nodiscard]] std::vector<std::string> secrets();
   void passTime_us(std::int64_t span_us) { now_us_ += span_us; }
@@ -69,10 +70,10 @@ class ReviewCentre {
   std::int64_t now_us_ = kReviewTime_us;
   std::unique_ptr<Connection> connection_;
   std::unique_ptr<IdSource> ids_;
-  std::vector<std::string> enrolmentIds_;
+  std::vector<EnrolmentId> enrolmentIds_;
   std::vector<std::string> traineeCodes_;
-  std::vector<std::string> trialIds_;
-  std::string rubricId_;
+  std::vector<TrialId> trialIds_;
+  RubricRevisionId rubricRevisionId_;
 };
 
 /// A sheet of the centre's rubric: both rows and the overall mark, points.

@@ -45,9 +45,9 @@ SessionContext& StudyCentre::as(const std::string& role) {
   return *session_;
 }
 
-std::vector<std::string> StudyCentre::addTrainees(std::size_t count) {
+std::vector<TraineeId> StudyCentre::addTrainees(std::size_t count) {
   as("administrator");
-  std::vector<std::string> ids;
+  std::vector<TraineeId> ids;
   for (std::size_t i = 0; i < count; ++i) {
     ids.push_back(addPerson(*session_, {.fullName = "Trainee " + std::to_string(i + 1),
                                         .externalId = "S-" + std::to_string(1001 + i),
@@ -57,9 +57,9 @@ std::vector<std::string> StudyCentre::addTrainees(std::size_t count) {
   return ids;
 }
 
-std::vector<std::string> StudyCentre::addChiefs(std::size_t count) {
+std::vector<RaterId> StudyCentre::addChiefs(std::size_t count) {
   as("administrator");
-  std::vector<std::string> ids;
+  std::vector<RaterId> ids;
   for (std::size_t i = 0; i < count; ++i) {
     ids.push_back(addPerson(*session_, {.fullName = "Chief " + std::to_string(i + 1),
                                         .externalId = "C-" + std::to_string(2001 + i),
@@ -75,8 +75,8 @@ std::string StudyCentre::runPaperCurriculum() {
     if (shipped.id != "paper-three-arms") {
       continue;
     }
-    const std::string id = addCurriculum(*session_, shipped.title, shipped.description, shipped.content);
-    const std::string version = publishCurriculum(*session_, id, "first", assets());
+    const CurriculumId id = addCurriculum(*session_, shipped.title, shipped.description, shipped.content);
+    const CurriculumVersionId version = publishCurriculum(*session_, id, "first", assets());
     runCurriculum(*session_, version);
     return version;
   }

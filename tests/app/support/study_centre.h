@@ -42,8 +42,8 @@ class StudyCentre {
 
   /// Stores trainees T-01 .. with sex and level, and raters of the class "chief" R-01 ..; as the
   /// administrator.
-  std::vector<std::string> addTrainees(std::size_t count);
-  std::vector<std::string> addChiefs(std::size_t count);
+  std::vector<TraineeId> addTrainees(std::size_t count);
+  std::vector<RaterId> addChiefs(std::size_t count);
   /// The paper's curriculum, running. Returns the version.
   std::string runPaperCurriculum();
   /// Stores the shipped rubric. Returns the revision.

@@ -12,6 +12,7 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/angle.h"
+#include "sim/base/ids.h"
 #include "sim/base/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
@@ -108,7 +109,7 @@ void TrainingCentre::fill(const Setup& setup) {
   chief.person.createdUtc_us = now_us_;
   chief.classCode = "chief";
   people.addRaters({&chief, 1});
-  const auto addUser = [&](const std::string& login, const std::string& personId, const std::string& role) {
+  const auto addUser = [&](const std::string& login, const PersonId& personId, const std::string& role) {
     const std::string id = ids_->newUuid();
     access.addUser(
         {.id = id, .login = login, .personId = personId, .createdUtc_us = now_us_, .roles = {role}},
@@ -145,7 +146,7 @@ void TrainingCentre::fill(const Setup& setup) {
   curricula.addVersion(version, "office");
   curricula.moveTo(version.id, CurriculumState::kRunning, "office", now_us_);
 
-  const std::string cohortId = ids_->newUuid();
+  const CohortId cohortId = ids_->newUuid();
   const StudyGroup group{ids_->newUuid(), cohortId, 1, "G1", arm.label};
   studies.addCohort({cohortId, "Autumn course", "", now_us_, false}, {&group, 1});
   curricula.assign(cohortId, version.id);
@@ -205,7 +206,7 @@ std::string TrainingCentre::module(const std::string& code) {
 }
 
 std::string TrainingCentre::attempt(const std::string& moduleCode, const std::string& mode, double skill,
-                                    double duration_s, const std::string& phaseId, double planned_s) {
+                                    double duration_s, const PhaseId& phaseId, double planned_s) {
   const Scene& scene = trainingBar();
   ScriptedHandOptions hand;
   hand.task = handTask(scene);

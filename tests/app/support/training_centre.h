@@ -15,6 +15,7 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
+#include "sim/base/ids.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::testing {
@@ -39,8 +40,8 @@ class TrainingCentre {
     std::int64_t restAllowance_us = 0;
     bool restSplittable = false;
     bool consent = true;
-    std::string sceneId = "bar";
-    std::string patternId = "quarter";
+    SceneId sceneId = "bar";
+    PatternId patternId = "quarter";
   };
   TrainingCentre() : TrainingCentre(Setup{}) {}
   explicit TrainingCentre(const Setup& setup);
@@ -69,7 +70,7 @@ class TrainingCentre {
   /// A finished attempt of the signed-in trainee by a scripted hand: 0 a beginner .. 1 an expert. A hand that
   /// plans for a longer time (planned_s) may be cut off in the middle of a twist.
   std::string attempt(const std::string& moduleCode, const std::string& mode, double skill,
-                      double duration_s = 12.0, const std::string& phaseId = {}, double planned_s = 0.0);
+                      double duration_s = 12.0, const PhaseId& phaseId = {}, double planned_s = 0.0);
 
  private:
   void open();

@@ -19,6 +19,7 @@
 #include "db/repository/people/access_repository.h"
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
+#include "sim/base/ids.h"
 #include "sim/base/random.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
@@ -234,7 +235,7 @@ class OneNumber : public ::testing::Test {
     return inputs;
   }
 
-  AttemptMeasures byTheCommandLine(const std::string& trialId) {
+  AttemptMeasures byTheCommandLine(const TrialId& trialId) {
     const LoadedRun run = loadStoredRun(centre_.locator(), trialId);
     const std::vector<Sample> samples = decodeTrial(run.trial);
     return measureAttempt(samples, measureTwists(run.trial.header, samples, run.rules));
@@ -322,7 +323,7 @@ TEST_F(OneNumber, IsTheSameInTheDebriefAndInItsMasteryCheck) {
   ASSERT_EQ(reported.trials.size(), truths_.size());
 
   for (const TrialSummaryRow& row : reported.trials) {
-    if (row.trialId.back() != '3' && row.trialId.back() != '7') {
+    if (row.trialId.text().back() != '3' && row.trialId.text().back() != '7') {
       continue;  // a debrief takes its time
     }
     const Debrief told = debrief(centre_.session(), row.trialId, "no assets here");
@@ -370,7 +371,7 @@ TEST_F(OneNumber, IsTheSameInTheExportedTable) {
 }
 
 TEST_F(OneNumber, AnOlderVersionOfTheFormulasIsMeasuredAnew) {
-  const std::string trialId = truths_.begin()->first;
+  const TrialId trialId = truths_.begin()->first;
   const std::string hash = TrialRepository(centre_.connection()).load(trialId).summary.contentHash;
   TrialDigest older;
   older.trialId = trialId;

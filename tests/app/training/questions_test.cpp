@@ -13,6 +13,7 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/ids.h"
 #include "tests/app/support/audit_entries.h"
 #include "tests/app/support/training_centre.h"
 
@@ -41,7 +42,7 @@ class QuestionsTest : public ::testing::Test {
 
   SessionContext& desk() { return centre_.session(); }
 
-  void giveToRaters(const std::string& trialId) {
+  void giveToRaters(const TrialId& trialId) {
     SheetRepository sheets(centre_.connection());
     sheets.addRubric("rubric", "Twist sheet", kCentreTime_us, false);
     RubricRevision revision;
@@ -71,7 +72,7 @@ TEST_F(QuestionsTest, GoToTheChiefAndTheAnswerComesBackAtTheMoment) {
   EXPECT_EQ(before.physicians[0].name, "Dr. Li Na");
   EXPECT_FALSE(before.physicians[0].lastAsked);
 
-  const std::string id = askPhysician(desk(), trial_, 3.5, chief_, "too fast?");
+  const RemarkId id = askPhysician(desk(), trial_, 3.5, chief_, "too fast?");
   centre_.passTime_us(90 * kMinute_us);
 
   centre_.become("chief");
@@ -107,7 +108,7 @@ TEST_F(QuestionsTest, GoToTheChiefAndTheAnswerComesBackAtTheMoment) {
 }
 
 TEST_F(QuestionsTest, NeedNoWordsAndAreBookmarksToo) {
-  const std::string id = askPhysician(desk(), trial_, 2.0, chief_, "");
+  const RemarkId id = askPhysician(desk(), trial_, 2.0, chief_, "");
 
   const QuestionDesk now = questionDesk(desk(), trial_);
   ASSERT_EQ(now.questions.size(), 1U);
@@ -128,7 +129,7 @@ TEST_F(QuestionsTest, AreRefusedForARunThatIsJudgedWithoutNames) {
 }
 
 TEST_F(QuestionsTest, BelongToTheTraineeAndToTheChiefWhoWasAsked) {
-  const std::string id = askPhysician(desk(), trial_, 2.0, chief_, "mine");
+  const RemarkId id = askPhysician(desk(), trial_, 2.0, chief_, "mine");
 
   centre_.become("T-02");
   EXPECT_EQ(refusedWith([&] { static_cast<void>(questionDesk(desk(), trial_)); }), ErrorCode::kPermission);

@@ -176,7 +176,7 @@ TEST(Transcript, HoldsEveryAttemptAndTheTimeSpent) {
   }
   const Exposure hour{.id = "33333333-3333-4333-8333-333333333333",
                       .enrolmentId = centre.enrolment(),
-                      .kind = "real",
+                      .kind = ExposureKind::kReal,
                       .startedUtc_us = kCentreTime_us,
                       .duration_us = 12 * testing::kMinute_us,
                       .recordedBy = "office"};

@@ -17,12 +17,10 @@ constexpr std::int64_t kMinute_us = 60 * kSecond_us;
 /// The second arm of the paper's study (section 6): 20 min virtual, 20 min on the real arm, 5 min of rest.
 RunPlan paperArm() {
   RunPlan plan;
-  plan.phases.push_back({.phaseId = "p1",
-                         .label = "virtual",
-                         .arm = TrainingSetting::kVirtual,
-                         .duration_us = 20 * kMinute_us});
   plan.phases.push_back(
-      {.phaseId = "p2", .label = "real", .arm = TrainingSetting::kReal, .duration_us = 20 * kMinute_us});
+      {.phaseId = "p1", .label = "virtual", .arm = PhaseKind::kVirtual, .duration_us = 20 * kMinute_us});
+  plan.phases.push_back(
+      {.phaseId = "p2", .label = "real", .arm = PhaseKind::kReal, .duration_us = 20 * kMinute_us});
   plan.restAllowance_us = 5 * kMinute_us;
   return plan;
 }
@@ -49,7 +47,7 @@ class TrainingRunTest : public ::testing::Test {
     }
     return kinds;
   }
-  static std::int64_t sum(const std::vector<ExposurePiece>& pieces, const std::string& kind) {
+  static std::int64_t sum(const std::vector<ExposurePiece>& pieces, ExposureKind kind) {
     std::int64_t total_us = 0;
     for (const ExposurePiece& piece : pieces) {
       if (piece.kind == kind) {
@@ -64,7 +62,7 @@ TEST_F(TrainingRunTest, HandsOverFromTheVirtualToTheRealArmAndStopsHardAtTheEnd)
   run_.start();
   pass(20 * kMinute_us);
   EXPECT_EQ(run_.state(), RunState::kHandOver);
-  EXPECT_EQ(run_.phase().arm, TrainingSetting::kReal);
+  EXPECT_EQ(run_.phase().arm, PhaseKind::kReal);
 
   pass(kLongestHandOver_us);
   EXPECT_EQ(run_.state(), RunState::kRunning);
@@ -107,8 +105,8 @@ TEST_F(TrainingRunTest, RestStopsTheClockAndIsLoggedApart) {
   pass(kMinute_us);
 
   const std::vector<ExposurePiece> pieces = run_.takeExposure(true);
-  EXPECT_EQ(sum(pieces, "virtual"), 6 * kMinute_us);
-  EXPECT_EQ(sum(pieces, "rest"), 2 * kMinute_us);
+  EXPECT_EQ(sum(pieces, ExposureKind::kVirtual), 6 * kMinute_us);
+  EXPECT_EQ(sum(pieces, ExposureKind::kRest), 2 * kMinute_us);
 }
 
 TEST_F(TrainingRunTest, ARestThatMayNotBeSplitIsUsedUpByTheFirst) {

@@ -188,7 +188,7 @@ TEST(RunSession, ATrialSaysWhatItBelongsTo) {
   EXPECT_EQ(recording.context.attemptMode, AttemptMode::kGraded);
   EXPECT_EQ(recording.context.enrolmentId, centre.enrolment());
   EXPECT_FALSE(recording.context.host.name.empty());
-  EXPECT_EQ(runSession.trials(), std::vector<std::string>{recording.trialId});
+  EXPECT_EQ(runSession.trials(), std::vector<TrialId>{recording.trialId});
 }
 
 TEST(RunSession, LogsTheDoseOfEveryPhaseAndTheRest) {
@@ -213,13 +213,13 @@ TEST(RunSession, LogsTheDoseOfEveryPhaseAndTheRest) {
   pass(kMinute_us);
   EXPECT_TRUE(runSession.run().over());
 
-  std::map<std::string, std::int64_t> dose_us;
+  std::map<ExposureKind, std::int64_t> dose_us;
   for (const Exposure& exposure : StudyRepository(centre.connection()).exposures(centre.cohort().id)) {
     dose_us[exposure.kind] += exposure.duration_us;
   }
-  EXPECT_EQ(dose_us["virtual"], kMinute_us);
-  EXPECT_EQ(dose_us["real"], kMinute_us);
-  EXPECT_EQ(dose_us["rest"], 10 * kSecond_us);
+  EXPECT_EQ(dose_us[ExposureKind::kVirtual], kMinute_us);
+  EXPECT_EQ(dose_us[ExposureKind::kReal], kMinute_us);
+  EXPECT_EQ(dose_us[ExposureKind::kRest], 10 * kSecond_us);
   const NextSteps steps = nextSteps(centre.session(), centre.person());
   EXPECT_TRUE(steps.allPhasesDone);
   EXPECT_FALSE(steps.next);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/ids.h"
 #include "sim/base/portable_math.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/content_hash.h"
@@ -35,7 +36,7 @@ const Scene& recordedBar() {
   return kScene;
 }
 
-Trial recordOnBar(const std::string& trialId, const std::string& traineeCode, TwistDrive drive) {
+Trial recordOnBar(const TrialId& trialId, const std::string& traineeCode, TwistDrive drive) {
   const Scene& scene = recordedBar();
   ScriptedHand hand({.seed = kSeed,
                      .task = handTask(scene),

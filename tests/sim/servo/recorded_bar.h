@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "sim/base/ids.h"
 #include "sim/record/trial.h"
 #include "tests/sim/servo/bar_scene.h"
 
@@ -11,6 +12,6 @@ namespace torsio {
 
 /// Runs a scripted hand for eight seconds on recordedBar(), and returns what the servo loop answered as a
 /// finished trial. `tests/data/trials` was made by it.
-[[nodiscard]] Trial recordOnBar(const std::string& trialId, const std::string& traineeCode, TwistDrive drive);
+[[nodiscard]] Trial recordOnBar(const TrialId& trialId, const std::string& traineeCode, TwistDrive drive);
 
 }  // namespace torsio

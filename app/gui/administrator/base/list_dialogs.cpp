@@ -24,6 +24,7 @@
 #include "app/study/cohort_service.h"
 #include "assessment/people/consent.h"
 #include "assessment/study/cohort.h"
+#include "sim/base/ids.h"
 
 namespace torsio::gui {
 
@@ -57,7 +58,7 @@ void addClose(QDialog& dialog, QVBoxLayout* column) {
 
 }  // namespace
 
-ConsentDialog::ConsentDialog(ShellContext& shell, std::string personId, const QString& code, QWidget* parent)
+ConsentDialog::ConsentDialog(ShellContext& shell, PersonId personId, const QString& code, QWidget* parent)
     : QDialog(parent),
       shell_(shell),
       personId_(std::move(personId)),
@@ -133,7 +134,7 @@ void ConsentDialog::record(bool granted) {
   read();
 }
 
-void showDeviations(ShellContext& shell, const std::string& cohortId, QWidget* parent) {
+void showDeviations(ShellContext& shell, const CohortId& cohortId, QWidget* parent) {
   std::map<std::string, std::string> codes;
   for (const Enrolment& enrolment : enrolments(shell.session(), cohortId)) {
     codes[enrolment.id] = enrolment.traineeCode;

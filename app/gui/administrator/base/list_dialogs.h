@@ -5,6 +5,8 @@
 
 #include <QDialog>
 
+#include "sim/base/ids.h"
+
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -20,7 +22,7 @@ class ConsentDialog : public QDialog {
 
  public:
   /// `code`: pseudonym of the person, for the title.
-  ConsentDialog(ShellContext& shell, std::string personId, const QString& code, QWidget* parent = nullptr);
+  ConsentDialog(ShellContext& shell, PersonId personId, const QString& code, QWidget* parent = nullptr);
 
  private:
   void read();
@@ -28,7 +30,7 @@ class ConsentDialog : public QDialog {
   [[nodiscard]] QString titleOf(const std::string& purpose) const;
 
   ShellContext& shell_;
-  std::string personId_;
+  PersonId personId_;
   QComboBox* purpose_;
   QPushButton* granted_;
   QPushButton* withdrawn_;
@@ -36,6 +38,6 @@ class ConsentDialog : public QDialog {
 };
 
 /// Shows the deviations from the protocol that were noted in a cohort, newest first. Throws Error.
-void showDeviations(ShellContext& shell, const std::string& cohortId, QWidget* parent);
+void showDeviations(ShellContext& shell, const CohortId& cohortId, QWidget* parent);
 
 }  // namespace torsio::gui

@@ -55,8 +55,8 @@ PeopleDialog::PeopleDialog(const QString& title, const QString& question,
   column->addWidget(buttons);
 }
 
-std::vector<std::string> PeopleDialog::chosen() const {
-  std::vector<std::string> out;
+std::vector<PersonId> PeopleDialog::chosen() const {
+  std::vector<PersonId> out;
   for (const QString& id : table_->selectedIds()) {
     out.push_back(id.toStdString());
   }

@@ -20,7 +20,7 @@ class PeopleDialog : public QDialog {
   PeopleDialog(const QString& title, const QString& question, const std::vector<PersonRow>& people,
                QWidget* parent);
 
-  [[nodiscard]] std::vector<std::string> chosen() const;
+  [[nodiscard]] std::vector<PersonId> chosen() const;
 
  private:
   DataTable* table_;

@@ -28,6 +28,7 @@
 #include "app/gui/widgets/page_heading.h"
 #include "app/study/occasion_service.h"
 #include "assessment/study/curriculum.h"
+#include "sim/base/ids.h"
 
 namespace torsio::gui {
 
@@ -138,7 +139,7 @@ void CurriculaPage::showContent() {
 }
 
 const CurriculumRow* CurriculaPage::current() const {
-  const std::string id = table_->currentId().toStdString();
+  const CurriculumId id = table_->currentId().toStdString();
   const auto found = std::find_if(rows_.begin(), rows_.end(),
                                   [&](const CurriculumRow& row) { return row.curriculum.id == id; });
   return found == rows_.end() ? nullptr : &*found;
@@ -149,7 +150,7 @@ void CurriculaPage::showDraft() {
   editing_->setVisible(row != nullptr);
   if (row == nullptr) {
     versions_->clear();
-    shownId_.clear();
+    shownId_ = {};
     showButtons();
     return;
   }
@@ -206,7 +207,7 @@ void CurriculaPage::fillVersions() {
   versions_->setCurrentIndex(std::max(0, versions_->findData(before)));
 }
 
-void CurriculaPage::showVersion(const std::string& versionId) {
+void CurriculaPage::showVersion(const CurriculumVersionId& versionId) {
   versions_->setCurrentIndex(std::max(0, versions_->findData(toQString(versionId))));
   showChosenVersion();
 }
@@ -227,7 +228,7 @@ void CurriculaPage::showChosenVersion() {
 
 const CurriculumVersionRow* CurriculaPage::shownVersion() const {
   const CurriculumRow* row = current();
-  const std::string id = versions_->currentData().toString().toStdString();
+  const CurriculumVersionId id = versions_->currentData().toString().toStdString();
   if (row == nullptr || id.empty()) {
     return nullptr;
   }
@@ -282,7 +283,7 @@ bool CurriculaPage::add(const std::string& name, const std::string& templateId) 
         description = known.description;
       }
     }
-    const std::string id = addCurriculum(shell().session(), name, description, content);
+    const CurriculumId id = addCurriculum(shell().session(), name, description, content);
     read();
     table_->select(toQString(id));
   });
@@ -306,7 +307,7 @@ bool CurriculaPage::publish(const std::string& note) {
     return false;
   }
   return attempt(shell(), [&] {
-    const std::string id = shownId_;
+    const CurriculumId id = shownId_;
     // A curriculum that was never saved as a draft is published from what stands in the editor.
     if (draft_.revision == 0) {
       draft_.content = editor_->content();
@@ -325,7 +326,7 @@ bool CurriculaPage::begin() {
     return false;
   }
   return attempt(shell(), [&] {
-    const std::string id = shownId_;
+    const CurriculumId id = shownId_;
     runCurriculum(shell().session(), version->id);
     read();
     table_->select(toQString(id));

@@ -6,6 +6,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/study/curriculum_service.h"
+#include "sim/base/ids.h"
 
 class QComboBox;
 class QLabel;
@@ -35,7 +36,7 @@ class CurriculaPage : public Page {
   /// Begins the version that is shown (with the draft shown: the newest), so that cohorts can follow it.
   bool begin();
   /// What is shown of the chosen curriculum: a published version, or with an empty id the draft.
-  void showVersion(const std::string& versionId);
+  void showVersion(const CurriculumVersionId& versionId);
   /// What the shown version contains becomes the draft; the draft before is asked for first when it differs.
   bool takeAsDraft();
 
@@ -59,7 +60,7 @@ class CurriculaPage : public Page {
 
   std::vector<CurriculumRow> rows_;
   CurriculumDraft draft_;
-  std::string shownId_;  // whose draft stands in the editor
+  CurriculumId shownId_;  // whose draft stands in the editor
   bool dirty_ = false;
   PageHeading* heading_;
   QPushButton* add_;

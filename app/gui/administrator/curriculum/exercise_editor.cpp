@@ -120,7 +120,7 @@ void ExerciseEditor::connectFields() {
     take([&](TrainingModule& module) { module.title = text.trimmed().toStdString(); });
   });
   connect(scene_, &QComboBox::activated, this, &ExerciseEditor::takeScene);
-  const auto choice = [this](QComboBox* box, std::string TrainingModule::*field) {
+  const auto choice = [this](QComboBox* box, auto TrainingModule::*field) {
     connect(box, &QComboBox::activated, this,
             [=, this] { take([=](TrainingModule& module) { module.*field = chosenId(box); }); });
   };
@@ -241,7 +241,7 @@ void ExerciseEditor::showPrerequisites(const TrainingModule& module) {
     item->setFlags((item->flags() | Qt::ItemIsUserCheckable) & ~Qt::ItemIsSelectable);
     item->setCheckState(required ? Qt::Checked : Qt::Unchecked);
   };
-  const std::vector<std::string>& required = module.requires_;
+  const std::vector<ModuleId>& required = module.requires_;
   for (const TrainingModule& other : content_.modules) {
     if (&other != &module) {
       offer(lineOf(other), other.code,

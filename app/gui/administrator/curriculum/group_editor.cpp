@@ -209,7 +209,7 @@ void GroupEditor::addPhaseRow(int row, const TrainingPhase& phase) {
     takePhase(where, [&](TrainingPhase& changed) {
       changed.kind = fromStoredText<PhaseKind>(chosenId(where)).value_or(changed.kind);
       if (changed.kind == PhaseKind::kReal) {
-        changed.moduleId.clear();  // exercises belong to the simulator
+        changed.moduleId = {};  // exercises belong to the simulator
       }
       module->setCurrentIndex(module->findData(toQString(changed.moduleId)));
       module->setEnabled(changed.kind != PhaseKind::kReal);

@@ -150,7 +150,7 @@ void RosterPage::showContent() {
                      {orDash(row.person.level)},
                      {orDash(row.person.experience)},
                      {consents ? tr("given") : tr("not given")},
-                     {row.person.state == "active" ? tr("active") : tr("left")}}});
+                     {row.person.state == PersonState::kActive ? tr("active") : tr("left")}}});
   }
   table_->setRows(std::move(rows));
   for (const int column : {1, 2}) {
@@ -160,14 +160,14 @@ void RosterPage::showContent() {
 }
 
 const NamedPersonRow* RosterPage::current() const {
-  const std::string id = table_->currentId().toStdString();
+  const PersonId id = table_->currentId().toStdString();
   const auto person = std::find_if(people_.begin(), people_.end(),
                                    [&id](const NamedPersonRow& named) { return named.row.person.id == id; });
   return person == people_.end() ? nullptr : &*person;
 }
 
 void RosterPage::showButtons() {
-  const std::string id = table_->currentId().toStdString();
+  const PersonId id = table_->currentId().toStdString();
   const auto person = std::find_if(people_.begin(), people_.end(),
                                    [&id](const NamedPersonRow& named) { return named.row.person.id == id; });
   edit_->setEnabled(person != people_.end());
@@ -175,7 +175,7 @@ void RosterPage::showButtons() {
   consents_->setEnabled(person != people_.end());
   package_->setEnabled(person != people_.end());
   erase_->setEnabled(person != people_.end());
-  const bool left = person != people_.end() && person->row.person.state != "active";
+  const bool left = person != people_.end() && person->row.person.state != PersonState::kActive;
   state_->setText(left ? tr("Came &back\u2026") : tr("Has &left\u2026"));
 }
 
@@ -196,14 +196,14 @@ void RosterPage::add() {
     if (!edit) {
       return;
     }
-    const std::string id = addPerson(shell().session(), edit->entry);
+    const PersonId id = addPerson(shell().session(), edit->entry);
     read();
     table_->select(toQString(id));
   });
 }
 
 void RosterPage::edit() {
-  const std::string id = table_->currentId().toStdString();
+  const PersonId id = table_->currentId().toStdString();
   if (id.empty() || !edit_->isVisible()) {
     return;
   }
@@ -219,14 +219,14 @@ void RosterPage::edit() {
 }
 
 void RosterPage::switchState() {
-  const std::string id = table_->currentId().toStdString();
+  const PersonId id = table_->currentId().toStdString();
   const auto person = std::find_if(people_.begin(), people_.end(),
                                    [&id](const NamedPersonRow& named) { return named.row.person.id == id; });
   if (person == people_.end()) {
     return;
   }
   attempt(shell(), [&] {
-    const bool active = person->row.person.state == "active";
+    const bool active = person->row.person.state == PersonState::kActive;
     const QString code = toQString(person->row.person.code);
     const std::optional<std::string> reason =
         active ? askReason(this, tr("Has left"),
@@ -235,7 +235,7 @@ void RosterPage::switchState() {
     if (!reason) {
       return;
     }
-    setPersonState(shell().session(), id, active ? "left" : "active", *reason);
+    setPersonState(shell().session(), id, active ? PersonState::kLeft : PersonState::kActive, *reason);
     read();
   });
 }

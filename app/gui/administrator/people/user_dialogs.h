@@ -9,6 +9,7 @@
 #include <QStringList>
 
 #include "app/access/access_service.h"
+#include "sim/base/ids.h"
 
 class QWidget;
 
@@ -19,7 +20,7 @@ namespace torsio::gui {
 
 /// A person of the record whom a user may be.
 struct PersonChoice {
-  std::string personId{};
+  PersonId personId{};
   QString label;  ///< "T-07 · Li Na", or the code alone
 };
 

@@ -225,8 +225,8 @@ void ReportsPage::askFreeze() {
 
 bool ReportsPage::freeze(const std::string& name) {
   return attempt(shell(), [&] {
-    std::vector<std::string> campaigns;
-    if (const std::string campaign = chosenId(campaign_); !campaign.empty()) {
+    std::vector<CampaignId> campaigns;
+    if (const CampaignId campaign = chosenId(campaign_); !campaign.empty()) {
       campaigns.push_back(campaign);
     }
     const FrozenRow row = freezeData(shell().session(), chosenId(cohort_), name, campaigns);

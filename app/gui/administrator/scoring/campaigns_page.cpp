@@ -75,7 +75,7 @@ void CampaignsPage::showContent() {
 
 void CampaignsPage::showRaters() {
   add_->setEnabled(shell().may(Operation::kEvaluationSetup));
-  const std::string id = table_->currentId().toStdString();
+  const CampaignId id = table_->currentId().toStdString();
   const auto row =
       std::find_if(rows_.begin(), rows_.end(), [&](const CampaignRow& r) { return r.campaign.id == id; });
   std::vector<Row> rows;
@@ -98,7 +98,7 @@ void CampaignsPage::showRaters() {
 
 bool CampaignsPage::add(const CampaignPlan& plan) {
   return attempt(shell(), [&] {
-    const std::string id = addCampaign(shell().session(), plan);
+    const CampaignId id = addCampaign(shell().session(), plan);
     read();
     table_->select(toQString(id));
   });
@@ -108,7 +108,7 @@ void CampaignsPage::askNew() {
   attempt(shell(), [&] {
     std::vector<PersonRow> raters;
     for (PersonRow& person : people(shell().session())) {
-      if (person.rater && person.person.state == "active") {
+      if (person.rater && person.person.state == PersonState::kActive) {
         raters.push_back(std::move(person));
       }
     }

@@ -8,13 +8,14 @@
 #include "app/people/people_service.h"
 #include "app/review/adjudicator.h"
 #include "app/study/scoring_plan.h"
+#include "sim/base/ids.h"
 
 class QWidget;
 
 namespace torsio::gui {
 
 struct RatersAsked {
-  std::vector<std::string> raterIds{};
+  std::vector<RaterId> raterIds{};
   std::vector<std::string> occasionCodes{};
 };
 /// Who is asked, and at which occasions. Chosen already: those of `matrix` who have open sheets; nobody
@@ -23,8 +24,8 @@ struct RatersAsked {
                                                       const ScoringMatrix& matrix);
 
 struct SheetMoved {
-  std::string assignmentId{};
-  std::string newRaterId{};  ///< empty: taken back only
+  AssignmentId assignmentId{};
+  RaterId newRaterId{};  ///< empty: taken back only
   std::string reason{};
 };
 /// Which open sheet of a line goes to whom. Empty: given up.
@@ -40,8 +41,8 @@ struct ReleaseChange {
                                                       const std::vector<ReleaseState>& states);
 
 struct ThirdChosen {
-  std::string assignmentId{};
-  std::string raterId{};
+  AssignmentId assignmentId{};
+  RaterId raterId{};
 };
 /// Which of the cases goes to whom; the oldest request and the freest rater are chosen already. Empty: given
 /// up.

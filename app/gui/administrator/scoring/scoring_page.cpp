@@ -200,8 +200,7 @@ void ScoringPage::askRevision() {
   }
 }
 
-bool ScoringPage::ask(const std::vector<std::string>& raterIds,
-                      const std::vector<std::string>& occasionCodes) {
+bool ScoringPage::ask(const std::vector<RaterId>& raterIds, const std::vector<std::string>& occasionCodes) {
   return attempt(shell(), [&] {
     ScoringPlan plan;
     plan.cohortId = chosenId(cohort_);
@@ -218,7 +217,7 @@ void ScoringPage::askRaters() {
   attempt(shell(), [&] {
     std::vector<PersonRow> raters;
     for (PersonRow& person : people(shell().session())) {
-      if (person.rater && person.person.state == "active") {
+      if (person.rater && person.person.state == PersonState::kActive) {
         raters.push_back(std::move(person));
       }
     }

@@ -31,7 +31,7 @@ class ScoringPage : public Page {
   void retranslate() override;
 
   /// Asks the raters for every trainee of the cohort at these occasions.
-  bool ask(const std::vector<std::string>& raterIds, const std::vector<std::string>& occasionCodes);
+  bool ask(const std::vector<RaterId>& raterIds, const std::vector<std::string>& occasionCodes);
 
   /// Takes the next revision of the scoring sheet from a file like those of assets/rubrics.
   bool revise(const std::filesystem::path& file, const std::string& note);

@@ -364,7 +364,7 @@ void MaintenancePage::erase() {
     return;
   }
   attempt(shell(), [&] {
-    const std::array<std::string, 1> who = {item->personId};
+    const std::array<PersonId, 1> who = {item->personId};
     const RetentionOutcome tried = eraseDue(shell().session(), who, "dry run", true);
     const std::optional<std::string> reason =
         askReason(this, tr("Erase a record"),

@@ -27,6 +27,7 @@
 #include "app/gui/widgets/page_heading.h"
 #include "app/study/cohort_service.h"
 #include "assessment/study/cohort.h"
+#include "sim/base/ids.h"
 
 namespace torsio::gui {
 
@@ -330,7 +331,7 @@ bool AllocationPage::allocateEverybody() {
   });
 }
 
-bool AllocationPage::moveByHand(const std::string& enrolmentId, const std::string& groupId,
+bool AllocationPage::moveByHand(const EnrolmentId& enrolmentId, const GroupId& groupId,
                                 const std::string& reason) {
   return attempt(shell(), [&] {
     overrideAllocation(shell().session(), chosenId(cohort_), enrolmentId, groupId, reason);
@@ -340,14 +341,14 @@ bool AllocationPage::moveByHand(const std::string& enrolmentId, const std::strin
 }
 
 void AllocationPage::askMove() {
-  const std::string id = records_->currentId().toStdString();
+  const AllocationId id = records_->currentId().toStdString();
   const auto record =
       std::find_if(drawn_.begin(), drawn_.end(), [&](const AllocationEntry& one) { return one.id == id; });
   if (record == drawn_.end()) {
     return;
   }
   attempt(shell(), [&] {
-    const std::string enrolmentId = record->enrolmentId;
+    const EnrolmentId enrolmentId = record->enrolmentId;
     std::string present;  // where the newest record puts them
     for (const AllocationEntry& one : drawn_) {
       if (one.enrolmentId == enrolmentId) {

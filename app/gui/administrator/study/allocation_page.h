@@ -10,6 +10,7 @@
 #include "app/gui/base/page.h"
 #include "app/study/allocation_service.h"
 #include "assessment/study/allocation_entry.h"
+#include "sim/base/ids.h"
 
 class QCheckBox;
 class QComboBox;
@@ -43,7 +44,7 @@ class AllocationPage : public Page {
   bool writeCards(const std::filesystem::path& file);
   bool reveal(const std::string& reason = {});
   /// Puts a trainee into another group than the draw did.
-  bool moveByHand(const std::string& enrolmentId, const std::string& groupId, const std::string& reason);
+  bool moveByHand(const EnrolmentId& enrolmentId, const GroupId& groupId, const std::string& reason);
 
  private:
   QWidget* designForm();

@@ -96,7 +96,7 @@ void CohortsPage::showContent() {
 }
 
 const CohortRow* CohortsPage::current() const {
-  const std::string id = table_->currentId().toStdString();
+  const CohortId id = table_->currentId().toStdString();
   const auto found =
       std::find_if(rows_.begin(), rows_.end(), [&](const CohortRow& row) { return row.cohort.id == id; });
   return found == rows_.end() ? nullptr : &*found;
@@ -135,7 +135,7 @@ void CohortsPage::addNew() {
     if (dialog.exec() != QDialog::Accepted) {
       return;
     }
-    const std::string id = addCohort(shell().session(), dialog.cohort());
+    const CohortId id = addCohort(shell().session(), dialog.cohort());
     read();
     table_->select(toQString(id));
   });
@@ -153,8 +153,8 @@ void CohortsPage::enrol() {
     }
     std::vector<PersonRow> free;
     for (PersonRow& person : people(shell().session())) {
-      if (person.trainee && person.person.state == "active" && !there.contains(person.person.id) &&
-          person.person.demonstration == row->cohort.demonstration) {
+      if (person.trainee && person.person.state == PersonState::kActive &&
+          !there.contains(person.person.id) && person.person.demonstration == row->cohort.demonstration) {
         free.push_back(std::move(person));
       }
     }
@@ -164,7 +164,7 @@ void CohortsPage::enrol() {
     if (dialog.exec() != QDialog::Accepted || dialog.chosen().empty()) {
       return;
     }
-    const std::string cohort = row->cohort.id;
+    const CohortId cohort = row->cohort.id;
     enrolTrainees(shell().session(), cohort, dialog.chosen());
     read();
     table_->select(toQString(cohort));
@@ -187,7 +187,7 @@ void CohortsPage::follow() {
     if (!version) {
       return;
     }
-    const std::string cohort = row->cohort.id;
+    const CohortId cohort = row->cohort.id;
     assignCurriculum(shell().session(), cohort, *version);
     read();
     table_->select(toQString(cohort));
@@ -196,7 +196,7 @@ void CohortsPage::follow() {
 
 void CohortsPage::changeState() {
   const CohortRow* row = current();
-  const std::string id = members_->currentId().toStdString();
+  const EnrolmentId id = members_->currentId().toStdString();
   const auto enrolment =
       std::find_if(enrolments_.begin(), enrolments_.end(), [&](const Enrolment& e) { return e.id == id; });
   if (row == nullptr || enrolment == enrolments_.end()) {

@@ -9,6 +9,7 @@
 
 #include "app/study/cohort_service.h"
 #include "assessment/study/cohort.h"
+#include "sim/base/ids.h"
 
 class QWidget;
 
@@ -16,7 +17,7 @@ namespace torsio::gui {
 
 /// A trainee who is moved to another group by hand.
 struct GroupMove {
-  std::string groupId{};
+  GroupId groupId{};
   std::string reason{};
 };
 /// Asks where a trainee goes and why. `groups`: those that can be chosen. Empty: given up.

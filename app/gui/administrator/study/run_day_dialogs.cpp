@@ -39,20 +39,19 @@ class FormDialog : public QuestionDialog {
   QFormLayout* form;
 };
 
-}  // namespace
-
-QString exposureName(const std::string& kind) {
-  if (kind == "virtual") {
-    return translated(QT_TRANSLATE_NOOP("RunDay", "on the simulator"));
+QString exposureName(ExposureKind kind) {
+  switch (kind) {
+    case ExposureKind::kVirtual:
+      return translated(QT_TRANSLATE_NOOP("RunDay", "on the simulator"));
+    case ExposureKind::kReal:
+      return translated(QT_TRANSLATE_NOOP("RunDay", "on the real arm"));
+    case ExposureKind::kRest:
+      return translated(QT_TRANSLATE_NOOP("RunDay", "rest"));
   }
-  if (kind == "real") {
-    return translated(QT_TRANSLATE_NOOP("RunDay", "on the real arm"));
-  }
-  if (kind == "rest") {
-    return translated(QT_TRANSLATE_NOOP("RunDay", "rest"));
-  }
-  return toQString(kind);
+  return {};
 }
+
+}  // namespace
 
 QString deviationName(const std::string& kind) {
   static const std::pair<const char*, const char*> kNames[] = {
@@ -76,8 +75,8 @@ QString deviationName(const std::string& kind) {
 std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee) {
   FormDialog dialog(parent, translated(QT_TRANSLATE_NOOP("RunDay", "Log time")), trainee);
   auto* kind = new QComboBox(&dialog);
-  for (const char* code : {"real", "virtual", "rest"}) {
-    kind->addItem(exposureName(code), QString::fromLatin1(code));
+  for (const ExposureKind one : {ExposureKind::kReal, ExposureKind::kVirtual, ExposureKind::kRest}) {
+    kind->addItem(exposureName(one), QVariant::fromValue(static_cast<int>(one)));
   }
   auto* minutes = new QDoubleSpinBox(&dialog);
   minutes->setRange(0.5, 240.0);
@@ -91,7 +90,7 @@ std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee) 
     return std::nullopt;
   }
   NewExposure exposure;
-  exposure.kind = kind->currentData().toString().toStdString();
+  exposure.kind = static_cast<ExposureKind>(kind->currentData().toInt());
   exposure.duration_us = static_cast<std::int64_t>(minutes->value() * 60e6);
   return exposure;
 }

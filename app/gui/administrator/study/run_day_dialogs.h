@@ -6,13 +6,13 @@
 #include <QString>
 
 #include "app/study/cohort_service.h"
+#include "sim/base/ids.h"
 
 class QWidget;
 
 namespace torsio::gui {
 
-/// Name of a kind of time ("virtual", "real", "rest") or deviation in the user's language.
-[[nodiscard]] QString exposureName(const std::string& kind);
+/// Name of a kind of deviation in the user's language.
 [[nodiscard]] QString deviationName(const std::string& kind);
 
 /// Minutes on the real arm, on the simulator or resting. Cohort, enrolment and start are the caller's. Empty:
@@ -23,7 +23,7 @@ namespace torsio::gui {
 
 /// Who takes whose turn, and why.
 struct Swap {
-  std::string enrolmentId{};  ///< of the other
+  EnrolmentId enrolmentId{};  ///< of the other
   std::string reason{};
 };
 /// `others`: enrolments and codes to choose from. Empty: given up.

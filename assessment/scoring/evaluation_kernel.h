@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "assessment/scoring/instrument.h"
+
+namespace torsio {
+
+/// Eqs. 25 to 27 for complete marks, without any allocation: for repeated evaluation (resampling,
+/// simulation). Made for fixed class sizes, none of weight 0; refuses class sizes whose common multiple is
+/// too large. One thread an object.
+class EvaluationKernel {
+ public:
+  /// Prepares the kernel. `raterClasses`: the class of each rater, in the order of the rows given to run().
+  EvaluationKernel(const EvaluationInstrument& instrument, std::span<const std::size_t> raterClasses);
+
+  /// Evaluates `steps`, raters x indices, row-major: fills m and s2 (one an index) and returns N. Gives the
+  /// values of evaluateModel, bit for bit.
+  double run(std::span<const std::int64_t> steps, std::span<double> m, std::span<double> s2);
+
+ private:
+  EvaluationInstrument instrument_;
+  std::vector<std::size_t> raterClasses_;
+  std::vector<std::int64_t> classCounts_;
+  std::vector<std::int64_t> sums_;         // class x index
+  std::vector<std::int64_t> squares_;      // index
+  std::vector<std::int64_t> meanFactors_;  // weight x L / n of each class
+  std::vector<std::int64_t> indexWeights_;
+  std::int64_t indexWeightSum_ = 1;
+  std::int64_t commonDenominator_ = 1;
+};
+
+}  // namespace torsio

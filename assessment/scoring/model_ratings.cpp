@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/scoring/model_ratings.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "sim/base/error.h"
+
+namespace torsio {
+
+std::vector<ModelRatings> groupRatings(const EvaluationInstrument& instrument,
+                                       std::span<const EvaluationRating> ratings) {
+  validateInstrument(instrument);
+  std::vector<ModelRatings> models;
+  std::map<std::string, std::size_t> modelAt;
+  std::map<std::string, std::size_t> classOf;
+  std::map<std::pair<std::size_t, std::string>, std::size_t> sheetAt;
+  std::set<std::tuple<std::string, std::string, std::size_t>> seen;
+  for (const EvaluationRating& rating : ratings) {
+    if (rating.raterClass >= instrument.classes.size() || rating.index >= instrument.indices.size()) {
+      throw Error(ErrorCode::kBadData, "a rating names a class or an index that the instrument does not have",
+                  Text("rater %1, model %2", rating.rater, rating.model),
+                  "Use the classes and indices of the instrument.");
+    }
+    const std::string where = "rater " + rating.rater + ", index " + instrument.indices[rating.index].id +
+                              ", model " + rating.model;
+    if (!seen.insert({rating.model, rating.rater, rating.index}).second) {
+      throw Error(ErrorCode::kBadData, "the same mark appears twice", where,
+                  "Keep one; a correction supersedes the earlier mark.");
+    }
+    if (rating.steps && !isOnScale(*rating.steps, instrument.scale)) {
+      throw Error(ErrorCode::kBadData,
+                  Text("score %1 lies outside the scale",
+                       std::to_string(pointsFromSteps(*rating.steps, instrument.scale))),
+                  where, "Correct the mark; marks are never clamped.");
+    }
+    const auto [knownClass, isNew] = classOf.emplace(rating.rater, rating.raterClass);
+    if (!isNew && knownClass->second != rating.raterClass) {
+      throw Error(ErrorCode::kBadData, "a rater appears in two classes", where, "Give each rater one class.");
+    }
+    const auto [model, modelIsNew] = modelAt.emplace(rating.model, models.size());
+    if (modelIsNew) {
+      models.push_back({rating.model, {}});
+    }
+    ModelRatings& of = models[model->second];
+    const auto [sheet, sheetIsNew] =
+        sheetAt.emplace(std::pair{model->second, rating.rater}, of.sheets.size());
+    if (sheetIsNew) {
+      of.sheets.push_back({rating.rater, rating.raterClass,
+                           std::vector<std::optional<std::int64_t>>(instrument.indices.size())});
+    }
+    of.sheets[sheet->second].steps[rating.index] = rating.steps;
+  }
+  for (ModelRatings& model : models) {
+    std::sort(model.sheets.begin(), model.sheets.end(), [](const RaterSheet& a, const RaterSheet& b) {
+      return std::tie(a.raterClass, a.rater) < std::tie(b.raterClass, b.rater);
+    });
+  }
+  return models;
+}
+
+}  // namespace torsio
