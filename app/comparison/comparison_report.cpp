@@ -205,27 +205,24 @@ ReportModel comparisonReport(const ComparisonResult& result, const std::string& 
   }
   ReportSection honesty;
   honesty.title = "What these figures do not say";
-  honesty.paragraphs = {
-      "The twist model computes in advance; finite elements of small strain could do so too (one answer to "
-      "one "
-      "newton metre, scaled), as fast, but would swell with the angle. The comparison is with elements that "
-      "bear "
-      "large rotations.",
-      "Set-up counts when organ or tissue change: it is stated apart and not in the deformation time.",
+  honesty.paragraphs.emplace_back(
+      "The twist model computes in advance; finite elements of small strain could do so too (one answer "
+      "to one newton metre, scaled), as fast, but would swell with the angle. The comparison is with "
+      "elements that bear large rotations.");
+  honesty.paragraphs.emplace_back(
+      "Set-up counts when organ or tissue change: it is stated apart and not in the deformation time.");
+  honesty.paragraphs.emplace_back(
       "Linear tetrahedra lock: they are too stiff in torsion, the more so the coarser and the less "
-      "compressible. "
-      "More of them, or quadratic ones, would be more accurate and slower. Springs by position-based "
-      "dynamics are "
-      "as stiff as their substeps make them; their error is read in the equilibrium of the springs "
-      "themselves.",
-      "The end is turned as a rigid body in its place; the twist model lets it warp and slide. The reference "
-      "shares "
-      "material, ends and lattice with the elements and not with a person: only measurements say which model "
-      "is "
-      "near to life, and bones are in none of them.",
-      "The torques of the twist model as printed in the paper come from a cone in place of the membrane, and "
-      "its "
-      "rotation is linear: both errors grow with the torque."};
+      "compressible. More of them, or quadratic ones, would be more accurate and slower. Springs by "
+      "position-based dynamics are as stiff as their substeps make them; their error is read in the "
+      "equilibrium of the springs themselves.");
+  honesty.paragraphs.emplace_back(
+      "The end is turned as a rigid body in its place; the twist model lets it warp and slide. The "
+      "reference shares material, ends and lattice with the elements and not with a person: only "
+      "measurements say which model is near to life, and bones are in none of them.");
+  honesty.paragraphs.emplace_back(
+      "The torques of the twist model as printed in the paper come from a cone in place of the "
+      "membrane, and its rotation is linear: both errors grow with the torque.");
   report.sections = {speed, accuracy, honesty};
   return report;
 }

@@ -55,8 +55,7 @@ void checkOptions(const ComparisonOptions& options) {
 class ComparisonBench {
  public:
   ComparisonBench(const Scene& scene, ComparisonResult& result)
-      : scene_(scene),
-        result_(result),
+      : result_(result),
         rest_(restPlaces(scene.lattice())),
         end_(scene.lattice().frameAt(scene.lattice().length_m())) {
     for (const OrganMarker& marker : result.markers) {
@@ -194,7 +193,6 @@ class ComparisonBench {
     return std::sqrt(sum / static_cast<double>(wanted.size()));
   }
 
-  const Scene& scene_;
   ComparisonResult& result_;
   LatticePlaces rest_;
   LatticePlaces reference_;

@@ -90,7 +90,8 @@ double roughness_m(const LatticePlaces& rest, const LatticePlaces& now) {
   std::transform(change.begin(), change.end(), before.begin(), change.begin(),
                  [](double after, double at) { return after - at; });
   const auto at = [&](int section, int ridge) {
-    return change[static_cast<std::size_t>(section * rest.ridges + (ridge + rest.ridges) % rest.ridges)];
+    return change[static_cast<std::size_t>(section) * static_cast<std::size_t>(rest.ridges) +
+                  static_cast<std::size_t>((ridge + rest.ridges) % rest.ridges)];
   };
   double sum = 0.0;
   for (int j = 1; j + 1 < rest.sections; ++j) {
@@ -117,7 +118,8 @@ MarkerAnchor anchorMarker(const TriangleMesh& mesh, const SectionLattice& lattic
   const LatticePlaces rest = restPlaces(lattice);
   double best_m2 = std::numeric_limits<double>::infinity();
   const auto index = [&](int section, int ridge) {
-    return static_cast<std::size_t>(section * rest.ridges + ridge % rest.ridges);
+    return static_cast<std::size_t>(section) * static_cast<std::size_t>(rest.ridges) +
+           static_cast<std::size_t>(ridge % rest.ridges);
   };
   for (int j = 0; j + 1 < rest.sections; ++j) {
     for (int k = 0; k < rest.ridges; ++k) {

@@ -20,7 +20,8 @@ struct LatticePlaces {
   std::vector<Vec3> places_m;
 
   [[nodiscard]] const Vec3& at(int section, int ridge) const noexcept {
-    return places_m[static_cast<std::size_t>(section * ridges + ridge % ridges)];
+    return places_m[static_cast<std::size_t>(section) * static_cast<std::size_t>(ridges) +
+                    static_cast<std::size_t>(ridge % ridges)];
   }
 };
 

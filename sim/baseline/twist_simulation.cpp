@@ -212,7 +212,8 @@ std::vector<Vec3> sectionsTurned(const SweptSolid& solid, const SectionLattice& 
     const AxisFrame frame = lattice.frameAt(arc_m);
     const SinCos turn = portableSinCos(model.angleAt(arc_m, state));
     for (int i = 0; i < solid.pointsPerSection(); ++i) {
-      Vec3& place = turned[static_cast<std::size_t>(j * solid.pointsPerSection() + i)];
+      Vec3& place = turned[static_cast<std::size_t>(j) * static_cast<std::size_t>(solid.pointsPerSection()) +
+                           static_cast<std::size_t>(i)];
       const Vec3 arm = place - frame.centre_m;
       const Vec3 along = dot(arm, frame.tangent) * frame.tangent;
       place = frame.centre_m + along + turn.cos * (arm - along) + turn.sin * cross(frame.tangent, arm);
