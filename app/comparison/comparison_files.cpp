@@ -20,13 +20,23 @@ Json stateJson(const ModelState& state) {
           {"marker_rmse_m", state.markerRmse_m}, {"marker_displacements_m", state.displacements_m}};
 }
 
-Json modelJson(const ModelResult& model) {
+/// Whether the organ has the marker whose course is told.
+bool tellsCourse(const ComparisonResult& result) {
+  return result.options.courseMarker <= static_cast<int>(result.markers.size());
+}
+
+const Json& noMarker() {
+  static const Json kNone{{"undefined", "the organ has no such marker"}};
+  return kNone;
+}
+
+Json modelJson(const ModelResult& model, bool hasMarker) {
   Json course = Json::array();
   for (const CoursePoint& point : model.course) {
     course.push_back({{"time_s", point.time_s},
                       {"torque_nm", point.torque_Nm},
                       {"angle_rad", point.angle_rad},
-                      {"displacement_m", point.displacement_m}});
+                      {"displacement_m", hasMarker ? Json(point.displacement_m) : noMarker()}});
   }
   return {{"id", model.id},
           {"title", model.title},
@@ -40,7 +50,7 @@ Json modelJson(const ModelResult& model) {
           {"moving", stateJson(model.moving)},
           {"settled",
            model.noEquilibrium.empty() ? stateJson(model.settled) : Json{{"undefined", model.noEquilibrium}}},
-          {"course_rmse_m", model.courseRmse_m},
+          {"course_rmse_m", hasMarker ? Json(model.courseRmse_m) : noMarker()},
           {"course", course}};
 }
 
@@ -77,12 +87,13 @@ std::string modelsCsv(const ComparisonResult& result) {
                                 "radius_change", "roughness_m", "rmse_m", "marker_rmse_m", "course_rmse_m"});
   for (const ModelResult& m : result.models) {
     const auto settled = [&m](double value) { return m.noEquilibrium.empty() ? formatExact(value) : ""; };
-    text += plainLine(
-        {m.id, std::to_string(m.unknowns), formatExact(m.setUp_s), std::to_string(m.frames),
-         formatExact(m.frameMedian_s), formatExact(m.frameWorst_s), formatExact(m.deformation_s),
-         formatExact(m.settle_s), settled(m.settled.angle_rad), settled(m.settled.energy_J),
-         settled(m.settled.volumeRatio), settled(m.settled.radiusChange), settled(m.settled.roughness_m),
-         settled(m.settled.rmse_m), settled(m.settled.markerRmse_m), formatExact(m.courseRmse_m)});
+    text +=
+        plainLine({m.id, std::to_string(m.unknowns), formatExact(m.setUp_s), std::to_string(m.frames),
+                   formatExact(m.frameMedian_s), formatExact(m.frameWorst_s), formatExact(m.deformation_s),
+                   formatExact(m.settle_s), settled(m.settled.angle_rad), settled(m.settled.energy_J),
+                   settled(m.settled.volumeRatio), settled(m.settled.radiusChange),
+                   settled(m.settled.roughness_m), settled(m.settled.rmse_m), settled(m.settled.markerRmse_m),
+                   tellsCourse(result) ? formatExact(m.courseRmse_m) : ""});
   }
   return text;
 }
@@ -114,7 +125,8 @@ std::string courseCsv(const ComparisonResult& result) {
   for (const ModelResult& model : result.models) {
     for (const CoursePoint& point : model.course) {
       text += plainLine({model.id, formatExact(point.time_s), formatExact(point.torque_Nm),
-                         formatExact(point.angle_rad), formatExact(point.displacement_m)});
+                         formatExact(point.angle_rad),
+                         tellsCourse(result) ? formatExact(point.displacement_m) : ""});
     }
   }
   return text;
@@ -154,7 +166,7 @@ std::string comparisonJson(const ComparisonResult& result) {
       {"msm_frame_over_pm_view_frame", result.model("msm").frameMedian_s / result.model("pm").frameMedian_s}};
   json["models"] = Json::array();
   for (const ModelResult& model : result.models) {
-    json["models"].push_back(modelJson(model));
+    json["models"].push_back(modelJson(model, tellsCourse(result)));
   }
   json["measured"] = measuredJson(result);
   return json.dump(2) + "\n";
