@@ -6,6 +6,7 @@
 #include <cmath>
 #include <future>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include "sim/base/contracts.h"

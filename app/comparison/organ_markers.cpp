@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/organ_markers.h"
 
+#include <array>
+#include <system_error>
+
 #include <nlohmann/json.hpp>
 
 #include "sim/base/error.h"

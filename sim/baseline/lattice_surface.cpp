@@ -2,7 +2,9 @@
 #include "sim/baseline/lattice_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "sim/base/portable_math.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <span>
+#include <cstddef>
 #include <vector>
 
 #include "sim/base/vec3.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/baseline/neo_hookean_wedges.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <array>
-#include <functional>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "sim/baseline/elastic_body.h"
