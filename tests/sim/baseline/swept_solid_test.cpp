@@ -34,7 +34,8 @@ double boundaryVolume_m3(const SolidMesh& mesh, const std::vector<Vec3>& points)
     }
   }
   double six = 0.0;
-  for (const auto& [key, face] : faces) {
+  for (const auto& entry : faces) {
+    const std::array<int, 3>& face = entry.second;
     const auto at = [&](std::size_t k) { return points[static_cast<std::size_t>(face[k])]; };
     six += dot(at(0), cross(at(1), at(2)));
   }
