@@ -36,6 +36,7 @@ void buildProgram(CLI::App& program) {
   addAllocate(program);
   addAudit(program);
   addBench(program);
+  addCompare(program);
   addCompareGroups(program);
   addDb(program);
   addDemo(program);

@@ -15,6 +15,7 @@ void addAgreement(CLI::App& program);
 void addAllocate(CLI::App& program);
 void addAudit(CLI::App& program);
 void addBench(CLI::App& program);
+void addCompare(CLI::App& program);
 void addCompareGroups(CLI::App& program);
 void addDb(CLI::App& program);
 void addDemo(CLI::App& program);

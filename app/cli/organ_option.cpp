@@ -45,8 +45,12 @@ SceneRequest sceneRequest(const OrganArguments& arguments) {
   SceneRequest request;
   request.assets = assetsFolder();
   const std::vector<std::string> known = sceneIds(request.assets);
-  if (std::find(known.begin(), known.end(), arguments.organ) != known.end()) {
-    request.id = arguments.organ;
+  // Other names of a scene, as the paper and people say.
+  static const std::map<std::string, std::string> kOtherNames{{"arm", "forearm"}, {"wrist", "forearm"}};
+  const auto other = kOtherNames.find(arguments.organ);
+  const std::string organ = other == kOtherNames.end() ? arguments.organ : other->second;
+  if (std::find(known.begin(), known.end(), organ) != known.end()) {
+    request.id = organ;
   } else if (arguments.organ.find_first_of("./\\") != std::string::npos) {
     request.organFile = std::filesystem::path(arguments.organ);
     request.organScale_m = unitsInMetres().at(arguments.unit);

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "app/base/build_info.h"
+#include "app/cli/commands.h"
+#include "app/cli/organ_option.h"
+#include "app/cli/progress_line.h"
+#include "app/comparison/comparison_files.h"
+#include "app/comparison/comparison_report.h"
+#include "app/comparison/comparison_run.h"
+#include "app/report/pdf_report.h"
+#include "assessment/report/number_format.h"
+#include "sim/base/angle.h"
+#include "sim/base/clock.h"
+
+namespace torsio::cli {
+
+namespace {
+
+struct OrganComparison {
+  OrganArguments organ;
+  ComparisonOptions options;
+  std::string calibration = "affine";
+  std::string measured;
+  std::string out;
+  bool json = false;
+};
+
+void printComparison(const ComparisonResult& result, const std::string& out) {
+  std::cout << result.organ << ", " << formatFixed(result.torque_Nm, 5) << " N m, "
+            << result.machine.processor << ", " << result.machine.cores << " cores, load "
+            << formatFixed(result.machine.loadAverage, 2) << "\n";
+  for (const ModelResult& model : result.models) {
+    std::cout << model.id << ": " << formatFixed(degrees(model.settled.angle_rad), 2) << " deg, frame "
+              << formatFixed(1e3 * model.frameMedian_s, 4) << " ms, twist "
+              << formatFixed(model.deformation_s, 4) << " s, set-up " << formatFixed(model.setUp_s, 3)
+              << " s, RMSE " << formatFixed(1e3 * model.settled.rmse_m, 3) << " mm, roughness "
+              << formatFixed(1e3 * model.settled.roughness_m, 4) << " mm\n";
+  }
+  const double fem_s = result.model("fem").frameMedian_s;
+  std::cout << "a frame of the finite elements takes " << formatFixed(fem_s / result.latticeUpdate_s, 0)
+            << " updates of the twist model's lattice, "
+            << formatFixed(fem_s / result.model("pm").frameMedian_s, 0) << " of its whole view\n"
+            << "the report is " << out << "/comparison.pdf\n";
+}
+
+void runCompare(OrganComparison arguments) {
+  constexpr int kComparedRidges = 36;
+  constexpr int kComparedSections = 37;
+  arguments.organ.ridges = arguments.organ.ridges.value_or(kComparedRidges);
+  arguments.organ.sections = arguments.organ.sections.value_or(kComparedSections);
+  arguments.options.springs.calibration =
+      arguments.calibration == "affine" ? Calibration::kAffine : Calibration::kEquilibrium;
+  const SceneRequest request = sceneRequest(arguments.organ);
+  const Scene scene = loadScene(request);
+  const std::vector<OrganMarker> markers =
+      request.organFile ? std::vector<OrganMarker>{} : readOrganMarkers(request.assets, scene.id);
+  std::vector<MeasuredSubject> measured;
+  if (!arguments.measured.empty()) {
+    measured = readMeasuredMarkers(arguments.measured, static_cast<int>(markers.size()));
+  }
+  ComparisonResult result;
+  {
+    ProgressLine line;
+    result = runComparison(scene, markers, measured, arguments.options,
+                           [&line](const Progress& progress) { line.show(progress); });
+  }
+  writeComparisonFiles(result, arguments.out);
+  writePdfReport(comparisonReport(result, softwareVersion(), utcNow_us()),
+                 std::filesystem::path(arguments.out) / "comparison.pdf");
+  if (arguments.json) {
+    std::cout << comparisonJson(result);
+  } else {
+    printComparison(result, arguments.out);
+  }
+}
+
+}  // namespace
+
+void addCompare(CLI::App& program) {
+  auto arguments = std::make_shared<OrganComparison>();
+  CLI::App* command = program.add_subcommand(
+      "compare", "Twist an organ by the twist model, finite elements and springs under one torque");
+  addOrganOptions(*command, arguments->organ);
+  command->add_option("--torque", arguments->options.torque_Nm,
+                      "At the free end, N m; default: reaches the pattern's angle by the twist model");
+  command->add_option("--out", arguments->out, "Folder for comparison.pdf, comparison.json and tables")
+      ->required();
+  command->add_option("--measured", arguments->measured,
+                      "Markers of real limbs, CSV: marker, time, x, y, z, unit, subject");
+  command->add_option("--nu", arguments->options.poissonRatio, "Poisson's ratio of the elements")
+      ->capture_default_str();
+  command->add_option("--ramp", arguments->options.ramp_s, "Seconds in which the torque grows")
+      ->capture_default_str();
+  command->add_option("--rings", arguments->options.rings, "Rings of elements and springs in a section")
+      ->capture_default_str();
+  command->add_option("--reference-rings", arguments->options.referenceRings, "Rings of the reference")
+      ->check(CLI::Range(1, 12))
+      ->capture_default_str();
+  command->add_option("--substeps", arguments->options.springs.substeps, "Substeps of the springs a frame")
+      ->capture_default_str();
+  command->add_option("--calibration", arguments->calibration, "Of the springs: affine or equilibrium")
+      ->check(CLI::IsMember({"affine", "equilibrium"}))
+      ->capture_default_str();
+  command->add_flag("--json", arguments->json, "Print comparison.json");
+  command->callback([arguments] { runCompare(*arguments); });
+}
+
+}  // namespace torsio::cli

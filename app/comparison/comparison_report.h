@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "app/comparison/comparison_run.h"
+#include "assessment/report/report_model.h"
+
+namespace torsio {
+
+/// Makes the report of a comparison: Figs. 10, 13 and 14 of the paper with this organ, the tables of accuracy
+/// and time, the machine, and what the figures do not show. English only.
+[[nodiscard]] ReportModel comparisonReport(const ComparisonResult& result, const std::string& softwareVersion,
+                                           std::int64_t createdUtc_us);
+
+}  // namespace torsio

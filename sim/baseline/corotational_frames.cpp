@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/baseline/corotational_frames.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace torsio {
+
+namespace {
+
+constexpr double kGradientTolerance = 1e-3;
+constexpr int kMostGradientSteps = 200;
+enum NodeKind : int { kFreeNode = 0, kStillNode = 1, kEndNode = 2 };
+
+double product(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    sum += a[i] * b[i];
+  }
+  return sum;
+}
+
+Matrix3 inverted(const Matrix3& m) {
+  const Vec3 a{m[0], m[1], m[2]};
+  const Vec3 b{m[3], m[4], m[5]};
+  const Vec3 c{m[6], m[7], m[8]};
+  const Vec3 bc = cross(b, c);
+  const Vec3 ca = cross(c, a);
+  const Vec3 ab = cross(a, b);
+  const double k = 1.0 / dot(a, bc);
+  return {k * bc.x, k * ca.x, k * ab.x, k * bc.y, k * ca.y, k * ab.y, k * bc.z, k * ca.z, k * ab.z};
+}
+
+/// out += m in, three numbers each.
+void addProduct(const Matrix3& m, const double* in, double* out) {
+  out[0] += m[0] * in[0] + m[3] * in[1] + m[6] * in[2];
+  out[1] += m[1] * in[0] + m[4] * in[1] + m[7] * in[2];
+  out[2] += m[2] * in[0] + m[5] * in[1] + m[8] * in[2];
+}
+
+}  // namespace
+
+CorotationalFrames::CorotationalFrames(const SweptSolid& solid, const ElasticConstants& constants,
+                                       const DynamicsOptions& options)
+    : ends_(twistEnds(solid)),
+      options_(options),
+      rest_m_(solid.points_m),
+      body_(tetrahedra(solid), solid.points_m, constants),
+      masses_kg_(nodeMasses(tetrahedra(solid), solid.points_m, options.density_kg_per_m3)),
+      kind_(solid.points_m.size(), kFreeNode),
+      inverse_(solid.points_m.size()),
+      motion_m_(solid.points_m.size()),
+      pose_{solid.points_m, 0.0},
+      velocity_(3 * solid.points_m.size() + 1),
+      full_(velocity_.size()) {
+  for (const int node : ends_.held) {
+    kind_[static_cast<std::size_t>(node)] = kStillNode;
+  }
+  for (const int node : ends_.turned) {
+    kind_[static_cast<std::size_t>(node)] = kEndNode;
+  }
+  makePattern(tetrahedra(solid));
+}
+
+void CorotationalFrames::makePattern(const SolidMesh& mesh) {
+  std::vector<std::set<int>> neighbours(rest_m_.size());
+  for (std::size_t c = 0; c < mesh.cells(); ++c) {
+    for (const int a : mesh.cell(c)) {
+      neighbours[static_cast<std::size_t>(a)].insert(mesh.cell(c).begin(), mesh.cell(c).end());
+    }
+  }
+  rowStart_.push_back(0);
+  for (const std::set<int>& row : neighbours) {
+    column_.insert(column_.end(), row.begin(), row.end());
+    rowStart_.push_back(static_cast<int>(column_.size()));
+  }
+  blocks_.resize(column_.size());
+  for (std::size_t c = 0; c < mesh.cells(); ++c) {
+    for (const int a : mesh.cell(c)) {
+      const auto first = column_.begin() + rowStart_[static_cast<std::size_t>(a)];
+      const auto last = column_.begin() + rowStart_[static_cast<std::size_t>(a) + 1];
+      for (const int b : mesh.cell(c)) {
+        placeOf_.push_back(static_cast<int>(std::lower_bound(first, last, b) - column_.begin()));
+      }
+    }
+  }
+}
+
+void CorotationalFrames::assemble() {
+  std::fill(blocks_.begin(), blocks_.end(), Matrix3{});
+  forces_N_.assign(rest_m_.size(), Vec3{});
+  std::array<Vec3, 4> forces;
+  std::array<Matrix3, 16> stiffness;
+  for (std::size_t e = 0; e < body_.elements(); ++e) {
+    body_.warpedStiffness(e, pose_.places_m, forces, stiffness);
+    const std::span<const int> nodes = body_.elementNodes(e);
+    for (std::size_t a = 0; a < 4; ++a) {
+      forces_N_[static_cast<std::size_t>(nodes[a])] += forces[a];
+    }
+    for (std::size_t k = 0; k < 16; ++k) {
+      Matrix3& block = blocks_[static_cast<std::size_t>(placeOf_[16 * e + k])];
+      for (std::size_t i = 0; i < 9; ++i) {
+        block[i] += stiffness[k][i];
+      }
+    }
+  }
+  // (M (1 + drag dt) + dt^2 K) / dt^2
+  const double h = options_.frame_s;
+  const double inertial = (1.0 + options_.drag_per_s * h) / (h * h);
+  for (std::size_t i = 0; i < rest_m_.size(); ++i) {
+    const auto first = column_.begin() + rowStart_[i];
+    const auto last = column_.begin() + rowStart_[i + 1];
+    const auto place =
+        static_cast<std::size_t>(std::lower_bound(first, last, static_cast<int>(i)) - column_.begin());
+    for (const std::size_t d : {0U, 4U, 8U}) {
+      blocks_[place][d] += inertial * masses_kg_[i];
+    }
+    inverse_[i] = inverted(blocks_[place]);
+  }
+}
+
+void CorotationalFrames::expand(Field& field) const {
+  const double angle = field.back();
+  for (std::size_t i = 0; i < kind_.size(); ++i) {
+    if (kind_[i] != kFreeNode) {
+      const Vec3 v = angle * motion_m_[i];  // 0 for held nodes
+      field[3 * i] = v.x, field[3 * i + 1] = v.y, field[3 * i + 2] = v.z;
+    }
+  }
+}
+
+void CorotationalFrames::reduce(Field& field) const {
+  double angle = 0.0;
+  for (std::size_t i = 0; i < kind_.size(); ++i) {
+    if (kind_[i] != kFreeNode) {
+      angle += dot(motion_m_[i], {field[3 * i], field[3 * i + 1], field[3 * i + 2]});
+      field[3 * i] = field[3 * i + 1] = field[3 * i + 2] = 0.0;
+    }
+  }
+  field.back() = angle;
+}
+
+void CorotationalFrames::apply(const Field& in, Field& out) {
+  full_ = in;
+  expand(full_);
+  std::fill(out.begin(), out.end(), 0.0);
+  for (std::size_t i = 0; i < rest_m_.size(); ++i) {
+    for (int k = rowStart_[i]; k < rowStart_[i + 1]; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      addProduct(blocks_[at], &full_[3 * static_cast<std::size_t>(column_[at])], &out[3 * i]);
+    }
+  }
+  reduce(out);
+}
+
+void CorotationalFrames::makePreconditioner() {
+  Field unit(velocity_.size());
+  Field answer(velocity_.size());
+  unit.back() = 1.0;
+  apply(unit, answer);
+  inverseAngle_ = 1.0 / answer.back();
+}
+
+void CorotationalFrames::precondition(const Field& in, Field& out) const {
+  std::fill(out.begin(), out.end(), 0.0);
+  for (std::size_t i = 0; i < kind_.size(); ++i) {
+    if (kind_[i] == kFreeNode) {
+      addProduct(inverse_[i], &in[3 * i], &out[3 * i]);
+    }
+  }
+  out.back() = inverseAngle_ * in.back();
+}
+
+void CorotationalFrames::step(double torque_Nm) {
+  for (const int node : ends_.turned) {
+    const auto i = static_cast<std::size_t>(node);
+    motion_m_[i] = cross(ends_.axis, pose_.places_m[i] - ends_.axisPoint_m);
+  }
+  assemble();
+  makePreconditioner();
+  // Unknown: the way of this frame. Right side: M v / dt - forces, the torque on the angle.
+  const double h = options_.frame_s;
+  Field right(velocity_.size());
+  for (std::size_t i = 0; i < rest_m_.size(); ++i) {
+    const double m = masses_kg_[i] / h;
+    right[3 * i] = m * velocity_[3 * i] - forces_N_[i].x;
+    right[3 * i + 1] = m * velocity_[3 * i + 1] - forces_N_[i].y;
+    right[3 * i + 2] = m * velocity_[3 * i + 2] - forces_N_[i].z;
+  }
+  reduce(right);
+  right.back() += torque_Nm;
+  Field way(velocity_.size());
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    way[i] = h * velocity_[i];
+  }
+  reduce(way);
+  way.back() = h * velocity_.back();
+  Field residual(way.size());
+  Field answer(way.size());
+  apply(way, residual);
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    residual[i] = right[i] - residual[i];
+  }
+  precondition(residual, answer);
+  Field direction = answer;
+  Field image(way.size());
+  double remaining = product(residual, answer);
+  Field scaled(way.size());
+  precondition(right, scaled);
+  const double wanted = kGradientTolerance * kGradientTolerance * product(right, scaled);
+  for (gradientSteps_ = 0; gradientSteps_ < kMostGradientSteps && remaining > wanted; ++gradientSteps_) {
+    apply(direction, image);
+    const double length = remaining / product(direction, image);
+    for (std::size_t i = 0; i < way.size(); ++i) {
+      way[i] += length * direction[i];
+      residual[i] -= length * image[i];
+    }
+    precondition(residual, answer);
+    const double next = product(residual, answer);
+    for (std::size_t i = 0; i < way.size(); ++i) {
+      direction[i] = answer[i] + (next / remaining) * direction[i];
+    }
+    remaining = next;
+  }
+  expand(way);
+  for (std::size_t i = 0; i < rest_m_.size(); ++i) {
+    pose_.places_m[i] += {way[3 * i], way[3 * i + 1], way[3 * i + 2]};
+  }
+  turnEnd(ends_, rest_m_, pose_.angle_rad + way.back(), pose_);
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    velocity_[i] = way[i] / h;
+  }
+}
+
+}  // namespace torsio

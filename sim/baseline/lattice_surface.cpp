@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/baseline/lattice_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "sim/base/portable_math.h"
+#include "sim/geometry/mesh/nearest_on_triangle.h"
+
+namespace torsio {
+
+namespace {
+
+Vec3 sectionMean(const LatticePlaces& places, int section) {
+  Vec3 mean;
+  for (int k = 0; k < places.ridges; ++k) {
+    mean += places.at(section, k) / places.ridges;
+  }
+  return mean;
+}
+
+/// Distance of every key point from the mean of its section.
+std::vector<double> radii(const LatticePlaces& places) {
+  std::vector<double> values;
+  values.reserve(places.places_m.size());
+  for (int j = 0; j < places.sections; ++j) {
+    const Vec3 mean = sectionMean(places, j);
+    for (int k = 0; k < places.ridges; ++k) {
+      values.push_back(norm(places.at(j, k) - mean));
+    }
+  }
+  return values;
+}
+
+}  // namespace
+
+LatticePlaces restPlaces(const SectionLattice& lattice) {
+  LatticePlaces places{lattice.ridges(), lattice.sections(), {}};
+  for (int j = 0; j < lattice.sections(); ++j) {
+    for (int k = 0; k < lattice.ridges(); ++k) {
+      places.places_m.push_back(lattice.keyPoint_m(k, j));
+    }
+  }
+  return places;
+}
+
+double rootMeanSquareDistance_m(const LatticePlaces& a, const LatticePlaces& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.places_m.size(); ++i) {
+    const Vec3 apart = a.places_m[i] - b.places_m[i];
+    sum += dot(apart, apart);
+  }
+  return std::sqrt(sum / static_cast<double>(a.places_m.size()));
+}
+
+double latticeVolume_m3(const LatticePlaces& places) {
+  double six = 0.0;
+  const auto add = [&six](const Vec3& a, const Vec3& b, const Vec3& c) { six += dot(a, cross(b, c)); };
+  const Vec3 first = sectionMean(places, 0);
+  const Vec3 last = sectionMean(places, places.sections - 1);
+  for (int k = 0; k < places.ridges; ++k) {
+    add(first, places.at(0, k + 1), places.at(0, k));
+    add(last, places.at(places.sections - 1, k), places.at(places.sections - 1, k + 1));
+    for (int j = 0; j + 1 < places.sections; ++j) {
+      const std::array<Vec3, 4> corners{places.at(j, k), places.at(j, k + 1), places.at(j + 1, k + 1),
+                                        places.at(j + 1, k)};
+      const Vec3 middle = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+      for (std::size_t c = 0; c < 4; ++c) {
+        add(middle, corners[c], corners[(c + 1) % 4]);
+      }
+    }
+  }
+  return six / 6.0;
+}
+
+double largestRadiusChange(const LatticePlaces& rest, const LatticePlaces& now) {
+  const std::vector<double> before = radii(rest);
+  const std::vector<double> after = radii(now);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    largest = std::max(largest, std::abs(after[i] / before[i] - 1.0));
+  }
+  return largest;
+}
+
+double roughness_m(const LatticePlaces& rest, const LatticePlaces& now) {
+  std::vector<double> change = radii(now);
+  const std::vector<double> before = radii(rest);
+  std::transform(change.begin(), change.end(), before.begin(), change.begin(),
+                 [](double after, double at) { return after - at; });
+  const auto at = [&](int section, int ridge) {
+    return change[static_cast<std::size_t>(section) * static_cast<std::size_t>(rest.ridges) +
+                  static_cast<std::size_t>((ridge + rest.ridges) % rest.ridges)];
+  };
+  double sum = 0.0;
+  for (int j = 1; j + 1 < rest.sections; ++j) {
+    for (int k = 0; k < rest.ridges; ++k) {
+      const double rough = at(j, k) - 0.25 * (at(j - 1, k) + at(j + 1, k) + at(j, k - 1) + at(j, k + 1));
+      sum += rough * rough;
+    }
+  }
+  return std::sqrt(sum / std::max(1, (rest.sections - 2) * rest.ridges));
+}
+
+MarkerAnchor anchorMarker(const TriangleMesh& mesh, const SectionLattice& lattice, const Vec3& position_m) {
+  const auto nearer = [&](const Vec3& a, const Vec3& b) {
+    return norm(a - position_m) < norm(b - position_m);
+  };
+  const auto nearest = static_cast<std::size_t>(
+      std::min_element(mesh.vertices_m.begin(), mesh.vertices_m.end(), nearer) - mesh.vertices_m.begin());
+  MarkerAnchor marker;
+  marker.rest_m = position_m;
+  marker.part = lattice.vertexParts()[nearest];
+  if (marker.part != LatticePart::kSide) {
+    return marker;
+  }
+  const LatticePlaces rest = restPlaces(lattice);
+  double best_m2 = std::numeric_limits<double>::infinity();
+  const auto index = [&](int section, int ridge) {
+    return static_cast<std::size_t>(section) * static_cast<std::size_t>(rest.ridges) +
+           static_cast<std::size_t>(ridge % rest.ridges);
+  };
+  for (int j = 0; j + 1 < rest.sections; ++j) {
+    for (int k = 0; k < rest.ridges; ++k) {
+      const std::array<std::array<std::size_t, 3>, 2> halves{
+          {{index(j, k), index(j, k + 1), index(j + 1, k + 1)},
+           {index(j, k), index(j + 1, k + 1), index(j + 1, k)}}};
+      for (const std::array<std::size_t, 3>& half : halves) {
+        const NearestOnTriangle found = nearestOnTriangle(
+            position_m, {rest.places_m[half[0]], rest.places_m[half[1]], rest.places_m[half[2]]});
+        if (found.distance2 < best_m2) {
+          best_m2 = found.distance2;
+          marker.points = half;
+          marker.weights = {found.u, found.v, found.w};
+        }
+      }
+    }
+  }
+  return marker;
+}
+
+Vec3 markerPlace_m(const MarkerAnchor& marker, const LatticePlaces& rest, const LatticePlaces& now,
+                   const AxisFrame& end, double angle_rad) {
+  if (marker.part == LatticePart::kFixedCap) {
+    return marker.rest_m;
+  }
+  if (marker.part == LatticePart::kFreeCap) {
+    const SinCos turn = portableSinCos(angle_rad);
+    const Vec3 arm = marker.rest_m - end.centre_m;
+    const Vec3 along = dot(arm, end.tangent) * end.tangent;
+    return end.centre_m + along + turn.cos * (arm - along) + turn.sin * cross(end.tangent, arm);
+  }
+  Vec3 place = marker.rest_m;
+  for (std::size_t k = 0; k < 3; ++k) {
+    place += marker.weights[k] * (now.places_m[marker.points[k]] - rest.places_m[marker.points[k]]);
+  }
+  return place;
+}
+
+}  // namespace torsio

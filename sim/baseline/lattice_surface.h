@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "sim/base/vec3.h"
+#include "sim/geometry/lattice/end_caps.h"
+#include "sim/geometry/lattice/section_lattice.h"
+#include "sim/geometry/mesh/triangle_mesh.h"
+
+namespace torsio {
+
+/// The places of all key points of a lattice, metres: the one of a ridge and a section at [section N +
+/// ridge]. Every model of an organ is read in this form.
+struct LatticePlaces {
+  int ridges = 0;
+  int sections = 0;
+  std::vector<Vec3> places_m;
+
+  [[nodiscard]] const Vec3& at(int section, int ridge) const noexcept {
+    return places_m[static_cast<std::size_t>(section) * static_cast<std::size_t>(ridges) +
+                    static_cast<std::size_t>(ridge % ridges)];
+  }
+};
+
+/// Returns the key points at rest.
+[[nodiscard]] LatticePlaces restPlaces(const SectionLattice& lattice);
+
+/// Computes the root mean square distance of corresponding key points, m.
+[[nodiscard]] double rootMeanSquareDistance_m(const LatticePlaces& a, const LatticePlaces& b);
+/// Computes the volume within the outlines and the two end sections, m^3; each patch is taken as four
+/// triangles round its middle.
+[[nodiscard]] double latticeVolume_m3(const LatticePlaces& places);
+/// Computes the largest |r / r0 - 1|, r the distance of a key point from the centroid of its section's key
+/// points.
+[[nodiscard]] double largestRadiusChange(const LatticePlaces& rest, const LatticePlaces& now);
+/// Computes how rough a deformation made the outline, m: root mean square, over all key points between the
+/// ends, of what the change of the radius differs from its mean over the four neighbours. A smooth swelling
+/// is not rough; burrs and saw teeth from point to point are.
+[[nodiscard]] double roughness_m(const LatticePlaces& rest, const LatticePlaces& now);
+
+/// A marker on the skin: carried by three key points, or by an end as a rigid body.
+struct MarkerAnchor {
+  LatticePart part = LatticePart::kSide;
+  Vec3 rest_m;
+  std::array<std::size_t, 3> points{};  ///< of the lattice places; kSide only
+  std::array<double, 3> weights{};
+};
+
+/// Attaches a marker: beyond an end (as the nearest vertex of the mesh says) to that end, else to the nearest
+/// place on the patches of the lattice.
+[[nodiscard]] MarkerAnchor anchorMarker(const TriangleMesh& mesh, const SectionLattice& lattice,
+                                        const Vec3& position_m);
+
+/// Returns where a marker is when the key points are at `now` and the free end has turned by `angle_rad`
+/// about the tangent of the frame `end`.
+[[nodiscard]] Vec3 markerPlace_m(const MarkerAnchor& marker, const LatticePlaces& rest,
+                                 const LatticePlaces& now, const AxisFrame& end, double angle_rad);
+
+}  // namespace torsio

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "sim/baseline/elastic_body.h"
+
+namespace torsio {
+
+/// A spring between two nodes: energy stiffness / 2 (length - rest)^2.
+struct LengthSpring {
+  std::array<int, 2> nodes{};
+  double rest_m = 0.0;
+  double stiffness_N_per_m = 0.0;
+};
+
+/// A spring that keeps the volume of a tetrahedron: energy stiffness / 2 (volume - rest)^2.
+struct VolumeSpring {
+  std::array<int, 4> nodes{};
+  double rest_m3 = 0.0;
+  double stiffness_J_per_m6 = 0.0;
+};
+
+/// A mass-spring model: structural springs along all edges of the prisms of a solid, shear springs along
+/// both diagonals of each side (one alone would make the bar chiral), volume springs in the tetrahedra. A
+/// length spring has G times its share of the volume over its length squared, a volume spring lambda over
+/// its volume; one factor common to all, calibrated as a whole (calibrated).
+class SpringLattice final : public ElasticBody {
+ public:
+  /// Makes springs of factor 1. Throws Error{kBadParameter} for the constants.
+  SpringLattice(const SweptSolid& solid, const ElasticConstants& constants);
+
+  /// Returns the same springs with a common factor such that the displaced `places_m` hold `energy_J`. Throws
+  /// Error{kBadParameter} when the displacement holds no energy.
+  [[nodiscard]] SpringLattice calibrated(std::span<const Vec3> places_m, double energy_J) const;
+  /// Returns the same springs, all stiffer by a factor > 0 (contract).
+  [[nodiscard]] SpringLattice scaled(double factor) const;
+
+  [[nodiscard]] std::span<const LengthSpring> lengthSprings() const noexcept { return lengths_; }
+  [[nodiscard]] std::span<const VolumeSpring> volumeSprings() const noexcept { return volumes_; }
+
+  [[nodiscard]] std::size_t elements() const noexcept override { return lengths_.size() + volumes_.size(); }
+  [[nodiscard]] std::span<const int> elementNodes(std::size_t element) const noexcept override;
+  [[nodiscard]] bool elementForces(std::size_t element, std::span<const Vec3> places_m, double& energy_J,
+                                   std::span<Vec3> forces_N) const override;
+  void elementStiffness(std::size_t element, std::span<const Vec3> places_m,
+                        std::span<double> stiffness) const override;
+
+ private:
+  std::vector<LengthSpring> lengths_;
+  std::vector<VolumeSpring> volumes_;
+};
+
+/// Volume of a tetrahedron and its derivatives by the places of its corners (m^2).
+struct VolumeGradient {
+  double volume_m3 = 0.0;
+  std::array<Vec3, 4> byPlace;
+};
+[[nodiscard]] VolumeGradient volumeGradient(const std::array<Vec3, 4>& corners_m) noexcept;
+
+/// Adds up the energy of a body, J; the places must not turn an element inside out (contract).
+[[nodiscard]] double elasticEnergy_J(const ElasticBody& body, std::span<const Vec3> places_m);
+
+}  // namespace torsio

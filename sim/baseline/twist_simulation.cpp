@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/baseline/twist_simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/base/error.h"
+#include "sim/base/portable_math.h"
+#include "sim/baseline/corotational_frames.h"
+#include "sim/baseline/equilibrium.h"
+#include "sim/baseline/neo_hookean_wedges.h"
+#include "sim/baseline/xpbd_frames.h"
+#include "sim/tissue/twist/twist_model_view.h"
+
+namespace torsio {
+
+namespace {
+
+LatticePlaces outlinesOf(const SweptSolid& solid, std::span<const Vec3> places_m) {
+  LatticePlaces places{solid.ridges, solid.sections, {}};
+  for (int j = 0; j < solid.sections; ++j) {
+    for (int k = 0; k < solid.ridges; ++k) {
+      places.places_m.push_back(places_m[static_cast<std::size_t>(solid.point(j, solid.rings, k))]);
+    }
+  }
+  return places;
+}
+
+int freeUnknowns(const SweptSolid& solid) {
+  return 3 * solid.pointsPerSection() * (solid.sections - 2) + 1;
+}
+
+class TwistModelRun final : public TwistSimulation {
+ public:
+  TwistModelRun(const ComparedOrgan& organ, const TwistModel& model)
+      : organ_(organ), model_(model), view_(model), xyz_(3 * organ.mesh->vertices_m.size()) {
+    const SectionLattice& lattice = *organ.lattice;
+    for (int j = 0; j < lattice.sections(); ++j) {
+      for (int k = 0; k < lattice.ridges(); ++k) {
+        points_.push_back(lattice.surfacePoint({lattice.sectionArc_m(j), 2.0 * kPi * k / lattice.ridges()}));
+      }
+    }
+  }
+
+  void step(double torque_Nm) override {
+    settle(torque_Nm);
+    view_.update(state_, xyz_);
+  }
+  void settle(double torque_Nm) override {
+    torque_Nm_ = torque_Nm;
+    state_ = model_.stateForTorque(organ_.lattice->length_m(), torque_Nm);
+  }
+  [[nodiscard]] double angle_rad() const override {
+    return model_.angleAt(organ_.lattice->length_m(), state_);
+  }
+  [[nodiscard]] double energy_J() const override { return 0.5 * torque_Nm_ * angle_rad(); }
+  [[nodiscard]] LatticePlaces surface() const override {
+    std::vector<Vec3> vertices(organ_.mesh->vertices_m.size());
+    model_.deform(state_, vertices);
+    LatticePlaces places{organ_.lattice->ridges(), organ_.lattice->sections(), {}};
+    for (const LatticePoint& point : points_) {
+      const TriangleMesh::Triangle& corners = organ_.mesh->triangles[point.triangle];
+      Vec3 place;
+      for (std::size_t c = 0; c < 3; ++c) {
+        place += point.barycentric[c] * vertices[corners[c]];
+      }
+      places.places_m.push_back(place);
+    }
+    return places;
+  }
+  [[nodiscard]] int unknowns() const override { return organ_.lattice->sections() - 1; }
+
+ private:
+  ComparedOrgan organ_;
+  const TwistModel& model_;
+  TwistView view_;
+  std::vector<float> xyz_;
+  std::vector<LatticePoint> points_;
+  TwistState state_;
+  double torque_Nm_ = 0.0;
+};
+
+constexpr double kFirstShare = 1e-3;  ///< of the torque: the turn it shows is then turned on
+
+/// Finds the equilibrium under a torque that grows from nothing.
+EquilibriumReport equilibriumFromRest(Equilibrium& newton, const SweptSolid& solid, double torque_Nm,
+                                      TwistPose& pose) {
+  constexpr int kSteps = 8;
+  pose = {solid.points_m, 0.0};
+  double share = kFirstShare;
+  EquilibriumReport report = newton.solve(share * torque_Nm, pose);
+  for (int step = 1; step <= kSteps; ++step) {
+    const double next = static_cast<double>(step) / kSteps;
+    pose = turnedOn(solid, pose, next / share);
+    report = newton.solve(next * torque_Nm, pose);
+    share = next;
+  }
+  return report;
+}
+
+/// A model in motion: frames of its own kind, and Newton's method when it is to come to rest.
+template <class Frames>
+class MovingRun final : public TwistSimulation {
+ public:
+  MovingRun(SweptSolid solid, Frames frames)
+      : solid_(std::move(solid)), frames_(std::move(frames)), pose_(frames_.pose()) {}
+
+  void step(double torque_Nm) override {
+    frames_.step(torque_Nm);
+    pose_ = frames_.pose();
+    settled_ = false;
+  }
+  void settle(double torque_Nm) override {
+    Equilibrium newton(frames_.body(), twistEnds(solid_), solid_.points_m);
+    try {
+      pose_ = nearestTo(torque_Nm);
+      energy_J_ = newton.solve(torque_Nm, pose_).energy_J;
+    } catch (const Error&) {  // the frames have torn it: springs with few substeps do
+      energy_J_ = equilibriumFromRest(newton, solid_, torque_Nm, pose_).energy_J;
+    }
+    settled_ = true;
+  }
+  [[nodiscard]] double angle_rad() const override { return pose_.angle_rad; }
+  [[nodiscard]] double energy_J() const override {
+    return settled_ ? energy_J_ : elasticEnergy_J(frames_.body(), pose_.places_m);
+  }
+  [[nodiscard]] LatticePlaces surface() const override { return outlinesOf(solid_, pose_.places_m); }
+  [[nodiscard]] int unknowns() const override { return freeUnknowns(solid_); }
+
+ private:
+  /// The pose, turned on or back as a whole, of least potential energy: golden section between half and half
+  /// as much again.
+  [[nodiscard]] TwistPose nearestTo(double torque_Nm) const {
+    constexpr double kGolden = 0.61803398874989485;
+    constexpr int kCuts = 14;
+    const auto potential_J = [&](double ratio) {
+      const TwistPose turned = turnedOn(solid_, frames_.pose(), ratio);
+      return elasticEnergy_J(frames_.body(), turned.places_m) - torque_Nm * turned.angle_rad;
+    };
+    double low = 0.5;
+    double high = 1.5;
+    for (int cut = 0; cut < kCuts; ++cut) {
+      const double width = high - low;
+      const double a = high - kGolden * width;
+      const double b = low + kGolden * width;
+      if (potential_J(a) < potential_J(b)) {
+        high = b;
+      } else {
+        low = a;
+      }
+    }
+    const double ratio = 0.5 * (low + high);
+    return potential_J(ratio) < potential_J(1.0) ? turnedOn(solid_, frames_.pose(), ratio) : frames_.pose();
+  }
+
+  SweptSolid solid_;
+  Frames frames_;
+  TwistPose pose_;
+  bool settled_ = false;
+  double energy_J_ = 0.0;
+};
+
+class ReferenceRun final : public TwistSimulation {
+ public:
+  ReferenceRun(const ComparedOrgan& organ, int rings)
+      : solid_(sweptSolid(*organ.lattice, rings)),
+        body_(quadratic() ? quadraticWedges(solid_) : linearWedges(solid_), solid_.points_m, organ.constants),
+        newton_(body_, twistEnds(solid_), solid_.points_m),
+        pose_{solid_.points_m, 0.0} {}
+
+  void step(double torque_Nm) override { settle(torque_Nm); }
+  void settle(double torque_Nm) override {
+    if (torque_Nm == torque_Nm_) {
+      return;
+    }
+    if (torque_Nm_ == 0.0) {
+      torque_Nm_ = kFirstShare * torque_Nm;
+      energy_J_ = newton_.solve(torque_Nm_, pose_).energy_J;
+    }
+    pose_ = turnedOn(solid_, pose_, torque_Nm / torque_Nm_);
+    energy_J_ = newton_.solve(torque_Nm, pose_).energy_J;
+    torque_Nm_ = torque_Nm;
+  }
+  [[nodiscard]] double angle_rad() const override { return pose_.angle_rad; }
+  [[nodiscard]] double energy_J() const override { return energy_J_; }
+  [[nodiscard]] LatticePlaces surface() const override { return outlinesOf(solid_, pose_.places_m); }
+  [[nodiscard]] int unknowns() const override { return freeUnknowns(solid_); }
+
+ private:
+  [[nodiscard]] bool quadratic() const noexcept {
+    return solid_.ridges % 2 == 0 && solid_.rings % 2 == 0 && solid_.sections % 2 == 1;
+  }
+  SweptSolid solid_;
+  NeoHookeanWedges body_;
+  Equilibrium newton_;
+  TwistPose pose_;
+  double torque_Nm_ = 0.0;
+  double energy_J_ = 0.0;
+};
+
+constexpr double kSmallTurn_rad = 0.01;  ///< of the free end: springs are calibrated where they are linear
+
+/// Every section turned in its plane as the membrane analogy says when the free end turns by kSmallTurn_rad.
+std::vector<Vec3> sectionsTurned(const SweptSolid& solid, const SectionLattice& lattice,
+                                 const TwistModel& model) {
+  const TwistState state =
+      model.stateForTorque(lattice.length_m(), kSmallTurn_rad / model.graspCompliance(lattice.length_m()));
+  std::vector<Vec3> turned = solid.points_m;
+  for (int j = 0; j < solid.sections; ++j) {
+    const double arc_m = lattice.sectionArc_m(j);
+    const AxisFrame frame = lattice.frameAt(arc_m);
+    const SinCos turn = portableSinCos(model.angleAt(arc_m, state));
+    for (int i = 0; i < solid.pointsPerSection(); ++i) {
+      Vec3& place = turned[static_cast<std::size_t>(j) * static_cast<std::size_t>(solid.pointsPerSection()) +
+                           static_cast<std::size_t>(i)];
+      const Vec3 arm = place - frame.centre_m;
+      const Vec3 along = dot(arm, frame.tangent) * frame.tangent;
+      place = frame.centre_m + along + turn.cos * (arm - along) + turn.sin * cross(frame.tangent, arm);
+    }
+  }
+  return turned;
+}
+
+}  // namespace
+
+std::unique_ptr<TwistSimulation> twistModelSimulation(const ComparedOrgan& organ, const TwistModel& model) {
+  return std::make_unique<TwistModelRun>(organ, model);
+}
+
+std::unique_ptr<TwistSimulation> finiteElementSimulation(const ComparedOrgan& organ, int rings) {
+  SweptSolid solid = sweptSolid(*organ.lattice, rings);
+  CorotationalFrames frames(solid, organ.constants, organ.dynamics);
+  return std::make_unique<MovingRun<CorotationalFrames>>(std::move(solid), std::move(frames));
+}
+
+std::unique_ptr<TwistSimulation> massSpringSimulation(const ComparedOrgan& organ, const TwistModel& model,
+                                                      int rings, const MassSpringOptions& options) {
+  SweptSolid solid = sweptSolid(*organ.lattice, rings);
+  const double compliance = model.graspCompliance(organ.lattice->length_m());
+  const double energy_J = 0.5 * kSmallTurn_rad * kSmallTurn_rad / compliance;
+  SpringLattice springs = SpringLattice(solid, organ.constants)
+                              .calibrated(sectionsTurned(solid, *organ.lattice, model), energy_J);
+  if (options.calibration == Calibration::kEquilibrium) {
+    Equilibrium newton(springs, twistEnds(solid), solid.points_m);
+    TwistPose pose{solid.points_m, 0.0};
+    static_cast<void>(newton.solve(kSmallTurn_rad / compliance, pose));
+    springs = springs.scaled(pose.angle_rad / kSmallTurn_rad);
+  }
+  XpbdFrames frames(solid, std::move(springs), organ.dynamics, options.substeps);
+  return std::make_unique<MovingRun<XpbdFrames>>(std::move(solid), std::move(frames));
+}
+
+std::unique_ptr<TwistSimulation> referenceSimulation(const ComparedOrgan& organ, int rings) {
+  return std::make_unique<ReferenceRun>(organ, rings);
+}
+
+}  // namespace torsio

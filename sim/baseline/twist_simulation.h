@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "sim/baseline/lattice_surface.h"
+#include "sim/baseline/twist_dynamics.h"
+#include "sim/tissue/twist/twist_model.h"
+
+namespace torsio {
+
+/// One model of an organ with one end held and a torque on the other: the twist model, finite elements or
+/// springs. Making one is its set-up; then frames are stepped as a view would ask for them, and at any time
+/// the model can be brought to equilibrium. One thread.
+class TwistSimulation {
+ public:
+  TwistSimulation() = default;
+  TwistSimulation(const TwistSimulation&) = delete;
+  TwistSimulation& operator=(const TwistSimulation&) = delete;
+  virtual ~TwistSimulation() = default;
+
+  /// Computes the next frame under a torque at the free end, N m. Models in motion move on by a frame's time;
+  /// the others are in equilibrium at once.
+  virtual void step(double torque_Nm) = 0;
+  /// Brings the model to equilibrium with the torque. Throws Error{kBadParameter} when there is none near.
+  virtual void settle(double torque_Nm) = 0;
+  /// Returns how far the free end has turned, rad.
+  [[nodiscard]] virtual double angle_rad() const = 0;
+  /// Returns the stored elastic energy, J.
+  [[nodiscard]] virtual double energy_J() const = 0;
+  /// Returns the key points where they now are.
+  [[nodiscard]] virtual LatticePlaces surface() const = 0;
+  /// Returns how many numbers the model solves for.
+  [[nodiscard]] virtual int unknowns() const = 0;
+};
+
+/// What the models have in common. Lattice, mesh and model outlive the simulations.
+struct ComparedOrgan {
+  const TriangleMesh* mesh = nullptr;
+  const SectionLattice* lattice = nullptr;
+  ElasticConstants constants;
+  DynamicsOptions dynamics;
+};
+
+/// Makes the twist model's simulation: a frame moves every vertex of the mesh as the view does, the key
+/// points lie on it. `model`: of this organ, clamped and free, twisted about its own axis.
+[[nodiscard]] std::unique_ptr<TwistSimulation> twistModelSimulation(const ComparedOrgan& organ,
+                                                                    const TwistModel& model);
+/// Makes corotational linear tetrahedra with `rings` rings of elements.
+[[nodiscard]] std::unique_ptr<TwistSimulation> finiteElementSimulation(const ComparedOrgan& organ, int rings);
+/// How the common stiffness of all springs is found.
+enum class Calibration {
+  /// Turning every section as the membrane analogy says for a small torque T takes T^2 / (2 K), the energy it
+  /// gives: the usual way. The springs then give way further, and are too soft.
+  kAffine,
+  /// In equilibrium the free end turns as far under a small torque as the membrane analogy says.
+  kEquilibrium,
+};
+
+struct MassSpringOptions {
+  int substeps = 10;  ///< of XPBD, a frame's
+  Calibration calibration = Calibration::kAffine;
+};
+
+/// Makes the mass-spring model with `rings` rings, calibrated by `model`.
+[[nodiscard]] std::unique_ptr<TwistSimulation> massSpringSimulation(const ComparedOrgan& organ,
+                                                                    const TwistModel& model, int rings,
+                                                                    const MassSpringOptions& options);
+/// Makes the accuracy reference: neo-Hookean wedges, quadratic ones if the lattice has an even number of
+/// ridges and an odd number of sections, else linear ones. A step finds the equilibrium from the last one.
+[[nodiscard]] std::unique_ptr<TwistSimulation> referenceSimulation(const ComparedOrgan& organ, int rings);
+
+/// Turns a pose on: the turn of every section since rest, and the way of its centre, become `ratio` times
+/// what they are. Where Newton's method starts from when the torque grows.
+[[nodiscard]] TwistPose turnedOn(const SweptSolid& solid, const TwistPose& pose, double ratio);
+
+}  // namespace torsio

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/base/error.h"
+#include "tests/app/cli/program.h"
+
+namespace torsio {
+namespace {
+
+namespace fs = std::filesystem;
+using test::emptyFolder;
+using test::ProgramRun;
+using test::runTorsio;
+
+/// A lattice so coarse that it takes seconds.
+const std::string kCoarse = "compare --ridges 12 --sections 9 --rings 2 --substeps 4 --ramp 0.2 --out ";
+
+TEST(CompareCommand, ComparesTheModelsOfTheArmAndWritesItsReport) {
+  const fs::path folder = emptyFolder("compare");
+  const fs::path measured = fs::path(TORSIO_TEST_DATA) / "comparison" / "markers_synthetic.csv";
+
+  const ProgramRun run =
+      runTorsio(kCoarse + (folder / "out").string() + " --organ wrist --torque -0.01 --measured " +
+                    measured.string() + " --json",
+                folder);
+
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["organ"], "Right forearm");
+  EXPECT_EQ(json["torque_nm"], -0.01);
+  EXPECT_EQ(json["models"].size(), 5U);
+  EXPECT_EQ(json["measured"][7]["subjects"], 2);
+  EXPECT_NE(run.err.find("Equilibrium"), std::string::npos) << "progress";
+  for (const char* name : {"comparison.pdf", "comparison.json", "models.csv", "markers.csv", "course.csv"}) {
+    EXPECT_TRUE(fs::exists(folder / "out" / name)) << name;
+  }
+}
+
+TEST(CompareCommand, RefusesWithTheDocumentedCodes) {
+  const fs::path folder = emptyFolder("compare-refused");
+  const auto codeOf = [&](const std::string& arguments) {
+    return runTorsio(kCoarse + (folder / "out").string() + " " + arguments, folder).code;
+  };
+
+  EXPECT_EQ(codeOf("--torque 0"), static_cast<int>(ErrorCode::kBadParameter));
+  EXPECT_EQ(codeOf("--nu 0.5"), static_cast<int>(ErrorCode::kBadParameter));
+  EXPECT_EQ(codeOf("--organ leg"), static_cast<int>(ErrorCode::kUsage));
+  EXPECT_EQ(codeOf("--calibration none"), static_cast<int>(ErrorCode::kUsage));
+  EXPECT_EQ(codeOf("--measured /nowhere.csv"), static_cast<int>(ErrorCode::kFileMissing));
+  EXPECT_EQ(codeOf("--organ stomach --measured /nowhere.csv"), static_cast<int>(ErrorCode::kBadData));
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+}  // namespace
+}  // namespace torsio

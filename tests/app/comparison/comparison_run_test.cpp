@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/comparison_run.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/comparison/comparison_files.h"
+#include "app/comparison/comparison_report.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kAssets = fs::path(TORSIO_SOURCE_DIR) / "assets";
+
+Scene coarseForearm() {
+  SceneRequest request;
+  request.assets = kAssets;
+  request.ridges = 12;
+  request.sections = 9;
+  return loadScene(request);
+}
+
+ComparisonOptions quick() {
+  ComparisonOptions options;
+  options.torque_Nm = -0.01;
+  options.ramp_s = 0.2;
+  options.rings = 2;
+  options.springs.substeps = 4;
+  return options;
+}
+
+class ComparisonOfTheForearm : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    const Scene scene = coarseForearm();
+    result_ = runComparison(
+        scene, readOrganMarkers(kAssets, "forearm"),
+        readMeasuredMarkers(fs::path(TORSIO_TEST_DATA) / "comparison" / "markers_synthetic.csv", 10), quick(),
+        [](const Progress& progress) { EXPECT_LE(progress.fraction, 1.0); });
+  }
+  static void TearDownTestSuite() { result_.reset(); }
+  static std::optional<ComparisonResult> result_;
+};
+std::optional<ComparisonResult> ComparisonOfTheForearm::result_;
+
+TEST_F(ComparisonOfTheForearm, TwistsEveryModelByTheSameTorque) {
+  ASSERT_EQ(result_->models.size(), 5U);
+  for (const ModelResult& model : result_->models) {
+    EXPECT_LT(model.settled.angle_rad, -0.05) << model.id;
+    EXPECT_EQ(model.course.back().torque_Nm, -0.01) << model.id;
+    EXPECT_EQ(model.settled.displacements_m.size(), 10U) << model.id;
+    EXPECT_GT(model.deformation_s, 0.0) << model.id;
+    EXPECT_GE(model.frames, 12) << model.id;
+  }
+}
+
+TEST_F(ComparisonOfTheForearm, ReadsErrorsAgainstTheReference) {
+  const ModelResult& reference = result_->model("reference");
+  const ModelResult& twist = result_->model("pm");
+
+  EXPECT_EQ(reference.settled.rmse_m, 0.0);
+  // Saint-Venant against three dimensions: 2 % of the angle and 4 % of the stiffness for slender organs.
+  EXPECT_NEAR(twist.settled.angle_rad / reference.settled.angle_rad, 1.0, 0.06);
+  // The cone of the paper turns about 1.5 times as far, its rule for tapers further still.
+  EXPECT_GT(result_->model("paper").settled.angle_rad / twist.settled.angle_rad, 1.4);
+  // So coarse a division of linear tetrahedra locks.
+  EXPECT_LT(result_->model("fem").settled.angle_rad / reference.settled.angle_rad, 0.9);
+  EXPECT_LT(twist.settled.rmse_m, result_->model("fem").settled.rmse_m);
+}
+
+TEST_F(ComparisonOfTheForearm, WritesJsonAndTables) {
+  const fs::path folder = fs::temp_directory_path() / "torsio_comparison_test";
+  fs::remove_all(folder);
+
+  const std::vector<std::string> names = writeComparisonFiles(*result_, folder);
+
+  for (const std::string& name : names) {
+    EXPECT_GT(fs::file_size(folder / name), 100U) << name;
+  }
+  const auto json = nlohmann::json::parse(comparisonJson(*result_));
+  EXPECT_EQ(json["models"].size(), 5U);
+  EXPECT_EQ(json["models"][1]["id"], "pm");
+  EXPECT_EQ(json["measured"].size(), 10U);
+  EXPECT_GT(json["speed"]["fem_frame_over_pm_lattice_update"].get<double>(), 10.0);
+  EXPECT_FALSE(json["machine"]["processor"].get<std::string>().empty());
+  fs::remove_all(folder);
+}
+
+TEST_F(ComparisonOfTheForearm, ReportDrawsTheThreeFiguresOfThePaper) {
+  const ReportModel report = comparisonReport(*result_, "0", 0);
+
+  ASSERT_EQ(report.sections.size(), 3U);
+  EXPECT_EQ(report.sections[0].figures[0].id, "figure-10");
+  ASSERT_EQ(report.sections[1].figures.size(), 2U);
+  EXPECT_EQ(report.sections[1].figures[0].series.size(), 6U);  // five models and what was measured
+  EXPECT_EQ(report.sections[1].figures[1].series.size(), 7U);  // both subjects
+  for (const std::vector<Text>& row : report.sections[1].tables[0].rows) {
+    EXPECT_EQ(row.size(), report.sections[1].tables[0].columns.size());
+  }
+}
+
+TEST(ComparisonRun, RefusesOptionsOutOfRange) {
+  const Scene scene = coarseForearm();
+  const auto refused = [&](ComparisonOptions options) {
+    EXPECT_THROW(static_cast<void>(runComparison(scene, {}, {}, options, {})), Error);
+  };
+  ComparisonOptions torque = quick();
+  torque.torque_Nm = 0.0;
+  ComparisonOptions ramp = quick();
+  ramp.ramp_s = 0.0;
+  ComparisonOptions rings = quick();
+  rings.rings = 0;
+  ComparisonOptions substeps = quick();
+  substeps.springs.substeps = 0;
+  ComparisonOptions poisson = quick();
+  poisson.poissonRatio = 0.5;
+
+  refused(torque);
+  refused(ramp);
+  refused(rings);
+  refused(substeps);
+  refused(poisson);
+}
+
+}  // namespace
+}  // namespace torsio
