@@ -19,36 +19,36 @@ Provenance comparedFrom(const ComparisonResult& result, const Text& formula, std
   Provenance provenance;
   provenance.formula = formula;
   provenance.n = n;
-  provenance.flags = {Text("load average %1", formatFixed(result.machine.loadAverage, 2))};
+  provenance.flags = {Text::tr("load average %1", formatFixed(result.machine.loadAverage, 2))};
   return provenance;
 }
 
 Facts machineLines(const ComparisonResult& result) {
   const MachineFacts& machine = result.machine;
-  return {{"Processor", machine.processor},
-          {"Cores", std::to_string(machine.cores)},
-          {"Load average at the start", formatFixed(machine.loadAverage, 2)},
-          {"Compiler", machine.compiler},
-          {"Flags", machine.flags},
-          {"Instruction set of the view", machine.instructionSet},
-          {"Lattice",
+  return {{Text::tr("Processor"), machine.processor},
+          {Text::tr("Cores"), std::to_string(machine.cores)},
+          {Text::tr("Load average at the start"), formatFixed(machine.loadAverage, 2)},
+          {Text::tr("Compiler"), machine.compiler},
+          {Text::tr("Flags"), machine.flags},
+          {Text::tr("Instruction set of the view"), machine.instructionSet},
+          {Text::tr("Lattice"),
            std::to_string(result.ridges) + " ridges, " + std::to_string(result.sections) + " sections"},
-          {"Mesh", std::to_string(result.vertices) + " vertices"},
-          {"Torque at the free end", formatFixed(result.torque_Nm, 5) + " N m"},
-          {"Shear modulus", formatFixed(result.shearModulus_Pa, 0) + " Pa"},
-          {"Poisson's ratio of the elements", formatFixed(result.options.poissonRatio, 3)}};
+          {Text::tr("Mesh"), std::to_string(result.vertices) + " vertices"},
+          {Text::tr("Torque at the free end"), formatFixed(result.torque_Nm, 5) + " N m"},
+          {Text::tr("Shear modulus"), formatFixed(result.shearModulus_Pa, 0) + " Pa"},
+          {Text::tr("Poisson's ratio of the elements"), formatFixed(result.options.poissonRatio, 3)}};
 }
 
 ReportFigure timeFigure(const ComparisonResult& result) {
   ReportFigure figure;
   figure.id = "figure-10";
-  figure.title = "Deformation time (Fig. 10), powers of ten";
-  figure.xLabel = "model";
-  figure.yLabel = "log10 of seconds of processing";
+  figure.title = Text::tr("Deformation time (Fig. 10), powers of ten");
+  figure.xLabel = Text::tr("model");
+  figure.yLabel = Text::tr("log10 of seconds of processing");
   figure.kind = FigureKind::kPoints;
-  FigureSeries whole{"whole twist", {}, {}, {}, {}, {}, {}, false};
-  FigureSeries frame{"one frame", {}, {}, {}, {}, {}, {}, false};
-  FigureSeries setUp{"set-up", {}, {}, {}, {}, {}, {}, false};
+  FigureSeries whole{Text::tr("whole twist"), {}, {}, {}, {}, {}, {}, false};
+  FigureSeries frame{Text::tr("one frame"), {}, {}, {}, {}, {}, {}, false};
+  FigureSeries setUp{Text::tr("set-up"), {}, {}, {}, {}, {}, {}, false};
   double category = 0.0;
   for (const ModelResult& model : result.models) {
     figure.categories.emplace_back(model.id);
@@ -60,21 +60,21 @@ ReportFigure timeFigure(const ComparisonResult& result) {
     category += 1.0;
   }
   figure.series = {whole, frame, setUp};
-  figure.notes = {
+  figure.notes = {Text::tr(
       "The reference has no frames: its values are one step of the torque and all of them. Set-up is not "
       "part of "
-      "the deformation time."};
+      "the deformation time.")};
   figure.provenance =
-      comparedFrom(result, "processing time", static_cast<std::int64_t>(result.models.size()));
+      comparedFrom(result, Text::tr("processing time"), static_cast<std::int64_t>(result.models.size()));
   return figure;
 }
 
 ReportFigure markerFigure(const ComparisonResult& result) {
   ReportFigure figure;
   figure.id = "figure-13";
-  figure.title = "Displacement of the markers in equilibrium (Fig. 13)";
-  figure.xLabel = "marker";
-  figure.yLabel = "displacement (mm)";
+  figure.title = Text::tr("Displacement of the markers in equilibrium (Fig. 13)");
+  figure.xLabel = Text::tr("marker");
+  figure.yLabel = Text::tr("displacement (mm)");
   for (const OrganMarker& marker : result.markers) {
     figure.categories.emplace_back(std::to_string(marker.number));
   }
@@ -88,23 +88,25 @@ ReportFigure markerFigure(const ComparisonResult& result) {
   }
   if (!result.measured.empty()) {
     FigureSeries series;
-    series.name = "measured";
+    series.name = Text::tr("measured");
     for (const OrganMarker& marker : result.markers) {
       const MeasuredDisplacement found = finalDisplacement(result.measured, marker.number);
       series.y.push_back(found.subjects > 0 ? std::optional(kMillimetres * found.mean_m) : std::nullopt);
     }
     figure.series.push_back(series);
   }
-  figure.provenance = comparedFrom(result, "Eq. 24", static_cast<std::int64_t>(result.markers.size()));
+  figure.provenance =
+      comparedFrom(result, Text::tr("Eq. 24"), static_cast<std::int64_t>(result.markers.size()));
   return figure;
 }
 
 ReportFigure courseFigure(const ComparisonResult& result) {
   ReportFigure figure;
   figure.id = "figure-14";
-  figure.title = Text("Displacement of marker %1 during the twist (Fig. 14)", result.options.courseMarker);
-  figure.xLabel = "time (s)";
-  figure.yLabel = "displacement (mm)";
+  figure.title =
+      Text::tr("Displacement of marker %1 during the twist (Fig. 14)", result.options.courseMarker);
+  figure.xLabel = Text::tr("time (s)");
+  figure.yLabel = Text::tr("displacement (mm)");
   figure.kind = FigureKind::kLines;
   for (const ModelResult& model : result.models) {
     FigureSeries series;
@@ -128,24 +130,31 @@ ReportFigure courseFigure(const ComparisonResult& result) {
     }
     figure.series.push_back(series);
   }
-  figure.notes = {
+  figure.notes = {Text::tr(
       "Finite elements and springs have mass and follow the torque late; the others are in equilibrium at "
-      "once. All values are in course.csv; what was measured goes by the name of the person."};
-  figure.provenance = comparedFrom(result, "Eq. 24", static_cast<std::int64_t>(result.models.size()));
+      "once. All values are in course.csv; what was measured goes by the name of the person.")};
+  figure.provenance =
+      comparedFrom(result, Text::tr("Eq. 24"), static_cast<std::int64_t>(result.models.size()));
   return figure;
 }
 
 ReportTable accuracyTable(const ComparisonResult& result) {
   ReportTable table;
   table.id = "table-accuracy";
-  table.title = "Accuracy in equilibrium, against the reference";
-  table.columns = {
-      "model",          "end angle (deg)",   "RMSE (mm)",         "markers RMSE (mm)", "course RMSE (mm)",
-      "roughness (mm)", "radius change (%)", "volume change (%)", "energy (mJ)"};
+  table.title = Text::tr("Accuracy in equilibrium, against the reference");
+  table.columns = {Text::tr("model"),
+                   Text::tr("end angle (deg)"),
+                   Text::tr("RMSE (mm)"),
+                   Text::tr("markers RMSE (mm)"),
+                   Text::tr("course RMSE (mm)"),
+                   Text::tr("roughness (mm)"),
+                   Text::tr("radius change (%)"),
+                   Text::tr("volume change (%)"),
+                   Text::tr("energy (mJ)")};
   for (const ModelResult& model : result.models) {
     const ModelState& state = model.settled;
     if (!model.noEquilibrium.empty()) {
-      table.notes.emplace_back("%1 has no row: %2.", model.id, model.noEquilibrium);
+      table.notes.emplace_back(Text::tr("%1 has no row: %2.", model.id, model.noEquilibrium));
       continue;
     }
     table.rows.push_back(
@@ -155,34 +164,37 @@ ReportTable accuracyTable(const ComparisonResult& result) {
          formatFixed(100.0 * (state.volumeRatio - 1.0), 3), formatFixed(1e3 * state.energy_J, 4)});
   }
   table.notes.emplace_back(
-      "RMSE: over all key points of the lattice. Roughness: what the radius of a key point changes "
-      "differently from its four neighbours.");
-  table.provenance = comparedFrom(result, "Eq. 24", static_cast<std::int64_t>(result.models.size()));
+      Text::tr("RMSE: over all key points of the lattice. Roughness: what the radius of a key point changes "
+               "differently from its four neighbours."));
+  table.provenance =
+      comparedFrom(result, Text::tr("Eq. 24"), static_cast<std::int64_t>(result.models.size()));
   return table;
 }
 
 ReportTable timeTable(const ComparisonResult& result) {
   ReportTable table;
   table.id = "table-times";
-  table.title = "Processing times";
-  table.columns = {"model",
-                   "unknowns",
-                   "set-up (s)",
-                   "frame, median (ms)",
-                   "frame, worst (ms)",
-                   "frames",
-                   "whole twist (s)",
-                   "then to equilibrium (s)",
-                   "angle of the last frame (deg)"};
+  table.title = Text::tr("Processing times");
+  table.columns = {Text::tr("model"),
+                   Text::tr("unknowns"),
+                   Text::tr("set-up (s)"),
+                   Text::tr("frame, median (ms)"),
+                   Text::tr("frame, worst (ms)"),
+                   Text::tr("frames"),
+                   Text::tr("whole twist (s)"),
+                   Text::tr("then to equilibrium (s)"),
+                   Text::tr("angle of the last frame (deg)")};
   for (const ModelResult& model : result.models) {
     table.rows.push_back({model.id, std::to_string(model.unknowns), formatFixed(model.setUp_s, 3),
                           formatFixed(1e3 * model.frameMedian_s, 4), formatFixed(1e3 * model.frameWorst_s, 4),
                           std::to_string(model.frames), formatFixed(model.deformation_s, 4),
                           formatFixed(model.settle_s, 2), formatFixed(degrees(model.moving.angle_rad), 2)});
   }
-  table.notes = {Text("The twist model alone, without its mesh, updates all key points in %1 microseconds.",
-                      formatFixed(1e6 * result.latticeUpdate_s, 2))};
-  table.provenance = comparedFrom(result, "processing time", static_cast<std::int64_t>(result.models.size()));
+  table.notes = {
+      Text::tr("The twist model alone, without its mesh, updates all key points in %1 microseconds.",
+               formatFixed(1e6 * result.latticeUpdate_s, 2))};
+  table.provenance =
+      comparedFrom(result, Text::tr("processing time"), static_cast<std::int64_t>(result.models.size()));
   return table;
 }
 
@@ -191,41 +203,41 @@ ReportTable timeTable(const ComparisonResult& result) {
 ReportModel comparisonReport(const ComparisonResult& result, const std::string& softwareVersion,
                              std::int64_t createdUtc_us) {
   ReportModel report;
-  report.title = "Comparison of twist models";
+  report.title = Text::tr("Comparison of twist models");
   report.subtitle = result.organ;
   report.softwareVersion = softwareVersion;
   report.createdUtc_us = createdUtc_us;
   report.facts = machineLines(result);
   ReportSection speed;
-  speed.title = "Time";
+  speed.title = Text::tr("Time");
   speed.figures = {timeFigure(result)};
   speed.tables = {timeTable(result)};
   ReportSection accuracy;
-  accuracy.title = "Accuracy";
+  accuracy.title = Text::tr("Accuracy");
   accuracy.tables = {accuracyTable(result)};
   if (!result.markers.empty()) {
     accuracy.figures = {markerFigure(result), courseFigure(result)};
   }
   ReportSection honesty;
-  honesty.title = "What these figures do not say";
-  honesty.paragraphs.emplace_back(
+  honesty.title = Text::tr("What these figures do not say");
+  honesty.paragraphs.emplace_back(Text::tr(
       "The twist model computes in advance; finite elements of small strain could do so too (one answer "
       "to one newton metre, scaled), as fast, but would swell with the angle. The comparison is with "
-      "elements that bear large rotations.");
+      "elements that bear large rotations."));
+  honesty.paragraphs.emplace_back(Text::tr(
+      "Set-up counts when organ or tissue change: it is stated apart and not in the deformation time."));
   honesty.paragraphs.emplace_back(
-      "Set-up counts when organ or tissue change: it is stated apart and not in the deformation time.");
+      Text::tr("Linear tetrahedra lock: they are too stiff in torsion, the more so the coarser and the less "
+               "compressible. More of them, or quadratic ones, would be more accurate and slower. Springs by "
+               "position-based dynamics are as stiff as their substeps make them; their error is read in the "
+               "equilibrium of the springs themselves."));
   honesty.paragraphs.emplace_back(
-      "Linear tetrahedra lock: they are too stiff in torsion, the more so the coarser and the less "
-      "compressible. More of them, or quadratic ones, would be more accurate and slower. Springs by "
-      "position-based dynamics are as stiff as their substeps make them; their error is read in the "
-      "equilibrium of the springs themselves.");
+      Text::tr("The end is turned as a rigid body in its place; the twist model lets it warp and slide. The "
+               "reference shares material, ends and lattice with the elements and not with a person: only "
+               "measurements say which model is near to life, and bones are in none of them."));
   honesty.paragraphs.emplace_back(
-      "The end is turned as a rigid body in its place; the twist model lets it warp and slide. The "
-      "reference shares material, ends and lattice with the elements and not with a person: only "
-      "measurements say which model is near to life, and bones are in none of them.");
-  honesty.paragraphs.emplace_back(
-      "The torques of the twist model as printed in the paper come from a cone in place of the "
-      "membrane, and its rotation is linear: both errors grow with the torque.");
+      Text::tr("The torques of the twist model as printed in the paper come from a cone in place of the "
+               "membrane, and its rotation is linear: both errors grow with the torque."));
   report.sections = {speed, accuracy, honesty};
   return report;
 }

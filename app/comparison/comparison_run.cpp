@@ -37,18 +37,20 @@ double medianOf(std::vector<double> values) {
 
 void checkOptions(const ComparisonOptions& options) {
   if (options.torque_Nm && !(std::abs(*options.torque_Nm) <= kMostTorque_Nm && *options.torque_Nm != 0.0)) {
-    refuseParameter("The torque must not be 0 and lie within 100 N m", "--torque",
-                    "Give newton metres, such as 0.03");
+    refuseParameter(Text::verbatim("The torque must not be 0 and lie within 100 N m"),
+                    Text::verbatim("--torque"), Text::verbatim("Give newton metres, such as 0.03"));
   }
   if (!(options.ramp_s >= 0.1 && options.ramp_s <= 5.0)) {
-    refuseParameter("The torque must grow for 0.1 to 5 s", "--ramp", "Give seconds, such as 1");
+    refuseParameter(Text::verbatim("The torque must grow for 0.1 to 5 s"), Text::verbatim("--ramp"),
+                    Text::verbatim("Give seconds, such as 1"));
   }
   if (options.rings < 1 || options.rings > 12) {
-    refuseParameter("Elements need 1 to 12 rings", "--rings", "Give a whole number such as 4");
+    refuseParameter(Text::verbatim("Elements need 1 to 12 rings"), Text::verbatim("--rings"),
+                    Text::verbatim("Give a whole number such as 4"));
   }
   if (options.springs.substeps < 1 || options.springs.substeps > 1000) {
-    refuseParameter("A frame of the springs needs 1 to 1000 substeps", "--substeps",
-                    "Give a whole number such as 10");
+    refuseParameter(Text::verbatim("A frame of the springs needs 1 to 1000 substeps"),
+                    Text::verbatim("--substeps"), Text::verbatim("Give a whole number such as 10"));
   }
 }
 
@@ -133,7 +135,7 @@ class ComparisonBench {
       times_s.push_back(secondsSince(stepStart));
       run.course.push_back(coursePoint(model, frame * frame_s, torque_Nm));
       if (frame % 15 == 0) {
-        tellProgress(progress, Text("%1", title), std::min(1.0, 0.5 * frame / ramp));
+        tellProgress(progress, title, std::min(1.0, 0.5 * frame / ramp));
       }
       if (frame >= ramp + kRestFrames || (frame >= ramp && run.course.size() > 1 && stillAtOnce(id))) {
         const double before = run.course[run.course.size() - 1 - kRestFrames].angle_rad;
@@ -226,7 +228,7 @@ void runMovingModels(const ComparedOrgan& organ, const TwistModel& twist, const 
   const auto springs = massSpringSimulation(organ, twist, options.rings, options.springs);
   ModelResult msm =
       bench.runFrames("msm", "MSM (springs, XPBD)", organ, *springs, start, partOf(progress, 0.45, 0.6));
-  tellProgress(progress, "Equilibrium of elements and springs", 0.6);
+  tellProgress(progress, Text::tr("Equilibrium of elements and springs"), 0.6);
   auto waiting =
       std::async(std::launch::async, [&] { settleAndRead(*elements, result.torque_Nm, bench, fem); });
   settleAndRead(*springs, result.torque_Nm, bench, msm);
@@ -261,7 +263,7 @@ ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker
   const Material& material = scene.model.material();
   result.shearModulus_Pa = material.shearModulus_Pa;
 
-  tellProgress(progress, "Twist model", 0.0);
+  tellProgress(progress, Text::tr("Twist model"), 0.0);
   auto start = RunClock::now();
   TwistModelOptions twistOptions;  // about the organ's own axis, one end clamped, the other free
   const TwistModel twist(scene.mesh, scene.lattice(), material, twistOptions);
@@ -278,7 +280,7 @@ ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker
   organ.dynamics.drag_per_s =
       criticalDrag_per_s(organ.constants, organ.dynamics.density_kg_per_m3, result.length_m);
   ComparisonBench bench(scene, result);
-  tellProgress(progress, "Reference", 0.02);
+  tellProgress(progress, Text::tr("Reference"), 0.02);
   bench.runReference(organ);
   for (const auto& [id, title, model, setUp_s] :
        {std::tuple{"pm", "PM (twist model, Saint-Venant)", &twist, twistSetUp_s},
@@ -291,7 +293,7 @@ ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker
     result.models.push_back(std::move(run));
   }
   runMovingModels(organ, twist, bench, result, progress);
-  tellProgress(progress, "Writing", 1.0);
+  tellProgress(progress, Text::tr("Writing"), 1.0);
   return result;
 }
 

@@ -20,7 +20,8 @@ double unitInMetres(const CsvTable& table, std::size_t row) {
     return 1e-2;
   }
   if (unit != "m") {
-    table.refuse(row, Text("'%1' is no unit of length here", unit), "Use mm, cm or m");
+    table.refuse(row, Text::verbatim("'%1' is no unit of length here", unit),
+                 Text::verbatim("Use mm, cm or m"));
   }
   return 1.0;
 }
@@ -33,8 +34,8 @@ void takeSample(const CsvTable& table, std::size_t row, int markers, MeasuredSub
       unitInMetres(table, row) * Vec3{table.number(row, "x"), table.number(row, "y"), table.number(row, "z")};
   std::vector<MarkerSample>& samples = subject.markers[number];
   if (sample.time_s < 0.0 || (!samples.empty() && sample.time_s <= samples.back().time_s)) {
-    table.refuse(row, "Times are seconds from 0 that rise from sample to sample of a marker",
-                 "Sort the rows by time and drop repeated ones");
+    table.refuse(row, Text::verbatim("Times are seconds from 0 that rise from sample to sample of a marker"),
+                 Text::verbatim("Sort the rows by time and drop repeated ones"));
   }
   samples.push_back(sample);
 }
@@ -43,8 +44,8 @@ void takeSample(const CsvTable& table, std::size_t row, int markers, MeasuredSub
 
 std::vector<MeasuredSubject> readMeasuredMarkers(const std::filesystem::path& file, int markers) {
   if (markers < 1) {
-    refuse("This organ has no markers to compare measurements with", file.string(),
-           "Choose an organ with markers, such as arm");
+    refuse(Text::verbatim("This organ has no markers to compare measurements with"), file.string(),
+           Text::verbatim("Choose an organ with markers, such as arm"));
   }
   const CsvTable table = CsvTable::read(file, {"marker", "time", "x", "y", "z", "unit", "subject"});
   std::vector<MeasuredSubject> subjects;
@@ -61,13 +62,14 @@ std::vector<MeasuredSubject> readMeasuredMarkers(const std::filesystem::path& fi
   for (const MeasuredSubject& subject : subjects) {
     for (const auto& [number, samples] : subject.markers) {
       if (samples.size() < 2) {
-        refuse(Text("Marker %1 of subject '%2' has one sample only", number, subject.name), table.name(),
-               "Give its place at rest and at least one later");
+        refuse(Text::verbatim("Marker %1 of subject '%2' has one sample only", number, subject.name),
+               table.name(), Text::verbatim("Give its place at rest and at least one later"));
       }
     }
   }
   if (subjects.empty()) {
-    refuse("The file holds no measurements", table.name(), "Give at least two rows a marker");
+    refuse(Text::verbatim("The file holds no measurements"), table.name(),
+           Text::verbatim("Give at least two rows a marker"));
   }
   return subjects;
 }

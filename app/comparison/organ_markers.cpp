@@ -30,12 +30,13 @@ std::vector<OrganMarker> readOrganMarkers(const std::filesystem::path& assets, c
       marker.position_m = kMetresPerMillimetre * Vec3{place[0], place[1], place[2]};
       markers.push_back(marker);
       if (marker.number != static_cast<int>(markers.size()) || !isFinite(marker.position_m)) {
-        refuse("Markers count from 1, and each has a finite position", file.string(), "Correct the file");
+        refuse(Text::verbatim("Markers count from 1, and each has a finite position"), file.string(),
+               Text::verbatim("Correct the file"));
       }
     }
   } catch (const nlohmann::json::exception& reason) {
-    refuse(Text("The markers cannot be read: %1", std::string(reason.what())), file.string(),
-           "Correct the file");
+    refuse(Text::verbatim("The markers cannot be read: %1", std::string(reason.what())), file.string(),
+           Text::verbatim("Correct the file"));
   }
   return markers;
 }

@@ -8817,6 +8817,250 @@
         <source>the section %1 mm from the fixed end</source>
         <translation>距固定端 %1 毫米处的截面</translation>
     </message>
+    <message>
+        <source>load average %1</source>
+        <translation>系统负载 %1</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>处理器</translation>
+    </message>
+    <message>
+        <source>Cores</source>
+        <translation>核心数</translation>
+    </message>
+    <message>
+        <source>Load average at the start</source>
+        <translation>开始时的系统负载</translation>
+    </message>
+    <message>
+        <source>Compiler</source>
+        <translation>编译器</translation>
+    </message>
+    <message>
+        <source>Instruction set of the view</source>
+        <translation>显示所用指令集</translation>
+    </message>
+    <message>
+        <source>Lattice</source>
+        <translation type="unfinished">网格线</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>Torque at the free end</source>
+        <translation>自由端扭矩</translation>
+    </message>
+    <message>
+        <source>Shear modulus</source>
+        <translation>剪切模量</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio of the elements</source>
+        <translation>单元的泊松比</translation>
+    </message>
+    <message>
+        <source>Deformation time (Fig. 10), powers of ten</source>
+        <translation>形变时间（图 10），以 10 的幂表示</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>log10 of seconds of processing</source>
+        <translation>计算秒数的 log10</translation>
+    </message>
+    <message>
+        <source>whole twist</source>
+        <translation>整个扭转</translation>
+    </message>
+    <message>
+        <source>one frame</source>
+        <translation>单帧</translation>
+    </message>
+    <message>
+        <source>set-up</source>
+        <translation>准备</translation>
+    </message>
+    <message>
+        <source>The reference has no frames: its values are one step of the torque and all of them. Set-up is not part of the deformation time.</source>
+        <translation>参考解没有帧：其数值分别为一个扭矩步和全部扭矩步。准备时间不计入形变时间。</translation>
+    </message>
+    <message>
+        <source>processing time</source>
+        <translation>计算时间</translation>
+    </message>
+    <message>
+        <source>Displacement of the markers in equilibrium (Fig. 13)</source>
+        <translation>平衡时各标记点的位移（图 13）</translation>
+    </message>
+    <message>
+        <source>marker</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>displacement (mm)</source>
+        <translation>位移（mm）</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>实测</translation>
+    </message>
+    <message>
+        <source>Eq. 24</source>
+        <translation type="unfinished">式 (24)</translation>
+    </message>
+    <message>
+        <source>Displacement of marker %1 during the twist (Fig. 14)</source>
+        <translation>扭转过程中标记点 %1 的位移（图 14）</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>时间（s）</translation>
+    </message>
+    <message>
+        <source>Finite elements and springs have mass and follow the torque late; the others are in equilibrium at once. All values are in course.csv; what was measured goes by the name of the person.</source>
+        <translation>有限元与弹簧具有质量，对扭矩的响应有滞后；其余模型立即达到平衡。全部数值见 course.csv；实测数据以受测者的名称标示。</translation>
+    </message>
+    <message>
+        <source>Accuracy in equilibrium, against the reference</source>
+        <translation>平衡时相对参考解的精度</translation>
+    </message>
+    <message>
+        <source>end angle (deg)</source>
+        <translation>端部角度（°）</translation>
+    </message>
+    <message>
+        <source>RMSE (mm)</source>
+        <translation>RMSE（mm）</translation>
+    </message>
+    <message>
+        <source>markers RMSE (mm)</source>
+        <translation>标记点 RMSE（mm）</translation>
+    </message>
+    <message>
+        <source>course RMSE (mm)</source>
+        <translation>过程 RMSE（mm）</translation>
+    </message>
+    <message>
+        <source>roughness (mm)</source>
+        <translation>粗糙度（mm）</translation>
+    </message>
+    <message>
+        <source>radius change (%)</source>
+        <translation>半径变化（%）</translation>
+    </message>
+    <message>
+        <source>volume change (%)</source>
+        <translation>体积变化（%）</translation>
+    </message>
+    <message>
+        <source>energy (mJ)</source>
+        <translation>能量（mJ）</translation>
+    </message>
+    <message>
+        <source>%1 has no row: %2.</source>
+        <translation>%1 没有对应行：%2。</translation>
+    </message>
+    <message>
+        <source>RMSE: over all key points of the lattice. Roughness: what the radius of a key point changes differently from its four neighbours.</source>
+        <translation>RMSE：对点阵的全部关键点计算。粗糙度：关键点半径变化与其四个相邻点之差。</translation>
+    </message>
+    <message>
+        <source>Processing times</source>
+        <translation>计算时间</translation>
+    </message>
+    <message>
+        <source>unknowns</source>
+        <translation>未知量</translation>
+    </message>
+    <message>
+        <source>set-up (s)</source>
+        <translation>准备（s）</translation>
+    </message>
+    <message>
+        <source>frame, median (ms)</source>
+        <translation>单帧中位数（ms）</translation>
+    </message>
+    <message>
+        <source>frame, worst (ms)</source>
+        <translation>单帧最大值（ms）</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>帧数</translation>
+    </message>
+    <message>
+        <source>whole twist (s)</source>
+        <translation>整个扭转（s）</translation>
+    </message>
+    <message>
+        <source>then to equilibrium (s)</source>
+        <translation>其后至平衡（s）</translation>
+    </message>
+    <message>
+        <source>angle of the last frame (deg)</source>
+        <translation>最后一帧的角度（°）</translation>
+    </message>
+    <message>
+        <source>The twist model alone, without its mesh, updates all key points in %1 microseconds.</source>
+        <translation>仅扭转模型（不含网格）更新全部关键点需 %1 微秒。</translation>
+    </message>
+    <message>
+        <source>Comparison of twist models</source>
+        <translation>扭转模型比较</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished">时间</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>精度</translation>
+    </message>
+    <message>
+        <source>What these figures do not say</source>
+        <translation>这些数字没有说明的</translation>
+    </message>
+    <message>
+        <source>The twist model computes in advance; finite elements of small strain could do so too (one answer to one newton metre, scaled), as fast, but would swell with the angle. The comparison is with elements that bear large rotations.</source>
+        <translation>扭转模型预先计算；小应变有限元也可以这样做（对 1 N·m 求解一次再按比例缩放），速度相同，但会随角度增大而膨胀。此处比较的是能承受大转动的单元。</translation>
+    </message>
+    <message>
+        <source>Set-up counts when organ or tissue change: it is stated apart and not in the deformation time.</source>
+        <translation>更换器官或组织时需计入准备时间：单独列出，不计入形变时间。</translation>
+    </message>
+    <message>
+        <source>Linear tetrahedra lock: they are too stiff in torsion, the more so the coarser and the less compressible. More of them, or quadratic ones, would be more accurate and slower. Springs by position-based dynamics are as stiff as their substeps make them; their error is read in the equilibrium of the springs themselves.</source>
+        <translation>线性四面体会发生锁定：扭转时过硬，网格越粗、材料越不可压缩越明显。增加单元数或采用二次单元会更准确但更慢。基于位置动力学的弹簧刚度取决于子步数；其误差在弹簧自身的平衡状态下读取。</translation>
+    </message>
+    <message>
+        <source>The end is turned as a rigid body in its place; the twist model lets it warp and slide. The reference shares material, ends and lattice with the elements and not with a person: only measurements say which model is near to life, and bones are in none of them.</source>
+        <translation>端部在原位作为刚体转动；扭转模型则允许其翘曲和滑移。参考解的材料、端部条件和点阵与有限元相同，而非与真人相同：只有实测才能说明哪个模型更接近真实，且各模型均不含骨骼。</translation>
+    </message>
+    <message>
+        <source>The torques of the twist model as printed in the paper come from a cone in place of the membrane, and its rotation is linear: both errors grow with the torque.</source>
+        <translation>论文原式扭转模型的扭矩以圆锥代替薄膜求得，且其转动是线性的：两种误差均随扭矩增大。</translation>
+    </message>
+    <message>
+        <source>Equilibrium of elements and springs</source>
+        <translation>单元与弹簧的平衡</translation>
+    </message>
+    <message>
+        <source>Twist model</source>
+        <translation>扭转模型</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>参考解</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>正在写入</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

@@ -318,11 +318,13 @@ bool Equilibrium::advance(double torque_Nm, std::span<const double> move, TwistP
 
 EquilibriumReport Equilibrium::solve(double torque_Nm, TwistPose& pose) {
   const auto fail = [&] {
-    refuseParameter("No equilibrium was found for this torque", std::to_string(torque_Nm) + " N m",
-                    "Give a smaller torque, or more steps");
+    refuseParameter(Text::verbatim("No equilibrium was found for this torque"),
+                    std::to_string(torque_Nm) + " N m",
+                    Text::verbatim("Give a smaller torque, or more steps"));
   };
   if (!std::isfinite(torque_Nm)) {
-    refuseParameter("The torque must be finite", "torque", "Give it in newton metres");
+    refuseParameter(Text::verbatim("The torque must be finite"), Text::verbatim("torque"),
+                    Text::verbatim("Give it in newton metres"));
   }
   if (!evaluate(torque_Nm, pose)) {
     fail();
