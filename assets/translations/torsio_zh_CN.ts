@@ -8843,7 +8843,7 @@
     </message>
     <message>
         <source>Lattice</source>
-        <translation type="unfinished">网格线</translation>
+        <translation>网格线</translation>
     </message>
     <message>
         <source>Mesh</source>
@@ -8911,7 +8911,7 @@
     </message>
     <message>
         <source>Eq. 24</source>
-        <translation type="unfinished">式 (24)</translation>
+        <translation>式 (24)</translation>
     </message>
     <message>
         <source>Displacement of marker %1 during the twist (Fig. 14)</source>
@@ -9015,7 +9015,7 @@
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished">时间</translation>
+        <translation>时间</translation>
     </message>
     <message>
         <source>Accuracy</source>

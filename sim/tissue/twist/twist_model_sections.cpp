@@ -81,7 +81,8 @@ SectionProperties solvedOutline(SectionSolver& solver, LatticeOutline& outline, 
     return solver.solve(outline.points_m);
   } catch (const Error& error) {
     throw Error(error.code(), error.happened(),
-                Text::tr("the section %1 mm from the fixed end", std::to_string(1000.0 * arc_m)), error.remedy());
+                Text::tr("the section %1 mm from the fixed end", std::to_string(1000.0 * arc_m)),
+                error.remedy());
   }
 }
 

@@ -171,7 +171,8 @@ TEST_P(TwistViewOf, LiveKrigingAndPrecomputedKrigingAgreeToAMillionthOfTheRadius
   std::vector<double> arcs;
   std::vector<double> angles;  // at the sections, for one radian at the free end
   const TwistState unit{bar.length_m(), 1.0};
-  constexpr int kSamples = 321;  // the looked-up angle is an integral: the samples must be close to say as much
+  constexpr int kSamples =
+      321;  // the looked-up angle is an integral: the samples must be close to say as much
   for (int j = 0; j < kSamples; ++j) {
     arcs.push_back(std::min(bar.length_m(), bar.length_m() * j / (kSamples - 1)));
     angles.push_back(bar.model.angleAt(arcs.back(), unit));
