@@ -81,6 +81,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
         "sim/geometry/mesh",
         "sim/record",
         "sim/scene",
+        "sim/tissue/rod",
         "sim/tissue/section",
         "sim/tissue/twist"}},
       {"app/comparison",
