@@ -69,7 +69,8 @@ inline double elementEnergy_J(const RodElement& e, const RodStrain& strain) noex
   if (!(l > kLeastStretch)) {
     return kForbiddenEnergy_J;
   }
-  perLength += e.axial_N * (1.0 / 3.0) * rest3 * rest3 * (0.5 * l * l + 1.0 / l - 1.5);
+  // l^2 / 2 + 1 / l - 3 / 2, in the form that keeps its digits next to rest.
+  perLength += e.axial_N * (1.0 / 3.0) * rest3 * rest3 * ((l - 1.0) * (l - 1.0) * (l + 2.0) / (2.0 * l));
   const BendState bend = bendState(e.bendLimit, strain.curvature_per_m, l);
   if (bend.over > 0.0) {
     perLength += 0.5 * e.bendLimit.stiffness_N * bend.over * bend.over;

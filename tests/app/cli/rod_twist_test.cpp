@@ -221,5 +221,15 @@ TEST(RodTwist, OptionsWithoutMeaningAreRefused) {
   EXPECT_EQ(codeOf("--ends clamped-turned --shear-modulus -1"), static_cast<int>(ErrorCode::kBadParameter));
 }
 
+TEST(RodTwist, IsAsStiffUnderAThousandthOfADegreeAsUnderATenth) {
+  const fs::path folder = emptyFolder("torsio_rod_twist_small");
+  const std::string gripped = "--organ stomach --ends clamped-free --grasp 0.5 --angle ";
+
+  const double small_Nm = resultOf(gripped + "0.001", folder)["torque_nm"];
+  const double larger_Nm = resultOf(gripped + "0.1", folder)["torque_nm"];
+
+  EXPECT_NEAR(100.0 * small_Nm / larger_Nm, 1.0, 1e-4);
+}
+
 }  // namespace
 }  // namespace torsio
