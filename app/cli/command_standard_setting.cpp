@@ -12,6 +12,7 @@
 #include "app/base/csv_table.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
+#include "app/cli/rating_grid.h"
 #include "assessment/statistics/standard_setting.h"
 #include "sim/base/error.h"
 
@@ -81,15 +82,6 @@ Json contrastingGroupsJson(const CsvTable& table) {
     out["masters"] = {{"n", masters.size()}, {"mean", result.meanMasters}, {"sd", result.deviationMasters}};
     return out;
   });
-}
-
-std::size_t positionOf(std::vector<std::string>& names, const std::string& name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found != names.end()) {
-    return static_cast<std::size_t>(found - names.begin());
-  }
-  names.push_back(name);
-  return names.size() - 1;
 }
 
 Json angoffJson(const CsvTable& table) {

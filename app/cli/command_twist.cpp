@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/model_option.h"
 #include "app/cli/organ_option.h"
 #include "app/cli/rod_twist.h"
 #include "sim/base/angle.h"
@@ -31,8 +32,8 @@ struct TwistArguments {
   std::optional<double> angle_deg;
   std::optional<double> grasp;
   std::string ends;  // empty: a pattern of the scene
-  std::optional<double> shearModulus_Pa;
-  double poisson = 0.5;
+  ModelArguments model;
+  std::optional<double> poisson;
   bool allowFold = false;
   std::string out;
   bool json = false;
@@ -170,10 +171,16 @@ void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms
                 Text::verbatim("with --ends clamped-turned the upper face is turned, nothing is gripped"),
                 Text::verbatim("--grasp"), Text::verbatim("Leave it out, or give --ends clamped-free"));
   }
+  ModelArguments ofPatterns = arguments.model;
+  ofPatterns.shearModulus_Pa.reset();
+  if (changesModel(ofPatterns)) {
+    throw Error(ErrorCode::kUsage, Text::verbatim("these options change the model of a pattern, not the rod"),
+                "--ends " + arguments.ends, Text::verbatim("Leave out --ends, or the options of the model"));
+  }
   RodTwistRequest request;
   request.ends = free ? RodEnds::kClampedFree : RodEnds::kClampedTurned;
-  request.shearModulus_Pa = arguments.shearModulus_Pa.value_or(scene.model.material().shearModulus_Pa);
-  request.poisson = arguments.poisson;
+  request.shearModulus_Pa = arguments.model.shearModulus_Pa.value_or(scene.model.material().shearModulus_Pa);
+  request.poisson = arguments.poisson.value_or(request.poisson);
   request.angle_rad = angleOf_rad(arguments, scene);
   request.grasp = graspOf(arguments, scene);
   const auto twisting = SteadyClock::now();
@@ -211,12 +218,15 @@ void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms
 }
 
 void runTwist(const TwistArguments& arguments) {
-  if (arguments.ends.empty() && arguments.shearModulus_Pa) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("a pattern takes its material from the scene"),
-                Text::verbatim("--shear-modulus"), Text::verbatim("Give --ends too, or choose --material"));
+  if (arguments.ends.empty() && arguments.poisson) {
+    throw Error(ErrorCode::kUsage, Text::verbatim("a pattern is computed without Poisson's ratio"),
+                Text::verbatim("--nu"), Text::verbatim("Give --ends too, or leave it out"));
   }
   const auto started = SteadyClock::now();
-  const Scene scene = loadScene(sceneRequest(arguments.organ));
+  Scene scene = loadScene(sceneRequest(arguments.organ));
+  if (arguments.ends.empty() && changesModel(arguments.model)) {
+    scene.model = modelAsAsked(scene, arguments.model);
+  }
   const double setUp_ms = millisecondsSince(started);
   arguments.ends.empty() ? runPattern(arguments, scene, setUp_ms) : runRod(arguments, scene, setUp_ms);
 }
@@ -228,6 +238,7 @@ void addTwist(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("twist", "Twist an organ and say what it costs: angles, torque, volume");
   addOrganOptions(*command, arguments->organ);
+  addModelOptions(*command, arguments->model);
   command->add_option("--angle", arguments->angle_deg,
                       "Angle at the grasp in degrees; default: the pattern's target");
   command->add_option("--grasp", arguments->grasp,
@@ -238,10 +249,10 @@ void addTwist(CLI::App& program) {
           "Twist the organ as a curved rod: clamped-turned (the upper face is turned about its tangent, "
           "its place held) or clamped-free (the section at --grasp is turned); default: the pattern")
       ->check(CLI::IsMember({"clamped-turned", "clamped-free"}));
-  command->add_option("--shear-modulus", arguments->shearModulus_Pa,
-                      "G in pascal, with --ends; default: the material's");
-  command->add_option("--nu", arguments->poisson, "Poisson's ratio, with --ends: E = 2 G (1 + nu)")
-      ->capture_default_str();
+  command->add_option("--shear-modulus", arguments->model.shearModulus_Pa,
+                      "G in pascal; default: the material's");
+  command->add_option("--nu", arguments->poisson,
+                      "Poisson's ratio, with --ends: E = 2 G (1 + nu); default: 0.5");
   command->add_flag("--allow-fold", arguments->allowFold, "Also show a twist that folds the organ");
   command->add_option("--out", arguments->out,
                       "Write the twisted surface as PLY or OBJ, by its ending (millimetres)");

@@ -12,15 +12,6 @@ namespace torsio::cli {
 
 namespace {
 
-std::size_t positionOf(std::vector<std::string>& names, const std::string& name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found != names.end()) {
-    return static_cast<std::size_t>(found - names.begin());
-  }
-  names.push_back(name);
-  return names.size() - 1;
-}
-
 void refuseSecondScore(const CsvTable& table, std::size_t row, std::size_t firstRow,
                        const std::string& where) {
   table.refuse(row,
@@ -36,6 +27,15 @@ Outcome<std::vector<NumberTable>> incomplete(std::size_t missing, std::size_t wa
 }
 
 }  // namespace
+
+std::size_t positionOf(std::vector<std::string>& names, const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) {
+    return static_cast<std::size_t>(found - names.begin());
+  }
+  names.push_back(name);
+  return names.size() - 1;
+}
 
 RatingGrid readRatingGrid(const CsvTable& table) {
   RatingGrid grid;

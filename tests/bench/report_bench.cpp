@@ -287,7 +287,7 @@ int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   QApplication application(argc, argv);
   torsio::testing::StudyCentre centre;
-  CohortId cohortId;
+  torsio::CohortId cohortId;
   torsio::print("filling", torsio::milliseconds([&] { cohortId = torsio::fill(centre); }));
   std::printf("\n");
   const torsio::Verdict report = torsio::measureReport(centre, cohortId);

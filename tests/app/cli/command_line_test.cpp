@@ -235,5 +235,59 @@ TEST(CommandLine, ATwistOfAMeshTellsItsRepairsAndIsWrittenAsObj) {
   EXPECT_EQ(twisted.triangles.size(), bar.triangles.size());
 }
 
+class ModelOptions : public ::testing::Test {
+ protected:
+  nlohmann::json twist(const std::string& options) {
+    const ProgramRun run = runTorsio("twist --organ arm --angle 30 --json " + options, scratch_);
+    EXPECT_EQ(run.code, 0) << options << '\n' << run.err;
+    return nlohmann::json::parse(run.out);
+  }
+  double torque_Nm(const std::string& options) { return twist(options)["torque_nm"]; }
+
+  fs::path scratch_ = emptyFolder("model-options");
+};
+
+TEST_F(ModelOptions, ChangeTheTorqueAsTheirEquationsSay) {
+  const double plain_Nm = torque_Nm("");
+  const double peak = twist("")["peak_shear_pa"].get<double>() / 4000.0;  // strain; G of the arm is 4 kPa
+
+  // Linear in G; each correction stiffens or softens in its own direction.
+  EXPECT_NEAR(torque_Nm("--shear-modulus 8000") / plain_Nm, 2.0, 1e-12);
+  EXPECT_GT(torque_Nm("--restrained-ends"), plain_Nm);
+  EXPECT_LT(torque_Nm("--taper"), plain_Nm);
+  EXPECT_GT(torque_Nm("--foundation 0.5"), plain_Nm);
+  // T = (phi / C)(1 + (gamma / strain)^2), gamma at most the peak strain.
+  const double stiffened = torque_Nm("--stiffening " + std::to_string(peak)) / plain_Nm;
+  EXPECT_GT(stiffened, 1.0);
+  EXPECT_LE(stiffened, 2.0 + 1e-6);
+}
+
+TEST_F(ModelOptions, ChangeThePapersFormulationAsItsEquationsSay) {
+  const std::string paper = "--formulation paper --allow-fold ";
+  const nlohmann::json plain = twist(paper);
+
+  // Eq. 18: kappa grows by e^((M - 1) / beta) from the free end to the clamp: the clamp turns faster.
+  const nlohmann::json graded = twist(paper + "--beta 72");
+  EXPECT_GT(graded["profile"][1]["rate_rad_per_m"].get<double>(),
+            plain["profile"][1]["rate_rad_per_m"].get<double>());
+  // Component kriging (Eq. 15) meets the same angle at the grasp and moves the points between otherwise.
+  const nlohmann::json components = twist(paper + "--interpolation components --drift constant");
+  EXPECT_NEAR(components["torque_nm"].get<double>() / plain["torque_nm"].get<double>(), 1.0, 1e-4);
+  EXPECT_NE(components["volume_ratio"], plain["volume_ratio"]);
+  // Eq. 23 lifts the clamped face too, and with it the surface at that end.
+  EXPECT_NE(twist(paper + "--clamp-lift")["volume_ratio"], plain["volume_ratio"]);
+}
+
+TEST_F(ModelOptions, OfTheOtherFormulationOrOfTheRodAreRefused) {
+  for (const std::string options : {"--beta 10", "--clamp-lift", "--interpolation angle",
+                                    "--formulation paper --poynting", "--formulation paper --foundation 1",
+                                    "--formulation paper --taper", "--ends clamped-turned --taper"}) {
+    const ProgramRun run = runTorsio("twist --organ arm --angle 30 " + options, scratch_);
+    EXPECT_EQ(run.code, static_cast<int>(ErrorCode::kUsage)) << options << '\n' << run.err;
+  }
+  const ProgramRun zero = runTorsio("twist --organ arm --formulation paper --beta 0", scratch_);
+  EXPECT_EQ(zero.code, static_cast<int>(ErrorCode::kBadParameter)) << zero.err;
+}
+
 }  // namespace
 }  // namespace torsio

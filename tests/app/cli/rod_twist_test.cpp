@@ -216,7 +216,8 @@ TEST(RodTwist, OptionsWithoutMeaningAreRefused) {
   };
   EXPECT_EQ(codeOf("--ends hinged"), static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(codeOf("--ends clamped-turned --grasp 0.5"), static_cast<int>(ErrorCode::kUsage));
-  EXPECT_EQ(codeOf("--shear-modulus 5000"), static_cast<int>(ErrorCode::kUsage));
+  EXPECT_EQ(codeOf("--nu 0.4"), static_cast<int>(ErrorCode::kUsage));
+  EXPECT_EQ(codeOf("--ends clamped-turned --poynting"), static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(codeOf("--ends clamped-turned --nu 0.6"), static_cast<int>(ErrorCode::kBadParameter));
   EXPECT_EQ(codeOf("--ends clamped-turned --shear-modulus -1"), static_cast<int>(ErrorCode::kBadParameter));
 }
