@@ -104,15 +104,16 @@ LoadedRun loadRun(const MetricsArguments& arguments) {
 
 /// What the metrics ask of the scene, which must outlive the answer.
 OrganKnowledge organOf(const Scene& scene) {
-  return {.peakShear_Pa =
-              [&scene](double arc_m, double angle_rad) {
-                return scene.model.peakShear_Pa({arc_m, angle_rad});
-              },
-          .axisAt =
-              [&scene](double arc_m) {
-                const AxisFrame frame = scene.lattice().frameAt(arc_m);
-                return GraspAxis{frame.centre_m, frame.tangent};
-              }};
+  OrganKnowledge organ{.axisAt = [&scene](double arc_m) {
+    const AxisFrame frame = scene.graspFrame(arc_m, {});
+    return GraspAxis{frame.centre_m, frame.tangent};
+  }};
+  if (!scene.rod) {  // the shear of a rod depends on how it lies, which arc length and angle do not tell
+    organ.peakShear_Pa = [&scene](double arc_m, double angle_rad) {
+      return scene.model.peakShear_Pa({arc_m, angle_rad});
+    };
+  }
+  return organ;
 }
 
 const char* endingText(TwistEnding ending) {

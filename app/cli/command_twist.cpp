@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -124,17 +126,72 @@ void print(const nlohmann::ordered_json& result, bool json) {
   }
 }
 
+/// What the task of a pattern comes to for an organ that is a rod.
+nlohmann::ordered_json taskResult(const Scene& scene, const TaskPoint& point) {
+  static constexpr std::array kAxes{"own", "line", "instrument"};
+  nlohmann::ordered_json result;
+  result["axis"] = kAxes.at(static_cast<std::size_t>(scene.rod->task().axis));
+  result["angle_rad"] = point.angle_rad;
+  result["hand_rad"] = point.hand_rad;
+  result["torque_nm"] = point.torque_Nm;
+  result["force_n"] = point.force_N;
+  result["sharpest_bend"] = scene.rod->sharpestBend(point.pose);
+  return result;
+}
+
+nlohmann::ordered_json modelResult(const Scene& scene, const TwistState& state) {
+  const TwistSummary summary = scene.model.summary(state);
+  nlohmann::ordered_json result;
+  result["angle_rad"] = state.graspAngle_rad;
+  result["torque_nm"] = summary.torque_Nm;
+  result["compliance_rad_per_nm"] = scene.model.graspCompliance(state.graspArc_m);
+  result["max_displacement_m"] = summary.maxDisplacement_m;
+  result["radius_change"] = summary.maxRadiusGrowth;
+  return result;
+}
+
+/// Turns the organ as the pattern's task says until the measured turn is the one asked for.
+TaskPoint taskPoint(const TwistArguments& arguments, const Scene& scene) {
+  const double angle_rad = angleOf_rad(arguments, scene);
+  const std::vector<TaskPoint> path = scene.rod->follow(graspOf(arguments, scene), angle_rad);
+  if (std::abs(path.back().angle_rad) < std::abs(angle_rad)) {
+    throw Error(ErrorCode::kFolded,
+                Text::verbatim("the turn ends at %1 degrees: beyond it the organ folds, or the hand turns "
+                               "without it",
+                               std::to_string(degrees(path.back().angle_rad))),
+                Text::tr("organ %1", arguments.organ.organ), Text::verbatim("Twist less far."));
+  }
+  return atAngle(path, angle_rad);
+}
+
+nlohmann::ordered_json twistProfile(const Scene& scene, const RodPose& pose) {
+  nlohmann::ordered_json profile = nlohmann::ordered_json::array();
+  const SectionLattice& lattice = scene.lattice();
+  for (int j = 0; j < lattice.sections(); ++j) {
+    const double arc_m = lattice.sectionArc_m(j);
+    profile.push_back({{"s_m", arc_m}, {"rate_rad_per_m", scene.rod->twistRateAt(arc_m, pose)}});
+  }
+  return profile;
+}
+
 void runPattern(const TwistArguments& arguments, const Scene& scene, double setUp_ms) {
   const double length_m = scene.lattice().length_m();
-  const TwistState state{graspOf(arguments, scene) * length_m, angleOf_rad(arguments, scene)};
-
+  OrganState state;
+  nlohmann::ordered_json effect;
   const auto deforming = SteadyClock::now();
+  if (scene.rod) {
+    const TaskPoint point = taskPoint(arguments, scene);
+    state = {{graspOf(arguments, scene) * length_m, point.angle_rad}, point.pose};
+    effect = taskResult(scene, point);
+  } else {
+    state.twist = {graspOf(arguments, scene) * length_m, angleOf_rad(arguments, scene)};
+    effect = modelResult(scene, state.twist);
+  }
   std::vector<Vec3> twisted = scene.mesh.vertices_m;
-  scene.model.deform(state, twisted);
+  scene.deform(state, twisted);
   const double deform_ms = millisecondsSince(deforming);
-  const TwistSummary summary = scene.model.summary(state);
   const FoldReport fold = FoldCheck(scene.mesh, scene.lattice()).judge(twisted, [&](const Vec3& rest_m) {
-    return scene.model.toDeformed_m(rest_m, state);
+    return scene.toDeformed_m(rest_m, state);
   });
   requireUnfolded(fold, arguments);
   writeSurface(arguments, scene.mesh, std::move(twisted));
@@ -143,24 +200,21 @@ void runPattern(const TwistArguments& arguments, const Scene& scene, double setU
   addOrgan(result, scene, arguments);
   result["pattern"] = scene.pattern.id;
   result["formulation"] = scene.model.options().formulation == Formulation::kPaper ? "paper" : "saint-venant";
+  result["body"] = scene.rod ? "rod" : "bar";
   result["ridges"] = scene.lattice().ridges();
   result["sections"] = scene.lattice().sections();
   result["patches"] = scene.lattice().patches();
   result["length_m"] = length_m;
-  result["grasp_s_m"] = state.graspArc_m;
-  result["angle_rad"] = state.graspAngle_rad;
-  result["torque_nm"] = summary.torque_Nm;
-  result["compliance_rad_per_nm"] = scene.model.graspCompliance(state.graspArc_m);
-  result["max_displacement_m"] = summary.maxDisplacement_m;
-  result["radius_change"] = summary.maxRadiusGrowth;
+  result["grasp_s_m"] = state.twist.graspArc_m;
+  result.update(effect);
   addFold(result, fold);
-  result["peak_shear_pa"] = summary.peakShear_Pa;
+  result["peak_shear_pa"] = scene.peakShear_Pa(state);
   result["set_up_ms"] = setUp_ms;
   result["deform_ms"] = deform_ms;
   if (!arguments.out.empty()) {
     result["out"] = arguments.out;
   }
-  result["profile"] = angleProfile(scene.model, state);
+  result["profile"] = scene.rod ? twistProfile(scene, state.pose) : angleProfile(scene.model, state.twist);
   print(result, arguments.json);
 }
 

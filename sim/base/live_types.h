@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "sim/base/device_sample.h"
+#include "sim/base/rod_pose.h"
 
 namespace torsio {
 
@@ -85,6 +86,7 @@ struct ExerciseTimes {
   std::int64_t gripped_us = -1;
   std::int64_t released_us = -1;
   std::int64_t slipped_us = -1;
+  std::int64_t folded_us = -1;  ///< the jaw let go before the tissue folded
   std::int64_t returned_us = -1;
   friend constexpr bool operator==(const ExerciseTimes&, const ExerciseTimes&) = default;
 };
@@ -136,6 +138,7 @@ struct LiveState {
   /// Where the surface gives way under the jaw and under the shaft.
   std::array<ContactPatch, 2> patches{};
   ExerciseTimes times;
+  RodPose pose;  ///< of an organ that is a rod; no nodes: at rest
   /// Energy that the hand has put into the rendered force since that force was last zero; below 0 the hand
   /// got more back.
   double portEnergy_J = 0.0;

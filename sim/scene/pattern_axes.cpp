@@ -18,44 +18,33 @@ double reach_m(const SectionLattice& lattice, int j, const AxisFrame& frame, con
   return most;
 }
 
-void throughEnds(TwistOperation& operation, const SectionLattice& lattice) {
-  operation.axisFrom_m = lattice.frameAt(0.0).centre_m;
-  operation.axisTo_m = lattice.frameAt(lattice.length_m()).centre_m;
-  if (operation.coordinate != TwistCoordinate::kAlongAxis) {
-    return;
-  }
-  operation.from = 0.0;
-  operation.to = 1.0;
-  if (operation.peak) {
-    operation.peak = std::clamp(*operation.peak, 0.1, 0.9);
-  }
+void throughEnds(TurnTask& task, const SectionLattice& lattice) {
+  task.axisFrom_m = lattice.frameAt(0.0).centre_m;
+  task.axisTo_m = lattice.frameAt(lattice.length_m()).centre_m;
 }
 
-void acrossBend(TwistOperation& operation, const SectionLattice& lattice) {
+void acrossBend(TurnTask& task, const SectionLattice& lattice) {
   const int j = lattice.sections() / 2;
   const AxisFrame middle = lattice.frameAt(lattice.sectionArc_m(j));
   const Vec3 chord = 0.5 * (lattice.frameAt(0.0).centre_m + lattice.frameAt(lattice.length_m()).centre_m);
   const Vec3 towards = chord - middle.centre_m;
   const Vec3 across = towards - dot(towards, middle.tangent) * middle.tangent;
   const Vec3 inside = norm(across) > kStraight * lattice.length_m() ? normalized(across) : middle.e1;
-  operation.axisFrom_m = middle.centre_m + reach_m(lattice, j, middle, inside) * inside;
-  operation.axisTo_m = middle.centre_m - reach_m(lattice, j, middle, -inside) * inside;
+  task.axisFrom_m = middle.centre_m + reach_m(lattice, j, middle, inside) * inside;
+  task.axisTo_m = middle.centre_m - reach_m(lattice, j, middle, -inside) * inside;
 }
 
 }  // namespace
 
 TwistPattern patternFor(const SectionLattice& lattice, const PatternDescription& description) {
   TwistPattern pattern = description.pattern;
-  for (std::size_t i = 0; i < pattern.operations.size(); ++i) {
-    TwistOperation& operation = pattern.operations[i];
-    if (operation.axis != TwistAxis::kStraight) {
-      continue;
-    }
-    if (description.elsewhere[i] == AxisElsewhere::kEnds) {
-      throughEnds(operation, lattice);
-    } else {
-      acrossBend(operation, lattice);
-    }
+  if (!pattern.task) {
+    return pattern;
+  }
+  pattern.task->measured.reset();
+  if (pattern.task->axis == GripAxis::kLine) {
+    description.elsewhere == AxisElsewhere::kEnds ? throughEnds(*pattern.task, lattice)
+                                                  : acrossBend(*pattern.task, lattice);
   }
   return pattern;
 }

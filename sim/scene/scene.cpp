@@ -79,6 +79,10 @@ void replaceOrgan(SceneDescription& scene, const SceneRequest& request) {
     lattice.freeEnd_m = *request.freeEnd_m;
   }
   scene.lattice = lattice;
+  for (Restraint& restraint : scene.restraints) {
+    restraint.point_m.reset();  // landmarks of the shipped organ
+    restraint.anchor_m.reset();
+  }
 }
 
 void applyWishes(SceneDescription& scene, const SceneRequest& request) {
@@ -142,9 +146,17 @@ Scene loadScene(const SceneRequest& request) {
   TwistModelOptions options;
   options.formulation = description.formulation;
   options.ends = pattern.ends;
-  options.operations = pattern.operations;
   TwistModel model(mesh, lattice, description.material, options);
   CollisionMesh collision(mesh);
+  std::shared_ptr<const RodOrgan> rod;
+  if (pattern.task && description.formulation != Formulation::kPaper) {
+    rod = std::make_shared<const RodOrgan>(RodOrgan::Parts{.mesh = &mesh,
+                                                           .model = &model,
+                                                           .restraints = description.restraints,
+                                                           .task = *pattern.task,
+                                                           .graspArc = pattern.graspArc,
+                                                           .targetAngle_rad = pattern.targetAngle_rad});
+  }
   std::string parameters = parametersText(description, pattern, request.organFile.has_value());
   Digest digest;
   digest.update(parameters);
@@ -153,7 +165,7 @@ Scene loadScene(const SceneRequest& request) {
   return Scene{description.id,   description.title,      description.provenance, std::move(organHash),
                digest.hex(),     std::move(parameters),  std::move(mesh),        std::move(collision),
                std::move(model), description.instrument, std::move(chosen),      std::move(patterns),
-               repairs};
+               repairs,          std::move(rod)};
 }
 
 }  // namespace torsio

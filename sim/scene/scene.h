@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,8 +13,10 @@
 #include "sim/geometry/mesh/mesh_repair.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 #include "sim/geometry/query/collision_mesh.h"
+#include "sim/scene/organ_state.h"
+#include "sim/scene/rod_organ.h"
+#include "sim/scene/turn_task.h"
 #include "sim/tissue/twist/twist_model.h"
-#include "sim/tissue/twist/twist_operation.h"
 
 namespace torsio {
 
@@ -36,8 +40,8 @@ struct TwistPattern {
   double forceLimit_N = 3.3;  ///< tissue safety limit of the exercise
   double torqueLimit_Nm = 0.5;
   std::string source;  ///< clinical source of the angles
-  /// What the twist does to the organ, in this order; empty: one elastic twist about its own axis.
-  std::vector<TwistOperation> operations;
+  /// How the hand turns an organ that is a rod; none: a straight organ, twisted about its own axis.
+  std::optional<TurnTask> task;
 };
 
 /// Request for a scene: a scene file of assets/scenes, possibly with another organ.
@@ -73,8 +77,35 @@ struct Scene {
   TwistPattern pattern;
   std::vector<TwistPattern> patterns;  ///< all of the scene
   MeshRepairs repairs{};               ///< what had to be mended in the mesh
+  /// The organ as a rod, for a pattern with a task; null: `model` alone says how it twists. The paper's
+  /// formulation knows no rod.
+  std::shared_ptr<const RodOrgan> rod{};
 
   [[nodiscard]] const SectionLattice& lattice() const noexcept { return model.lattice(); }
+
+  /// Maps a point of the organ at rest to where it lies, without warping. In the tick.
+  [[nodiscard]] Vec3 toDeformed_m(const Vec3& rest_m, const OrganState& state) const noexcept;
+  /// Computes all mesh vertices as they lie, warped, into `out_m`, one entry a vertex.
+  void deform(const OrganState& state, std::span<Vec3> out_m) const noexcept;
+  /// Computes the shear stress of each patch of the lattice, Pa, as TwistModel::patchShear: from the twist of
+  /// the organ about its own axis.
+  void patchShear(const OrganState& state, std::span<double> out_Pa) const noexcept;
+  /// Returns the largest shear stress of the organ's surface, Pa.
+  [[nodiscard]] double peakShear_Pa(const OrganState& state) const noexcept;
+  /// Returns the axis that a hand at the pattern's grasp turns about, the organ at rest; e1 towards
+  /// `hand_m`.
+  [[nodiscard]] AxisFrame graspFrame(double arc_m, const Vec3& hand_m) const noexcept;
+
+  /// Returns where the pattern grips: arc length from the fixed end, m.
+  [[nodiscard]] double grasp_m() const noexcept;
+  /// Returns how the organ lies when the pattern is done by the book up to this angle: gripped at its grasp,
+  /// turned about its axis. A rod goes no further than a little beyond the target.
+  [[nodiscard]] OrganState stateAt(double angle_rad) const;
+  /// Returns the torque that holds stateAt(angle_rad), N m.
+  [[nodiscard]] double torqueAt_Nm(double angle_rad) const;
+  /// Returns how the organ lies under a torque at the pattern's grasp; of a rod the first state that needs
+  /// so much.
+  [[nodiscard]] OrganState stateForTorque(double torque_Nm) const;
 };
 
 /// Lists the ids of the scenes in assets/scenes, sorted.

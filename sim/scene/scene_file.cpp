@@ -17,6 +17,8 @@ namespace {
 
 constexpr double kMillimetre = 1e-3;
 constexpr double kLargestAngle_deg = 3600.0;
+constexpr double kLeastLine_m = 1e-3;
+constexpr int kMostSprings = 30;
 
 nlohmann::json readJson(const fs::path& file) {
   try {
@@ -65,32 +67,91 @@ LatticeOptions readLattice(JsonFields& parent) {
   return lattice;
 }
 
-TwistOperation readOperation(const nlohmann::json& json, const std::string& where, AxisElsewhere& elsewhere) {
-  JsonFields fields(json, where);
-  TwistOperation operation;
-  elsewhere = AxisElsewhere::kEnds;
-  if (fields.choice("axis", {"centreline", "straight"}, 0) == 1) {
-    operation.axis = TwistAxis::kStraight;
-    operation.axisFrom_m = fields.vector("axis_from_mm") * kMillimetre;
-    operation.axisTo_m = fields.vector("axis_to_mm") * kMillimetre;
-    operation.coordinate = fields.choice("coordinate", {"along-axis", "arc"}, 0) == 0
-                               ? TwistCoordinate::kAlongAxis
-                               : TwistCoordinate::kArc;
+Landmarks readLandmarks(JsonFields& parent, const std::string& where) {
+  JsonFields fields(parent.child("measured"), where + " measured");
+  Landmarks marks;
+  marks.from = fields.vector("from_mm") * kMillimetre;
+  marks.point = fields.vector("point_mm") * kMillimetre;
+  marks.to = fields.vector("to_mm") * kMillimetre;
+  if (norm(cross(marks.to - marks.from, marks.point - marks.from)) < kLeastLine_m * kLeastLine_m) {
+    fields.refuse("point_mm", Text::tr("lies on the line from from_mm to to_mm"),
+                  Text::tr("Choose landmarks at least a millimetre apart."));
+  }
+  fields.finish();
+  return marks;
+}
+
+TurnTask readTask(JsonFields& pattern, AxisElsewhere& elsewhere) {
+  constexpr GripAxis kAxes[] = {GripAxis::kOwn, GripAxis::kLine, GripAxis::kInstrument};
+  const std::string where = pattern.where() + " task";
+  JsonFields fields(pattern.child("task"), where);
+  TurnTask task;
+  task.axis = kAxes[fields.choice("axis", {"own", "line", "instrument"}, 0)];
+  if (task.axis == GripAxis::kLine) {
+    task.axisFrom_m = fields.vector("axis_from_mm") * kMillimetre;
+    task.axisTo_m = fields.vector("axis_to_mm") * kMillimetre;
+    if (norm(task.axisTo_m - task.axisFrom_m) < kLeastLine_m) {
+      fields.refuse("axis_to_mm", Text::tr("is less than a millimetre from axis_from_mm"),
+                    Text::tr("Choose landmarks farther apart."));
+    }
     elsewhere =
         fields.choice("elsewhere", {"ends", "bend"}, 0) == 0 ? AxisElsewhere::kEnds : AxisElsewhere::kBend;
   }
-  constexpr TwistProfile kProfiles[] = {TwistProfile::kElastic, TwistProfile::kRamp, TwistProfile::kTent,
-                                        TwistProfile::kSmoothRamp, TwistProfile::kSmoothTent};
-  operation.profile =
-      kProfiles[fields.choice("profile", {"elastic", "ramp", "tent", "smooth-ramp", "smooth-tent"}, 0)];
-  operation.from = fields.number("from", -10.0, 10.0, operation.from);
-  operation.to = fields.number("to", -10.0, 10.0, operation.to);
-  if (fields.has("peak")) {
-    operation.peak = fields.number("peak", -10.0, 10.0);
+  if (fields.has("measured")) {
+    task.measured = readLandmarks(fields, where);
   }
-  operation.ratio = fields.number("ratio", -10.0, 10.0, operation.ratio);
   fields.finish();
-  return operation;
+  return task;
+}
+
+Restraint readRestraint(const nlohmann::json& json, const std::string& where) {
+  constexpr SectionSide kSides[] = {SectionSide::kCentre, SectionSide::kInner, SectionSide::kOuter};
+  JsonFields fields(json, where);
+  Restraint restraint;
+  restraint.id = fields.text("id");
+  if (fields.has("at")) {
+    restraint.from = fields.number("at", 0.0, 1.0);
+    restraint.to = restraint.from;
+  } else {
+    restraint.from = fields.number("from", 0.0, 1.0);
+    restraint.to = fields.number("to", restraint.from, 1.0);
+    restraint.count = fields.integer("count", 1, kMostSprings, 1);
+  }
+  restraint.side = kSides[fields.choice("side", {"centre", "inner", "outer"}, 0)];
+  if (fields.has("point_mm")) {
+    restraint.point_m = fields.vector("point_mm") * kMillimetre;
+  }
+  if (fields.has("anchor_mm")) {
+    restraint.anchor_m = fields.vector("anchor_mm") * kMillimetre;
+  }
+  restraint.towardsChord = fields.choice("towards", {"itself", "chord"}, 0) == 1;
+  restraint.slack_m = fields.number("slack_mm", 0.0, 500.0, 0.0) * kMillimetre;
+  restraint.halfWidth_m = fields.number("half_width_mm", 0.0, 100.0, 0.0) * kMillimetre;
+  restraint.stiffness_N_per_m = fields.number("stiffness_n_per_mm", 0.0, 100.0, 0.0) / kMillimetre;
+  restraint.turn_Nm_per_rad = fields.number("turn_nmm_per_rad", 0.0, 10'000.0, 0.0) * kMillimetre;
+  restraint.source = fields.text("source");
+  if (restraint.point_m && restraint.count > 1) {
+    fields.refuse("point_mm", Text::tr("is one point for several springs"),
+                  Text::tr("Give 'side' instead, or one spring."));
+  }
+  fields.finish();
+  return restraint;
+}
+
+std::vector<Restraint> readRestraints(JsonFields& scene) {
+  std::vector<Restraint> restraints;
+  if (!scene.has("restraints")) {
+    return restraints;
+  }
+  const nlohmann::json& list = scene.child("restraints");
+  if (!list.is_array()) {
+    scene.refuse("restraints", Text::tr("must be a list"), Text::tr("Put it in brackets."));
+  }
+  for (const auto& entry : list) {
+    restraints.push_back(
+        readRestraint(entry, scene.where() + " restraint " + std::to_string(restraints.size() + 1)));
+  }
+  return restraints;
 }
 
 PatternDescription readPattern(const nlohmann::json& json, const std::string& where) {
@@ -107,16 +168,8 @@ PatternDescription readPattern(const nlohmann::json& json, const std::string& wh
   pattern.forceLimit_N = fields.number("force_limit_n", 0.1, 100.0);
   pattern.torqueLimit_Nm = fields.number("torque_limit_nm", 0.001, 100.0);
   pattern.source = fields.text("source");
-  if (fields.has("operations")) {
-    const nlohmann::json& operations = fields.child("operations");
-    if (!operations.is_array()) {
-      fields.refuse("operations", Text::tr("must be a list"), Text::tr("Put it in brackets."));
-    }
-    for (const auto& operation : operations) {
-      const std::string name = where + " operation " + std::to_string(pattern.operations.size() + 1);
-      pattern.operations.push_back(readOperation(operation, name, description.elsewhere.emplace_back()));
-    }
-    checkOperations(pattern.operations);
+  if (fields.has("task")) {
+    pattern.task = readTask(fields, description.elsewhere);
   }
   fields.finish();
   return description;
@@ -222,6 +275,7 @@ SceneDescription readSceneFile(const fs::path& assets, const std::string& id) {
                           ? Formulation::kSaintVenant
                           : Formulation::kPaper;
   scene.instrument = readInstrument(assets, fields.text("instrument"));
+  scene.restraints = readRestraints(fields);
   scene.patterns = readPatterns(fields);
   fields.finish();
   return scene;

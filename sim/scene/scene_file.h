@@ -12,7 +12,7 @@
 
 namespace torsio {
 
-/// Where the straight axis of an operation lies in an organ whose landmarks are not known.
+/// Where the line of a task lies in an organ whose landmarks are not known.
 enum class AxisElsewhere {
   kEnds,  ///< from the fixed to the free end: the long axis
   kBend,  ///< at half length, from the inside of the organ's bend to the outside: the short axis
@@ -21,7 +21,7 @@ enum class AxisElsewhere {
 /// A pattern as the scene file has it.
 struct PatternDescription {
   TwistPattern pattern;
-  std::vector<AxisElsewhere> elsewhere;  ///< one an operation; kEnds where it has no straight axis
+  AxisElsewhere elsewhere = AxisElsewhere::kEnds;  ///< of a task about a line
 };
 
 /// A scene file (assets/scenes/<id>.json) with the paths of the files that it names, before any geometry is
@@ -36,6 +36,7 @@ struct SceneDescription {
   Material material;
   Formulation formulation = Formulation::kSaintVenant;
   Instrument instrument;
+  std::vector<Restraint> restraints;  ///< of the organ where a pattern has a task
   std::vector<PatternDescription> patterns;  ///< at least one, ids all different
 };
 

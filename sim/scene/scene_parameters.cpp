@@ -18,7 +18,8 @@ constexpr int kFormat = 1;
 
 constexpr std::array kModes{"harmonic", "straight-axis", "automatic"};
 constexpr std::array kSpacings{"angle", "arc-length"};
-constexpr std::array kProfiles{"elastic", "ramp", "tent", "smooth-ramp", "smooth-tent"};
+constexpr std::array kAxes{"own", "line", "instrument"};
+constexpr std::array kSides{"centre", "inner", "outer"};
 constexpr std::array kFormulations{"saint-venant", "paper"};
 constexpr std::array kEnds{"clamped-free", "both-held"};
 
@@ -43,21 +44,38 @@ Json toJson(const LatticeOptions& lattice) {
           {"ridge_zero_fraction", lattice.ridgeZeroFraction}};
 }
 
-Json toJson(const TwistOperation& operation) {
+Json toJson(const TurnTask& task) {
   Json json;
-  json["axis"] = operation.axis == TwistAxis::kStraight ? "straight" : "centreline";
-  if (operation.axis == TwistAxis::kStraight) {
-    json["axis_from_m"] = toJson(operation.axisFrom_m);
-    json["axis_to_m"] = toJson(operation.axisTo_m);
-    json["coordinate"] = operation.coordinate == TwistCoordinate::kArc ? "arc" : "along-axis";
+  json["axis"] = nameOf(kAxes, task.axis);
+  if (task.axis == GripAxis::kLine) {
+    json["axis_from_m"] = toJson(task.axisFrom_m);
+    json["axis_to_m"] = toJson(task.axisTo_m);
   }
-  json["profile"] = nameOf(kProfiles, operation.profile);
-  json["from"] = operation.from;
-  json["to"] = operation.to;
-  if (operation.peak) {
-    json["peak"] = *operation.peak;
+  if (task.measured) {
+    json["measured_from_m"] = toJson(task.measured->from);
+    json["measured_point_m"] = toJson(task.measured->point);
+    json["measured_to_m"] = toJson(task.measured->to);
   }
-  json["ratio"] = operation.ratio;
+  return json;
+}
+
+Json toJson(const Restraint& restraint) {
+  Json json{{"id", restraint.id},
+            {"from", restraint.from},
+            {"to", restraint.to},
+            {"count", restraint.count},
+            {"side", nameOf(kSides, restraint.side)}};
+  if (restraint.point_m) {
+    json["point_m"] = toJson(*restraint.point_m);
+  }
+  if (restraint.anchor_m) {
+    json["anchor_m"] = toJson(*restraint.anchor_m);
+  }
+  json["towards_chord"] = restraint.towardsChord;
+  json["slack_m"] = restraint.slack_m;
+  json["half_width_m"] = restraint.halfWidth_m;
+  json["stiffness_n_per_m"] = restraint.stiffness_N_per_m;
+  json["turn_nm_per_rad"] = restraint.turn_Nm_per_rad;
   return json;
 }
 
@@ -102,9 +120,13 @@ std::string parametersText(const SceneDescription& scene, const TwistPattern& pa
                      {"ends", nameOf(kEnds, pattern.ends)},
                      {"force_limit_n", pattern.forceLimit_N},
                      {"torque_limit_nm", pattern.torqueLimit_Nm}};
-  json["operations"] = Json::array();
-  for (const TwistOperation& operation : pattern.operations) {
-    json["operations"].push_back(toJson(operation));
+  if (pattern.task) {
+    json["grasp"] = pattern.graspArc;
+    json["task"] = toJson(*pattern.task);
+    json["restraints"] = Json::array();
+    for (const Restraint& restraint : scene.restraints) {
+      json["restraints"].push_back(toJson(restraint));
+    }
   }
   return json.dump();
 }

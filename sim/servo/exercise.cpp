@@ -34,12 +34,6 @@ Cylindrical about(const AxisFrame& axis, const Vec3& point_m) noexcept {
   return c;
 }
 
-/// Turn of `to` against `from` about the unit vector `axis`, (-2 pi, 2 pi]: the twist of swing and twist.
-double turnAbout(const Vec3& axis, const Quat& from, const Quat& to) noexcept {
-  const Quat q = to * conjugate(from);
-  return 2.0 * portableAtan2(q.x * axis.x + q.y * axis.y + q.z * axis.z, q.w);
-}
-
 void check(const ExerciseOptions& options) {
   if (!(options.maxStiffness_N_per_m > 0.0) || !std::isfinite(options.maxStiffness_N_per_m) ||
       options.tickPeriod_us <= 0) {
@@ -80,13 +74,18 @@ bool Exercise::updateJaw(const ToolState& tool) noexcept {
 bool Exercise::grip(const Vec3& held_m, const ToolState& tool, const Scene& scene) noexcept {
   const Vec3& tip_m = tool.pose.position_m;
   const double arc_m = scene.lattice().nearestArc_m(held_m);
-  axis_ = scene.model.graspFrame(arc_m);
-  const double share = graspShare(scene.model, axis_, arc_m, held_m);
-  if (!(std::abs(share) > kLeastShare)) {
-    return false;  // held there: nothing to twist
+  if (scene.rod) {
+    rodGrasp_.close(*scene.rod, arc_m, tool.pose, organ_);
+    axis_ = rodGrasp_.axis();
+  } else {
+    axis_ = scene.model.graspFrame(arc_m);
+    const double share = graspShare(scene.model, axis_, arc_m, held_m);
+    if (!(std::abs(share) > kLeastShare)) {
+      return false;  // held there: nothing to twist
+    }
+    gain_ = 1.0 / share;
+    organ_.twist = {arc_m, 0.0};
   }
-  gain_ = 1.0 / share;
-  twist_ = {arc_m, 0.0};
   grippedAt_ = tool.pose.orientation;
   const Cylindrical at = about(axis_, tip_m);
   gripRadius_m_ = at.radius_m;
@@ -110,16 +109,30 @@ double Exercise::driveAngle(const ToolState& tool) const noexcept {
   return unwrapNear(portableAtan2(y, x), angle_rad_);
 }
 
-Vec3 Exercise::gripOffset(const ToolState& tool) const noexcept {
+Vec3 Exercise::gripOffset(const ToolState& tool, const Scene& scene) const noexcept {
+  if (scene.rod && scene.rod->task().axis != GripAxis::kOwn) {
+    return {};  // the coupling holds the place
+  }
   const Cylindrical at = about(axis_, tool.pose.position_m);
   return at.outwards * (at.radius_m - gripRadius_m_) + axis_.tangent * (at.height_m - gripHeight_m_);
 }
 
-bool Exercise::follow(const ToolState& tool) noexcept {
+std::uint32_t Exercise::follow(const ToolState& tool, const Scene& scene) noexcept {
   angle_rad_ = driveAngle(tool);
-  twist_.graspAngle_rad = (angle_rad_ - firstAngle_rad_) * gain_;
-  const Vec3 offset = gripOffset(tool);
-  return dot(offset, offset) <= kSlipWay_m * kSlipWay_m;
+  const double turn_rad = angle_rad_ - firstAngle_rad_;
+  bool slips = false;
+  if (scene.rod) {
+    rodGrasp_.follow(*scene.rod, tool.pose, turn_rad, options_.drive, tick_s(), organ_);
+    if (scene.rod->sharpestBend(organ_.pose) > kFoldingBend) {
+      return kEventFolded;
+    }
+    slips = rodGrasp_.drawnBeyond(kSlipWay_m);
+  } else {
+    organ_.twist.graspAngle_rad = turn_rad * gain_;
+  }
+  const Vec3 offset = gripOffset(tool, scene);
+  slips = slips || !(dot(offset, offset) <= kSlipWay_m * kSlipWay_m);
+  return slips ? kEventSlipped : kEventNone;
 }
 
 void Exercise::letGo(std::uint32_t why, std::uint32_t& events) noexcept {
@@ -127,12 +140,18 @@ void Exercise::letGo(std::uint32_t why, std::uint32_t& events) noexcept {
   events |= why;
 }
 
-void Exercise::relax(bool touching, std::uint32_t& events) noexcept {
-  twist_.graspAngle_rad *= returnFactor_;
-  if (std::abs(twist_.graspAngle_rad) > kAtRest_rad) {
-    return;
+void Exercise::relax(bool touching, const Scene& scene, std::uint32_t& events) noexcept {
+  if (scene.rod) {
+    if (rodGrasp_.relax(*scene.rod, tick_s(), organ_) == RodReturn::kMoving) {
+      return;
+    }
+  } else {
+    organ_.twist.graspAngle_rad *= returnFactor_;
+    if (std::abs(organ_.twist.graspAngle_rad) > kAtRest_rad) {
+      return;
+    }
+    organ_ = {};
   }
-  twist_ = {};
   phase_ = touching ? ExercisePhase::kContact : ExercisePhase::kTracking;
   events |= touching ? (kEventReturned | kEventTouched) : kEventReturned;
 }
@@ -164,7 +183,7 @@ void Exercise::moveOn(double gap_m, const std::optional<SurfacePoint>& held, con
     case ExercisePhase::kReleased:
       // A release is seen for one tick at least, also of an organ that was not turned.
       if ((events & kEventReleased) == 0) {
-        relax(touching, events);
+        relax(touching, scene, events);
       }
       break;
   }
@@ -190,12 +209,14 @@ TwistResponse Exercise::responseTo(const ToolTouch& at, const ToolState& tool, c
                                    std::array<ContactPatch, 2>& patches) noexcept {
   TwistResponse response;
   response.depth_m = std::max(0.0, -at.jaw.gap_m);
-  response.angle_rad = twist_.graspAngle_rad;
-  response.graspArc_m = twist_.graspArc_m;
+  response.angle_rad = organ_.twist.graspAngle_rad;
+  response.graspArc_m = organ_.twist.graspArc_m;
   if (phase_ == ExercisePhase::kTwisting) {
-    response.torque_Nm = scene.model.torque_Nm(twist_);
-    response.force_N =
-        scene.model.graspForce_N(twist_, tool.pose.position_m) - gripOffset(tool) * kGripStiffness_N_per_m;
+    const Vec3& tip_m = tool.pose.position_m;
+    response.torque_Nm = scene.rod ? rodGrasp_.torque_Nm() : scene.model.torque_Nm(organ_.twist);
+    response.force_N = scene.rod ? rodGrasp_.force_N(*scene.rod, tip_m)
+                                 : scene.model.graspForce_N(organ_.twist, tip_m);
+    response.force_N -= gripOffset(tool, scene) * kGripStiffness_N_per_m;
   }
   response.force_N += pushBack(at, patches);
   return response;
@@ -230,15 +251,15 @@ ExerciseStep Exercise::step(const ToolState& tool, const Scene& scene) noexcept 
   if (phase_ == ExercisePhase::kTwisting) {
     if (letGoNow) {
       letGo(kEventReleased, answer.events);
-    } else if (!follow(tool)) {
-      letGo(kEventReleased | kEventSlipped, answer.events);
+    } else if (const std::uint32_t end = follow(tool, scene); end != kEventNone) {
+      letGo(kEventReleased | end, answer.events);
     }
   }
   const ToolShape shape = toolShape(tool, scene.instrument);
-  const ToolTouch at = touchTool(shape, scene, twist_, phase_ == ExercisePhase::kTwisting);
+  const ToolTouch at = touchTool(shape, scene, organ_, phase_ == ExercisePhase::kTwisting);
   const bool closes = (closing || gripPending_) && !letGoNow &&
                       (phase_ == ExercisePhase::kTracking || phase_ == ExercisePhase::kContact);
-  const std::optional<SurfacePoint> held = closes ? tissueInMouth(shape, tool, scene) : std::nullopt;
+  const std::optional<SurfacePoint> held = closes ? tissueInMouth(shape, tool, scene, organ_) : std::nullopt;
   moveOn(std::min(at.jaw.gap_m, at.shaft.gap_m), held, tool, scene, answer.events);
   answer.phase = phase_;
   answer.response = responseTo(at, tool, scene, answer.patches);

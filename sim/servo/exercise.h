@@ -10,6 +10,7 @@
 #include "sim/base/tick_period.h"
 #include "sim/scene/scene.h"
 #include "sim/servo/contact_coupling.h"
+#include "sim/servo/rod_grasp.h"
 #include "sim/servo/tool_touch.h"
 
 namespace torsio {
@@ -25,6 +26,7 @@ enum ExerciseEvent : std::uint32_t {
   kEventReturned = 1U << 5,  ///< the organ is at rest again
   kEventShaftTouched = 1U << 6,
   kEventShaftLeft = 1U << 7,
+  kEventFolded = 1U << 8,  ///< with kEventReleased: the tissue would have folded, so the jaw let go
 };
 
 /// Events of one tick with their time, for readers that must not miss one.
@@ -99,8 +101,8 @@ class Exercise {
   void releaseTissue() noexcept { releaseAsked_ = true; }
 
   [[nodiscard]] ExercisePhase phase() const noexcept { return phase_; }
-  /// Returns the present deformation of the organ.
-  [[nodiscard]] const TwistState& twist() const noexcept { return twist_; }
+  /// Returns how the organ lies.
+  [[nodiscard]] const OrganState& organ() const noexcept { return organ_; }
 
  private:
   [[nodiscard]] bool updateJaw(const ToolState& tool) noexcept;
@@ -111,12 +113,13 @@ class Exercise {
                                                       const ToolTouch& at, const Scene& scene) const noexcept;
   [[nodiscard]] bool grip(const Vec3& held_m, const ToolState& tool, const Scene& scene) noexcept;
   [[nodiscard]] double driveAngle(const ToolState& tool) const noexcept;
-  /// Turns the organ with the tool. False when the jaw slipped off.
-  [[nodiscard]] bool follow(const ToolState& tool) noexcept;
+  /// Turns the organ with the tool. Returns the event that ends the grip, kEventNone while it holds.
+  [[nodiscard]] std::uint32_t follow(const ToolState& tool, const Scene& scene) noexcept;
   /// Returns the way of the tip along and across the axis since the grip.
-  [[nodiscard]] Vec3 gripOffset(const ToolState& tool) const noexcept;
+  [[nodiscard]] Vec3 gripOffset(const ToolState& tool, const Scene& scene) const noexcept;
   void letGo(std::uint32_t why, std::uint32_t& events) noexcept;
-  void relax(bool touching, std::uint32_t& events) noexcept;
+  void relax(bool touching, const Scene& scene, std::uint32_t& events) noexcept;
+  [[nodiscard]] double tick_s() const noexcept { return static_cast<double>(options_.tickPeriod_us) * 1e-6; }
   /// Makes the transition of this tick, if any.
   void moveOn(double gap_m, const std::optional<SurfacePoint>& held, const ToolState& tool,
               const Scene& scene, std::uint32_t& events) noexcept;
@@ -132,12 +135,13 @@ class Exercise {
   bool shaftTouched_ = false;
   double returnFactor_;  // of the angle, a tick
   ExercisePhase phase_ = ExercisePhase::kTracking;
-  TwistState twist_;
+  OrganState organ_;
   bool jawClosed_ = true;  // a jaw that is closed at the start grips nothing
   bool gripPending_ = false;
   bool releaseAsked_ = false;
 
   // Of the current grip.
+  RodGrasp rodGrasp_;  // of an organ that is a rod
   AxisFrame axis_;     // that the grasped section turns about
   double gain_ = 1.0;  // model angle for one radian of the tool
   double firstAngle_rad_ = 0.0;

@@ -26,9 +26,10 @@ struct Candidate {
   double facing = -1.0;  // cosine between the surface normal and the way out; -1: cannot be reached
 };
 
-Candidate candidateAt(const Scene& scene, const AxisFrame& axis, double arc_m, double angle_rad) {
+Candidate candidateAt(const Scene& scene, double arc_m, double angle_rad) {
   Candidate found;
   found.point_m = scene.lattice().surfacePoint({arc_m, angle_rad}).position_m;
+  const AxisFrame axis = scene.graspFrame(arc_m, found.point_m);
   const Vec3 way = found.point_m - axis.centre_m;
   const Vec3 arm = way - axis.tangent * dot(way, axis.tangent);
   if (norm(arm) < kSmallestArm_m) {
@@ -51,10 +52,9 @@ Candidate candidateAt(const Scene& scene, const AxisFrame& axis, double arc_m, d
 HandTask handTask(const Scene& scene) {
   const double fraction = std::clamp(scene.pattern.graspArc, kEndMargin, 1.0 - kEndMargin);
   const double arc_m = fraction * scene.lattice().length_m();
-  const AxisFrame axis = scene.model.graspFrame(arc_m);
   Candidate best;
   for (int i = 0; i < kDirections; ++i) {
-    const Candidate next = candidateAt(scene, axis, arc_m, 2.0 * kPi * i / kDirections);
+    const Candidate next = candidateAt(scene, arc_m, 2.0 * kPi * i / kDirections);
     if (next.facing > best.facing) {
       best = next;
     }
@@ -65,13 +65,16 @@ HandTask handTask(const Scene& scene) {
                 Text::verbatim("scene %1, pattern %2", scene.id, scene.pattern.id),
                 Text::verbatim("Choose another grasp section"));
   }
+  const AxisFrame axis = scene.graspFrame(arc_m, best.point_m);
   HandTask task;
   task.start_m = best.point_m + best.outwards * kStartWay_m;
   task.graspPoint_m = best.point_m;
   task.axisCentre_m = axis.centre_m;
   task.axisDirection = axis.tangent;
-  // Where the pattern still rises towards its peak, the gripped section turns by a part of the angle only.
-  task.targetAngle_rad = scene.pattern.targetAngle_rad * graspShare(scene.model, axis, arc_m, best.point_m);
+  // What the pattern measures is not what the hand turns: a grip may turn by a part of the angle only.
+  task.targetAngle_rad =
+      scene.rod ? atAngle(scene.rod->path(), scene.pattern.targetAngle_rad).hand_rad
+                : scene.pattern.targetAngle_rad * graspShare(scene.model, axis, arc_m, best.point_m);
   task.tipRadius_m = scene.instrument.tipRadius_m;
   return task;
 }

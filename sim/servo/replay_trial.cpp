@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "sim/base/error.h"
-#include "sim/device/virtual/replay_device.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
-#include "sim/servo/servo_loop.h"
+#include "sim/servo/trial_rerun.h"
 
 namespace torsio {
 
@@ -37,17 +36,6 @@ void requireKnownRules(const std::vector<Sample>& recorded, const TrialHeader& h
               Text::verbatim("the trial was recorded by rules that this version does not know"),
               Text::tr("trial %1", header.trialId),
               Text::verbatim("Replay it with the version that recorded it, or a newer one"));
-}
-
-DeviceCapabilities capabilitiesOf(const TrialHeader& header) {
-  DeviceCapabilities device;
-  device.model = header.deviceModel;
-  device.maxForce_N = header.deviceLimits.maxForce_N;
-  device.continuousForce_N = header.deviceLimits.continuousForce_N;
-  device.maxStiffness_N_per_m = header.deviceLimits.maxStiffness_N_per_m;
-  device.workspaceMin_m = header.deviceLimits.workspaceMin_m;
-  device.workspaceMax_m = header.deviceLimits.workspaceMax_m;
-  return device;
 }
 
 /// The first field in which the two differ, if any.
@@ -80,43 +68,6 @@ std::optional<ReplayDifference> difference(const Sample& recorded, const Sample&
   return ReplayDifference{recorded.tick, "device or command", 0.0, 0.0};
 }
 
-/// The servo loop on recorded input.
-class Rerun {
- public:
-  Rerun(const Scene& scene, const TrialHeader& header, const std::vector<Sample>& recorded)
-      : device_(deviceSamples(recorded), capabilitiesOf(header)),
-        loop_({.device = &device_, .scene = &scene, .commands = &commands_}, optionsOf(header, recorded)) {}
-
-  const Sample& next(const Sample& recorded) {
-    if (recorded.command.kind != ServoCommand::Kind::kNone) {
-      (void)commands_.push(recorded.command);
-    }
-    loop_.tick(recorded.device.time_us);
-    return loop_.lastSample();
-  }
-
- private:
-  static ServoOptions optionsOf(const TrialHeader& header, const std::vector<Sample>& recorded) {
-    ServoOptions options = servoOptions(header);
-    if (!recorded.empty()) {
-      options.rules = recorded.front().rules;
-    }
-    return options;
-  }
-  static std::vector<DeviceSample> deviceSamples(const std::vector<Sample>& recorded) {
-    std::vector<DeviceSample> samples;
-    samples.reserve(recorded.size());
-    for (const Sample& sample : recorded) {
-      samples.push_back(sample.device);
-    }
-    return samples;
-  }
-
-  SpscRing<ServoCommand> commands_{1};
-  ReplayDevice device_;
-  ServoLoop loop_;
-};
-
 }  // namespace
 
 ReplayReport replayTrial(const Scene& scene, const Trial& trial) {
@@ -127,7 +78,7 @@ ReplayReport replayTrial(const Scene& scene, const Trial& trial) {
   report.chunks = static_cast<std::int64_t>(trial.chunks.size());
   report.contentIntact = contentHash(trial) == trial.summary.contentHash;
 
-  Rerun rerun(scene, trial.header, recorded);
+  TrialRerun rerun(scene, trial.header, recorded.empty() ? kServoRules : recorded.front().rules);
   std::size_t at = 0;
   std::int64_t expectedTick = 0;
   for (const TrialChunk& chunk : trial.chunks) {

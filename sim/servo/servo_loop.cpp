@@ -139,6 +139,9 @@ void ServoLoop::noteEvents(const ExerciseStep& step) noexcept {
   if ((step.events & kEventSlipped) != 0) {
     times_.slipped_us = now_us;
   }
+  if ((step.events & kEventFolded) != 0) {
+    times_.folded_us = now_us;
+  }
   if ((step.events & kEventReturned) != 0) {
     times_.returned_us = now_us;
   }
@@ -212,6 +215,7 @@ void ServoLoop::publish() noexcept {
   live.deviceStatus = sample_.device.status;
   live.patches = patches_;
   live.times = times_;
+  live.pose = exercise_.organ().pose;
   live.portEnergy_J = passivity_.energy_J();
   links_.live->publish(live);
 }

@@ -56,6 +56,8 @@ class ServoLoop {
   [[nodiscard]] const Sample& lastSample() const noexcept { return sample_; }
   /// Returns the ExerciseEvent bits of the last tick.
   [[nodiscard]] std::uint32_t lastEvents() const noexcept { return events_; }
+  /// Returns how the organ lies after the last tick.
+  [[nodiscard]] const OrganState& organ() const noexcept { return exercise_.organ(); }
   /// Returns when the stages of the exercise were last reached.
   [[nodiscard]] const ExerciseTimes& times() const noexcept { return times_; }
   /// Returns the energy of the passivity observer, J.

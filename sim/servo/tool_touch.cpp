@@ -96,13 +96,14 @@ ToolTouch touchAll(Surface& surface, const PartTouch& tip, const ToolShape& shap
 
 /// The tip of a deformed organ. Far from the surface the map back to rest tells inside from outside; only
 /// deep inside the exact distance is worth its time.
+template <typename ToRest>
 PartTouch touchTip(DeformedSurface& surface, const ToolShape& shape, const Scene& scene,
-                   const TwistState& twist) noexcept {
+                   const ToRest& toRest_m) noexcept {
   const SegmentHit hit = surface.nearest({shape.tip_m, shape.tip_m}, kTipReach_m);
   if (hit.found) {
     return fromSurface(shape.tip_m, hit.surface, shape.tipRadius_m);
   }
-  const Vec3 rest_m = scene.model.toRest_m(shape.tip_m, twist);
+  const Vec3 rest_m = toRest_m(shape.tip_m);
   if (scene.collision.closest(rest_m).distance_m > 0.0) {
     return {};
   }
@@ -119,6 +120,52 @@ struct MovedVertices {
     return moved.map.vertex(moved.vertices[vertex]);
   }
 };
+
+/// The vertices as the skin of a rod moves them.
+struct RodVertices {
+  const RodSkin& skin;
+  RodCurve curve;
+
+  static Vec3 at(const void* self, std::uint32_t vertex) noexcept {
+    const auto& moved = *static_cast<const RodVertices*>(self);
+    return moved.skin.vertex_m(vertex, moved.curve);
+  }
+};
+
+/// Answers `ask(surface, toRest_m)` with the surface of the organ as it lies and the map back to rest.
+template <typename Ask>
+auto askDeformed(const Scene& scene, const OrganState& organ, const Ask& ask) noexcept {
+  if (scene.rod) {
+    const RodSkin& skin = scene.rod->skin();
+    const RodVertices moved{skin, skin.curveOf(organ.pose)};
+    DeformedSurface surface(scene.collision.patches(), {&moved, &RodVertices::at});
+    return ask(surface, [&](const Vec3& at_m) { return skin.toRest_m(at_m, moved.curve); });
+  }
+  const TwistModel::Tables& tables = scene.model.tables();
+  const MovedVertices moved{TwistMap(tables, scene.model.lattice(), organ.twist), tables.vertices};
+  DeformedSurface surface(scene.collision.patches(), {&moved, &MovedVertices::at});
+  return ask(surface, [&](const Vec3& at_m) { return scene.model.toRest_m(at_m, organ.twist); });
+}
+
+/// The surface point that the mouth reaches and that lies between the blades.
+template <typename Surface>
+std::optional<SurfacePoint> nearestInMouth(Surface& surface, const ToolShape& shape, const ToolState& tool,
+                                           double reach_m) noexcept {
+  const SurfacePoint atTip = surface.closest(shape.tip_m);
+  const SegmentHit hit = surface.nearest(shape.mouth, reach_m);
+  if (!hit.found && !(atTip.distance_m <= reach_m)) {
+    return std::nullopt;
+  }
+  const SurfacePoint found = hit.found ? hit.surface : atTip;  // else the mouth is deep inside
+  if (found.distance_m <= 0.0) {
+    return found;
+  }
+  const Vec3 inTool_m = rotate(conjugate(tool.pose.orientation), found.position_m - shape.shaft.from_m);
+  const double forward_m = -inTool_m.z;
+  const SinCos open = portableSinCos(kJawOpening_rad);
+  const bool between = forward_m > 0.0 && std::abs(inTool_m.y) * open.cos <= forward_m * open.sin;
+  return between ? std::optional(found) : std::nullopt;
+}
 
 }  // namespace
 
@@ -142,35 +189,30 @@ ToolShape toolShape(const ToolState& tool, const Instrument& instrument) noexcep
   return shape;
 }
 
-ToolTouch touchTool(const ToolShape& shape, const Scene& scene, const TwistState& twist,
+ToolTouch touchTool(const ToolShape& shape, const Scene& scene, const OrganState& organ,
                     bool holding) noexcept {
-  if (twist.graspAngle_rad == 0.0) {
+  if (organ.atRest()) {
     const PartTouch tip = fromSurface(shape.tip_m, scene.collision.closest(shape.tip_m), shape.tipRadius_m);
     return touchAll(scene.collision, tip, shape, holding);
   }
-  const TwistModel::Tables& tables = scene.model.tables();
-  const MovedVertices moved{TwistMap(tables, scene.model.lattice(), twist), tables.vertices};
-  DeformedSurface surface(scene.collision.patches(), {&moved, &MovedVertices::at});
-  return touchAll(surface, touchTip(surface, shape, scene, twist), shape, holding);
+  return askDeformed(scene, organ, [&](DeformedSurface& surface, const auto& toRest_m) {
+    return touchAll(surface, touchTip(surface, shape, scene, toRest_m), shape, holding);
+  });
 }
 
-std::optional<SurfacePoint> tissueInMouth(const ToolShape& shape, const ToolState& tool,
-                                          const Scene& scene) noexcept {
+std::optional<SurfacePoint> tissueInMouth(const ToolShape& shape, const ToolState& tool, const Scene& scene,
+                                          const OrganState& organ) noexcept {
   const double reach_m = scene.instrument.gripReach_m + shape.tipRadius_m;
-  const SurfacePoint atTip = scene.collision.closest(shape.tip_m);
-  const SegmentHit hit = scene.collision.nearest(shape.mouth, reach_m);
-  if (!hit.found && !(atTip.distance_m <= reach_m)) {
-    return std::nullopt;
+  if (organ.atRest()) {
+    return nearestInMouth(scene.collision, shape, tool, reach_m);
   }
-  const SurfacePoint found = hit.found ? hit.surface : atTip;  // else the mouth is deep inside
-  if (found.distance_m <= 0.0) {
+  return askDeformed(scene, organ, [&](DeformedSurface& surface, const auto& toRest_m) {
+    std::optional<SurfacePoint> found = nearestInMouth(surface, shape, tool, reach_m);
+    if (found) {
+      found->position_m = toRest_m(found->position_m);
+    }
     return found;
-  }
-  const Vec3 inTool_m = rotate(conjugate(tool.pose.orientation), found.position_m - shape.shaft.from_m);
-  const double forward_m = -inTool_m.z;
-  const SinCos open = portableSinCos(kJawOpening_rad);
-  const bool between = forward_m > 0.0 && std::abs(inTool_m.y) * open.cos <= forward_m * open.sin;
-  return between ? std::optional(found) : std::nullopt;
+  });
 }
 
 }  // namespace torsio

@@ -9,8 +9,8 @@
 #include "sim/base/device_sample.h"
 #include "sim/geometry/mesh/segment.h"
 #include "sim/geometry/query/surface_point.h"
+#include "sim/scene/organ_state.h"
 #include "sim/scene/scene.h"
-#include "sim/tissue/twist/twist_model.h"
 
 namespace torsio {
 
@@ -55,20 +55,20 @@ struct ToolTouch {
   PartTouch shaft;  ///< infinite gap beyond kLookAhead_m
 };
 
-/// Finds where the instrument touches the organ as `twist` has left it. A part whose axis lies outside has
+/// Finds where the instrument touches the organ as it lies. A part whose axis lies outside has
 /// the depth of the capsule; one whose axis has entered is as deep as the deepest of some points of the
 /// axis near the place of entry. `holding`: the blades are in the tissue and do not collide.
 ///
 /// At rest the rest hierarchy answers (CollisionMesh::nearest), else DeformedSurface over the vertices as the
 /// model moves them: the surface that is drawn. noexcept, allocation-free; runs in the servo tick, 3 to 10 us
 /// at rest.
-[[nodiscard]] ToolTouch touchTool(const ToolShape& shape, const Scene& scene, const TwistState& twist,
+[[nodiscard]] ToolTouch touchTool(const ToolShape& shape, const Scene& scene, const OrganState& organ,
                                   bool holding) noexcept;
 
-/// Finds the surface point of the organ at rest that closing the jaw would take hold of: the nearest to the
-/// mouth within `gripReach_m` of the tip's radius, if it lies between the open blades; nothing else can be
-/// held.
-[[nodiscard]] std::optional<SurfacePoint> tissueInMouth(const ToolShape& shape, const ToolState& tool,
-                                                        const Scene& scene) noexcept;
+/// Finds what closing the jaw would take hold of: the surface point nearest to the mouth within `gripReach_m`
+/// of the tip's radius, if it lies between the open blades; nothing else can be held. The point is given on
+/// the organ at rest.
+[[nodiscard]] std::optional<SurfacePoint> tissueInMouth(const ToolShape& shape, const ToolState& tool, const Scene& scene,
+                                                        const OrganState& organ) noexcept;
 
 }  // namespace torsio

@@ -47,6 +47,7 @@ std::shared_ptr<LoadedRecording> loadForShowing(BlindedRecording recording,
   try {
     auto scene = std::make_shared<const Scene>(loadScene(sceneOf(recording, assets)));
     checkScene(recording, *scene);
+    loaded->playback.setPoses(PoseTrack(*scene, loaded->playback.header(), loaded->playback.chunks()));
     loaded->view = makeViewScene(scene);
     loaded->scene = std::move(scene);
   } catch (const Error&) {
@@ -280,7 +281,7 @@ void ReplayPanel::frame(double elapsed_s) {
 void ReplayPanel::showState() {
   if (recording_ != nullptr && recording_->scene != nullptr) {
     const LiveState state = recording_->playback.state();
-    view_->setTwist({state.response.graspArc_m, state.response.angle_rad});
+    view_->setOrgan(organStateOf(state));
     view_->setTool(state.tool, state.grip);
     if (view_->draws()) {
       view_->redraw();

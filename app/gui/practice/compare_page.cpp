@@ -43,10 +43,6 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-double graspOf(const Scene& scene) {
-  return std::clamp(scene.pattern.graspArc, 0.0, 1.0) * scene.lattice().length_m();
-}
-
 }  // namespace
 
 ComparePage::ComparePage(ShellContext& context, QWidget* parent) : Page(context, parent) {
@@ -156,8 +152,7 @@ void ComparePage::adopt(std::array<LoadedScene, 2> scenes) {
     sides_[i].view->setScene(sides_[i].scene.view);
   }
   const Scene& scene = *sides_[1].scene.scene;
-  const double grasp_m = graspOf(scene);
-  top_Nm_ = kBeyondTarget * std::abs(scene.model.torque_Nm({grasp_m, scene.pattern.targetAngle_rad}));
+  top_Nm_ = kBeyondTarget * std::abs(scene.torqueAt_Nm(scene.pattern.targetAngle_rad));
   const QSignalBlocker quiet(torque_);
   torque_->setValue(static_cast<int>(kSteps / kBeyondTarget));
   setTorque(top_Nm_ / kBeyondTarget);
@@ -180,24 +175,24 @@ void ComparePage::apply() {
     vertices_m.resize(scene.mesh.vertices_m.size());
     QElapsedTimer timer;
     timer.start();
-    const TwistState state = scene.model.stateForTorque(graspOf(scene), torque_Nm_);
-    scene.model.deform(state, vertices_m);
+    const OrganState state = scene.stateForTorque(torque_Nm_);
+    scene.deform(state, vertices_m);
     side.times_us.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-3);
     if (side.times_us.size() > kTimesKept) {
       side.times_us.erase(side.times_us.begin());
     }
-    side.view->setTwist(state);
+    side.view->setOrgan(state);
     show(side);
   }
 }
 
 void ComparePage::show(Side& side) {
   const Scene& scene = *side.scene.scene;
-  const TwistState state = scene.model.stateForTorque(graspOf(scene), torque_Nm_);
+  const OrganState state = scene.stateForTorque(torque_Nm_);
   const QLocale locale;
-  side.angle->setText(tr("Angle  %1\u00b0").arg(locale.toString(degrees(state.graspAngle_rad), 'f', 1)));
+  side.angle->setText(tr("Angle  %1\u00b0").arg(locale.toString(degrees(state.twist.graspAngle_rad), 'f', 1)));
   side.shear->setText(
-      tr("Largest shear  %1 kPa").arg(locale.toString(scene.model.peakShear_Pa(state) / 1000.0, 'f', 2)));
+      tr("Largest shear  %1 kPa").arg(locale.toString(scene.peakShear_Pa(state) / 1000.0, 'f', 2)));
   side.time->setText(tr("Computed in  %1 \u00b5s").arg(locale.toString(median(side.times_us), 'f', 0)));
 }
 

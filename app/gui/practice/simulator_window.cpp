@@ -279,7 +279,7 @@ void SimulatorWindow::showTool(const LiveState& state) {
   const bool live = controller_->playback() == nullptr;
   std::optional<Vec3> axis;
   if (holds && live && controller_->toolRidesOnTissue()) {
-    axis = scene.model.graspFrame(state.response.graspArc_m).tangent;
+    axis = scene.graspFrame(state.response.graspArc_m, state.tool.position_m).tangent;
   }
   pointer_->setHeldAxis(axis);
   const std::optional<SurfacePoint> near = controller_->nearby(state);
@@ -288,8 +288,7 @@ void SimulatorWindow::showTool(const LiveState& state) {
   Pose pose = state.tool;
   // A hand that twists by turning stays in place; what is drawn goes round with the tissue that it holds.
   if (controller_->toolRidesOnTissue() && (holds || state.phase == ExercisePhase::kReleased)) {
-    pose.position_m =
-        scene.model.toDeformed_m(pose.position_m, {state.response.graspArc_m, state.response.angle_rad});
+    pose.position_m = scene.toDeformed_m(pose.position_m, organStateOf(state));
   }
   view_->setTool(pose, state.grip);
 }
@@ -362,8 +361,7 @@ void SimulatorWindow::showGhost() {
     view_->setGhost(std::nullopt);
     return;
   }
-  const double grasp_m = std::clamp(scene->pattern.graspArc, 0.0, 1.0) * scene->lattice().length_m();
-  view_->setGhost(TwistState{grasp_m, controller_->target_rad()});
+  view_->setGhost(scene->stateAt(controller_->target_rad()));
 }
 
 void SimulatorWindow::showTitle() {

@@ -69,8 +69,7 @@ struct Stage {
     window.controller().adopt(request.scene, std::move(loaded));
     if (request.ghost) {
       const Scene& scene = *window.controller().scene();
-      const double grasp_m = scene.pattern.graspArc * scene.lattice().length_m();
-      view.setGhost(TwistState{grasp_m, window.controller().target_rad()});
+      view.setGhost(scene.stateAt(window.controller().target_rad()));
     }
     view.camera().orbit({-request.orbit_deg / OrbitCamera::kDegreesPerPixel, 0.0});
     view.camera().zoom(request.zoom);

@@ -99,9 +99,7 @@ ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene, const std::st
   }
   view.lines = latticeLines(*scene);
   view.shear = ShearMap(scene);
-  view.deform = [scene](const TwistState& state, std::span<Vec3> out_m) {
-    scene->model.deform(state, out_m);
-  };
+  view.deform = [scene](const OrganState& state, std::span<Vec3> out_m) { scene->deform(state, out_m); };
   return view;
 }
 
@@ -216,7 +214,7 @@ void SceneView::setRootProperty(const char* name, const QVariant& value) {
 void SceneView::setScene(const ViewScene& view) {
   view_ = view;
   deformed_m_.assign(view_.surface.vertices().size(), Vec3{});
-  shown_ = TwistState{};
+  shown_ = OrganState{};
   QVector3D low(1e9F, 1e9F, 1e9F);
   QVector3D high = -low;
   for (const SurfaceVertex& v : view_.surface.vertices()) {
@@ -264,7 +262,7 @@ void SceneView::showLook(const TissueLook& look) {
   setRootProperty("relief", QVector3D(look.relief_mm[0], look.relief_mm[1], look.relief_mm[2]));
 }
 
-void SceneView::setTwist(const TwistState& state) {
+void SceneView::setOrgan(const OrganState& state) {
   if (!view_.deform || (shown_.has_value() && *shown_ == state)) {
     return;
   }
@@ -278,11 +276,11 @@ void SceneView::setTissue(const LiveState& state) {
   if (!view_.deform) {
     return;
   }
-  const TwistState twist{state.response.graspArc_m, state.response.angle_rad};
+  const OrganState organ = organStateOf(state);
   const bool touched = state.patches[0].depth_m > 0.0 || state.patches[1].depth_m > 0.0;
-  if (touched || dented_ || !shown_.has_value() || *shown_ != twist) {
-    shown_ = twist;
-    view_.deform(twist, deformed_m_);
+  if (touched || dented_ || !shown_.has_value() || *shown_ != organ) {
+    shown_ = organ;
+    view_.deform(organ, deformed_m_);
     dented_ = indentSurface(state, deformed_m_);
     showSkin();
   }
@@ -345,7 +343,7 @@ void SceneView::setShearVisible(bool visible) {
   }
   setRootProperty("stressVisible", visible);
   if (!shown_.has_value()) {
-    shown_ = TwistState{};
+    shown_ = OrganState{};
   }
   if (visible) {
     view_.deform(*shown_, deformed_m_);
@@ -371,7 +369,7 @@ void SceneView::placeMarkers() {
   markers_->setMarkers(places, kMarkerRadius * organRadius_);
 }
 
-void SceneView::setGhost(const std::optional<TwistState>& state) {
+void SceneView::setGhost(const std::optional<OrganState>& state) {
   setRootProperty("ghostVisible", state.has_value());
   if (!state || root_ == nullptr || !view_.deform) {
     return;

@@ -25,7 +25,7 @@
 #include "app/gui/scene/tissue_skin.h"
 #include "sim/base/live_types.h"
 #include "sim/base/pose.h"
-#include "sim/tissue/twist/twist_model.h"
+#include "sim/scene/organ_state.h"
 
 class QQuickItem;
 class QQuickWidget;
@@ -48,7 +48,7 @@ struct ViewScene {
   ShearMap shear;                   ///< empty: no map can be shown
   std::vector<SkinAnchor> markers;  ///< empty: the organ has none
   /// The vertices for a state of twist, one a vertex of the surface, metres. GUI thread.
-  std::function<void(const TwistState&, std::span<Vec3>)> deform;
+  std::function<void(const OrganState&, std::span<Vec3>)> deform;
 };
 
 /// Surface, overlay lines and colours of a scene. Slow (fractions of a second); asks scene->collision, so
@@ -88,7 +88,7 @@ class SceneView : public QWidget {
   void forgetScene();
   void setInstrument(const InstrumentParts& parts);
   /// Moves the skin; does nothing when the state is the shown one.
-  void setTwist(const TwistState& state);
+  void setOrgan(const OrganState& state);
   /// Moves the skin, with the dents under the instrument and the force that the tissue answers with.
   void setTissue(const LiveState& state);
   /// An arrow at a world point along the force on the tool; nothing below what a hand feels.
@@ -98,7 +98,7 @@ class SceneView : public QWidget {
   [[nodiscard]] bool shearVisible() const noexcept { return shearVisible_; }
   void setMarkersVisible(bool visible);
   /// A translucent organ at the pose to reach; nothing: none.
-  void setGhost(const std::optional<TwistState>& state);
+  void setGhost(const std::optional<OrganState>& state);
   /// `grip`: 0 open .. 1 closed.
   void setTool(const Pose& pose, double grip);
   void setToolVisible(bool visible);
@@ -158,7 +158,7 @@ class SceneView : public QWidget {
 
   ViewScene view_;
   std::vector<Vec3> deformed_m_;
-  std::optional<TwistState> shown_;
+  std::optional<OrganState> shown_;
   bool dented_ = false;
   bool shearVisible_ = false;
   bool markersVisible_ = false;

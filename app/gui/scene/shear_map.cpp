@@ -50,14 +50,12 @@ ShearMap::ShearMap(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)
     weights_[v].weights = {(1.0F - s) * (1.0F - t), (1.0F - s) * t, s * (1.0F - t), s * t};
   }
   patch_Pa_.resize(static_cast<std::size_t>(lattice.patches()));
-  const TwistPattern& pattern = scene_->pattern;
-  const double grasp_m = std::clamp(pattern.graspArc, 0.0, 1.0) * lattice.length_m();
-  top_Pa_ = scene_->model.peakShear_Pa({grasp_m, pattern.targetAngle_rad});
+  top_Pa_ = scene_->peakShear_Pa(scene_->stateAt(scene_->pattern.targetAngle_rad));
 }
 
-void ShearMap::evaluate(const TwistState& state, std::span<float> share) {
+void ShearMap::evaluate(const OrganState& state, std::span<float> share) {
   TORSIO_EXPECTS(share.size() == weights_.size());
-  scene_->model.patchShear(state, patch_Pa_);
+  scene_->patchShear(state, patch_Pa_);
   const float scale = top_Pa_ > 0.0 ? static_cast<float>(1.0 / top_Pa_) : 0.0F;
   for (std::size_t v = 0; v < share.size(); ++v) {
     float stress_Pa = 0.0F;

@@ -21,7 +21,7 @@ class ShearMap {
   /// means the same all the time.
   [[nodiscard]] double top_Pa() const noexcept { return top_Pa_; }
   /// Share of the scale at each vertex of the mesh, 0..1 (above the scale: 1).
-  void evaluate(const TwistState& state, std::span<float> share);
+  void evaluate(const OrganState& state, std::span<float> share);
   [[nodiscard]] bool empty() const noexcept { return scene_ == nullptr; }
 
  private:

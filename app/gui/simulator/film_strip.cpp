@@ -104,12 +104,11 @@ std::vector<StripMoment> stripMoments(const TrialPlayback& playback) {
 }
 
 std::vector<StripFrame> captureStrip(SceneView& view, const Scene& scene, double last_rad) {
-  const double grasp_m = std::clamp(scene.pattern.graspArc, 0.0, 1.0) * scene.lattice().length_m();
   view.setToolVisible(false);
   view.setForce({}, {});
   std::vector<StripFrame> frames;
   for (const double angle_rad : stripAngles_rad(last_rad)) {
-    view.setTwist({grasp_m, angle_rad});
+    view.setOrgan(scene.stateAt(angle_rad));
     frames.push_back({angleCaption(angle_rad), view.picture()});
   }
   view.setToolVisible(true);

@@ -108,15 +108,19 @@ void SimulationController::loadFor(const SceneRequest& request, std::shared_ptr<
   workers_.clear();  // what has not begun yet is overtaken
   workers_.start([this, ticket, request, trial, loader = loader_] {
     auto loaded = std::make_shared<LoadedScene>();
+    auto poses = std::make_shared<PoseTrack>();
     std::exception_ptr problem;
     try {
       *loaded = trial ? loadRecorded(loader, request, trial->header) : loader(request);
+      if (trial) {
+        *poses = PoseTrack(*loaded->scene, trial->header, trial->chunks);
+      }
     } catch (...) {
       problem = std::current_exception();
     }
     QMetaObject::invokeMethod(
         this,
-        [this, ticket, request, trial, loaded, problem] {
+        [this, ticket, request, trial, loaded, poses, problem] {
           if (ticket != wanted_) {
             return;
           }
@@ -129,6 +133,7 @@ void SimulationController::loadFor(const SceneRequest& request, std::shared_ptr<
             std::optional<TrialPlayback> playback;
             if (trial) {
               playback.emplace(*trial);
+              playback->setPoses(std::move(*poses));
             }
             replace(request, std::move(*loaded), std::move(playback));
           });

@@ -111,6 +111,7 @@ LiveState TrialPlayback::state() const {
   }
   LiveState state = liveStateOf(*at);
   state.targetAngle_rad = target_rad;
+  state.pose = poses_.at(at->device.time_us);
   return state;
 }
 

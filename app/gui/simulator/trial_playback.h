@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "sim/base/live_types.h"
 #include "sim/record/trial.h"
+#include "sim/servo/pose_track.h"
 
 namespace torsio::gui {
 
@@ -41,6 +43,9 @@ class TrialPlayback {
   /// Moves on when playing; stops at the end.
   void advance(double elapsed_s) noexcept;
 
+  /// Gives the shapes of an organ that is a rod, which a recording does not hold.
+  void setPoses(PoseTrack poses) { poses_ = std::move(poses); }
+
   /// What was shown at this instant. The chunk is found by halving and decoded unless it is at hand: a
   /// recording of hours answers as fast as one of seconds (about a millisecond).
   [[nodiscard]] LiveState state() const;
@@ -60,6 +65,7 @@ class TrialPlayback {
   TrialHeader header_;
   std::vector<TrialChunk> chunks_;
   std::vector<Place> places_;  // one a chunk
+  PoseTrack poses_;
   std::int64_t duration_us_ = 0;
   std::int64_t position_us_ = 0;
   double speed_ = 1.0;

@@ -62,7 +62,7 @@ void LiveScene::frame(double elapsed_s) {
     return;
   }
   const LiveState state = controller_->state();
-  view_->setTwist({state.response.graspArc_m, state.response.angle_rad});
+  view_->setOrgan(organStateOf(state));
   showTool(state);
   tell();  // of the round before, when nothing moved and nothing was drawn
   untold_ = state;
@@ -83,7 +83,7 @@ void LiveScene::showTool(const LiveState& state) {
   const bool rides = controller_->toolRidesOnTissue();
   std::optional<Vec3> axis;
   if (holds && rides && controller_->playback() == nullptr) {
-    axis = scene.model.graspFrame(state.response.graspArc_m).tangent;
+    axis = scene.graspFrame(state.response.graspArc_m, state.tool.position_m).tangent;
   }
   pointer_->setHeldAxis(axis);
   const std::optional<SurfacePoint> near = controller_->nearby(state);
@@ -92,8 +92,7 @@ void LiveScene::showTool(const LiveState& state) {
   Pose pose = state.tool;
   // A hand that twists by turning stays in place; what is drawn goes round with the tissue that it holds.
   if (rides && (holds || state.phase == ExercisePhase::kReleased)) {
-    pose.position_m =
-        scene.model.toDeformed_m(pose.position_m, {state.response.graspArc_m, state.response.angle_rad});
+    pose.position_m = scene.toDeformed_m(pose.position_m, organStateOf(state));
   }
   view_->setTool(pose, state.grip);
 }

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "sim/tissue/rod/rod_pose.h"
+#include "sim/base/rod_pose.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 
 #include "sim/tissue/rod/restraint.h"
 #include "sim/tissue/rod/rod_algebra.h"
-#include "sim/tissue/rod/rod_pose.h"
+#include "sim/base/rod_pose.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/tissue/rod/rod.h"
-#include "sim/tissue/rod/rod_pose.h"
+#include "sim/base/rod_pose.h"
 #include "sim/tissue/twist/twist_model_sections.h"
 
 namespace torsio {

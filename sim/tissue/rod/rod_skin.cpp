@@ -327,7 +327,7 @@ Vec3 RodSkin::toRest_m(const Vec3& deformed_m, const RodCurve& curve) const noex
 
 void RodSkin::deform(const RodCurve& curve, std::span<Vec3> out_m) const noexcept {
   for (std::size_t v = 0; v < vertices_.size() && v < out_m.size(); ++v) {
-    out_m[v] = positionOf_m(vertices_[v], curve);
+    out_m[v] = vertex_m(v, curve);
   }
 }
 

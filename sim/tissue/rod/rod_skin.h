@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/base/vec3.h"
-#include "sim/tissue/rod/rod_pose.h"
+#include "sim/base/rod_pose.h"
 #include "sim/tissue/rod/rod_sections.h"
 
 namespace torsio {
@@ -69,6 +69,10 @@ class RodSkin {
   [[nodiscard]] Vec3 toDeformed_m(const Vec3& rest_m, const RodCurve& curve) const noexcept;
   /// Maps a point near the organ as it is back to where it would be at rest: the inverse of toDeformed_m.
   [[nodiscard]] Vec3 toRest_m(const Vec3& deformed_m, const RodCurve& curve) const noexcept;
+  /// Returns where a vertex of the mesh lies, warped.
+  [[nodiscard]] Vec3 vertex_m(std::size_t vertex, const RodCurve& curve) const noexcept {
+    return positionOf_m(vertices_[vertex], curve);
+  }
   /// Computes the vertices of the mesh into `out_m`, one entry a vertex.
   void deform(const RodCurve& curve, std::span<Vec3> out_m) const noexcept;
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "sim/tissue/rod/grip.h"
-#include "sim/tissue/rod/rod_pose.h"
+#include "sim/base/rod_pose.h"
 #include "sim/tissue/rod/rod_system.h"
 
 namespace torsio {

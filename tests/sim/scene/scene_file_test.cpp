@@ -78,16 +78,26 @@ TEST_F(SceneFile, IsReadInFull) {
   EXPECT_EQ(scene.material.id, "stomach-filled");
   EXPECT_EQ(scene.instrument.id, "grasper");
   EXPECT_EQ(scene.patterns.size(), 4U);
-  ASSERT_EQ(scene.patterns[2].elsewhere.size(), 2U);
-  EXPECT_EQ(scene.patterns[2].elsewhere[0], AxisElsewhere::kBend);
-  EXPECT_EQ(scene.patterns[2].elsewhere[1], AxisElsewhere::kEnds);
+  EXPECT_EQ(scene.patterns[0].elsewhere, AxisElsewhere::kEnds);
+  EXPECT_EQ(scene.patterns[1].elsewhere, AxisElsewhere::kBend);
+  ASSERT_EQ(scene.restraints.size(), 4U);
+  const Restraint& cardia = scene.restraints[1];
+  EXPECT_EQ(cardia.id, "cardia");
+  EXPECT_NEAR(cardia.stiffness_N_per_m, 1000.0, 1e-9);
+  EXPECT_NEAR(cardia.halfWidth_m, 0.011, 1e-12);
+  ASSERT_TRUE(cardia.point_m);
+  EXPECT_NEAR(cardia.point_m->z, 0.042, 1e-12);
+  EXPECT_NEAR(scene.restraints[0].turn_Nm_per_rad, 0.010, 1e-12);
+  for (const Restraint& restraint : scene.restraints) {
+    EXPECT_FALSE(restraint.source.empty()) << restraint.id;
+  }
 }
 
 TEST_F(SceneFile, NamesAFieldThatItDoesNotKnow) {
   expectBadField([](Json& j) { j["colour"] = "pink"; }, "colour");
   expectBadField([](Json& j) { j["lattice"]["ridge"] = 12; }, "ridge");
   expectBadField([](Json& j) { j["patterns"][0]["angle"] = 12; }, "angle");
-  expectBadField([](Json& j) { j["patterns"][0]["operations"][0]["speed"] = 1; }, "speed");
+  expectBadField([](Json& j) { j["patterns"][0]["task"]["speed"] = 1; }, "speed");
 }
 
 TEST_F(SceneFile, NamesAFieldThatIsMissing) {
@@ -99,7 +109,7 @@ TEST_F(SceneFile, NamesAFieldThatIsMissing) {
        {"id", "title", "grasp", "angle_deg", "tolerance_deg", "force_limit_n", "torque_limit_nm", "source"}) {
     expectBadField([field](Json& j) { j["patterns"][1].erase(field); }, field);
   }
-  expectBadField([](Json& j) { j["patterns"][0]["operations"][0].erase("axis_to_mm"); }, "axis_to_mm");
+  expectBadField([](Json& j) { j["patterns"][0]["task"].erase("axis_to_mm"); }, "axis_to_mm");
 }
 
 TEST_F(SceneFile, NamesAFieldOfTheWrongKind) {
@@ -109,7 +119,10 @@ TEST_F(SceneFile, NamesAFieldOfTheWrongKind) {
   expectBadField([](Json& j) { j["lattice"]["fixed_end_mm"] = {1, 2}; }, "fixed_end_mm");
   expectBadField([](Json& j) { j["lattice"]["ridge_zero"] = {0, 0, 0}; }, "ridge_zero");
   expectBadField([](Json& j) { j["patterns"] = Json::array(); }, "patterns");
-  expectBadField([](Json& j) { j["patterns"][0]["operations"] = 1; }, "operations");
+  expectBadField([](Json& j) { j["restraints"] = 1; }, "restraints");
+  expectBadField([](Json& j) { j["restraints"][1].erase("source"); }, "source");
+  expectBadField([](Json& j) { j["patterns"][0]["task"]["measured"]["point_mm"] = {-47, 4, -68}; },
+                 "point_mm");
 }
 
 TEST_F(SceneFile, NamesAValueOutOfRangeWithTheRange) {
@@ -146,10 +159,12 @@ TEST_F(SceneFile, RefusesAPatternIdThatIsUsedTwice) {
   EXPECT_THAT(refusal().what(), HasSubstr("'organo-axial' is used twice"));
 }
 
-TEST_F(SceneFile, RefusesAnOperationThatTurnsNothing) {
-  change("scenes/stomach.json", [](Json& j) { j["patterns"][0]["operations"][0]["to"] = -1.0; });
-  EXPECT_EQ(refusal().code(), ErrorCode::kBadParameter);
-  EXPECT_THAT(refusal().what(), HasSubstr("operation 1"));
+TEST_F(SceneFile, RefusesALineOfNoLength) {
+  expectBadField([](Json& j) { j["patterns"][0]["task"]["axis_to_mm"] = {-47, 4, -68}; }, "axis_to_mm");
+}
+
+TEST_F(SceneFile, RefusesOnePointForSeveralSprings) {
+  expectBadField([](Json& j) { j["restraints"][2]["point_mm"] = {1, 2, 3}; }, "point_mm");
 }
 
 TEST_F(SceneFile, SaysWhereTheTextIsNoJson) {

@@ -10,11 +10,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_parameters.h"
+#include "sim/tissue/rod/fold_check.h"
 #include "tests/support/procedural_mesh.h"
 
 namespace torsio {
@@ -74,17 +76,22 @@ TEST(Scene, TwistsEveryPatternToItsTargetWithinItsTorque) {
   for (const std::string& id : sceneIds(kAssets)) {
     for (const std::string& pattern : patternIds(kAssets, id)) {
       const Scene scene = loadScene(shipped(id, pattern));
-      const double grasp = scene.pattern.graspArc * scene.lattice().length_m();
+      const OrganState target = scene.stateAt(scene.pattern.targetAngle_rad);
 
-      const TwistSummary rest = scene.model.summary({grasp, 0.0});
-      const TwistSummary target = scene.model.summary({grasp, scene.pattern.targetAngle_rad});
+      std::vector<Vec3> twisted(scene.mesh.vertices_m.size());
+      scene.deform(target, twisted);
+      const FoldReport fold = FoldCheck(scene.mesh, scene.lattice()).judge(twisted, [&](const Vec3& rest_m) {
+        return scene.toDeformed_m(rest_m, target);
+      });
 
-      EXPECT_EQ(rest.torque_Nm, 0.0) << pattern;
-      EXPECT_EQ(rest.maxDisplacement_m, 0.0) << pattern;
-      EXPECT_LT(std::abs(target.torque_Nm), scene.pattern.torqueLimit_Nm) << pattern;
-      EXPECT_GT(target.maxDisplacement_m, 0.01) << pattern;
-      // No shipped pattern turns any part of the organ inside out.
-      EXPECT_GT(target.minDeterminant, 0.0) << pattern;
+      EXPECT_NEAR(target.twist.graspAngle_rad, scene.pattern.targetAngle_rad, 1e-9) << pattern;
+      EXPECT_LT(std::abs(scene.torqueAt_Nm(scene.pattern.targetAngle_rad)), scene.pattern.torqueLimit_Nm)
+          << pattern;
+      EXPECT_FALSE(fold.folded()) << pattern << ": " << fold.reason().str();
+      EXPECT_NEAR(fold.volumeRatio, 1.0, 0.005) << pattern;
+      EXPECT_GE(fold.minDeterminant, 0.95) << pattern;
+      scene.deform({}, twisted);
+      EXPECT_EQ(twisted.front(), scene.mesh.vertices_m.front()) << pattern;
     }
   }
 }
@@ -97,25 +104,47 @@ TEST(Scene, HasTheFourGastricPatterns) {
   // 180 degrees make a volvulus; the mesentero-axial one is usually incomplete.
   EXPECT_NEAR(std::abs(scene.patterns[0].targetAngle_rad), kPi, 1e-12);
   EXPECT_LT(std::abs(scene.patterns[1].targetAngle_rad), kPi);
-  ASSERT_EQ(scene.patterns[2].operations.size(), 2U);
-  EXPECT_NEAR(std::abs(scene.patterns[2].operations[0].ratio * scene.patterns[2].targetAngle_rad), kPi / 2,
-              1e-12);
-  ASSERT_EQ(scene.patterns[3].operations.size(), 1U);
-  EXPECT_EQ(scene.patterns[3].operations[0].axis, TwistAxis::kCentreline);
+  for (const std::size_t i : {0U, 1U, 2U}) {
+    ASSERT_TRUE(scene.patterns[i].task) << scene.patterns[i].id;
+    EXPECT_EQ(scene.patterns[i].task->axis, GripAxis::kLine) << scene.patterns[i].id;
+    EXPECT_TRUE(scene.patterns[i].task->measured) << scene.patterns[i].id;
+  }
+  ASSERT_TRUE(scene.patterns[3].task);
+  EXPECT_EQ(scene.patterns[3].task->axis, GripAxis::kOwn);
 }
 
 TEST(Scene, SwingsTheGreaterCurvatureForwardInAnOrganoAxialTwist) {
   const Scene scene = loadScene(shipped("stomach", "organo-axial"));
   const SectionLattice& lattice = scene.lattice();
-  const double grasp = scene.pattern.graspArc * lattice.length_m();
   // Ridge 0 is the lesser curvature; half a turn from it lies the greater one.
   const Vec3 greater = lattice.surfacePoint({0.45 * lattice.length_m(), kPi}).position_m;
 
-  const Vec3 half = scene.model.toDeformed_m(greater, {grasp, 0.5 * scene.pattern.targetAngle_rad});
-  const Vec3 full = scene.model.toDeformed_m(greater, {grasp, scene.pattern.targetAngle_rad});
+  const Vec3 half = scene.toDeformed_m(greater, scene.stateAt(0.5 * scene.pattern.targetAngle_rad));
+  const Vec3 full = scene.toDeformed_m(greater, scene.stateAt(scene.pattern.targetAngle_rad));
 
   EXPECT_LT(half.y, greater.y - 0.02);  // y points to the back
   EXPECT_GT(full.z, greater.z + 0.02);
+}
+
+TEST(Scene, HoldsTheCardiaOfTheStomachInEveryTask) {
+  const Vec3 cardia_m{0.021, 0.018, 0.042};
+  for (const std::string& pattern : patternIds(kAssets, "stomach")) {
+    const Scene scene = loadScene(shipped("stomach", pattern));
+
+    const Vec3 moved_m = scene.toDeformed_m(cardia_m, scene.stateAt(scene.pattern.targetAngle_rad));
+
+    EXPECT_LT(norm(moved_m - cardia_m), 0.005) << pattern;
+  }
+}
+
+TEST(Scene, AnotherGripTwistsTheStomachOtherwise) {
+  const Scene scene = loadScene(shipped("stomach", "partial"));
+
+  const TaskPoint near = scene.rod->follow(0.2, radians(60.0)).back();
+  const TaskPoint far = scene.rod->follow(0.6, radians(60.0)).back();
+
+  EXPECT_GT(std::abs(far.torque_Nm / near.torque_Nm - 1.0), 0.05);
+  EXPECT_GT(norm(far.pose.nodes[20].position_m - near.pose.nodes[20].position_m), 0.002);
 }
 
 TEST(Scene, TurnsTheArmBothWays) {
@@ -143,7 +172,7 @@ TEST(Scene, SaysWhatDecidesItsAnswersInOneStableText) {
             R"("ridge_zero_fraction":0.0},"material":{"id":"forearm-soft-tissue",)"
             R"("shear_modulus_pa":4000.0},"instrument":{"id":"grasper","tip_radius_m":0.0025,)"
             R"("grip_reach_m":0.004},"pattern":{"id":"pronation","ends":"clamped-free",)"
-            R"("force_limit_n":3.3,"torque_limit_nm":0.3},"operations":[]})");
+            R"("force_limit_n":3.3,"torque_limit_nm":0.3}})");
   EXPECT_EQ(scene.parameterHash.size(), 64U);
   EXPECT_EQ(scene.parameterHash, loadScene(shipped("forearm")).parameterHash);
 }
@@ -325,11 +354,11 @@ TEST(UsersOrgan, HasItsOwnAxes) {
   const Scene scene = loadScene(request);
 
   const SectionLattice& lattice = scene.lattice();
-  const TwistOperation& longAxis = scene.patterns[0].operations.at(0);
+  const TurnTask& longAxis = scene.patterns[0].task.value();
   EXPECT_LT(norm(longAxis.axisFrom_m - lattice.frameAt(0.0).centre_m), 1e-12);
   EXPECT_LT(norm(longAxis.axisTo_m - lattice.frameAt(lattice.length_m()).centre_m), 1e-12);
   // The short one lies in the plane of the bend, from the inside to the outside, across a 40 mm tube.
-  const TwistOperation& shortAxis = scene.patterns[1].operations.at(0);
+  const TurnTask& shortAxis = scene.patterns[1].task.value();
   const Vec3 across = shortAxis.axisTo_m - shortAxis.axisFrom_m;
   EXPECT_NEAR(norm(across), 0.04, 0.002);
   EXPECT_NEAR(across.y, 0.0, 0.001);

@@ -29,9 +29,9 @@ namespace {
 constexpr double kFcl_m = 1e-5;
 constexpr double kRounding_m = 1e-12;
 
-TriangleMesh moved(const Scene& scene, const TwistState& twist) {
+TriangleMesh moved(const Scene& scene, const OrganState& organ) {
   TriangleMesh mesh = scene.mesh;
-  scene.model.deform(twist, mesh.vertices_m);
+  scene.deform(organ, mesh.vertices_m);
   return mesh;
 }
 
@@ -65,15 +65,15 @@ double deepestWithin_m(const CollisionMesh& surface, const Segment& axis, const 
   return deepest_m;
 }
 
-void agreesWithTheMovedMesh(const Scene& scene, const TwistState& twist, int count) {
-  const TriangleMesh mesh = moved(scene, twist);
+void agreesWithTheMovedMesh(const Scene& scene, const OrganState& organ, int count) {
+  const TriangleMesh mesh = moved(scene, organ);
   const CollisionMesh surface(mesh);
   int touching = 0;
   int shafts = 0;
   for (const ToolState& tool : toolsNear(mesh, surface, count)) {
     const ToolShape shape = toolShape(tool, scene.instrument);
 
-    const ToolTouch touch = touchTool(shape, scene, twist, false);
+    const ToolTouch touch = touchTool(shape, scene, organ, false);
 
     const SurfacePoint tip = surface.closest(shape.tip_m);
     if (std::isfinite(touch.tip.gap_m)) {
@@ -103,7 +103,7 @@ TEST(ToolTouch, AgreesWithEveryTriangleOfATwistedBar) {
   const Scene scene = barScene();
   for (const double angle_rad : {0.0, 0.3, -1.5, 4.0}) {
     SCOPED_TRACE(angle_rad);
-    agreesWithTheMovedMesh(scene, {0.2, angle_rad}, 300);
+    agreesWithTheMovedMesh(scene, {{0.2, angle_rad}, {}}, 300);
   }
 }
 
@@ -117,16 +117,15 @@ TEST(ToolTouch, AgreesWithEveryTriangleOfTheShippedOrgansTwistedToTheirTargets) 
       SCOPED_TRACE(id + ", " + pattern);
       request.pattern = pattern;
       const Scene scene = loadScene(request);
-      const double arc_m = scene.pattern.graspArc * scene.lattice().length_m();
-      agreesWithTheMovedMesh(scene, {arc_m, scene.pattern.targetAngle_rad}, 120);
+      agreesWithTheMovedMesh(scene, scene.stateAt(scene.pattern.targetAngle_rad), 120);
     }
   }
 }
 
 TEST(ToolTouch, AgreesWithFclOnATwistedBar) {
   const Scene scene = barScene();
-  const TwistState twist{0.2, 1.2};
-  const TriangleMesh mesh = moved(scene, twist);
+  const OrganState organ{{0.2, 1.2}, {}};
+  const TriangleMesh mesh = moved(scene, organ);
   const CollisionMesh surface(mesh);
   auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
   std::vector<fcl::Vector3d> points;
@@ -144,7 +143,7 @@ TEST(ToolTouch, AgreesWithFclOnATwistedBar) {
   int compared = 0;
   for (const ToolState& tool : toolsNear(mesh, surface, 400)) {
     const ToolShape shape = toolShape(tool, scene.instrument);
-    const ToolTouch touch = touchTool(shape, scene, twist, false);
+    const ToolTouch touch = touchTool(shape, scene, organ, false);
     if (!(touch.shaft.gap_m > 0.0) || !std::isfinite(touch.shaft.gap_m)) {
       continue;  // FCL has no depth
     }

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/scene/rod_organ.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/base/angle.h"
+#include "sim/base/index.h"
+#include "sim/base/portable_math.h"
+#include "sim/tissue/rod/rod_element.h"
+#include "sim/tissue/rod/rod_solve.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr int kMostPatchNodes = 7;
+constexpr double kPathStep_rad = radians(3.0);
+constexpr double kBeyondTarget = 1.15;   // of the target: how far the path goes
+constexpr double kMostHandTurn = 2.5;    // of the target, for a measured turn that stays behind the hand
+constexpr double kNearLine_m = 1e-6;
+
+SolvedSections sectionsOf(const TwistModel& model) {
+  const TwistModelOptions& options = model.options();
+  return SolvedSections::solve(model.lattice(), {.sections = options.solvedSections,
+                                                 .points = options.sectionPoints,
+                                                 .solver = options.sectionSolver,
+                                                 .kriging = options.kriging});
+}
+
+OrganRod organOf(const TwistModel& model, const SolvedSections& sections, double graspArc) {
+  return rodOfOrgan(model.lattice(), sections, {model.material().shearModulus_Pa},
+                    {.node_m = graspArc * model.lattice().length_m()});
+}
+
+std::size_t nearestNode(std::span<const double> arcs_m, double arc_m) noexcept {
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < arcs_m.size(); ++i) {
+    if (std::abs(arcs_m[i] - arc_m) < std::abs(arcs_m[nearest] - arc_m)) {
+      nearest = i;
+    }
+  }
+  return nearest;
+}
+
+/// Adds what a restraint does at one place of the organ.
+class RestraintPlacer {
+ public:
+  RestraintPlacer(const OrganRod& organ, const SectionLattice& lattice)
+      : organ_(organ),
+        lattice_(lattice),
+        ends_m_{lattice.frameAt(0.0).centre_m, lattice.frameAt(lattice.length_m()).centre_m} {}
+
+  void add(const Restraint& restraint, double fraction, RodRestraints& all) const {
+    const double arc_m = restraint.point_m ? lattice_.nearestArc_m(*restraint.point_m)
+                                           : fraction * lattice_.length_m();
+    const std::size_t node = nearestNode(organ_.arcs_m, arc_m);
+    const double halfWidth_m =
+        restraint.halfWidth_m > 0.0 ? restraint.halfWidth_m : 0.5 * organ_.radii_m[node];
+    const NodeRange patch = nodesAround(organ_.elements, organ_.arcs_m[node] - organ_.arcs_m.front(),
+                                        halfWidth_m, kMostPatchNodes);
+    if (restraint.stiffness_N_per_m > 0.0) {
+      const Vec3 point_m = restraint.point_m ? *restraint.point_m : pointAt(restraint.side, node);
+      const Vec3 anchor_m = anchorOf(restraint, point_m);
+      addPatchSpring({.nodes = patch,
+                      .point_m = point_m,
+                      .anchor_m = anchor_m,
+                      .slack_m = norm(anchor_m - point_m) + restraint.slack_m,
+                      .stiffness_N_per_m = restraint.stiffness_N_per_m},
+                     organ_.rest, all);
+    }
+    if (restraint.turn_Nm_per_rad > 0.0) {
+      addPatchTurn(patch, restraint.turn_Nm_per_rad, organ_.rest, all);
+    }
+  }
+
+ private:
+  [[nodiscard]] Vec3 onChord(const Vec3& point_m) const {
+    const Vec3 chord = ends_m_[1] - ends_m_[0];
+    const double length2 = dot(chord, chord);
+    const double share = length2 > 0.0 ? dot(point_m - ends_m_[0], chord) / length2 : 0.0;
+    return ends_m_[0] + std::clamp(share, 0.0, 1.0) * chord;
+  }
+
+  [[nodiscard]] Vec3 anchorOf(const Restraint& restraint, const Vec3& point_m) const {
+    if (restraint.anchor_m) {
+      return *restraint.anchor_m;
+    }
+    return restraint.towardsChord ? onChord(point_m) : point_m;
+  }
+
+  [[nodiscard]] Vec3 pointAt(SectionSide side, std::size_t node) const {
+    const Pose& at = organ_.rest.nodes[node];
+    if (side == SectionSide::kCentre) {
+      return at.position_m;
+    }
+    const Vec3 tangent = rotate(at.orientation, {0, 0, 1});
+    const Vec3 towards = 0.5 * (ends_m_[0] + ends_m_[1]) - at.position_m;
+    const Vec3 inside = normalized(towards - dot(towards, tangent) * tangent);
+    const double reach_m = (side == SectionSide::kInner ? 1.0 : -1.0) * organ_.radii_m[node];
+    return at.position_m + reach_m * inside;
+  }
+
+  const OrganRod& organ_;
+  const SectionLattice& lattice_;
+  std::array<Vec3, 2> ends_m_;
+};
+
+RodRestraints placed(const std::vector<Restraint>& restraints, const OrganRod& organ,
+                     const SectionLattice& lattice) {
+  const RestraintPlacer placer(organ, lattice);
+  RodRestraints all;
+  for (const Restraint& restraint : restraints) {
+    for (int k = 0; k < restraint.count; ++k) {
+      const double share = restraint.count > 1 ? static_cast<double>(k) / (restraint.count - 1) : 0.0;
+      placer.add(restraint, restraint.from + share * (restraint.to - restraint.from), all);
+    }
+  }
+  return all;
+}
+
+Quat between(const Quat& a, Quat b, double share) noexcept {
+  if (a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z < 0.0) {
+    b = {-b.w, -b.x, -b.y, -b.z};
+  }
+  return normalized(Quat{a.w + share * (b.w - a.w), a.x + share * (b.x - a.x), a.y + share * (b.y - a.y),
+                         a.z + share * (b.z - a.z)});
+}
+
+double mix(double a, double b, double share) noexcept {
+  return a + share * (b - a);
+}
+
+TaskPoint between(const TaskPoint& a, const TaskPoint& b, double share) noexcept {
+  TaskPoint point = a;
+  point.hand_rad = mix(a.hand_rad, b.hand_rad, share);
+  point.angle_rad = mix(a.angle_rad, b.angle_rad, share);
+  point.torque_Nm = mix(a.torque_Nm, b.torque_Nm, share);
+  point.force_N = mix(a.force_N, b.force_N, share);
+  point.pose = poseBetween(a.pose, b.pose, share);
+  return point;
+}
+
+}  // namespace
+
+RodPose poseBetween(const RodPose& a, const RodPose& b, double share) noexcept {
+  RodPose pose = a;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(a.count); ++i) {
+    pose.nodes[i] = {.position_m = a.nodes[i].position_m + share * (b.nodes[i].position_m - a.nodes[i].position_m),
+                     .orientation = between(a.nodes[i].orientation, b.nodes[i].orientation, share)};
+  }
+  return pose;
+}
+
+TaskPoint atAngle(std::span<const TaskPoint> path, double angle_rad) {
+  const double direction = path.back().angle_rad < 0.0 ? -1.0 : 1.0;
+  const double wanted_rad = direction * angle_rad;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const double before_rad = direction * path[i - 1].angle_rad;
+    const double after_rad = direction * path[i].angle_rad;
+    if (after_rad >= wanted_rad && after_rad > before_rad) {
+      const double share = std::clamp((wanted_rad - before_rad) / (after_rad - before_rad), 0.0, 1.0);
+      return between(path[i - 1], path[i], share);
+    }
+  }
+  return path.back();
+}
+
+RodOrgan::RodOrgan(const Parts& parts)
+    : RodOrgan(parts, sectionsOf(*parts.model)) {}
+
+RodOrgan::RodOrgan(const Parts& parts, const SolvedSections& sections)
+    : organ_(organOf(*parts.model, sections, parts.graspArc)),
+      skin_(organ_, parts.model->lattice(), sections, *parts.mesh),
+      rod_(organ_.elements, organ_.rest, organ_.radii_m,
+           placed(parts.restraints, organ_, parts.model->lattice())),
+      length_m_(parts.model->lattice().length_m()),
+      task_(parts.task) {
+  if (task_.measured) {
+    marks_ = {skin_.placeOf(task_.measured->from), skin_.placeOf(task_.measured->point),
+              skin_.placeOf(task_.measured->to)};
+    task_.measured = marksOf(rod_.rest());
+  }
+  path_ = follow(parts.graspArc, kBeyondTarget * parts.targetAngle_rad);
+  for (std::size_t i = 1; i < path_.size(); ++i) {
+    const double way_rad = path_[i].hand_rad - path_[i - 1].hand_rad;
+    turnStiffness_Nm_per_rad_ =
+        std::max(turnStiffness_Nm_per_rad_, (path_[i].torque_Nm - path_[i - 1].torque_Nm) / way_rad);
+  }
+}
+
+Landmarks RodOrgan::marksOf(const RodPose& pose) const noexcept {
+  const RodCurve curve = skin_.curveOf(pose);
+  return {.from = skin_.positionOf_m(marks_[0], curve),
+          .point = skin_.positionOf_m(marks_[1], curve),
+          .to = skin_.positionOf_m(marks_[2], curve)};
+}
+
+AxisFrame RodOrgan::axisOf(const RodPose& pose, int node, const Vec3& hand_m) const noexcept {
+  const Pose& at = pose.nodes[torsio::at(node)];
+  AxisFrame axis;
+  axis.tangent = rotate(at.orientation, {0, 0, 1});
+  axis.centre_m = at.position_m;
+  if (task_.axis == GripAxis::kLine) {
+    axis.tangent = normalized(task_.axisTo_m - task_.axisFrom_m);
+    axis.centre_m = task_.axisFrom_m + dot(at.position_m - task_.axisFrom_m, axis.tangent) * axis.tangent;
+  }
+  const Vec3 way = hand_m - axis.centre_m;
+  const Vec3 arm = way - dot(way, axis.tangent) * axis.tangent;
+  axis.e1 = norm(arm) > kNearLine_m ? normalized(arm) : rotate(at.orientation, {1, 0, 0});
+  axis.e2 = cross(axis.tangent, axis.e1);
+  return axis;
+}
+
+OrganGrip RodOrgan::grip(const RodPose& pose, double arc_m, const Pose& hand) const noexcept {
+  OrganGrip grip;
+  const std::size_t node = nearestNode(organ_.arcs_m, arc_m);
+  grip.node = static_cast<int>(node);
+  grip.axis = axisOf(pose, grip.node, hand.position_m);
+  GripStiffness stiffness;
+  if (task_.axis == GripAxis::kOwn) {
+    stiffness.place_N_per_m = 0.0;
+  }
+  grip.jaw = gripAt(rod_, pose, grip.node, 0.5 * organ_.radii_m[node], hand, stiffness);
+  return grip;
+}
+
+Pose RodOrgan::handAfter(const OrganGrip& grip, const Pose& closed, const Pose& now,
+                         double turn_rad) const noexcept {
+  if (task_.axis == GripAxis::kInstrument) {
+    return now;
+  }
+  return {.position_m = now.position_m,
+          .orientation = axisAngle(grip.axis.tangent, turn_rad) * closed.orientation};
+}
+
+double RodOrgan::turn_rad(const OrganGrip& grip, const RodPose& pose, double before_rad) const noexcept {
+  if (task_.measured) {
+    return landmarkTurn_rad(*task_.measured, marksOf(pose), before_rad);
+  }
+  const Quat& rest = rod_.rest().nodes[torsio::at(grip.node)].orientation;
+  const Vec3 axis = task_.axis == GripAxis::kLine ? grip.axis.tangent : rotate(rest, {0, 0, 1});
+  return unwrapNear(turnAbout(axis, rest, pose.nodes[torsio::at(grip.node)].orientation), before_rad);
+}
+
+double RodOrgan::torque_Nm(const OrganGrip& grip, const GripLoad& load, const Pose& hand) noexcept {
+  const Vec3 moment = load.torque_Nm + cross(hand.position_m - grip.axis.centre_m, load.force_N);
+  return -dot(moment, grip.axis.tangent);
+}
+
+double RodOrgan::sharpestBend(const RodPose& pose) const noexcept {
+  double sharpest = 0.0;
+  const std::span<const RodElement> elements = rod_.elements();
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const RodStrain strain = rodStrain(elements[i].length_m, pose.nodes[i], pose.nodes[i + 1]);
+    const double stretch = std::max(kLeastStretch, strain.stretch.z / elements[i].restStrain[2]);
+    sharpest = std::max(sharpest, bendState(elements[i].bendLimit, strain.curvature_per_m, stretch).z);
+  }
+  return sharpest;
+}
+
+double RodOrgan::farthestFromRest_m(const RodPose& pose) const noexcept {
+  double farthest2_m2 = 0.0;
+  const RodPose& rest = rod_.rest();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(pose.count); ++i) {
+    const Vec3 way = pose.nodes[i].position_m - rest.nodes[i].position_m;
+    farthest2_m2 = std::max(farthest2_m2, dot(way, way));
+  }
+  return std::sqrt(farthest2_m2);
+}
+
+double RodOrgan::twistRateAt(double arc_m, const RodPose& pose) const noexcept {
+  if (pose.count < 2) {
+    return 0.0;
+  }
+  const auto after = std::upper_bound(organ_.arcs_m.begin() + 1, organ_.arcs_m.end() - 1, arc_m);
+  const auto i = static_cast<std::size_t>(after - organ_.arcs_m.begin()) - 1;
+  const RodElement& element = rod_.elements()[i];
+  return rodStrain(element.length_m, pose.nodes[i], pose.nodes[i + 1]).curvature_per_m.z -
+         element.restCurvature_per_m[2];
+}
+
+std::vector<TaskPoint> RodOrgan::follow(double graspArc, double angle_rad) const {
+  const RodPose& rest = rod_.rest();
+  const Pose closed = rest.nodes[nearestNode(organ_.arcs_m, graspArc * length_m_)];
+  const OrganGrip grip = this->grip(rest, graspArc * length_m_, closed);
+  std::vector<TaskPoint> path(1);
+  path.front().pose = rest;
+  const double direction = angle_rad < 0.0 ? -1.0 : 1.0;
+  const double farthest_rad = kMostHandTurn * std::abs(angle_rad);
+  for (int step = 1; step * kPathStep_rad <= farthest_rad; ++step) {
+    TaskPoint next = path.back();
+    next.hand_rad = direction * step * kPathStep_rad;
+    Pose now = closed;
+    now.position_m = grip.axis.centre_m +
+                     rotateAbout(closed.position_m - grip.axis.centre_m, grip.axis.tangent, next.hand_rad);
+    now.orientation = axisAngle(grip.axis.tangent, next.hand_rad) * closed.orientation;
+    const RodBalance balance = balanceRod(rod_, &grip.jaw, now, {}, next.pose);
+    next.angle_rad = turn_rad(grip, next.pose, path.back().angle_rad);
+    next.torque_Nm = torque_Nm(grip, balance.load, now);
+    next.force_N = norm(balance.load.force_N);
+    if (!balance.converged || sharpestBend(next.pose) > kFoldingBend) {
+      break;
+    }
+    path.push_back(next);
+    if (direction * next.angle_rad >= std::abs(angle_rad)) {
+      break;
+    }
+  }
+  return path;
+}
+
+}  // namespace torsio

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sim/base/rod_pose.h"
+#include "sim/geometry/lattice/section_lattice.h"
+#include "sim/geometry/mesh/triangle_mesh.h"
+#include "sim/scene/turn_task.h"
+#include "sim/tissue/rod/grip.h"
+#include "sim/tissue/rod/rod.h"
+#include "sim/tissue/rod/rod_sections.h"
+#include "sim/tissue/rod/rod_skin.h"
+#include "sim/tissue/twist/twist_model.h"
+
+namespace torsio {
+
+/// Normalised bend z above which a pose counts as folded: the map of the skin keeps every volume up to here
+/// (docs/model.md R.8).
+inline constexpr double kFoldingBend = 0.455;
+
+/// Returns the pose `share` of the way from `a` to `b`, which have the same number of nodes.
+[[nodiscard]] RodPose poseBetween(const RodPose& a, const RodPose& b, double share) noexcept;
+
+/// A jaw closed over an organ, and the axis that it turns about. Trivially copyable.
+struct OrganGrip {
+  RodGrip jaw;
+  int node = 0;     ///< the gripped section
+  AxisFrame axis;   ///< that the hand turns about; e1 towards the jaw
+};
+
+/// The organ at rest in the hand of a task, at one turn of the hand.
+struct TaskPoint {
+  double hand_rad = 0.0;    ///< turn of the hand about the axis of the task
+  double angle_rad = 0.0;   ///< of the task, as measured
+  double torque_Nm = 0.0;   ///< of the hand about its axis; positive holds a positive turn
+  double force_N = 0.0;     ///< of the hand beside that
+  RodPose pose;
+};
+
+/// Returns the point of a path, from rest on, where the measured turn is `angle_rad`; the nearest end outside.
+[[nodiscard]] TaskPoint atAngle(std::span<const TaskPoint> path, double angle_rad);
+
+/// An organ as a rod, with its restraints, its skin and the task of a pattern. Immutable; what is marked so
+/// runs in the tick.
+class RodOrgan {
+ public:
+  struct Parts {
+    const TriangleMesh* mesh = nullptr;
+    const TwistModel* model = nullptr;  ///< of the same organ: lattice, material, solved sections
+    std::vector<Restraint> restraints;
+    TurnTask task;
+    double graspArc = 0.5;          ///< of the pattern, fraction of the length
+    double targetAngle_rad = 0.0;
+  };
+  /// Builds the rod and follows its task to the target. Throws Error{kBadMesh} where the organ has no simple
+  /// section, {kBadParameter} for a restraint or a task that does not fit the organ.
+  explicit RodOrgan(const Parts& parts);
+
+  [[nodiscard]] const Rod& rod() const noexcept { return rod_; }
+  [[nodiscard]] const RodSkin& skin() const noexcept { return skin_; }
+  [[nodiscard]] const TurnTask& task() const noexcept { return task_; }
+  /// Returns arc lengths of the nodes along the centreline of the lattice.
+  [[nodiscard]] std::span<const double> arcs_m() const noexcept { return organ_.arcs_m; }
+
+  /// Closes a jaw at arc length `arc_m` of the organ in `pose`, the hand standing at `hand`. In the tick.
+  [[nodiscard]] OrganGrip grip(const RodPose& pose, double arc_m, const Pose& hand) const noexcept;
+  /// Returns where the jaw's coupling is held for a hand that has turned by `turn_rad` about the axis since
+  /// it closed at `closed`; `now`: the hand's pose. In the tick.
+  [[nodiscard]] Pose handAfter(const OrganGrip& grip, const Pose& closed, const Pose& now,
+                               double turn_rad) const noexcept;
+  /// Returns the turn of the task, unwrapped near `before_rad`. In the tick.
+  [[nodiscard]] double turn_rad(const OrganGrip& grip, const RodPose& pose, double before_rad) const noexcept;
+  /// Returns the moment of the hand about the axis of the grip, N m. In the tick.
+  [[nodiscard]] static double torque_Nm(const OrganGrip& grip, const GripLoad& load,
+                                        const Pose& hand) noexcept;
+  /// Returns the largest normalised bend z of the pose: the tissue folds at 1/2 (docs/model.md R.3). In the
+  /// tick.
+  [[nodiscard]] double sharpestBend(const RodPose& pose) const noexcept;
+  /// Returns how far the node that is farthest from its place at rest lies from it, m. In the tick.
+  [[nodiscard]] double farthestFromRest_m(const RodPose& pose) const noexcept;
+  /// Returns the largest stiffness dT/d(turn of the hand) on the way to the target, N m/rad.
+  [[nodiscard]] double turnStiffness_Nm_per_rad() const noexcept { return turnStiffness_Nm_per_rad_; }
+
+  /// Returns the organ as the task turns it, from rest past the target, in steps of the hand.
+  [[nodiscard]] std::span<const TaskPoint> path() const noexcept { return path_; }
+  /// Follows the task with a jaw at another place until the measured turn is `angle_rad`, or the hand has
+  /// turned two and a half times as far, or the tissue folds.
+  [[nodiscard]] std::vector<TaskPoint> follow(double graspArc, double angle_rad) const;
+
+  /// Returns the twist rate of the organ's own axis at arc length `arc_m`, rad/m, beyond that at rest.
+  [[nodiscard]] double twistRateAt(double arc_m, const RodPose& pose) const noexcept;
+
+ private:
+  [[nodiscard]] AxisFrame axisOf(const RodPose& pose, int node, const Vec3& hand_m) const noexcept;
+  [[nodiscard]] Landmarks marksOf(const RodPose& pose) const noexcept;
+
+  RodOrgan(const Parts& parts, const SolvedSections& sections);
+
+  OrganRod organ_;
+  RodSkin skin_;
+  Rod rod_;
+  double length_m_ = 0.0;
+  TurnTask task_;
+  std::array<RodSkinPlace, 3> marks_{};
+  std::vector<TaskPoint> path_;
+  double turnStiffness_Nm_per_rad_ = 0.0;
+};
+
+}  // namespace torsio

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the organ of a scene lies, by the twist model or as a rod.
+#include <algorithm>
+#include <cmath>
+
+#include "sim/scene/scene.h"
+#include "sim/tissue/twist/twist_model_tables.h"
+
+namespace torsio {
+
+Vec3 Scene::toDeformed_m(const Vec3& rest_m, const OrganState& state) const noexcept {
+  if (!rod) {
+    return model.toDeformed_m(rest_m, state.twist);
+  }
+  return state.pose.count == 0 ? rest_m : rod->skin().toDeformed_m(rest_m, rod->skin().curveOf(state.pose));
+}
+
+void Scene::deform(const OrganState& state, std::span<Vec3> out_m) const noexcept {
+  if (!rod) {
+    model.deform(state.twist, out_m);
+  } else if (state.pose.count == 0) {
+    std::copy_n(mesh.vertices_m.begin(), std::min(out_m.size(), mesh.vertices_m.size()), out_m.begin());
+  } else {
+    rod->skin().deform(rod->skin().curveOf(state.pose), out_m);
+  }
+}
+
+void Scene::patchShear(const OrganState& state, std::span<double> out_Pa) const noexcept {
+  if (!rod) {
+    model.patchShear(state.twist, out_Pa);
+    return;
+  }
+  const TwistModel::Tables& tables = model.tables();
+  for (std::size_t i = 0; i < out_Pa.size() && i < tables.patchArc_m.size(); ++i) {
+    out_Pa[i] = tables.patchShear_Pa_m[i] * std::abs(rod->twistRateAt(tables.patchArc_m[i], state.pose));
+  }
+}
+
+double Scene::peakShear_Pa(const OrganState& state) const noexcept {
+  if (!rod) {
+    return model.peakShear_Pa(state.twist);
+  }
+  const TwistModel::Tables& tables = model.tables();
+  double peak_Pa = 0.0;
+  for (std::size_t i = 0; i < tables.patchArc_m.size(); ++i) {
+    peak_Pa = std::max(peak_Pa, tables.patchShear_Pa_m[i] *
+                                    std::abs(rod->twistRateAt(tables.patchArc_m[i], state.pose)));
+  }
+  return peak_Pa;
+}
+
+AxisFrame Scene::graspFrame(double arc_m, const Vec3& hand_m) const noexcept {
+  return rod ? rod->grip(rod->rod().rest(), arc_m, {hand_m, {}}).axis : model.graspFrame(arc_m);
+}
+
+double Scene::grasp_m() const noexcept {
+  return std::clamp(pattern.graspArc, 0.0, 1.0) * lattice().length_m();
+}
+
+OrganState Scene::stateAt(double angle_rad) const {
+  if (!rod) {
+    return {{grasp_m(), angle_rad}, {}};
+  }
+  const TaskPoint point = atAngle(rod->path(), angle_rad);
+  return {{grasp_m(), point.angle_rad}, point.angle_rad == 0.0 ? RodPose{} : point.pose};
+}
+
+double Scene::torqueAt_Nm(double angle_rad) const {
+  return rod ? atAngle(rod->path(), angle_rad).torque_Nm : model.torque_Nm({grasp_m(), angle_rad});
+}
+
+OrganState Scene::stateForTorque(double torque_Nm) const {
+  if (!rod) {
+    return {model.stateForTorque(grasp_m(), torque_Nm), {}};
+  }
+  double angle_rad = 0.0;
+  for (const TaskPoint& point : rod->path()) {
+    angle_rad = point.angle_rad;
+    if (std::abs(point.torque_Nm) >= std::abs(torque_Nm)) {
+      break;
+    }
+  }
+  return stateAt(angle_rad);
+}
+
+}  // namespace torsio

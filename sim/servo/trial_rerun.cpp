@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/servo/trial_rerun.h"
+
+namespace torsio {
+
+namespace {
+
+ServoOptions optionsOf(const TrialHeader& header, std::uint32_t rules) {
+  ServoOptions options = servoOptions(header);
+  options.rules = rules;
+  return options;
+}
+
+}  // namespace
+
+TrialRerun::HandedSample::HandedSample(const TrialHeader& header) {
+  capabilities_.model = header.deviceModel;
+  capabilities_.maxForce_N = header.deviceLimits.maxForce_N;
+  capabilities_.continuousForce_N = header.deviceLimits.continuousForce_N;
+  capabilities_.maxStiffness_N_per_m = header.deviceLimits.maxStiffness_N_per_m;
+  capabilities_.workspaceMin_m = header.deviceLimits.workspaceMin_m;
+  capabilities_.workspaceMax_m = header.deviceLimits.workspaceMax_m;
+  capabilities_.realTime = false;
+}
+
+TrialRerun::TrialRerun(const Scene& scene, const TrialHeader& header, std::uint32_t rules)
+    : device_(header),
+      loop_({.device = &device_, .scene = &scene, .commands = &commands_}, optionsOf(header, rules)) {}
+
+const Sample& TrialRerun::next(const Sample& recorded) {
+  if (recorded.command.kind != ServoCommand::Kind::kNone) {
+    (void)commands_.push(recorded.command);
+  }
+  device_.hand(recorded.device);
+  loop_.tick(recorded.device.time_us);
+  return loop_.lastSample();
+}
+
+}  // namespace torsio
