@@ -135,7 +135,7 @@ nlohmann::ordered_json taskResult(const Scene& scene, const TaskPoint& point) {
   result["hand_rad"] = point.hand_rad;
   result["torque_nm"] = point.torque_Nm;
   result["force_n"] = point.force_N;
-  result["sharpest_bend"] = scene.rod->sharpestBend(point.pose);
+  result["sharpest_bend"] = scene.rod->skin().sharpestBend(scene.rod->skin().curveOf(point.pose));
   return result;
 }
 

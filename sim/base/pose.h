@@ -53,8 +53,8 @@ inline Vec3 rotateAbout(const Vec3& v, const Vec3& axis, double angle_rad) noexc
   const SinCos a = portableSinCos(angle_rad);
   return v * a.cos + cross(axis, v) * a.sin + axis * (dot(axis, v) * (1.0 - a.cos));
 }
-/// Returns the turn of `to` against `from` about the unit vector `axis`, (-2 pi, 2 pi]: the twist of swing and
-/// twist. Portable arithmetic.
+/// Returns the turn of `to` against `from` about the unit vector `axis`, (-2 pi, 2 pi]: the twist of swing
+/// and twist. Portable arithmetic.
 inline double turnAbout(const Vec3& axis, const Quat& from, const Quat& to) noexcept {
   const Quat q = to * conjugate(from);
   return 2.0 * portableAtan2(q.x * axis.x + q.y * axis.y + q.z * axis.z, q.w);

@@ -8,7 +8,6 @@
 #include "sim/base/angle.h"
 #include "sim/base/index.h"
 #include "sim/base/portable_math.h"
-#include "sim/tissue/rod/rod_element.h"
 #include "sim/tissue/rod/rod_solve.h"
 
 namespace torsio {
@@ -16,9 +15,11 @@ namespace torsio {
 namespace {
 
 constexpr int kMostPatchNodes = 7;
+// Assumed: a stomach that is let go swings back with a time constant of 0.12 s, as a straight organ does.
+constexpr double kDrag_Ns_per_m = 0.005;
 constexpr double kPathStep_rad = radians(3.0);
-constexpr double kBeyondTarget = 1.15;   // of the target: how far the path goes
-constexpr double kMostHandTurn = 2.5;    // of the target, for a measured turn that stays behind the hand
+constexpr double kBeyondTarget = 1.15;  // of the target: how far the path goes
+constexpr double kMostHandTurn = 2.5;   // of the target, for a measured turn that stays behind the hand
 constexpr double kNearLine_m = 1e-6;
 
 SolvedSections sectionsOf(const TwistModel& model) {
@@ -53,8 +54,8 @@ class RestraintPlacer {
         ends_m_{lattice.frameAt(0.0).centre_m, lattice.frameAt(lattice.length_m()).centre_m} {}
 
   void add(const Restraint& restraint, double fraction, RodRestraints& all) const {
-    const double arc_m = restraint.point_m ? lattice_.nearestArc_m(*restraint.point_m)
-                                           : fraction * lattice_.length_m();
+    const double arc_m =
+        restraint.point_m ? lattice_.nearestArc_m(*restraint.point_m) : fraction * lattice_.length_m();
     const std::size_t node = nearestNode(organ_.arcs_m, arc_m);
     const double halfWidth_m =
         restraint.halfWidth_m > 0.0 ? restraint.halfWidth_m : 0.5 * organ_.radii_m[node];
@@ -147,8 +148,9 @@ TaskPoint between(const TaskPoint& a, const TaskPoint& b, double share) noexcept
 RodPose poseBetween(const RodPose& a, const RodPose& b, double share) noexcept {
   RodPose pose = a;
   for (std::size_t i = 0; i < static_cast<std::size_t>(a.count); ++i) {
-    pose.nodes[i] = {.position_m = a.nodes[i].position_m + share * (b.nodes[i].position_m - a.nodes[i].position_m),
-                     .orientation = between(a.nodes[i].orientation, b.nodes[i].orientation, share)};
+    pose.nodes[i] = {
+        .position_m = a.nodes[i].position_m + share * (b.nodes[i].position_m - a.nodes[i].position_m),
+        .orientation = between(a.nodes[i].orientation, b.nodes[i].orientation, share)};
   }
   return pose;
 }
@@ -167,20 +169,19 @@ TaskPoint atAngle(std::span<const TaskPoint> path, double angle_rad) {
   return path.back();
 }
 
-RodOrgan::RodOrgan(const Parts& parts)
-    : RodOrgan(parts, sectionsOf(*parts.model)) {}
+RodOrgan::RodOrgan(const Parts& parts) : RodOrgan(parts, sectionsOf(*parts.model)) {}
 
 RodOrgan::RodOrgan(const Parts& parts, const SolvedSections& sections)
     : organ_(organOf(*parts.model, sections, parts.graspArc)),
       skin_(organ_, parts.model->lattice(), sections, *parts.mesh),
       rod_(organ_.elements, organ_.rest, organ_.radii_m,
-           placed(parts.restraints, organ_, parts.model->lattice())),
+           placed(parts.restraints, organ_, parts.model->lattice()), {.drag_Ns_per_m = kDrag_Ns_per_m}),
       length_m_(parts.model->lattice().length_m()),
       task_(parts.task) {
   if (task_.measured) {
     marks_ = {skin_.placeOf(task_.measured->from), skin_.placeOf(task_.measured->point),
               skin_.placeOf(task_.measured->to)};
-    task_.measured = marksOf(rod_.rest());
+    task_.measured = marksOf(skin_.curveOf(rod_.rest()));
   }
   path_ = follow(parts.graspArc, kBeyondTarget * parts.targetAngle_rad);
   for (std::size_t i = 1; i < path_.size(); ++i) {
@@ -190,8 +191,7 @@ RodOrgan::RodOrgan(const Parts& parts, const SolvedSections& sections)
   }
 }
 
-Landmarks RodOrgan::marksOf(const RodPose& pose) const noexcept {
-  const RodCurve curve = skin_.curveOf(pose);
+Landmarks RodOrgan::marksOf(const RodCurve& curve) const noexcept {
   return {.from = skin_.positionOf_m(marks_[0], curve),
           .point = skin_.positionOf_m(marks_[1], curve),
           .to = skin_.positionOf_m(marks_[2], curve)};
@@ -235,9 +235,10 @@ Pose RodOrgan::handAfter(const OrganGrip& grip, const Pose& closed, const Pose& 
           .orientation = axisAngle(grip.axis.tangent, turn_rad) * closed.orientation};
 }
 
-double RodOrgan::turn_rad(const OrganGrip& grip, const RodPose& pose, double before_rad) const noexcept {
+double RodOrgan::turn_rad(const OrganGrip& grip, const RodPose& pose, const RodCurve& curve,
+                          double before_rad) const noexcept {
   if (task_.measured) {
-    return landmarkTurn_rad(*task_.measured, marksOf(pose), before_rad);
+    return landmarkTurn_rad(*task_.measured, marksOf(curve), before_rad);
   }
   const Quat& rest = rod_.rest().nodes[torsio::at(grip.node)].orientation;
   const Vec3 axis = task_.axis == GripAxis::kLine ? grip.axis.tangent : rotate(rest, {0, 0, 1});
@@ -247,17 +248,6 @@ double RodOrgan::turn_rad(const OrganGrip& grip, const RodPose& pose, double bef
 double RodOrgan::torque_Nm(const OrganGrip& grip, const GripLoad& load, const Pose& hand) noexcept {
   const Vec3 moment = load.torque_Nm + cross(hand.position_m - grip.axis.centre_m, load.force_N);
   return -dot(moment, grip.axis.tangent);
-}
-
-double RodOrgan::sharpestBend(const RodPose& pose) const noexcept {
-  double sharpest = 0.0;
-  const std::span<const RodElement> elements = rod_.elements();
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const RodStrain strain = rodStrain(elements[i].length_m, pose.nodes[i], pose.nodes[i + 1]);
-    const double stretch = std::max(kLeastStretch, strain.stretch.z / elements[i].restStrain[2]);
-    sharpest = std::max(sharpest, bendState(elements[i].bendLimit, strain.curvature_per_m, stretch).z);
-  }
-  return sharpest;
 }
 
 double RodOrgan::farthestFromRest_m(const RodPose& pose) const noexcept {
@@ -297,10 +287,11 @@ std::vector<TaskPoint> RodOrgan::follow(double graspArc, double angle_rad) const
                      rotateAbout(closed.position_m - grip.axis.centre_m, grip.axis.tangent, next.hand_rad);
     now.orientation = axisAngle(grip.axis.tangent, next.hand_rad) * closed.orientation;
     const RodBalance balance = balanceRod(rod_, &grip.jaw, now, {}, next.pose);
-    next.angle_rad = turn_rad(grip, next.pose, path.back().angle_rad);
+    const RodCurve curve = skin_.curveOf(next.pose);
+    next.angle_rad = turn_rad(grip, next.pose, curve, path.back().angle_rad);
     next.torque_Nm = torque_Nm(grip, balance.load, now);
     next.force_N = norm(balance.load.force_N);
-    if (!balance.converged || sharpestBend(next.pose) > kFoldingBend) {
+    if (!balance.converged || skin_.sharpestBend(curve) > kFoldingBend) {
       break;
     }
     path.push_back(next);

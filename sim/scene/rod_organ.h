@@ -17,9 +17,9 @@
 
 namespace torsio {
 
-/// Normalised bend z above which a pose counts as folded: the map of the skin keeps every volume up to here
-/// (docs/model.md R.8).
-inline constexpr double kFoldingBend = 0.455;
+/// Normalised bend z of the skin above which a pose counts as folded: there det F falls to
+/// kLeastDeterminant, 1 / (1 + (z - 0.455) / 0.04)^2 (docs/model.md R.8).
+inline constexpr double kFoldingBend = 0.504;
 
 /// Returns the pose `share` of the way from `a` to `b`, which have the same number of nodes.
 [[nodiscard]] RodPose poseBetween(const RodPose& a, const RodPose& b, double share) noexcept;
@@ -27,20 +27,21 @@ inline constexpr double kFoldingBend = 0.455;
 /// A jaw closed over an organ, and the axis that it turns about. Trivially copyable.
 struct OrganGrip {
   RodGrip jaw;
-  int node = 0;     ///< the gripped section
-  AxisFrame axis;   ///< that the hand turns about; e1 towards the jaw
+  int node = 0;    ///< the gripped section
+  AxisFrame axis;  ///< that the hand turns about; e1 towards the jaw
 };
 
 /// The organ at rest in the hand of a task, at one turn of the hand.
 struct TaskPoint {
-  double hand_rad = 0.0;    ///< turn of the hand about the axis of the task
-  double angle_rad = 0.0;   ///< of the task, as measured
-  double torque_Nm = 0.0;   ///< of the hand about its axis; positive holds a positive turn
-  double force_N = 0.0;     ///< of the hand beside that
+  double hand_rad = 0.0;   ///< turn of the hand about the axis of the task
+  double angle_rad = 0.0;  ///< of the task, as measured
+  double torque_Nm = 0.0;  ///< of the hand about its axis; positive holds a positive turn
+  double force_N = 0.0;    ///< of the hand beside that
   RodPose pose;
 };
 
-/// Returns the point of a path, from rest on, where the measured turn is `angle_rad`; the nearest end outside.
+/// Returns the point of a path, from rest on, where the measured turn is `angle_rad`; the nearest end
+/// outside.
 [[nodiscard]] TaskPoint atAngle(std::span<const TaskPoint> path, double angle_rad);
 
 /// An organ as a rod, with its restraints, its skin and the task of a pattern. Immutable; what is marked so
@@ -52,7 +53,7 @@ class RodOrgan {
     const TwistModel* model = nullptr;  ///< of the same organ: lattice, material, solved sections
     std::vector<Restraint> restraints;
     TurnTask task;
-    double graspArc = 0.5;          ///< of the pattern, fraction of the length
+    double graspArc = 0.5;  ///< of the pattern, fraction of the length
     double targetAngle_rad = 0.0;
   };
   /// Builds the rod and follows its task to the target. Throws Error{kBadMesh} where the organ has no simple
@@ -71,14 +72,12 @@ class RodOrgan {
   /// it closed at `closed`; `now`: the hand's pose. In the tick.
   [[nodiscard]] Pose handAfter(const OrganGrip& grip, const Pose& closed, const Pose& now,
                                double turn_rad) const noexcept;
-  /// Returns the turn of the task, unwrapped near `before_rad`. In the tick.
-  [[nodiscard]] double turn_rad(const OrganGrip& grip, const RodPose& pose, double before_rad) const noexcept;
+  /// Returns the turn of the task, unwrapped near `before_rad`; `curve`: of the pose. In the tick.
+  [[nodiscard]] double turn_rad(const OrganGrip& grip, const RodPose& pose, const RodCurve& curve,
+                                double before_rad) const noexcept;
   /// Returns the moment of the hand about the axis of the grip, N m. In the tick.
   [[nodiscard]] static double torque_Nm(const OrganGrip& grip, const GripLoad& load,
                                         const Pose& hand) noexcept;
-  /// Returns the largest normalised bend z of the pose: the tissue folds at 1/2 (docs/model.md R.3). In the
-  /// tick.
-  [[nodiscard]] double sharpestBend(const RodPose& pose) const noexcept;
   /// Returns how far the node that is farthest from its place at rest lies from it, m. In the tick.
   [[nodiscard]] double farthestFromRest_m(const RodPose& pose) const noexcept;
   /// Returns the largest stiffness dT/d(turn of the hand) on the way to the target, N m/rad.
@@ -95,7 +94,7 @@ class RodOrgan {
 
  private:
   [[nodiscard]] AxisFrame axisOf(const RodPose& pose, int node, const Vec3& hand_m) const noexcept;
-  [[nodiscard]] Landmarks marksOf(const RodPose& pose) const noexcept;
+  [[nodiscard]] Landmarks marksOf(const RodCurve& curve) const noexcept;
 
   RodOrgan(const Parts& parts, const SolvedSections& sections);
 

@@ -36,7 +36,7 @@ struct SceneDescription {
   Material material;
   Formulation formulation = Formulation::kSaintVenant;
   Instrument instrument;
-  std::vector<Restraint> restraints;  ///< of the organ where a pattern has a task
+  std::vector<Restraint> restraints;         ///< of the organ where a pattern has a task
   std::vector<PatternDescription> patterns;  ///< at least one, ids all different
 };
 

@@ -43,8 +43,8 @@ double Scene::peakShear_Pa(const OrganState& state) const noexcept {
   const TwistModel::Tables& tables = model.tables();
   double peak_Pa = 0.0;
   for (std::size_t i = 0; i < tables.patchArc_m.size(); ++i) {
-    peak_Pa = std::max(peak_Pa, tables.patchShear_Pa_m[i] *
-                                    std::abs(rod->twistRateAt(tables.patchArc_m[i], state.pose)));
+    peak_Pa = std::max(
+        peak_Pa, tables.patchShear_Pa_m[i] * std::abs(rod->twistRateAt(tables.patchArc_m[i], state.pose)));
   }
   return peak_Pa;
 }

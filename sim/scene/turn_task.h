@@ -41,12 +41,12 @@ struct Restraint {
   double to = 0.0;
   int count = 1;
   SectionSide side = SectionSide::kCentre;
-  std::optional<Vec3> point_m;   ///< the held point, instead of `from` and `side`; world frame, at rest
+  std::optional<Vec3> point_m;  ///< the held point, instead of `from` and `side`; world frame, at rest
   /// Where the springs end: none of both: where the held points are at rest.
-  std::optional<Vec3> anchor_m;  ///< world frame
-  bool towardsChord = false;     ///< on the line between the organ's ends, as the root of a mesentery
-  double slack_m = 0.0;          ///< way beyond the distance at rest before a spring pulls
-  double halfWidth_m = 0.0;      ///< of the patch along the organ; 0: half the radius there
+  std::optional<Vec3> anchor_m;    ///< world frame
+  bool towardsChord = false;       ///< on the line between the organ's ends, as the root of a mesentery
+  double slack_m = 0.0;            ///< way beyond the distance at rest before a spring pulls
+  double halfWidth_m = 0.0;        ///< of the patch along the organ; 0: half the radius there
   double stiffness_N_per_m = 0.0;  ///< of each spring
   double turn_Nm_per_rad = 0.0;    ///< resistance of the patch to turning, about every axis
   std::string source;              ///< of the numbers, or "assumed ..."

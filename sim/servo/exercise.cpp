@@ -103,8 +103,8 @@ double Exercise::driveAngle(const ToolState& tool) const noexcept {
   const Vec3 way = tool.pose.position_m - axis_.centre_m;
   const double x = dot(way, axis_.e1);
   const double y = dot(way, axis_.e2);
-  if (x * x + y * y < kNearAxis_m * kNearAxis_m) {
-    return angle_rad_;
+  if (!(x * x + y * y >= kNearAxis_m * kNearAxis_m)) {
+    return angle_rad_;  // also of a place that is not finite
   }
   return unwrapNear(portableAtan2(y, x), angle_rad_);
 }
@@ -123,7 +123,7 @@ std::uint32_t Exercise::follow(const ToolState& tool, const Scene& scene) noexce
   bool slips = false;
   if (scene.rod) {
     rodGrasp_.follow(*scene.rod, tool.pose, turn_rad, options_.drive, tick_s(), organ_);
-    if (scene.rod->sharpestBend(organ_.pose) > kFoldingBend) {
+    if (rodGrasp_.folds()) {
       return kEventFolded;
     }
     slips = rodGrasp_.drawnBeyond(kSlipWay_m);
@@ -214,8 +214,8 @@ TwistResponse Exercise::responseTo(const ToolTouch& at, const ToolState& tool, c
   if (phase_ == ExercisePhase::kTwisting) {
     const Vec3& tip_m = tool.pose.position_m;
     response.torque_Nm = scene.rod ? rodGrasp_.torque_Nm() : scene.model.torque_Nm(organ_.twist);
-    response.force_N = scene.rod ? rodGrasp_.force_N(*scene.rod, tip_m)
-                                 : scene.model.graspForce_N(organ_.twist, tip_m);
+    response.force_N =
+        scene.rod ? rodGrasp_.force_N(*scene.rod, tip_m) : scene.model.graspForce_N(organ_.twist, tip_m);
     response.force_N -= gripOffset(tool, scene) * kGripStiffness_N_per_m;
   }
   response.force_N += pushBack(at, patches);

@@ -11,6 +11,15 @@ namespace torsio {
 namespace {
 
 constexpr std::int64_t kApart_us = 40'000;
+constexpr double kApart_m = 0.002;
+
+double farthest_m(const RodPose& a, const RodPose& b) noexcept {
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(std::min(a.count, b.count)); ++i) {
+    farthest = std::max(farthest, norm(a.nodes[i].position_m - b.nodes[i].position_m));
+  }
+  return farthest;
+}
 
 }  // namespace
 
@@ -19,6 +28,7 @@ PoseTrack::PoseTrack(const Scene& scene, const TrialHeader& header, std::span<co
     return;
   }
   TrialRerun rerun(scene, header, kServoRules);
+  RodPose kept;
   for (const TrialChunk& chunk : chunks) {
     for (const Sample& recorded : decodeChunk(chunk)) {
       rerun.next(recorded);
@@ -26,8 +36,10 @@ PoseTrack::PoseTrack(const Scene& scene, const TrialHeader& header, std::span<co
       const std::int64_t time_us = recorded.device.time_us;
       const bool wasAtRest = shapes_.empty() || shapes_.back().count == 0;
       const bool moved = pose.count > 0;
-      if (wasAtRest == moved || (moved && time_us - shapes_.back().time_us >= kApart_us)) {
+      if (wasAtRest == moved ||
+          (moved && (time_us - shapes_.back().time_us >= kApart_us || farthest_m(kept, pose) > kApart_m))) {
         keep(time_us, pose);
+        kept = pose;
       }
     }
   }
@@ -65,8 +77,8 @@ RodPose PoseTrack::at(std::int64_t time_us) const noexcept {
   if (before.count == 0 || after == shapes_.end() || after->count == 0) {
     return pose(before);
   }
-  const double share = static_cast<double>(time_us - before.time_us) /
-                       static_cast<double>(after->time_us - before.time_us);
+  const double share =
+      static_cast<double>(time_us - before.time_us) / static_cast<double>(after->time_us - before.time_us);
   return poseBetween(pose(before), pose(*after), share);
 }
 

@@ -13,8 +13,9 @@
 namespace torsio {
 
 /// The shapes of an organ that is a rod over a recorded trial, for views: a recording holds what the hand
-/// did, not how the organ lay, so the shapes are found by running the trial again. Kept at 25 Hz in single
-/// precision while the organ is moved (0.9 kB a shape), interpolated between. Immutable once made.
+/// did, not how the organ lay, so the shapes are found by running the trial again. Kept in single precision
+/// at 25 Hz while the organ is moved, and wherever it moves by 2 mm (0.9 kB a shape), interpolated between.
+/// Immutable once made.
 class PoseTrack {
  public:
   PoseTrack() = default;

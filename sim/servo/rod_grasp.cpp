@@ -7,15 +7,29 @@
 
 namespace torsio {
 
+namespace {
+
+// A soft swing of the whole organ pulls at each node with less than the usual millinewton that is let stand.
+constexpr RodStepRules kRules{.settledForce_N = 3e-5, .settledMoment_Nm = 1e-6};
+
+}  // namespace
+
 void RodGrasp::close(const RodOrgan& organ, double arc_m, const Pose& tool, OrganState& state) noexcept {
   if (state.pose.count == 0) {
     state.pose = organ.rod().rest();
   }
   closed_ = tool;
   grip_ = organ.grip(state.pose, arc_m, tool);
-  state.twist = {arc_m, organ.turn_rad(grip_, state.pose, state.twist.graspAngle_rad)};
+  state.twist.graspArc_m = arc_m;
   load_ = {};
   torque_Nm_ = 0.0;
+  look(organ, state);
+}
+
+void RodGrasp::look(const RodOrgan& organ, OrganState& state) noexcept {
+  const RodCurve curve = organ.skin().curveOf(state.pose);
+  state.twist.graspAngle_rad = organ.turn_rad(grip_, state.pose, curve, state.twist.graspAngle_rad);
+  folds_ = organ.skin().sharpestBend(curve) > kFoldingBend;
 }
 
 void RodGrasp::follow(const RodOrgan& organ, const Pose& tool, double turn_rad, TwistDrive drive,
@@ -26,21 +40,20 @@ void RodGrasp::follow(const RodOrgan& organ, const Pose& tool, double turn_rad, 
     const Vec3& centre_m = grip_.axis.centre_m;
     hand.position_m = centre_m + rotateAbout(tool.position_m - centre_m, grip_.axis.tangent, turn_rad);
   }
-  const RodStepResult result =
-      stepRod(organ.rod(), &grip_.jaw, hand, duration_s, state.pose, work_);
+  const RodStepResult result = stepRod(organ.rod(), &grip_.jaw, hand, duration_s, state.pose, work_, kRules);
   load_ = result.load;
-  torque_Nm_ = RodOrgan::torque_Nm(grip_, load_, hand);
+  torque_Nm_ = result.status == RodStepStatus::kHandLost ? 0.0 : RodOrgan::torque_Nm(grip_, load_, hand);
   if (carried) {
     load_.force_N = rotateAbout(load_.force_N, grip_.axis.tangent, -turn_rad);
   }
-  state.twist.graspAngle_rad = organ.turn_rad(grip_, state.pose, state.twist.graspAngle_rad);
+  look(organ, state);
 }
 
 RodReturn RodGrasp::relax(const RodOrgan& organ, double duration_s, OrganState& state) noexcept {
-  const RodStepResult result = stepRod(organ.rod(), nullptr, {}, duration_s, state.pose, work_);
+  const RodStepResult result = stepRod(organ.rod(), nullptr, {}, duration_s, state.pose, work_, kRules);
   load_ = {};
   torque_Nm_ = 0.0;
-  state.twist.graspAngle_rad = organ.turn_rad(grip_, state.pose, state.twist.graspAngle_rad);
+  look(organ, state);
   const bool back = std::abs(state.twist.graspAngle_rad) < kRestTurn_rad &&
                     organ.farthestFromRest_m(state.pose) < kRestWay_m;
   if (back) {

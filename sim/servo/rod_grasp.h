@@ -42,8 +42,11 @@ class RodGrasp {
   /// Returns the torque of the hand about axis(), N m.
   [[nodiscard]] double torque_Nm() const noexcept { return torque_Nm_; }
   /// Returns what a tool with its tip at `tip_m` feels: the pull of the coupling, and its torque as a force
-  /// round the axis. Nearer than sqrt(K / stiffness cap) that falls with the arm, as TwistModel::graspForce_N.
+  /// round the axis. Nearer than sqrt(K / stiffness cap) that falls with the arm, as
+  /// TwistModel::graspForce_N.
   [[nodiscard]] Vec3 force_N(const RodOrgan& organ, const Vec3& tip_m) const noexcept;
+  /// Tells whether the tissue would fold in the pose of the last tick.
+  [[nodiscard]] bool folds() const noexcept { return folds_; }
   /// Tells whether the coupling is drawn out further than `way_m`.
   [[nodiscard]] bool drawnBeyond(double way_m) const noexcept;
 
@@ -52,6 +55,10 @@ class RodGrasp {
   Pose closed_;  // the tool as the jaw closed
   GripLoad load_;
   double torque_Nm_ = 0.0;
+  bool folds_ = false;
+  /// Measures the organ in its pose.
+  void look(const RodOrgan& organ, OrganState& state) noexcept;
+
   RodWorkspace work_;
 };
 static_assert(std::is_trivially_copyable_v<RodGrasp>);

@@ -68,7 +68,7 @@ struct ToolTouch {
 /// Finds what closing the jaw would take hold of: the surface point nearest to the mouth within `gripReach_m`
 /// of the tip's radius, if it lies between the open blades; nothing else can be held. The point is given on
 /// the organ at rest.
-[[nodiscard]] std::optional<SurfacePoint> tissueInMouth(const ToolShape& shape, const ToolState& tool, const Scene& scene,
-                                                        const OrganState& organ) noexcept;
+[[nodiscard]] std::optional<SurfacePoint> tissueInMouth(const ToolShape& shape, const ToolState& tool,
+                                                        const Scene& scene, const OrganState& organ) noexcept;
 
 }  // namespace torsio

@@ -140,9 +140,9 @@ void measure(const Scene& scene, double seconds) {
 /// The collision alone, with the tool anywhere from 20 mm outside to 20 mm inside the organ at its target.
 void measureAnywhere(const Scene& scene) {
   constexpr int kPlaces = 20'000;
-  const TwistState twist{scene.pattern.graspArc * scene.lattice().length_m(), scene.pattern.targetAngle_rad};
+  const OrganState organ = scene.stateAt(scene.pattern.targetAngle_rad);
   TriangleMesh mesh = scene.mesh;
-  scene.model.deform(twist, mesh.vertices_m);
+  scene.deform(organ, mesh.vertices_m);
   Random random(5);
   std::vector<double> processor;
   processor.reserve(kPlaces);
@@ -156,7 +156,7 @@ void measureAnywhere(const Scene& scene) {
         normalized(Quat{random.normal(), random.normal(), random.normal(), random.normal()});
     const ToolShape shape = toolShape(tool, scene.instrument);
     const double before_us = processor_us();
-    const ToolTouch touch = touchTool(shape, scene, twist, false);
+    const ToolTouch touch = touchTool(shape, scene, organ, false);
     processor.push_back(processor_us() - before_us);
     sum += std::min(touch.jaw.gap_m, 1.0);
   }
@@ -182,7 +182,7 @@ int main(int argc, char** argv) {
   }
   using namespace torsio;
   const TriangleMesh bar = testing::prism(testing::circleOutline(kBarRadius_m, 100), kBarLength_m, 104);
-  const Scene scenes[] = {barScene(bar), shipped("forearm"), shipped("stomach")};
+  const Scene scenes[] = {barScene(bar), shipped("forearm"), shipped("stomach"), shipped("intestine")};
   for (const Scene& scene : scenes) {
     measure(scene, seconds);
     measureAnywhere(scene);

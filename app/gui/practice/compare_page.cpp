@@ -190,7 +190,8 @@ void ComparePage::show(Side& side) {
   const Scene& scene = *side.scene.scene;
   const OrganState state = scene.stateForTorque(torque_Nm_);
   const QLocale locale;
-  side.angle->setText(tr("Angle  %1\u00b0").arg(locale.toString(degrees(state.twist.graspAngle_rad), 'f', 1)));
+  side.angle->setText(
+      tr("Angle  %1\u00b0").arg(locale.toString(degrees(state.twist.graspAngle_rad), 'f', 1)));
   side.shear->setText(
       tr("Largest shear  %1 kPa").arg(locale.toString(scene.peakShear_Pa(state) / 1000.0, 'f', 2)));
   side.time->setText(tr("Computed in  %1 \u00b5s").arg(locale.toString(median(side.times_us), 'f', 0)));

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "sim/base/rod_pose.h"
 #include "sim/tissue/rod/restraint.h"
 #include "sim/tissue/rod/rod_algebra.h"
-#include "sim/base/rod_pose.h"
 
 namespace torsio {
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "sim/base/rod_pose.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/tissue/rod/rod.h"
-#include "sim/base/rod_pose.h"
 #include "sim/tissue/twist/twist_model_sections.h"
 
 namespace torsio {

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstddef>
 
+#include "sim/base/angle.h"
 #include "sim/base/contracts.h"
 #include "sim/base/index.h"
+#include "sim/base/portable_math.h"
 #include "sim/tissue/rod/rod_algebra.h"
 
 namespace torsio {
@@ -220,6 +222,7 @@ RodSkin::RodSkin(const OrganRod& organ, const SectionLattice& lattice, const Sol
       break;
     }
   }
+  findRims();
   warpVertices(organ, lattice, sections);
 }
 
@@ -323,6 +326,46 @@ Vec3 RodSkin::toRest_m(const Vec3& deformed_m, const RodCurve& curve) const noex
   const std::array<double, 2> back = bent({thick * w[0], thick * w[1]}, inwards(rest));
   const double shorter = fibre(rest, back) / std::max(kLeastSkinStretch, fibre(now, u));
   return rest.place_m + rotate(rest.turn, {back[0], back[1], shorter * local.z});
+}
+
+void RodSkin::findRims() {
+  rims_m_.assign(at(rest_.count), {});
+  std::array<std::array<double, 2>, kRimPoints> directions{};
+  for (std::size_t j = 0; j < kRimPoints; ++j) {
+    const SinCos turn = portableSinCos(2.0 * kPi * static_cast<double>(j) / kRimPoints);
+    directions[j] = {turn.cos, turn.sin};
+  }
+  const auto along = [](const std::array<double, 2>& a, const std::array<double, 2>& b) {
+    return a[0] * b[0] + a[1] * b[1];
+  };
+  for (const RodSkinPlace& place : vertices_) {
+    const auto first = rest_.arcs_m.begin();
+    const auto after = std::upper_bound(first, first + rest_.count, place.arc_m);
+    const auto right = std::min<std::ptrdiff_t>(after - first, rest_.count - 1);
+    for (const std::ptrdiff_t node : {std::max<std::ptrdiff_t>(right - 1, 0), right}) {
+      auto& rim = rims_m_[static_cast<std::size_t>(node)];
+      for (std::size_t j = 0; j < kRimPoints; ++j) {
+        if (along(place.section_m, directions[j]) > along(rim[j], directions[j])) {
+          rim[j] = place.section_m;
+        }
+      }
+    }
+  }
+}
+
+double RodSkin::sharpestBend(const RodCurve& curve) const noexcept {
+  double sharpest = 0.0;
+  for (std::size_t i = 0; i < at(curve.count); ++i) {
+    const Quat& turn = curve.nodes[i].orientation;
+    const double stretch = std::max(kLeastSkinStretch, dot(rotate(turn, {0, 0, 1}), curve.slopes[i]));
+    const double rest = dot(rotate(rest_.nodes[i].orientation, {0, 0, 1}), rest_.slopes[i]);
+    const double scale = std::sqrt(rest / stretch) / stretch;
+    const Vec3& bend = curve.bends_per_m[i];
+    for (const std::array<double, 2>& rim : rims_m_[i]) {
+      sharpest = std::max(sharpest, scale * (rim[0] * bend.y - rim[1] * bend.x));
+    }
+  }
+  return sharpest;
 }
 
 void RodSkin::deform(const RodCurve& curve, std::span<Vec3> out_m) const noexcept {

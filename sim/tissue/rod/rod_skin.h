@@ -7,8 +7,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "sim/base/vec3.h"
 #include "sim/base/rod_pose.h"
+#include "sim/base/vec3.h"
 #include "sim/tissue/rod/rod_sections.h"
 
 namespace torsio {
@@ -73,16 +73,24 @@ class RodSkin {
   [[nodiscard]] Vec3 vertex_m(std::size_t vertex, const RodCurve& curve) const noexcept {
     return positionOf_m(vertices_[vertex], curve);
   }
+  /// Returns the largest normalised bend z that a pose asks of the surface at the nodes of the curve: up to
+  /// 0.455 every volume is kept, at 0.495 tissue is folded away (docs/model.md R.8). In the tick.
+  [[nodiscard]] double sharpestBend(const RodCurve& curve) const noexcept;
   /// Computes the vertices of the mesh into `out_m`, one entry a vertex.
   void deform(const RodCurve& curve, std::span<Vec3> out_m) const noexcept;
 
  private:
+  void findRims();
   void warpVertices(const OrganRod& organ, const SectionLattice& lattice, const SolvedSections& sections);
   [[nodiscard]] RodSkinPlace placeAt(const Vec3& rest_m, double arc_m) const noexcept;
 
   int smoothings_ = 0;
   RodCurve rest_;
   std::vector<RodSkinPlace> vertices_;
+  /// Of each node, the outermost points of the surface beside it in kRimPoints directions, brought to a
+  /// straight axis, m.
+  static constexpr std::size_t kRimPoints = 16;
+  std::vector<std::array<std::array<double, 2>, kRimPoints>> rims_m_;
 };
 
 }  // namespace torsio

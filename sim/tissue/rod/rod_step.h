@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
-#include "sim/tissue/rod/grip.h"
 #include "sim/base/rod_pose.h"
+#include "sim/tissue/rod/grip.h"
 #include "sim/tissue/rod/rod_system.h"
 
 namespace torsio {

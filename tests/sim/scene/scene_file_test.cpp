@@ -121,8 +121,11 @@ TEST_F(SceneFile, NamesAFieldOfTheWrongKind) {
   expectBadField([](Json& j) { j["patterns"] = Json::array(); }, "patterns");
   expectBadField([](Json& j) { j["restraints"] = 1; }, "restraints");
   expectBadField([](Json& j) { j["restraints"][1].erase("source"); }, "source");
-  expectBadField([](Json& j) { j["patterns"][0]["task"]["measured"]["point_mm"] = {-47, 4, -68}; },
-                 "point_mm");
+  expectBadField(
+      [](Json& j) {
+        j["patterns"][0]["task"]["measured"]["point_mm"] = {-47, 4, -68};
+      },
+      "point_mm");
 }
 
 TEST_F(SceneFile, NamesAValueOutOfRangeWithTheRange) {

@@ -152,10 +152,10 @@ TEST_F(ExerciseTest, GripsOnlyWhatLiesBetweenTheBlades) {
       shape.blades[0].to_m.x < shape.tip_m.x || shape.blades[1].to_m.x < shape.tip_m.x;
   ASSERT_TRUE(bladeTowardsBar);
   const std::optional<SurfacePoint> besideJaw = tissueInMouth(shape, beside(0.0), scene(), {});
-  const std::optional<SurfacePoint> ahead =
-      tissueInMouth(toolShape(onSurface(0.0, -0.002), scene().instrument), onSurface(0.0, -0.002), scene(), {});
-  const std::optional<SurfacePoint> away =
-      tissueInMouth(toolShape(onSurface(0.0, -0.005), scene().instrument), onSurface(0.0, -0.005), scene(), {});
+  const std::optional<SurfacePoint> ahead = tissueInMouth(
+      toolShape(onSurface(0.0, -0.002), scene().instrument), onSurface(0.0, -0.002), scene(), {});
+  const std::optional<SurfacePoint> away = tissueInMouth(
+      toolShape(onSurface(0.0, -0.005), scene().instrument), onSurface(0.0, -0.005), scene(), {});
 
   ASSERT_TRUE(ahead.has_value());
   EXPECT_NEAR(norm(ahead->position_m - Vec3{kBarRadius_m, 0.0, kArc_m}), 0.0, 0.002);
