@@ -20,6 +20,7 @@
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/geometry/mesh/mesh_export.h"
+#include "sim/scene/rod_organ.h"
 #include "sim/scene/scene.h"
 #include "sim/tissue/rod/fold_check.h"
 
@@ -153,7 +154,8 @@ nlohmann::ordered_json modelResult(const Scene& scene, const TwistState& state) 
 /// Turns the organ as the pattern's task says until the measured turn is the one asked for.
 TaskPoint taskPoint(const TwistArguments& arguments, const Scene& scene) {
   const double angle_rad = angleOf_rad(arguments, scene);
-  const std::vector<TaskPoint> path = scene.rod->follow(graspOf(arguments, scene), angle_rad);
+  const std::vector<TaskPoint> path =
+      scene.rod->follow(graspOf(arguments, scene), angle_rad, arguments.allowFold);
   if (std::abs(path.back().angle_rad) < std::abs(angle_rad)) {
     throw Error(ErrorCode::kFolded,
                 Text::verbatim("the turn ends at %1 degrees: beyond it the organ folds, or the hand turns "

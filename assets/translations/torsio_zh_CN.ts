@@ -98,16 +98,16 @@
         <translation>器官轴型 180 度</translation>
     </message>
     <message>
-        <source>Mesentero-axial, 120 degrees</source>
-        <translation>系膜轴型 120 度</translation>
-    </message>
-    <message>
-        <source>Combined, 180 and 90 degrees</source>
-        <translation>混合型 180 度和 90 度</translation>
-    </message>
-    <message>
         <source>Partial, antrum only, 90 degrees</source>
         <translation>部分扭转，仅胃窦，90 度</translation>
+    </message>
+    <message>
+        <source>Mesentero-axial, 45 degrees</source>
+        <translation>系膜轴型 45 度</translation>
+    </message>
+    <message>
+        <source>Combined, 120 degrees</source>
+        <translation>混合型 120 度</translation>
     </message>
 </context>
 <context>
@@ -3404,10 +3404,6 @@
     <message>
         <source>Stomach: combined twist, graded</source>
         <translation>胃：复合扭转，计分</translation>
-    </message>
-    <message>
-        <source>Stomach: mesentero-axial, 120 degrees</source>
-        <translation>胃：系膜轴型，120 度</translation>
     </message>
     <message>
         <source>Stomach: organo-axial, 180 degrees</source>
@@ -9061,6 +9057,34 @@
         <source>Writing</source>
         <translation>正在写入</translation>
     </message>
+    <message>
+        <source>lies on the line from from_mm to to_mm</source>
+        <translation>位于 from_mm 到 to_mm 的连线上</translation>
+    </message>
+    <message>
+        <source>Choose landmarks at least a millimetre apart.</source>
+        <translation>请选择相距至少一毫米的标志点。</translation>
+    </message>
+    <message>
+        <source>is less than a millimetre from axis_from_mm</source>
+        <translation>与 axis_from_mm 相距不足一毫米</translation>
+    </message>
+    <message>
+        <source>Choose landmarks farther apart.</source>
+        <translation>请选择相距更远的标志点。</translation>
+    </message>
+    <message>
+        <source>is one point for several springs</source>
+        <translation>只有一个点，却对应多根弹簧</translation>
+    </message>
+    <message>
+        <source>Give &apos;side&apos; instead, or one spring.</source>
+        <translation>请改用“side”，或只用一根弹簧。</translation>
+    </message>
+    <message>
+        <source>Stomach: mesentero-axial, 45 degrees</source>
+        <translation>胃：系膜轴型，45 度</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -13258,6 +13282,18 @@ Leave it empty to remove it.</source>
         <source>%1 /s</source>
         <translation>%1 /秒</translation>
     </message>
+    <message>
+        <source>The tissue would have folded, so the jaw let go. Turn less far.</source>
+        <translation>组织即将折叠，夹钳已松开。请少转一些。</translation>
+    </message>
+    <message>
+        <source>The jaw slipped off: it was pulled too far. The tissue returns to rest.</source>
+        <translation>夹钳滑脱：牵拉过度。组织正在复原。</translation>
+    </message>
+    <message>
+        <source>The tissue returns to rest.</source>
+        <translation>组织正在复原。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RemarksPage</name>
@@ -14608,10 +14644,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Turn in one even movement.</source>
         <translation>一次平稳地转动。</translation>
-    </message>
-    <message>
-        <source>The tissue returns to rest.</source>
-        <translation>组织正在复原。</translation>
     </message>
     <message>
         <source>Above the limit: ease off</source>

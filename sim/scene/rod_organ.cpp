@@ -271,7 +271,7 @@ double RodOrgan::twistRateAt(double arc_m, const RodPose& pose) const noexcept {
          element.restCurvature_per_m[2];
 }
 
-std::vector<TaskPoint> RodOrgan::follow(double graspArc, double angle_rad) const {
+std::vector<TaskPoint> RodOrgan::follow(double graspArc, double angle_rad, bool pastFolds) const {
   const RodPose& rest = rod_.rest();
   const Pose closed = rest.nodes[nearestNode(organ_.arcs_m, graspArc * length_m_)];
   const OrganGrip grip = this->grip(rest, graspArc * length_m_, closed);
@@ -291,7 +291,7 @@ std::vector<TaskPoint> RodOrgan::follow(double graspArc, double angle_rad) const
     next.angle_rad = turn_rad(grip, next.pose, curve, path.back().angle_rad);
     next.torque_Nm = torque_Nm(grip, balance.load, now);
     next.force_N = norm(balance.load.force_N);
-    if (!balance.converged || skin_.sharpestBend(curve) > kFoldingBend) {
+    if (!balance.converged || (!pastFolds && skin_.sharpestBend(curve) > kFoldingBend)) {
       break;
     }
     path.push_back(next);

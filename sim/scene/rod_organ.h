@@ -86,8 +86,9 @@ class RodOrgan {
   /// Returns the organ as the task turns it, from rest past the target, in steps of the hand.
   [[nodiscard]] std::span<const TaskPoint> path() const noexcept { return path_; }
   /// Follows the task with a jaw at another place until the measured turn is `angle_rad`, or the hand has
-  /// turned two and a half times as far, or the tissue folds.
-  [[nodiscard]] std::vector<TaskPoint> follow(double graspArc, double angle_rad) const;
+  /// turned two and a half times as far, or the tissue folds (unless `pastFolds`).
+  [[nodiscard]] std::vector<TaskPoint> follow(double graspArc, double angle_rad,
+                                              bool pastFolds = false) const;
 
   /// Returns the twist rate of the organ's own axis at arc length `arc_m`, rad/m, beyond that at rest.
   [[nodiscard]] double twistRateAt(double arc_m, const RodPose& pose) const noexcept;

@@ -9,6 +9,7 @@
 #include "sim/base/error.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/scene/pattern_axes.h"
+#include "sim/scene/rod_organ.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_parameters.h"
 

@@ -14,11 +14,12 @@
 #include "sim/geometry/mesh/triangle_mesh.h"
 #include "sim/geometry/query/collision_mesh.h"
 #include "sim/scene/organ_state.h"
-#include "sim/scene/rod_organ.h"
 #include "sim/scene/turn_task.h"
 #include "sim/tissue/twist/twist_model.h"
 
 namespace torsio {
+
+class RodOrgan;
 
 /// What collision and grip need of an instrument's file. ToolShape (sim/servo/tool_touch.h) makes tip, blades
 /// and shaft of it.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/scene/rod_organ.h"
 #include "sim/scene/scene.h"
 #include "sim/tissue/twist/twist_model_tables.h"
 

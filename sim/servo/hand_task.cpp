@@ -6,6 +6,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
+#include "sim/scene/rod_organ.h"
 #include "sim/servo/grasp_share.h"
 
 namespace torsio {

@@ -6,6 +6,7 @@
 
 #include "sim/base/portable_math.h"
 #include "sim/geometry/query/deformed_surface.h"
+#include "sim/scene/rod_organ.h"
 #include "sim/tissue/twist/twist_model_map.h"
 
 namespace torsio {

@@ -25,8 +25,8 @@ namespace {
     QT_TRANSLATE_NOOP("Assets", "Supination, 60 degrees"),
     QT_TRANSLATE_NOOP("Assets", "Loop, 180 degrees"),
     QT_TRANSLATE_NOOP("Assets", "Organo-axial, 180 degrees"),
-    QT_TRANSLATE_NOOP("Assets", "Mesentero-axial, 120 degrees"),
-    QT_TRANSLATE_NOOP("Assets", "Combined, 180 and 90 degrees"),
+    QT_TRANSLATE_NOOP("Assets", "Mesentero-axial, 45 degrees"),
+    QT_TRANSLATE_NOOP("Assets", "Combined, 120 degrees"),
     QT_TRANSLATE_NOOP("Assets", "Partial, antrum only, 90 degrees"),
 };
 

@@ -329,7 +329,7 @@ void SimulatorWindow::showHint(const LiveState& state) {
         text = tr("Holding. Drag, or press Q and E, to twist; let go to release");
         break;
       case ExercisePhase::kReleased:
-        text = tr("The tissue returns to rest");
+        text = ReadoutPanel::releaseText(state);
         break;
     }
   }

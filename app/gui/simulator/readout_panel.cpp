@@ -122,6 +122,19 @@ QString ReadoutPanel::phaseName(ExercisePhase phase) {
   return {};
 }
 
+QString ReadoutPanel::releaseText(const LiveState& state) {
+  const auto endedBy = [&state](std::int64_t time_us) {
+    return time_us >= 0 && time_us == state.times.released_us;
+  };
+  if (endedBy(state.times.folded_us)) {
+    return tr("The tissue would have folded, so the jaw let go. Turn less far.");
+  }
+  if (endedBy(state.times.slipped_us)) {
+    return tr("The jaw slipped off: it was pulled too far. The tissue returns to rest.");
+  }
+  return tr("The tissue returns to rest.");
+}
+
 void ReadoutPanel::showPhase(ExercisePhase phase) {
   // The sign changes with the phase as well, not only the word: it is read from the corner of the eye.
   static const QChar kSigns[] = {QChar(0x25CB), QChar(0x25D0), QChar(0x25CF), QChar(0x25CC)};

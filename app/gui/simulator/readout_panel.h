@@ -38,6 +38,9 @@ class ReadoutPanel : public QWidget {
 
   /// Name of a phase in the user's language.
   [[nodiscard]] static QString phaseName(ExercisePhase phase);
+  /// Says why the organ was let go, in a sentence: the hand opened, the jaw slipped, the tissue would have
+  /// folded.
+  [[nodiscard]] static QString releaseText(const LiveState& state);
 
  private:
   void showPhase(ExercisePhase phase);

@@ -9,6 +9,7 @@
 #include <QStackedWidget>
 
 #include "app/gui/base/translated_text.h"
+#include "app/gui/simulator/readout_panel.h"
 #include "app/gui/trainee/live_scene.h"
 #include "app/gui/trainee/run_page.h"
 #include "app/gui/trainee/trainee_labels.h"
@@ -156,7 +157,7 @@ QString RunPage::cue(const LiveState& state) const {
       return tr("Turn in one even movement.");
     }
     case ExercisePhase::kReleased:
-      return tr("The tissue returns to rest.");
+      return ReadoutPanel::releaseText(state);
   }
   return {};
 }
@@ -169,7 +170,10 @@ void RunPage::showLive(const LiveState& state) {
   torque_->setValue(std::abs(state.response.torque_Nm));
   force_->setValue(norm(state.force_N));
   const bool over = torque_->overLimit() || force_->overLimit();
-  warning_->setText(over ? tr("Above the limit: ease off") : QString());
+  const bool folded = state.phase == ExercisePhase::kReleased && state.times.folded_us >= 0 &&
+                      state.times.folded_us == state.times.released_us;
+  const QString otherwise = folded ? ReadoutPanel::releaseText(state) : QString();
+  warning_->setText(over ? tr("Above the limit: ease off") : otherwise);
   if (!runSession_->graded()) {
     cue_->setText(cue(state));
   }

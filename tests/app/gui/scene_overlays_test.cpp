@@ -36,10 +36,10 @@ TEST(ShearMap, IsZeroAtRestAndReachesTheEndOfItsScaleAtTheTarget) {
   std::vector<float> share(scene->mesh.vertices_m.size());
   const double grasp_m = scene->pattern.graspArc * scene->lattice().length_m();
 
-  map.evaluate({grasp_m, 0.0}, share);
+  map.evaluate({{grasp_m, 0.0}, {}}, share);
   EXPECT_EQ(*std::max_element(share.begin(), share.end()), 0.0F);
 
-  map.evaluate({grasp_m, scene->pattern.targetAngle_rad}, share);
+  map.evaluate({{grasp_m, scene->pattern.targetAngle_rad}, {}}, share);
   // Smoothing between the centres of patches takes a little off the peak.
   EXPECT_GT(*std::max_element(share.begin(), share.end()), 0.5F);
   EXPECT_LE(*std::max_element(share.begin(), share.end()), 1.0F);
@@ -53,8 +53,8 @@ TEST(ShearMap, GrowsInProportionToASmallAngle) {
   std::vector<float> once(scene->mesh.vertices_m.size());
   std::vector<float> twice(once.size());
 
-  map.evaluate({grasp_m, angle_rad}, once);
-  map.evaluate({grasp_m, 2.0 * angle_rad}, twice);
+  map.evaluate({{grasp_m, angle_rad}, {}}, once);
+  map.evaluate({{grasp_m, 2.0 * angle_rad}, {}}, twice);
 
   for (std::size_t v = 0; v < once.size(); ++v) {
     EXPECT_NEAR(twice[v], 2.0F * once[v], 1e-4F);

@@ -173,6 +173,25 @@ TEST_F(Window, ReadoutsFollowTheState) {
   EXPECT_TRUE(phase);
 }
 
+TEST_F(Window, SaysWhyTheOrganWasLetGo) {
+  LiveState state;
+  state.phase = ExercisePhase::kReleased;
+  state.times.released_us = 3'000'000;
+  const QString opened = ReadoutPanel::releaseText(state);
+  state.times.slipped_us = 1'000'000;  // of an earlier grip
+  EXPECT_EQ(ReadoutPanel::releaseText(state), opened);
+
+  state.times.slipped_us = state.times.released_us;
+  const QString slipped = ReadoutPanel::releaseText(state);
+  state.times.slipped_us = 1'000'000;
+  state.times.folded_us = state.times.released_us;
+  const QString folded = ReadoutPanel::releaseText(state);
+
+  EXPECT_TRUE(slipped.contains(QStringLiteral("slipped")));
+  EXPECT_TRUE(folded.contains(QStringLiteral("folded")));
+  EXPECT_NE(opened, folded);
+}
+
 TEST_F(Window, FreezingShowsOneInstant) {
   LiveState state;
   state.response.angle_rad = 0.5;

@@ -14,6 +14,7 @@
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
 #include "sim/geometry/mesh/mesh_export.h"
+#include "sim/scene/rod_organ.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_parameters.h"
 #include "sim/tissue/rod/fold_check.h"

@@ -15,6 +15,7 @@
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/recorder.h"
+#include "sim/scene/rod_organ.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/pose_track.h"
 #include "sim/servo/replay_trial.h"
@@ -61,9 +62,8 @@ class TurningHand {
   [[nodiscard]] ToolState tool(double angle_rad) const {
     ToolState turned = open_;
     turned.grip = 1.0;
-    turned.pose.position_m =
-        task_.axisCentre_m +
-        rotateAbout(open_.pose.position_m - task_.axisCentre_m, task_.axisDirection, angle_rad);
+    turned.pose.position_m = task_.axisCentre_m + rotateAbout(open_.pose.position_m - task_.axisCentre_m,
+                                                              task_.axisDirection, angle_rad);
     turned.pose.orientation = axisAngle(task_.axisDirection, angle_rad) * open_.pose.orientation;
     return turned;
   }
@@ -127,7 +127,8 @@ TEST(RodExercise, TheForceOnTheTipIsTheChangeOfTheStoredEnergy) {
   // Turning on costs more; the force on the tip is the torque over its arm, against the turn.
   EXPECT_GT(more_Nm, less_Nm);
   const RodOrgan& organ = *hand.scene().rod;
-  const AxisFrame axis = organ.grip(organ.rod().rest(), hand.last().response.graspArc_m, hand.open().pose).axis;
+  const AxisFrame axis =
+      organ.grip(organ.rod().rest(), hand.last().response.graspArc_m, hand.open().pose).axis;
   const Vec3 way = tip_m - axis.centre_m;
   const double arm_m = norm(way - dot(way, axis.tangent) * axis.tangent);
   ASSERT_GT(arm_m * arm_m, organ.turnStiffness_Nm_per_rad() / kStiffnessCap_N_per_m);
