@@ -21,8 +21,7 @@ constexpr HandProfile kNothingLeftToLearn{
 
 ScriptedHandOptions expertHand(const Scene& scene, double target_rad) {
   ScriptedHandOptions hand;
-  hand.task = handTask(scene);
-  hand.task.targetAngle_rad = target_rad;
+  hand.task = handTask(scene, target_rad);
   hand.profile = kNothingLeftToLearn;
   hand.duration_s = kLongestPlan_s;
   return hand;

@@ -150,7 +150,7 @@ Scene loadScene(const SceneRequest& request) {
   TwistModel model(mesh, lattice, description.material, options);
   CollisionMesh collision(mesh);
   std::shared_ptr<const RodOrgan> rod;
-  if (pattern.task && description.formulation != Formulation::kPaper) {
+  if (pattern.task && !request.noRod && description.formulation != Formulation::kPaper) {
     rod = std::make_shared<const RodOrgan>(RodOrgan::Parts{.mesh = &mesh,
                                                            .model = &model,
                                                            .restraints = description.restraints,

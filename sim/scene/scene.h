@@ -59,7 +59,8 @@ struct SceneRequest {
   std::optional<int> sections;
   std::string material;                    ///< id in assets/scenes/materials.json; empty: the scene's
   std::optional<LatticeMode> latticeMode;  ///< none: the scene's; for organFile kAutomatic
-  std::optional<Vec3> fixedEnd_m;          ///< of organFile, with freeEnd_m; none: found
+  bool noRod = false;              ///< leave every organ to the twist model, also where a pattern has a task
+  std::optional<Vec3> fixedEnd_m;  ///< of organFile, with freeEnd_m; none: found
   std::optional<Vec3> freeEnd_m;
 };
 

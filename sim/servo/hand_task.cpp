@@ -51,6 +51,10 @@ Candidate candidateAt(const Scene& scene, double arc_m, double angle_rad) {
 }  // namespace
 
 HandTask handTask(const Scene& scene) {
+  return handTask(scene, scene.pattern.targetAngle_rad);
+}
+
+HandTask handTask(const Scene& scene, double angle_rad) {
   const double fraction = std::clamp(scene.pattern.graspArc, kEndMargin, 1.0 - kEndMargin);
   const double arc_m = fraction * scene.lattice().length_m();
   Candidate best;
@@ -73,9 +77,8 @@ HandTask handTask(const Scene& scene) {
   task.axisCentre_m = axis.centre_m;
   task.axisDirection = axis.tangent;
   // What the pattern measures is not what the hand turns: a grip may turn by a part of the angle only.
-  task.targetAngle_rad =
-      scene.rod ? atAngle(scene.rod->path(), scene.pattern.targetAngle_rad).hand_rad
-                : scene.pattern.targetAngle_rad * graspShare(scene.model, axis, arc_m, best.point_m);
+  task.targetAngle_rad = scene.rod ? atAngle(scene.rod->path(), angle_rad).hand_rad
+                                   : angle_rad * graspShare(scene.model, axis, arc_m, best.point_m);
   task.tipRadius_m = scene.instrument.tipRadius_m;
   return task;
 }

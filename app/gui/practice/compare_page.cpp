@@ -131,6 +131,7 @@ void ComparePage::load(const QString& organ) {
   SceneRequest request;
   request.assets = shell().assets();
   request.id = organ.toStdString();
+  request.noRod = true;  // both formulations twist the organ about its own axis
   const std::array<Formulation, 2> formulations{sides_[0].formulation, sides_[1].formulation};
   shell().run(
       tr("Loading the models"),

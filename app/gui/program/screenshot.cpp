@@ -148,7 +148,9 @@ FrameRate measureFrameRate(const WindowSetup& setup, const ScreenshotRequest& re
     if (begun_s >= 0.0) {
       rate.slowestTick_us = std::max(rate.slowestTick_us, live.tickDuration_us);
     }
-    state.response.angle_rad = widest_rad * std::sin(kSwing_rad_per_s * now_s);
+    const OrganState swung = controller.scene()->stateAt(widest_rad * std::sin(kSwing_rad_per_s * now_s));
+    state.response.angle_rad = swung.twist.graspAngle_rad;
+    state.pose = swung.pose;
     controller.freeze(state);
     QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
   }

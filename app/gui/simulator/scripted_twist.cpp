@@ -24,8 +24,7 @@ const HandProfile kPractised{.initialSkill = 1.0, .finalSkill = 1.0, .learningTi
 LiveState scriptedTwist(const Scene& scene, double target_rad) {
   const bool turns = std::abs(target_rad) > kLeastTarget_rad;
   ScriptedHandOptions options;
-  options.task = handTask(scene);
-  options.task.targetAngle_rad = turns ? target_rad : kLeastTarget_rad;
+  options.task = handTask(scene, turns ? target_rad : kLeastTarget_rad);
   options.profile = kPractised;
   options.duration_s = kLongestTrial_s;
   auto hand = std::make_unique<ScriptedHand>(options);

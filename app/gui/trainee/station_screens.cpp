@@ -78,8 +78,7 @@ void showBriefing(Page& page) {
 
 std::unique_ptr<HapticDevice> practisedHand(const Scene& scene, double target_rad) {
   ScriptedHandOptions hand;
-  hand.task = handTask(scene);
-  hand.task.targetAngle_rad = target_rad;
+  hand.task = handTask(scene, target_rad);
   hand.profile = {.initialSkill = 1.0, .finalSkill = 1.0, .learningTime_min = 1.0};
   hand.duration_s = kHand_s;
   return std::make_unique<ScriptedHand>(hand);
