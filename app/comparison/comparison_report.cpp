@@ -200,6 +200,25 @@ ReportTable timeTable(const ComparisonResult& result) {
 
 }  // namespace
 
+std::vector<Text> comparisonLimits() {
+  return {
+      Text::tr(
+          "The twist model computes in advance; finite elements of small strain could do so too (one answer "
+          "to one newton metre, scaled), as fast, but would swell with the angle. The comparison is with "
+          "elements that bear large rotations."),
+      Text::tr(
+          "Set-up counts when organ or tissue change: it is stated apart and not in the deformation time."),
+      Text::tr("Linear tetrahedra lock: they are too stiff in torsion, the more so the coarser and the less "
+               "compressible. More of them, or quadratic ones, would be more accurate and slower. Springs by "
+               "position-based dynamics are as stiff as their substeps make them; their error is read in the "
+               "equilibrium of the springs themselves."),
+      Text::tr("The end is turned as a rigid body in its place; the twist model lets it warp and slide. The "
+               "reference shares material, ends and lattice with the elements and not with a person: only "
+               "measurements say which model is near to life, and bones are in none of them."),
+      Text::tr("The torques of the twist model as printed in the paper come from a cone in place of the "
+               "membrane, and its rotation is linear: both errors grow with the torque.")};
+}
+
 ReportModel comparisonReport(const ComparisonResult& result, const std::string& softwareVersion,
                              std::int64_t createdUtc_us) {
   ReportModel report;
@@ -220,24 +239,7 @@ ReportModel comparisonReport(const ComparisonResult& result, const std::string& 
   }
   ReportSection honesty;
   honesty.title = Text::tr("What these figures do not say");
-  honesty.paragraphs.emplace_back(Text::tr(
-      "The twist model computes in advance; finite elements of small strain could do so too (one answer "
-      "to one newton metre, scaled), as fast, but would swell with the angle. The comparison is with "
-      "elements that bear large rotations."));
-  honesty.paragraphs.emplace_back(Text::tr(
-      "Set-up counts when organ or tissue change: it is stated apart and not in the deformation time."));
-  honesty.paragraphs.emplace_back(
-      Text::tr("Linear tetrahedra lock: they are too stiff in torsion, the more so the coarser and the less "
-               "compressible. More of them, or quadratic ones, would be more accurate and slower. Springs by "
-               "position-based dynamics are as stiff as their substeps make them; their error is read in the "
-               "equilibrium of the springs themselves."));
-  honesty.paragraphs.emplace_back(
-      Text::tr("The end is turned as a rigid body in its place; the twist model lets it warp and slide. The "
-               "reference shares material, ends and lattice with the elements and not with a person: only "
-               "measurements say which model is near to life, and bones are in none of them."));
-  honesty.paragraphs.emplace_back(
-      Text::tr("The torques of the twist model as printed in the paper come from a cone in place of the "
-               "membrane, and its rotation is linear: both errors grow with the torque."));
+  honesty.paragraphs = comparisonLimits();
   report.sections = {speed, accuracy, honesty};
   return report;
 }
