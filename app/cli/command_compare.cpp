@@ -46,7 +46,7 @@ void printComparison(const ComparisonResult& result, const std::string& out) {
   std::cout << "a frame of the finite elements takes " << formatFixed(fem_s / result.latticeUpdate_s, 0)
             << " updates of the twist model's lattice, "
             << formatFixed(fem_s / result.model("pm").frameMedian_s, 0) << " of its whole view\n"
-            << "the report is " << out << "/comparison.pdf\n";
+            << "the report is " << out << "/" << kComparisonReportName << "\n";
 }
 
 void runCompare(OrganComparison arguments) {
@@ -74,7 +74,7 @@ void runCompare(OrganComparison arguments) {
   }
   writeComparisonFiles(result, arguments.out);
   writePdfReport(comparisonReport(result, softwareVersion(), utcNow_us()),
-                 std::filesystem::path(arguments.out) / "comparison.pdf");
+                 std::filesystem::path(arguments.out) / kComparisonReportName);
   if (arguments.json) {
     std::cout << comparisonJson(result);
   } else {

@@ -15,6 +15,19 @@ namespace {
 
 constexpr double kMillimetres = 1e3;
 
+/// The name of a model in tables and legends.
+Text shortName(const ModelResult& model) {
+  if (model.id == "reference") {
+    return Text::tr("reference");
+  }
+  if (model.id == "paper") {
+    return Text::tr("PM as printed");
+  }
+  return model.id == "pm"    ? Text::verbatim("PM")
+         : model.id == "fem" ? Text::verbatim("FEM")
+                             : Text::verbatim("MSM");
+}
+
 Provenance comparedFrom(const ComparisonResult& result, const Text& formula, std::int64_t n) {
   Provenance provenance;
   provenance.formula = formula;
@@ -51,7 +64,7 @@ ReportFigure timeFigure(const ComparisonResult& result) {
   FigureSeries setUp{Text::tr("set-up"), {}, {}, {}, {}, {}, {}, false};
   double category = 0.0;
   for (const ModelResult& model : result.models) {
-    figure.categories.emplace_back(model.id);
+    figure.categories.push_back(shortName(model));
     for (const auto& [series, value] :
          {std::pair{&whole, model.deformation_s}, {&frame, model.frameMedian_s}, {&setUp, model.setUp_s}}) {
       series->x.push_back(category);
@@ -80,7 +93,7 @@ ReportFigure markerFigure(const ComparisonResult& result) {
   }
   for (const ModelResult& model : result.models) {
     FigureSeries series;
-    series.name = model.id;
+    series.name = shortName(model);
     for (const double d : model.settled.displacements_m) {
       series.y.push_back(model.noEquilibrium.empty() ? std::optional(kMillimetres * d) : std::nullopt);
     }
@@ -110,7 +123,7 @@ ReportFigure courseFigure(const ComparisonResult& result) {
   figure.kind = FigureKind::kLines;
   for (const ModelResult& model : result.models) {
     FigureSeries series;
-    series.name = model.id;
+    series.name = shortName(model);
     for (const CoursePoint& point : model.course) {
       series.x.push_back(point.time_s);
       series.y.emplace_back(kMillimetres * point.displacement_m);
@@ -132,7 +145,8 @@ ReportFigure courseFigure(const ComparisonResult& result) {
   }
   figure.notes = {Text::tr(
       "Finite elements and springs have mass and follow the torque late; the others are in equilibrium at "
-      "once. All values are in course.csv; what was measured goes by the name of the person.")};
+      "once. What was measured goes by the name of the person.")};
+  figure.valuesStand = Text::tr("They stand in %1.", Text::verbatim("course.csv"));
   figure.provenance =
       comparedFrom(result, Text::tr("Eq. 24"), static_cast<std::int64_t>(result.models.size()));
   return figure;
@@ -154,14 +168,15 @@ ReportTable accuracyTable(const ComparisonResult& result) {
   for (const ModelResult& model : result.models) {
     const ModelState& state = model.settled;
     if (!model.noEquilibrium.empty()) {
-      table.notes.emplace_back(Text::tr("%1 has no row: %2.", model.id, model.noEquilibrium));
+      table.notes.emplace_back(Text::tr("%1 has no row: %2.", shortName(model), model.noEquilibrium));
       continue;
     }
     table.rows.push_back(
-        {model.id, formatFixed(degrees(state.angle_rad), 2), formatFixed(kMillimetres * state.rmse_m, 3),
-         formatFixed(kMillimetres * state.markerRmse_m, 3), formatFixed(kMillimetres * model.courseRmse_m, 3),
-         formatFixed(kMillimetres * state.roughness_m, 4), formatFixed(100.0 * state.radiusChange, 2),
-         formatFixed(100.0 * (state.volumeRatio - 1.0), 3), formatFixed(1e3 * state.energy_J, 4)});
+        {shortName(model), formatFixed(degrees(state.angle_rad), 2),
+         formatFixed(kMillimetres * state.rmse_m, 3), formatFixed(kMillimetres * state.markerRmse_m, 3),
+         formatFixed(kMillimetres * model.courseRmse_m, 3), formatFixed(kMillimetres * state.roughness_m, 4),
+         formatFixed(100.0 * state.radiusChange, 2), formatFixed(100.0 * (state.volumeRatio - 1.0), 3),
+         formatFixed(1e3 * state.energy_J, 4)});
   }
   table.notes.emplace_back(
       Text::tr("RMSE: over all key points of the lattice. Roughness: what the radius of a key point changes "
@@ -185,7 +200,7 @@ ReportTable timeTable(const ComparisonResult& result) {
                    Text::tr("then to equilibrium (s)"),
                    Text::tr("angle of the last frame (deg)")};
   for (const ModelResult& model : result.models) {
-    table.rows.push_back({model.id, std::to_string(model.unknowns), formatFixed(model.setUp_s, 3),
+    table.rows.push_back({shortName(model), std::to_string(model.unknowns), formatFixed(model.setUp_s, 3),
                           formatFixed(1e3 * model.frameMedian_s, 4), formatFixed(1e3 * model.frameWorst_s, 4),
                           std::to_string(model.frames), formatFixed(model.deformation_s, 4),
                           formatFixed(model.settle_s, 2), formatFixed(degrees(model.moving.angle_rad), 2)});

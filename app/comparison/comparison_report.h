@@ -10,6 +10,9 @@
 
 namespace torsio {
 
+/// The name of the report beside the files of writeComparisonFiles().
+inline constexpr const char* kComparisonReportName = "comparison.pdf";
+
 /// Makes the report of a comparison: Figs. 10, 13 and 14 of the paper with this organ, the tables of accuracy
 /// and time, the machine, and what the figures do not show. English only.
 [[nodiscard]] ReportModel comparisonReport(const ComparisonResult& result, const std::string& softwareVersion,

@@ -143,11 +143,15 @@ Scene loadScene(const SceneRequest& request) {
   options.formulation = description.formulation;
   options.ends = pattern.ends;
   options.operations = pattern.operations;
+  applyChoice(request.model, lattice.sections(), options, description.material);
   TwistModel model(mesh, lattice, description.material, options);
   CollisionMesh collision(mesh);
   std::string parameters = parametersText(description, pattern, request.organFile.has_value());
   Digest digest;
   digest.update(parameters);
+  if (request.model.any()) {
+    digest.update("another model");  // no recording was made with it
+  }
   std::string organHash = contentHash(mesh);
   TwistPattern chosen = pattern;
   return Scene{description.id,   description.title,      description.provenance, std::move(organHash),

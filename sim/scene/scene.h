@@ -11,6 +11,7 @@
 #include "sim/geometry/mesh/mesh_repair.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 #include "sim/geometry/query/collision_mesh.h"
+#include "sim/scene/model_choice.h"
 #include "sim/tissue/twist/twist_model.h"
 #include "sim/tissue/twist/twist_operation.h"
 
@@ -56,6 +57,7 @@ struct SceneRequest {
   std::optional<LatticeMode> latticeMode;  ///< none: the scene's; for organFile kAutomatic
   std::optional<Vec3> fixedEnd_m;          ///< of organFile, with freeEnd_m; none: found
   std::optional<Vec3> freeEnd_m;
+  ModelChoice model;  ///< of an engineer: no scene to record
 };
 
 /// Everything that an exercise needs, loaded and checked. Immutable; shared by servo and views.

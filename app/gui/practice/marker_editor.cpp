@@ -104,9 +104,8 @@ QWidget* MarkerEditor::createPanel() {
   sectionLabel_ = field(grid, 1, section_);
   ridgeLabel_ = field(grid, 2, ridge_);
   auto* change = new QHBoxLayout;
-  for (QPushButton* button : {add_, remove_, reset_}) {
-    change->addWidget(button);
-  }
+  change->addWidget(add_);
+  change->addWidget(remove_);
   auto* files = new QHBoxLayout;
   files->addWidget(open_);
   files->addWidget(save_);
@@ -115,6 +114,7 @@ QWidget* MarkerEditor::createPanel() {
   card_->content()->addLayout(change);
   card_->content()->addLayout(grid);
   card_->content()->addLayout(files);
+  card_->content()->addWidget(reset_);
   return card_;
 }
 
@@ -268,7 +268,7 @@ void MarkerEditor::retranslate() {
   list_->setAccessibleName(tr("Markers"));
   add_->setText(tr("&Add"));
   remove_->setText(tr("Re&move"));
-  reset_->setText(tr("Rese&t"));
+  reset_->setText(tr("&Reset"));
   reset_->setToolTip(tr("The markers that belong to this organ"));
   open_->setText(tr("&Open\u2026"));
   save_->setText(tr("Sa&ve\u2026"));
