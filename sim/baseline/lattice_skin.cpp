@@ -9,6 +9,38 @@
 
 namespace torsio {
 
+namespace {
+
+/// The point of a patch with these weights, and three unit directions of the patch: along the organ, round
+/// it, out.
+struct PatchPoint {
+  Vec3 place_m;
+  Vec3 along;
+  Vec3 round;
+  Vec3 out;
+};
+
+Vec3 direction(const Vec3& v) {
+  const double length = norm(v);
+  return length > 0.0 ? v / length : Vec3{};
+}
+
+PatchPoint patchPoint(const LatticePlaces& places, const std::array<std::size_t, 4>& points,
+                      const std::array<double, 4>& weights) {
+  const auto corner = [&](std::size_t k) { return places.places_m[points[k]]; };
+  PatchPoint point;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    point.place_m += weights[k] * corner(k);
+  }
+  point.along = direction(corner(2) + corner(3) - corner(0) - corner(1));
+  const Vec3 round = corner(1) + corner(3) - corner(0) - corner(2);
+  point.round = direction(round - dot(round, point.along) * point.along);
+  point.out = cross(point.round, point.along);
+  return point;
+}
+
+}  // namespace
+
 LatticeSkin::LatticeSkin(const TriangleMesh& mesh, const SectionLattice& lattice)
     : rest_(restPlaces(lattice)), end_(lattice.frameAt(lattice.length_m())) {
   const auto index = [this](int section, int ridge) {
@@ -30,6 +62,9 @@ LatticeSkin::LatticeSkin(const TriangleMesh& mesh, const SectionLattice& lattice
     vertex.points = {index(section, ridge), index(section, ridge + 1), index(section + 1, ridge),
                      index(section + 1, ridge + 1)};
     vertex.weights = {(1.0 - u) * (1.0 - v), (1.0 - u) * v, u * (1.0 - v), u * v};
+    const PatchPoint patch = patchPoint(rest_, vertex.points, vertex.weights);
+    const Vec3 aside = vertex.rest_m - patch.place_m;
+    vertex.aside_m = {dot(aside, patch.along), dot(aside, patch.round), dot(aside, patch.out)};
     vertices_.push_back(vertex);
   }
 }
@@ -39,11 +74,9 @@ void LatticeSkin::deform(const LatticePlaces& now, double angle_rad, std::span<V
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const CarriedVertex& vertex = vertices_[i];
     if (vertex.part == LatticePart::kSide) {
-      Vec3 place = vertex.rest_m;
-      for (std::size_t k = 0; k < vertex.points.size(); ++k) {
-        place += vertex.weights[k] * (now.places_m[vertex.points[k]] - rest_.places_m[vertex.points[k]]);
-      }
-      out_m[i] = place;
+      const PatchPoint patch = patchPoint(now, vertex.points, vertex.weights);
+      out_m[i] = patch.place_m + vertex.aside_m.x * patch.along + vertex.aside_m.y * patch.round +
+                 vertex.aside_m.z * patch.out;
     } else {
       out_m[i] = capPlace_m(vertex.part, vertex.rest_m, end_, angle_rad);
     }

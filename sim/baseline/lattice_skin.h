@@ -11,7 +11,8 @@
 namespace torsio {
 
 /// Shows a model by the organ's own mesh: what lies between key points moves as they do, bilinearly in arc
-/// length and ridge angle; beyond the fixed end nothing moves, beyond the free end all turns with it as a
+/// length and ridge angle, and what stands out from
+/// their patch turns with it; beyond the fixed end nothing moves, beyond the free end all turns with it as a
 /// rigid body. Immutable; copies its data.
 class LatticeSkin {
  public:
@@ -28,6 +29,7 @@ class LatticeSkin {
     Vec3 rest_m;
     std::array<std::size_t, 4> points{};
     std::array<double, 4> weights{};
+    Vec3 aside_m;  ///< from the point of the patch, along its three directions
   };
 
   std::vector<CarriedVertex> vertices_;

@@ -45,6 +45,7 @@ WindowSetup setup(ThemeKind kind = ThemeKind::kLight) {
   WindowSetup setup;
   setup.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
   setup.loader = testing::loadBar;
+  setup.recording.open = [](const RecordingSpec&) { return std::unique_ptr<TrialSink>(); };
   setup.recording.list = [] { return std::vector<RecordedTrial>(); };
   setup.theme = kind;
   setup.remember = false;

@@ -45,20 +45,13 @@ TEST(LatticeSkin, FollowsKeyPointsThatTurnAsOneAndTurnsTheHandWithThem) {
   skin.deform(turned, 0.5 * kPi, shown);
 
   int caps = 0;
-  double worst_m = 0.0;
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    const Vec3& rest = arm.mesh.vertices_m[i];
-    if (arm.lattice.vertexParts()[i] == LatticePart::kFreeCap) {
-      EXPECT_LT(norm(shown[i] - quarter(rest)), 1e-12);
-      ++caps;
-    } else if (arm.lattice.vertexParts()[i] == LatticePart::kSide) {
-      worst_m = std::max(worst_m, norm(shown[i] - quarter(rest)));
+    caps += arm.lattice.vertexParts()[i] == LatticePart::kFreeCap ? 1 : 0;
+    if (arm.lattice.vertexParts()[i] != LatticePart::kFixedCap) {
+      EXPECT_LT(norm(shown[i] - quarter(arm.mesh.vertices_m[i])), 1e-12);
     }
   }
   EXPECT_GT(caps, 100);
-  // Between ridges and sections a vertex lies up to 0.3 mm off the patch of its key points; a quarter turn
-  // makes sqrt(2) of that an error.
-  EXPECT_LT(worst_m, 1e-3);
 }
 
 TEST(LatticeSkin, LeavesTheOrganAtRestWhereTheKeyPointsAre) {
