@@ -11,9 +11,8 @@
 namespace torsio {
 
 /// Shows a model by the organ's own mesh: what lies between key points moves as they do, bilinearly in arc
-/// length and ridge angle, and what stands out from
-/// their patch turns with it; beyond the fixed end nothing moves, beyond the free end all turns with it as a
-/// rigid body. Immutable; copies its data.
+/// length and ridge angle, and what stands out from their patch turns with it; beyond the fixed end nothing
+/// moves, beyond the free end all turns with it as a rigid body. Immutable; copies its data.
 class LatticeSkin {
  public:
   LatticeSkin(const TriangleMesh& mesh, const SectionLattice& lattice);

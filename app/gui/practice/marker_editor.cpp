@@ -216,10 +216,6 @@ bool MarkerEditor::placeAt(const QPointF& pixel) {
   return true;
 }
 
-QPointF MarkerEditor::pixelOf(std::size_t marker) const {
-  return labels_->pixelOf(markers_.at(marker));
-}
-
 void MarkerEditor::took() {
   showMarkers();
   Q_EMIT changed();

@@ -40,7 +40,6 @@ class MarkerEditor : public QWidget {
   void save(const std::filesystem::path& file) const;
   /// Moves the chosen marker to what is seen at a pixel of the view; false when that is no organ.
   bool placeAt(const QPointF& pixel);
-  [[nodiscard]] QPointF pixelOf(std::size_t marker) const;
 
   void retranslate();
   void setTheme(const Theme& theme);

@@ -15,6 +15,7 @@
 #include "app/gui/base/figure_card.h"
 #include "app/gui/practice/compare_page.h"
 #include "app/gui/practice/marker_editor.h"
+#include "app/gui/practice/marker_labels.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "tests/app/gui/administrator_desk.h"
@@ -125,7 +126,7 @@ TEST(MarkerEditor, MovesTheChosenMarkerToWhereTheOrganWasClicked) {
 
   // The viewer looks along +y of the world, from the front: marker 2 lies on the palm, in front.
   editor.findChild<QListWidget*>()->setCurrentRow(8);
-  ASSERT_TRUE(editor.placeAt(editor.pixelOf(1)));
+  ASSERT_TRUE(editor.placeAt(editor.findChild<MarkerLabels*>()->pixelOf(before[1])));
 
   EXPECT_LT(norm(editor.markers()[8].position_m - before[1].position_m), 0.5e-3);
   EXPECT_EQ(editor.markers()[8].name, before[8].name);
