@@ -156,15 +156,9 @@ ReportTable accuracyTable(const ComparisonResult& result) {
   ReportTable table;
   table.id = "table-accuracy";
   table.title = Text::tr("Accuracy in equilibrium, against the reference");
-  table.columns = {Text::tr("model"),
-                   Text::tr("end angle (deg)"),
-                   Text::tr("RMSE (mm)"),
-                   Text::tr("markers RMSE (mm)"),
-                   Text::tr("course RMSE (mm)"),
-                   Text::tr("roughness (mm)"),
-                   Text::tr("radius change (%)"),
-                   Text::tr("volume change (%)"),
-                   Text::tr("energy (mJ)")};
+  table.columns = {Text::tr("model"),        Text::tr("end angle (deg)"), Text::tr("RMSE (mm)"),
+                   Text::tr("markers (mm)"), Text::tr("course (mm)"),     Text::tr("roughness (mm)"),
+                   Text::tr("radius (%)"),   Text::tr("volume (%)"),      Text::tr("energy (mJ)")};
   for (const ModelResult& model : result.models) {
     const ModelState& state = model.settled;
     if (!model.noEquilibrium.empty()) {
@@ -178,9 +172,10 @@ ReportTable accuracyTable(const ComparisonResult& result) {
          formatFixed(100.0 * state.radiusChange, 2), formatFixed(100.0 * (state.volumeRatio - 1.0), 3),
          formatFixed(1e3 * state.energy_J, 4)});
   }
-  table.notes.emplace_back(
-      Text::tr("RMSE: over all key points of the lattice. Roughness: what the radius of a key point changes "
-               "differently from its four neighbours."));
+  table.notes.emplace_back(Text::tr(
+      "RMSE: over all key points of the lattice; markers and course: of their displacements. Radius: its "
+      "largest change. Roughness: what the radius of a key point changes "
+      "differently from its four neighbours."));
   table.provenance =
       comparedFrom(result, Text::tr("Eq. 24"), static_cast<std::int64_t>(result.models.size()));
   return table;
@@ -190,15 +185,9 @@ ReportTable timeTable(const ComparisonResult& result) {
   ReportTable table;
   table.id = "table-times";
   table.title = Text::tr("Processing times");
-  table.columns = {Text::tr("model"),
-                   Text::tr("unknowns"),
-                   Text::tr("set-up (s)"),
-                   Text::tr("frame, median (ms)"),
-                   Text::tr("frame, worst (ms)"),
-                   Text::tr("frames"),
-                   Text::tr("whole twist (s)"),
-                   Text::tr("then to equilibrium (s)"),
-                   Text::tr("angle of the last frame (deg)")};
+  table.columns = {Text::tr("model"),      Text::tr("unknowns"),     Text::tr("set-up (s)"),
+                   Text::tr("frame (ms)"), Text::tr("worst (ms)"),   Text::tr("frames"),
+                   Text::tr("twist (s)"),  Text::tr("settling (s)"), Text::tr("last angle (deg)")};
   for (const ModelResult& model : result.models) {
     table.rows.push_back({shortName(model), std::to_string(model.unknowns), formatFixed(model.setUp_s, 3),
                           formatFixed(1e3 * model.frameMedian_s, 4), formatFixed(1e3 * model.frameWorst_s, 4),
@@ -206,6 +195,9 @@ ReportTable timeTable(const ComparisonResult& result) {
                           formatFixed(model.settle_s, 2), formatFixed(degrees(model.moving.angle_rad), 2)});
   }
   table.notes = {
+      Text::tr("Frame: the median. Settling: from the last frame to equilibrium, no part of the twist. Last "
+               "angle: "
+               "as the last frame showed it."),
       Text::tr("The twist model alone, without its mesh, updates all key points in %1 microseconds.",
                formatFixed(1e6 * result.latticeUpdate_s, 2))};
   table.provenance =

@@ -8970,24 +8970,8 @@
         <translation>RMSE（mm）</translation>
     </message>
     <message>
-        <source>markers RMSE (mm)</source>
-        <translation>标记点 RMSE（mm）</translation>
-    </message>
-    <message>
-        <source>course RMSE (mm)</source>
-        <translation>过程 RMSE（mm）</translation>
-    </message>
-    <message>
         <source>roughness (mm)</source>
         <translation>粗糙度（mm）</translation>
-    </message>
-    <message>
-        <source>radius change (%)</source>
-        <translation>半径变化（%）</translation>
-    </message>
-    <message>
-        <source>volume change (%)</source>
-        <translation>体积变化（%）</translation>
     </message>
     <message>
         <source>energy (mJ)</source>
@@ -8996,10 +8980,6 @@
     <message>
         <source>%1 has no row: %2.</source>
         <translation>%1 没有对应行：%2。</translation>
-    </message>
-    <message>
-        <source>RMSE: over all key points of the lattice. Roughness: what the radius of a key point changes differently from its four neighbours.</source>
-        <translation>RMSE：对点阵的全部关键点计算。粗糙度：关键点半径变化与其四个相邻点之差。</translation>
     </message>
     <message>
         <source>Processing times</source>
@@ -9014,28 +8994,8 @@
         <translation>准备（s）</translation>
     </message>
     <message>
-        <source>frame, median (ms)</source>
-        <translation>单帧中位数（ms）</translation>
-    </message>
-    <message>
-        <source>frame, worst (ms)</source>
-        <translation>单帧最大值（ms）</translation>
-    </message>
-    <message>
         <source>frames</source>
         <translation>帧数</translation>
-    </message>
-    <message>
-        <source>whole twist (s)</source>
-        <translation>整个扭转（s）</translation>
-    </message>
-    <message>
-        <source>then to equilibrium (s)</source>
-        <translation>其后至平衡（s）</translation>
-    </message>
-    <message>
-        <source>angle of the last frame (deg)</source>
-        <translation>最后一帧的角度（°）</translation>
     </message>
     <message>
         <source>The twist model alone, without its mesh, updates all key points in %1 microseconds.</source>
@@ -9600,6 +9560,50 @@
     <message>
         <source>Give a number of sections, or leave it out</source>
         <translation>请给出截面数，或不填</translation>
+    </message>
+    <message>
+        <source>markers (mm)</source>
+        <translation>标记点（mm）</translation>
+    </message>
+    <message>
+        <source>course (mm)</source>
+        <translation>曲线（mm）</translation>
+    </message>
+    <message>
+        <source>radius (%)</source>
+        <translation>半径（%）</translation>
+    </message>
+    <message>
+        <source>volume (%)</source>
+        <translation>体积（%）</translation>
+    </message>
+    <message>
+        <source>RMSE: over all key points of the lattice; markers and course: of their displacements. Radius: its largest change. Roughness: what the radius of a key point changes differently from its four neighbours.</source>
+        <translation>RMSE：对点阵的全部关键点计算；标记点与曲线：对其位移计算。半径：其最大变化。粗糙度：关键点半径变化与其四个相邻点之差。</translation>
+    </message>
+    <message>
+        <source>frame (ms)</source>
+        <translation>每帧（ms）</translation>
+    </message>
+    <message>
+        <source>worst (ms)</source>
+        <translation>最慢帧（ms）</translation>
+    </message>
+    <message>
+        <source>twist (s)</source>
+        <translation>扭转（s）</translation>
+    </message>
+    <message>
+        <source>settling (s)</source>
+        <translation>趋衡（s）</translation>
+    </message>
+    <message>
+        <source>last angle (deg)</source>
+        <translation>末帧角（°）</translation>
+    </message>
+    <message>
+        <source>Frame: the median. Settling: from the last frame to equilibrium, no part of the twist. Last angle: as the last frame showed it.</source>
+        <translation>每帧：中位数。趋衡：从最后一帧到平衡，不计入扭转用时。末帧角：最后一帧显示的角度。</translation>
     </message>
 </context>
 <context>

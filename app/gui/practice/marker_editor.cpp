@@ -88,6 +88,8 @@ QWidget* MarkerEditor::createPanel() {
   card_->setFixedWidth(kEditorWidth);
   hint_ = sentence(card_);
   list_ = new QListWidget(card_);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setTextElideMode(Qt::ElideRight);
   name_ = new QLineEdit(card_);
   section_ = new QSpinBox(card_);
   ridge_ = new QSpinBox(card_);
@@ -169,6 +171,7 @@ void MarkerEditor::choose(int row) {
   add_->setEnabled(scene_ != nullptr && markers_.size() < kMostMarkers);
   if (any) {
     name_->setText(assetName(toQString(markers_[static_cast<std::size_t>(row)].name)));
+    name_->setCursorPosition(0);
     showPlace();
   }
   showMarkers();
