@@ -25,6 +25,7 @@ struct OrganComparison {
   OrganArguments organ;
   ComparisonOptions options;
   std::string calibration = "affine";
+  std::string markers;
   std::string measured;
   std::string out;
   bool json = false;
@@ -45,23 +46,25 @@ void printComparison(const ComparisonResult& result, const std::string& out) {
   std::cout << "a frame of the finite elements takes " << formatFixed(fem_s / result.latticeUpdate_s, 0)
             << " updates of the twist model's lattice, "
             << formatFixed(fem_s / result.model("pm").frameMedian_s, 0) << " of its whole view\n"
-            << "the report is " << out << "/comparison.pdf\n";
+            << "the report is " << out << "/" << kComparisonReportName << "\n";
 }
 
 void runCompare(OrganComparison arguments) {
-  constexpr int kComparedRidges = 36;
-  constexpr int kComparedSections = 37;
   arguments.organ.ridges = arguments.organ.ridges.value_or(kComparedRidges);
   arguments.organ.sections = arguments.organ.sections.value_or(kComparedSections);
   arguments.options.springs.calibration =
       arguments.calibration == "affine" ? Calibration::kAffine : Calibration::kEquilibrium;
   const SceneRequest request = sceneRequest(arguments.organ);
   const Scene scene = loadScene(request);
-  const std::vector<OrganMarker> markers =
-      request.organFile ? std::vector<OrganMarker>{} : readOrganMarkers(request.assets, scene.id);
+  std::vector<OrganMarker> markers;
+  if (!arguments.markers.empty()) {
+    markers = readMarkers(arguments.markers, scene);
+  } else if (!request.organFile) {
+    markers = readOrganMarkers(request.assets, scene);
+  }
   std::vector<MeasuredSubject> measured;
   if (!arguments.measured.empty()) {
-    measured = readMeasuredMarkers(arguments.measured, static_cast<int>(markers.size()));
+    measured = readMeasuredMarkers(arguments.measured, markers);
   }
   ComparisonResult result;
   {
@@ -71,7 +74,7 @@ void runCompare(OrganComparison arguments) {
   }
   writeComparisonFiles(result, arguments.out);
   writePdfReport(comparisonReport(result, softwareVersion(), utcNow_us()),
-                 std::filesystem::path(arguments.out) / "comparison.pdf");
+                 std::filesystem::path(arguments.out) / kComparisonReportName);
   if (arguments.json) {
     std::cout << comparisonJson(result);
   } else {
@@ -90,8 +93,11 @@ void addCompare(CLI::App& program) {
                       "At the free end, N m; default: reaches the pattern's angle by the twist model");
   command->add_option("--out", arguments->out, "Folder for comparison.pdf, comparison.json and tables")
       ->required();
+  command->add_option("--markers", arguments->markers,
+                      "Markers on the organ, JSON as the window saves them; default: the organ's own");
   command->add_option("--measured", arguments->measured,
-                      "Markers of real limbs, CSV: marker, time, x, y, z, unit, subject");
+                      "Markers of real limbs, CSV: marker, time, x, y, z, unit, subject; or a camera marker "
+                      "file (TRC)");
   command->add_option("--nu", arguments->options.poissonRatio, "Poisson's ratio of the elements")
       ->capture_default_str();
   command->add_option("--ramp", arguments->options.ramp_s, "Seconds in which the torque grows")

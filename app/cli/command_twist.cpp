@@ -227,15 +227,14 @@ void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms
                 Text::verbatim("with --ends clamped-turned the upper face is turned, nothing is gripped"),
                 Text::verbatim("--grasp"), Text::verbatim("Leave it out, or give --ends clamped-free"));
   }
-  ModelArguments ofPatterns = arguments.model;
-  ofPatterns.shearModulus_Pa.reset();
-  if (changesModel(ofPatterns)) {
+  if (modelChoice(arguments.model).ofBar()) {
     throw Error(ErrorCode::kUsage, Text::verbatim("these options change the model of a pattern, not the rod"),
                 "--ends " + arguments.ends, Text::verbatim("Leave out --ends, or the options of the model"));
   }
   RodTwistRequest request;
   request.ends = free ? RodEnds::kClampedFree : RodEnds::kClampedTurned;
-  request.shearModulus_Pa = arguments.model.shearModulus_Pa.value_or(scene.model.material().shearModulus_Pa);
+  request.shearModulus_Pa =
+      arguments.model.choice.shearModulus_Pa.value_or(scene.model.material().shearModulus_Pa);
   request.poisson = arguments.poisson.value_or(request.poisson);
   request.angle_rad = angleOf_rad(arguments, scene);
   request.grasp = graspOf(arguments, scene);
@@ -279,10 +278,11 @@ void runTwist(const TwistArguments& arguments) {
                 Text::verbatim("--nu"), Text::verbatim("Give --ends too, or leave it out"));
   }
   const auto started = SteadyClock::now();
-  Scene scene = loadScene(sceneRequest(arguments.organ));
-  if (arguments.ends.empty() && changesModel(arguments.model)) {
-    scene.model = modelAsAsked(scene, arguments.model);
+  SceneRequest request = sceneRequest(arguments.organ);
+  if (arguments.ends.empty()) {
+    request.model = modelChoice(arguments.model);
   }
+  const Scene scene = loadScene(request);
   const double setUp_ms = millisecondsSince(started);
   arguments.ends.empty() ? runPattern(arguments, scene, setUp_ms) : runRod(arguments, scene, setUp_ms);
 }
@@ -305,7 +305,7 @@ void addTwist(CLI::App& program) {
           "Twist the organ as a curved rod: clamped-turned (the upper face is turned about its tangent, "
           "its place held) or clamped-free (the section at --grasp is turned); default: the pattern")
       ->check(CLI::IsMember({"clamped-turned", "clamped-free"}));
-  command->add_option("--shear-modulus", arguments->model.shearModulus_Pa,
+  command->add_option("--shear-modulus", arguments->model.choice.shearModulus_Pa,
                       "G in pascal; default: the material's");
   command->add_option("--nu", arguments->poisson,
                       "Poisson's ratio, with --ends: E = 2 G (1 + nu); default: 0.5");

@@ -39,7 +39,7 @@ Json modelJson(const ModelResult& model, bool hasMarker) {
                       {"displacement_m", hasMarker ? Json(point.displacement_m) : noMarker()}});
   }
   return {{"id", model.id},
-          {"title", model.title},
+          {"title", model.title.str()},
           {"unknowns", model.unknowns},
           {"set_up_s", model.setUp_s},
           {"frames", model.frames},
@@ -48,8 +48,8 @@ Json modelJson(const ModelResult& model, bool hasMarker) {
           {"deformation_s", model.deformation_s},
           {"settle_s", model.settle_s},
           {"moving", stateJson(model.moving)},
-          {"settled",
-           model.noEquilibrium.empty() ? stateJson(model.settled) : Json{{"undefined", model.noEquilibrium}}},
+          {"settled", model.noEquilibrium.empty() ? stateJson(model.settled)
+                                                  : Json{{"undefined", model.noEquilibrium.str()}}},
           {"course_rmse_m", hasMarker ? Json(model.courseRmse_m) : noMarker()},
           {"course", course}};
 }

@@ -15,6 +15,19 @@ namespace {
 
 constexpr double kMillimetres = 1e3;
 
+/// The name of a model in tables and legends.
+Text shortName(const ModelResult& model) {
+  if (model.id == "reference") {
+    return Text::tr("reference");
+  }
+  if (model.id == "paper") {
+    return Text::tr("PM as printed");
+  }
+  return model.id == "pm"    ? Text::verbatim("PM")
+         : model.id == "fem" ? Text::verbatim("FEM")
+                             : Text::verbatim("MSM");
+}
+
 Provenance comparedFrom(const ComparisonResult& result, const Text& formula, std::int64_t n) {
   Provenance provenance;
   provenance.formula = formula;
@@ -51,7 +64,7 @@ ReportFigure timeFigure(const ComparisonResult& result) {
   FigureSeries setUp{Text::tr("set-up"), {}, {}, {}, {}, {}, {}, false};
   double category = 0.0;
   for (const ModelResult& model : result.models) {
-    figure.categories.emplace_back(model.id);
+    figure.categories.push_back(shortName(model));
     for (const auto& [series, value] :
          {std::pair{&whole, model.deformation_s}, {&frame, model.frameMedian_s}, {&setUp, model.setUp_s}}) {
       series->x.push_back(category);
@@ -80,7 +93,7 @@ ReportFigure markerFigure(const ComparisonResult& result) {
   }
   for (const ModelResult& model : result.models) {
     FigureSeries series;
-    series.name = model.id;
+    series.name = shortName(model);
     for (const double d : model.settled.displacements_m) {
       series.y.push_back(model.noEquilibrium.empty() ? std::optional(kMillimetres * d) : std::nullopt);
     }
@@ -110,7 +123,7 @@ ReportFigure courseFigure(const ComparisonResult& result) {
   figure.kind = FigureKind::kLines;
   for (const ModelResult& model : result.models) {
     FigureSeries series;
-    series.name = model.id;
+    series.name = shortName(model);
     for (const CoursePoint& point : model.course) {
       series.x.push_back(point.time_s);
       series.y.emplace_back(kMillimetres * point.displacement_m);
@@ -132,7 +145,8 @@ ReportFigure courseFigure(const ComparisonResult& result) {
   }
   figure.notes = {Text::tr(
       "Finite elements and springs have mass and follow the torque late; the others are in equilibrium at "
-      "once. All values are in course.csv; what was measured goes by the name of the person.")};
+      "once. What was measured goes by the name of the person.")};
+  figure.valuesStand = Text::tr("They stand in %1.", Text::verbatim("course.csv"));
   figure.provenance =
       comparedFrom(result, Text::tr("Eq. 24"), static_cast<std::int64_t>(result.models.size()));
   return figure;
@@ -142,30 +156,26 @@ ReportTable accuracyTable(const ComparisonResult& result) {
   ReportTable table;
   table.id = "table-accuracy";
   table.title = Text::tr("Accuracy in equilibrium, against the reference");
-  table.columns = {Text::tr("model"),
-                   Text::tr("end angle (deg)"),
-                   Text::tr("RMSE (mm)"),
-                   Text::tr("markers RMSE (mm)"),
-                   Text::tr("course RMSE (mm)"),
-                   Text::tr("roughness (mm)"),
-                   Text::tr("radius change (%)"),
-                   Text::tr("volume change (%)"),
-                   Text::tr("energy (mJ)")};
+  table.columns = {Text::tr("model"),        Text::tr("end angle (deg)"), Text::tr("RMSE (mm)"),
+                   Text::tr("markers (mm)"), Text::tr("course (mm)"),     Text::tr("roughness (mm)"),
+                   Text::tr("radius (%)"),   Text::tr("volume (%)"),      Text::tr("energy (mJ)")};
   for (const ModelResult& model : result.models) {
     const ModelState& state = model.settled;
     if (!model.noEquilibrium.empty()) {
-      table.notes.emplace_back(Text::tr("%1 has no row: %2.", model.id, model.noEquilibrium));
+      table.notes.emplace_back(Text::tr("%1 has no row: %2.", shortName(model), model.noEquilibrium));
       continue;
     }
     table.rows.push_back(
-        {model.id, formatFixed(degrees(state.angle_rad), 2), formatFixed(kMillimetres * state.rmse_m, 3),
-         formatFixed(kMillimetres * state.markerRmse_m, 3), formatFixed(kMillimetres * model.courseRmse_m, 3),
-         formatFixed(kMillimetres * state.roughness_m, 4), formatFixed(100.0 * state.radiusChange, 2),
-         formatFixed(100.0 * (state.volumeRatio - 1.0), 3), formatFixed(1e3 * state.energy_J, 4)});
+        {shortName(model), formatFixed(degrees(state.angle_rad), 2),
+         formatFixed(kMillimetres * state.rmse_m, 3), formatFixed(kMillimetres * state.markerRmse_m, 3),
+         formatFixed(kMillimetres * model.courseRmse_m, 3), formatFixed(kMillimetres * state.roughness_m, 4),
+         formatFixed(100.0 * state.radiusChange, 2), formatFixed(100.0 * (state.volumeRatio - 1.0), 3),
+         formatFixed(1e3 * state.energy_J, 4)});
   }
-  table.notes.emplace_back(
-      Text::tr("RMSE: over all key points of the lattice. Roughness: what the radius of a key point changes "
-               "differently from its four neighbours."));
+  table.notes.emplace_back(Text::tr(
+      "RMSE: over all key points of the lattice; markers and course: of their displacements. Radius: its "
+      "largest change. Roughness: what the radius of a key point changes "
+      "differently from its four neighbours."));
   table.provenance =
       comparedFrom(result, Text::tr("Eq. 24"), static_cast<std::int64_t>(result.models.size()));
   return table;
@@ -175,22 +185,19 @@ ReportTable timeTable(const ComparisonResult& result) {
   ReportTable table;
   table.id = "table-times";
   table.title = Text::tr("Processing times");
-  table.columns = {Text::tr("model"),
-                   Text::tr("unknowns"),
-                   Text::tr("set-up (s)"),
-                   Text::tr("frame, median (ms)"),
-                   Text::tr("frame, worst (ms)"),
-                   Text::tr("frames"),
-                   Text::tr("whole twist (s)"),
-                   Text::tr("then to equilibrium (s)"),
-                   Text::tr("angle of the last frame (deg)")};
+  table.columns = {Text::tr("model"),      Text::tr("unknowns"),     Text::tr("set-up (s)"),
+                   Text::tr("frame (ms)"), Text::tr("worst (ms)"),   Text::tr("frames"),
+                   Text::tr("twist (s)"),  Text::tr("settling (s)"), Text::tr("last angle (deg)")};
   for (const ModelResult& model : result.models) {
-    table.rows.push_back({model.id, std::to_string(model.unknowns), formatFixed(model.setUp_s, 3),
+    table.rows.push_back({shortName(model), std::to_string(model.unknowns), formatFixed(model.setUp_s, 3),
                           formatFixed(1e3 * model.frameMedian_s, 4), formatFixed(1e3 * model.frameWorst_s, 4),
                           std::to_string(model.frames), formatFixed(model.deformation_s, 4),
                           formatFixed(model.settle_s, 2), formatFixed(degrees(model.moving.angle_rad), 2)});
   }
   table.notes = {
+      Text::tr("Frame: the median. Settling: from the last frame to equilibrium, no part of the twist. Last "
+               "angle: "
+               "as the last frame showed it."),
       Text::tr("The twist model alone, without its mesh, updates all key points in %1 microseconds.",
                formatFixed(1e6 * result.latticeUpdate_s, 2))};
   table.provenance =
@@ -199,6 +206,25 @@ ReportTable timeTable(const ComparisonResult& result) {
 }
 
 }  // namespace
+
+std::vector<Text> comparisonLimits() {
+  return {
+      Text::tr(
+          "The twist model computes in advance; finite elements of small strain could do so too (one answer "
+          "to one newton metre, scaled), as fast, but would swell with the angle. The comparison is with "
+          "elements that bear large rotations."),
+      Text::tr(
+          "Set-up counts when organ or tissue change: it is stated apart and not in the deformation time."),
+      Text::tr("Linear tetrahedra lock: they are too stiff in torsion, the more so the coarser and the less "
+               "compressible. More of them, or quadratic ones, would be more accurate and slower. Springs by "
+               "position-based dynamics are as stiff as their substeps make them; their error is read in the "
+               "equilibrium of the springs themselves."),
+      Text::tr("The end is turned as a rigid body in its place; the twist model lets it warp and slide. The "
+               "reference shares material, ends and lattice with the elements and not with a person: only "
+               "measurements say which model is near to life, and bones are in none of them."),
+      Text::tr("The torques of the twist model as printed in the paper come from a cone in place of the "
+               "membrane, and its rotation is linear: both errors grow with the torque.")};
+}
 
 ReportModel comparisonReport(const ComparisonResult& result, const std::string& softwareVersion,
                              std::int64_t createdUtc_us) {
@@ -220,24 +246,7 @@ ReportModel comparisonReport(const ComparisonResult& result, const std::string& 
   }
   ReportSection honesty;
   honesty.title = Text::tr("What these figures do not say");
-  honesty.paragraphs.emplace_back(Text::tr(
-      "The twist model computes in advance; finite elements of small strain could do so too (one answer "
-      "to one newton metre, scaled), as fast, but would swell with the angle. The comparison is with "
-      "elements that bear large rotations."));
-  honesty.paragraphs.emplace_back(Text::tr(
-      "Set-up counts when organ or tissue change: it is stated apart and not in the deformation time."));
-  honesty.paragraphs.emplace_back(
-      Text::tr("Linear tetrahedra lock: they are too stiff in torsion, the more so the coarser and the less "
-               "compressible. More of them, or quadratic ones, would be more accurate and slower. Springs by "
-               "position-based dynamics are as stiff as their substeps make them; their error is read in the "
-               "equilibrium of the springs themselves."));
-  honesty.paragraphs.emplace_back(
-      Text::tr("The end is turned as a rigid body in its place; the twist model lets it warp and slide. The "
-               "reference shares material, ends and lattice with the elements and not with a person: only "
-               "measurements say which model is near to life, and bones are in none of them."));
-  honesty.paragraphs.emplace_back(
-      Text::tr("The torques of the twist model as printed in the paper come from a cone in place of the "
-               "membrane, and its rotation is linear: both errors grow with the torque."));
+  honesty.paragraphs = comparisonLimits();
   report.sections = {speed, accuracy, honesty};
   return report;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <future>
 #include <memory>
+#include <mutex>
 #include <tuple>
 #include <utility>
 
@@ -37,22 +38,60 @@ double medianOf(std::vector<double> values) {
 
 void checkOptions(const ComparisonOptions& options) {
   if (options.torque_Nm && !(std::abs(*options.torque_Nm) <= kMostTorque_Nm && *options.torque_Nm != 0.0)) {
-    refuseParameter(Text::verbatim("The torque must not be 0 and lie within 100 N m"),
-                    Text::verbatim("--torque"), Text::verbatim("Give newton metres, such as 0.03"));
+    refuseParameter(Text::tr("The torque must not be 0 and lie within 100 N m"), Text::tr("torque"),
+                    Text::tr("Give newton metres, such as 0.03"));
   }
   if (!(options.ramp_s >= 0.1 && options.ramp_s <= 5.0)) {
-    refuseParameter(Text::verbatim("The torque must grow for 0.1 to 5 s"), Text::verbatim("--ramp"),
-                    Text::verbatim("Give seconds, such as 1"));
+    refuseParameter(Text::tr("The torque must grow for 0.1 to 5 s"), Text::tr("growth of the torque"),
+                    Text::tr("Give seconds, such as 1"));
   }
   if (options.rings < 1 || options.rings > 12) {
-    refuseParameter(Text::verbatim("Elements need 1 to 12 rings"), Text::verbatim("--rings"),
-                    Text::verbatim("Give a whole number such as 4"));
+    refuseParameter(Text::tr("Elements need 1 to 12 rings"), Text::tr("rings"),
+                    Text::tr("Give a whole number such as 4"));
   }
   if (options.springs.substeps < 1 || options.springs.substeps > 1000) {
-    refuseParameter(Text::verbatim("A frame of the springs needs 1 to 1000 substeps"),
-                    Text::verbatim("--substeps"), Text::verbatim("Give a whole number such as 10"));
+    refuseParameter(Text::tr("A frame of the springs needs 1 to 1000 substeps"), Text::tr("substeps"),
+                    Text::tr("Give a whole number such as 10"));
   }
 }
+
+/// Tells the progress of a piece of the work again and again while the work has nothing new to tell, so that
+/// who listens can end it. Several threads may call.
+class Heartbeat {
+ public:
+  explicit Heartbeat(const ProgressCallback& progress) : progress_(progress) {}
+
+  /// The work has come to another step.
+  void tell(const Text& step, double fraction) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const bool another = !(step == now_.step);
+    now_ = {step, std::max(now_.fraction, fraction), -1.0};
+    pass(another);
+  }
+  /// Passes on what was told last, unless it was passed on a moment ago.
+  void beat() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    pass(false);
+  }
+  /// Makes the callback of a part of the work that reaches from `from` to `to`.
+  [[nodiscard]] ProgressCallback part(double from, double to) {
+    return partOf([this](const Progress& progress) { tell(progress.step, progress.fraction); }, from, to);
+  }
+
+ private:
+  void pass(bool atOnce) {
+    constexpr double kEvery_s = 0.1;
+    if (progress_ && (atOnce || secondsSince(passed_) >= kEvery_s)) {
+      passed_ = RunClock::now();
+      progress_(now_);
+    }
+  }
+
+  const ProgressCallback& progress_;
+  std::mutex mutex_;
+  Progress now_;
+  RunClock::time_point passed_ = RunClock::now();
+};
 
 /// One organ with everything that its models share, and how they are read.
 class ComparisonBench {
@@ -80,6 +119,15 @@ class ComparisonBench {
     return point;
   }
 
+  /// Keeps the pose of a model if it is time for another one.
+  void keep(const TwistSimulation& model, double processing_s, ModelResult& run) const {
+    const double every_s = result_.options.poseEvery_s;
+    const auto due = static_cast<double>(run.poses.size()) * every_s;
+    if (every_s > 0.0 && run.course.back().time_s >= due) {
+      run.poses.push_back({processing_s, model.angle_rad(), model.surface()});
+    }
+  }
+
   [[nodiscard]] ModelState state(const TwistSimulation& model) const {
     const LatticePlaces now = model.surface();
     ModelState state;
@@ -99,14 +147,16 @@ class ComparisonBench {
   }
 
   /// The reference goes first: it only knows equilibria, and shows a few of the ramp.
-  void runReference(const ComparedOrgan& organ) {
+  void runReference(const ComparedOrgan& organ, const ProgressCallback& progress) {
     const auto start = RunClock::now();
     const auto model = referenceSimulation(organ, result_.options.referenceRings);
-    ModelResult run = opened("reference", "Reference (quadratic elements, neo-Hookean)", *model, start);
+    ModelResult run =
+        opened("reference", Text::tr("Reference (quadratic elements, neo-Hookean)"), *model, start);
     std::vector<double> times_s;
     run.course.push_back({});
     for (int step = 1; step <= kReferenceSteps; ++step) {
       const double share = static_cast<double>(step) / kReferenceSteps;
+      tellProgress(progress, Text::tr("Reference"), share);
       const auto stepStart = RunClock::now();
       model->step(share * result_.torque_Nm);
       times_s.push_back(secondsSince(stepStart));
@@ -119,12 +169,14 @@ class ComparisonBench {
   }
 
   /// Frames until the torque is reached and the end stands still.
-  [[nodiscard]] ModelResult runFrames(const std::string& id, const std::string& title,
-                                      const ComparedOrgan& organ, TwistSimulation& model,
-                                      RunClock::time_point start, const ProgressCallback& progress) const {
+  [[nodiscard]] ModelResult runFrames(const std::string& id, const Text& title, const ComparedOrgan& organ,
+                                      TwistSimulation& model, RunClock::time_point start,
+                                      const ProgressCallback& progress) const {
     ModelResult run = opened(id, title, model, start);
     std::vector<double> times_s;
+    double processing_s = 0.0;
     run.course.push_back({});
+    keep(model, processing_s, run);
     const double frame_s = organ.dynamics.frame_s;
     const int ramp = static_cast<int>(std::lround(result_.options.ramp_s / frame_s));
     const int most = static_cast<int>((result_.options.ramp_s + kMostTime_s) / frame_s);
@@ -133,10 +185,10 @@ class ComparisonBench {
       const auto stepStart = RunClock::now();
       model.step(torque_Nm);
       times_s.push_back(secondsSince(stepStart));
+      processing_s += times_s.back();
       run.course.push_back(coursePoint(model, frame * frame_s, torque_Nm));
-      if (frame % 15 == 0) {
-        tellProgress(progress, title, std::min(1.0, 0.5 * frame / ramp));
-      }
+      keep(model, processing_s, run);
+      tellProgress(progress, title, std::min(1.0, 0.5 * frame / ramp));
       if (frame >= ramp + kRestFrames || (frame >= ramp && run.course.size() > 1 && stillAtOnce(id))) {
         const double before = run.course[run.course.size() - 1 - kRestFrames].angle_rad;
         const double now = run.course.back().angle_rad;
@@ -146,6 +198,9 @@ class ComparisonBench {
       }
     }
     close(run, times_s);
+    if (!run.poses.empty()) {
+      run.poses.push_back({processing_s, model.angle_rad(), model.surface()});
+    }
     run.moving = state(model);
     run.courseRmse_m = courseRmse_m(run);
     return run;
@@ -154,7 +209,7 @@ class ComparisonBench {
  private:
   static bool stillAtOnce(const std::string& id) { return id == "pm" || id == "paper"; }
 
-  static ModelResult opened(const std::string& id, const std::string& title, const TwistSimulation& model,
+  static ModelResult opened(const std::string& id, const Text& title, const TwistSimulation& model,
                             RunClock::time_point start) {
     ModelResult run;
     run.setUp_s = secondsSince(start);
@@ -210,7 +265,7 @@ void settleAndRead(TwistSimulation& model, double torque_Nm, const ComparisonBen
     model.settle(torque_Nm);
     run.settled = bench.state(model);
   } catch (const Error& none) {
-    run.noEquilibrium = none.happened();
+    run.noEquilibrium = none.happenedText();
     run.settled = run.moving;
   }
   run.settle_s = secondsSince(start);
@@ -218,17 +273,17 @@ void settleAndRead(TwistSimulation& model, double torque_Nm, const ComparisonBen
 
 /// Finite elements and springs: frames first, undisturbed; then both look for their equilibrium side by side.
 void runMovingModels(const ComparedOrgan& organ, const TwistModel& twist, const ComparisonBench& bench,
-                     ComparisonResult& result, const ProgressCallback& progress) {
+                     ComparisonResult& result, Heartbeat& heart) {
   const ComparisonOptions& options = result.options;
   auto start = RunClock::now();
   const auto elements = finiteElementSimulation(organ, options.rings);
-  ModelResult fem = bench.runFrames("fem", "FEM (corotational linear tetrahedra)", organ, *elements, start,
-                                    partOf(progress, 0.15, 0.45));
+  ModelResult fem = bench.runFrames("fem", Text::tr("FEM (corotational linear tetrahedra)"), organ, *elements,
+                                    start, heart.part(0.15, 0.45));
   start = RunClock::now();
   const auto springs = massSpringSimulation(organ, twist, options.rings, options.springs);
   ModelResult msm =
-      bench.runFrames("msm", "MSM (springs, XPBD)", organ, *springs, start, partOf(progress, 0.45, 0.6));
-  tellProgress(progress, Text::tr("Equilibrium of elements and springs"), 0.6);
+      bench.runFrames("msm", Text::tr("MSM (springs, XPBD)"), organ, *springs, start, heart.part(0.45, 0.6));
+  heart.tell(Text::tr("Equilibrium of elements and springs"), 0.6);
   auto waiting =
       std::async(std::launch::async, [&] { settleAndRead(*elements, result.torque_Nm, bench, fem); });
   settleAndRead(*springs, result.torque_Nm, bench, msm);
@@ -237,7 +292,15 @@ void runMovingModels(const ComparedOrgan& organ, const TwistModel& twist, const 
   result.models.push_back(std::move(msm));
 }
 
+double usualTorque_Nm(const Scene& scene, const TwistModel& twist) {
+  return scene.pattern.targetAngle_rad / twist.graspCompliance(scene.lattice().length_m());
+}
+
 }  // namespace
+
+double usualTorque_Nm(const Scene& scene) {
+  return usualTorque_Nm(scene, TwistModel(scene.mesh, scene.lattice(), scene.model.material(), {}));
+}
 
 const ModelResult& ComparisonResult::model(const std::string& id) const {
   const auto found =
@@ -263,7 +326,8 @@ ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker
   const Material& material = scene.model.material();
   result.shearModulus_Pa = material.shearModulus_Pa;
 
-  tellProgress(progress, Text::tr("Twist model"), 0.0);
+  Heartbeat heart(progress);
+  heart.tell(Text::tr("Twist model"), 0.0);
   auto start = RunClock::now();
   TwistModelOptions twistOptions;  // about the organ's own axis, one end clamped, the other free
   const TwistModel twist(scene.mesh, scene.lattice(), material, twistOptions);
@@ -272,19 +336,19 @@ ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker
   twistOptions.formulation = Formulation::kPaper;
   const TwistModel paper(scene.mesh, scene.lattice(), material, twistOptions);
   const double paperSetUp_s = secondsSince(start);
-  result.torque_Nm =
-      options.torque_Nm.value_or(scene.pattern.targetAngle_rad / twist.graspCompliance(result.length_m));
+  result.torque_Nm = options.torque_Nm.value_or(usualTorque_Nm(scene, twist));
   result.latticeUpdate_s = latticeUpdateTime_s(twist);
 
-  ComparedOrgan organ{&scene.mesh, &scene.lattice(), {material.shearModulus_Pa, options.poissonRatio}, {}};
+  ComparedOrgan organ{
+      &scene.mesh, &scene.lattice(), {material.shearModulus_Pa, options.poissonRatio}, {}, {}};
+  organ.check = [&heart] { heart.beat(); };
   organ.dynamics.drag_per_s =
       criticalDrag_per_s(organ.constants, organ.dynamics.density_kg_per_m3, result.length_m);
   ComparisonBench bench(scene, result);
-  tellProgress(progress, Text::tr("Reference"), 0.02);
-  bench.runReference(organ);
+  bench.runReference(organ, heart.part(0.02, 0.15));
   for (const auto& [id, title, model, setUp_s] :
-       {std::tuple{"pm", "PM (twist model, Saint-Venant)", &twist, twistSetUp_s},
-        std::tuple{"paper", "PM as printed (linear rotation, cone)", &paper, paperSetUp_s}}) {
+       {std::tuple{"pm", Text::tr("PM (twist model, Saint-Venant)"), &twist, twistSetUp_s},
+        std::tuple{"paper", Text::tr("PM as printed (linear rotation, cone)"), &paper, paperSetUp_s}}) {
     start = RunClock::now();
     const auto simulation = twistModelSimulation(organ, *model);
     ModelResult run = bench.runFrames(id, title, organ, *simulation, start, {});
@@ -292,8 +356,8 @@ ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker
     run.settled = run.moving;
     result.models.push_back(std::move(run));
   }
-  runMovingModels(organ, twist, bench, result, progress);
-  tellProgress(progress, Text::tr("Writing"), 1.0);
+  runMovingModels(organ, twist, bench, result, heart);
+  heart.tell(Text::tr("Writing"), 1.0);
   return result;
 }
 

@@ -10,19 +10,32 @@
 #include "app/comparison/machine_facts.h"
 #include "app/comparison/measured_markers.h"
 #include "app/comparison/organ_markers.h"
+#include "sim/base/text.h"
 #include "sim/baseline/twist_simulation.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {
 
+/// The lattice of a comparison unless another is asked for: the reference is then quadratic.
+inline constexpr int kComparedRidges = 36;
+inline constexpr int kComparedSections = 37;
+
 struct ComparisonOptions {
-  std::optional<double> torque_Nm;  ///< none: the one that reaches the pattern's angle by the twist model
+  std::optional<double> torque_Nm;  ///< none: usualTorque_Nm()
   double poissonRatio = 0.45;       ///< of the elements; the twist model is incompressible
   double ramp_s = 1.0;              ///< the torque grows evenly for so long, then stays
   int rings = 4;                    ///< of tetrahedra and springs round the centre
   int referenceRings = 2;           ///< of the reference, even
   int courseMarker = 8;             ///< whose way over time is told (Fig. 14)
   MassSpringOptions springs;
+  double poseEvery_s = 0.0;  ///< simulated time between the poses that a model keeps; 0: it keeps none
+};
+
+/// Where the key points were at a moment of a model's course, to be shown.
+struct ModelPose {
+  double processing_s = 0.0;  ///< since rest: when a view would have had it
+  double angle_rad = 0.0;     ///< of the free end
+  LatticePlaces places;
 };
 
 /// A moment of a model's course.
@@ -47,7 +60,7 @@ struct ModelState {
 
 struct ModelResult {
   std::string id;  ///< "pm", "paper", "fem", "msm", "reference"
-  std::string title;
+  Text title;
   int unknowns = 0;
   double setUp_s = 0.0;
   int frames = 0;              ///< until the twist stood still
@@ -56,10 +69,11 @@ struct ModelResult {
   double deformation_s = 0.0;  ///< processing time of the whole twist (Fig. 10)
   double settle_s = 0.0;       ///< from the last frame to equilibrium; not part of the deformation time
   ModelState moving;           ///< as the last frame showed it
-  std::string noEquilibrium;   ///< why none was found; then `settled` is as `moving`. Empty: found
+  Text noEquilibrium;          ///< why none was found; then `settled` is as `moving`. Empty: found
   ModelState settled;          ///< in equilibrium: what accuracy is read from
   std::vector<CoursePoint> course;
-  double courseRmse_m = 0.0;  ///< of the marker's course against the reference's
+  double courseRmse_m = 0.0;     ///< of the marker's course against the reference's
+  std::vector<ModelPose> poses;  ///< from rest to the last frame; see poseEvery_s
 };
 
 struct ComparisonResult {
@@ -81,9 +95,15 @@ struct ComparisonResult {
   [[nodiscard]] const ModelResult& model(const std::string& id) const;
 };
 
+/// Computes the torque at the free end that turns it by the angle of the scene's pattern, N m, as the twist
+/// model about the organ's own axis says. Builds that model: a tenth of a second.
+[[nodiscard]] double usualTorque_Nm(const Scene& scene);
+
 /// Twists the organ of a scene about its own axis by every model: one end held, the same torque growing on
 /// the other. Takes about a minute on two cores. `measured`: see readMeasuredMarkers. Throws
 /// Error{kBadParameter} for options out of range and a torque that a model finds no equilibrium for.
+/// `progress`: called several times a second all the while, from one thread at a time; what it throws ends
+/// the comparison.
 [[nodiscard]] ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker>& markers,
                                              const std::vector<MeasuredSubject>& measured,
                                              const ComparisonOptions& options,

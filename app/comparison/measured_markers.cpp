@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/base/csv_table.h"
+#include "app/comparison/camera_markers.h"
 #include "sim/base/error.h"
 #include "sim/base/refusal.h"
 
@@ -20,8 +21,7 @@ double unitInMetres(const CsvTable& table, std::size_t row) {
     return 1e-2;
   }
   if (unit != "m") {
-    table.refuse(row, Text::verbatim("'%1' is no unit of length here", unit),
-                 Text::verbatim("Use mm, cm or m"));
+    table.refuse(row, Text::tr("'%1' is no unit of length here", unit), Text::tr("Use mm, cm or m"));
   }
   return 1.0;
 }
@@ -34,19 +34,14 @@ void takeSample(const CsvTable& table, std::size_t row, int markers, MeasuredSub
       unitInMetres(table, row) * Vec3{table.number(row, "x"), table.number(row, "y"), table.number(row, "z")};
   std::vector<MarkerSample>& samples = subject.markers[number];
   if (sample.time_s < 0.0 || (!samples.empty() && sample.time_s <= samples.back().time_s)) {
-    table.refuse(row, Text::verbatim("Times are seconds from 0 that rise from sample to sample of a marker"),
-                 Text::verbatim("Sort the rows by time and drop repeated ones"));
+    table.refuse(row, Text::tr("Times are seconds from 0 that rise from sample to sample of a marker"),
+                 Text::tr("Sort the rows by time and drop repeated ones"));
   }
   samples.push_back(sample);
 }
 
-}  // namespace
-
-std::vector<MeasuredSubject> readMeasuredMarkers(const std::filesystem::path& file, int markers) {
-  if (markers < 1) {
-    refuse(Text::verbatim("This organ has no markers to compare measurements with"), file.string(),
-           Text::verbatim("Choose an organ with markers, such as arm"));
-  }
+/// The subjects of a table of comma-separated values.
+std::vector<MeasuredSubject> subjectsOfTable(const std::filesystem::path& file, int markers) {
   const CsvTable table = CsvTable::read(file, {"marker", "time", "x", "y", "z", "unit", "subject"});
   std::vector<MeasuredSubject> subjects;
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -59,18 +54,38 @@ std::vector<MeasuredSubject> readMeasuredMarkers(const std::filesystem::path& fi
     }
     takeSample(table, row, markers, *subject);
   }
+  return subjects;
+}
+
+/// A place at rest and a later one of each marker.
+void requireTwoSamples(const std::vector<MeasuredSubject>& subjects, const std::string& file) {
+  bool any = false;
   for (const MeasuredSubject& subject : subjects) {
     for (const auto& [number, samples] : subject.markers) {
+      any = true;
       if (samples.size() < 2) {
-        refuse(Text::verbatim("Marker %1 of subject '%2' has one sample only", number, subject.name),
-               table.name(), Text::verbatim("Give its place at rest and at least one later"));
+        refuse(Text::tr("Marker %1 of subject '%2' has one sample only", number, subject.name), file,
+               Text::tr("Give its place at rest and at least one later"));
       }
     }
   }
-  if (subjects.empty()) {
-    refuse(Text::verbatim("The file holds no measurements"), table.name(),
-           Text::verbatim("Give at least two rows a marker"));
+  if (!any) {
+    refuse(Text::tr("The file holds no measurements"), file, Text::tr("Give at least two samples a marker"));
   }
+}
+
+}  // namespace
+
+std::vector<MeasuredSubject> readMeasuredMarkers(const std::filesystem::path& file,
+                                                 const std::vector<OrganMarker>& markers) {
+  if (markers.empty()) {
+    refuse(Text::tr("This organ has no markers to compare measurements with"), file.string(),
+           Text::tr("Choose an organ with markers, such as arm"));
+  }
+  std::vector<MeasuredSubject> subjects = isCameraMarkerFile(file)
+                                              ? std::vector<MeasuredSubject>{readCameraMarkers(file, markers)}
+                                              : subjectsOfTable(file, static_cast<int>(markers.size()));
+  requireTwoSamples(subjects, file.string());
   return subjects;
 }
 

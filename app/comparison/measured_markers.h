@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/comparison/organ_markers.h"
 #include "sim/base/vec3.h"
 
 namespace torsio {
@@ -22,12 +23,13 @@ struct MeasuredSubject {
   std::map<int, std::vector<MarkerSample>> markers;
 };
 
-/// Reads markers measured on real limbs: columns marker (number from 1), time (s), x, y, z, unit (mm, cm or
-/// m), subject. The first sample of a marker is its place at rest. Throws Error: kFileMissing,
-/// kFileUnreadable; kBadData naming file and line for a marker that the organ does not have, another unit, an
-/// empty subject, times that are negative or do not rise, and a marker with fewer than 2 samples.
+/// Reads markers measured on real limbs: a camera marker file (see readCameraMarkers), or a table with the
+/// columns marker (number from 1), time (s), x, y, z, unit (mm, cm or m), subject. The first sample of a
+/// marker is its place at rest. `markers`: the organ's. Throws Error: kFileMissing, kFileUnreadable; kBadData
+/// naming file and line for a marker that the organ does not have, another unit, an empty subject, times that
+/// are negative or do not rise, and a marker with fewer than 2 samples.
 [[nodiscard]] std::vector<MeasuredSubject> readMeasuredMarkers(const std::filesystem::path& file,
-                                                               int markers);
+                                                               const std::vector<OrganMarker>& markers);
 
 /// Mean of the subjects, m, and how many they are.
 struct MeasuredDisplacement {

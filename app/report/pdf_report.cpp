@@ -143,10 +143,12 @@ class Composer {
       flow_.table(values, layout, notesHeight_mm(figure.notes, figure.provenance));
       flow_.space(1.0);
     } else {
-      flow_.text(say_(Text::tr(
-                     "The %1 values drawn are too many to print here; the program shows them under Results.",
-                     twin.rows.size() * (twin.columns.size() - 1))),
-                 kNote_pt, false, kQuietInk);
+      QString line = say_(Text::tr("The %1 values drawn are too many to print here.",
+                                   twin.rows.size() * (twin.columns.size() - 1)));
+      if (!figure.valuesStand.empty()) {
+        line += QLatin1Char(' ') + say_(figure.valuesStand);
+      }
+      flow_.text(line, kNote_pt, false, kQuietInk);
     }
     addNotes(figure.notes, figure.provenance);
   }

@@ -425,6 +425,11 @@ ReportModel reportOf(const CohortInputs& in) {
   }
   report.sections.push_back(methodsSection(in));
   report.sections.push_back(provenanceSection(in));
+  for (ReportSection& section : report.sections) {
+    for (ReportFigure& figure : section.figures) {
+      figure.valuesStand = Text::tr("The program shows them under Results.");
+    }
+  }
   return report;
 }
 

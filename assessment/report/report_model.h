@@ -87,6 +87,7 @@ struct ReportFigure {
   bool individual = false;  ///< shows single people: no part of an aggregated report
   std::vector<Text> notes;
   Provenance provenance;
+  Text valuesStand;  ///< a sentence: where the values stand that are too many to print; "": nowhere else
 };
 
 struct ReportSection {

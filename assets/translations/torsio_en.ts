@@ -62,6 +62,16 @@
     </message>
 </context>
 <context>
+    <name>torsio::gui::ModelComparison</name>
+    <message numerus="yes">
+        <source>for the whole twist, %n frame(s) of %1; set-up apart: %2</source>
+        <translation>
+            <numerusform>for the whole twist, %n frame of %1; set-up apart: %2</numerusform>
+            <numerusform>for the whole twist, %n frames of %1; set-up apart: %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::PeopleDialog</name>
     <message numerus="yes">
         <source>Take %n</source>

@@ -106,6 +106,46 @@
         <translation>系膜轴型 45 度</translation>
     </message>
     <message>
+        <source>dorsal forearm, 60 mm from the wrist crease</source>
+        <translation>前臂背侧，距腕横纹 60 mm</translation>
+    </message>
+    <message>
+        <source>palmar forearm, 60 mm from the wrist crease</source>
+        <translation>前臂掌侧，距腕横纹 60 mm</translation>
+    </message>
+    <message>
+        <source>radial styloid</source>
+        <translation>桡骨茎突</translation>
+    </message>
+    <message>
+        <source>ulnar head</source>
+        <translation>尺骨头</translation>
+    </message>
+    <message>
+        <source>dorsal wrist centre</source>
+        <translation>腕背中点</translation>
+    </message>
+    <message>
+        <source>palmar wrist crease centre</source>
+        <translation>掌侧腕横纹中点</translation>
+    </message>
+    <message>
+        <source>thumb base (first carpometacarpal joint)</source>
+        <translation>拇指根部（第一腕掌关节）</translation>
+    </message>
+    <message>
+        <source>second knuckle (index metacarpal head)</source>
+        <translation>第二掌指关节（示指掌骨头）</translation>
+    </message>
+    <message>
+        <source>fifth knuckle (ulnar border)</source>
+        <translation>第五掌指关节（尺侧缘）</translation>
+    </message>
+    <message>
+        <source>tip of the middle finger</source>
+        <translation>中指尖</translation>
+    </message>
+    <message>
         <source>Combined, 120 degrees</source>
         <translation>混合型 120 度</translation>
     </message>
@@ -6854,10 +6894,6 @@
         <translation>斜率相等检验：%1。</translation>
     </message>
     <message>
-        <source>The %1 values drawn are too many to print here; the program shows them under Results.</source>
-        <translation>图中 %1 个数值过多，不在此列出；可在程序的“结果”页查看。</translation>
-    </message>
-    <message>
         <source>The analysis of covariance is the primary comparison; the others are given beside it. The trainee is the unit of analysis. p values are adjusted by Holm&apos;s method where it is said.</source>
         <translation>协方差分析为主要比较，其余分析为补充。以学员为分析单位。注明之处的 p 值经 Holm 法校正。</translation>
     </message>
@@ -8918,10 +8954,6 @@
         <translation>时间（s）</translation>
     </message>
     <message>
-        <source>Finite elements and springs have mass and follow the torque late; the others are in equilibrium at once. All values are in course.csv; what was measured goes by the name of the person.</source>
-        <translation>有限元与弹簧具有质量，对扭矩的响应有滞后；其余模型立即达到平衡。全部数值见 course.csv；实测数据以受测者的名称标示。</translation>
-    </message>
-    <message>
         <source>Accuracy in equilibrium, against the reference</source>
         <translation>平衡时相对参考解的精度</translation>
     </message>
@@ -8934,24 +8966,8 @@
         <translation>RMSE（mm）</translation>
     </message>
     <message>
-        <source>markers RMSE (mm)</source>
-        <translation>标记点 RMSE（mm）</translation>
-    </message>
-    <message>
-        <source>course RMSE (mm)</source>
-        <translation>过程 RMSE（mm）</translation>
-    </message>
-    <message>
         <source>roughness (mm)</source>
         <translation>粗糙度（mm）</translation>
-    </message>
-    <message>
-        <source>radius change (%)</source>
-        <translation>半径变化（%）</translation>
-    </message>
-    <message>
-        <source>volume change (%)</source>
-        <translation>体积变化（%）</translation>
     </message>
     <message>
         <source>energy (mJ)</source>
@@ -8960,10 +8976,6 @@
     <message>
         <source>%1 has no row: %2.</source>
         <translation>%1 没有对应行：%2。</translation>
-    </message>
-    <message>
-        <source>RMSE: over all key points of the lattice. Roughness: what the radius of a key point changes differently from its four neighbours.</source>
-        <translation>RMSE：对点阵的全部关键点计算。粗糙度：关键点半径变化与其四个相邻点之差。</translation>
     </message>
     <message>
         <source>Processing times</source>
@@ -8978,28 +8990,8 @@
         <translation>准备（s）</translation>
     </message>
     <message>
-        <source>frame, median (ms)</source>
-        <translation>单帧中位数（ms）</translation>
-    </message>
-    <message>
-        <source>frame, worst (ms)</source>
-        <translation>单帧最大值（ms）</translation>
-    </message>
-    <message>
         <source>frames</source>
         <translation>帧数</translation>
-    </message>
-    <message>
-        <source>whole twist (s)</source>
-        <translation>整个扭转（s）</translation>
-    </message>
-    <message>
-        <source>then to equilibrium (s)</source>
-        <translation>其后至平衡（s）</translation>
-    </message>
-    <message>
-        <source>angle of the last frame (deg)</source>
-        <translation>最后一帧的角度（°）</translation>
     </message>
     <message>
         <source>The twist model alone, without its mesh, updates all key points in %1 microseconds.</source>
@@ -9080,6 +9072,558 @@
     <message>
         <source>Give &apos;side&apos; instead, or one spring.</source>
         <translation>请改用“side”，或只用一根弹簧。</translation>
+    </message>
+    <message>
+        <source>%1, line %2, field &quot;%3&quot;</source>
+        <translation>%1，第 %2 行，字段“%3”</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a finite number</source>
+        <translation>“%1”不是有限的数</translation>
+    </message>
+    <message>
+        <source>The file is no marker file of type 4 (X/Y/Z)</source>
+        <translation>该文件不是第 4 类（X/Y/Z）标记点文件</translation>
+    </message>
+    <message>
+        <source>Export the places of markers as TRC</source>
+        <translation>请将标记点位置导出为 TRC 文件</translation>
+    </message>
+    <message>
+        <source>The header lacks this field</source>
+        <translation>文件头缺少该字段</translation>
+    </message>
+    <message>
+        <source>A whole number from 1 on is needed</source>
+        <translation>须为不小于 1 的整数</translation>
+    </message>
+    <message>
+        <source>Export the file once more</source>
+        <translation>请重新导出该文件</translation>
+    </message>
+    <message>
+        <source>The rate must be positive</source>
+        <translation>帧率必须为正数</translation>
+    </message>
+    <message>
+        <source>Give frames a second, such as 100</source>
+        <translation>请给出每秒帧数，例如 100</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no unit of length here</source>
+        <translation>“%1”不是可用的长度单位</translation>
+    </message>
+    <message>
+        <source>Use mm, cm or m</source>
+        <translation>请使用 mm、cm 或 m</translation>
+    </message>
+    <message>
+        <source>The line must begin with Frame# and Time</source>
+        <translation>该行必须以 Frame# 和 Time 开头</translation>
+    </message>
+    <message>
+        <source>The organ has no marker of this name</source>
+        <translation>该器官没有此名称的标记点</translation>
+    </message>
+    <message>
+        <source>Call it by its number or its name, or leave it out of the export</source>
+        <translation>请用编号或名称称呼该标记点，或导出时不包含它</translation>
+    </message>
+    <message>
+        <source>Marker %1 stands twice</source>
+        <translation>标记点 %1 出现了两次</translation>
+    </message>
+    <message>
+        <source>Leave one of them out</source>
+        <translation>请去掉其中一个</translation>
+    </message>
+    <message>
+        <source>Each marker has three columns X, Y, Z with its place in the line</source>
+        <translation>每个标记点须有 X、Y、Z 三列，并带其序号</translation>
+    </message>
+    <message>
+        <source>The header promises %1 markers, the line has more</source>
+        <translation>文件头写明有 %1 个标记点，但该行更多</translation>
+    </message>
+    <message>
+        <source>Times are seconds from 0 that rise from frame to frame</source>
+        <translation>时间以秒计，从 0 起逐帧递增</translation>
+    </message>
+    <message>
+        <source>The line has more columns than %1 markers</source>
+        <translation>该行的列数多于 %1 个标记点所需</translation>
+    </message>
+    <message>
+        <source>The header promises %1 frames, the file has %2</source>
+        <translation>文件头写明有 %1 帧，文件中有 %2 帧</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>参考解</translation>
+    </message>
+    <message>
+        <source>PM as printed</source>
+        <translation>PM（论文原式）</translation>
+    </message>
+    <message>
+        <source>Finite elements and springs have mass and follow the torque late; the others are in equilibrium at once. What was measured goes by the name of the person.</source>
+        <translation>有限元与弹簧具有质量，对扭矩的跟随有滞后；其余模型立即达到平衡。实测曲线以受测者的名称标示。</translation>
+    </message>
+    <message>
+        <source>They stand in %1.</source>
+        <translation>数值见 %1。</translation>
+    </message>
+    <message>
+        <source>The torque must not be 0 and lie within 100 N m</source>
+        <translation>扭矩不能为 0，且须在 ±100 N m 以内</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>扭矩</translation>
+    </message>
+    <message>
+        <source>Give newton metres, such as 0.03</source>
+        <translation>请以 N m 给出，例如 0.03</translation>
+    </message>
+    <message>
+        <source>The torque must grow for 0.1 to 5 s</source>
+        <translation>扭矩的增长时间须为 0.1 至 5 秒</translation>
+    </message>
+    <message>
+        <source>growth of the torque</source>
+        <translation>扭矩的增长</translation>
+    </message>
+    <message>
+        <source>Give seconds, such as 1</source>
+        <translation>请以秒给出，例如 1</translation>
+    </message>
+    <message>
+        <source>Elements need 1 to 12 rings</source>
+        <translation>单元须有 1 至 12 圈</translation>
+    </message>
+    <message>
+        <source>rings</source>
+        <translation>圈数</translation>
+    </message>
+    <message>
+        <source>Give a whole number such as 4</source>
+        <translation>请给出整数，例如 4</translation>
+    </message>
+    <message>
+        <source>A frame of the springs needs 1 to 1000 substeps</source>
+        <translation>弹簧模型每帧须有 1 至 1000 个子步</translation>
+    </message>
+    <message>
+        <source>substeps</source>
+        <translation>子步数</translation>
+    </message>
+    <message>
+        <source>Give a whole number such as 10</source>
+        <translation>请给出整数，例如 10</translation>
+    </message>
+    <message>
+        <source>Reference (quadratic elements, neo-Hookean)</source>
+        <translation>参考解（二次单元，neo-Hookean 材料）</translation>
+    </message>
+    <message>
+        <source>FEM (corotational linear tetrahedra)</source>
+        <translation>FEM（共旋线性四面体）</translation>
+    </message>
+    <message>
+        <source>MSM (springs, XPBD)</source>
+        <translation>MSM（弹簧，XPBD）</translation>
+    </message>
+    <message>
+        <source>PM (twist model, Saint-Venant)</source>
+        <translation>PM（扭转模型，Saint-Venant）</translation>
+    </message>
+    <message>
+        <source>PM as printed (linear rotation, cone)</source>
+        <translation>PM，论文原式（线性转动，锥体）</translation>
+    </message>
+    <message>
+        <source>Times are seconds from 0 that rise from sample to sample of a marker</source>
+        <translation>时间以秒计，从 0 起，同一标记点的样本逐个递增</translation>
+    </message>
+    <message>
+        <source>Sort the rows by time and drop repeated ones</source>
+        <translation>请按时间排序，并删除重复的行</translation>
+    </message>
+    <message>
+        <source>Marker %1 of subject &apos;%2&apos; has one sample only</source>
+        <translation>受测者“%2”的标记点 %1 只有一个样本</translation>
+    </message>
+    <message>
+        <source>Give its place at rest and at least one later</source>
+        <translation>请给出其静止位置和至少一个之后的位置</translation>
+    </message>
+    <message>
+        <source>The file holds no measurements</source>
+        <translation>文件中没有测量数据</translation>
+    </message>
+    <message>
+        <source>Give at least two samples a marker</source>
+        <translation>每个标记点请至少给出两个样本</translation>
+    </message>
+    <message>
+        <source>This organ has no markers to compare measurements with</source>
+        <translation>该器官没有可与测量对比的标记点</translation>
+    </message>
+    <message>
+        <source>Choose an organ with markers, such as arm</source>
+        <translation>请选择带标记点的器官，例如 arm（前臂）</translation>
+    </message>
+    <message>
+        <source>%1, marker %2, field &quot;%3&quot;</source>
+        <translation>%1，标记点 %2，字段“%3”</translation>
+    </message>
+    <message>
+        <source>Three finite numbers are needed</source>
+        <translation>须为三个有限的数</translation>
+    </message>
+    <message>
+        <source>Give them as [x, y, z]</source>
+        <translation>请写作 [x, y, z]</translation>
+    </message>
+    <message>
+        <source>The organ has %1 faces, numbered from 0</source>
+        <translation>该器官有 %1 个面片，从 0 起编号</translation>
+    </message>
+    <message>
+        <source>Give the number of one of them</source>
+        <translation>请给出其中一个的编号</translation>
+    </message>
+    <message>
+        <source>A face alone is no point</source>
+        <translation>仅有面片不能确定一点</translation>
+    </message>
+    <message>
+        <source>Give three numbers that sum to 1</source>
+        <translation>请给出和为 1 的三个数</translation>
+    </message>
+    <message>
+        <source>The coordinates lie outside the face</source>
+        <translation>坐标位于面片之外</translation>
+    </message>
+    <message>
+        <source>Give three numbers from 0 to 1 that sum to 1</source>
+        <translation>请给出三个 0 到 1 之间、和为 1 的数</translation>
+    </message>
+    <message>
+        <source>The marker has no place</source>
+        <translation>该标记点没有位置</translation>
+    </message>
+    <message>
+        <source>Give face and barycentric, or position_mm</source>
+        <translation>请给出 face 和 barycentric，或给出 position_mm</translation>
+    </message>
+    <message>
+        <source>The place lies more than 5 mm from the organ&apos;s surface</source>
+        <translation>该位置距器官表面超过 5 mm</translation>
+    </message>
+    <message>
+        <source>Give a point of the surface, millimetres in the frame of the mesh</source>
+        <translation>请给出表面上的一点，以毫米计，采用网格的坐标系</translation>
+    </message>
+    <message>
+        <source>Markers are numbered 1, 2, 3 and so on</source>
+        <translation>标记点按 1、2、3…… 编号</translation>
+    </message>
+    <message>
+        <source>Number them in their order</source>
+        <translation>请按顺序编号</translation>
+    </message>
+    <message>
+        <source>The marker has no name</source>
+        <translation>该标记点没有名称</translation>
+    </message>
+    <message>
+        <source>Give a text</source>
+        <translation>请给出文字</translation>
+    </message>
+    <message>
+        <source>An organ has 1 to %1 markers, here are %2</source>
+        <translation>一个器官可有 1 至 %1 个标记点，此处有 %2 个</translation>
+    </message>
+    <message>
+        <source>Add or remove some</source>
+        <translation>请增加或删除一些</translation>
+    </message>
+    <message>
+        <source>Markers %1 and %2 have the same name</source>
+        <translation>标记点 %1 与 %2 同名</translation>
+    </message>
+    <message>
+        <source>Give each another name</source>
+        <translation>请为每个标记点取不同的名称</translation>
+    </message>
+    <message>
+        <source>Give a file as the window saves it (docs/validation.md)</source>
+        <translation>请给出由窗口保存的文件（见 docs/validation.md）</translation>
+    </message>
+    <message>
+        <source>The markers cannot be read: %1</source>
+        <translation>无法读取标记点：%1</translation>
+    </message>
+    <message>
+        <source>The file has no list &quot;markers&quot;</source>
+        <translation>文件中没有 &quot;markers&quot; 列表</translation>
+    </message>
+    <message>
+        <source>The markers were placed on another organ</source>
+        <translation>这些标记点是在另一个器官上放置的</translation>
+    </message>
+    <message>
+        <source>Choose the organ that they were saved with</source>
+        <translation>请选择保存时所用的器官</translation>
+    </message>
+    <message>
+        <source>The %1 values drawn are too many to print here.</source>
+        <translation>图中共有 %1 个数值，无法在此全部印出。</translation>
+    </message>
+    <message>
+        <source>The program shows them under Results.</source>
+        <translation>程序在“结果”中显示这些数值。</translation>
+    </message>
+    <message>
+        <source>The shear modulus must be positive and finite</source>
+        <translation>剪切模量必须为有限的正数</translation>
+    </message>
+    <message>
+        <source>shear modulus</source>
+        <translation>剪切模量</translation>
+    </message>
+    <message>
+        <source>Give it in pascal</source>
+        <translation>请以帕为单位给出</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio must lie in [0, 0.5)</source>
+        <translation>泊松比须在 [0, 0.5) 内</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio</source>
+        <translation>泊松比</translation>
+    </message>
+    <message>
+        <source>Give a number such as 0.45; 0.5 itself has no finite stiffness</source>
+        <translation>请给出 0.45 之类的数；取 0.5 时刚度不是有限值</translation>
+    </message>
+    <message>
+        <source>No equilibrium was found for this torque</source>
+        <translation>在该扭矩下未找到平衡</translation>
+    </message>
+    <message>
+        <source>Give a smaller torque, or more steps</source>
+        <translation>请减小扭矩，或增加步数</translation>
+    </message>
+    <message>
+        <source>The torque must be finite</source>
+        <translation>扭矩必须为有限的数</translation>
+    </message>
+    <message>
+        <source>Give it in newton metres</source>
+        <translation>请以 N m 为单位给出</translation>
+    </message>
+    <message>
+        <source>An element of the organ is folded at rest</source>
+        <translation>器官的一个单元在静止时已翻折</translation>
+    </message>
+    <message>
+        <source>element %1</source>
+        <translation>单元 %1</translation>
+    </message>
+    <message>
+        <source>Give other ends, or fewer sections</source>
+        <translation>请更换两端，或减少截面数</translation>
+    </message>
+    <message>
+        <source>Springs are calibrated by a displacement that holds energy</source>
+        <translation>弹簧须用储有能量的位移来标定</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>标定</translation>
+    </message>
+    <message>
+        <source>Give a torque that is not 0</source>
+        <translation>请给出不为 0 的扭矩</translation>
+    </message>
+    <message>
+        <source>A solid needs at least 2 sections</source>
+        <translation>实体至少需要 2 个截面</translation>
+    </message>
+    <message>
+        <source>Give 2 or more</source>
+        <translation>请给出 2 或更大的数</translation>
+    </message>
+    <message>
+        <source>A solid needs at least 1 ring</source>
+        <translation>实体至少需要 1 圈</translation>
+    </message>
+    <message>
+        <source>Give 1 or more</source>
+        <translation>请给出 1 或更大的数</translation>
+    </message>
+    <message>
+        <source>An outline needs at least 3 points</source>
+        <translation>轮廓至少需要 3 个点</translation>
+    </message>
+    <message>
+        <source>Give 3 or more</source>
+        <translation>请给出 3 或更大的数</translation>
+    </message>
+    <message>
+        <source>The solid would have more than 200000 points</source>
+        <translation>实体的点数将超过 200000</translation>
+    </message>
+    <message>
+        <source>Give fewer ridges, sections or rings</source>
+        <translation>请减少脊线、截面或圈数</translation>
+    </message>
+    <message>
+        <source>The outlines have different numbers of points</source>
+        <translation>各轮廓的点数不同</translation>
+    </message>
+    <message>
+        <source>Give each section as many points as the first</source>
+        <translation>请使每个截面的点数与第一个相同</translation>
+    </message>
+    <message>
+        <source>A coordinate is not a finite number</source>
+        <translation>有坐标不是有限的数</translation>
+    </message>
+    <message>
+        <source>Give finite coordinates in metres</source>
+        <translation>请以米为单位给出有限的坐标</translation>
+    </message>
+    <message>
+        <source>The organ cannot be filled with elements: an outline is not star-shaped about its centre, or two sections cross</source>
+        <translation>无法用单元填充该器官：有轮廓关于其中心不是星形，或有两个截面相交</translation>
+    </message>
+    <message>
+        <source>Quadratic elements reach over two ridges, two rings and two sections</source>
+        <translation>二次单元跨两条脊线、两圈和两个截面</translation>
+    </message>
+    <message>
+        <source>lattice</source>
+        <translation>网格线</translation>
+    </message>
+    <message>
+        <source>Give an even number of ridges and rings and an odd number of sections</source>
+        <translation>请使脊线数和圈数为偶数，截面数为奇数</translation>
+    </message>
+    <message>
+        <source>A frame needs at least 1 substep</source>
+        <translation>每帧至少需要 1 个子步</translation>
+    </message>
+    <message>
+        <source>Give 10 or more</source>
+        <translation>请给出 10 或更大的数</translation>
+    </message>
+    <message>
+        <source>Poynting&apos;s stretch</source>
+        <translation>Poynting 轴向伸长</translation>
+    </message>
+    <message>
+        <source>restrained ends</source>
+        <translation>端部约束</translation>
+    </message>
+    <message>
+        <source>taper</source>
+        <translation>锥度</translation>
+    </message>
+    <message>
+        <source>shear centre</source>
+        <translation>剪切中心</translation>
+    </message>
+    <message>
+        <source>foundation</source>
+        <translation>弹性地基</translation>
+    </message>
+    <message>
+        <source>stiffening</source>
+        <translation>硬化</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s formulation does not know this</source>
+        <translation>论文公式没有这一项</translation>
+    </message>
+    <message>
+        <source>Leave it out, or choose the formulation saint-venant</source>
+        <translation>请去掉它，或选择 saint-venant 公式</translation>
+    </message>
+    <message>
+        <source>interpolation (Eq. 15)</source>
+        <translation>插值（式 15）</translation>
+    </message>
+    <message>
+        <source>beta (Eq. 18)</source>
+        <translation>β（式 18）</translation>
+    </message>
+    <message>
+        <source>clamp lift (Eq. 23)</source>
+        <translation>夹持端抬升（式 23）</translation>
+    </message>
+    <message>
+        <source>only the paper&apos;s formulation knows this</source>
+        <translation>只有论文公式有这一项</translation>
+    </message>
+    <message>
+        <source>Leave it out, or choose the formulation paper</source>
+        <translation>请去掉它，或选择 paper 公式</translation>
+    </message>
+    <message>
+        <source>beta of Eq. 18 must be a number, and not 0</source>
+        <translation>式 18 的 β 必须是数，且不为 0</translation>
+    </message>
+    <message>
+        <source>Give a number of sections, or leave it out</source>
+        <translation>请给出截面数，或不填</translation>
+    </message>
+    <message>
+        <source>markers (mm)</source>
+        <translation>标记点（mm）</translation>
+    </message>
+    <message>
+        <source>course (mm)</source>
+        <translation>曲线（mm）</translation>
+    </message>
+    <message>
+        <source>radius (%)</source>
+        <translation>半径（%）</translation>
+    </message>
+    <message>
+        <source>volume (%)</source>
+        <translation>体积（%）</translation>
+    </message>
+    <message>
+        <source>RMSE: over all key points of the lattice; markers and course: of their displacements. Radius: its largest change. Roughness: what the radius of a key point changes differently from its four neighbours.</source>
+        <translation>RMSE：对点阵的全部关键点计算；标记点与曲线：对其位移计算。半径：其最大变化。粗糙度：关键点半径变化与其四个相邻点之差。</translation>
+    </message>
+    <message>
+        <source>frame (ms)</source>
+        <translation>每帧（ms）</translation>
+    </message>
+    <message>
+        <source>worst (ms)</source>
+        <translation>最慢帧（ms）</translation>
+    </message>
+    <message>
+        <source>twist (s)</source>
+        <translation>扭转（s）</translation>
+    </message>
+    <message>
+        <source>settling (s)</source>
+        <translation>趋衡（s）</translation>
+    </message>
+    <message>
+        <source>last angle (deg)</source>
+        <translation>末帧角（°）</translation>
+    </message>
+    <message>
+        <source>Frame: the median. Settling: from the last frame to equilibrium, no part of the twist. Last angle: as the last frame showed it.</source>
+        <translation>每帧：中位数。趋衡：从最后一帧到平衡，不计入扭转用时。末帧角：最后一帧显示的角度。</translation>
     </message>
     <message>
         <source>Stomach: mesentero-axial, 45 degrees</source>
@@ -10370,6 +10914,18 @@ MSM = 质点弹簧</translation>
         <source>Saint-Venant</source>
         <translation>圣维南</translation>
     </message>
+    <message>
+        <source>Two formulations</source>
+        <translation>两种公式</translation>
+    </message>
+    <message>
+        <source>Finite elements and springs</source>
+        <translation>有限元与弹簧</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>标记点</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::ComparisonBars</name>
@@ -11192,6 +11748,109 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Diamond: you. Band: lowest to highest of the others. Line: their mean.</source>
         <translation>菱形：您。色带：他人最低至最高。竖线：他人均分。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::EngineerPanel</name>
+    <message>
+        <source>The organ is built with this model: nothing can be recorded.</source>
+        <translation>器官按此模型建立：不能录制。</translation>
+    </message>
+    <message>
+        <source>The organ is built as its scene says.</source>
+        <translation>器官按其场景的设定建立。</translation>
+    </message>
+    <message>
+        <source>Model (engineer)</source>
+        <translation>模型（工程师）</translation>
+    </message>
+    <message>
+        <source>The parts of the twist model one by one</source>
+        <translation>逐项设定扭转模型的各部分</translation>
+    </message>
+    <message>
+        <source>For trying out the equations. Never part of a graded run.</source>
+        <translation>用于试验各公式，绝不用于计分操作。</translation>
+    </message>
+    <message>
+        <source>Shear modulus G</source>
+        <translation>剪切模量 G</translation>
+    </message>
+    <message>
+        <source> Pa</source>
+        <translation> Pa</translation>
+    </message>
+    <message>
+        <source>Drift (Eq. 16)</source>
+        <translation>漂移项（式 16）</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>线性</translation>
+    </message>
+    <message>
+        <source>constant, as printed</source>
+        <translation>常数（论文原式）</translation>
+    </message>
+    <message>
+        <source>Interpolation (Eq. 15)</source>
+        <translation>插值（式 15）</translation>
+    </message>
+    <message>
+        <source>the angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>dX, dY, dZ</source>
+        <translation>dX、dY、dZ 分量</translation>
+    </message>
+    <message>
+        <source>β in sections (Eq. 18)</source>
+        <translation>β，以截面计（式 18）</translation>
+    </message>
+    <message>
+        <source>infinite</source>
+        <translation>无穷大</translation>
+    </message>
+    <message>
+        <source>Lift clamp (Eq. 23)</source>
+        <translation>夹持端抬升（式 23）</translation>
+    </message>
+    <message>
+        <source>Poynting&apos;s stretch</source>
+        <translation>Poynting 轴向伸长</translation>
+    </message>
+    <message>
+        <source>Restrained ends</source>
+        <translation>端部约束</translation>
+    </message>
+    <message>
+        <source>Taper correction</source>
+        <translation>锥度修正</translation>
+    </message>
+    <message>
+        <source>About shear centres</source>
+        <translation>绕剪切中心扭转</translation>
+    </message>
+    <message>
+        <source>Foundation (organ lengths)</source>
+        <translation>弹性地基（器官长度）</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Stiffening strain</source>
+        <translation>硬化应变</translation>
+    </message>
+    <message>
+        <source>App&amp;ly</source>
+        <translation>应用(&amp;L)</translation>
+    </message>
+    <message>
+        <source>As in the scene</source>
+        <translation>恢复场景设定</translation>
     </message>
 </context>
 <context>
@@ -12286,6 +12945,89 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::MarkerEditor</name>
+    <message>
+        <source>Click on the organ to move the chosen marker there</source>
+        <translation>请点击器官，将所选标记点移到该处</translation>
+    </message>
+    <message>
+        <source>Open markers</source>
+        <translation>打开标记点</translation>
+    </message>
+    <message>
+        <source>Markers (*.json)</source>
+        <translation>标记点 (*.json)</translation>
+    </message>
+    <message>
+        <source>Save markers</source>
+        <translation>保存标记点</translation>
+    </message>
+    <message>
+        <source>markers.json</source>
+        <translation>markers.json</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>点 %1</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Choose a marker and click on the organ to move it, or give section and ridge. Drag to turn the view.</source>
+        <translation>选择一个标记点，点击器官即可移动它，也可以给出截面和脊线。拖动可转动视图。</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Section</source>
+        <translation>截面(&amp;S)</translation>
+    </message>
+    <message>
+        <source>R&amp;idge</source>
+        <translation>脊线(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>添加(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>删除(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>重置(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The markers that belong to this organ</source>
+        <translation>恢复该器官自带的标记点</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>打开(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve…</source>
+        <translation>保存(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>For later, and for torsio compare --markers</source>
+        <translation>供以后使用，也供 torsio compare --markers 使用</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::MasteryTable</name>
     <message>
         <source>at least</source>
@@ -12338,6 +13080,115 @@ Leave it empty to remove it.</source>
     <message>
         <source>In a row</source>
         <translation>连续次数</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ModelComparison</name>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>Loading the organ</source>
+        <translation>正在加载器官</translation>
+    </message>
+    <message>
+        <source>Wait until the work that goes on has ended</source>
+        <translation>请等待当前的工作结束</translation>
+    </message>
+    <message>
+        <source>Comparing the models</source>
+        <translation>正在对比模型</translation>
+    </message>
+    <message>
+        <source>Processing time of %1</source>
+        <translation>%1 的计算时间</translation>
+    </message>
+    <message>
+        <source>Not computed yet</source>
+        <translation>尚未计算</translation>
+    </message>
+    <message numerus="yes">
+        <source>for the whole twist, %n frame(s) of %1; set-up apart: %2</source>
+        <translation>
+            <numerusform>为整个扭转的用时：%n 帧，每帧 %1；准备时间另计：%2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In equilibrium %1°, %2 mm from the reference</source>
+        <translation>平衡时 %1°，与参考解相差 %2 mm</translation>
+    </message>
+    <message>
+        <source>No equilibrium: %1</source>
+        <translation>没有平衡：%1</translation>
+    </message>
+    <message>
+        <source>Folder for the report and its tables</source>
+        <translation>报告及其表格的文件夹</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>&amp;Organ</source>
+        <translation>器官(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Torque</source>
+        <translation>扭矩(&amp;T)</translation>
+    </message>
+    <message>
+        <source> N m</source>
+        <translation> N m</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>对比(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Computes all models anew; a quarter of a minute to a minute</source>
+        <translation>重新计算全部模型，约需 15 秒到 1 分钟</translation>
+    </message>
+    <message>
+        <source>Re&amp;play</source>
+        <translation>重放(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Shows each model as fast as it was computed</source>
+        <translation>按实际计算速度显示每个模型</translation>
+    </message>
+    <message>
+        <source>&amp;Save report…</source>
+        <translation>保存报告(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>PDF, JSON and tables, as torsio compare writes them</source>
+        <translation>PDF、JSON 和表格，与 torsio compare 写出的相同</translation>
+    </message>
+    <message>
+        <source>Compare twists the organ about its own axis by all three models under the same torque. Each clock shows how long its model computed until the twist stood still. Drag a view to turn all of them.</source>
+        <translation>“对比”用三种模型在相同扭矩下绕器官自身的轴扭转器官。每个时钟显示该模型计算到扭转静止所用的时间。拖动任一视图可同时转动全部视图。</translation>
+    </message>
+    <message>
+        <source>PM: twist model</source>
+        <translation>PM：扭转模型</translation>
+    </message>
+    <message>
+        <source>FEM: finite elements</source>
+        <translation>FEM：有限元</translation>
+    </message>
+    <message>
+        <source>MSM: springs</source>
+        <translation>MSM：弹簧</translation>
     </message>
 </context>
 <context>
@@ -15622,6 +16473,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>%1 after %2 s</source>
         <translation>%2 秒后：%1</translation>
+    </message>
+    <message>
+        <source>Compare models</source>
+        <translation>模型对比</translation>
+    </message>
+    <message>
+        <source>Twist this organ by the twist model, finite elements and springs under one torque</source>
+        <translation>在同一扭矩下用扭转模型、有限元和弹簧扭转该器官</translation>
     </message>
 </context>
 <context>

@@ -10,12 +10,12 @@ namespace torsio {
 
 void checkElasticConstants(const ElasticConstants& constants) {
   if (!std::isfinite(constants.shearModulus_Pa) || constants.shearModulus_Pa <= 0.0) {
-    refuseParameter(Text::verbatim("The shear modulus must be positive and finite"),
-                    Text::verbatim("shear modulus"), Text::verbatim("Give it in pascal"));
+    refuseParameter(Text::tr("The shear modulus must be positive and finite"), Text::tr("shear modulus"),
+                    Text::tr("Give it in pascal"));
   }
   if (!(constants.poissonRatio >= 0.0 && constants.poissonRatio < 0.5)) {
-    refuseParameter(Text::verbatim("Poisson's ratio must lie in [0, 0.5)"), Text::verbatim("Poisson's ratio"),
-                    Text::verbatim("Give a number such as 0.45; 0.5 itself has no finite stiffness"));
+    refuseParameter(Text::tr("Poisson's ratio must lie in [0, 0.5)"), Text::tr("Poisson's ratio"),
+                    Text::tr("Give a number such as 0.45; 0.5 itself has no finite stiffness"));
   }
 }
 

@@ -74,8 +74,11 @@ struct Equilibrium::Linear {
   }
 
   /// Factorises the matrix with `more` on its diagonal; false when it is not positive definite.
-  [[nodiscard]] bool factorise(double more) {
+  [[nodiscard]] bool factorise(double more, const std::function<void()>& check) {
     for (std::size_t k = 0; k < blocks.size(); ++k) {
+      if (check) {
+        check();
+      }
       blocks[k].diagonal().array() += more;
       if (k > 0) {
         blocks[k].selfadjointView<Eigen::Lower>().rankUpdate(towards[k - 1].transpose(), -1.0);
@@ -113,10 +116,12 @@ struct Equilibrium::Linear {
   }
 };
 
-Equilibrium::Equilibrium(const ElasticBody& body, TwistEnds ends, std::span<const Vec3> rest_m)
+Equilibrium::Equilibrium(const ElasticBody& body, TwistEnds ends, std::span<const Vec3> rest_m,
+                         std::function<void()> check)
     : body_(body),
       ends_(std::move(ends)),
       rest_m_(rest_m.begin(), rest_m.end()),
+      check_(std::move(check)),
       unknownOf_(rest_m.size(), kHeldNode),
       linear_(std::make_unique<Linear>()) {
   // A node of no element (the middle of a quadratic triangle) stays where it is.
@@ -186,6 +191,9 @@ void Equilibrium::numberUnknowns() {
 Equilibrium::~Equilibrium() = default;
 
 bool Equilibrium::evaluate(double torque_Nm, const TwistPose& pose) {
+  if (check_) {
+    check_();
+  }
   forces_N_.assign(pose.places_m.size(), Vec3{});
   energy_J_ = 0.0;
   std::array<Vec3, kMostElementNodes> part;
@@ -265,7 +273,7 @@ bool Equilibrium::factorise(const TwistPose& pose) {
     assemble(pose);
     const double mean = linear_->meanDiagonal();
     shift = shift < 1e-6 * mean ? 0.0 : shift;
-    if (linear_->factorise(shift)) {
+    if (linear_->factorise(shift, check_)) {
       linear_->shift = shift;
       return true;
     }
@@ -318,13 +326,12 @@ bool Equilibrium::advance(double torque_Nm, std::span<const double> move, TwistP
 
 EquilibriumReport Equilibrium::solve(double torque_Nm, TwistPose& pose) {
   const auto fail = [&] {
-    refuseParameter(Text::verbatim("No equilibrium was found for this torque"),
-                    std::to_string(torque_Nm) + " N m",
-                    Text::verbatim("Give a smaller torque, or more steps"));
+    refuseParameter(Text::tr("No equilibrium was found for this torque"), std::to_string(torque_Nm) + " N m",
+                    Text::tr("Give a smaller torque, or more steps"));
   };
   if (!std::isfinite(torque_Nm)) {
-    refuseParameter(Text::verbatim("The torque must be finite"), Text::verbatim("torque"),
-                    Text::verbatim("Give it in newton metres"));
+    refuseParameter(Text::tr("The torque must be finite"), Text::tr("torque"),
+                    Text::tr("Give it in newton metres"));
   }
   if (!evaluate(torque_Nm, pose)) {
     fail();

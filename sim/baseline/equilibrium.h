@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -23,7 +24,10 @@ struct EquilibriumReport {
 /// outlive it.
 class Equilibrium {
  public:
-  Equilibrium(const ElasticBody& body, TwistEnds ends, std::span<const Vec3> rest_m);
+  /// `check`: called many times a second while solve() computes; what it throws ends it, and the pose is then
+  /// no equilibrium. Empty: none.
+  Equilibrium(const ElasticBody& body, TwistEnds ends, std::span<const Vec3> rest_m,
+              std::function<void()> check = {});
   ~Equilibrium();
   Equilibrium(const Equilibrium&) = delete;
   Equilibrium& operator=(const Equilibrium&) = delete;
@@ -45,6 +49,7 @@ class Equilibrium {
   const ElasticBody& body_;
   TwistEnds ends_;
   std::vector<Vec3> rest_m_;
+  std::function<void()> check_;
   std::vector<int> unknownOf_;  ///< first unknown of a free node; -1 held, -2 turned
   int unknowns_ = 0;            ///< the last one is the angle
   std::vector<Vec3> forces_N_;

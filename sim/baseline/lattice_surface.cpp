@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "sim/base/contracts.h"
 #include "sim/base/portable_math.h"
 #include "sim/geometry/mesh/nearest_on_triangle.h"
 
@@ -142,16 +143,21 @@ MarkerAnchor anchorMarker(const TriangleMesh& mesh, const SectionLattice& lattic
   return marker;
 }
 
+Vec3 capPlace_m(LatticePart part, const Vec3& rest_m, const AxisFrame& end, double angle_rad) {
+  TORSIO_EXPECTS(part != LatticePart::kSide);
+  if (part == LatticePart::kFixedCap) {
+    return rest_m;
+  }
+  const SinCos turn = portableSinCos(angle_rad);
+  const Vec3 arm = rest_m - end.centre_m;
+  const Vec3 along = dot(arm, end.tangent) * end.tangent;
+  return end.centre_m + along + turn.cos * (arm - along) + turn.sin * cross(end.tangent, arm);
+}
+
 Vec3 markerPlace_m(const MarkerAnchor& marker, const LatticePlaces& rest, const LatticePlaces& now,
                    const AxisFrame& end, double angle_rad) {
-  if (marker.part == LatticePart::kFixedCap) {
-    return marker.rest_m;
-  }
-  if (marker.part == LatticePart::kFreeCap) {
-    const SinCos turn = portableSinCos(angle_rad);
-    const Vec3 arm = marker.rest_m - end.centre_m;
-    const Vec3 along = dot(arm, end.tangent) * end.tangent;
-    return end.centre_m + along + turn.cos * (arm - along) + turn.sin * cross(end.tangent, arm);
+  if (marker.part != LatticePart::kSide) {
+    return capPlace_m(marker.part, marker.rest_m, end, angle_rad);
   }
   Vec3 place = marker.rest_m;
   for (std::size_t k = 0; k < 3; ++k) {

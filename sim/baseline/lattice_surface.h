@@ -54,6 +54,10 @@ struct MarkerAnchor {
 [[nodiscard]] MarkerAnchor anchorMarker(const TriangleMesh& mesh, const SectionLattice& lattice,
                                         const Vec3& position_m);
 
+/// Returns where a point of a cap (not kSide, contract) is when the free end has turned by `angle_rad` about
+/// the tangent of the frame `end`.
+[[nodiscard]] Vec3 capPlace_m(LatticePart part, const Vec3& rest_m, const AxisFrame& end, double angle_rad);
+
 /// Returns where a marker is when the key points are at `now` and the free end has turned by `angle_rad`
 /// about the tangent of the frame `end`.
 [[nodiscard]] Vec3 markerPlace_m(const MarkerAnchor& marker, const LatticePlaces& rest,

@@ -137,8 +137,8 @@ NeoHookeanWedges::NeoHookeanWedges(SolidMesh mesh, std::span<const Vec3> rest_m,
       }
       const double det = jacobian.determinant();
       if (!(det > 0.0)) {
-        throw Error(ErrorCode::kBadMesh, Text::verbatim("An element of the organ is folded at rest"),
-                    "element " + std::to_string(c + 1), Text::verbatim("Give other ends, or fewer sections"));
+        throw Error(ErrorCode::kBadMesh, Text::tr("An element of the organ is folded at rest"),
+                    Text::tr("element %1", c + 1), Text::tr("Give other ends, or fewer sections"));
       }
       const WedgeGradients gradients = jacobian.inverse().transpose() * local;
       IntegrationPoint point;

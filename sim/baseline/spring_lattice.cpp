@@ -102,8 +102,8 @@ SpringLattice SpringLattice::calibrated(std::span<const Vec3> places_m, double e
   const double held_J = elasticEnergy_J(*this, places_m);
   constexpr double kRounding = 1e-12;
   if (!(energy_J > 0.0) || !(held_J > kRounding * energy_J)) {
-    refuseParameter(Text::verbatim("Springs are calibrated by a displacement that holds energy"),
-                    Text::verbatim("calibration"), Text::verbatim("Give a torque that is not 0"));
+    refuseParameter(Text::tr("Springs are calibrated by a displacement that holds energy"),
+                    Text::tr("calibration"), Text::tr("Give a torque that is not 0"));
   }
   return scaled(energy_J / held_J);
 }

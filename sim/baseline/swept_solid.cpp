@@ -26,31 +26,30 @@ std::string sectionName(std::size_t section) {
 
 void checkOutlines(std::span<const std::vector<Vec3>> outlines_m, int rings) {
   if (outlines_m.size() < 2) {
-    refuseParameter(Text::verbatim("A solid needs at least 2 sections"), Text::tr("sections"),
-                    Text::verbatim("Give 2 or more"));
+    refuseParameter(Text::tr("A solid needs at least 2 sections"), Text::tr("sections"),
+                    Text::tr("Give 2 or more"));
   }
   if (rings < 1) {
-    refuseParameter(Text::verbatim("A solid needs at least 1 ring"), Text::verbatim("rings"),
-                    Text::verbatim("Give 1 or more"));
+    refuseParameter(Text::tr("A solid needs at least 1 ring"), Text::tr("rings"), Text::tr("Give 1 or more"));
   }
   const std::size_t count = outlines_m.front().size();
   if (count < 3) {
-    refuseParameter(Text::verbatim("An outline needs at least 3 points"), Text::tr("ridges"),
-                    Text::verbatim("Give 3 or more"));
+    refuseParameter(Text::tr("An outline needs at least 3 points"), Text::tr("ridges"),
+                    Text::tr("Give 3 or more"));
   }
   const double points = static_cast<double>(outlines_m.size()) * (1.0 + static_cast<double>(count) * rings);
   if (points > kMostSolidPoints) {
-    refuseParameter(Text::verbatim("The solid would have more than 200000 points"), Text::verbatim("rings"),
-                    Text::verbatim("Give fewer ridges, sections or rings"));
+    refuseParameter(Text::tr("The solid would have more than 200000 points"), Text::tr("rings"),
+                    Text::tr("Give fewer ridges, sections or rings"));
   }
   for (std::size_t j = 0; j < outlines_m.size(); ++j) {
     if (outlines_m[j].size() != count) {
-      refuseParameter(Text::verbatim("The outlines have different numbers of points"), sectionName(j),
-                      Text::verbatim("Give each section as many points as the first"));
+      refuseParameter(Text::tr("The outlines have different numbers of points"), sectionName(j),
+                      Text::tr("Give each section as many points as the first"));
     }
     if (!std::all_of(outlines_m[j].begin(), outlines_m[j].end(), [](const Vec3& p) { return isFinite(p); })) {
-      refuseParameter(Text::verbatim("A coordinate is not a finite number"), sectionName(j),
-                      Text::verbatim("Give finite coordinates in metres"));
+      refuseParameter(Text::tr("A coordinate is not a finite number"), sectionName(j),
+                      Text::tr("Give finite coordinates in metres"));
     }
   }
 }
@@ -110,10 +109,10 @@ void requireNoFold(const SweptSolid& solid) {
     if (!(volumes[c] > 0.0)) {
       throw Error(
           ErrorCode::kBadMesh,
-          Text::verbatim(
+          Text::tr(
               "The organ cannot be filled with elements: an outline is not star-shaped about its centre, or "
               "two sections cross"),
-          sectionName(c / perLayer) + " to the next", Text::verbatim("Give other ends, or fewer sections"));
+          sectionName(c / perLayer) + " to the next", Text::tr("Give other ends, or fewer sections"));
     }
   }
 }
@@ -200,9 +199,9 @@ SolidMesh linearWedges(const SweptSolid& solid) {
 
 SolidMesh quadraticWedges(const SweptSolid& solid) {
   if (solid.ridges % 2 != 0 || solid.rings % 2 != 0 || solid.sections % 2 != 1) {
-    refuseParameter(Text::verbatim("Quadratic elements reach over two ridges, two rings and two sections"),
-                    Text::verbatim("lattice"),
-                    Text::verbatim("Give an even number of ridges and rings and an odd number of sections"));
+    refuseParameter(Text::tr("Quadratic elements reach over two ridges, two rings and two sections"),
+                    Text::tr("lattice"),
+                    Text::tr("Give an even number of ridges and rings and an odd number of sections"));
   }
   SolidMesh mesh;
   mesh.nodesPerCell = 18;

@@ -103,8 +103,11 @@ EquilibriumReport equilibriumFromRest(Equilibrium& newton, const SweptSolid& sol
 template <class Frames>
 class MovingRun final : public TwistSimulation {
  public:
-  MovingRun(SweptSolid solid, Frames frames)
-      : solid_(std::move(solid)), frames_(std::move(frames)), pose_(frames_.pose()) {}
+  MovingRun(SweptSolid solid, Frames frames, std::function<void()> check)
+      : solid_(std::move(solid)),
+        frames_(std::move(frames)),
+        check_(std::move(check)),
+        pose_(frames_.pose()) {}
 
   void step(double torque_Nm) override {
     frames_.step(torque_Nm);
@@ -112,7 +115,7 @@ class MovingRun final : public TwistSimulation {
     settled_ = false;
   }
   void settle(double torque_Nm) override {
-    Equilibrium newton(frames_.body(), twistEnds(solid_), solid_.points_m);
+    Equilibrium newton(frames_.body(), twistEnds(solid_), solid_.points_m, check_);
     try {
       pose_ = nearestTo(torque_Nm);
       energy_J_ = newton.solve(torque_Nm, pose_).energy_J;
@@ -156,6 +159,7 @@ class MovingRun final : public TwistSimulation {
 
   SweptSolid solid_;
   Frames frames_;
+  std::function<void()> check_;
   TwistPose pose_;
   bool settled_ = false;
   double energy_J_ = 0.0;
@@ -166,7 +170,7 @@ class ReferenceRun final : public TwistSimulation {
   ReferenceRun(const ComparedOrgan& organ, int rings)
       : solid_(sweptSolid(*organ.lattice, rings)),
         body_(quadratic() ? quadraticWedges(solid_) : linearWedges(solid_), solid_.points_m, organ.constants),
-        newton_(body_, twistEnds(solid_), solid_.points_m),
+        newton_(body_, twistEnds(solid_), solid_.points_m, organ.check),
         pose_{solid_.points_m, 0.0} {}
 
   void step(double torque_Nm) override { settle(torque_Nm); }
@@ -231,7 +235,7 @@ std::unique_ptr<TwistSimulation> twistModelSimulation(const ComparedOrgan& organ
 std::unique_ptr<TwistSimulation> finiteElementSimulation(const ComparedOrgan& organ, int rings) {
   SweptSolid solid = sweptSolid(*organ.lattice, rings);
   CorotationalFrames frames(solid, organ.constants, organ.dynamics);
-  return std::make_unique<MovingRun<CorotationalFrames>>(std::move(solid), std::move(frames));
+  return std::make_unique<MovingRun<CorotationalFrames>>(std::move(solid), std::move(frames), organ.check);
 }
 
 std::unique_ptr<TwistSimulation> massSpringSimulation(const ComparedOrgan& organ, const TwistModel& model,
@@ -242,13 +246,13 @@ std::unique_ptr<TwistSimulation> massSpringSimulation(const ComparedOrgan& organ
   SpringLattice springs = SpringLattice(solid, organ.constants)
                               .calibrated(sectionsTurned(solid, *organ.lattice, model), energy_J);
   if (options.calibration == Calibration::kEquilibrium) {
-    Equilibrium newton(springs, twistEnds(solid), solid.points_m);
+    Equilibrium newton(springs, twistEnds(solid), solid.points_m, organ.check);
     TwistPose pose{solid.points_m, 0.0};
     static_cast<void>(newton.solve(kSmallTurn_rad / compliance, pose));
     springs = springs.scaled(pose.angle_rad / kSmallTurn_rad);
   }
   XpbdFrames frames(solid, std::move(springs), organ.dynamics, options.substeps);
-  return std::make_unique<MovingRun<XpbdFrames>>(std::move(solid), std::move(frames));
+  return std::make_unique<MovingRun<XpbdFrames>>(std::move(solid), std::move(frames), organ.check);
 }
 
 std::unique_ptr<TwistSimulation> referenceSimulation(const ComparedOrgan& organ, int rings) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -41,6 +42,9 @@ struct ComparedOrgan {
   const SectionLattice* lattice = nullptr;
   ElasticConstants constants;
   DynamicsOptions dynamics;
+  /// Called many times a second while a model looks for its equilibrium; what it throws ends that. Empty:
+  /// none.
+  std::function<void()> check{};
 };
 
 /// Makes the twist model's simulation: a frame moves every vertex of the mesh as the view does, the key

@@ -24,8 +24,8 @@ XpbdFrames::XpbdFrames(const SweptSolid& solid, SpringLattice springs, const Dyn
       before_m_(solid.points_m.size()),
       pose_{solid.points_m, 0.0} {
   if (substeps < 1) {
-    refuseParameter(Text::verbatim("A frame needs at least 1 substep"), Text::verbatim("substeps"),
-                    Text::verbatim("Give 10 or more"));
+    refuseParameter(Text::tr("A frame needs at least 1 substep"), Text::tr("substeps"),
+                    Text::tr("Give 10 or more"));
   }
   for (double& m : inverseMass_) {
     m = m > 0.0 ? 1.0 / m : 0.0;

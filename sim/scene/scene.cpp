@@ -147,10 +147,12 @@ Scene loadScene(const SceneRequest& request) {
   TwistModelOptions options;
   options.formulation = description.formulation;
   options.ends = pattern.ends;
+  applyChoice(request.model, lattice.sections(), options, description.material);
   TwistModel model(mesh, lattice, description.material, options);
   CollisionMesh collision(mesh);
   std::shared_ptr<const RodOrgan> rod;
-  if (pattern.task && !request.noRod && description.formulation != Formulation::kPaper) {
+  const bool bar = request.noRod || request.model.ofBar();
+  if (pattern.task && !bar && description.formulation != Formulation::kPaper) {
     rod = std::make_shared<const RodOrgan>(RodOrgan::Parts{.mesh = &mesh,
                                                            .model = &model,
                                                            .restraints = description.restraints,
@@ -161,6 +163,9 @@ Scene loadScene(const SceneRequest& request) {
   std::string parameters = parametersText(description, pattern, request.organFile.has_value());
   Digest digest;
   digest.update(parameters);
+  if (request.model.any()) {
+    digest.update("another model");  // no recording was made with it
+  }
   std::string organHash = contentHash(mesh);
   TwistPattern chosen = pattern;
   return Scene{description.id,   description.title,      description.provenance, std::move(organHash),

@@ -13,6 +13,7 @@
 #include "sim/geometry/mesh/mesh_repair.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 #include "sim/geometry/query/collision_mesh.h"
+#include "sim/scene/model_choice.h"
 #include "sim/scene/organ_state.h"
 #include "sim/scene/turn_task.h"
 #include "sim/tissue/twist/twist_model.h"
@@ -62,6 +63,7 @@ struct SceneRequest {
   bool noRod = false;              ///< leave every organ to the twist model, also where a pattern has a task
   std::optional<Vec3> fixedEnd_m;  ///< of organFile, with freeEnd_m; none: found
   std::optional<Vec3> freeEnd_m;
+  ModelChoice model;  ///< of an engineer: no scene to record
 };
 
 /// Everything that an exercise needs, loaded and checked. Immutable; shared by servo and views.

@@ -37,7 +37,7 @@ int run() {
   const Scene scene = loadScene(request);
   const TwistModel twist(scene.mesh, scene.lattice(), scene.model.material(), {});
   const double torque_Nm = 1.0 / twist.graspCompliance(scene.lattice().length_m());
-  ComparedOrgan organ{&scene.mesh, &scene.lattice(), {scene.model.material().shearModulus_Pa, 0.45}, {}};
+  ComparedOrgan organ{&scene.mesh, &scene.lattice(), {scene.model.material().shearModulus_Pa, 0.45}, {}, {}};
   organ.dynamics.drag_per_s = criticalDrag_per_s(organ.constants, 1000.0, scene.lattice().length_m());
   const auto view = twistModelSimulation(organ, twist);
   const auto elements = finiteElementSimulation(organ, 4);

@@ -28,6 +28,16 @@ namespace {
     QT_TRANSLATE_NOOP("Assets", "Mesentero-axial, 45 degrees"),
     QT_TRANSLATE_NOOP("Assets", "Combined, 120 degrees"),
     QT_TRANSLATE_NOOP("Assets", "Partial, antrum only, 90 degrees"),
+    QT_TRANSLATE_NOOP("Assets", "dorsal forearm, 60 mm from the wrist crease"),
+    QT_TRANSLATE_NOOP("Assets", "palmar forearm, 60 mm from the wrist crease"),
+    QT_TRANSLATE_NOOP("Assets", "radial styloid"),
+    QT_TRANSLATE_NOOP("Assets", "ulnar head"),
+    QT_TRANSLATE_NOOP("Assets", "dorsal wrist centre"),
+    QT_TRANSLATE_NOOP("Assets", "palmar wrist crease centre"),
+    QT_TRANSLATE_NOOP("Assets", "thumb base (first carpometacarpal joint)"),
+    QT_TRANSLATE_NOOP("Assets", "second knuckle (index metacarpal head)"),
+    QT_TRANSLATE_NOOP("Assets", "fifth knuckle (ulnar border)"),
+    QT_TRANSLATE_NOOP("Assets", "tip of the middle finger"),
 };
 
 }  // namespace

@@ -15,11 +15,14 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 #include "app/gui/base/asset_names.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/practice/marker_editor.h"
+#include "app/gui/practice/model_comparison.h"
 #include "app/gui/simulator/exercise_panel.h"
 #include "app/gui/simulator/film_strip.h"
 #include "app/gui/widgets/card.h"
@@ -32,6 +35,9 @@ namespace torsio::gui {
 
 namespace {
 
+constexpr int kFormulationsTab = 0;
+constexpr int kModelsTab = 1;
+constexpr int kMarkersTab = 2;
 constexpr int kSteps = 1000;
 constexpr double kBeyondTarget = 1.2;
 constexpr std::size_t kTimesKept = 31;
@@ -50,6 +56,22 @@ ComparePage::ComparePage(ShellContext& context, QWidget* parent) : Page(context,
   sides_[1].formulation = Formulation::kSaintVenant;
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(2 * kSpace, 2 * kSpace, 2 * kSpace, 2 * kSpace);
+  tabs_ = new QTabWidget(this);
+  column->addWidget(tabs_);
+  tabs_->addTab(createFormulations(), QString());
+  for (int tab : {kModelsTab, kMarkersTab}) {
+    auto* empty = new QWidget(tabs_);  // filled when it is first shown: three more scenes take a while
+    auto* inside = new QVBoxLayout(empty);
+    inside->setContentsMargins(0, 0, 0, 0);
+    tabs_->insertTab(tab, empty, QString());
+  }
+  connect(tabs_, &QTabWidget::currentChanged, this, &ComparePage::showTab);
+}
+
+QWidget* ComparePage::createFormulations() {
+  auto* tab = new QWidget(tabs_);
+  auto* column = new QVBoxLayout(tab);
+  column->setContentsMargins(0, 2 * kSpace, 0, 0);
   column->setSpacing(2 * kSpace);
   column->addWidget(createBar());
   auto* row = new QHBoxLayout;
@@ -71,6 +93,50 @@ ComparePage::ComparePage(ShellContext& context, QWidget* parent) : Page(context,
     }
   });
   connect(strip_, &QPushButton::clicked, this, &ComparePage::captureFilmStrip);
+  return tab;
+}
+
+ModelComparison& ComparePage::models() {
+  if (models_ == nullptr) {
+    models_ = new ModelComparison(shell(), tabs_->widget(kModelsTab));
+    tabs_->widget(kModelsTab)->layout()->addWidget(models_);
+    connect(models_, &ModelComparison::organChanged, this, [this] {
+      if (markers_ != nullptr) {
+        const ComparedScene& organ = models_->organ();
+        markers_->setOrgan(organ.loaded.scene, organ.loaded.view, organ.markers);
+      }
+    });
+    models_->retranslate();
+    models_->setTheme(theme(shell().themeKind()));
+  }
+  return *models_;
+}
+
+MarkerEditor& ComparePage::markers() {
+  if (markers_ == nullptr) {
+    markers_ = new MarkerEditor(shell(), tabs_->widget(kMarkersTab));
+    tabs_->widget(kMarkersTab)->layout()->addWidget(markers_);
+    connect(markers_, &MarkerEditor::changed, this, [this] { models().setMarkers(markers_->markers()); });
+    if (models().loaded()) {
+      const ComparedScene& organ = models().organ();
+      markers_->setOrgan(organ.loaded.scene, organ.loaded.view, organ.markers);
+    }
+    markers_->retranslate();
+    markers_->setTheme(theme(shell().themeKind()));
+  }
+  return *markers_;
+}
+
+void ComparePage::showTab(int index) {
+  if (index == kMarkersTab) {
+    static_cast<void>(markers());
+  }
+  if (index != kFormulationsTab && !models().asked()) {
+    SceneRequest request;
+    request.assets = shell().assets();
+    request.id = "forearm";  // the paper's organ
+    models().load(request);
+  }
 }
 
 QWidget* ComparePage::createBar() {
@@ -117,11 +183,24 @@ QWidget* ComparePage::createSide(Side& side) {
   return side.card;
 }
 
+void ComparePage::showModels() {
+  tabs_->setCurrentIndex(kModelsTab);
+}
+
+void ComparePage::showMarkers() {
+  tabs_->setCurrentIndex(kMarkersTab);
+}
+
 void ComparePage::enter(const QVariant& argument) {
-  if (loaded() && argument.isNull()) {
+  if (argument.canConvert<SceneRequest>()) {  // an organ of the simulator, beside finite elements and springs
+    models().load(argument.value<SceneRequest>());
+    showModels();
     return;
   }
-  const QString organ = argument.isNull() ? QStringLiteral("stomach") : argument.toString();
+  if (loaded()) {
+    return;
+  }
+  const QString organ = QStringLiteral("stomach");
   organ_->setCurrentIndex(organ_->findData(organ));
   load(organ);
 }
@@ -224,7 +303,20 @@ void ComparePage::captureFilmStrip() {
   });
 }
 
+void ComparePage::nameTabs() {
+  tabs_->setTabText(kFormulationsTab, tr("Two formulations"));
+  tabs_->setTabText(kModelsTab, tr("Finite elements and springs"));
+  tabs_->setTabText(kMarkersTab, tr("Markers"));
+}
+
 void ComparePage::retranslate() {
+  nameTabs();
+  if (models_ != nullptr) {
+    models_->retranslate();
+  }
+  if (markers_ != nullptr) {
+    markers_->retranslate();
+  }
   nameField(organLabel_, tr("&Organ"));
   nameField(torqueLabel_, tr("&Torque"));
   shearMap_->setText(tr("Shear stress"));
@@ -244,11 +336,39 @@ void ComparePage::applyTheme(const Theme& theme) {
   for (const Side& side : sides_) {
     side.view->setTheme(theme);
   }
+  if (models_ != nullptr) {
+    models_->setTheme(theme);
+  }
+  if (markers_ != nullptr) {
+    markers_->setTheme(theme);
+  }
 }
 
 PageEntry comparePage() {
   return {PageId::kCompare, [](ShellContext& context) -> Page* { return new ComparePage(context); }};
 }
+
+namespace {
+
+void waitFor(const std::function<bool()>& done) {
+  while (!done()) {
+    QCoreApplication::processEvents();
+  }
+}
+
+/// For a picture: a quick comparison, whose times are real and whose elements are few.
+void compareQuickly(ComparePage& page) {
+  waitFor([&page] { return page.loaded(); });
+  page.showModels();
+  waitFor([&page] { return page.models().loaded(); });
+  ComparisonOptions options;
+  options.ramp_s = 0.2;
+  options.rings = 1;
+  page.models().compare(options);
+  waitFor([&page] { return page.models().result() != nullptr; });
+}
+
+}  // namespace
 
 std::vector<ScreenEntry> compareScreens() {
   return {{.name = QStringLiteral("compare"),
@@ -257,9 +377,24 @@ std::vector<ScreenEntry> compareScreens() {
            .argument = [](SessionContext&) { return QVariant(); },
            .prepare =
                [](Page& page) {
-                 while (!static_cast<ComparePage&>(page).loaded()) {
-                   QCoreApplication::processEvents();
-                 }
+                 auto& compare = static_cast<ComparePage&>(page);
+                 waitFor([&compare] { return compare.loaded(); });
+               }},
+          {.name = QStringLiteral("compare-models"),
+           .role = QStringLiteral("rater"),
+           .pageId = PageId::kCompare,
+           .argument = [](SessionContext&) { return QVariant(); },
+           .prepare = [](Page& page) { compareQuickly(static_cast<ComparePage&>(page)); }},
+          {.name = QStringLiteral("compare-markers"),
+           .role = QStringLiteral("rater"),
+           .pageId = PageId::kCompare,
+           .argument = [](SessionContext&) { return QVariant(); },
+           .prepare =
+               [](Page& page) {
+                 auto& compare = static_cast<ComparePage&>(page);
+                 waitFor([&compare] { return compare.loaded(); });
+                 compare.showMarkers();
+                 waitFor([&compare] { return compare.models().loaded(); });
                }}};
 }
 

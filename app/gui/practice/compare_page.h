@@ -11,14 +11,18 @@ class QComboBox;
 class QLabel;
 class QPushButton;
 class QSlider;
+class QTabWidget;
 
 namespace torsio::gui {
 
 class Card;
+class MarkerEditor;
+class ModelComparison;
 
-/// Two tissue models side by side under the same torque (paper section 4): the paper's formulation and
-/// Saint-Venant's, each with the angle it answers with, its largest shear stress and the time it took. One
-/// slider moves both.
+/// Models side by side under the same torque (paper section 4). Tabs: the paper's formulation and
+/// Saint-Venant's, each with the angle it answers with, its largest shear stress and the time it took, one
+/// slider moves both; the twist model, finite elements and springs (ModelComparison); the markers that these
+/// are compared at.
 class ComparePage : public Page {
   Q_OBJECT
 
@@ -28,6 +32,13 @@ class ComparePage : public Page {
   void enter(const QVariant& argument) override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
+  /// Goes to the tab of finite elements and springs, or of the markers; an organ is loaded the first time.
+  void showModels();
+  void showMarkers();
+  /// The comparison with finite elements and springs; made when it is first asked for.
+  [[nodiscard]] ModelComparison& models();
+  /// The editor of the markers of its organ; made when it is first asked for.
+  [[nodiscard]] MarkerEditor& markers();
   /// The models are shown (they load in the background).
   [[nodiscard]] bool loaded() const noexcept { return sides_[0].scene.scene != nullptr; }
   /// Sets the torque on both models, N m.
@@ -45,6 +56,9 @@ class ComparePage : public Page {
     std::vector<double> times_us;
   };
 
+  QWidget* createFormulations();
+  void showTab(int index);
+  void nameTabs();
   QWidget* createBar();
   QWidget* createSide(Side& side);
   void load(const QString& organ);
@@ -53,6 +67,9 @@ class ComparePage : public Page {
   void show(Side& side);
   void captureFilmStrip();
 
+  QTabWidget* tabs_;
+  ModelComparison* models_ = nullptr;
+  MarkerEditor* markers_ = nullptr;
   std::array<Side, 2> sides_;
   QLabel* organLabel_;
   QComboBox* organ_;

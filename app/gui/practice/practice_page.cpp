@@ -54,6 +54,8 @@ PracticePage::PracticePage(ShellContext& context, const StationDesk& desk, QWidg
   simulator_ = new SimulatorWindow(setup);
   simulator_->setObjectName(QStringLiteral("simulator"));
   simulator_->setParent(this, Qt::Widget);
+  connect(simulator_, &SimulatorWindow::comparisonWanted, this,
+          [this](const SceneRequest& organ) { shell().open(PageId::kCompare, QVariant::fromValue(organ)); });
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(simulator_);
@@ -121,7 +123,17 @@ std::vector<ScreenEntry> practiceScreens() {
            .role = QStringLiteral("trainee"),
            .pageId = PageId::kPractice,
            .argument = [](SessionContext&) { return QVariant(); },
-           .prepare = [](Page& page) { holdAtTarget(child<SimulatorWindow>(page, "simulator")); }}};
+           .prepare = [](Page& page) { holdAtTarget(child<SimulatorWindow>(page, "simulator")); }},
+          {.name = QStringLiteral("practice-engineer"),
+           .role = QStringLiteral("trainee"),
+           .pageId = PageId::kPractice,
+           .argument = [](SessionContext&) { return QVariant(); },
+           .prepare =
+               [](Page& page) {
+                 auto& simulator = child<SimulatorWindow>(page, "simulator");
+                 holdAtTarget(simulator);
+                 simulator.unfoldEngineerPanel();
+               }}};
 }
 
 PageEntry practicePage(std::shared_ptr<StationDesk> desk) {

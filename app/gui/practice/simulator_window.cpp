@@ -16,6 +16,7 @@
 
 #include "app/gui/base/asset_names.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/practice/engineer_panel.h"
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/simulator/exercise_panel.h"
 #include "app/gui/simulator/pointer_controls.h"
@@ -99,14 +100,16 @@ void SimulatorWindow::createLayout() {
   readout_ = new ReadoutPanel(panel);
   column->addWidget(exercise_);
   column->addWidget(readout_);
+  engineer_ = new EngineerPanel(panel);
+  column->addWidget(engineer_);
   column->addStretch(1);
-  auto* scroll = new QScrollArea(centre);
-  scroll->setWidgetResizable(true);
-  scroll->setFixedWidth(kPanelWidth);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidget(panel);
-  row->addWidget(scroll);
+  side_ = new QScrollArea(centre);
+  side_->setWidgetResizable(true);
+  side_->setFixedWidth(kPanelWidth);
+  side_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  side_->setFocusPolicy(Qt::NoFocus);
+  side_->setWidget(panel);
+  row->addWidget(side_);
   setCentralWidget(centre);
 
   hint_ = new QLabel(this);
@@ -140,6 +143,7 @@ void SimulatorWindow::connectController() {
       noticeLeft_s_ = 0.0;
     }
     exercise_->setChangeable(!loading);
+    engineer_->setChangeable(!loading);
   });
   connect(pointer_, &PointerControls::changed, this, [this] { controller_->steer(pointer_->input()); });
 
@@ -158,6 +162,12 @@ void SimulatorWindow::connectController() {
   connect(exercise_, &ExercisePanel::formulationChosen, this, [this](Formulation formulation) {
     SceneRequest request = controller_->request();
     request.formulation = formulation;
+    request.model = choiceFor(request.model, formulation);
+    controller_->load(request);
+  });
+  connect(engineer_, &EngineerPanel::chosen, this, [this](const ModelChoice& choice) {
+    SceneRequest request = controller_->request();
+    request.model = choice;
     controller_->load(request);
   });
   connect(exercise_, &ExercisePanel::targetChosen, this, [this](double target_rad) {
@@ -204,6 +214,7 @@ void SimulatorWindow::applyColours(ThemeKind kind) {
 void SimulatorWindow::retranslate() {
   nameActions();
   exercise_->retranslate();
+  engineer_->retranslate();
   readout_->retranslate();
   replayBar_->retranslate();
   hint_->setAccessibleName(tr("Hint"));
@@ -231,6 +242,12 @@ void SimulatorWindow::resume() {
   }
   sinceFrame_.restart();
   frameTimer_.start(kFrame_ms);
+}
+
+void SimulatorWindow::unfoldEngineerPanel() {
+  engineer_->setFolded(false);
+  QApplication::sendPostedEvents();  // the panel has its height
+  side_->ensureWidgetVisible(engineer_);
 }
 
 void SimulatorWindow::showDevice() {
@@ -347,6 +364,7 @@ void SimulatorWindow::showScene() {
   showGhost();
   actions_.markers->setEnabled(!controller_->viewScene().markers.empty());
   exercise_->showScene(scene, controller_->target_rad(), controller_->request().organFile.has_value());
+  engineer_->showModel(scene.model.options(), scene.model.material(), controller_->request().model);
   readout_->setLimits({.tolerance_rad = scene.pattern.tolerance_rad,
                        .force_N = scene.pattern.forceLimit_N,
                        .torque_Nm = scene.pattern.torqueLimit_Nm});
@@ -378,16 +396,18 @@ void SimulatorWindow::showMode() {
   const bool recording = mode == Mode::kRecording;
   const bool practice = mode == Mode::kPractice;
   actions_.record->setText(recording ? tr("Stop") : tr("Record"));
-  actions_.record->setEnabled(recording || practice);
+  actions_.record->setEnabled(recording || (practice && !controller_->request().model.any()));
   actions_.record->setVisible(setup_.recording.open != nullptr);
   actions_.replay->setVisible(setup_.recording.open != nullptr);
   actions_.replay->setEnabled(!recording && setup_.recording.list != nullptr);
   actions_.release->setEnabled(recording || practice);
   actions_.restart->setEnabled(practice);
   actions_.open->setEnabled(!recording);
+  actions_.compare->setEnabled(practice && controller_->scene() != nullptr);
   recordingTime_->setVisible(recording);
   replayBar_->setVisible(mode == Mode::kReplay);
   exercise_->setChangeable(practice && !controller_->loading());
+  engineer_->setChangeable(practice && !controller_->loading());
   applyIcons();
 }
 

@@ -17,10 +17,12 @@
 class QAction;
 class QLabel;
 class QMenu;
+class QScrollArea;
 class QToolButton;
 
 namespace torsio::gui {
 
+class EngineerPanel;
 class ExercisePanel;
 class PointerControls;
 class ReadoutPanel;
@@ -60,8 +62,14 @@ class SimulatorWindow : public QMainWindow {
   [[nodiscard]] ThemeKind themeKind() const noexcept { return themeKind_; }
   /// How mouse and keys move the instrument and the camera: what and how.
   [[nodiscard]] static std::vector<std::pair<QString, QString>> pointerKeys();
+  /// Opens the panel of the model's parts and scrolls to it.
+  void unfoldEngineerPanel();
   /// One round of the frame timer; tests call it themselves.
   void frame(double elapsed_s);
+
+ Q_SIGNALS:
+  /// The organ that is shown is to be compared by other models too.
+  void comparisonWanted(const torsio::SceneRequest& organ);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -73,6 +81,7 @@ class SimulatorWindow : public QMainWindow {
     QAction* strip = nullptr;
     QAction* record = nullptr;
     QAction* replay = nullptr;
+    QAction* compare = nullptr;
     QAction* release = nullptr;
     QAction* restart = nullptr;
     QAction* front = nullptr;
@@ -150,6 +159,8 @@ class SimulatorWindow : public QMainWindow {
   PointerControls* pointer_ = nullptr;
   ExercisePanel* exercise_ = nullptr;
   ReadoutPanel* readout_ = nullptr;
+  EngineerPanel* engineer_ = nullptr;
+  QScrollArea* side_ = nullptr;
   ReplayBar* replayBar_ = nullptr;
   QLabel* hint_ = nullptr;
   QLabel* recordingTime_ = nullptr;

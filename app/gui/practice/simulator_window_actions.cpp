@@ -34,6 +34,8 @@ void SimulatorWindow::nameActions() {
        tr("Save the twist at 0, 30, 60 \u2026 degrees, or the recording that is replayed, as one picture"));
   name(a.record, tr("Record"), tr("Start the exercise anew and record it"));
   name(a.replay, tr("Replay\u2026"), tr("Look at a recorded trial again"));
+  name(a.compare, tr("Compare models"),
+       tr("Twist this organ by the twist model, finite elements and springs under one torque"));
   name(a.release, tr("Release"), tr("Let go of the tissue; it returns to rest"));
   name(a.restart, tr("Restart exercise"), tr("Begin the exercise anew"));
   name(a.front, tr("Front"), tr("Look from the front"));
@@ -74,6 +76,7 @@ void SimulatorWindow::createActions() {
   a.strip = addKeyed(Qt::CTRL | Qt::SHIFT | Qt::Key_F);
   a.record = addKeyed(Qt::CTRL | Qt::Key_R);
   a.replay = addKeyed(Qt::CTRL | Qt::SHIFT | Qt::Key_R);
+  a.compare = addKeyed(QKeySequence());
   a.release = addKeyed(Qt::Key_Escape);
   a.restart = addKeyed(QKeySequence::New);
   a.front = addKeyed(Qt::CTRL | Qt::Key_1);
@@ -96,6 +99,7 @@ void SimulatorWindow::createActions() {
   connect(a.strip, &QAction::triggered, this, &SimulatorWindow::chooseFilmStrip);
   connect(a.record, &QAction::triggered, this, &SimulatorWindow::toggleRecording);
   connect(a.replay, &QAction::triggered, this, &SimulatorWindow::chooseReplay);
+  connect(a.compare, &QAction::triggered, this, [this] { Q_EMIT comparisonWanted(controller_->request()); });
   connect(a.release, &QAction::triggered, controller_.get(), &SimulationController::releaseTissue);
   connect(a.restart, &QAction::triggered, this, [this] { controller_->load(controller_->request()); });
   connect(a.front, &QAction::triggered, this, [this] { look(ViewPreset::kFront); });
@@ -209,7 +213,7 @@ void SimulatorWindow::createToolBar() {
   menus_.more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   menus_.more->setFocusPolicy(Qt::TabFocus);
   auto* menu = new QMenu(menus_.more);
-  menu->addActions({a.restart, a.open, a.strip});
+  menu->addActions({a.restart, a.open, a.compare, a.strip});
   menu->addSeparator();
   menu->addActions({a.wireframe, a.markers});
   menu->addMenu(menus_.quality);
@@ -227,7 +231,8 @@ void SimulatorWindow::applyIcons() {
       {a.open, "open"},       {a.picture, "picture"}, {a.strip, "filmstrip"},     {a.replay, "replay"},
       {a.release, "release"}, {a.front, "front"},     {a.side, "side"},           {a.top, "top"},
       {a.whole, "fit"},       {a.lattice, "lattice"}, {a.wireframe, "wireframe"}, {a.shear, "stress"},
-      {a.ghost, "ghost"},     {a.markers, "markers"}, {a.dark, "theme"},          {a.help, "help"}};
+      {a.ghost, "ghost"},     {a.markers, "markers"}, {a.compare, "compare"},     {a.dark, "theme"},
+      {a.help, "help"}};
   for (const auto& [action, file] : icons) {
     if (action != nullptr) {
       action->setIcon(icon(QLatin1String(file), colours));

@@ -361,6 +361,11 @@ void SceneView::setMarkersVisible(bool visible) {
   }
 }
 
+void SceneView::setMarkers(std::vector<SkinAnchor> markers) {
+  view_.markers = std::move(markers);
+  setMarkersVisible(markersVisible_);
+}
+
 void SceneView::placeMarkers() {
   std::vector<QVector3D> places;
   for (const SkinAnchor& marker : view_.markers) {

@@ -97,6 +97,8 @@ class SceneView : public QWidget {
   void setShearVisible(bool visible);
   [[nodiscard]] bool shearVisible() const noexcept { return shearVisible_; }
   void setMarkersVisible(bool visible);
+  /// Other markers than the scene came with.
+  void setMarkers(std::vector<SkinAnchor> markers);
   /// A translucent organ at the pose to reach; nothing: none.
   void setGhost(const std::optional<OrganState>& state);
   /// `grip`: 0 open .. 1 closed.

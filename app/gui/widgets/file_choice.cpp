@@ -42,4 +42,12 @@ QString askFileToOpen(QWidget* parent, const QString& title, const QString& filt
   return remembered(QFileDialog::getOpenFileName(parent, title, begin.isEmpty() ? folder() : begin, filter));
 }
 
+QString askFolder(QWidget* parent, const QString& title) {
+  const QString chosen = QFileDialog::getExistingDirectory(parent, title, folder());
+  if (!chosen.isEmpty()) {
+    QSettings().setValue(QLatin1String(kFolderKey), chosen);
+  }
+  return chosen;
+}
+
 }  // namespace torsio::gui

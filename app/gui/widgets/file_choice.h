@@ -15,4 +15,7 @@ namespace torsio::gui {
 [[nodiscard]] QString askFileToOpen(QWidget* parent, const QString& title, const QString& filter,
                                     const QString& begin = {});
 
+/// A folder to write into, which the dialog can make; begins in the same folder. Empty: given up.
+[[nodiscard]] QString askFolder(QWidget* parent, const QString& title);
+
 }  // namespace torsio::gui

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -40,6 +41,27 @@ TEST(CompareCommand, ComparesTheModelsOfTheArmAndWritesItsReport) {
   }
 }
 
+TEST(CompareCommand, TakesMarkersFromAFileAndMeasurementsFromCameras) {
+  const fs::path folder = emptyFolder("compare-markers");
+  const fs::path markers = folder / "markers.json";
+  std::ofstream(markers)
+      << R"({"markers": [{"number": 1, "name": "crease", "position_mm": [0.00, -22.40, 262.00]}]})";
+  const fs::path tracks = folder / "tracks.trc";
+  std::ofstream(tracks) << "PathFileType\t4\t(X/Y/Z)\ttracks.trc\nDataRate\tNumFrames\tNumMarkers\tUnits\n"
+                           "50\t2\t1\tcm\nFrame#\tTime\tcrease\n\t\tX1\tY1\tZ1\n"
+                           "1\t0\t1\t2\t3\n2\t0.02\t1\t2\t4\n";
+
+  const ProgramRun run = runTorsio(kCoarse + (folder / "out").string() + " --torque -0.01 --markers " +
+                                       markers.string() + " --measured " + tracks.string() + " --json",
+                                   folder);
+
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  ASSERT_EQ(json["measured"].size(), 1U);
+  EXPECT_NEAR(json["measured"][0]["displacement_m"].get<double>(), 0.01, 1e-12);  // 1 cm along z
+  EXPECT_EQ(json["models"][1]["settled"]["marker_displacements_m"].size(), 1U);
+}
+
 TEST(CompareCommand, RefusesWithTheDocumentedCodes) {
   const fs::path folder = emptyFolder("compare-refused");
   const auto codeOf = [&](const std::string& arguments) {
@@ -51,6 +73,7 @@ TEST(CompareCommand, RefusesWithTheDocumentedCodes) {
   EXPECT_EQ(codeOf("--organ leg"), static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(codeOf("--calibration none"), static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(codeOf("--measured /nowhere.csv"), static_cast<int>(ErrorCode::kFileMissing));
+  EXPECT_EQ(codeOf("--markers /nowhere.json"), static_cast<int>(ErrorCode::kFileMissing));
   EXPECT_EQ(codeOf("--organ stomach --measured /nowhere.csv"), static_cast<int>(ErrorCode::kBadData));
   EXPECT_FALSE(fs::exists(folder / "out"));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/comparison_run.h"
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -40,10 +41,13 @@ class ComparisonOfTheForearm : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     const Scene scene = coarseForearm();
+    const std::vector<OrganMarker> markers = readOrganMarkers(kAssets, scene);
+    ComparisonOptions options = quick();
+    options.poseEvery_s = 0.05;
     result_ = runComparison(
-        scene, readOrganMarkers(kAssets, "forearm"),
-        readMeasuredMarkers(fs::path(TORSIO_TEST_DATA) / "comparison" / "markers_synthetic.csv", 10), quick(),
-        [](const Progress& progress) { EXPECT_LE(progress.fraction, 1.0); });
+        scene, markers,
+        readMeasuredMarkers(fs::path(TORSIO_TEST_DATA) / "comparison" / "markers_synthetic.csv", markers),
+        options, [](const Progress& progress) { EXPECT_LE(progress.fraction, 1.0); });
   }
   static void TearDownTestSuite() { result_.reset(); }
   static std::optional<ComparisonResult> result_;
@@ -58,6 +62,19 @@ TEST_F(ComparisonOfTheForearm, TwistsEveryModelByTheSameTorque) {
     EXPECT_EQ(model.settled.displacements_m.size(), 10U) << model.id;
     EXPECT_GT(model.deformation_s, 0.0) << model.id;
     EXPECT_GE(model.frames, 12) << model.id;
+  }
+}
+
+TEST_F(ComparisonOfTheForearm, KeepsThePosesThatAViewShowsAndWhenItWouldHaveHadThem) {
+  for (const char* id : {"pm", "fem", "msm"}) {
+    const ModelResult& model = result_->model(id);
+
+    ASSERT_GE(model.poses.size(), 5U) << id;  // 0, 0.05, 0.1, 0.15 and 0.2 s at least
+    EXPECT_EQ(model.poses.front().angle_rad, 0.0) << id;
+    EXPECT_EQ(model.poses.front().processing_s, 0.0) << id;
+    EXPECT_EQ(model.poses.back().angle_rad, model.moving.angle_rad) << id;
+    EXPECT_NEAR(model.poses.back().processing_s, model.deformation_s, 1e-9) << id;
+    EXPECT_EQ(model.poses.back().places.places_m.size(), 12U * 9U) << id;
   }
 }
 
@@ -103,6 +120,26 @@ TEST_F(ComparisonOfTheForearm, ReportDrawsTheThreeFiguresOfThePaper) {
   EXPECT_EQ(report.sections[1].figures[1].series.size(), 7U);  // both subjects
   for (const std::vector<Text>& row : report.sections[1].tables[0].rows) {
     EXPECT_EQ(row.size(), report.sections[1].tables[0].columns.size());
+  }
+}
+
+TEST(ComparisonRun, EndsWithinASecondOfTheListenersRefusal) {
+  const Scene scene = coarseForearm();
+  using SteadyClock = std::chrono::steady_clock;
+  struct GivenUp {};
+  // Given up at each stage: the reference, elements, springs, equilibrium.
+  for (const double at : {0.05, 0.2, 0.5, 0.6}) {
+    SteadyClock::time_point told;
+    const auto progress = [&](const Progress& now) {
+      if (now.fraction >= at) {
+        told = SteadyClock::now();
+        throw GivenUp{};
+      }
+    };
+
+    EXPECT_THROW(static_cast<void>(runComparison(scene, {}, {}, quick(), progress)), GivenUp) << at;
+
+    EXPECT_LT(std::chrono::duration<double>(SteadyClock::now() - told).count(), 1.0) << at;
   }
 }
 

@@ -2,10 +2,12 @@
 // The window as widgets, on a platform that cannot draw the scene.
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QToolBar>
@@ -13,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/base/translated_text.h"
+#include "app/gui/practice/engineer_panel.h"
 #include "app/gui/practice/simulator_window.h"
 #include "app/gui/program/screenshot.h"
 #include "app/gui/simulator/exercise_panel.h"
@@ -26,10 +29,23 @@
 namespace torsio::gui {
 namespace {
 
+/// Presses the button with this text, mnemonics apart.
+void press(const QWidget& in, const QString& text) {
+  for (QPushButton* button : in.findChildren<QPushButton*>()) {
+    if (QString(button->text()).remove(QLatin1Char('&')) == text) {
+      ASSERT_TRUE(button->isEnabled()) << text.toStdString();
+      button->click();
+      return;
+    }
+  }
+  ADD_FAILURE() << text.toStdString();
+}
+
 WindowSetup setup(ThemeKind kind = ThemeKind::kLight) {
   WindowSetup setup;
   setup.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
   setup.loader = testing::loadBar;
+  setup.recording.open = [](const RecordingSpec&) { return std::unique_ptr<TrialSink>(); };
   setup.recording.list = [] { return std::vector<RecordedTrial>(); };
   setup.theme = kind;
   setup.remember = false;
@@ -143,6 +159,75 @@ TEST_F(Window, ChoosingAFormulationLoadsTheSceneWithIt) {
   ASSERT_EQ(loaded_.size(), 1U);
   EXPECT_EQ(loaded_.front().id, "bar");
   EXPECT_EQ(loaded_.front().formulation, Formulation::kPaper);
+}
+
+TEST_F(Window, AnEngineersModelIsAskedOfTheLoaderAndNeverRecorded) {
+  auto* panel = window_.findChild<EngineerPanel*>();
+  ASSERT_NE(panel, nullptr);
+  const auto command = [this](const QString& text) {
+    const auto actions = window_.findChildren<QAction*>();
+    return *std::find_if(actions.begin(), actions.end(), [&](QAction* a) { return a->text() == text; });
+  };
+  EXPECT_TRUE(command(QStringLiteral("Record"))->isEnabled());
+  panel->setFolded(false);
+
+  const auto boxes = panel->findChildren<QCheckBox*>();
+  (*std::find_if(boxes.begin(), boxes.end(), [](const QCheckBox* box) {
+    return box->text() == QStringLiteral("Taper correction");
+  }))->setChecked(true);
+  press(*panel, QStringLiteral("Apply"));
+  ASSERT_TRUE(testing::eventually([this] { return !window_.controller().loading(); }));
+
+  ASSERT_EQ(loaded_.size(), 1U);
+  EXPECT_TRUE(loaded_.front().model.taper);
+  EXPECT_FALSE(loaded_.front().model.poynting);
+  EXPECT_FALSE(command(QStringLiteral("Record"))->isEnabled());
+
+  press(*panel, QStringLiteral("As in the scene"));
+  ASSERT_TRUE(testing::eventually([this] { return !window_.controller().loading(); }));
+  EXPECT_FALSE(loaded_.back().model.any());
+  EXPECT_TRUE(command(QStringLiteral("Record"))->isEnabled());
+}
+
+TEST_F(Window, TheEngineersPanelOffersWhatTheFormulationKnows) {
+  EngineerPanel panel;
+  const auto offered = [&panel](const QString& text) {
+    const auto boxes = panel.findChildren<QCheckBox*>();
+    return (*std::find_if(boxes.begin(), boxes.end(),
+                          [&](const QCheckBox* box) { return box->text() == text; }))
+        ->isEnabled();
+  };
+  TwistModelOptions options;
+  ModelChoice everything;
+  everything.taper = true;
+  everything.clampLift = true;
+
+  options.corrections.taper = true;
+  panel.showModel(options, {}, everything);
+  EXPECT_TRUE(offered(QStringLiteral("Taper correction")));
+  EXPECT_FALSE(offered(QStringLiteral("Lift clamp (Eq. 23)")));
+  EXPECT_TRUE(panel.choice().taper);
+
+  options.formulation = Formulation::kPaper;
+  panel.showModel(options, {}, everything);
+  EXPECT_FALSE(offered(QStringLiteral("Taper correction")));
+  EXPECT_TRUE(offered(QStringLiteral("Lift clamp (Eq. 23)")));
+  EXPECT_FALSE(panel.choice().taper);
+}
+
+TEST_F(Window, ComparesTheOrganThatIsShownWithOtherModels) {
+  std::string wanted;
+  QObject::connect(&window_, &SimulatorWindow::comparisonWanted,
+                   [&wanted](const SceneRequest& organ) { wanted = organ.id; });
+  const auto actions = window_.findChildren<QAction*>();
+  const auto compare = std::find_if(actions.begin(), actions.end(), [](const QAction* action) {
+    return action->text() == QStringLiteral("Compare models");
+  });
+  ASSERT_NE(compare, actions.end());
+
+  (*compare)->trigger();
+
+  EXPECT_EQ(wanted, "bar");
 }
 
 TEST_F(Window, ReadoutsFollowTheState) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <QApplication>
 #include <QBarSeries>
@@ -115,6 +117,33 @@ TEST(PdfReport, IsAVectorFileOfSeveralPages) {
   EXPECT_GE(pagesIn(pdf), 5);
   EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos) << "charts must stay vectors";
   EXPECT_FALSE(fs::exists(temporaryBeside(file)));
+}
+
+TEST(PdfReport, SaysWhereTheValuesOfAFigureStandThatAreTooManyToPrint) {
+  ReportModel model = smallReport();
+  ReportFigure figure;
+  figure.title = Text::verbatim("A course of a hundred moments");
+  figure.kind = FigureKind::kLines;
+  FigureSeries series{Text::verbatim("model"), {}, {}, {}, {}, {}, {}, false};
+  for (int i = 0; i < 100; ++i) {
+    series.x.push_back(i);
+    series.y.emplace_back(i);
+  }
+  figure.series = {series};
+  figure.valuesStand = Text::verbatim("They stand in course.csv.");
+  model.sections[0].figures = {figure};
+  std::vector<QString> said;
+  const Wording listen = [&said](const Text& text) {
+    said.push_back(englishWording(text));
+    return said.back();
+  };
+
+  writePdfReport(model, freshFolder("values") / "values.pdf", listen);
+
+  EXPECT_NE(std::find(said.begin(), said.end(), QStringLiteral("They stand in course.csv.")), said.end());
+  for (const QString& sentence : said) {
+    EXPECT_FALSE(sentence.contains(QStringLiteral("Results"))) << sentence.toStdString();
+  }
 }
 
 TEST(PdfReport, RefusesAFolderThatDoesNotExistAndLeavesNothing) {

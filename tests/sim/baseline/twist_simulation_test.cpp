@@ -35,7 +35,7 @@ class Comparison : public ::testing::Test {
     return options;
   }
   [[nodiscard]] ComparedOrgan compared() const {
-    ComparedOrgan organ{&mesh_, &lattice_, {4000.0, 0.45}, {}};
+    ComparedOrgan organ{&mesh_, &lattice_, {4000.0, 0.45}, {}, {}};
     organ.dynamics.drag_per_s = criticalDrag_per_s(organ.constants, 1000.0, kLength_m);
     return organ;
   }

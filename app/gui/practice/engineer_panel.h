@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QWidget>
+
+#include "sim/scene/model_choice.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace torsio::gui {
+
+class Card;
+
+/// The parts of the twist model one by one, named after the paper's equations: for engineers, in free
+/// practice only. Folded at first. What the present formulation does not know is disabled.
+class EngineerPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit EngineerPanel(QWidget* parent = nullptr);
+
+  /// What is loaded now; emits nothing.
+  void showModel(const TwistModelOptions& options, const Material& material, const ModelChoice& choice);
+  /// What the fields ask for.
+  [[nodiscard]] ModelChoice choice() const;
+  void setFolded(bool folded);
+  /// Off while a trial is recorded or replayed.
+  void setChangeable(bool changeable);
+  void retranslate();
+
+ Q_SIGNALS:
+  /// The organ is to be built with this model.
+  void chosen(const torsio::ModelChoice& choice);
+
+ private:
+  QWidget* createFields();
+  void noteChange();
+
+  Card* card_;
+  QToolButton* head_;
+  QWidget* body_ = nullptr;
+  QLabel* hint_ = nullptr;
+  QLabel* state_ = nullptr;
+  QLabel* modulusLabel_ = nullptr;
+  QDoubleSpinBox* modulus_ = nullptr;
+  QLabel* driftLabel_ = nullptr;
+  QComboBox* drift_ = nullptr;
+  QLabel* interpolationLabel_ = nullptr;
+  QComboBox* interpolation_ = nullptr;
+  QLabel* betaLabel_ = nullptr;
+  QDoubleSpinBox* beta_ = nullptr;
+  QCheckBox* clampLift_ = nullptr;
+  QCheckBox* poynting_ = nullptr;
+  QCheckBox* restrainedEnds_ = nullptr;
+  QCheckBox* taper_ = nullptr;
+  QCheckBox* shearCentre_ = nullptr;
+  QLabel* foundationLabel_ = nullptr;
+  QDoubleSpinBox* foundation_ = nullptr;
+  QLabel* stiffeningLabel_ = nullptr;
+  QDoubleSpinBox* stiffening_ = nullptr;
+  QPushButton* apply_ = nullptr;
+  QPushButton* reset_ = nullptr;
+  std::vector<QWidget*> ofPaper_;
+  std::vector<QWidget*> ofSaintVenant_;
+  Formulation formulation_ = Formulation::kSaintVenant;
+  ModelChoice shown_;
+};
+
+}  // namespace torsio::gui

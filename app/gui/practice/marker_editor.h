@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include <QWidget>
+
+#include "app/comparison/organ_markers.h"
+#include "app/gui/scene/scene_view.h"
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+class QSpinBox;
+
+namespace torsio::gui {
+
+class Card;
+class MarkerLabels;
+class ShellContext;
+
+/// The named points of an organ that a comparison follows (Fig. 11): shown on it, moved by a click on its
+/// surface or by section and ridge, named, kept in a file. GUI thread.
+class MarkerEditor : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit MarkerEditor(ShellContext& shell, QWidget* parent = nullptr);
+
+  /// Shows an organ with these markers, which are also what "Reset" goes back to; emits nothing.
+  void setOrgan(std::shared_ptr<const Scene> scene, const ViewScene& view, std::vector<OrganMarker> markers);
+  [[nodiscard]] const std::vector<OrganMarker>& markers() const noexcept { return markers_; }
+  /// Reads markers in place of those shown. Throws as readMarkers(); then nothing has changed.
+  void open(const std::filesystem::path& file);
+  /// Writes what is shown. Throws as writeMarkers(), and Error{kBadData} for a name that is missing or stands
+  /// twice.
+  void save(const std::filesystem::path& file) const;
+  /// Moves the chosen marker to what is seen at a pixel of the view; false when that is no organ.
+  bool placeAt(const QPointF& pixel);
+
+  void retranslate();
+  void setTheme(const Theme& theme);
+
+ Q_SIGNALS:
+  /// markers() are others.
+  void changed();
+
+ private:
+  QWidget* createPanel();
+  [[nodiscard]] int chosen() const;
+  void choose(int row);
+  void fill(int chosen);
+  void showPlace();
+  void placeOnLattice();
+  void rename(const QString& name);
+  void add();
+  void remove();
+  void showMarkers();
+  void took();
+
+  ShellContext& shell_;
+  std::shared_ptr<const Scene> scene_;
+  std::vector<OrganMarker> markers_;
+  std::vector<OrganMarker> first_;
+  SceneView* view_;
+  MarkerLabels* labels_;
+  Card* card_ = nullptr;
+  QLabel* hint_ = nullptr;
+  QListWidget* list_ = nullptr;
+  QLabel* nameLabel_ = nullptr;
+  QLineEdit* name_ = nullptr;
+  QLabel* sectionLabel_ = nullptr;
+  QSpinBox* section_ = nullptr;
+  QLabel* ridgeLabel_ = nullptr;
+  QSpinBox* ridge_ = nullptr;
+  QPushButton* add_ = nullptr;
+  QPushButton* remove_ = nullptr;
+  QPushButton* reset_ = nullptr;
+  QPushButton* open_ = nullptr;
+  QPushButton* save_ = nullptr;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QWidget>
+
+#include "app/comparison/organ_markers.h"
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+class SceneView;
+
+/// The numbers of an organ's markers over its view at rest, the chosen one filled; those on the far side are
+/// faint. Follows the camera; takes no mouse.
+class MarkerLabels : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Lies over the whole of `view`, its parent.
+  explicit MarkerLabels(SceneView& view);
+
+  void setMarkers(std::shared_ptr<const Scene> scene, std::vector<OrganMarker> markers, int chosen);
+  void setTheme(const Theme& theme);
+  /// Where a marker stands in the view, pixels.
+  [[nodiscard]] QPointF pixelOf(const OrganMarker& marker) const;
+
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  [[nodiscard]] bool isHidden(const OrganMarker& marker) const;
+
+  SceneView& view_;
+  std::shared_ptr<const Scene> scene_;
+  std::vector<OrganMarker> markers_;
+  int chosen_ = 0;  // number of a marker; 0: none
+  Theme theme_;
+};
+
+}  // namespace torsio::gui

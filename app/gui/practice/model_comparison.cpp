@@ -1,0 +1,434 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/practice/model_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "app/base/build_info.h"
+#include "app/comparison/comparison_files.h"
+#include "app/comparison/comparison_report.h"
+#include "app/gui/base/asset_names.h"
+#include "app/gui/base/figure_card.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/practice/view_turn.h"
+#include "app/gui/simulator/exercise_panel.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/file_choice.h"
+#include "app/gui/widgets/form.h"
+#include "app/report/pdf_report.h"
+#include "sim/base/angle.h"
+#include "sim/base/clock.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr double kShownPoses_per_s = 30.0;  ///< of simulated time
+constexpr int kReplayFrame_ms = 33;
+constexpr int kViewHeight = 250;
+constexpr int kTableHeight = 330;
+constexpr int kFigureHeight = 400;
+constexpr int kFirstMarkerOfCourse = 8;  ///< the second knuckle, as in Fig. 14
+
+ComparedScene loadCompared(SceneRequest request) {
+  request.ridges = kComparedRidges;
+  request.sections = kComparedSections;
+  ComparedScene organ;
+  organ.loaded = loadSceneForView(request);
+  const Scene& scene = *organ.loaded.scene;
+  if (!request.organFile) {
+    organ.markers = readOrganMarkers(request.assets, scene);
+  }
+  if (organ.markers.empty()) {
+    organ.markers = spreadMarkers(scene);
+  }
+  organ.skin = std::make_shared<const LatticeSkin>(scene.mesh, scene.lattice());
+  organ.torque_Nm = usualTorque_Nm(scene);
+  return organ;
+}
+
+/// A time that may be microseconds or minutes, with three figures.
+QString spanOf(double seconds) {
+  const QLocale locale;
+  if (seconds < 1e-3) {
+    return ModelComparison::tr("%1 \u00b5s").arg(locale.toString(seconds * 1e6, 'f', 0));
+  }
+  if (seconds < 1.0) {
+    return ModelComparison::tr("%1 ms").arg(locale.toString(seconds * 1e3, 'g', 3));
+  }
+  return ModelComparison::tr("%1 s").arg(locale.toString(seconds, 'f', 2));
+}
+
+std::vector<SkinAnchor> anchorsOf(const Scene& scene, const std::vector<OrganMarker>& markers) {
+  std::vector<SkinAnchor> anchors;
+  for (const OrganMarker& marker : markers) {
+    SkinAnchor anchor;
+    anchor.corners = scene.mesh.triangles[marker.face];
+    for (std::size_t k = 0; k < 3; ++k) {
+      anchor.weights[k] = static_cast<float>(marker.barycentric[k]);
+    }
+    anchors.push_back(anchor);
+  }
+  return anchors;
+}
+
+}  // namespace
+
+ModelComparison::ModelComparison(ShellContext& shell, QWidget* parent) : QWidget(parent), shell_(shell) {
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 2 * kSpace, 0, 0);
+  outer->setSpacing(2 * kSpace);
+  outer->addWidget(createBar());
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2 * kSpace);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(2 * kSpace);
+  sides_[0].id = "pm";
+  sides_[1].id = "fem";
+  sides_[2].id = "msm";
+  for (Side& side : sides_) {
+    row->addWidget(createSide(side), 1);
+  }
+  column->addLayout(row);
+  hint_ = sentence(content);
+  column->addWidget(hint_);
+  for (const int height : {kTableHeight, kTableHeight, kFigureHeight, kFigureHeight, kFigureHeight}) {
+    auto* card = new FigureCard(content);
+    card->setMinimumHeight(height);
+    card->hide();
+    cards_.push_back(card);
+    column->addWidget(card);
+  }
+  limits_ = sentence(content);
+  limits_->setObjectName(QStringLiteral("limits"));
+  column->addWidget(limits_);
+  column->addStretch(1);
+  scroll->setWidget(content);
+  outer->addWidget(scroll, 1);
+  replayTimer_.setInterval(kReplayFrame_ms);
+  connect(&replayTimer_, &QTimer::timeout, this, &ModelComparison::replayFrame);
+}
+
+QWidget* ModelComparison::createBar() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kSpace);
+  organLabel_ = new QLabel(bar);
+  organChoice_ = new QComboBox(bar);
+  organLabel_->setBuddy(organChoice_);
+  for (const std::string& id : sceneIds(shell_.assets())) {
+    organChoice_->addItem(QString(), toQString(id));
+  }
+  torqueLabel_ = new QLabel(bar);
+  torque_ = new QDoubleSpinBox(bar);
+  torque_->setRange(-100.0, 100.0);
+  torque_->setDecimals(5);
+  torque_->setSingleStep(0.005);
+  torque_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  torqueLabel_->setBuddy(torque_);
+  compare_ = primaryButton(bar);
+  replay_ = new QPushButton(bar);
+  save_ = new QPushButton(bar);
+  row->addWidget(organLabel_);
+  row->addWidget(organChoice_);
+  row->addSpacing(kSpace);
+  row->addWidget(torqueLabel_);
+  row->addWidget(torque_);
+  row->addSpacing(kSpace);
+  row->addWidget(compare_);
+  row->addWidget(replay_);
+  row->addWidget(save_);
+  row->addStretch(1);
+  connect(organChoice_, &QComboBox::activated, this, [this](int index) {
+    const QString id = organChoice_->itemData(index).toString();
+    SceneRequest request = id.isEmpty() ? *ownOrgan_ : SceneRequest{};
+    if (!id.isEmpty()) {
+      request.assets = shell_.assets();
+      request.id = id.toStdString();
+    }
+    load(request);
+  });
+  connect(compare_, &QPushButton::clicked, this, [this] { compare({}); });
+  connect(replay_, &QPushButton::clicked, this, &ModelComparison::replay);
+  connect(save_, &QPushButton::clicked, this, &ModelComparison::chooseFolder);
+  for (QPushButton* button : {compare_, replay_, save_}) {
+    button->setEnabled(false);
+  }
+  return bar;
+}
+
+QWidget* ModelComparison::createSide(Side& side) {
+  side.card = new Card(QString(), this);
+  side.poses = std::make_shared<std::vector<ModelPose>>();
+  side.view = new SceneView(side.card);
+  side.view->setMinimumHeight(kViewHeight);
+  side.view->setToolVisible(false);
+  side.view->setMarkersVisible(true);
+  auto* turn = new ViewTurn(*side.view);
+  connect(turn, &ViewTurn::turned, this, [this, view = side.view] { turnOthers(*view); });
+  side.clock = new QLabel(side.card);
+  side.clock->setObjectName(QStringLiteral("clock"));
+  QFont large = side.clock->font();
+  large.setPointSizeF(kFigureText_pt);
+  side.clock->setFont(large);
+  side.figures = sentence(side.card);
+  side.card->content()->addWidget(side.view, 1);
+  side.card->content()->addWidget(side.clock);
+  side.card->content()->addWidget(side.figures);
+  return side.card;
+}
+
+void ModelComparison::load(const SceneRequest& request) {
+  asked_ = true;
+  if (request.organFile) {
+    if (!ownOrgan_) {
+      organChoice_->addItem(QString(), QString());
+    }
+    ownOrgan_ = request;
+    nameOrgans();
+  }
+  organChoice_->setCurrentIndex(
+      organChoice_->findData(request.organFile ? QString() : toQString(request.id)));
+  const auto organ = std::make_shared<ComparedScene>();
+  shell_.run(
+      tr("Loading the organ"),
+      [organ, request](SessionContext&, const ProgressCallback& progress) {
+        progress({request.id, 0.0, -1.0});
+        *organ = loadCompared(request);
+      },
+      [this, organ] { adopt(std::move(*organ)); });
+}
+
+void ModelComparison::adopt(ComparedScene organ) {
+  replayTimer_.stop();
+  organ_ = std::move(organ);
+  result_.reset();
+  for (Side& side : sides_) {
+    side.poses->clear();
+    ViewScene view = organ_.loaded.view;
+    view.shear = {};
+    // A view asks for the pose of the number in the place of the grasp.
+    view.deform = [skin = organ_.skin, scene = organ_.loaded.scene, poses = side.poses](
+                      const OrganState& state, std::span<Vec3> out_m) {
+      const auto pose = static_cast<std::size_t>(state.twist.graspArc_m);
+      if (pose < poses->size()) {
+        skin->deform((*poses)[pose].places, (*poses)[pose].angle_rad, out_m);
+      } else {
+        std::copy(scene->mesh.vertices_m.begin(), scene->mesh.vertices_m.end(), out_m.begin());
+      }
+    };
+    side.view->setScene(view);
+  }
+  torque_->setValue(organ_.torque_Nm);
+  setMarkers(organ_.markers);
+  compare_->setEnabled(true);
+  showResult();
+  Q_EMIT organChanged();
+}
+
+void ModelComparison::setMarkers(std::vector<OrganMarker> markers) {
+  markers_ = std::move(markers);
+  for (const Side& side : sides_) {
+    side.view->setMarkers(anchorsOf(*organ_.loaded.scene, markers_));
+  }
+}
+
+void ModelComparison::compare(const ComparisonOptions& options) {
+  if (!loaded()) {
+    return;
+  }
+  if (shell_.working()) {  // times are to be taken on a machine that does nothing else
+    shell_.notify(tr("Wait until the work that goes on has ended"));
+    return;
+  }
+  ComparisonOptions asked = options;
+  if (!asked.torque_Nm) {
+    asked.torque_Nm = torque_->value();
+  }
+  asked.poseEvery_s = 1.0 / kShownPoses_per_s;
+  asked.courseMarker = std::min(kFirstMarkerOfCourse, static_cast<int>(markers_.size()));
+  const auto result = std::make_shared<ComparisonResult>();
+  shell_.run(
+      tr("Comparing the models"),
+      [result, asked, scene = organ_.loaded.scene, markers = markers_](SessionContext&,
+                                                                       const ProgressCallback& progress) {
+        checkMarkers(markers, {});
+        *result = runComparison(*scene, markers, {}, asked, progress);
+      },
+      [this, result, scene = organ_.loaded.scene] {
+        if (scene == organ_.loaded.scene) {  // the same organ is shown still
+          took(result);
+        }
+      });
+}
+
+void ModelComparison::took(std::shared_ptr<const ComparisonResult> result) {
+  result_ = std::move(result);
+  generation_ += 1.0;
+  for (Side& side : sides_) {
+    *side.poses = result_->model(side.id).poses;
+  }
+  showResult();
+  Q_EMIT compared();
+}
+
+void ModelComparison::showResult() {
+  replay_->setEnabled(result_ != nullptr);
+  save_->setEnabled(result_ != nullptr);
+  for (Side& side : sides_) {
+    showPose(side, result_ != nullptr ? result_->model(side.id).deformation_s : 0.0);
+    showFigures(side);
+  }
+  hint_->setVisible(result_ == nullptr);
+  for (FigureCard* card : cards_) {
+    card->setVisible(result_ != nullptr);
+  }
+  limits_->setText(translatedLines(comparisonLimits()));
+  if (result_ == nullptr) {
+    return;
+  }
+  const ReportModel report = comparisonReport(*result_, softwareVersion(), 0);
+  cards_[0]->setTable(report.sections[0].tables[0]);
+  cards_[1]->setTable(report.sections[1].tables[0]);
+  cards_[2]->setFigure(report.sections[0].figures[0]);
+  cards_[3]->setFigure(report.sections[1].figures[0]);
+  cards_[4]->setFigure(report.sections[1].figures[1]);
+}
+
+void ModelComparison::showPose(Side& side, double processing_s) {
+  const std::vector<ModelPose>& poses = *side.poses;
+  std::size_t pose = 0;
+  while (pose + 1 < poses.size() && poses[pose + 1].processing_s <= processing_s) {
+    ++pose;
+  }
+  side.view->setOrgan({{static_cast<double>(pose), generation_ + 1.0}, {}});
+  side.clock->setText(result_ == nullptr
+                          ? QStringLiteral("\u2013")
+                          : spanOf(std::min(processing_s, result_->model(side.id).deformation_s)));
+  side.clock->setAccessibleName(tr("Processing time of %1").arg(toQString(side.id).toUpper()));
+}
+
+void ModelComparison::showFigures(const Side& side) {
+  if (result_ == nullptr) {
+    side.figures->setText(tr("Not computed yet"));
+    return;
+  }
+  const ModelResult& model = result_->model(side.id);
+  const QLocale locale;
+  QString text = tr("for the whole twist, %n frame(s) of %1; set-up apart: %2", nullptr, model.frames)
+                     .arg(spanOf(model.frameMedian_s), spanOf(model.setUp_s));
+  text += QLatin1Char('\n');
+  text += model.noEquilibrium.empty() ? tr("In equilibrium %1\u00b0, %2 mm from the reference")
+                                            .arg(locale.toString(degrees(model.settled.angle_rad), 'f', 1),
+                                                 locale.toString(1e3 * model.settled.rmse_m, 'f', 2))
+                                      : tr("No equilibrium: %1").arg(toQString(model.noEquilibrium));
+  side.figures->setText(text);
+}
+
+void ModelComparison::replay() {
+  replayClock_.start();
+  replayTimer_.start();
+  replayFrame();
+}
+
+void ModelComparison::replayFrame() {
+  if (result_ == nullptr) {
+    replayTimer_.stop();
+    return;
+  }
+  const double now_s = static_cast<double>(replayClock_.nsecsElapsed()) * 1e-9;
+  bool going = false;
+  for (Side& side : sides_) {
+    showPose(side, now_s);
+    going = going || now_s < result_->model(side.id).deformation_s;
+  }
+  if (!going) {
+    replayTimer_.stop();
+  }
+}
+
+void ModelComparison::saveReport(const std::filesystem::path& folder) const {
+  writeComparisonFiles(*result_, folder);
+  writePdfReport(comparisonReport(*result_, softwareVersion(), utcNow_us()), folder / kComparisonReportName,
+                 [](const Text& text) { return toQString(text); });
+}
+
+void ModelComparison::chooseFolder() {
+  const QString folder = askFolder(this, tr("Folder for the report and its tables"));
+  if (!folder.isEmpty()) {
+    attempt(shell_, [&] {
+      saveReport(toPath(folder));
+      shell_.notify(tr("Saved %1").arg(folder));
+    });
+  }
+}
+
+void ModelComparison::turnOthers(const SceneView& turned) {
+  for (const Side& side : sides_) {
+    if (side.view != &turned) {
+      side.view->camera() = turned.camera();
+      side.view->applyCamera();
+    }
+  }
+}
+
+void ModelComparison::nameOrgans() {
+  for (int i = 0; i < organChoice_->count(); ++i) {
+    const QString id = organChoice_->itemData(i).toString();
+    organChoice_->setItemText(i, id.isEmpty() ? toQString(ownOrgan_->organFile->filename())
+                                              : assetName(ExercisePanel::readable(id.toStdString())));
+  }
+}
+
+void ModelComparison::retranslate() {
+  nameField(organLabel_, tr("&Organ"));
+  nameField(torqueLabel_, tr("&Torque"));
+  torque_->setSuffix(tr(" N m"));
+  nameOrgans();
+  compare_->setText(tr("&Compare"));
+  compare_->setToolTip(tr("Computes all models anew; a quarter of a minute to a minute"));
+  replay_->setText(tr("Re&play"));
+  replay_->setToolTip(tr("Shows each model as fast as it was computed"));
+  save_->setText(tr("&Save report\u2026"));
+  save_->setToolTip(tr("PDF, JSON and tables, as torsio compare writes them"));
+  hint_->setText(
+      tr("Compare twists the organ about its own axis by all three models under the same torque. Each clock "
+         "shows "
+         "how long its model computed until the twist stood still. Drag a view to turn all of them."));
+  sides_[0].card->setTitle(tr("PM: twist model"));
+  sides_[1].card->setTitle(tr("FEM: finite elements"));
+  sides_[2].card->setTitle(tr("MSM: springs"));
+  if (loaded()) {
+    showResult();
+  }
+}
+
+void ModelComparison::setTheme(const Theme& theme) {
+  for (const Side& side : sides_) {
+    side.view->setTheme(theme);
+  }
+  for (FigureCard* card : cards_) {
+    card->setTheme(theme);
+  }
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+
+#include "app/comparison/comparison_run.h"
+#include "app/gui/simulator/simulation_controller.h"
+#include "app/gui/widgets/theme.h"
+#include "sim/baseline/lattice_skin.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+
+namespace torsio::gui {
+
+class Card;
+class FigureCard;
+class ShellContext;
+
+/// An organ as a comparison needs it: its lattice and markers, and what the views draw.
+struct ComparedScene {
+  LoadedScene loaded;
+  std::vector<OrganMarker> markers;  ///< its own, or spread ones
+  std::shared_ptr<const LatticeSkin> skin;
+  double torque_Nm = 0.0;  ///< usualTorque_Nm()
+};
+
+/// The paper's comparison in the window (Figs. 8 to 14): twist model, finite elements and springs side by
+/// side under one torque, each with the clock of its processing time; the tables and figures of `torsio
+/// compare`, and its files. GUI thread; the models are computed in a worker.
+class ModelComparison : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ModelComparison(ShellContext& shell, QWidget* parent = nullptr);
+
+  /// Loads an organ in the background; organChanged() follows.
+  void load(const SceneRequest& request);
+  [[nodiscard]] const ComparedScene& organ() const noexcept { return organ_; }
+  [[nodiscard]] bool loaded() const noexcept { return organ_.loaded.scene != nullptr; }
+  /// An organ was asked for, be it loaded or not.
+  [[nodiscard]] bool asked() const noexcept { return asked_; }
+  /// The markers that the next comparison follows.
+  void setMarkers(std::vector<OrganMarker> markers);
+  /// Torque and, for pictures and tests, how finely: then compares in the background.
+  void compare(const ComparisonOptions& options);
+  /// Null before the first comparison of this organ.
+  [[nodiscard]] const ComparisonResult* result() const noexcept { return result_.get(); }
+  /// Writes what `torsio compare --out` writes, the report in the language of the window. Throws
+  /// Error{kFileUnwritable}.
+  void saveReport(const std::filesystem::path& folder) const;
+
+  void retranslate();
+  void setTheme(const Theme& theme);
+
+ Q_SIGNALS:
+  void organChanged();
+  void compared();
+
+ private:
+  struct Side {
+    std::string id;  ///< "pm", "fem", "msm"
+    Card* card = nullptr;
+    SceneView* view = nullptr;
+    QLabel* clock = nullptr;
+    QLabel* figures = nullptr;
+    std::shared_ptr<std::vector<ModelPose>> poses;  ///< what the view draws from
+  };
+
+  QWidget* createBar();
+  QWidget* createSide(Side& side);
+  void adopt(ComparedScene organ);
+  void took(std::shared_ptr<const ComparisonResult> result);
+  void replay();
+  void replayFrame();
+  void showPose(Side& side, double processing_s);
+  void showResult();
+  void showFigures(const Side& side);
+  void chooseFolder();
+  void turnOthers(const SceneView& turned);
+  void nameOrgans();
+
+  ShellContext& shell_;
+  std::array<Side, 3> sides_;
+  QLabel* organLabel_ = nullptr;
+  QComboBox* organChoice_ = nullptr;
+  QLabel* torqueLabel_ = nullptr;
+  QDoubleSpinBox* torque_ = nullptr;
+  QPushButton* compare_ = nullptr;
+  QPushButton* replay_ = nullptr;
+  QPushButton* save_ = nullptr;
+  QLabel* hint_ = nullptr;
+  QLabel* limits_ = nullptr;
+  std::vector<FigureCard*> cards_;  // of the report: times, accuracy, figures 10, 13, 14
+
+  bool asked_ = false;
+  ComparedScene organ_;
+  std::vector<OrganMarker> markers_;
+  std::optional<SceneRequest> ownOrgan_;  // a mesh of the user's, which no scene names
+  std::shared_ptr<const ComparisonResult> result_;
+  double generation_ = 0.0;  // of the poses: views tell theirs apart by it
+  QTimer replayTimer_;
+  QElapsedTimer replayClock_;
+};
+
+}  // namespace torsio::gui
