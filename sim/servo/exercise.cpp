@@ -7,7 +7,6 @@
 
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
-#include "sim/servo/grasp_share.h"
 #include "sim/servo/indentation.h"
 
 namespace torsio {
@@ -15,7 +14,7 @@ namespace torsio {
 namespace {
 
 constexpr std::uint32_t kHandGone = kDeviceLost | kDeviceUncalibrated | kDeviceEnded;
-// Least share of the pattern's turn that the gripped point must follow.
+// Least share of the model's turn that the gripped section must follow; at a held end it follows none.
 constexpr double kLeastShare = 0.1;
 
 struct Cylindrical {
@@ -79,11 +78,10 @@ bool Exercise::grip(const Vec3& held_m, const ToolState& tool, const Scene& scen
     axis_ = rodGrasp_.axis();
   } else {
     axis_ = scene.model.graspFrame(arc_m);
-    const double share = graspShare(scene.model, axis_, arc_m, held_m);
-    if (!(std::abs(share) > kLeastShare)) {
-      return false;  // held there: nothing to twist
+    const bool follows = scene.model.angleAt(arc_m, {arc_m, 1.0}) > kLeastShare;
+    if (!follows || !(about(axis_, held_m).radius_m > kNearAxis_m)) {
+      return false;  // held there, or no arm: nothing to twist
     }
-    gain_ = 1.0 / share;
     organ_.twist = {arc_m, 0.0};
   }
   grippedAt_ = tool.pose.orientation;
@@ -128,7 +126,7 @@ std::uint32_t Exercise::follow(const ToolState& tool, const Scene& scene) noexce
     }
     slips = rodGrasp_.drawnBeyond(kSlipWay_m);
   } else {
-    organ_.twist.graspAngle_rad = turn_rad * gain_;
+    organ_.twist.graspAngle_rad = turn_rad;
   }
   const Vec3 offset = gripOffset(tool, scene);
   slips = slips || !(dot(offset, offset) <= kSlipWay_m * kSlipWay_m);

@@ -143,7 +143,6 @@ class Exercise {
   // Of the current grip.
   RodGrasp rodGrasp_;  // of an organ that is a rod
   AxisFrame axis_;     // that the grasped section turns about
-  double gain_ = 1.0;  // model angle for one radian of the tool
   double firstAngle_rad_ = 0.0;
   double angle_rad_ = 0.0;  // of the tool about the axis, unwrapped
   Quat grippedAt_;          // orientation of the tool

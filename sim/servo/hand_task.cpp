@@ -7,7 +7,6 @@
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
 #include "sim/scene/rod_organ.h"
-#include "sim/servo/grasp_share.h"
 
 namespace torsio {
 
@@ -76,9 +75,8 @@ HandTask handTask(const Scene& scene, double angle_rad) {
   task.graspPoint_m = best.point_m;
   task.axisCentre_m = axis.centre_m;
   task.axisDirection = axis.tangent;
-  // What the pattern measures is not what the hand turns: a grip may turn by a part of the angle only.
-  task.targetAngle_rad = scene.rod ? atAngle(scene.rod->path(), angle_rad).hand_rad
-                                   : angle_rad * graspShare(scene.model, axis, arc_m, best.point_m);
+  // What the task of a rod measures is not what the hand turns.
+  task.targetAngle_rad = scene.rod ? atAngle(scene.rod->path(), angle_rad).hand_rad : angle_rad;
   task.tipRadius_m = scene.instrument.tipRadius_m;
   return task;
 }

@@ -68,14 +68,6 @@ void addAll() {
   paper.graspArc = 0.5F;
   add("paper_linear", 11, 3,
       [=](const TwistKernels& k, const float* in, float* out) { k.paperLinear(in, kBlocks, paper, out); });
-  static KernelBuffer<float> table(1025);
-  StraightFrame straight;
-  straight.scale = 1.0F;
-  straight.inverseStep = 500.0F;
-  straight.table = table.data();
-  straight.tableSize = 1024;
-  add("straight_axis", 3, 3,
-      [=](const TwistKernels& k, const float* in, float* out) { k.straight(in, kBlocks, straight, out); });
   add("interleave", 3, 3,
       [](const TwistKernels& k, const float* in, float* out) { k.interleave(in, kVertices, out, 3); });
 }

@@ -16,7 +16,6 @@ namespace torsio {
 
 namespace {
 
-constexpr double kForceProbe_rad = 1e-5;  // to see which way a grip moves under several operations
 constexpr int kTorqueSteps = 60;
 constexpr double kDeterminantProbe = 1e-5;  // of the organ's length
 constexpr double kSmallestArm = 1e-9;       // m
@@ -33,11 +32,7 @@ double determinantAt(const TwistModel& model, const TwistState& state, const Vec
 }
 
 double linearStiffness(const TwistModel::Tables& tables, double graspArc_m) {
-  double sum = 0.0;
-  for (const PreparedOperation& op : tables.operations) {
-    sum += op.ratio() * op.ratio() * op.stiffness(graspArc_m);
-  }
-  return sum;
+  return 1.0 / tables.twist.compliance(graspArc_m);
 }
 
 struct Load {
@@ -62,9 +57,8 @@ void deformByComponents(const TwistModel::Tables& tables, const SectionLattice& 
   const int n = lattice.ridges();
   const int m = lattice.sections();
   const TwistMap map(tables, lattice, state);
-  const PreparedOperation& op = tables.operations.front();
-  const double grasp = op.elastic().graspAt(op.peakFor(state.graspArc_m));
-  const double torque = state.graspAngle_rad / op.elastic().compliance(grasp);
+  const double grasp = tables.twist.graspAt(state.graspArc_m);
+  const double torque = state.graspAngle_rad / tables.twist.compliance(grasp);
   std::array<double, kMostSections> angle{};
   std::array<double, kMostSections> lifted{};
   for (int j = 0; j < m; ++j) {
@@ -137,21 +131,11 @@ double TwistModel::twistRateAt(double arc_m, const TwistState& state) const noex
 
 AxisFrame TwistModel::graspFrame(double graspArc_m) const noexcept {
   AxisFrame frame = lattice_.frameAt(graspArc_m);
-  const PreparedOperation& op = tables_->operations[tables_->leading];
-  if (op.aboutCentreline()) {
-    if (tables_->shiftedCentre) {
-      frame.centre_m +=
-          tables_->centreX.value(graspArc_m) * frame.e1 + tables_->centreY.value(graspArc_m) * frame.e2;
-    }
-    return frame;
+  if (tables_->shiftedCentre) {
+    frame.centre_m +=
+        tables_->centreX.value(graspArc_m) * frame.e1 + tables_->centreY.value(graspArc_m) * frame.e2;
   }
-  AxisFrame axis;
-  axis.centre_m = op.origin_m() + op.way(frame.centre_m) * op.direction();
-  axis.tangent = op.direction();
-  const Vec3 across = frame.e1 - dot(frame.e1, axis.tangent) * axis.tangent;
-  axis.e1 = norm(across) > 1e-6 ? normalized(across) : anyPerpendicular(axis.tangent);
-  axis.e2 = cross(axis.tangent, axis.e1);
-  return axis;
+  return frame;
 }
 
 Vec3 TwistModel::graspForce_N(const TwistState& state, const Vec3& grip_m) const noexcept {
@@ -159,16 +143,8 @@ Vec3 TwistModel::graspForce_N(const TwistState& state, const Vec3& grip_m) const
     return {};
   }
   const Load load = loadOf(*tables_, state);
-  Vec3 way;  // of the grip for one radian
-  if (tables_->operations.size() == 1 && !tables_->operations.front().definition().peak) {
-    const AxisFrame frame = graspFrame(state.graspArc_m);
-    way = tables_->operations.front().ratio() * cross(frame.tangent, grip_m - frame.centre_m);
-  } else {
-    const Vec3 rest = toRest_m(grip_m, state);
-    const TwistState more{state.graspArc_m, state.graspAngle_rad + kForceProbe_rad};
-    const TwistState less{state.graspArc_m, state.graspAngle_rad - kForceProbe_rad};
-    way = (toDeformed_m(rest, more) - toDeformed_m(rest, less)) / (2.0 * kForceProbe_rad);
-  }
+  const AxisFrame frame = graspFrame(state.graspArc_m);
+  const Vec3 way = cross(frame.tangent, grip_m - frame.centre_m);  // of the grip for one radian
   const double arm2 = dot(way, way);
   if (!(arm2 > kSmallestArm * kSmallestArm)) {
     return {};
@@ -186,7 +162,7 @@ Vec3 TwistModel::toDeformed_m(const Vec3& rest_m, const TwistState& state) const
   if (map.identity()) {
     return rest_m;
   }
-  return map.forward(rest_m, tables_->needsArc ? tables_->arcs.arcAt(lattice_, rest_m) : 0.0);
+  return map.forward(rest_m, tables_->arcs.arcAt(lattice_, rest_m));
 }
 
 void TwistModel::deform(const TwistState& state, std::span<Vec3> out_m) const noexcept {

@@ -13,7 +13,6 @@
 #include "sim/tissue/twist/kriging.h"
 #include "sim/tissue/twist/material.h"
 #include "sim/tissue/twist/saint_venant.h"
-#include "sim/tissue/twist/twist_operation.h"
 
 namespace torsio {
 
@@ -52,8 +51,6 @@ struct TwistModelOptions {
   Formulation formulation = Formulation::kSaintVenant;
   EndCondition ends = EndCondition::kClampedFree;
   bool warping = true;  ///< dZ = theta psi (Saint-Venant only)
-  /// Operations of a twist in their order; empty: one elastic operation about the centreline.
-  std::vector<TwistOperation> operations;
 
   KrigingOptions kriging;  ///< along the organ: C(s), section properties, the paper's components
   TwistCentre centre = TwistCentre::kCentreline;
@@ -61,8 +58,8 @@ struct TwistModelOptions {
   /// 0.3-2.
   double foundationLengths = 0.0;
   TorsionCorrections corrections;
-  /// Whether a bar with free ends stretches axially by (1 + theta^2 Ip / (2 A))^(1/3). One operation about
-  /// the centreline, clamped-free, only.
+  /// Whether a bar with free ends stretches axially by (1 + theta^2 Ip / (2 A))^(1/3). Clamped-free,
+  /// Saint-Venant only.
   bool poynting = false;
   /// Shear strain at which the torque has doubled against the linear law: T = (phi / C)(1 + (gamma /
   /// this)^2); 0: linear.
@@ -91,10 +88,10 @@ struct TwistSummary {
   double peakShearStrain = 0.0;
 };
 
-/// How the organ answers a twist. Immutable after construction, copies share their tables; every query
-/// below is noexcept and allocates nothing unless it says otherwise. Recordings come from these
-/// double-precision functions, which use + - * /, square roots and portable_math.h only: the same bits on
-/// every machine. The wide single-precision kernels serve views only (twist_model_view.h).
+/// How the organ answers one elastic twist about its own axis. Immutable after construction, copies share
+/// their tables; every query below is noexcept and allocates nothing unless it says otherwise. Recordings
+/// come from these double-precision functions, which use + - * /, square roots and portable_math.h only: the
+/// same bits on every machine. The wide single-precision kernels serve views only (twist_model_view.h).
 ///
 /// A grasp on a held end would need an infinite torque; it acts 0.5 % of the length inside.
 class TwistModel {
@@ -109,21 +106,19 @@ class TwistModel {
   [[nodiscard]] const Material& material() const noexcept { return material_; }
 
   /// Returns the angle at section g for one newton metre applied there, rad/(N m) (section G: phi_g = T
-  /// C_g). Several operations act like springs on one shaft: 1 / C = sum of ratio^2 / C_k.
+  /// C_g).
   [[nodiscard]] double graspCompliance(double graspArc_m) const noexcept;
   /// Returns the torque that holds the state, N m.
   [[nodiscard]] double torque_Nm(const TwistState& state) const noexcept;
   /// Returns the state that a torque at this arc length leads to (the paper's forward problem: M_T is
   /// given). Throws Error{kBadParameter} for a torque that is not finite.
   [[nodiscard]] TwistState stateForTorque(double graspArc_m, double torque_Nm) const;
-  /// Returns the twist angle at arc length s, rad: the sum over the operations, each at the centreline
-  /// point of s.
+  /// Returns the twist angle at arc length s, rad.
   [[nodiscard]] double angleAt(double arc_m, const TwistState& state) const noexcept;
   /// Returns the twist rate, d angle / ds about the organ's own axis, rad/m.
   [[nodiscard]] double twistRateAt(double arc_m, const TwistState& state) const noexcept;
-  /// Returns the axis that a grasp at this arc length turns about: the frame of the centreline, or of the
-  /// straight axis (tangent along it, centre at the foot of the grasped section) of the operation with the
-  /// largest ratio.
+  /// Returns the axis that a grasp at this arc length turns about: the frame of the centreline, its centre
+  /// the section's centre of twist.
   [[nodiscard]] AxisFrame graspFrame(double graspArc_m) const noexcept;
   /// Returns the tangential force on the tool that grips at `grip_m` (deformed world position), N:
   /// magnitude torque / arm, direction against the twist. Nearer to the axis than rho = sqrt(K / stiffness

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "sim/base/portable_math.h"
 
@@ -15,7 +14,6 @@ namespace {
 constexpr int kInverseSteps = 12;
 constexpr double kInverseTolerance = 1e-14;  // of the organ's length
 constexpr double kLargestStep = 0.1;         // of the organ's length
-constexpr int kSearchIntervals = 64;
 constexpr double kSmallestRadius_m = 1e-9;
 
 }  // namespace
@@ -24,20 +22,13 @@ TwistMap::TwistMap(const TwistModel::Tables& tables, const SectionLattice& latti
                    const TwistState& state) noexcept
     : tables_(tables),
       lattice_(lattice),
-      count_(tables.operations.size()),
+      angle_rad_(state.graspAngle_rad),
+      graspArc_m_(tables.twist.graspAt(state.graspArc_m)),
+      blend_m_(kBlendPerRadius * tables.radius.value(state.graspArc_m)),
       identity_(state.graspAngle_rad == 0.0) {
-  for (std::size_t k = 0; k < count_; ++k) {
-    const PreparedOperation& op = tables.operations[k];
-    steps_[k] = {&op, op.ratio() * state.graspAngle_rad, op.peakFor(state.graspArc_m)};
-  }
-  const PreparedOperation& first = tables.operations.front();
   if (tables.linear || tables.poynting) {
-    if (first.aboutCentreline() && first.isElastic()) {
-      graspArc_m_ = first.elastic().graspAt(steps_[0].peak);
-      torquePerBar_Nm_ = steps_[0].angle_rad / first.elastic().compliance(steps_[0].peak);
-    }
+    torquePerBar_Nm_ = angle_rad_ / tables.twist.compliance(graspArc_m_);
   }
-  blend_m_ = kBlendPerRadius * tables.radius.value(state.graspArc_m);
 }
 
 TwistLine TwistMap::centreAt(double arc_m) const noexcept {
@@ -49,42 +40,25 @@ TwistLine TwistMap::centreAt(double arc_m) const noexcept {
           frame.tangent};
 }
 
-TwistLine TwistMap::axisOf(const Step& step, const TwistLine& centreline) noexcept {
-  const PreparedOperation& op = *step.operation;
-  return op.aboutCentreline() ? centreline : TwistLine{op.origin_m(), op.direction()};
-}
-
-Vec3 TwistMap::turned(const Vec3& x, const Vec3& point, const Vec3& axis, double angle_rad) const noexcept {
-  const Vec3 u = x - point;
-  const Vec3 across = cross(axis, u);
+Vec3 TwistMap::turned(const Vec3& x, const TwistLine& axis, double angle_rad) const noexcept {
+  const Vec3 u = x - axis.point_m;
+  const Vec3 across = cross(axis.direction, u);
   if (tables_.linear) {
     return x + angle_rad * across;  // Eqs. 21, 22
   }
   const SinCos a = portableSinCos(angle_rad);
-  const Vec3 radius = u - dot(axis, u) * axis;
+  const Vec3 radius = u - dot(axis.direction, u) * axis.direction;
   return x + (a.cos - 1.0) * radius + a.sin * across;
 }
 
-Vec3 TwistMap::turnedBack(const Vec3& x, const Vec3& point, const Vec3& axis,
-                          double angle_rad) const noexcept {
+Vec3 TwistMap::turnedBack(const Vec3& x, const TwistLine& axis, double angle_rad) const noexcept {
   if (!tables_.linear) {
-    return turned(x, point, axis, -angle_rad);
+    return turned(x, axis, -angle_rad);
   }
-  const Vec3 u = x - point;
-  const Vec3 radius = u - dot(axis, u) * axis;
+  const Vec3 u = x - axis.point_m;
+  const Vec3 radius = u - dot(axis.direction, u) * axis.direction;
   const double grown = 1.0 + angle_rad * angle_rad;
-  return x + (1.0 / grown - 1.0) * radius - (angle_rad / grown) * cross(axis, u);
-}
-
-TwistLine TwistMap::carried(const TwistLine& line, const Step& step, double arc_m) const noexcept {
-  const PreparedOperation& op = *step.operation;
-  const double along = dot(op.direction(), line.direction);
-  const ValueSlope s = op.share(op.alongAxis() ? op.way(line.point_m) : arc_m, step.peak);
-  const double angle = step.angle_rad * s.value;
-  const double angleRate = step.angle_rad * s.slope * (op.alongAxis() ? along : 1.0);
-  const Vec3 foot = turned(line.point_m, op.origin_m(), op.direction(), angle);
-  const Vec3 turnedTangent = turned(line.direction, Vec3{}, op.direction(), angle);
-  return {foot, normalized(turnedTangent + angleRate * cross(op.direction(), foot - op.origin_m()))};
+  return x + (1.0 / grown - 1.0) * radius - (angle_rad / grown) * cross(axis.direction, u);
 }
 
 Vec3 TwistMap::elongation(double arc_m) const noexcept {
@@ -128,75 +102,33 @@ Vec3 TwistMap::unstretched(const Vec3& x, const TwistLine& line, double arc_m) c
   return back + (1.0 / contraction(arc_m) - 1.0) * radius;
 }
 
+double TwistMap::turnAt(double arc_m) const noexcept {
+  return angle_rad_ * tables_.twist.share(arc_m, graspArc_m_).value;
+}
+
 Vec3 TwistMap::forward(const Vec3& rest_m, double arc_m) const noexcept {
+  return identity_ ? rest_m : forward(rest_m, arc_m, centreAt(arc_m));
+}
+
+Vec3 TwistMap::forward(const Vec3& rest_m, double arc_m, const TwistLine& line) const noexcept {
   if (identity_) {
     return rest_m;
   }
-  return forward(rest_m, arc_m, tables_.needsArc ? centreAt(arc_m) : TwistLine{});
-}
-
-double TwistMap::angleOf(const Step& step, const Vec3& x, double arc_m) const noexcept {
-  const PreparedOperation& op = *step.operation;
-  return step.angle_rad * op.share(op.alongAxis() ? op.way(x) : arc_m, step.peak).value;
-}
-
-Vec3 TwistMap::forward(const Vec3& rest_m, double arc_m, TwistLine line) const noexcept {
-  if (identity_) {
-    return rest_m;
-  }
-  Vec3 x = rest_m;
-  for (std::size_t k = 0; k < count_; ++k) {
-    const Step& step = steps_[k];
-    const TwistLine axis = axisOf(step, line);
-    x = turned(x, axis.point_m, axis.direction, angleOf(step, x, arc_m));
-    if (tables_.carriesCentreline && !step.operation->aboutCentreline()) {
-      line = carried(line, step, arc_m);
-    }
-  }
+  const Vec3 x = turned(rest_m, line, turnAt(arc_m));
   return tables_.poynting ? stretched(x, line, arc_m) : x;
 }
 
 double TwistMap::radiusGrowth(const Vec3& rest_m, double arc_m) const noexcept {
-  const auto radius = [](const Vec3& point, const TwistLine& axis) {
-    return norm(cross(axis.direction, point - axis.point_m));
-  };
-  Vec3 x = rest_m;
-  TwistLine line = centreAt(arc_m);
-  double growth = 1.0;
-  for (std::size_t k = 0; k < count_; ++k) {
-    const Step& step = steps_[k];
-    const TwistLine axis = axisOf(step, line);
-    const double before = radius(x, axis);
-    x = turned(x, axis.point_m, axis.direction, angleOf(step, x, arc_m));
-    if (before > kSmallestRadius_m) {
-      growth *= radius(x, axis) / before;
-    }
-    if (tables_.carriesCentreline && !step.operation->aboutCentreline()) {
-      line = carried(line, step, arc_m);
-    }
-  }
-  return growth;
+  const TwistLine axis = centreAt(arc_m);
+  const auto radius = [&](const Vec3& point) { return norm(cross(axis.direction, point - axis.point_m)); };
+  const double before = radius(rest_m);
+  return before > kSmallestRadius_m ? radius(turned(rest_m, axis, turnAt(arc_m))) / before : 1.0;
 }
 
 Vec3 TwistMap::unwound(const Vec3& deformed_m, double arc_m) const noexcept {
-  std::array<TwistLine, kMostOperations> lines;
-  TwistLine line;
-  if (tables_.needsArc) {
-    line = centreAt(arc_m);
-  }
-  for (std::size_t k = 0; k < count_; ++k) {
-    lines[k] = line;
-    if (tables_.carriesCentreline && !steps_[k].operation->aboutCentreline()) {
-      line = carried(line, steps_[k], arc_m);
-    }
-  }
-  Vec3 x = tables_.poynting ? unstretched(deformed_m, line, arc_m) : deformed_m;
-  for (std::size_t k = count_; k-- > 0;) {
-    const Step& step = steps_[k];  // a point keeps its way along an axis that it turns about
-    const TwistLine axis = axisOf(step, lines[k]);
-    x = turnedBack(x, axis.point_m, axis.direction, angleOf(step, x, arc_m));
-  }
-  return x;
+  const TwistLine line = centreAt(arc_m);
+  const Vec3 x = tables_.poynting ? unstretched(deformed_m, line, arc_m) : deformed_m;
+  return turnedBack(x, line, turnAt(arc_m));
 }
 
 // Zero when the point, turned back as one of this arc length, has this arc length.
@@ -204,67 +136,14 @@ double TwistMap::miss(const Vec3& deformed_m, double arc_m) const noexcept {
   return tables_.arcs.arcAt(lattice_, unwound(deformed_m, arc_m)) - arc_m;
 }
 
-// First guess where only operations about straight axes, each by its own way, come after the last one about
-// the centreline: undo those; turning about the centreline then leaves the nearest centreline point alone.
-double TwistMap::firstArc(const Vec3& deformed_m) const noexcept {
-  Vec3 x = deformed_m;
-  for (std::size_t k = count_; k-- > 0;) {
-    const Step& step = steps_[k];
-    if (step.operation->aboutCentreline()) {
-      break;
-    }
-    const TwistLine axis = axisOf(step, {});
-    x = turnedBack(x, axis.point_m, axis.direction, angleOf(step, x, 0.0));
-  }
-  return lattice_.nearestArc_m(x);
-}
-
-// First guess for all other lists. Turned back as one of section s, the point lies ahead of the plane of s or
-// behind it; where that changes, it may have come from there. Of several such places the one counts at which
-// it lies nearest to the centreline, in radii: the others are far outside the organ.
-double TwistMap::searchedArc(const Vec3& deformed_m) const noexcept {
-  const double length = lattice_.length_m();
-  double best = 0.0;
-  double nearest = std::numeric_limits<double>::infinity();
-  const auto offer = [&](double arc, double distance) {
-    const double radii = distance / tables_.radius.value(arc);
-    if (!(radii < nearest)) {
-      return;
-    }
-    nearest = radii;
-    best = arc;
-  };
-  double aheadBefore = 0.0;
-  for (int i = 0; i <= kSearchIntervals; ++i) {
-    const double arc = length * i / kSearchIntervals;
-    const AxisFrame frame = lattice_.frameAt(arc);
-    const Vec3 u = unwound(deformed_m, arc) - frame.centre_m;
-    const double ahead = dot(u, frame.tangent);
-    const double across = norm(u - ahead * frame.tangent);
-    if (i == 0 && ahead <= 0.0) {
-      offer(arc, norm(u));
-    }
-    if (i == kSearchIntervals && ahead >= 0.0) {
-      offer(arc, norm(u));
-    }
-    if (i > 0 && aheadBefore > 0.0 && ahead <= 0.0) {
-      offer(arc - length / kSearchIntervals * ahead / (ahead - aheadBefore), across);
-    }
-    aheadBefore = ahead;
-  }
-  return best;
-}
-
-// Secant steps on `miss`; the best arc length met counts.
+// Secant steps on `miss` from the nearest point of the centreline, which a turn about it leaves alone; the
+// best arc length met counts.
 Vec3 TwistMap::backward(const Vec3& deformed_m) const noexcept {
   if (identity_) {
     return deformed_m;
   }
-  if (!tables_.needsArc) {
-    return unwound(deformed_m, 0.0);
-  }
   const double length = lattice_.length_m();
-  double before = tables_.searchesArc ? searchedArc(deformed_m) : firstArc(deformed_m);
+  double before = lattice_.nearestArc_m(deformed_m);
   double missBefore = miss(deformed_m, before);
   double best = before;
   double least = std::abs(missBefore);
@@ -287,43 +166,17 @@ Vec3 TwistMap::backward(const Vec3& deformed_m) const noexcept {
   return unwound(deformed_m, best);
 }
 
+// A sum with 0 makes 0 of a negative zero, for those who print it.
 double TwistMap::angle(double arc_m) const noexcept {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < count_; ++k) {
-    const PreparedOperation& op = *steps_[k].operation;
-    const double coordinate = op.alongAxis() ? op.way(lattice_.frameAt(arc_m).centre_m) : arc_m;
-    sum += steps_[k].angle_rad * op.share(coordinate, steps_[k].peak).value;
-  }
-  return sum;
+  return 0.0 + turnAt(arc_m);
 }
 
 double TwistMap::rate(double arc_m) const noexcept {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < count_; ++k) {
-    const PreparedOperation& op = *steps_[k].operation;
-    if (op.aboutCentreline()) {
-      sum += steps_[k].angle_rad * op.share(arc_m, steps_[k].peak).slope;
-      continue;
-    }
-    const AxisFrame frame = lattice_.frameAt(arc_m);
-    const double along = dot(op.direction(), frame.tangent);
-    const double coordinate = op.alongAxis() ? op.way(frame.centre_m) : arc_m;
-    const double component = op.alongAxis() ? along * along : along;
-    sum += steps_[k].angle_rad * op.share(coordinate, steps_[k].peak).slope * component;
-  }
-  return sum;
+  return 0.0 + angle_rad_ * tables_.twist.share(arc_m, graspArc_m_).slope;
 }
 
 double TwistMap::warpingRate(double arc_m) const noexcept {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < count_; ++k) {
-    const PreparedOperation& op = *steps_[k].operation;
-    if (!op.aboutCentreline()) {
-      continue;
-    }
-    sum += steps_[k].angle_rad * op.blendedShare(arc_m, steps_[k].peak, blend_m_).slope;
-  }
-  return sum;
+  return 0.0 + angle_rad_ * tables_.twist.blendedShare(arc_m, graspArc_m_, blend_m_).slope;
 }
 
 Vec3 TwistMap::vertex(const TwistVertex& vertex) const noexcept {
@@ -333,7 +186,7 @@ Vec3 TwistMap::vertex(const TwistVertex& vertex) const noexcept {
   if (tables_.linear) {
     const TwistLine& line = vertex.line;
     const Vec3 moved = forward(vertex.rest_m, vertex.arc_m, line);
-    if (vertex.arc_m > graspArc_m_ || torquePerBar_Nm_ == 0.0) {
+    if (vertex.arc_m > graspArc_m_) {
       return moved;
     }
     const Vec3 u = vertex.rest_m - line.point_m;

@@ -37,7 +37,6 @@ void checkOptions(const TwistModelOptions& o, const Material& material) {
                     Text::verbatim("material %1", material.id),
                     Text::verbatim("Give G in pascal; for nearly incompressible tissue it is E / 3."));
   }
-  checkOperations(o.operations);
   checkNumber(o.foundationLengths, 0.0, 1e6, "foundationLengths");
   if (o.foundationLengths > 0.0) {
     checkNumber(o.foundationLengths, 0.05, 1e6, "foundationLengths");
@@ -47,21 +46,14 @@ void checkOptions(const TwistModelOptions& o, const Material& material) {
   checkNumber(o.sectionPoints, 16.0, 10000.0, "sectionPoints");
   checkNumber(o.solvedSections, 2.0, kMostSections, "solvedSections");
   const bool paper = o.formulation == Formulation::kPaper;
-  if (o.poynting && (paper || o.ends != EndCondition::kClampedFree || !o.operations.empty())) {
-    refuseParameter(
-        Text::verbatim("the axial stretch needs a free end and one Saint-Venant twist about the centreline"),
-        Text::verbatim("twist model options"),
-        Text::verbatim("Switch poynting off or leave the operations empty."));
+  if (o.poynting && (paper || o.ends != EndCondition::kClampedFree)) {
+    refuseParameter(Text::verbatim("the axial stretch needs a free end and the Saint-Venant formulation"),
+                    Text::verbatim("twist model options"), Text::verbatim("Switch poynting off."));
   }
   if (paper && (o.foundationLengths > 0.0 || o.centre == TwistCentre::kShearCentre)) {
     refuseParameter(Text::verbatim("the paper's formulation knows neither a foundation nor a shear centre"),
                     Text::verbatim("twist model options"),
                     Text::verbatim("Use the Saint-Venant formulation."));
-  }
-  if (paper && o.paperInterpolation == PaperInterpolation::kComponents && !o.operations.empty()) {
-    refuseParameter(Text::verbatim("component kriging knows no twist operations"),
-                    Text::verbatim("twist model options"),
-                    Text::verbatim("Krige the angle, or leave the operations empty."));
   }
 }
 
@@ -82,8 +74,7 @@ class TableMaker {
                                             .kriging = options.kriging})) {}
 
   TwistModel::Tables make() {
-    makeCompliance();
-    makeOperations();
+    makeTwist();
     makeProfiles();
     tables_.arcs = ArcField(mesh_, lattice_);
     makeVertices();
@@ -112,9 +103,7 @@ class TableMaker {
     return {0.0, step(), std::move(values), true};
   }
 
-  void makeCompliance();
-  void makeOperations();
-  [[nodiscard]] HermiteTable bendingCompliance() const;
+  void makeTwist();
   void makeProfiles();
   void makeVertices();
   void makePatches();
@@ -129,11 +118,11 @@ class TableMaker {
   const Material& material_;
   const TwistModelOptions& options_;
   SolvedSections solved_;
-  HermiteTable series_;  // integral of the twist rate for 1 N m
+  HermiteTable compliance_;  // of Saint-Venant: C(s)
   TwistModel::Tables tables_;
 };
 
-void TableMaker::makeCompliance() {
+void TableMaker::makeTwist() {
   tables_.linear = options_.formulation == Formulation::kPaper;
   std::vector<double> nodes;
   if (tables_.linear) {
@@ -145,74 +134,14 @@ void TableMaker::makeCompliance() {
     const PaperTwist twist = paperTwist(sections, length(), material_.shearModulus_Pa, options_.paper);
     nodes = krigedNodes(twist.angle_rad, length(), options_.kriging);
     tables_.spacing_m = twist.spacing_m;
-    const std::vector<double> rates = krigedNodes(twist.rate_per_m, length(), options_.kriging);
-    std::vector<double> sum{0.0};
-    for (std::size_t i = 1; i < rates.size(); ++i) {
-      sum.push_back(sum.back() + 0.5 * step() * std::max(0.0, rates[i - 1] + rates[i]));
-    }
-    series_ = HermiteTable(0.0, step(), std::move(sum), true);
     tables_.lift = HermiteTable(0.0, step(), krigedNodes(twist.lift_m2, length(), options_.kriging), false);
   } else {
     nodes = sectionCompliances(solved_.profile(), intervals() + 1, length(), material_.shearModulus_Pa,
                                options_.ends, options_.corrections);
+    compliance_ = HermiteTable(0.0, step(), nodes, true);
   }
-  const bool monotone = !tables_.linear;
-  tables_.compliance = HermiteTable(0.0, step(), std::move(nodes), monotone);
-  if (monotone) {
-    series_ = tables_.compliance;
-  }
-}
-
-HermiteTable TableMaker::bendingCompliance() const {
-  std::vector<double> nodes{0.0};
-  for (int i = 0; i < intervals(); ++i) {
-    const double polar = solved_.profile().at((i + 0.5) * step()).polarMoment_m4;
-    nodes.push_back(nodes.back() + step() / (1.5 * material_.shearModulus_Pa * polar));
-  }
-  return {0.0, step(), std::move(nodes), true};
-}
-
-void TableMaker::makeOperations() {
-  std::vector<TwistOperation> definitions = options_.operations;
-  if (definitions.empty()) {
-    definitions.push_back({});
-  }
-  OperationBase base;
-  base.axis = &lattice_.centreline();
-  base.compliance = &tables_.compliance;
-  base.series = &series_;
-  const HermiteTable bending = bendingCompliance();
-  base.bending = &bending;
-  base.ends = options_.ends;
-  base.foundation_m = options_.foundationLengths * length();
-  base.paperAngles = tables_.linear;
-  bool straightBefore = false;
-  tables_.needsArc = false;
-  for (std::size_t k = 0; k < definitions.size(); ++k) {
-    tables_.operations.emplace_back(definitions[k], static_cast<int>(k), base);
-    const PreparedOperation& op = tables_.operations.back();
-    if (std::abs(op.ratio()) > std::abs(tables_.operations[tables_.leading].ratio())) {
-      tables_.leading = k;
-    }
-    if (!op.alongAxis()) {
-      tables_.needsArc = true;
-    }
-    if (op.aboutCentreline() && straightBefore) {
-      tables_.carriesCentreline = true;
-    }
-    if (!op.aboutCentreline()) {
-      straightBefore = true;
-    }
-    if (!op.aboutCentreline() && !op.alongAxis()) {
-      tables_.searchesArc = true;
-    }
-  }
-  if (tables_.carriesCentreline) {
-    tables_.searchesArc = true;
-  }
-  const PreparedOperation& first = tables_.operations.front();
-  tables_.defaultOperation = tables_.operations.size() == 1 && first.aboutCentreline() && first.isElastic() &&
-                             first.ratio() == 1.0 && !first.definition().peak;
+  tables_.twist = TorsionTable(0.0, step(), std::move(nodes), options_.ends,
+                               {options_.foundationLengths * length()}, tables_.linear);
 }
 
 void TableMaker::makeProfiles() {
@@ -303,10 +232,9 @@ void TableMaker::makePatches() {
 
 void TableMaker::makeElongation() {
   tables_.poynting = true;
-  const HermiteTable& c = tables_.compliance;
   tables_.stretch = table([&](double s) {
     const TorsionSection section = solved_.profile().at(s);
-    const double slope = c.at(s).slope;
+    const double slope = compliance_.at(s).slope;
     return slope * slope * section.polarMoment_m4 / (2.0 * section.area_m2);
   });
   std::array<Vec3, 4> sum{};
@@ -365,10 +293,7 @@ void TableMaker::makeStrain() {
       const double arc = length() * i / intervals();
       most = std::max(most, std::abs(map.rate(arc)) * tables_.shear.value(arc));
     }
-    double stiffness = 0.0;
-    for (const PreparedOperation& op : tables_.operations) {
-      stiffness += op.ratio() * op.ratio() * op.stiffness(grasp);
-    }
+    const double stiffness = 1.0 / tables_.twist.compliance(grasp);
     values.push_back(most / stiffness);
   }
   tables_.strainPerTorque = HermiteTable(0.0, length() / (kStrainNodes - 1), std::move(values), true);

@@ -8,7 +8,6 @@
 
 #include "sim/tissue/twist/twist_model.h"
 #include "sim/tissue/twist/twist_model_arc.h"
-#include "sim/tissue/twist/twist_model_operation.h"
 
 namespace torsio {
 
@@ -34,15 +33,9 @@ struct RidgePlace {
 
 /// Everything that the queries of TwistModel need, computed once; immutable.
 struct TwistModel::Tables {
-  std::vector<PreparedOperation> operations;
-  bool defaultOperation = true;    ///< exactly one operation, elastic, about the centreline, ratio 1
-  std::size_t leading = 0;         ///< the operation with the largest ratio
-  bool needsArc = true;            ///< some operation's coordinate is the arc length
-  bool carriesCentreline = false;  ///< some operation about the centreline follows one about a straight axis
-  bool searchesArc = false;        ///< some straight operation hangs on the arc: the inverse must look for it
+  TorsionTable twist;  ///< over C(s), or H theta of the paper, rad/(N m)
   ArcField arcs;
 
-  HermiteTable compliance;       ///< C(s), or H theta of the paper, rad/(N m)
   HermiteTable radius;           ///< m, of the circle of equal area
   HermiteTable shear;            ///< largest |tau| of the outline for G = 1 and unit twist rate, m
   HermiteTable strainPerTorque;  ///< arc of the grasp -> largest shear strain of the organ for 1 N m there

@@ -14,7 +14,6 @@ namespace torsio {
 
 namespace {
 
-constexpr int kShareEntries = 2048;
 constexpr int kCurvedStreams = 11;
 constexpr int kCurvedOnlyStreams = 10;
 constexpr int kPaperStreams = 11;
@@ -32,7 +31,6 @@ TwistView::TwistView(const TwistModel& model, Isa isa)
   blocks_ = (vertices_ + kKernelBlock - 1) / kKernelBlock;
   out_ = KernelBuffer<float>(at(blocks_ * 3 * kKernelBlock), 2 * kKernelBlock);
   rest_ = KernelBuffer<float>(at(blocks_ * 3 * kKernelBlock), 4 * kKernelBlock);
-  shares_.assign(kShareEntries + 1, 0.0F);
   for (int v = 0; v < vertices_; ++v) {
     put(&lane(rest_, 3, v, 0), model.tables().vertices[at(v)].rest_m);
   }
@@ -61,24 +59,13 @@ float& TwistView::lane(KernelBuffer<float>& buffer, int streams, int vertex, int
 
 void TwistView::choosePath() {
   const TwistModel::Tables& tables = model_->tables();
-  const PreparedOperation& first = tables.operations.front();
-  const bool laterStraight = std::all_of(tables.operations.begin() + 1, tables.operations.end(),
-                                         [](const PreparedOperation& op) { return op.alongAxis(); });
-  path_ = Path::kSlow;
   if (tables.linear) {
-    const bool free = first.isElastic() && first.elastic().ends() == EndCondition::kClampedFree;
-    if (tables.defaultOperation && free && !tables.components) {
-      path_ = Path::kPaper;
-    }
-    return;
-  }
-  if (tables.poynting || !laterStraight) {
-    return;
-  }
-  if (first.alongAxis()) {
-    path_ = Path::kStraight;
-  } else if (first.aboutCentreline()) {
-    path_ = first.isElastic() && first.elastic().plain() ? Path::kCurved : Path::kAngles;
+    const bool free = tables.twist.ends() == EndCondition::kClampedFree;
+    path_ = free && !tables.components ? Path::kPaper : Path::kSlow;
+  } else if (tables.poynting) {
+    path_ = Path::kSlow;
+  } else {
+    path_ = tables.twist.plain() ? Path::kCurved : Path::kAngles;
   }
 }
 
@@ -87,7 +74,6 @@ void TwistView::fillStreams() {
   const bool curvedOnly = path_ == Path::kCurved && !warped_;
   const int streams = curvedOnly ? kCurvedOnlyStreams : kCurvedStreams;
   in_ = KernelBuffer<float>(at(blocks_ * streams * kKernelBlock));
-  const PreparedOperation& op = tables.operations.front();
   for (int v = 0; v < vertices_; ++v) {
     const TwistVertex& vertex = tables.vertices[at(v)];
     const TwistLine& line = vertex.line;
@@ -98,7 +84,7 @@ void TwistView::fillStreams() {
     put(&lane(in_, streams, v, 6), line.direction);
     ValueSlope compliance{0.0, 1.0};
     if (path_ == Path::kCurved) {
-      compliance = op.elastic().rising(vertex.arc_m);
+      compliance = tables.twist.rising(vertex.arc_m);
     }
     lane(in_, streams, v, 9) = static_cast<float>(compliance.value);
     if (curvedOnly) {
@@ -111,7 +97,6 @@ void TwistView::fillStreams() {
 void TwistView::fillPaperStreams() {
   const TwistModel::Tables& tables = model_->tables();
   in_ = KernelBuffer<float>(at(blocks_ * kPaperStreams * kKernelBlock));
-  const PreparedOperation& op = tables.operations.front();
   for (int v = 0; v < vertices_; ++v) {
     const TwistVertex& vertex = tables.vertices[at(v)];
     const TwistLine& line = vertex.line;
@@ -121,7 +106,7 @@ void TwistView::fillPaperStreams() {
     const double lift = tables.lift.value(vertex.arc_m) * h / std::sqrt(dot(across, across) + h * h);
     put(&lane(in_, kPaperStreams, v, 0), vertex.rest_m);
     put(&lane(in_, kPaperStreams, v, 3), across);
-    lane(in_, kPaperStreams, v, 6) = static_cast<float>(op.elastic().rising(vertex.arc_m).value);
+    lane(in_, kPaperStreams, v, 6) = static_cast<float>(tables.twist.rising(vertex.arc_m).value);
     lane(in_, kPaperStreams, v, 7) = static_cast<float>(vertex.arc_m);
     put(&lane(in_, kPaperStreams, v, 8), lift * line.direction);
   }
@@ -129,12 +114,11 @@ void TwistView::fillPaperStreams() {
 
 void TwistView::curvedFrame(const TwistState& state) noexcept {
   const TwistModel::Tables& tables = model_->tables();
-  const PreparedOperation& op = tables.operations.front();
-  const TorsionTable& table = op.elastic();
-  const double grasp = table.graspAt(op.peakFor(state.graspArc_m));
+  const TorsionTable& table = tables.twist;
+  const double grasp = table.graspAt(state.graspArc_m);
   const ValueSlope rising = table.rising(grasp);
   const double falling = table.falling(grasp).value;
-  const double torque = op.ratio() * state.graspAngle_rad / (rising.value * falling);
+  const double torque = state.graspAngle_rad / (rising.value * falling);
   // B falls from 1 by (1 - B(g)) / A(g) per unit of A: nothing for a free end.
   const double fall = (1.0 - falling) / rising.value;
   const double width = kBlendPerRadius * tables.radius.value(state.graspArc_m) * rising.slope;
@@ -154,58 +138,22 @@ void TwistView::curvedFrame(const TwistState& state) noexcept {
 void TwistView::anglesFrame(const TwistState& state) noexcept {
   const TwistModel::Tables& tables = model_->tables();
   const TwistMap map(tables, model_->lattice(), state);
-  const PreparedOperation& op = tables.operations.front();
-  const double peak = op.peakFor(state.graspArc_m);
-  const double full = op.ratio() * state.graspAngle_rad;
   for (int v = 0; v < vertices_; ++v) {
     const double arc = tables.vertices[at(v)].arc_m;
-    lane(angles_, 2, v, 0) = static_cast<float>(full * op.share(arc, peak).value);
+    lane(angles_, 2, v, 0) = static_cast<float>(map.angle(arc));
     lane(angles_, 2, v, 1) = static_cast<float>(warped_ ? map.warpingRate(arc) : 0.0);
   }
   twistKernels(isa_).givenAngles(in_.data(), angles_.data(), blocks_, out_.data());
 }
 
 void TwistView::paperFrame(const TwistState& state) noexcept {
-  const TorsionTable& table = model_->tables().operations.front().elastic();
+  const TorsionTable& table = model_->tables().twist;
   const double grasp = table.graspAt(state.graspArc_m);
   PaperFrame frame;
   frame.torque = static_cast<float>(state.graspAngle_rad / table.compliance(grasp));
   frame.graspArc = static_cast<float>(grasp);
   frame.graspAngle = static_cast<float>(table.compliance(grasp));
   twistKernels(isa_).paperLinear(in_.data(), blocks_, frame, out_.data());
-}
-
-void TwistView::straightFrames(const TwistState& state, const float* in, std::size_t from) noexcept {
-  const TwistModel::Tables& tables = model_->tables();
-  for (std::size_t k = from; k < tables.operations.size(); ++k) {
-    const PreparedOperation& op = tables.operations[k];
-    const TwistOperation& definition = op.definition();
-    const double unit = norm(definition.axisTo_m - definition.axisFrom_m);
-    const double first = unit * definition.from;
-    const double peak =
-        op.isElastic() ? op.elastic().graspAt(op.peakFor(state.graspArc_m)) : op.peakFor(state.graspArc_m);
-    // The kink at the peak falls on an entry; the last entries may lie beyond `to`, where nothing changes.
-    const double even = unit * (definition.to - definition.from) / (kShareEntries - 2);
-    const double step = (peak - first) / std::max(1.0, std::floor((peak - first) / even));
-    for (int i = 0; i < kShareEntries; ++i) {
-      shares_[at(i)] = static_cast<float>(op.share(first + step * i, peak).value);
-    }
-    shares_[kShareEntries] = shares_[kShareEntries - 1];
-    StraightFrame frame;
-    const Vec3& o = op.origin_m();
-    const Vec3& a = op.direction();
-    frame.origin[0] = static_cast<float>(o.x), frame.origin[1] = static_cast<float>(o.y);
-    frame.origin[2] = static_cast<float>(o.z);
-    frame.axis[0] = static_cast<float>(a.x), frame.axis[1] = static_cast<float>(a.y);
-    frame.axis[2] = static_cast<float>(a.z);
-    frame.scale = static_cast<float>(op.ratio() * state.graspAngle_rad);
-    frame.first = static_cast<float>(first);
-    frame.inverseStep = static_cast<float>(1.0 / step);
-    frame.table = shares_.data();
-    frame.tableSize = kShareEntries;
-    twistKernels(isa_).straight(in, blocks_, frame, out_.data());
-    in = out_.data();
-  }
 }
 
 void TwistView::slowFrame(const TwistState& state) noexcept {
@@ -222,14 +170,9 @@ std::span<const float> TwistView::updateBlocks(const TwistState& state) noexcept
   switch (path_) {
     case Path::kCurved:
       curvedFrame(state);
-      straightFrames(state, out_.data(), 1);
       break;
     case Path::kAngles:
       anglesFrame(state);
-      straightFrames(state, out_.data(), 1);
-      break;
-    case Path::kStraight:
-      straightFrames(state, rest_.data(), 0);
       break;
     case Path::kPaper:
       paperFrame(state);

@@ -20,8 +20,8 @@ class TwistView {
   [[nodiscard]] int vertices() const noexcept { return vertices_; }
   [[nodiscard]] Isa isa() const noexcept { return isa_; }
   /// Tells whether a whole frame is one pass of the kernels; it is not when the model needs more per vertex
-  /// (an elastic foundation, operations that look for their place on the curved organ, component kriging):
-  /// some ms a frame for 100,000 vertices instead of some 0.1 ms.
+  /// (an elastic foundation, axial stretch, component kriging): some ms a frame for 100,000 vertices instead
+  /// of some 0.1 ms.
   [[nodiscard]] bool fast() const noexcept { return path_ != Path::kAngles && path_ != Path::kSlow; }
 
   /// Writes x, y, z of vertex v at xyz[v stride]; `stride` floats, at least 3. Allocates nothing.
@@ -33,11 +33,10 @@ class TwistView {
 
  private:
   enum class Path {
-    kCurved,  ///< one twist about the centreline, then straight axes
-    kAngles,  ///< one twist about the centreline with the angle of each vertex worked out in double precision
-    kStraight,  ///< straight axes only
-    kPaper,     ///< the paper's linear displacements
-    kSlow,      ///< every vertex by TwistModel::deform
+    kCurved,  ///< the angle of a vertex follows from its compliance
+    kAngles,  ///< the angle of each vertex is worked out in double precision
+    kPaper,   ///< the paper's linear displacements
+    kSlow,    ///< every vertex by TwistModel::deform
   };
 
   void choosePath();
@@ -46,7 +45,6 @@ class TwistView {
   void curvedFrame(const TwistState& state) noexcept;
   void anglesFrame(const TwistState& state) noexcept;
   void paperFrame(const TwistState& state) noexcept;
-  void straightFrames(const TwistState& state, const float* in, std::size_t from) noexcept;
   void slowFrame(const TwistState& state) noexcept;
   [[nodiscard]] float& lane(KernelBuffer<float>& buffer, int streams, int vertex, int stream) const noexcept;
 
@@ -60,7 +58,6 @@ class TwistView {
   KernelBuffer<float> rest_;
   KernelBuffer<float> angles_;
   KernelBuffer<float> out_;
-  std::vector<float> shares_;  // of a straight axis, for one frame
   std::vector<Vec3> slow_m_;
 };
 

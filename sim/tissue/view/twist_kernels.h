@@ -31,18 +31,6 @@ struct PaperFrame {
   float graspAngle = 0.0F;  ///< rad per N m at the grasp; sections beyond it follow rigidly
 };
 
-/// One frame of a twist about a straight axis: angle = scale table(xi), linear between `tableSize` equally
-/// spaced entries from xi = first on, constant outside.
-struct StraightFrame {
-  float origin[3] = {0.0F, 0.0F, 0.0F};
-  float axis[3] = {0.0F, 0.0F, 1.0F};  ///< unit
-  float scale = 0.0F;                  ///< rad
-  float first = 0.0F;                  ///< m
-  float inverseStep = 1.0F;            ///< 1/m
-  const float* table = nullptr;        ///< tableSize + 1 entries, the last repeated
-  int tableSize = 0;
-};
-
 /// Component kriging of a set of key points as the paper prints it (Eq. 15): for each vertex eight weights
 /// along the ridge and a share of the next ridge.
 struct KrigedComponents {
@@ -71,8 +59,6 @@ struct TwistKernels {
   /// Moves vertices by the paper's linear rotation. in: rest[3] tangentCrossRadius[3] unitAngle arc lift[3]
   /// = 11 x 16 a block; out: 3 x 16.
   void (*paperLinear)(const float* in, int blocks, const PaperFrame& frame, float* out);
-  /// Moves vertices by a twist about a straight axis. in, out: 3 x 16 a block; may be the same.
-  void (*straight)(const float* in, int blocks, const StraightFrame& frame, float* out);
   /// Moves a lattice section by section, each section padded to whole blocks of 3 x 16; motions: 12 numbers
   /// a section, rows of the matrix, then the translation.
   void (*lattice)(const float* in, int sections, int blocksPerSection, const float* motions, float* out);

@@ -118,40 +118,6 @@ void paperLinear(const float* __restrict in, int blocks, const PaperFrame& frame
   }
 }
 
-void straight(const float* in, int blocks, const StraightFrame& frame, float* out) {
-  const StraightFrame f = frame;
-  const float* __restrict table = frame.table;
-  const float last = static_cast<float>(f.tableSize - 1);
-  for (int block = 0; block < blocks; ++block) {
-    const float* v = in + static_cast<long long>(block) * (3 * 16);
-    float* o = out + static_cast<long long>(block) * (3 * 16);
-    float way[16];
-    float share[16];
-    TORSIO_VECTOR_LOOP
-    for (int i = 0; i < 16; ++i) {
-      way[i] = f.axis[0] * (v[i] - f.origin[0]) + f.axis[1] * (v[16 + i] - f.origin[1]) +
-               f.axis[2] * (v[32 + i] - f.origin[2]);
-      share[i] = larger(0.0F, smaller(last, (way[i] - f.first) * f.inverseStep));
-    }
-    for (int i = 0; i < 16; ++i) {  // its own loop: the look-up is not vectorised everywhere
-      const int cell = static_cast<int>(share[i]);
-      const float low = table[cell];
-      share[i] = low + (table[cell + 1] - low) * (share[i] - static_cast<float>(cell));
-    }
-    TORSIO_VECTOR_LOOP
-    for (int i = 0; i < 16; ++i) {
-      const float x = v[i] - f.origin[0];
-      const float y = v[16 + i] - f.origin[1];
-      const float z = v[32 + i] - f.origin[2];
-      const SineCosine r = sineCosine(f.scale * share[i]);
-      const float along = way[i] * (1.0F - r.cosine);
-      o[i] = f.origin[0] + x * r.cosine + (f.axis[1] * z - f.axis[2] * y) * r.sine + f.axis[0] * along;
-      o[16 + i] = f.origin[1] + y * r.cosine + (f.axis[2] * x - f.axis[0] * z) * r.sine + f.axis[1] * along;
-      o[32 + i] = f.origin[2] + z * r.cosine + (f.axis[0] * y - f.axis[1] * x) * r.sine + f.axis[2] * along;
-    }
-  }
-}
-
 void lattice(const float* __restrict in, int sections, int blocksPerSection, const float* __restrict motions,
              float* __restrict out) {
   for (int j = 0; j < sections; ++j) {
@@ -225,5 +191,5 @@ void triad(const float* __restrict a, const float* __restrict b, float factor, i
   }
 }
 
-const TwistKernels kKernels{curvedWarp, curved,        givenAngles,      paperLinear, straight,
-                            lattice,    latticeDouble, componentKriging, interleave,  triad};
+const TwistKernels kKernels{curvedWarp,    curved,           givenAngles, paperLinear, lattice,
+                            latticeDouble, componentKriging, interleave,  triad};

@@ -170,41 +170,6 @@ TEST_P(KernelDispatch, PaperLinearTurnsRigidlyBeyondTheGraspAndLiftsBelowIt) {
   }
 }
 
-TEST_P(KernelDispatch, StraightAxisKeepsTheWayAlongAndTheDistanceFromTheAxis) {
-  const auto in = randomBlocks(3, 15);
-  auto out = aligned<float>(kVertices * 3);
-  const std::vector<float> table{0.0F, 0.5F, 1.0F, 1.0F};
-  StraightFrame frame;
-  frame.origin[0] = 0.1F;
-  frame.origin[2] = -0.2F;
-  frame.axis[0] = 0.6F;
-  frame.axis[2] = 0.8F;
-  frame.scale = 3.0F;
-  frame.first = -1.0F;
-  frame.inverseStep = 1.0F;
-  frame.table = table.data();
-  frame.tableSize = 3;
-
-  kernels_.straight(in.data(), kBlocks, frame, out.data());
-
-  for (int v = 0; v < kVertices; ++v) {
-    const double x = stream(in, 3, v, 0) - static_cast<double>(0.1F);
-    const double y = stream(in, 3, v, 1);
-    const double z = stream(in, 3, v, 2) + static_cast<double>(0.2F);
-    const double a = 0.6F;
-    const double b = 0.8F;
-    const double way = a * x + b * z;
-    const double angle = 3.0 * std::clamp(0.5 * (way + 1.0), 0.0, 1.0);
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    EXPECT_NEAR(stream(out, 3, v, 0), static_cast<double>(0.1F) + x * c - b * y * s + a * way * (1.0 - c),
-                2.0 * kFloatTolerance);
-    EXPECT_NEAR(stream(out, 3, v, 1), y * c + (b * x - a * z) * s, 2.0 * kFloatTolerance);
-    EXPECT_NEAR(stream(out, 3, v, 2), -static_cast<double>(0.2F) + z * c + a * y * s + b * way * (1.0 - c),
-                2.0 * kFloatTolerance);
-  }
-}
-
 TEST_P(KernelDispatch, LatticeMovesEverySectionByItsOwnMatrix) {
   constexpr int kSections = kBlocks;
   const auto in = randomBlocks(3, 16);
