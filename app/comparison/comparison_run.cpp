@@ -52,15 +52,19 @@ void checkOptions(const ComparisonOptions& options) {
     refuseParameter(Text::verbatim("A frame of the springs needs 1 to 1000 substeps"),
                     Text::verbatim("--substeps"), Text::verbatim("Give a whole number such as 10"));
   }
+  if (options.grasp && !(*options.grasp > 0.0 && *options.grasp <= 1.0)) {
+    refuseParameter(Text::verbatim("The grasp must lie in (0, 1], as a fraction of the organ's length"),
+                    Text::verbatim("--grasp"), Text::verbatim("Give a fraction such as 0.8"));
+  }
 }
 
 /// One organ with everything that its models share, and how they are read.
 class ComparisonBench {
  public:
-  ComparisonBench(const Scene& scene, ComparisonResult& result)
+  ComparisonBench(const Scene& scene, const ComparedOrgan& organ, ComparisonResult& result)
       : result_(result),
         rest_(restPlaces(scene.lattice())),
-        end_(scene.lattice().frameAt(scene.lattice().length_m())) {
+        end_(scene.lattice().frameAt(organ.hold.span[1] * scene.lattice().length_m())) {
     for (const OrganMarker& marker : result.markers) {
       anchors_.push_back(anchorMarker(scene.mesh, scene.lattice(), marker.position_m));
     }
@@ -68,7 +72,9 @@ class ComparisonBench {
 
   [[nodiscard]] double displacement_m(const MarkerAnchor& anchor, const LatticePlaces& now,
                                       double angle_rad) const {
-    return norm(markerPlace_m(anchor, rest_, now, end_, angle_rad) - anchor.rest_m);
+    const Vec3 place = result_.options.grasp ? markerPlace_m(anchor, rest_, now)
+                                             : markerPlace_m(anchor, rest_, now, end_, angle_rad);
+    return norm(place - anchor.rest_m);
   }
 
   [[nodiscard]] CoursePoint coursePoint(const TwistSimulation& model, double time_s, double torque_Nm) const {
@@ -216,6 +222,17 @@ void settleAndRead(TwistSimulation& model, double torque_Nm, const ComparisonBen
   run.settle_s = secondsSince(start);
 }
 
+/// The curved rod: frames of its ticks, then its equilibrium.
+void runRod(const ComparedOrgan& organ, const TwistModel& twist, const ComparisonBench& bench,
+            ComparisonResult& result) {
+  const auto start = RunClock::now();
+  const auto rod = rodSimulation(organ, twist);
+  ModelResult run =
+      bench.runFrames("rod", "Rod (ticks of the simulator, and its skin)", organ, *rod, start, {});
+  settleAndRead(*rod, result.torque_Nm, bench, run);
+  result.models.push_back(std::move(run));
+}
+
 /// Finite elements and springs: frames first, undisturbed; then both look for their equilibrium side by side.
 void runMovingModels(const ComparedOrgan& organ, const TwistModel& twist, const ComparisonBench& bench,
                      ComparisonResult& result, const ProgressCallback& progress) {
@@ -272,14 +289,18 @@ ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker
   twistOptions.formulation = Formulation::kPaper;
   const TwistModel paper(scene.mesh, scene.lattice(), material, twistOptions);
   const double paperSetUp_s = secondsSince(start);
-  result.torque_Nm =
-      options.torque_Nm.value_or(scene.pattern.targetAngle_rad / twist.graspCompliance(result.length_m));
   result.latticeUpdate_s = latticeUpdateTime_s(twist);
 
-  ComparedOrgan organ{&scene.mesh, &scene.lattice(), {material.shearModulus_Pa, options.poissonRatio}, {}};
+  ComparedOrgan organ{&scene.mesh,
+                      &scene.lattice(),
+                      {material.shearModulus_Pa, options.poissonRatio},
+                      {},
+                      {rodSpan(scene.lattice(), twist), options.grasp}};
+  result.torque_Nm =
+      options.torque_Nm.value_or(scene.pattern.targetAngle_rad / twist.graspCompliance(organ.graspArc_m()));
   organ.dynamics.drag_per_s =
       criticalDrag_per_s(organ.constants, organ.dynamics.density_kg_per_m3, result.length_m);
-  ComparisonBench bench(scene, result);
+  ComparisonBench bench(scene, organ, result);
   tellProgress(progress, Text::tr("Reference"), 0.02);
   bench.runReference(organ);
   for (const auto& [id, title, model, setUp_s] :
@@ -292,6 +313,7 @@ ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker
     run.settled = run.moving;
     result.models.push_back(std::move(run));
   }
+  runRod(organ, twist, bench, result);
   runMovingModels(organ, twist, bench, result, progress);
   tellProgress(progress, Text::tr("Writing"), 1.0);
   return result;

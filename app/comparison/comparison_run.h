@@ -23,13 +23,16 @@ struct ComparisonOptions {
   int referenceRings = 2;           ///< of the reference, even
   int courseMarker = 8;             ///< whose way over time is told (Fig. 14)
   MassSpringOptions springs;
+  /// Where a jaw turns the organ, a fraction of its length, all beyond it free; none: the last section is
+  /// turned in its place.
+  std::optional<double> grasp{};
 };
 
 /// A moment of a model's course.
 struct CoursePoint {
   double time_s = 0.0;
   double torque_Nm = 0.0;
-  double angle_rad = 0.0;       ///< of the free end
+  double angle_rad = 0.0;       ///< of the turned end or jaw
   double displacement_m = 0.0;  ///< of the chosen marker (Eq. 24); 0 without markers
 };
 
@@ -46,7 +49,7 @@ struct ModelState {
 };
 
 struct ModelResult {
-  std::string id;  ///< "pm", "paper", "fem", "msm", "reference"
+  std::string id;  ///< "pm", "paper", "rod", "fem", "msm", "reference"
   std::string title;
   int unknowns = 0;
   double setUp_s = 0.0;
@@ -82,7 +85,7 @@ struct ComparisonResult {
 };
 
 /// Twists the organ of a scene about its own axis by every model: one end held, the same torque growing on
-/// the other. Takes about a minute on two cores. `measured`: see readMeasuredMarkers. Throws
+/// the other, or on a jaw. Takes about a minute on two cores. `measured`: see readMeasuredMarkers. Throws
 /// Error{kBadParameter} for options out of range and a torque that a model finds no equilibrium for.
 [[nodiscard]] ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker>& markers,
                                              const std::vector<MeasuredSubject>& measured,
