@@ -242,7 +242,7 @@ double RodOrgan::turn_rad(const OrganGrip& grip, const RodPose& pose, const RodC
   }
   const Quat& rest = rod_.rest().nodes[torsio::at(grip.node)].orientation;
   const Vec3 axis = task_.axis == GripAxis::kLine ? grip.axis.tangent : rotate(rest, {0, 0, 1});
-  return unwrapNear(turnAbout(axis, rest, pose.nodes[torsio::at(grip.node)].orientation), before_rad);
+  return sectionTurn_rad(rest, pose.nodes[torsio::at(grip.node)].orientation, axis, before_rad);
 }
 
 double RodOrgan::torque_Nm(const OrganGrip& grip, const GripLoad& load, const Pose& hand) noexcept {

@@ -161,8 +161,7 @@ std::vector<HeldNode> turnedNodes(const Rod& rod, const RodTurn& turn, int node)
 }  // namespace
 
 double sectionTurn_rad(const Quat& rest, const Quat& now, const Vec3& axis, double before_rad) noexcept {
-  const Quat turn = now * conjugate(rest);
-  return unwrapNear(2.0 * portableAtan2(dot(vectorPart(turn), axis), turn.w), before_rad);
+  return unwrapNear(turnAbout(axis, rest, now), before_rad);
 }
 
 RodBalance balanceRod(const Rod& rod, const RodGrip* grip, const Pose& hand, std::span<const HeldNode> held,
