@@ -8963,7 +8963,7 @@
     </message>
     <message>
         <source>RMSE (mm)</source>
-        <translation>RMSE（mm）</translation>
+        <translation>均方根误差（mm）</translation>
     </message>
     <message>
         <source>roughness (mm)</source>
