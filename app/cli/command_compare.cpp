@@ -16,6 +16,7 @@
 #include "assessment/report/number_format.h"
 #include "sim/base/angle.h"
 #include "sim/base/clock.h"
+#include "sim/base/error.h"
 
 namespace torsio::cli {
 
@@ -26,6 +27,7 @@ struct OrganComparison {
   ComparisonOptions options;
   std::string calibration = "affine";
   std::string markers;
+  std::string ends = "clamped-turned";
   std::string measured;
   std::string out;
   bool json = false;
@@ -54,8 +56,16 @@ void runCompare(OrganComparison arguments) {
   arguments.organ.sections = arguments.organ.sections.value_or(kComparedSections);
   arguments.options.springs.calibration =
       arguments.calibration == "affine" ? Calibration::kAffine : Calibration::kEquilibrium;
+  if (arguments.options.grasp && arguments.ends == "clamped-turned") {
+    throw Error(ErrorCode::kUsage,
+                Text::verbatim("with --ends clamped-turned the upper face is turned, nothing is gripped"),
+                Text::verbatim("--grasp"), Text::verbatim("Leave it out, or give --ends clamped-free"));
+  }
   const SceneRequest request = sceneRequest(arguments.organ);
   const Scene scene = loadScene(request);
+  if (arguments.ends == "clamped-free") {
+    arguments.options.grasp = arguments.options.grasp.value_or(scene.pattern.graspArc);
+  }
   std::vector<OrganMarker> markers;
   if (!arguments.markers.empty()) {
     markers = readMarkers(arguments.markers, scene);
@@ -87,10 +97,19 @@ void runCompare(OrganComparison arguments) {
 void addCompare(CLI::App& program) {
   auto arguments = std::make_shared<OrganComparison>();
   CLI::App* command = program.add_subcommand(
-      "compare", "Twist an organ by the twist model, finite elements and springs under one torque");
+      "compare", "Twist an organ by the twist model, the rod, finite elements and springs under one torque");
   addOrganOptions(*command, arguments->organ);
-  command->add_option("--torque", arguments->options.torque_Nm,
-                      "At the free end, N m; default: reaches the pattern's angle by the twist model");
+  command->add_option(
+      "--torque", arguments->options.torque_Nm,
+      "At the turned end or jaw, N m; default: reaches the pattern's angle by the twist model");
+  command
+      ->add_option("--ends", arguments->ends,
+                   "clamped-turned (the upper face is turned in its place) or clamped-free (a jaw at --grasp "
+                   "turns the organ, all else is free)")
+      ->check(CLI::IsMember({"clamped-turned", "clamped-free"}))
+      ->capture_default_str();
+  command->add_option("--grasp", arguments->options.grasp,
+                      "Middle of the jaw, fraction of the length; default: the pattern's");
   command->add_option("--out", arguments->out, "Folder for comparison.pdf, comparison.json and tables")
       ->required();
   command->add_option("--markers", arguments->markers,

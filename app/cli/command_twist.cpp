@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -37,6 +38,8 @@ struct TwistArguments {
   std::string ends;  // empty: a pattern of the scene
   ModelArguments model;
   std::optional<double> poisson;
+  bool jaw = false;
+  bool reference = false;
   bool allowFold = false;
   std::string out;
   bool json = false;
@@ -220,24 +223,73 @@ void runPattern(const TwistArguments& arguments, const Scene& scene, double setU
   print(result, arguments.json);
 }
 
-void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms) {
-  const bool free = arguments.ends == "clamped-free";
-  if (!free && arguments.grasp) {
+/// Largest difference of two profiles, as a share of the angle.
+double profileError(const RodTwistResult& twist, const TwistReference& reference, double angle_rad) {
+  double worst_rad = 0.0;
+  for (std::size_t j = 0; j < twist.turn_rad.size(); ++j) {
+    worst_rad = std::max(worst_rad, std::abs(twist.turn_rad[j] - reference.turn_rad[j]));
+  }
+  return worst_rad / std::abs(angle_rad);
+}
+
+void addReference(nlohmann::ordered_json& result, const RodTwistResult& twist, double angle_rad) {
+  if (!twist.reference) {
+    return;
+  }
+  result["reference_unknowns"] = twist.reference->unknowns;
+  result["reference_torque_nm"] = twist.reference->torque_Nm;
+  result["reference_energy_j"] = twist.reference->energy_J;
+  if (angle_rad != 0.0) {
+    result["torque_error"] = twist.torque_Nm / twist.reference->torque_Nm - 1.0;
+    result["profile_error"] = profileError(twist, *twist.reference, angle_rad);
+  }
+}
+
+nlohmann::ordered_json turnProfile(const RodTwistResult& twist) {
+  nlohmann::ordered_json profile = nlohmann::ordered_json::array();
+  for (std::size_t j = 0; j < twist.arcs_m.size(); ++j) {
+    nlohmann::ordered_json section{{"s_m", twist.arcs_m[j]}, {"phi_rad", twist.turn_rad[j]}};
+    if (twist.reference) {
+      section["reference_phi_rad"] = twist.reference->turn_rad[j];
+    }
+    profile.push_back(std::move(section));
+  }
+  return profile;
+}
+
+void checkRodArguments(const TwistArguments& arguments) {
+  if (arguments.ends == "clamped-turned" && (arguments.grasp || arguments.jaw)) {
     throw Error(ErrorCode::kUsage,
                 Text::verbatim("with --ends clamped-turned the upper face is turned, nothing is gripped"),
-                Text::verbatim("--grasp"), Text::verbatim("Leave it out, or give --ends clamped-free"));
+                std::string(arguments.jaw ? "--jaw" : "--grasp"),
+                Text::verbatim("Leave it out, or give --ends clamped-free"));
   }
   if (modelChoice(arguments.model).ofBar()) {
     throw Error(ErrorCode::kUsage, Text::verbatim("these options change the model of a pattern, not the rod"),
                 "--ends " + arguments.ends, Text::verbatim("Leave out --ends, or the options of the model"));
   }
+}
+
+RodTwistRequest rodRequest(const TwistArguments& arguments, const Scene& scene) {
+  constexpr double kReferencePoisson = 0.45;  // elements have none at 0.5
   RodTwistRequest request;
-  request.ends = free ? RodEnds::kClampedFree : RodEnds::kClampedTurned;
+  request.ends = arguments.ends == "clamped-free" ? RodEnds::kClampedFree : RodEnds::kClampedTurned;
   request.shearModulus_Pa =
       arguments.model.choice.shearModulus_Pa.value_or(scene.model.material().shearModulus_Pa);
-  request.poisson = arguments.poisson.value_or(request.poisson);
+  request.poisson = arguments.poisson.value_or(arguments.reference ? kReferencePoisson : request.poisson);
   request.angle_rad = angleOf_rad(arguments, scene);
   request.grasp = graspOf(arguments, scene);
+  request.jaw = arguments.jaw;
+  request.reference = arguments.reference;
+  if (request.reference && request.ends == RodEnds::kClampedFree) {
+    request.jaw = true;  // a single face inside a body cannot be turned: the reference has a jaw
+  }
+  return request;
+}
+
+void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms) {
+  checkRodArguments(arguments);
+  const RodTwistRequest request = rodRequest(arguments, scene);
   const auto twisting = SteadyClock::now();
   RodTwistResult twist = rodTwist(scene, request);
   const double twist_ms = millisecondsSince(twisting);
@@ -254,28 +306,37 @@ void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms
   result["sections"] = scene.lattice().sections();
   result["length_m"] = scene.lattice().length_m();
   result["grasp_s_m"] = request.grasp * scene.lattice().length_m();
+  result["jaw"] = request.jaw;
   result["angle_rad"] = request.angle_rad;
   result["torque_nm"] = twist.torque_Nm;
   result["energy_j"] = twist.energy_J;
   result["inverse_m"] = twist.inverse_m;
+  addReference(result, twist, request.angle_rad);
   addFold(result, twist.fold);
   result["set_up_ms"] = setUp_ms;
   result["twist_ms"] = twist_ms;
   if (!arguments.out.empty()) {
     result["out"] = arguments.out;
   }
-  nlohmann::ordered_json profile = nlohmann::ordered_json::array();
-  for (std::size_t j = 0; j < twist.arcs_m.size(); ++j) {
-    profile.push_back({{"s_m", twist.arcs_m[j]}, {"phi_rad", twist.turn_rad[j]}});
-  }
-  result["profile"] = std::move(profile);
+  result["profile"] = turnProfile(twist);
   print(result, arguments.json);
 }
 
-void runTwist(const TwistArguments& arguments) {
+void runTwist(TwistArguments arguments) {
   if (arguments.ends.empty() && arguments.poisson) {
     throw Error(ErrorCode::kUsage, Text::verbatim("a pattern is computed without Poisson's ratio"),
                 Text::verbatim("--nu"), Text::verbatim("Give --ends too, or leave it out"));
+  }
+  if (arguments.ends.empty() && (arguments.jaw || arguments.reference)) {
+    throw Error(ErrorCode::kUsage, Text::verbatim("a pattern has neither a jaw nor a reference"),
+                std::string(arguments.jaw ? "--jaw" : "--reference"),
+                Text::verbatim("Give --ends too, or leave it out"));
+  }
+  if (arguments.reference) {
+    constexpr int kReferenceRidges = 16;
+    constexpr int kReferenceSections = 61;
+    arguments.organ.ridges = arguments.organ.ridges.value_or(kReferenceRidges);
+    arguments.organ.sections = arguments.organ.sections.value_or(kReferenceSections);
   }
   const auto started = SteadyClock::now();
   SceneRequest request = sceneRequest(arguments.organ);
@@ -309,6 +370,13 @@ void addTwist(CLI::App& program) {
                       "G in pascal; default: the material's");
   command->add_option("--nu", arguments->poisson,
                       "Poisson's ratio, with --ends: E = 2 G (1 + nu); default: 0.5");
+  command->add_flag(
+      "--jaw", arguments->jaw,
+      "With --ends clamped-free: turn the sections within half a local radius of the grasp as one");
+  command->add_flag(
+      "--reference", arguments->reference,
+      "With --ends: also turn quadratic neo-Hookean elements likewise, and say how far the rod is "
+      "from them");
   command->add_flag("--allow-fold", arguments->allowFold, "Also show a twist that folds the organ");
   command->add_option("--out", arguments->out,
                       "Write the twisted surface as PLY or OBJ, by its ending (millimetres)");

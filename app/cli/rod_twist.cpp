@@ -8,6 +8,8 @@
 
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
+#include "sim/baseline/reference_solid.h"
+#include "sim/baseline/twist_simulation.h"
 #include "sim/tissue/rod/rod.h"
 #include "sim/tissue/rod/rod_sections.h"
 #include "sim/tissue/rod/rod_skin.h"
@@ -83,30 +85,54 @@ void requireTwistWithin(const RodPose& pose, std::span<const double> arcs_m,
   }
 }
 
+TwistReference turnedReference(const SectionLattice& lattice, const RodTwistRequest& request,
+                               std::span<const double> arcs_m) {
+  constexpr int kRings = 2;
+  const double length_m = lattice.length_m();
+  TwistHold hold{{arcs_m.front() / length_m, std::min(1.0, arcs_m.back() / length_m)}};
+  if (request.ends == RodEnds::kClampedFree) {
+    hold.grasp = request.grasp;
+  }
+  ReferenceSolid solid(sweptSolid(lattice, kRings), {request.shearModulus_Pa, request.poisson}, hold);
+  solid.turnTo(request.angle_rad);
+  TwistReference reference;
+  reference.torque_Nm = solid.torque_Nm();
+  reference.energy_J = solid.energy_J();
+  reference.unknowns = solid.unknowns();
+  reference.turn_rad = sectionTurns_rad(solid.solid(), solid.pose().places_m);
+  return reference;
+}
+
 }  // namespace
 
 RodTwistResult rodTwist(const Scene& scene, const RodTwistRequest& request) {
   const SectionLattice& lattice = scene.lattice();
-  const TwistModelOptions& model = scene.model.options();
-  const SolvedSections sections = SolvedSections::solve(lattice, {.sections = model.solvedSections,
-                                                                  .points = model.sectionPoints,
-                                                                  .solver = model.sectionSolver,
-                                                                  .kriging = model.kriging});
+  const SolvedSections sections = solvedSections(lattice, scene.model.options());
   const bool free = request.ends == RodEnds::kClampedFree;
   const double grasp_m = free ? request.grasp * lattice.length_m() : lattice.length_m();
   const OrganRod organ = rodOfOrgan(lattice, sections, {request.shearModulus_Pa, request.poisson},
-                                    {.node_m = free ? grasp_m : -1.0});
+                                    {.elements = request.reference ? rodElementsOn(lattice) : kRodElements,
+                                     .node_m = free ? grasp_m : -1.0});
   const Rod rod(organ.elements, organ.rest, organ.radii_m);
   const std::size_t turned = nearestNode(organ.arcs_m, grasp_m);
-  const TurnedRod solved = solveTurned(
-      rod, {.angle_rad = request.angle_rad, .node = static_cast<int>(turned), .holdsPlace = !free});
+  const double halfWidth_m = request.jaw ? 0.5 * organ.radii_m[turned] : 0.0;
+  if (organ.arcs_m[turned] - halfWidth_m <= organ.arcs_m[0]) {
+    throw Error(ErrorCode::kBadParameter, Text::verbatim("the jaw would reach the clamped face"),
+                "--grasp " + std::to_string(request.grasp), Text::verbatim("Grip further away from it."));
+  }
+  const TurnedRod solved = solveTurned(rod, {.angle_rad = request.angle_rad,
+                                             .node = static_cast<int>(turned),
+                                             .holdsPlace = !free,
+                                             .halfWidth_m = halfWidth_m});
   if (!solved.balance.converged) {
     throw Error(ErrorCode::kBadParameter, Text::verbatim("the rod finds no pose at rest at this angle"),
                 "--angle " + std::to_string(degrees(request.angle_rad)), Text::verbatim("Twist less far."));
   }
   requireTwistWithin(solved.pose, organ.arcs_m, solved.turn_rad, request.angle_rad);
   RodTwistResult result;
-  const NodeTurns turns(organ.arcs_m, solved.turn_rad, turned);
+  const NodeRange jaw = nodesAround(organ.elements, organ.arcs_m[turned] - organ.arcs_m[0], halfWidth_m,
+                                    static_cast<int>(organ.arcs_m.size()));
+  const NodeTurns turns(organ.arcs_m, solved.turn_rad, static_cast<std::size_t>(jaw.first));
   for (int j = 0; j < lattice.sections(); ++j) {
     result.arcs_m.push_back(lattice.sectionArc_m(j));
     result.turn_rad.push_back(turns.at(result.arcs_m.back()));
@@ -125,6 +151,9 @@ RodTwistResult rodTwist(const Scene& scene, const RodTwistRequest& request) {
   result.fold = FoldCheck(scene.mesh, lattice).judge(result.vertices_m, [&](const Vec3& rest_m) {
     return skin.toDeformed_m(rest_m, curve);
   });
+  if (request.reference) {
+    result.reference = turnedReference(lattice, request, organ.arcs_m);
+  }
   return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,17 @@ struct RodTwistRequest {
   double poisson = 0.5;
   double angle_rad = 0.0;
   double grasp = 1.0;  ///< place of the turned section, fraction of the length; the upper face: 1
+  /// Whether a jaw grips there: the sections within half a local radius turn as one (kClampedFree only).
+  bool jaw = false;
+  bool reference = false;  ///< whether the accuracy reference is turned likewise; needs poisson < 0.5
+};
+
+/// The accuracy reference (sim/baseline/reference_solid.h) turned as the rod is.
+struct TwistReference {
+  double torque_Nm = 0.0;
+  double energy_J = 0.0;
+  int unknowns = 0;
+  std::vector<double> turn_rad;  ///< of the sections of the lattice, as the rod's
 };
 
 /// What one twist of an organ as a curved rod comes to.
@@ -34,10 +46,11 @@ struct RodTwistResult {
   std::vector<Vec3> vertices_m;  ///< of the mesh, twisted
   double inverse_m = 0.0;        ///< largest error of a vertex that is moved and traced back to rest
   FoldReport fold;
+  std::optional<TwistReference> reference;
 };
 
 /// Twists the organ of a scene as a curved rod. Throws Error{kBadParameter} for a material out of range, or
-/// when no pose at rest is found at this angle.
+/// when no pose at rest is found at this angle, and for a jaw that reaches the clamp.
 [[nodiscard]] RodTwistResult rodTwist(const Scene& scene, const RodTwistRequest& request);
 
 }  // namespace torsio::cli

@@ -144,6 +144,8 @@ std::string comparisonJson(const ComparisonResult& result) {
   json["shear_modulus_pa"] = result.shearModulus_Pa;
   json["poisson_ratio_of_elements"] = result.options.poissonRatio;
   json["torque_nm"] = result.torque_Nm;
+  json["ends"] = result.options.grasp ? "clamped-free" : "clamped-turned";
+  json["grasp"] = result.options.grasp.value_or(1.0);
   json["ramp_s"] = result.options.ramp_s;
   json["rings"] = result.options.rings;
   json["reference_rings"] = result.options.referenceRings;

@@ -53,6 +53,10 @@ void checkOptions(const ComparisonOptions& options) {
     refuseParameter(Text::tr("A frame of the springs needs 1 to 1000 substeps"), Text::tr("substeps"),
                     Text::tr("Give a whole number such as 10"));
   }
+  if (options.grasp && !(*options.grasp > 0.0 && *options.grasp <= 1.0)) {
+    refuseParameter(Text::tr("The grasp must lie in (0, 1], as a fraction of the organ's length"),
+                    Text::tr("grasp"), Text::tr("Give a fraction such as 0.8"));
+  }
 }
 
 /// Tells the progress of a piece of the work again and again while the work has nothing new to tell, so that
@@ -96,10 +100,10 @@ class Heartbeat {
 /// One organ with everything that its models share, and how they are read.
 class ComparisonBench {
  public:
-  ComparisonBench(const Scene& scene, ComparisonResult& result)
+  ComparisonBench(const Scene& scene, const ComparedOrgan& organ, ComparisonResult& result)
       : result_(result),
         rest_(restPlaces(scene.lattice())),
-        end_(scene.lattice().frameAt(scene.lattice().length_m())) {
+        end_(scene.lattice().frameAt(organ.hold.span[1] * scene.lattice().length_m())) {
     for (const OrganMarker& marker : result.markers) {
       anchors_.push_back(anchorMarker(scene.mesh, scene.lattice(), marker.position_m));
     }
@@ -107,7 +111,9 @@ class ComparisonBench {
 
   [[nodiscard]] double displacement_m(const MarkerAnchor& anchor, const LatticePlaces& now,
                                       double angle_rad) const {
-    return norm(markerPlace_m(anchor, rest_, now, end_, angle_rad) - anchor.rest_m);
+    const Vec3 place = result_.options.grasp ? markerPlace_m(anchor, rest_, now)
+                                             : markerPlace_m(anchor, rest_, now, end_, angle_rad);
+    return norm(place - anchor.rest_m);
   }
 
   [[nodiscard]] CoursePoint coursePoint(const TwistSimulation& model, double time_s, double torque_Nm) const {
@@ -271,6 +277,17 @@ void settleAndRead(TwistSimulation& model, double torque_Nm, const ComparisonBen
   run.settle_s = secondsSince(start);
 }
 
+/// The curved rod: frames of its ticks, then its equilibrium.
+void runRod(const ComparedOrgan& organ, const TwistModel& twist, const ComparisonBench& bench,
+            ComparisonResult& result) {
+  const auto start = RunClock::now();
+  const auto rod = rodSimulation(organ, twist);
+  ModelResult run =
+      bench.runFrames("rod", Text::tr("Rod (ticks of the simulator, and its skin)"), organ, *rod, start, {});
+  settleAndRead(*rod, result.torque_Nm, bench, run);
+  result.models.push_back(std::move(run));
+}
+
 /// Finite elements and springs: frames first, undisturbed; then both look for their equilibrium side by side.
 void runMovingModels(const ComparedOrgan& organ, const TwistModel& twist, const ComparisonBench& bench,
                      ComparisonResult& result, Heartbeat& heart) {
@@ -292,14 +309,15 @@ void runMovingModels(const ComparedOrgan& organ, const TwistModel& twist, const 
   result.models.push_back(std::move(msm));
 }
 
-double usualTorque_Nm(const Scene& scene, const TwistModel& twist) {
-  return scene.pattern.targetAngle_rad / twist.graspCompliance(scene.lattice().length_m());
+double usualTorque_Nm(const Scene& scene, const TwistModel& twist, double arc_m) {
+  return scene.pattern.targetAngle_rad / twist.graspCompliance(arc_m);
 }
 
 }  // namespace
 
 double usualTorque_Nm(const Scene& scene) {
-  return usualTorque_Nm(scene, TwistModel(scene.mesh, scene.lattice(), scene.model.material(), {}));
+  const TwistModel twist(scene.mesh, scene.lattice(), scene.model.material(), {});
+  return usualTorque_Nm(scene, twist, scene.lattice().length_m());
 }
 
 const ModelResult& ComparisonResult::model(const std::string& id) const {
@@ -336,15 +354,18 @@ ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker
   twistOptions.formulation = Formulation::kPaper;
   const TwistModel paper(scene.mesh, scene.lattice(), material, twistOptions);
   const double paperSetUp_s = secondsSince(start);
-  result.torque_Nm = options.torque_Nm.value_or(usualTorque_Nm(scene, twist));
   result.latticeUpdate_s = latticeUpdateTime_s(twist);
 
-  ComparedOrgan organ{
-      &scene.mesh, &scene.lattice(), {material.shearModulus_Pa, options.poissonRatio}, {}, {}};
-  organ.check = [&heart] { heart.beat(); };
+  ComparedOrgan organ{&scene.mesh,
+                      &scene.lattice(),
+                      {material.shearModulus_Pa, options.poissonRatio},
+                      {},
+                      {rodSpan(scene.lattice(), twist), options.grasp},
+                      [&heart] { heart.beat(); }};
+  result.torque_Nm = options.torque_Nm.value_or(usualTorque_Nm(scene, twist, organ.graspArc_m()));
   organ.dynamics.drag_per_s =
       criticalDrag_per_s(organ.constants, organ.dynamics.density_kg_per_m3, result.length_m);
-  ComparisonBench bench(scene, result);
+  ComparisonBench bench(scene, organ, result);
   bench.runReference(organ, heart.part(0.02, 0.15));
   for (const auto& [id, title, model, setUp_s] :
        {std::tuple{"pm", Text::tr("PM (twist model, Saint-Venant)"), &twist, twistSetUp_s},
@@ -356,6 +377,7 @@ ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker
     run.settled = run.moving;
     result.models.push_back(std::move(run));
   }
+  runRod(organ, twist, bench, result);
   runMovingModels(organ, twist, bench, result, heart);
   heart.tell(Text::tr("Writing"), 1.0);
   return result;

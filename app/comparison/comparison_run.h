@@ -29,6 +29,9 @@ struct ComparisonOptions {
   int courseMarker = 8;             ///< whose way over time is told (Fig. 14)
   MassSpringOptions springs;
   double poseEvery_s = 0.0;  ///< simulated time between the poses that a model keeps; 0: it keeps none
+  /// Where a jaw turns the organ, a fraction of its length, all beyond it free; none: the last section is
+  /// turned in its place.
+  std::optional<double> grasp{};
 };
 
 /// Where the key points were at a moment of a model's course, to be shown.
@@ -42,7 +45,7 @@ struct ModelPose {
 struct CoursePoint {
   double time_s = 0.0;
   double torque_Nm = 0.0;
-  double angle_rad = 0.0;       ///< of the free end
+  double angle_rad = 0.0;       ///< of the turned end or jaw
   double displacement_m = 0.0;  ///< of the chosen marker (Eq. 24); 0 without markers
 };
 
@@ -59,7 +62,7 @@ struct ModelState {
 };
 
 struct ModelResult {
-  std::string id;  ///< "pm", "paper", "fem", "msm", "reference"
+  std::string id;  ///< "pm", "paper", "rod", "fem", "msm", "reference"
   Text title;
   int unknowns = 0;
   double setUp_s = 0.0;
@@ -100,7 +103,7 @@ struct ComparisonResult {
 [[nodiscard]] double usualTorque_Nm(const Scene& scene);
 
 /// Twists the organ of a scene about its own axis by every model: one end held, the same torque growing on
-/// the other. Takes about a minute on two cores. `measured`: see readMeasuredMarkers. Throws
+/// the other, or on a jaw. Takes about a minute on two cores. `measured`: see readMeasuredMarkers. Throws
 /// Error{kBadParameter} for options out of range and a torque that a model finds no equilibrium for.
 /// `progress`: called several times a second all the while, from one thread at a time; what it throws ends
 /// the comparison.

@@ -8963,7 +8963,7 @@
     </message>
     <message>
         <source>RMSE (mm)</source>
-        <translation>RMSE（mm）</translation>
+        <translation>均方根误差（mm）</translation>
     </message>
     <message>
         <source>roughness (mm)</source>
@@ -9410,14 +9410,6 @@
         <translation>请给出 0.45 之类的数；取 0.5 时刚度不是有限值</translation>
     </message>
     <message>
-        <source>No equilibrium was found for this torque</source>
-        <translation>在该扭矩下未找到平衡</translation>
-    </message>
-    <message>
-        <source>Give a smaller torque, or more steps</source>
-        <translation>请减小扭矩，或增加步数</translation>
-    </message>
-    <message>
         <source>The torque must be finite</source>
         <translation>扭矩必须为有限的数</translation>
     </message>
@@ -9628,6 +9620,30 @@
     <message>
         <source>Stomach: mesentero-axial, 45 degrees</source>
         <translation>胃：系膜轴型，45 度</translation>
+    </message>
+    <message>
+        <source>The grasp must lie in (0, 1], as a fraction of the organ&apos;s length</source>
+        <translation>夹持位置须在 (0, 1] 之内，以器官长度的比例表示</translation>
+    </message>
+    <message>
+        <source>grasp</source>
+        <translation>夹持位置</translation>
+    </message>
+    <message>
+        <source>Give a fraction such as 0.8</source>
+        <translation>请给出一个比例，例如 0.8</translation>
+    </message>
+    <message>
+        <source>Rod (ticks of the simulator, and its skin)</source>
+        <translation>弯杆（模拟器的时间步及其表面）</translation>
+    </message>
+    <message>
+        <source>No equilibrium was found</source>
+        <translation>未找到平衡状态</translation>
+    </message>
+    <message>
+        <source>Turn less far, or in more steps</source>
+        <translation>请少转一些，或分更多步</translation>
     </message>
 </context>
 <context>

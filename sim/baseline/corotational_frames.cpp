@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace torsio {
 
@@ -42,18 +43,19 @@ void addProduct(const Matrix3& m, const double* in, double* out) {
 
 }  // namespace
 
-CorotationalFrames::CorotationalFrames(const SweptSolid& solid, const ElasticConstants& constants,
-                                       const DynamicsOptions& options)
-    : ends_(twistEnds(solid)),
+CorotationalFrames::CorotationalFrames(const SweptSolid& solid, TwistEnds ends,
+                                       const ElasticConstants& constants, const DynamicsOptions& options)
+    : ends_(std::move(ends)),
       options_(options),
       rest_m_(solid.points_m),
       body_(tetrahedra(solid), solid.points_m, constants),
       masses_kg_(nodeMasses(tetrahedra(solid), solid.points_m, options.density_kg_per_m3)),
+      turn_(3 * solid.points_m.size()),
       kind_(solid.points_m.size(), kFreeNode),
       inverse_(solid.points_m.size()),
       motion_m_(solid.points_m.size()),
-      pose_{solid.points_m, 0.0},
-      velocity_(3 * solid.points_m.size() + 1),
+      pose_{solid.points_m},
+      velocity_(3 * solid.points_m.size() + 4),
       full_(velocity_.size()) {
   for (const int node : ends_.held) {
     kind_[static_cast<std::size_t>(node)] = kStillNode;
@@ -122,10 +124,11 @@ void CorotationalFrames::assemble() {
 }
 
 void CorotationalFrames::expand(Field& field) const {
-  const double angle = field.back();
+  const double angle = field[turn_];
+  const Vec3 way{field[turn_ + 1], field[turn_ + 2], field[turn_ + 3]};
   for (std::size_t i = 0; i < kind_.size(); ++i) {
     if (kind_[i] != kFreeNode) {
-      const Vec3 v = angle * motion_m_[i];  // 0 for held nodes
+      const Vec3 v = kind_[i] == kEndNode ? angle * motion_m_[i] + way : Vec3{};
       field[3 * i] = v.x, field[3 * i + 1] = v.y, field[3 * i + 2] = v.z;
     }
   }
@@ -133,13 +136,17 @@ void CorotationalFrames::expand(Field& field) const {
 
 void CorotationalFrames::reduce(Field& field) const {
   double angle = 0.0;
+  Vec3 way;
   for (std::size_t i = 0; i < kind_.size(); ++i) {
     if (kind_[i] != kFreeNode) {
-      angle += dot(motion_m_[i], {field[3 * i], field[3 * i + 1], field[3 * i + 2]});
+      const Vec3 v{field[3 * i], field[3 * i + 1], field[3 * i + 2]};
+      angle += dot(motion_m_[i], v);
+      way += kind_[i] == kEndNode && ends_.placeFree ? v : Vec3{};
       field[3 * i] = field[3 * i + 1] = field[3 * i + 2] = 0.0;
     }
   }
-  field.back() = angle;
+  field[turn_] = angle;
+  field[turn_ + 1] = way.x, field[turn_ + 2] = way.y, field[turn_ + 3] = way.z;
 }
 
 void CorotationalFrames::apply(const Field& in, Field& out) {
@@ -156,11 +163,13 @@ void CorotationalFrames::apply(const Field& in, Field& out) {
 }
 
 void CorotationalFrames::makePreconditioner() {
-  Field unit(velocity_.size());
   Field answer(velocity_.size());
-  unit.back() = 1.0;
-  apply(unit, answer);
-  inverseAngle_ = 1.0 / answer.back();
+  for (std::size_t k = 0; k < (ends_.placeFree ? 4U : 1U); ++k) {
+    Field unit(velocity_.size());
+    unit[turn_ + k] = 1.0;
+    apply(unit, answer);
+    inverseTurned_[k] = 1.0 / answer[turn_ + k];
+  }
 }
 
 void CorotationalFrames::precondition(const Field& in, Field& out) const {
@@ -170,13 +179,14 @@ void CorotationalFrames::precondition(const Field& in, Field& out) const {
       addProduct(inverse_[i], &in[3 * i], &out[3 * i]);
     }
   }
-  out.back() = inverseAngle_ * in.back();
+  for (std::size_t k = 0; k < inverseTurned_.size(); ++k) {
+    out[turn_ + k] = inverseTurned_[k] * in[turn_ + k];
+  }
 }
 
 void CorotationalFrames::step(double torque_Nm) {
   for (const int node : ends_.turned) {
-    const auto i = static_cast<std::size_t>(node);
-    motion_m_[i] = cross(ends_.axis, pose_.places_m[i] - ends_.axisPoint_m);
+    motion_m_[static_cast<std::size_t>(node)] = turningOf(ends_, pose_, node);
   }
   assemble();
   makePreconditioner();
@@ -190,13 +200,15 @@ void CorotationalFrames::step(double torque_Nm) {
     right[3 * i + 2] = m * velocity_[3 * i + 2] - forces_N_[i].z;
   }
   reduce(right);
-  right.back() += torque_Nm;
+  right[turn_] += torque_Nm;
   Field way(velocity_.size());
   for (std::size_t i = 0; i < way.size(); ++i) {
     way[i] = h * velocity_[i];
   }
   reduce(way);
-  way.back() = h * velocity_.back();
+  for (std::size_t k = turn_; k < way.size(); ++k) {
+    way[k] = h * velocity_[k];
+  }
   Field residual(way.size());
   Field answer(way.size());
   apply(way, residual);
@@ -228,7 +240,8 @@ void CorotationalFrames::step(double torque_Nm) {
   for (std::size_t i = 0; i < rest_m_.size(); ++i) {
     pose_.places_m[i] += {way[3 * i], way[3 * i + 1], way[3 * i + 2]};
   }
-  turnEnd(ends_, rest_m_, pose_.angle_rad + way.back(), pose_);
+  pose_.way_m += {way[turn_ + 1], way[turn_ + 2], way[turn_ + 3]};
+  turnEnd(ends_, rest_m_, pose_.angle_rad + way[turn_], pose_);
   for (std::size_t i = 0; i < way.size(); ++i) {
     velocity_[i] = way[i] / h;
   }

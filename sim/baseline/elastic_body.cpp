@@ -1,12 +1,68 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/baseline/elastic_body.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/base/portable_math.h"
 #include "sim/base/refusal.h"
+#include "sim/tissue/rod/restraint.h"
 
 namespace torsio {
+
+namespace {
+
+/// The centres of a solid as a way from section to section.
+class OrganSteps {
+ public:
+  explicit OrganSteps(const SweptSolid& solid) : solid_(solid) {
+    for (int j = 0; j + 1 < solid.sections; ++j) {
+      steps_.push_back({norm(solid.centre_m(j + 1) - solid.centre_m(j))});
+      length_m_ += steps_.back().length_m;
+    }
+  }
+
+  /// The sections within `halfWidth_m` of a fraction of the length, the nearest one at least.
+  [[nodiscard]] NodeRange around(double fraction, double halfWidth_m) const {
+    return nodesAround(steps_, fraction * length_m_, halfWidth_m, solid_.sections);
+  }
+  [[nodiscard]] double areaAt_m2(double fraction) const {
+    const auto [section, share] = placeOf(fraction);
+    return (1.0 - share) * sectionArea_m2(solid_, section) + share * sectionArea_m2(solid_, section + 1);
+  }
+  [[nodiscard]] Vec3 centreAt_m(double fraction) const {
+    const auto [section, share] = placeOf(fraction);
+    return (1.0 - share) * solid_.centre_m(section) + share * solid_.centre_m(section + 1);
+  }
+  [[nodiscard]] Vec3 tangentAt(double fraction) const {
+    const auto [section, share] = placeOf(fraction);
+    return normalized((1.0 - share) * sectionTangent(solid_, section) +
+                      share * sectionTangent(solid_, section + 1));
+  }
+
+ private:
+  struct Step {
+    double length_m = 0.0;
+  };
+  struct Place {
+    int section = 0;
+    double share = 0.0;  ///< of the way to the next one
+  };
+  [[nodiscard]] Place placeOf(double fraction) const {
+    double left_m = fraction * length_m_;
+    std::size_t step = 0;
+    while (step + 1 < steps_.size() && left_m > steps_[step].length_m * (1.0 + 1e-12)) {
+      left_m -= steps_[step++].length_m;
+    }
+    return {static_cast<int>(step), std::min(1.0, left_m / steps_[step].length_m)};
+  }
+
+  const SweptSolid& solid_;
+  std::vector<Step> steps_;
+  double length_m_ = 0.0;
+};
+
+}  // namespace
 
 void checkElasticConstants(const ElasticConstants& constants) {
   if (!std::isfinite(constants.shearModulus_Pa) || constants.shearModulus_Pa <= 0.0) {
@@ -19,17 +75,46 @@ void checkElasticConstants(const ElasticConstants& constants) {
   }
 }
 
-TwistEnds twistEnds(const SweptSolid& solid) {
-  TwistEnds ends;
-  const int perSection = solid.pointsPerSection();
-  const int last = (solid.sections - 1) * perSection;
-  for (int i = 0; i < perSection; ++i) {
-    ends.held.push_back(i);
-    ends.turned.push_back(last + i);
+TwistEnds twistEnds(const SweptSolid& solid, const TwistHold& hold) {
+  const OrganSteps organ(solid);
+  const auto& [begin, end] = hold.span;
+  if (!(begin >= 0.0 && begin < end && end <= 1.0)) {
+    refuseParameter(Text::verbatim("The part that deforms must lie in the organ"), Text::verbatim("span"),
+                    Text::verbatim("Give two rising fractions of its length"));
   }
-  ends.axisPoint_m = solid.endCentre_m;
-  ends.axis = solid.endTangent;
+  if (hold.grasp && !(*hold.grasp > 0.0 && *hold.grasp <= 1.0)) {
+    refuseParameter(Text::verbatim("The grasp must lie in (0, 1], as a fraction of the organ's length"),
+                    Text::verbatim("grasp"), Text::verbatim("Give a fraction such as 0.5"));
+  }
+  TwistEnds ends;
+  const int lastHeld = organ.around(begin, 0.0).first;
+  NodeRange turned{organ.around(end, 0.0).first, solid.sections - 1};
+  if (hold.grasp) {
+    turned = organ.around(*hold.grasp, 0.5 * std::sqrt(organ.areaAt_m2(*hold.grasp) / kPi));
+    ends.axisPoint_m = organ.centreAt_m(*hold.grasp);
+    ends.axis = organ.tangentAt(*hold.grasp);
+    ends.placeFree = true;
+  } else {
+    ends.axisPoint_m = solid.centre_m(turned.first);
+    ends.axis = sectionTangent(solid, turned.first);
+  }
+  if (turned.first <= lastHeld) {
+    refuseParameter(Text::verbatim("What is turned would reach the held end"), Text::verbatim("grasp"),
+                    Text::verbatim("Grip further away from it, or give more sections"));
+  }
+  const int perSection = solid.pointsPerSection();
+  for (int i = 0; i < (lastHeld + 1) * perSection; ++i) {
+    ends.held.push_back(i);
+  }
+  for (int i = turned.first * perSection; i < (turned.last + 1) * perSection; ++i) {
+    ends.turned.push_back(i);
+  }
   return ends;
+}
+
+int freeUnknowns(const SweptSolid& solid, const TwistEnds& ends) noexcept {
+  const auto bound = static_cast<int>(ends.held.size() + ends.turned.size());
+  return 3 * (solid.pointsPerSection() * solid.sections - bound) + (ends.placeFree ? 4 : 1);
 }
 
 void turnEnd(const TwistEnds& ends, std::span<const Vec3> rest_m, double angle_rad, TwistPose& pose) {
@@ -38,7 +123,8 @@ void turnEnd(const TwistEnds& ends, std::span<const Vec3> rest_m, double angle_r
     const auto i = static_cast<std::size_t>(node);
     const Vec3 arm = rest_m[i] - ends.axisPoint_m;
     const Vec3 along = dot(arm, ends.axis) * ends.axis;
-    pose.places_m[i] = ends.axisPoint_m + along + turn.cos * (arm - along) + turn.sin * cross(ends.axis, arm);
+    pose.places_m[i] =
+        ends.axisPoint_m + pose.way_m + along + turn.cos * (arm - along) + turn.sin * cross(ends.axis, arm);
   }
   pose.angle_rad = angle_rad;
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,26 +50,54 @@ class ElasticBody {
                                 std::span<double> stiffness) const = 0;
 };
 
-/// How a body is held: one end stands still, the other is turned as a rigid body about an axis and keeps its
-/// place. The torque about that axis is the load.
+/// How a body is held: one end stands still, and some of its sections are turned about an axis as one rigid
+/// body. The torque about that axis is the load.
 struct TwistEnds {
   std::vector<int> held;
   std::vector<int> turned;
   Vec3 axisPoint_m;
   Vec3 axis;  ///< unit
+  /// Whether the turned part may move away, without tilting, as in a jaw that only turns; else it keeps its
+  /// place, as a turned end does.
+  bool placeFree = false;
 };
 
-/// Returns the ends of a swept solid: all points of its first and last section, the axis along the organ
-/// through the centre of the last.
-[[nodiscard]] TwistEnds twistEnds(const SweptSolid& solid);
+/// How an organ is held and turned in a comparison.
+struct TwistHold {
+  /// The part that deforms, as fractions of the length: sections before it stand still, and without a jaw
+  /// those beyond it turn as one. Other than 0 and 1 where an end rounds off to a tip that the rod takes for
+  /// rigid (OrganRod).
+  std::array<double, 2> span{0.0, 1.0};
+  /// Where a jaw turns the organ, a fraction of its length, all beyond it free; none: the end is turned in
+  /// its place.
+  std::optional<double> grasp{};
+};
 
-/// A configuration: where each node is and how far the turned end has turned.
+/// Returns how a swept solid is held. Its held part are all sections up to the one nearest to the begin of
+/// the span. Without a jaw all sections from the one nearest to the end of the span on turn about the
+/// organ's tangent there through the centre of that section. A jaw turns the sections within half a local
+/// radius of its grasp (the nearest one at least) as one about the tangent there, their place free: the rule
+/// is nodesAround() of sim/tissue/rod/restraint.h, the local radius that of the circle of the section's area.
+/// Throws Error{kBadParameter} for a span or grasp outside [0, 1] and where the jaw reaches the held part.
+[[nodiscard]] TwistEnds twistEnds(const SweptSolid& solid, const TwistHold& hold = {});
+
+/// Returns how many numbers a solid that is held so has free: three a free node, and those of the turned
+/// part.
+[[nodiscard]] int freeUnknowns(const SweptSolid& solid, const TwistEnds& ends) noexcept;
+
+/// A configuration: where each node is, how far the turned part has turned, and how far it has moved.
 struct TwistPose {
   std::vector<Vec3> places_m;
   double angle_rad = 0.0;
+  Vec3 way_m{};  ///< 0 unless the place of the turned part is free
 };
 
-/// Moves the turned end to `angle_rad`: each of its nodes from its place at rest.
+/// Moves the turned part to `angle_rad` and its way: each of its nodes from its place at rest.
 void turnEnd(const TwistEnds& ends, std::span<const Vec3> rest_m, double angle_rad, TwistPose& pose);
+
+/// Returns d place / d angle of a turned node.
+[[nodiscard]] inline Vec3 turningOf(const TwistEnds& ends, const TwistPose& pose, int node) noexcept {
+  return cross(ends.axis, pose.places_m[static_cast<std::size_t>(node)] - pose.way_m - ends.axisPoint_m);
+}
 
 }  // namespace torsio

@@ -65,6 +65,21 @@ struct Equilibrium::Linear {
     }
   }
 
+  /// Takes an unknown out: its row and column become those of the unit matrix.
+  void fix(int unknown) {
+    const auto b = static_cast<std::size_t>(blockOf[static_cast<std::size_t>(unknown)]);
+    const Eigen::Index at = unknown - starts[b];
+    blocks[b].row(at).setZero();
+    blocks[b].col(at).setZero();
+    blocks[b](at, at) = 1.0;
+    if (b > 0) {
+      towards[b - 1].col(at).setZero();
+    }
+    if (b < towards.size()) {
+      towards[b].row(at).setZero();
+    }
+  }
+
   [[nodiscard]] double meanDiagonal() const {
     double sum = 0.0;
     for (const Eigen::MatrixXd& block : blocks) {
@@ -140,6 +155,24 @@ Equilibrium::Equilibrium(const ElasticBody& body, TwistEnds ends, std::span<cons
   residual_.resize(static_cast<std::size_t>(unknowns_));
 }
 
+void Equilibrium::numberLevel(std::span<const int> nodes, bool turned) {
+  const int block = static_cast<int>(linear_->starts.size()) - 1;
+  for (const int node : nodes) {
+    if (unknownOf_[static_cast<std::size_t>(node)] != kTurnedNode) {
+      unknownOf_[static_cast<std::size_t>(node)] = unknowns_;
+      unknowns_ += 3;
+    }
+  }
+  if (turned) {
+    turn_ = unknowns_;
+    unknowns_ += turnUnknowns();
+  }
+  linear_->blockOf.resize(static_cast<std::size_t>(unknowns_), block);
+  if (unknowns_ > linear_->starts.back()) {
+    linear_->starts.push_back(unknowns_);
+  }
+}
+
 void Equilibrium::numberUnknowns() {
   std::vector<std::vector<int>> elementsOf(unknownOf_.size());
   for (std::size_t e = 0; e < body_.elements(); ++e) {
@@ -148,6 +181,7 @@ void Equilibrium::numberUnknowns() {
     }
   }
   // Level by level away from the held end: the nodes of an element lie in one level or in two that follow.
+  // The turned nodes share their unknowns: they are one node, reached as soon as the first of them is.
   std::vector<char> reached(unknownOf_.size(), 0);
   std::vector<int> level = ends_.held;
   for (const int node : level) {
@@ -156,41 +190,34 @@ void Equilibrium::numberUnknowns() {
   linear_->starts.push_back(0);
   while (!level.empty()) {
     std::vector<int> next;
+    bool turned = false;
+    const auto reach = [&](int node) {
+      if (reached[static_cast<std::size_t>(node)] == 0) {
+        reached[static_cast<std::size_t>(node)] = 1;
+        next.push_back(node);
+        turned = turned || unknownOf_[static_cast<std::size_t>(node)] == kTurnedNode;
+      }
+    };
     for (const int node : level) {
       for (const int element : elementsOf[static_cast<std::size_t>(node)]) {
         for (const int other : body_.elementNodes(static_cast<std::size_t>(element))) {
-          if (reached[static_cast<std::size_t>(other)] == 0) {
-            reached[static_cast<std::size_t>(other)] = 1;
-            next.push_back(other);
-          }
+          reach(other);
         }
       }
     }
-    const int block = static_cast<int>(linear_->starts.size()) - 1;
-    for (const int node : next) {
-      if (unknownOf_[static_cast<std::size_t>(node)] != kTurnedNode) {
-        unknownOf_[static_cast<std::size_t>(node)] = unknowns_;
-        unknowns_ += 3;
-        linear_->blockOf.insert(linear_->blockOf.end(), 3, block);
+    if (turned) {
+      for (const int node : ends_.turned) {
+        reach(node);
       }
     }
-    if (unknowns_ > linear_->starts.back()) {
-      linear_->starts.push_back(unknowns_);
-    }
+    numberLevel(next, turned);
     level = std::move(next);
   }
-  // The angle belongs to the last block: only the elements of the turned end feel it.
-  linear_->blockOf.push_back(std::max(0, static_cast<int>(linear_->starts.size()) - 2));
-  ++unknowns_;
-  if (linear_->starts.size() == 1) {
-    linear_->starts.push_back(0);
-  }
-  linear_->starts.back() = unknowns_;
 }
 
 Equilibrium::~Equilibrium() = default;
 
-bool Equilibrium::evaluate(double torque_Nm, const TwistPose& pose) {
+bool Equilibrium::evaluate(const Load& load, const TwistPose& pose) {
   if (check_) {
     check_();
   }
@@ -208,69 +235,87 @@ bool Equilibrium::evaluate(double torque_Nm, const TwistPose& pose) {
       forces_N_[static_cast<std::size_t>(nodes[k])] += part[k];
     }
   }
-  potential_J_ = energy_J_ - torque_Nm * pose.angle_rad;
-  double moment_Nm = 0.0;
+  potential_J_ = energy_J_ - load.torque_Nm * pose.angle_rad;
+  moment_Nm_ = 0.0;
+  Vec3 onTurned_N;
   for (std::size_t i = 0; i < unknownOf_.size(); ++i) {
     const Vec3& f = forces_N_[i];
     if (unknownOf_[i] == kTurnedNode) {
-      moment_Nm += dot(cross(ends_.axis, pose.places_m[i] - ends_.axisPoint_m), f);
+      moment_Nm_ += dot(turningOf(ends_, pose, static_cast<int>(i)), f);
+      onTurned_N += f;
     } else if (unknownOf_[i] != kHeldNode) {
       const auto at = static_cast<std::size_t>(unknownOf_[i]);
       residual_[at] = f.x, residual_[at + 1] = f.y, residual_[at + 2] = f.z;
     }
   }
-  residual_.back() = moment_Nm - torque_Nm;
+  const auto turn = static_cast<std::size_t>(turn_);
+  residual_[turn] = load.keepsAngle ? 0.0 : moment_Nm_ - load.torque_Nm;
+  if (ends_.placeFree) {
+    residual_[turn + 1] = onTurned_N.x, residual_[turn + 2] = onTurned_N.y,
+                     residual_[turn + 3] = onTurned_N.z;
+  }
   return std::isfinite(potential_J_);
 }
 
-void Equilibrium::assemble(const TwistPose& pose) {
+void Equilibrium::shareFreedoms(const TwistPose& pose, int node, std::vector<Share>& shares,
+                                std::vector<std::size_t>& starts) const {
+  const int unknown = unknownOf_[static_cast<std::size_t>(node)];
+  const Vec3 turning = unknown == kTurnedNode ? turningOf(ends_, pose, node) : Vec3{};
+  for (int c = 0; c < 3; ++c) {
+    if (unknown >= 0) {
+      shares.push_back({unknown + c, 1.0});
+    } else if (unknown == kTurnedNode) {
+      shares.push_back({turn_, component(turning, c)});
+      if (ends_.placeFree) {
+        shares.push_back({turn_ + 1 + c, 1.0});
+      }
+    }
+    starts.push_back(shares.size());
+  }
+}
+
+void Equilibrium::assemble(const Load& load, const TwistPose& pose) {
   linear_->clear();
   std::vector<double> stiffness(9 * kMostElementNodes * kMostElementNodes);
-  const int angle = unknowns_ - 1;
-  const auto motion = [&](int node) {  // d place / d angle
-    return cross(ends_.axis, pose.places_m[static_cast<std::size_t>(node)] - ends_.axisPoint_m);
-  };
-  double byAngleTwice = 0.0;
-  for (const int node : ends_.turned) {
-    byAngleTwice += dot(cross(ends_.axis, motion(node)), forces_N_[static_cast<std::size_t>(node)]);
-  }
+  std::vector<Share> shares;
+  std::vector<std::size_t> starts;  // of each freedom's shares, and the end
   for (std::size_t e = 0; e < body_.elements(); ++e) {
     const std::span<const int> nodes = body_.elementNodes(e);
     const std::size_t size = 3 * nodes.size();
     body_.elementStiffness(e, pose.places_m, std::span(stiffness).first(size * size));
+    shares.clear();
+    starts.assign(1, 0);
+    for (const int node : nodes) {
+      shareFreedoms(pose, node, shares, starts);
+    }
     for (std::size_t column = 0; column < size; ++column) {
-      const int columnNode = nodes[column / 3];
-      const int columnUnknown = unknownOf_[static_cast<std::size_t>(columnNode)];
-      if (columnUnknown == kHeldNode) {
-        continue;
-      }
-      const int c = static_cast<int>(column % 3);
-      for (std::size_t row = 0; row < size; ++row) {
-        const int rowNode = nodes[row / 3];
-        const int rowUnknown = unknownOf_[static_cast<std::size_t>(rowNode)];
-        const double value = stiffness[row + size * column];
-        const int r = static_cast<int>(row % 3);
-        if (rowUnknown == kTurnedNode && columnUnknown == kTurnedNode) {
-          byAngleTwice += component(motion(rowNode), r) * value * component(motion(columnNode), c);
-        } else if (rowUnknown == kTurnedNode) {
-          const double part = component(motion(rowNode), r) * value;
-          linear_->add(angle, columnUnknown + c, part);
-          linear_->add(columnUnknown + c, angle, part);
-        } else if (rowUnknown >= 0 && columnUnknown >= 0) {
-          linear_->add(rowUnknown + r, columnUnknown + c, value);
+      for (std::size_t c = starts[column]; c < starts[column + 1]; ++c) {
+        for (std::size_t row = 0; row < size; ++row) {
+          const double value = shares[c].factor * stiffness[row + size * column];
+          for (std::size_t r = starts[row]; r < starts[row + 1]; ++r) {
+            linear_->add(shares[r].unknown, shares[c].unknown, shares[r].factor * value);
+          }
         }
       }
     }
   }
-  linear_->add(angle, angle, byAngleTwice);
+  double byAngleTwice = 0.0;  // a turned node follows a circle
+  for (const int node : ends_.turned) {
+    byAngleTwice +=
+        dot(cross(ends_.axis, turningOf(ends_, pose, node)), forces_N_[static_cast<std::size_t>(node)]);
+  }
+  linear_->add(turn_, turn_, byAngleTwice);
+  if (load.keepsAngle) {
+    linear_->fix(turn_);
+  }
 }
 
-bool Equilibrium::factorise(const TwistPose& pose) {
+bool Equilibrium::factorise(const Load& load, const TwistPose& pose) {
   constexpr int kMostShifts = 12;
   constexpr double kFirstShift = 1e-3;  // of the mean of the diagonal
   double shift = linear_->shift / 16.0;
   for (int attempt = 0; attempt < kMostShifts; ++attempt) {
-    assemble(pose);
+    assemble(load, pose);
     const double mean = linear_->meanDiagonal();
     shift = shift < 1e-6 * mean ? 0.0 : shift;
     if (linear_->factorise(shift, check_)) {
@@ -291,7 +336,7 @@ double Equilibrium::forceScale() const {
   return std::sqrt(held);
 }
 
-bool Equilibrium::advance(double torque_Nm, std::span<const double> move, TwistPose& pose) {
+bool Equilibrium::advance(const Load& load, std::span<const double> move, TwistPose& pose) {
   const double before_J = potential_J_;
   double slope_J = 0.0;
   double norm2 = 0.0;
@@ -300,16 +345,20 @@ bool Equilibrium::advance(double torque_Nm, std::span<const double> move, TwistP
     norm2 += residual_[i] * residual_[i];
   }
   const TwistPose start = pose;
-  double share = std::min(1.0, kMostTurnAStep_rad / std::max(1e-300, std::abs(move.back())));
+  const double* turned = move.data() + turn_;
+  double share = std::min(1.0, kMostTurnAStep_rad / std::max(1e-300, std::abs(turned[0])));
   for (int i = 0; i <= kMostStepHalvings; ++i, share *= 0.5) {
-    turnEnd(ends_, rest_m_, start.angle_rad + share * move.back(), pose);
+    if (ends_.placeFree) {
+      pose.way_m = start.way_m + share * Vec3{turned[1], turned[2], turned[3]};
+    }
+    turnEnd(ends_, rest_m_, start.angle_rad + share * turned[0], pose);
     for (std::size_t n = 0; n < unknownOf_.size(); ++n) {
       if (unknownOf_[n] >= 0) {
         const double* d = move.data() + unknownOf_[n];
         pose.places_m[n] = start.places_m[n] + share * Vec3{d[0], d[1], d[2]};
       }
     }
-    if (!evaluate(torque_Nm, pose)) {
+    if (!evaluate(load, pose)) {
       continue;
     }
     double now2 = 0.0;
@@ -325,40 +374,52 @@ bool Equilibrium::advance(double torque_Nm, std::span<const double> move, TwistP
 }
 
 EquilibriumReport Equilibrium::solve(double torque_Nm, TwistPose& pose) {
-  const auto fail = [&] {
-    refuseParameter(Text::tr("No equilibrium was found for this torque"), std::to_string(torque_Nm) + " N m",
-                    Text::tr("Give a smaller torque, or more steps"));
-  };
   if (!std::isfinite(torque_Nm)) {
     refuseParameter(Text::tr("The torque must be finite"), Text::tr("torque"),
                     Text::tr("Give it in newton metres"));
   }
-  if (!evaluate(torque_Nm, pose)) {
+  return find({.torque_Nm = torque_Nm}, pose);
+}
+
+EquilibriumReport Equilibrium::keepAngle(TwistPose& pose) {
+  return find({.keepsAngle = true}, pose);
+}
+
+EquilibriumReport Equilibrium::find(const Load& load, TwistPose& pose) {
+  const auto fail = [&] {
+    refuseParameter(
+        Text::tr("No equilibrium was found"),
+        load.keepsAngle ? std::to_string(pose.angle_rad) + " rad" : std::to_string(load.torque_Nm) + " N m",
+        Text::tr("Turn less far, or in more steps"));
+  };
+  if (!evaluate(load, pose)) {
     fail();
   }
   EquilibriumReport report;
   double before = 1.0;
   for (; report.iterations <= kMostNewtonSteps; ++report.iterations) {
+    const double onAngle = residual_[static_cast<std::size_t>(turn_)];
     double free = 0.0;
-    for (std::size_t i = 0; i + 1 < residual_.size(); ++i) {
-      free += residual_[i] * residual_[i];
+    for (std::size_t i = 0; i < residual_.size(); ++i) {
+      free += i == static_cast<std::size_t>(turn_) ? 0.0 : residual_[i] * residual_[i];
     }
     const double scale = std::max(forceScale(), 1e-300);
     report.residual = std::sqrt(free) / scale;
-    const double end = std::abs(residual_.back()) / std::max(std::abs(torque_Nm), 1e-300);
+    const double end = std::abs(onAngle) / std::max(std::abs(load.torque_Nm), 1e-300);
     const double worse = std::max(report.residual, end);
     if (worse <= kResidualWanted || (worse <= kResidualOfRounding && worse > 0.5 * before) ||
-        (torque_Nm == 0.0 && energy_J_ <= kEnergyOfRounding_J)) {
+        (load.torque_Nm == 0.0 && energy_J_ <= kEnergyOfRounding_J)) {
       report.energy_J = energy_J_;
+      report.torque_Nm = moment_Nm_;
       return report;
     }
     before = worse;
-    if (!factorise(pose)) {
+    if (!factorise(load, pose)) {
       fail();
     }
     const Eigen::VectorXd move =
         linear_->solve(-Eigen::Map<const Eigen::VectorXd>(residual_.data(), unknowns_));
-    if (!move.allFinite() || !advance(torque_Nm, {move.data(), static_cast<std::size_t>(unknowns_)}, pose)) {
+    if (!move.allFinite() || !advance(load, {move.data(), static_cast<std::size_t>(unknowns_)}, pose)) {
       fail();
     }
   }

@@ -36,7 +36,46 @@ std::vector<double> radii(const LatticePlaces& places) {
   return values;
 }
 
+/// Centre, normal and the direction of ridge 0 of the last section.
+AxisFrame lastSectionFrame(const LatticePlaces& places) {
+  const int last = places.sections - 1;
+  AxisFrame frame;
+  frame.centre_m = sectionMean(places, last);
+  Vec3 normal;
+  for (int k = 0; k < places.ridges; ++k) {
+    normal += cross(places.at(last, k) - frame.centre_m, places.at(last, k + 1) - frame.centre_m);
+  }
+  frame.tangent = normalized(normal);
+  const Vec3 arm = places.at(last, 0) - frame.centre_m;
+  frame.e1 = normalized(arm - dot(arm, frame.tangent) * frame.tangent);
+  frame.e2 = cross(frame.tangent, frame.e1);
+  return frame;
+}
+
 }  // namespace
+
+CarriedKeyPoints::CarriedKeyPoints(const TriangleMesh& mesh, const SectionLattice& lattice)
+    : ridges_(lattice.ridges()), sections_(lattice.sections()) {
+  TORSIO_EXPECTS(lattice.vertexCoordinates().size() == mesh.vertices_m.size());
+  for (int j = 0; j < sections_; ++j) {
+    for (int k = 0; k < ridges_; ++k) {
+      points_.push_back(lattice.surfacePoint({lattice.sectionArc_m(j), 2.0 * kPi * k / ridges_}));
+    }
+  }
+}
+
+LatticePlaces CarriedKeyPoints::at(const TriangleMesh& mesh, std::span<const Vec3> vertices_m) const {
+  LatticePlaces places{ridges_, sections_, {}};
+  for (const LatticePoint& point : points_) {
+    const TriangleMesh::Triangle& corners = mesh.triangles[point.triangle];
+    Vec3 place;
+    for (std::size_t c = 0; c < 3; ++c) {
+      place += point.barycentric[c] * vertices_m[corners[c]];
+    }
+    places.places_m.push_back(place);
+  }
+  return places;
+}
 
 LatticePlaces restPlaces(const SectionLattice& lattice) {
   LatticePlaces places{lattice.ridges(), lattice.sections(), {}};
@@ -158,6 +197,20 @@ Vec3 markerPlace_m(const MarkerAnchor& marker, const LatticePlaces& rest, const 
                    const AxisFrame& end, double angle_rad) {
   if (marker.part != LatticePart::kSide) {
     return capPlace_m(marker.part, marker.rest_m, end, angle_rad);
+  }
+  return markerPlace_m(marker, rest, now);
+}
+
+Vec3 markerPlace_m(const MarkerAnchor& marker, const LatticePlaces& rest, const LatticePlaces& now) {
+  if (marker.part == LatticePart::kFixedCap) {
+    return marker.rest_m;
+  }
+  if (marker.part == LatticePart::kFreeCap) {
+    const AxisFrame before = lastSectionFrame(rest);
+    const AxisFrame after = lastSectionFrame(now);
+    const Vec3 arm = marker.rest_m - before.centre_m;
+    return after.centre_m + dot(arm, before.tangent) * after.tangent + dot(arm, before.e1) * after.e1 +
+           dot(arm, before.e2) * after.e2;
   }
   Vec3 place = marker.rest_m;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "sim/base/vec3.h"
@@ -27,6 +28,19 @@ struct LatticePlaces {
 
 /// Returns the key points at rest.
 [[nodiscard]] LatticePlaces restPlaces(const SectionLattice& lattice);
+
+/// The key points of a lattice as points of the triangles of its mesh, carried along as the vertices move.
+class CarriedKeyPoints {
+ public:
+  CarriedKeyPoints(const TriangleMesh& mesh, const SectionLattice& lattice);
+  /// Returns where they are when the vertices of the mesh are at `vertices_m`.
+  [[nodiscard]] LatticePlaces at(const TriangleMesh& mesh, std::span<const Vec3> vertices_m) const;
+
+ private:
+  int ridges_ = 0;
+  int sections_ = 0;
+  std::vector<LatticePoint> points_;
+};
 
 /// Computes the root mean square distance of corresponding key points, m.
 [[nodiscard]] double rootMeanSquareDistance_m(const LatticePlaces& a, const LatticePlaces& b);
@@ -62,5 +76,10 @@ struct MarkerAnchor {
 /// about the tangent of the frame `end`.
 [[nodiscard]] Vec3 markerPlace_m(const MarkerAnchor& marker, const LatticePlaces& rest,
                                  const LatticePlaces& now, const AxisFrame& end, double angle_rad);
+
+/// Returns the same where the free end is not held in its place: a marker beyond it is carried by the key
+/// points of the last section as by a rigid body.
+[[nodiscard]] Vec3 markerPlace_m(const MarkerAnchor& marker, const LatticePlaces& rest,
+                                 const LatticePlaces& now);
 
 }  // namespace torsio

@@ -153,6 +153,35 @@ SweptSolid sweptSolid(const SectionLattice& lattice, int rings) {
   return sweptSolid(outlines, lattice.frameAt(lattice.length_m()).tangent, rings);
 }
 
+Vec3 sectionTangent(const SweptSolid& solid, int section) {
+  if (section == solid.sections - 1) {
+    return solid.endTangent;
+  }
+  const int middle = section == 0 && solid.sections > 2 ? 1 : section;
+  const Vec3 after = solid.centre_m(middle + 1) - solid.centre_m(middle);
+  if (middle == 0) {
+    return normalized(after);
+  }
+  const Vec3 before = solid.centre_m(middle) - solid.centre_m(middle - 1);
+  const double a = norm(before);
+  const double b = norm(after);
+  const Vec3 slope = (b * b) * before + (a * a) * after;  // at the middle, times a b (a + b)
+  const Vec3 bend = a * after - b * before;               // half the second derivative, likewise
+  return normalized(section == middle ? slope : slope - (2.0 * a) * bend);
+}
+
+double sectionArea_m2(const SweptSolid& solid, int section) {
+  Vec3 twice;
+  for (int k = 0; k < solid.ridges; ++k) {
+    const auto arm = [&](int ridge) {
+      return solid.points_m[static_cast<std::size_t>(solid.point(section, solid.rings, ridge))] -
+             solid.centre_m(section);
+    };
+    twice += cross(arm(k), arm(k + 1));
+  }
+  return 0.5 * norm(twice);
+}
+
 SolidMesh tetrahedra(const SweptSolid& solid) {
   SolidMesh mesh;
   const int step = solid.pointsPerSection();

@@ -21,6 +21,9 @@ struct SweptSolid {
   Vec3 endCentre_m;            ///< centre of the last section
   Vec3 endTangent;             ///< unit vector along the organ at its last section
 
+  [[nodiscard]] const Vec3& centre_m(int section) const noexcept {
+    return points_m[static_cast<std::size_t>(point(section, 0, 0))];
+  }
   [[nodiscard]] int pointsPerSection() const noexcept { return 1 + ridges * rings; }
   /// Returns the number of a point: ring 0 is the centre of the section, whatever the ridge; ridges go round.
   [[nodiscard]] int point(int section, int ring, int ridge) const noexcept {
@@ -38,6 +41,12 @@ struct SweptSolid {
 
 /// Builds the solid through the key points of a lattice. Throws as above.
 [[nodiscard]] SweptSolid sweptSolid(const SectionLattice& lattice, int rings);
+
+/// Returns the direction of the organ at a section, a unit vector: of the parabola through three neighbouring
+/// centres (two in a solid of two sections); at the last section the one it was built with.
+[[nodiscard]] Vec3 sectionTangent(const SweptSolid& solid, int section);
+/// Returns the area within the outline of a section, m^2.
+[[nodiscard]] double sectionArea_m2(const SweptSolid& solid, int section);
 
 /// Elements of one kind: `nodesPerCell` numbers of points a cell, one cell after the other.
 struct SolidMesh {

@@ -9,7 +9,7 @@
 #include "sim/base/portable_math.h"
 #include "sim/baseline/corotational_frames.h"
 #include "sim/baseline/equilibrium.h"
-#include "sim/baseline/neo_hookean_wedges.h"
+#include "sim/baseline/reference_solid.h"
 #include "sim/baseline/xpbd_frames.h"
 #include "sim/tissue/twist/twist_model_view.h"
 
@@ -27,21 +27,14 @@ LatticePlaces outlinesOf(const SweptSolid& solid, std::span<const Vec3> places_m
   return places;
 }
 
-int freeUnknowns(const SweptSolid& solid) {
-  return 3 * solid.pointsPerSection() * (solid.sections - 2) + 1;
-}
-
 class TwistModelRun final : public TwistSimulation {
  public:
   TwistModelRun(const ComparedOrgan& organ, const TwistModel& model)
-      : organ_(organ), model_(model), view_(model), xyz_(3 * organ.mesh->vertices_m.size()) {
-    const SectionLattice& lattice = *organ.lattice;
-    for (int j = 0; j < lattice.sections(); ++j) {
-      for (int k = 0; k < lattice.ridges(); ++k) {
-        points_.push_back(lattice.surfacePoint({lattice.sectionArc_m(j), 2.0 * kPi * k / lattice.ridges()}));
-      }
-    }
-  }
+      : organ_(organ),
+        model_(model),
+        view_(model),
+        xyz_(3 * organ.mesh->vertices_m.size()),
+        points_(*organ.mesh, *organ.lattice) {}
 
   void step(double torque_Nm) override {
     settle(torque_Nm);
@@ -49,25 +42,14 @@ class TwistModelRun final : public TwistSimulation {
   }
   void settle(double torque_Nm) override {
     torque_Nm_ = torque_Nm;
-    state_ = model_.stateForTorque(organ_.lattice->length_m(), torque_Nm);
+    state_ = model_.stateForTorque(organ_.graspArc_m(), torque_Nm);
   }
-  [[nodiscard]] double angle_rad() const override {
-    return model_.angleAt(organ_.lattice->length_m(), state_);
-  }
+  [[nodiscard]] double angle_rad() const override { return model_.angleAt(organ_.graspArc_m(), state_); }
   [[nodiscard]] double energy_J() const override { return 0.5 * torque_Nm_ * angle_rad(); }
   [[nodiscard]] LatticePlaces surface() const override {
     std::vector<Vec3> vertices(organ_.mesh->vertices_m.size());
     model_.deform(state_, vertices);
-    LatticePlaces places{organ_.lattice->ridges(), organ_.lattice->sections(), {}};
-    for (const LatticePoint& point : points_) {
-      const TriangleMesh::Triangle& corners = organ_.mesh->triangles[point.triangle];
-      Vec3 place;
-      for (std::size_t c = 0; c < 3; ++c) {
-        place += point.barycentric[c] * vertices[corners[c]];
-      }
-      places.places_m.push_back(place);
-    }
-    return places;
+    return points_.at(*organ_.mesh, vertices);
   }
   [[nodiscard]] int unknowns() const override { return organ_.lattice->sections() - 1; }
 
@@ -76,23 +58,21 @@ class TwistModelRun final : public TwistSimulation {
   const TwistModel& model_;
   TwistView view_;
   std::vector<float> xyz_;
-  std::vector<LatticePoint> points_;
+  CarriedKeyPoints points_;
   TwistState state_;
   double torque_Nm_ = 0.0;
 };
 
-constexpr double kFirstShare = 1e-3;  ///< of the torque: the turn it shows is then turned on
-
 /// Finds the equilibrium under a torque that grows from nothing.
-EquilibriumReport equilibriumFromRest(Equilibrium& newton, const SweptSolid& solid, double torque_Nm,
-                                      TwistPose& pose) {
+EquilibriumReport equilibriumFromRest(Equilibrium& newton, const SweptSolid& solid, const TwistEnds& ends,
+                                      double torque_Nm, TwistPose& pose) {
   constexpr int kSteps = 8;
-  pose = {solid.points_m, 0.0};
+  pose = {solid.points_m};
   double share = kFirstShare;
   EquilibriumReport report = newton.solve(share * torque_Nm, pose);
   for (int step = 1; step <= kSteps; ++step) {
     const double next = static_cast<double>(step) / kSteps;
-    pose = turnedOn(solid, pose, next / share);
+    pose = turnedOn(solid, ends, pose, next / share);
     report = newton.solve(next * torque_Nm, pose);
     share = next;
   }
@@ -115,12 +95,12 @@ class MovingRun final : public TwistSimulation {
     settled_ = false;
   }
   void settle(double torque_Nm) override {
-    Equilibrium newton(frames_.body(), twistEnds(solid_), solid_.points_m, check_);
+    Equilibrium newton(frames_.body(), frames_.ends(), solid_.points_m, check_);
     try {
       pose_ = nearestTo(torque_Nm);
       energy_J_ = newton.solve(torque_Nm, pose_).energy_J;
     } catch (const Error&) {  // the frames have torn it: springs with few substeps do
-      energy_J_ = equilibriumFromRest(newton, solid_, torque_Nm, pose_).energy_J;
+      energy_J_ = equilibriumFromRest(newton, solid_, frames_.ends(), torque_Nm, pose_).energy_J;
     }
     settled_ = true;
   }
@@ -129,7 +109,7 @@ class MovingRun final : public TwistSimulation {
     return settled_ ? energy_J_ : elasticEnergy_J(frames_.body(), pose_.places_m);
   }
   [[nodiscard]] LatticePlaces surface() const override { return outlinesOf(solid_, pose_.places_m); }
-  [[nodiscard]] int unknowns() const override { return freeUnknowns(solid_); }
+  [[nodiscard]] int unknowns() const override { return freeUnknowns(solid_, frames_.ends()); }
 
  private:
   /// The pose, turned on or back as a whole, of least potential energy: golden section between half and half
@@ -138,7 +118,7 @@ class MovingRun final : public TwistSimulation {
     constexpr double kGolden = 0.61803398874989485;
     constexpr int kCuts = 14;
     const auto potential_J = [&](double ratio) {
-      const TwistPose turned = turnedOn(solid_, frames_.pose(), ratio);
+      const TwistPose turned = turnedOn(solid_, frames_.ends(), frames_.pose(), ratio);
       return elasticEnergy_J(frames_.body(), turned.places_m) - torque_Nm * turned.angle_rad;
     };
     double low = 0.5;
@@ -154,7 +134,8 @@ class MovingRun final : public TwistSimulation {
       }
     }
     const double ratio = 0.5 * (low + high);
-    return potential_J(ratio) < potential_J(1.0) ? turnedOn(solid_, frames_.pose(), ratio) : frames_.pose();
+    return potential_J(ratio) < potential_J(1.0) ? turnedOn(solid_, frames_.ends(), frames_.pose(), ratio)
+                                                 : frames_.pose();
   }
 
   SweptSolid solid_;
@@ -168,39 +149,19 @@ class MovingRun final : public TwistSimulation {
 class ReferenceRun final : public TwistSimulation {
  public:
   ReferenceRun(const ComparedOrgan& organ, int rings)
-      : solid_(sweptSolid(*organ.lattice, rings)),
-        body_(quadratic() ? quadraticWedges(solid_) : linearWedges(solid_), solid_.points_m, organ.constants),
-        newton_(body_, twistEnds(solid_), solid_.points_m, organ.check),
-        pose_{solid_.points_m, 0.0} {}
+      : reference_(sweptSolid(*organ.lattice, rings), organ.constants, organ.hold, organ.check) {}
 
   void step(double torque_Nm) override { settle(torque_Nm); }
-  void settle(double torque_Nm) override {
-    if (torque_Nm == torque_Nm_) {
-      return;
-    }
-    if (torque_Nm_ == 0.0) {
-      torque_Nm_ = kFirstShare * torque_Nm;
-      energy_J_ = newton_.solve(torque_Nm_, pose_).energy_J;
-    }
-    pose_ = turnedOn(solid_, pose_, torque_Nm / torque_Nm_);
-    energy_J_ = newton_.solve(torque_Nm, pose_).energy_J;
-    torque_Nm_ = torque_Nm;
+  void settle(double torque_Nm) override { reference_.load(torque_Nm); }
+  [[nodiscard]] double angle_rad() const override { return reference_.pose().angle_rad; }
+  [[nodiscard]] double energy_J() const override { return reference_.energy_J(); }
+  [[nodiscard]] LatticePlaces surface() const override {
+    return outlinesOf(reference_.solid(), reference_.pose().places_m);
   }
-  [[nodiscard]] double angle_rad() const override { return pose_.angle_rad; }
-  [[nodiscard]] double energy_J() const override { return energy_J_; }
-  [[nodiscard]] LatticePlaces surface() const override { return outlinesOf(solid_, pose_.places_m); }
-  [[nodiscard]] int unknowns() const override { return freeUnknowns(solid_); }
+  [[nodiscard]] int unknowns() const override { return reference_.unknowns(); }
 
  private:
-  [[nodiscard]] bool quadratic() const noexcept {
-    return solid_.ridges % 2 == 0 && solid_.rings % 2 == 0 && solid_.sections % 2 == 1;
-  }
-  SweptSolid solid_;
-  NeoHookeanWedges body_;
-  Equilibrium newton_;
-  TwistPose pose_;
-  double torque_Nm_ = 0.0;
-  double energy_J_ = 0.0;
+  ReferenceSolid reference_;
 };
 
 constexpr double kSmallTurn_rad = 0.01;  ///< of the free end: springs are calibrated where they are linear
@@ -234,7 +195,7 @@ std::unique_ptr<TwistSimulation> twistModelSimulation(const ComparedOrgan& organ
 
 std::unique_ptr<TwistSimulation> finiteElementSimulation(const ComparedOrgan& organ, int rings) {
   SweptSolid solid = sweptSolid(*organ.lattice, rings);
-  CorotationalFrames frames(solid, organ.constants, organ.dynamics);
+  CorotationalFrames frames(solid, twistEnds(solid, organ.hold), organ.constants, organ.dynamics);
   return std::make_unique<MovingRun<CorotationalFrames>>(std::move(solid), std::move(frames), organ.check);
 }
 
@@ -247,11 +208,12 @@ std::unique_ptr<TwistSimulation> massSpringSimulation(const ComparedOrgan& organ
                               .calibrated(sectionsTurned(solid, *organ.lattice, model), energy_J);
   if (options.calibration == Calibration::kEquilibrium) {
     Equilibrium newton(springs, twistEnds(solid), solid.points_m, organ.check);
-    TwistPose pose{solid.points_m, 0.0};
+    TwistPose pose{solid.points_m};
     static_cast<void>(newton.solve(kSmallTurn_rad / compliance, pose));
     springs = springs.scaled(pose.angle_rad / kSmallTurn_rad);
   }
-  XpbdFrames frames(solid, std::move(springs), organ.dynamics, options.substeps);
+  XpbdFrames frames(solid, twistEnds(solid, organ.hold), std::move(springs), organ.dynamics,
+                    options.substeps);
   return std::make_unique<MovingRun<XpbdFrames>>(std::move(solid), std::move(frames), organ.check);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -11,9 +12,9 @@
 
 namespace torsio {
 
-/// One model of an organ with one end held and a torque on the other: the twist model, finite elements or
-/// springs. Making one is its set-up; then frames are stepped as a view would ask for them, and at any time
-/// the model can be brought to equilibrium. One thread.
+/// One model of an organ with one end held and a torque on the other, or on a jaw: the twist model, the rod,
+/// finite elements or springs. Making one is its set-up; then frames are stepped as a view would ask for
+/// them, and at any time the model can be brought to equilibrium. One thread.
 class TwistSimulation {
  public:
   TwistSimulation() = default;
@@ -21,12 +22,12 @@ class TwistSimulation {
   TwistSimulation& operator=(const TwistSimulation&) = delete;
   virtual ~TwistSimulation() = default;
 
-  /// Computes the next frame under a torque at the free end, N m. Models in motion move on by a frame's time;
-  /// the others are in equilibrium at once.
+  /// Computes the next frame under a torque at the turned end or jaw, N m. Models in motion move on by a
+  /// frame's time; the others are in equilibrium at once.
   virtual void step(double torque_Nm) = 0;
   /// Brings the model to equilibrium with the torque. Throws Error{kBadParameter} when there is none near.
   virtual void settle(double torque_Nm) = 0;
-  /// Returns how far the free end has turned, rad.
+  /// Returns how far the turned end or jaw has turned, rad.
   [[nodiscard]] virtual double angle_rad() const = 0;
   /// Returns the stored elastic energy, J.
   [[nodiscard]] virtual double energy_J() const = 0;
@@ -42,9 +43,13 @@ struct ComparedOrgan {
   const SectionLattice* lattice = nullptr;
   ElasticConstants constants;
   DynamicsOptions dynamics;
+  TwistHold hold{};
   /// Called many times a second while a model looks for its equilibrium; what it throws ends that. Empty:
   /// none.
   std::function<void()> check{};
+
+  /// Returns the arc length of what is turned: the jaw, or the free end.
+  [[nodiscard]] double graspArc_m() const { return hold.grasp.value_or(1.0) * lattice->length_m(); }
 };
 
 /// Makes the twist model's simulation: a frame moves every vertex of the mesh as the view does, the key
@@ -75,8 +80,18 @@ struct MassSpringOptions {
 /// ridges and an odd number of sections, else linear ones. A step finds the equilibrium from the last one.
 [[nodiscard]] std::unique_ptr<TwistSimulation> referenceSimulation(const ComparedOrgan& organ, int rings);
 
-/// Turns a pose on: the turn of every section since rest, and the way of its centre, become `ratio` times
-/// what they are. Where Newton's method starts from when the torque grows.
-[[nodiscard]] TwistPose turnedOn(const SweptSolid& solid, const TwistPose& pose, double ratio);
+/// Returns how many elements a rod needs that stands on a lattice beside elements: one a step between
+/// sections, so that a jaw has the same sections in both, within what a rod bears (31 to 63).
+[[nodiscard]] int rodElementsOn(const SectionLattice& lattice);
+
+/// Returns the part of an organ that a rod of the sections of `model` deforms (TwistHold::span): where an end
+/// rounds off to a tip, the tip is rigid.
+[[nodiscard]] std::array<double, 2> rodSpan(const SectionLattice& lattice, const TwistModel& model);
+
+/// Makes the organ as a curved rod, of the sections that `model` has: a frame is ticks of the rod, in which
+/// the hand goes ahead until its coupling gives the torque, and the skin drawn from it. Ends and Poisson's
+/// ratio as those of the elements.
+[[nodiscard]] std::unique_ptr<TwistSimulation> rodSimulation(const ComparedOrgan& organ,
+                                                             const TwistModel& model);
 
 }  // namespace torsio

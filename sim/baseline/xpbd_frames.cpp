@@ -10,9 +10,9 @@
 
 namespace torsio {
 
-XpbdFrames::XpbdFrames(const SweptSolid& solid, SpringLattice springs, const DynamicsOptions& options,
-                       int substeps)
-    : ends_(twistEnds(solid)),
+XpbdFrames::XpbdFrames(const SweptSolid& solid, TwistEnds ends, SpringLattice springs,
+                       const DynamicsOptions& options, int substeps)
+    : ends_(std::move(ends)),
       options_(options),
       rest_m_(solid.points_m),
       springs_(std::move(springs)),
@@ -22,11 +22,16 @@ XpbdFrames::XpbdFrames(const SweptSolid& solid, SpringLattice springs, const Dyn
       inverseInertia_(1.0 / endInertia(ends_, solid.points_m, inverseMass_)),
       velocity_(solid.points_m.size()),
       before_m_(solid.points_m.size()),
-      pose_{solid.points_m, 0.0} {
+      pose_{solid.points_m} {
   if (substeps < 1) {
     refuseParameter(Text::tr("A frame needs at least 1 substep"), Text::tr("substeps"),
                     Text::tr("Give 10 or more"));
   }
+  double turned_kg = 0.0;
+  for (const int node : ends_.turned) {
+    turned_kg += inverseMass_[static_cast<std::size_t>(node)];
+  }
+  inverseTurnedMass_ = ends_.placeFree ? 1.0 / turned_kg : 0.0;
   for (double& m : inverseMass_) {
     m = m > 0.0 ? 1.0 / m : 0.0;
   }
@@ -42,26 +47,29 @@ XpbdFrames::XpbdFrames(const SweptSolid& solid, SpringLattice springs, const Dyn
 Vec3 XpbdFrames::endPlace(std::size_t node) const noexcept {
   const Vec3 arm = rest_m_[node] - ends_.axisPoint_m;
   const Vec3 along = dot(arm, ends_.axis) * ends_.axis;
-  return ends_.axisPoint_m + along + cosine_ * (arm - along) + sine_ * cross(ends_.axis, arm);
+  return ends_.axisPoint_m + pose_.way_m + along + cosine_ * (arm - along) + sine_ * cross(ends_.axis, arm);
 }
 
 void XpbdFrames::project(std::span<const int> nodes, std::span<const Vec3> gradients, double excess,
                          double inverseStiffness_per_s2) {
   double weight = inverseStiffness_per_s2;
   double byAngle = 0.0;
+  Vec3 byWay;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const auto i = static_cast<std::size_t>(nodes[k]);
     weight += inverseMass_[i] * dot(gradients[k], gradients[k]);
     if (turned_[i] != 0) {
-      byAngle += dot(gradients[k], cross(ends_.axis, pose_.places_m[i] - ends_.axisPoint_m));
+      byAngle += dot(gradients[k], turningOf(ends_, pose_, nodes[k]));
+      byWay += gradients[k];
     }
   }
-  weight += inverseInertia_ * byAngle * byAngle;
+  weight += inverseInertia_ * byAngle * byAngle + inverseTurnedMass_ * dot(byWay, byWay);
   const double multiplier = -excess / weight;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const auto i = static_cast<std::size_t>(nodes[k]);
     pose_.places_m[i] += (multiplier * inverseMass_[i]) * gradients[k];
   }
+  pose_.way_m += (multiplier * inverseTurnedMass_) * byWay;
   if (byAngle != 0.0) {
     angle_rad_ += multiplier * inverseInertia_ * byAngle;
     const SinCos turn = portableSinCos(angle_rad_);
@@ -74,11 +82,13 @@ void XpbdFrames::substep(double torque_Nm, double time_s) {
   const double kept = 1.0 / (1.0 + options_.drag_per_s * time_s);
   before_m_ = pose_.places_m;
   const double angleBefore_rad = angle_rad_;
+  const Vec3 wayBefore_m = pose_.way_m;
   for (std::size_t i = 0; i < rest_m_.size(); ++i) {
     pose_.places_m[i] += (time_s * kept) * velocity_[i];
   }
   spin_rad_per_s_ = kept * (spin_rad_per_s_ + time_s * inverseInertia_ * torque_Nm);
   angle_rad_ += time_s * spin_rad_per_s_;
+  pose_.way_m += (time_s * kept) * turnedVelocity_;
   const SinCos turn = portableSinCos(angle_rad_);
   cosine_ = turn.cos;
   sine_ = turn.sin;
@@ -115,6 +125,7 @@ void XpbdFrames::substep(double torque_Nm, double time_s) {
     velocity_[i] = inverseMass_[i] > 0.0 ? (pose_.places_m[i] - before_m_[i]) / time_s : Vec3{};
   }
   spin_rad_per_s_ = (angle_rad_ - angleBefore_rad) / time_s;
+  turnedVelocity_ = (pose_.way_m - wayBefore_m) / time_s;
   pose_.angle_rad = angle_rad_;
 }
 

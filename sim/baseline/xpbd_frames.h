@@ -9,17 +9,19 @@
 namespace torsio {
 
 /// Springs in motion by extended position-based dynamics (Macklin, Mueller and Chentanez 2016): small
-/// substeps, one pass over all springs each. The turned end is a rigid body with one freedom. Quick and
-/// never unstable; its stiffness depends on substeps and masses, and only many substeps approach the
-/// equilibrium of the springs. One thread.
+/// substeps, one pass over all springs each. The turned part is a rigid body with one freedom, four where its
+/// place is free. Quick and never unstable; its stiffness depends on substeps and masses, and only many
+/// substeps approach the equilibrium of the springs. One thread.
 class XpbdFrames {
  public:
   /// Prepares masses. `substeps`: a frame's, 1 or more (Error{kBadParameter}).
-  XpbdFrames(const SweptSolid& solid, SpringLattice springs, const DynamicsOptions& options, int substeps);
+  XpbdFrames(const SweptSolid& solid, TwistEnds ends, SpringLattice springs, const DynamicsOptions& options,
+             int substeps);
 
-  /// Computes the next frame under a torque on the turned end, N m.
+  /// Computes the next frame under a torque on the turned part, N m.
   void step(double torque_Nm);
 
+  [[nodiscard]] const TwistEnds& ends() const noexcept { return ends_; }
   [[nodiscard]] const TwistPose& pose() const noexcept { return pose_; }
   [[nodiscard]] const SpringLattice& body() const noexcept { return springs_; }
 
@@ -37,12 +39,14 @@ class XpbdFrames {
   SpringLattice springs_;
   int substeps_ = 10;
   std::vector<double> inverseMass_;  ///< of a node; 0 held or turned
-  std::vector<char> turned_;         ///< whether the node belongs to the turned end
-  double inverseInertia_ = 0.0;
-  double angle_rad_ = 0.0;  ///< of the turned end within a substep
+  std::vector<char> turned_;         ///< whether the node belongs to the turned part
+  double inverseInertia_ = 0.0;      ///< of the turned part about its axis
+  double inverseTurnedMass_ = 0.0;   ///< of the turned part; 0 where its place is held
+  double angle_rad_ = 0.0;           ///< of the turned part within a substep
   double cosine_ = 1.0;
   double sine_ = 0.0;
   double spin_rad_per_s_ = 0.0;
+  Vec3 turnedVelocity_;
   std::vector<Vec3> velocity_;
   std::vector<Vec3> before_m_;
   TwistPose pose_;

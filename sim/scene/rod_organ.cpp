@@ -22,14 +22,6 @@ constexpr double kBeyondTarget = 1.15;  // of the target: how far the path goes
 constexpr double kMostHandTurn = 2.5;   // of the target, for a measured turn that stays behind the hand
 constexpr double kNearLine_m = 1e-6;
 
-SolvedSections sectionsOf(const TwistModel& model) {
-  const TwistModelOptions& options = model.options();
-  return SolvedSections::solve(model.lattice(), {.sections = options.solvedSections,
-                                                 .points = options.sectionPoints,
-                                                 .solver = options.sectionSolver,
-                                                 .kriging = options.kriging});
-}
-
 OrganRod organOf(const TwistModel& model, const SolvedSections& sections, double graspArc) {
   return rodOfOrgan(model.lattice(), sections, {model.material().shearModulus_Pa},
                     {.node_m = graspArc * model.lattice().length_m()});
@@ -169,7 +161,8 @@ TaskPoint atAngle(std::span<const TaskPoint> path, double angle_rad) {
   return path.back();
 }
 
-RodOrgan::RodOrgan(const Parts& parts) : RodOrgan(parts, sectionsOf(*parts.model)) {}
+RodOrgan::RodOrgan(const Parts& parts)
+    : RodOrgan(parts, solvedSections(parts.model->lattice(), parts.model->options())) {}
 
 RodOrgan::RodOrgan(const Parts& parts, const SolvedSections& sections)
     : organ_(organOf(*parts.model, sections, parts.graspArc)),
@@ -242,7 +235,7 @@ double RodOrgan::turn_rad(const OrganGrip& grip, const RodPose& pose, const RodC
   }
   const Quat& rest = rod_.rest().nodes[torsio::at(grip.node)].orientation;
   const Vec3 axis = task_.axis == GripAxis::kLine ? grip.axis.tangent : rotate(rest, {0, 0, 1});
-  return unwrapNear(turnAbout(axis, rest, pose.nodes[torsio::at(grip.node)].orientation), before_rad);
+  return sectionTurn_rad(rest, pose.nodes[torsio::at(grip.node)].orientation, axis, before_rad);
 }
 
 double RodOrgan::torque_Nm(const OrganGrip& grip, const GripLoad& load, const Pose& hand) noexcept {

@@ -29,6 +29,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kEditorWidth = 340;
+constexpr int kHintLines = 5;
 
 QLabel* field(QGridLayout* grid, int row, QWidget* widget) {
   auto* label = new QLabel;
@@ -87,6 +88,7 @@ QWidget* MarkerEditor::createPanel() {
   card_ = new Card(QString(), this);
   card_->setFixedWidth(kEditorWidth);
   hint_ = sentence(card_);
+  hint_->setMinimumHeight(kHintLines * hint_->fontMetrics().lineSpacing());  // in any language
   list_ = new QListWidget(card_);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setTextElideMode(Qt::ElideRight);

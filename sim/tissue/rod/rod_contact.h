@@ -57,6 +57,19 @@ struct RodContact {
   return true;
 }
 
+/// Tells whether two elements lie so far apart that no point of one can be within `reach_m` of the other: the
+/// distance of their middles is at least reach + (la + lb) / 2 once its square is above 5/4 reach^2 + 5/2
+/// (la^2 + lb^2), for (r + h)^2 <= 5/4 r^2 + 5 h^2 and (la + lb)^2 <= 2 (la^2 + lb^2); a thousandth covers
+/// rounding.
+[[nodiscard]] inline bool farApart(const RodPose& pose, int a, int b, double reach_m) noexcept {
+  const auto place = [&pose](int node) { return pose.nodes[static_cast<std::size_t>(node)].position_m; };
+  const Vec3 alongA = place(a + 1) - place(a);
+  const Vec3 alongB = place(b + 1) - place(b);
+  const Vec3 apart = place(a) - place(b) + 0.5 * (alongA - alongB);
+  return dot(apart, apart) >
+         1.001 * (1.25 * reach_m * reach_m + 2.5 * (dot(alongA, alongA) + dot(alongB, alongB)));
+}
+
 /// Calls `visit(const RodContact&)` for every contact of the `near` pairs, in fixed order. The points are the
 /// nodes and the middles of the elements: the distance of a point from a segment has a continuous derivative,
 /// that of two segments has not. Real time.
@@ -70,6 +83,9 @@ void visitContacts(const Rod& rod, std::span<const RodContactPair> near, const R
     const int a = pair.first;
     const int b = pair.second;
     const double reach_m = radii_m[static_cast<std::size_t>(a)] + radii_m[static_cast<std::size_t>(b)];
+    if (farApart(pose, a, b, reach_m)) {
+      continue;
+    }
     for (int way = 0; way < 2; ++way) {
       const int of = way == 0 ? a : b;
       const int capsule = way == 0 ? b : a;

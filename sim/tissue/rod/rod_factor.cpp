@@ -68,6 +68,12 @@ double product(const NodeVector& a, const NodeVector& b, std::size_t count) noex
   return sum;
 }
 
+void copyNodes(const NodeVector& from, std::size_t count, NodeVector& to) noexcept {
+  for (std::size_t i = 0; i < count; ++i) {
+    to[i] = from[i];
+  }
+}
+
 /// Subtracts k d (d . p) of every contact from `v`, but for held freedoms.
 void subtractContacts(const RodSystem& system, const NodeVector& p, NodeVector& v) noexcept {
   for (int c = 0; c < system.contactCount; ++c) {
@@ -163,13 +169,13 @@ void solveNewton(const RodSystem& system, int iterations, RodSearch& search, Nod
   NodeVector& z = search.preconditioned;
   NodeVector& p = search.direction;
   NodeVector& ap = search.bandTimesDirection;
-  p = step;
-  ap = r;
+  copyNodes(step, count, p);
+  copyNodes(r, count, ap);
   double rz = product(r, p, count);
   const double enough = 1e-8 * rz;
   for (int n = 0; n < iterations; ++n) {
     NodeVector& curvature = z;  // z is free until the next preconditioning
-    curvature = ap;
+    copyNodes(ap, count, curvature);
     subtractContacts(system, p, curvature);
     const double bend = product(p, curvature, count);
     if (!(bend > 0.0)) {

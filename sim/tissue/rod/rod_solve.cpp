@@ -2,12 +2,13 @@
 #include "sim/tissue/rod/rod_solve.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "sim/base/angle.h"
+#include "sim/base/contracts.h"
 #include "sim/tissue/rod/rod_element.h"
 #include "sim/tissue/rod/rod_step.h"
 
@@ -141,13 +142,27 @@ RodBalance balance(const RodTask& task, RodPose& pose, RodWorkspace& work) {
   return result;
 }
 
-/// Turn of `now` about the tangent `axis` at rest, nearest to `before_rad`: swing after twist.
-double turnAbout(const Quat& rest, const Quat& now, const Vec3& axis, double before_rad) {
-  const Quat turn = now * conjugate(rest);
-  return unwrapNear(2.0 * portableAtan2(dot(vectorPart(turn), axis), turn.w), before_rad);
+/// The nodes that turn together, all held as they are.
+std::vector<HeldNode> turnedNodes(const Rod& rod, const RodTurn& turn, int node) {
+  double arc_m = 0.0;
+  for (int i = 0; i < node; ++i) {
+    arc_m += rod.elements()[static_cast<std::size_t>(i)].length_m;
+  }
+  const NodeRange jaw = nodesAround(rod.elements(), arc_m, turn.halfWidth_m, kMostRodNodes);
+  TORSIO_EXPECTS(jaw.first > 0);
+  const bool place = turn.holdsPlace;
+  std::vector<HeldNode> held;
+  for (int i = jaw.first; i <= jaw.last; ++i) {
+    held.push_back({.node = i, .freedoms = {place, place, place, true, true, true}});
+  }
+  return held;
 }
 
 }  // namespace
+
+double sectionTurn_rad(const Quat& rest, const Quat& now, const Vec3& axis, double before_rad) noexcept {
+  return unwrapNear(turnAbout(axis, rest, now), before_rad);
+}
 
 RodBalance balanceRod(const Rod& rod, const RodGrip* grip, const Pose& hand, std::span<const HeldNode> held,
                       RodPose& pose) {
@@ -172,11 +187,11 @@ RodBalance balanceRod(const Rod& rod, const RodGrip* grip, const Pose& hand, std
 TurnedRod solveTurned(const Rod& rod, const RodTurn& turn) {
   const int turned = turn.node < 0 ? rod.nodeCount() - 1 : turn.node;
   const RodPose& rest = rod.rest();
-  const Quat& restTurn = rest.nodes[static_cast<std::size_t>(turned)].orientation;
-  const Vec3 axis = rotate(restTurn, {0, 0, 1});
-  const bool place = turn.holdsPlace;
-  const std::array<HeldNode, 2> held{
-      HeldNode{.node = 0}, HeldNode{.node = turned, .freedoms = {place, place, place, true, true, true}}};
+  const Pose& middle = rest.nodes[static_cast<std::size_t>(turned)];
+  const Vec3 axis = rotate(middle.orientation, {0, 0, 1});
+  std::vector<HeldNode> held{HeldNode{.node = 0}};
+  const std::vector<HeldNode> jaw = turnedNodes(rod, turn, turned);
+  held.insert(held.end(), jaw.begin(), jaw.end());
   const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(turn.angle_rad) / radians(5.0) - 1e-9)));
   TurnedRod result;
   result.pose = rest;
@@ -184,18 +199,31 @@ TurnedRod solveTurned(const Rod& rod, const RodTurn& turn) {
   result.turn_rad.assign(count, 0.0);
   int newtonSteps = 0;
   for (int k = 1; k <= steps; ++k) {
-    result.pose.nodes[static_cast<std::size_t>(turned)].orientation =
-        axisAngle(axis, turn.angle_rad * k / steps) * restTurn;
+    const Quat rotation = axisAngle(axis, turn.angle_rad * k / steps);
+    for (const HeldNode& h : jaw) {
+      const Pose& was = rest.nodes[static_cast<std::size_t>(h.node)];
+      Pose& now = result.pose.nodes[static_cast<std::size_t>(h.node)];
+      now.orientation = rotation * was.orientation;
+      if (turn.holdsPlace) {
+        now.position_m = middle.position_m + rotate(rotation, was.position_m - middle.position_m);
+      }
+    }
     result.balance = balanceRod(rod, nullptr, {}, held, result.pose);
     newtonSteps += result.balance.newtonSteps;
     for (std::size_t i = 0; i < count; ++i) {
       const Quat& was = rest.nodes[i].orientation;
       result.turn_rad[i] =
-          turnAbout(was, result.pose.nodes[i].orientation, rotate(was, {0, 0, 1}), result.turn_rad[i]);
+          sectionTurn_rad(was, result.pose.nodes[i].orientation, rotate(was, {0, 0, 1}), result.turn_rad[i]);
     }
   }
   result.balance.newtonSteps = newtonSteps;
-  result.end = result.balance.held[1];
+  const Vec3 about = result.pose.nodes[static_cast<std::size_t>(turned)].position_m;
+  for (std::size_t k = 1; k < held.size(); ++k) {
+    const GripLoad& load = result.balance.held[k];
+    const Vec3 arm = result.pose.nodes[static_cast<std::size_t>(held[k].node)].position_m - about;
+    result.end.force_N += load.force_N;
+    result.end.torque_Nm += load.torque_Nm + cross(arm, load.force_N);
+  }
   result.torque_Nm = dot(result.end.torque_Nm, axis);
   result.overlap_m = deepestOverlap_m(rod, result.pose);
   result.arc_m.push_back(0.0);

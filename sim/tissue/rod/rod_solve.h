@@ -31,16 +31,24 @@ struct RodTurn {
   double angle_rad = 0.0;
   int node = -1;           ///< the turned section; -1: the last
   bool holdsPlace = true;  ///< whether its place is held (an end moved as a rigid body) or follows
+  /// Half the width of a jaw: the sections within it along the rod (nodesAround) turn with the section as one
+  /// rigid body; 0: the section alone.
+  double halfWidth_m = 0.0;
 };
+
+/// Returns the turn of a section from `rest` to `now` about its tangent `axis` at rest (unit, world frame),
+/// what is left beside a swing of the tangent: of all whole turns the one nearest to `before_rad`.
+[[nodiscard]] double sectionTurn_rad(const Quat& rest, const Quat& now, const Vec3& axis,
+                                     double before_rad) noexcept;
 
 /// Pose at rest of a turned rod.
 struct TurnedRod {
   RodPose pose;
   std::vector<double> arc_m;     ///< of each node, along the rod at rest
   std::vector<double> turn_rad;  ///< of each section about its own tangent at rest; counts whole turns
-  double torque_Nm = 0.0;        ///< on the turned section, about its tangent at rest
+  double torque_Nm = 0.0;        ///< on the turned section or jaw, about its tangent at rest
   double overlap_m = 0.0;  ///< how far the rod overlaps itself: 0 unless parts are pressed on each other
-  GripLoad end;            ///< on the turned section: force and moment, world frame
+  GripLoad end;            ///< on the turned section or jaw: force, moment about its node; world frame
   RodBalance balance;      ///< of the last step; newtonSteps of all
 };
 

@@ -12,6 +12,7 @@
 #include "sim/base/error.h"
 #include "sim/base/index.h"
 #include "sim/base/portable_math.h"
+#include "sim/tissue/twist/twist_model.h"
 
 namespace torsio {
 
@@ -221,6 +222,14 @@ std::vector<double> SolvedSections::shear_m(double arc_m) const {
     t = std::max(0.0, t);
   }
   return row;
+}
+
+SolvedSections solvedSections(const SectionLattice& lattice, const TwistModelOptions& options) {
+  return SolvedSections::solve(lattice, {.sections = options.solvedSections,
+                                         .points = options.sectionPoints,
+                                         .aboutShearCentre = options.centre == TwistCentre::kShearCentre,
+                                         .solver = options.sectionSolver,
+                                         .kriging = options.kriging});
 }
 
 }  // namespace torsio

@@ -67,6 +67,11 @@ class SolvedSections {
   std::vector<std::vector<double>> shearShare_;    // |tau| / J^(1/4)
 };
 
+struct TwistModelOptions;
+
+/// Solves the sections of an organ as a twist model with these options does.
+[[nodiscard]] SolvedSections solvedSections(const SectionLattice& lattice, const TwistModelOptions& options);
+
 /// Resamples `values` at increasing `angles_rad` of [0, 2 pi) to `count` equal steps, linear between,
 /// periodic.
 [[nodiscard]] std::vector<double> onEqualAngles(std::span<const double> angles_rad,

@@ -66,12 +66,7 @@ class TableMaker {
         lattice_(lattice),
         material_(material),
         options_(options),
-        solved_(
-            SolvedSections::solve(lattice, {.sections = options.solvedSections,
-                                            .points = options.sectionPoints,
-                                            .aboutShearCentre = options.centre == TwistCentre::kShearCentre,
-                                            .solver = options.sectionSolver,
-                                            .kriging = options.kriging})) {}
+        solved_(solvedSections(lattice, options)) {}
 
   TwistModel::Tables make() {
     makeTwist();

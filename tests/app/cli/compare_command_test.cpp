@@ -33,7 +33,7 @@ TEST(CompareCommand, ComparesTheModelsOfTheArmAndWritesItsReport) {
   const auto json = nlohmann::json::parse(run.out);
   EXPECT_EQ(json["organ"], "Right forearm");
   EXPECT_EQ(json["torque_nm"], -0.01);
-  EXPECT_EQ(json["models"].size(), 5U);
+  EXPECT_EQ(json["models"].size(), 6U);
   EXPECT_EQ(json["measured"][7]["subjects"], 2);
   EXPECT_NE(run.err.find("Equilibrium"), std::string::npos) << "progress";
   for (const char* name : {"comparison.pdf", "comparison.json", "models.csv", "markers.csv", "course.csv"}) {
@@ -62,6 +62,27 @@ TEST(CompareCommand, TakesMarkersFromAFileAndMeasurementsFromCameras) {
   EXPECT_EQ(json["models"][1]["settled"]["marker_displacements_m"].size(), 1U);
 }
 
+TEST(CompareCommand, AJawTurnsEveryModel) {
+  const fs::path folder = emptyFolder("compare-jaw");
+
+  const ProgramRun run = runTorsio(
+      kCoarse + (folder / "out").string() + " --torque -0.01 --ends clamped-free --grasp 0.7 --json", folder);
+
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["ends"], "clamped-free");
+  EXPECT_EQ(json["grasp"], 0.7);
+  const double reference_rad = json["models"][0]["settled"]["angle_rad"];
+  EXPECT_LT(reference_rad, -0.05);
+  EXPECT_EQ(json["models"][3]["id"], "rod");
+  // On a lattice so coarse the jaw is one section, in the rod all within half a radius: a third stiffer. On
+  // 61 sections the two are 2 % apart.
+  EXPECT_NEAR(json["models"][3]["settled"]["angle_rad"].get<double>() / reference_rad, 0.75, 0.1);
+  for (const auto& model : json["models"]) {
+    EXPECT_LT(model["moving"]["angle_rad"], -0.02) << model["id"];
+  }
+}
+
 TEST(CompareCommand, RefusesWithTheDocumentedCodes) {
   const fs::path folder = emptyFolder("compare-refused");
   const auto codeOf = [&](const std::string& arguments) {
@@ -70,6 +91,9 @@ TEST(CompareCommand, RefusesWithTheDocumentedCodes) {
 
   EXPECT_EQ(codeOf("--torque 0"), static_cast<int>(ErrorCode::kBadParameter));
   EXPECT_EQ(codeOf("--nu 0.5"), static_cast<int>(ErrorCode::kBadParameter));
+  EXPECT_EQ(codeOf("--ends clamped-free --grasp 1.2"), static_cast<int>(ErrorCode::kBadParameter));
+  EXPECT_EQ(codeOf("--ends clamped-free --grasp 0.01"), static_cast<int>(ErrorCode::kBadParameter));
+  EXPECT_EQ(codeOf("--grasp 0.5"), static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(codeOf("--organ leg"), static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(codeOf("--calibration none"), static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(codeOf("--measured /nowhere.csv"), static_cast<int>(ErrorCode::kFileMissing));

@@ -110,6 +110,26 @@ TEST(RodTwist, TheTorqueOfBentTubesIsThatOfThreeDimensionalFiniteElements) {
   }
 }
 
+TEST(RodTwist, TheReferenceBesideTheRodIsWithinThreePercentOfIt) {
+  const fs::path scratch = emptyFolder("rod-reference");
+  const Tube tube{"bent90", 0.5 * kPi, {0.025, 0.025}, {0.025, 0.025}};
+  const std::string call = written(tube, scratch) +
+                           " --angle 30 --shear-modulus 10000 --reference --ridges 16 --sections 41 --ends ";
+  for (const std::string ends : {"clamped-turned", "clamped-free --grasp 0.5"}) {
+    const nlohmann::json result = resultOf(call + ends, scratch);
+
+    EXPECT_EQ(result["nu"], 0.45) << ends;
+    EXPECT_EQ(result["jaw"], ends != "clamped-turned");
+    EXPECT_LT(std::abs(result["torque_error"].get<double>()), 0.03) << ends;
+    EXPECT_LT(result["profile_error"].get<double>(), 0.03) << ends;
+    EXPECT_NEAR(result["energy_j"].get<double>() / result["reference_energy_j"].get<double>(), 1.0, 0.03);
+    EXPECT_GT(result["reference_unknowns"], 3000);
+    const nlohmann::json& upper = result["profile"].back();
+    EXPECT_NEAR(upper["reference_phi_rad"].get<double>(), upper["phi_rad"].get<double>(),
+                0.01 * radians(30.0));
+  }
+}
+
 TEST(RodTwist, AQuarterTurnOfABentTubeAgreesWithNeoHookeanFiniteElements) {
   // CalculiX 2.20, neo-Hookean, 2,240 nodes, nine steps of 10 degrees, nu 0.45, G 10 kPa: 45.45 N mm/rad.
   const fs::path scratch = emptyFolder("rod-quarter");
@@ -217,6 +237,9 @@ TEST(RodTwist, OptionsWithoutMeaningAreRefused) {
   EXPECT_EQ(codeOf("--ends hinged"), static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(codeOf("--ends clamped-turned --grasp 0.5"), static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(codeOf("--nu 0.4"), static_cast<int>(ErrorCode::kUsage));
+  EXPECT_EQ(codeOf("--ends clamped-turned --jaw"), static_cast<int>(ErrorCode::kUsage));
+  EXPECT_EQ(codeOf("--reference"), static_cast<int>(ErrorCode::kUsage));
+  EXPECT_EQ(codeOf("--ends clamped-free --grasp 0.01 --jaw"), static_cast<int>(ErrorCode::kBadParameter));
   EXPECT_EQ(codeOf("--ends clamped-turned --poynting"), static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(codeOf("--ends clamped-turned --nu 0.6"), static_cast<int>(ErrorCode::kBadParameter));
   EXPECT_EQ(codeOf("--ends clamped-turned --shear-modulus -1"), static_cast<int>(ErrorCode::kBadParameter));

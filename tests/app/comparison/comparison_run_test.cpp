@@ -55,7 +55,7 @@ class ComparisonOfTheForearm : public testing::Test {
 std::optional<ComparisonResult> ComparisonOfTheForearm::result_;
 
 TEST_F(ComparisonOfTheForearm, TwistsEveryModelByTheSameTorque) {
-  ASSERT_EQ(result_->models.size(), 5U);
+  ASSERT_EQ(result_->models.size(), 6U);
   for (const ModelResult& model : result_->models) {
     EXPECT_LT(model.settled.angle_rad, -0.05) << model.id;
     EXPECT_EQ(model.course.back().torque_Nm, -0.01) << model.id;
@@ -102,7 +102,7 @@ TEST_F(ComparisonOfTheForearm, WritesJsonAndTables) {
     EXPECT_GT(fs::file_size(folder / name), 100U) << name;
   }
   const auto json = nlohmann::json::parse(comparisonJson(*result_));
-  EXPECT_EQ(json["models"].size(), 5U);
+  EXPECT_EQ(json["models"].size(), 6U);
   EXPECT_EQ(json["models"][1]["id"], "pm");
   EXPECT_EQ(json["measured"].size(), 10U);
   EXPECT_GT(json["speed"]["fem_frame_over_pm_lattice_update"].get<double>(), 10.0);
@@ -116,8 +116,8 @@ TEST_F(ComparisonOfTheForearm, ReportDrawsTheThreeFiguresOfThePaper) {
   ASSERT_EQ(report.sections.size(), 3U);
   EXPECT_EQ(report.sections[0].figures[0].id, "figure-10");
   ASSERT_EQ(report.sections[1].figures.size(), 2U);
-  EXPECT_EQ(report.sections[1].figures[0].series.size(), 6U);  // five models and what was measured
-  EXPECT_EQ(report.sections[1].figures[1].series.size(), 7U);  // both subjects
+  EXPECT_EQ(report.sections[1].figures[0].series.size(), 7U);  // six models and what was measured
+  EXPECT_EQ(report.sections[1].figures[1].series.size(), 8U);  // both subjects
   for (const std::vector<Text>& row : report.sections[1].tables[0].rows) {
     EXPECT_EQ(row.size(), report.sections[1].tables[0].columns.size());
   }

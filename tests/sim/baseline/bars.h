@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "sim/base/portable_math.h"
+#include "sim/baseline/elastic_body.h"
 #include "sim/baseline/swept_solid.h"
 
 namespace torsio {
@@ -46,6 +48,11 @@ inline SweptSolid bentBar(int points, int layers, int rings, double radius_m, do
     outlines.push_back(std::move(outline));
   }
   return sweptSolid(outlines, {std::sin(bend_rad), 0.0, std::cos(bend_rad)}, rings);
+}
+
+/// An organ turned by a jaw; none: by its end.
+inline TwistHold jawAt(const std::optional<double>& grasp) {
+  return {.span = {0.0, 1.0}, .grasp = grasp};
 }
 
 /// Polar moment of a regular polygon: N triangles of R^4 sin(a) (2 + cos(a)) / 12 with a = 2 pi / N.

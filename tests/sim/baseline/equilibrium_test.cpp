@@ -10,7 +10,7 @@
 #include "sim/base/error.h"
 #include "sim/baseline/corotational_tetrahedra.h"
 #include "sim/baseline/neo_hookean_wedges.h"
-#include "sim/baseline/twist_simulation.h"
+#include "sim/baseline/reference_solid.h"
 #include "tests/sim/baseline/bars.h"
 
 namespace torsio {
@@ -26,7 +26,7 @@ double turnUnder(const ElasticBody& body, const SweptSolid& solid, double torque
   TwistPose pose{solid.points_m, 0.0};
   for (int step = 1; step <= steps; ++step) {
     if (step > 1) {
-      pose = turnedOn(solid, pose, static_cast<double>(step) / (step - 1));
+      pose = turnedOn(solid, twistEnds(solid), pose, static_cast<double>(step) / (step - 1));
     }
     static_cast<void>(equilibrium.solve(torque_Nm * step / steps, pose));
   }

@@ -26,8 +26,9 @@ double stiffness_Nm() {
   return kConstants.shearModulus_Pa * 0.5 * kPi * std::pow(kRadius_m, 4) / kLength_m;
 }
 
-double equilibriumTurn(const ElasticBody& body, const SweptSolid& bar, double torque_Nm, TwistPose pose) {
-  Equilibrium equilibrium(body, twistEnds(bar), bar.points_m);
+double equilibriumTurn(const ElasticBody& body, const SweptSolid& bar, const TwistEnds& ends,
+                       double torque_Nm, TwistPose pose) {
+  Equilibrium equilibrium(body, ends, bar.points_m);
   static_cast<void>(equilibrium.solve(torque_Nm, pose));
   return pose.angle_rad;
 }
@@ -51,7 +52,7 @@ TEST(TwistDynamics, NodesWeighWhatTheirBarWeighs) {
 
 TEST(CorotationalFrames, ComeToRestInTheEquilibriumOfTheirElements) {
   const SweptSolid bar = straightBar(12, 10, 2, kRadius_m, kLength_m);
-  CorotationalFrames frames(bar, kConstants, damped());
+  CorotationalFrames frames(bar, twistEnds(bar), kConstants, damped());
   const double torque_Nm = stiffness_Nm() * 1.0;
 
   for (int frame = 0; frame < 150; ++frame) {
@@ -59,14 +60,28 @@ TEST(CorotationalFrames, ComeToRestInTheEquilibriumOfTheirElements) {
   }
 
   // 1e-3 is the tolerance of the conjugate gradients.
-  const double expected = equilibriumTurn(frames.body(), bar, torque_Nm, frames.pose());
+  const double expected = equilibriumTurn(frames.body(), bar, frames.ends(), torque_Nm, frames.pose());
   EXPECT_NEAR(frames.pose().angle_rad / expected, 1.0, 2e-3);
   EXPECT_GT(frames.gradientSteps(), 5);
 }
 
+TEST(CorotationalFrames, TurnedByAJawComeToRestInTheEquilibriumOfTheirElements) {
+  const SweptSolid bar = bentBar(12, 10, 2, kRadius_m, kLength_m, kPi / 3.0);
+  CorotationalFrames frames(bar, twistEnds(bar, jawAt(0.7)), kConstants, damped());
+  const double torque_Nm = 0.5 * stiffness_Nm();
+
+  for (int frame = 0; frame < 150; ++frame) {
+    frames.step(torque_Nm);
+  }
+
+  const double expected = equilibriumTurn(frames.body(), bar, frames.ends(), torque_Nm, frames.pose());
+  EXPECT_NEAR(frames.pose().angle_rad / expected, 1.0, 2e-3);
+  EXPECT_GT(norm(frames.pose().way_m), 1e-4);  // the bend lets a free place wander
+}
+
 TEST(CorotationalFrames, StayAtRestWithoutATorque) {
   const SweptSolid bar = straightBar(12, 6, 2, kRadius_m, kLength_m);
-  CorotationalFrames frames(bar, kConstants, damped());
+  CorotationalFrames frames(bar, twistEnds(bar), kConstants, damped());
 
   frames.step(0.0);
 
@@ -88,11 +103,11 @@ TEST(XpbdFrames, ApproachTheEquilibriumOfTheirSpringsWithMoreSubsteps) {
   const double torque_Nm = 0.5 * stiffness_Nm();
   std::vector<double> errors;
   for (const int substeps : {5, 20, 80}) {
-    XpbdFrames frames(bar, springsOf(bar), damped(), substeps);
+    XpbdFrames frames(bar, twistEnds(bar), springsOf(bar), damped(), substeps);
     for (int frame = 0; frame < 150; ++frame) {
       frames.step(torque_Nm);
     }
-    const double expected = equilibriumTurn(frames.body(), bar, torque_Nm, frames.pose());
+    const double expected = equilibriumTurn(frames.body(), bar, frames.ends(), torque_Nm, frames.pose());
     errors.push_back(frames.pose().angle_rad / expected - 1.0);
   }
 
@@ -102,10 +117,23 @@ TEST(XpbdFrames, ApproachTheEquilibriumOfTheirSpringsWithMoreSubsteps) {
   EXPECT_NEAR(errors[2], 0.0, 0.05);
 }
 
+TEST(XpbdFrames, TurnedByAJawApproachTheEquilibriumOfTheirSprings) {
+  const SweptSolid bar = bentBar(12, 10, 2, kRadius_m, kLength_m, kPi / 3.0);
+  const double torque_Nm = 0.3 * stiffness_Nm();
+  XpbdFrames frames(bar, twistEnds(bar, jawAt(0.7)), SpringLattice(bar, kConstants), damped(), 80);
+
+  for (int frame = 0; frame < 150; ++frame) {
+    frames.step(torque_Nm);
+  }
+
+  const double expected = equilibriumTurn(frames.body(), bar, frames.ends(), torque_Nm, frames.pose());
+  EXPECT_NEAR(frames.pose().angle_rad / expected, 1.0, 0.08);
+}
+
 TEST(XpbdFrames, RefuseAFrameWithoutSubsteps) {
   const SweptSolid bar = straightBar(6, 3, 1, kRadius_m, kLength_m);
 
-  EXPECT_THROW(XpbdFrames(bar, SpringLattice(bar, kConstants), damped(), 0), Error);
+  EXPECT_THROW(XpbdFrames(bar, twistEnds(bar), SpringLattice(bar, kConstants), damped(), 0), Error);
 }
 
 }  // namespace

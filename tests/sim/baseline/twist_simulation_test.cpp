@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/baseline/reference_solid.h"
 #include "tests/sim/baseline/bars.h"
 #include "tests/support/procedural_mesh.h"
 
@@ -115,7 +116,7 @@ TEST_F(Comparison, TurnedOnDoublesTheTurnOfEverySection) {
     p = turnedBy(p, 3.0 * p.z / kLength_m);
   }
 
-  const TwistPose twice = turnedOn(solid, pose, 2.0);
+  const TwistPose twice = turnedOn(solid, twistEnds(solid), pose, 2.0);
 
   EXPECT_EQ(twice.angle_rad, 0.8);
   for (std::size_t i = 0; i + static_cast<std::size_t>(solid.pointsPerSection()) < twice.places_m.size();

@@ -53,6 +53,40 @@ TEST(RodContact, KeepsTwoPressedLimbsApartToThreeTenthsOfAMillimetre) {
   EXPECT_GT(without_m, 5e-3);
 }
 
+TEST(RodContact, PairsThatAreLeftOutTouchNowhere) {
+  // Given a loop that a hand turns upside down, limbs lying on each other on the way.
+  const Rod loop = bowelLoop(0.022, 0.020);
+  RodPose pose = loop.rest();
+  const auto work = std::make_unique<RodWorkspace>();
+  const Pose rest = pose.nodes[16];
+  const RodGrip grip = gripAt(loop, pose, 16, 0.006, rest, {});
+  const auto radii_m = loop.capsuleRadii_m();
+  int touching = 0;
+  int apart = 0;
+  for (int tick = 0; tick < 600; ++tick) {
+    const Quat turn = axisAngle({0, 0, 1}, 2.0 * kPi * tick / 600.0);
+    stepRod(loop, &grip, {rest.position_m, turn * rest.orientation}, 1e-3, pose, *work);
+
+    for (const RodContactPair& pair : loop.contactPairs()) {
+      const double reach_m =
+          radii_m[static_cast<std::size_t>(pair.first)] + radii_m[static_cast<std::size_t>(pair.second)];
+      const bool left = farApart(pose, pair.first, pair.second, reach_m);
+      RodContact contact;
+      bool touched = false;
+      for (const double share : {0.0, 0.5, 1.0}) {
+        touched = touched || touches(pose, pair.first, share, pair.second, reach_m, contact) ||
+                  touches(pose, pair.second, share, pair.first, reach_m, contact);
+      }
+      EXPECT_FALSE(left && touched) << tick << ": " << pair.first << ", " << pair.second;
+      touching += touched ? 1 : 0;
+      apart += left ? 1 : 0;
+    }
+  }
+
+  EXPECT_GT(touching, 100);
+  EXPECT_GT(apart, touching);
+}
+
 TEST(RodContact, HoldsAtRestToo) {
   const Rod loop = bowelLoop(0.012, 0.010);
   RodPose pose = loop.rest();

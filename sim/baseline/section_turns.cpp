@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include <Eigen/Dense>
 
 #include "sim/base/portable_math.h"
-#include "sim/baseline/twist_simulation.h"
+#include "sim/baseline/reference_solid.h"
 
 namespace torsio {
 
@@ -13,6 +14,14 @@ namespace {
 
 Eigen::Vector3d toEigen(const Vec3& v) {
   return {v.x, v.y, v.z};
+}
+
+Vec3 meanOf(std::span<const Vec3> places) {
+  Vec3 sum;
+  for (const Vec3& p : places) {
+    sum += p;
+  }
+  return sum / static_cast<double>(places.size());
 }
 
 /// Rotation vector that turns one set of arms into the other best (least squares).
@@ -43,7 +52,24 @@ Eigen::Vector3d unwrapped(const Eigen::Vector3d& turn, const Eigen::Vector3d& ne
 
 }  // namespace
 
-TwistPose turnedOn(const SweptSolid& solid, const TwistPose& pose, double ratio) {
+std::vector<double> sectionTurns_rad(const SweptSolid& solid, std::span<const Vec3> places_m) {
+  std::vector<double> turns;
+  const auto count = static_cast<std::size_t>(solid.ridges);
+  for (int j = 0; j < solid.sections; ++j) {
+    // The outline only: of the points inside, quadratic elements leave some where they were.
+    const auto first = static_cast<std::size_t>(solid.point(j, solid.rings, 0));
+    const std::span<const Vec3> rest = std::span(solid.points_m).subspan(first, count);
+    const std::span<const Vec3> now = places_m.subspan(first, count);
+    const Eigen::Vector3d turn = bestTurn(rest, now, meanOf(rest), meanOf(now));
+    const double angle = turn.norm();
+    const double along = angle > 0.0 ? turn.dot(toEigen(sectionTangent(solid, j))) / angle : 0.0;
+    const double swung = 2.0 * std::atan2(std::sin(0.5 * angle) * along, std::cos(0.5 * angle));
+    turns.push_back(unwrapNear(swung, turns.empty() ? 0.0 : turns.back()));
+  }
+  return turns;
+}
+
+TwistPose turnedOn(const SweptSolid& solid, const TwistEnds& ends, const TwistPose& pose, double ratio) {
   TwistPose result = pose;
   const auto count = static_cast<std::size_t>(solid.pointsPerSection());
   Eigen::Vector3d last = Eigen::Vector3d::Zero();
@@ -51,7 +77,8 @@ TwistPose turnedOn(const SweptSolid& solid, const TwistPose& pose, double ratio)
     const std::span<const Vec3> rest = std::span(solid.points_m).subspan(j * count, count);
     const std::span<const Vec3> now = std::span(pose.places_m).subspan(j * count, count);
     const Vec3 centre = now[0];
-    last = unwrapped(bestTurn(rest, now, rest[0], centre), last);
+    const auto ridges = static_cast<std::size_t>(solid.ridges);
+    last = unwrapped(bestTurn(rest.last(ridges), now.last(ridges), rest[0], centre), last);
     const Eigen::Vector3d more = (ratio - 1.0) * last;
     const double angle = more.norm();
     const Eigen::Matrix3d turn = angle > 0.0 ? Eigen::AngleAxisd(angle, more / angle).toRotationMatrix()
@@ -62,7 +89,8 @@ TwistPose turnedOn(const SweptSolid& solid, const TwistPose& pose, double ratio)
       result.places_m[j * count + i] = moved + Vec3{arm.x(), arm.y(), arm.z()};
     }
   }
-  turnEnd(twistEnds(solid), solid.points_m, ratio * pose.angle_rad, result);
+  result.way_m = ratio * pose.way_m;
+  turnEnd(ends, solid.points_m, ratio * pose.angle_rad, result);
   return result;
 }
 
