@@ -38,6 +38,7 @@ namespace {
 constexpr double kShownPoses_per_s = 30.0;  ///< of simulated time
 constexpr int kReplayFrame_ms = 33;
 constexpr int kViewHeight = 250;
+constexpr int kLabelRoom = 4;  ///< the width of a label with a mnemonic is told a little too small
 constexpr int kTableHeight = 330;
 constexpr int kFigureHeight = 400;
 constexpr int kFirstMarkerOfCourse = 8;  ///< the second knuckle, as in Fig. 14
@@ -139,6 +140,7 @@ QWidget* ModelComparison::createBar() {
     organChoice_->addItem(QString(), toQString(id));
   }
   torqueLabel_ = new QLabel(bar);
+  torqueLabel_->setContentsMargins(0, 0, kLabelRoom, 0);
   torque_ = new QDoubleSpinBox(bar);
   torque_->setRange(-100.0, 100.0);
   torque_->setDecimals(5);
