@@ -9645,6 +9645,18 @@
         <source>Turn less far, or in more steps</source>
         <translation>请少转一些，或分更多步</translation>
     </message>
+    <message>
+        <source>this task turns the other way</source>
+        <translation>该任务的扭转方向与此相反</translation>
+    </message>
+    <message>
+        <source>--angle %1, target %2</source>
+        <translation>--angle %1，目标 %2</translation>
+    </message>
+    <message>
+        <source>Give an angle with the sign of the target</source>
+        <translation>请给出与目标同号的角度</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
