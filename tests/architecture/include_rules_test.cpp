@@ -82,6 +82,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
         "sim/geometry/mesh",
         "sim/record",
         "sim/scene",
+        "sim/servo",
         "sim/tissue/rod",
         "sim/tissue/section",
         "sim/tissue/twist"}},
