@@ -132,9 +132,13 @@ Json intraclassJson(const RatingGrid& grid) {
                 {"error", result.ems}};
   });
   out["tests"] = outcomeJson(icc, [](const IccResult& result) {
-    return Json{{"one_way", {{"statistic", result.fOneWay}, {"p", result.pOneWay}}},
-                {"two_way", {{"statistic", result.fTwoWay}, {"p", result.pTwoWay}}},
-                {"raters", {{"statistic", result.fRaters}, {"p", result.pRaters}}}};
+    const auto test = [](const std::optional<double>& f, const std::optional<double>& p) {
+      const std::string reason = "there is no residual variance";
+      return Json{{"statistic", numberJson(f, reason)}, {"p", numberJson(p, reason)}};
+    };
+    return Json{{"one_way", test(result.fOneWay, result.pOneWay)},
+                {"two_way", test(result.fTwoWay, result.pTwoWay)},
+                {"raters", test(result.fRaters, result.pRaters)}};
   });
   out["variances"] = outcomeJson(icc, [](const IccResult& result) {
     return Json{{"targets", result.varianceTargets},

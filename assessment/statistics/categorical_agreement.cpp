@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <vector>
 
 #include "assessment/statistics/distributions.h"
 #include "assessment/statistics/quantiles.h"
@@ -14,105 +14,181 @@ namespace torsio {
 
 namespace {
 
-/// Squared difference between the values numbered c and k.
-double difference2(AlphaMetric metric, std::size_t c, std::size_t k, const std::vector<double>& values,
-                   const std::vector<double>& counts) {
-  if (c == k) {
-    return 0.0;
-  }
-  switch (metric) {
-    case AlphaMetric::kNominal:
-      return 1.0;
-    case AlphaMetric::kInterval:
-      return (values[c] - values[k]) * (values[c] - values[k]);
-    case AlphaMetric::kRatio: {
-      const double sum = values[c] + values[k];
-      const double ratio = sum == 0.0 ? 0.0 : (values[c] - values[k]) / sum;
-      return ratio * ratio;
-    }
-    case AlphaMetric::kOrdinal: {
-      double between = 0.0;
-      for (std::size_t g = std::min(c, k); g <= std::max(c, k); ++g) {
-        between += counts[g];
+/// The ratings that can be paired: each unit with its values as numbers of the distinct ones.
+struct PairableRatings {
+  std::vector<double> values;                   // distinct, ascending
+  std::vector<std::vector<std::size_t>> units;  // a unit with fewer than two ratings is empty
+};
+
+PairableRatings pairableRatings(const IncompleteRatings& ratings) {
+  const std::size_t units = ratings.front().size();
+  std::vector<std::vector<double>> rated(units);
+  for (const auto& coder : ratings) {
+    TORSIO_EXPECTS(coder.size() == units);
+    for (std::size_t u = 0; u < units; ++u) {
+      if (coder[u]) {
+        rated[u].push_back(*coder[u]);
       }
-      between -= 0.5 * (counts[c] + counts[k]);
-      return between * between;
     }
   }
-  return 0.0;
+  PairableRatings out;
+  out.units.resize(units);
+  for (const std::vector<double>& unit : rated) {
+    if (unit.size() > 1) {
+      out.values.insert(out.values.end(), unit.begin(), unit.end());
+    }
+  }
+  std::sort(out.values.begin(), out.values.end());
+  out.values.erase(std::unique(out.values.begin(), out.values.end()), out.values.end());
+  for (std::size_t u = 0; u < units; ++u) {
+    for (std::size_t i = 0; rated[u].size() > 1 && i < rated[u].size(); ++i) {
+      out.units[u].push_back(static_cast<std::size_t>(
+          std::lower_bound(out.values.begin(), out.values.end(), rated[u][i]) - out.values.begin()));
+    }
+  }
+  return out;
 }
 
-std::vector<double> valuesOfUnit(const IncompleteRatings& ratings, std::size_t unit) {
-  std::vector<double> values;
-  for (const auto& coder : ratings) {
-    if (coder[unit]) {
-      values.push_back(*coder[unit]);
+/// Squared relative difference of two values.
+double ratioDifference2(double a, double b) {
+  const double sum = a + b;
+  const double ratio = sum == 0.0 ? 0.0 : (a - b) / sum;
+  return ratio * ratio;
+}
+
+/// Where the values stand on a line on which their squared difference is the square of their distance: the
+/// values themselves, or for ranks the middle of the ranks that each takes up.
+std::vector<double> placesOf(AlphaMetric metric, const std::vector<double>& values,
+                             const std::vector<double>& counts) {
+  if (metric != AlphaMetric::kOrdinal) {
+    return values;
+  }
+  std::vector<double> places;
+  double below = 0.0;
+  for (const double count : counts) {
+    places.push_back(below + 0.5 * count);
+    below += count;
+  }
+  return places;
+}
+
+/// Sum of the squared differences between all ordered pairs of ratings of a unit.
+double withinUnit(AlphaMetric metric, const std::vector<std::size_t>& unit,
+                  const std::vector<double>& places) {
+  const double m = static_cast<double>(unit.size());
+  double sum = 0.0;
+  if (metric == AlphaMetric::kInterval || metric == AlphaMetric::kOrdinal) {
+    double mean = 0.0;
+    for (const std::size_t value : unit) {
+      mean += places[value] / m;
+    }
+    for (const std::size_t value : unit) {
+      sum += (places[value] - mean) * (places[value] - mean);
+    }
+    return 2.0 * m * sum;
+  }
+  for (const std::size_t a : unit) {
+    for (const std::size_t b : unit) {
+      sum += metric == AlphaMetric::kRatio ? ratioDifference2(places[a], places[b]) : (a == b ? 0.0 : 1.0);
     }
   }
-  return values;
+  return sum;
 }
+
+/// Sum of the squared differences between all ordered pairs of ratings, `counts[c]` of the value c.
+double betweenAll(AlphaMetric metric, const std::vector<double>& places, const std::vector<double>& counts,
+                  double n) {
+  double sum = 0.0;
+  switch (metric) {
+    case AlphaMetric::kNominal:
+      for (const double count : counts) {
+        sum += count * (n - count);
+      }
+      return sum;
+    case AlphaMetric::kRatio:
+      for (std::size_t c = 0; c < places.size(); ++c) {
+        for (std::size_t k = 0; k < c && counts[c] > 0.0; ++k) {
+          sum += 2.0 * counts[c] * counts[k] * ratioDifference2(places[c], places[k]);
+        }
+      }
+      return sum;
+    case AlphaMetric::kOrdinal:
+    case AlphaMetric::kInterval:
+      break;
+  }
+  double mean = 0.0;
+  for (std::size_t c = 0; c < places.size(); ++c) {
+    mean += counts[c] / n * places[c];
+  }
+  for (std::size_t c = 0; c < places.size(); ++c) {
+    sum += counts[c] * (places[c] - mean) * (places[c] - mean);
+  }
+  return 2.0 * n * sum;
+}
+
+/// Alpha of ratings in which unit u stands `copies[u]` times. What does not depend on the copies is computed
+/// once.
+class AlphaOfCopies {
+ public:
+  AlphaOfCopies(const PairableRatings& ratings, AlphaMetric metric) : ratings_(ratings), metric_(metric) {
+    if (metric_ != AlphaMetric::kOrdinal) {
+      for (const std::vector<std::size_t>& unit : ratings_.units) {
+        within_.push_back(withinUnit(metric_, unit, ratings_.values));
+      }
+    }
+  }
+
+  [[nodiscard]] Outcome<KrippendorffResult> alpha(const std::vector<int>& copies) {
+    using Undefined = Outcome<KrippendorffResult>;
+    KrippendorffResult out;
+    counts_.assign(ratings_.values.size(), 0.0);
+    for (std::size_t u = 0; u < copies.size(); ++u) {
+      out.pairable += copies[u] * std::ssize(ratings_.units[u]);
+      for (const std::size_t value : ratings_.units[u]) {
+        counts_[value] += copies[u];
+      }
+    }
+    if (out.pairable == 0) {
+      return Undefined::undefined(Text::tr("no unit has two ratings"));
+    }
+    if (std::ranges::count_if(counts_, [](double count) { return count > 0.0; }) < 2) {
+      return Undefined::undefined(Text::tr("every rating is the same"));
+    }
+    const double n = static_cast<double>(out.pairable);
+    const std::vector<double> places = placesOf(metric_, ratings_.values, counts_);
+    for (std::size_t u = 0; u < copies.size(); ++u) {
+      const std::vector<std::size_t>& unit = ratings_.units[u];
+      if (copies[u] > 0 && !unit.empty()) {
+        const double within = within_.empty() ? withinUnit(metric_, unit, places) : within_[u];
+        out.observed += copies[u] * within / static_cast<double>(unit.size() - 1) / n;
+      }
+    }
+    out.expected = betweenAll(metric_, places, counts_, n) / (n * (n - 1.0));
+    if (out.expected == 0.0) {
+      return Undefined::undefined(Text::tr("the values do not differ under this metric"));
+    }
+    if (!std::isfinite(out.observed) || !std::isfinite(out.expected)) {
+      return Undefined::undefined(Text::tr("the values are too large to be squared"));
+    }
+    out.alpha = 1.0 - out.observed / out.expected;
+    return out;
+  }
+
+ private:
+  const PairableRatings& ratings_;
+  AlphaMetric metric_;
+  std::vector<double> within_;  // by unit; empty: it depends on the copies
+  std::vector<double> counts_;
+};
 
 }  // namespace
 
 Outcome<KrippendorffResult> krippendorffAlpha(const IncompleteRatings& ratings, AlphaMetric metric) {
-  using Undefined = Outcome<KrippendorffResult>;
   if (ratings.size() < 2) {
-    return Undefined::undefined(Text::tr("there are fewer than two coders"));
+    return Outcome<KrippendorffResult>::undefined(Text::tr("there are fewer than two coders"));
   }
-  const std::size_t units = ratings.front().size();
-  std::set<double> distinct;
-  std::vector<std::vector<double>> pairable;
-  for (const auto& coder : ratings) {
-    TORSIO_EXPECTS(coder.size() == units);
-  }
-  KrippendorffResult out;
-  for (std::size_t u = 0; u < units; ++u) {
-    const std::vector<double> values = valuesOfUnit(ratings, u);
-    if (values.size() < 2) {
-      continue;
-    }
-    distinct.insert(values.begin(), values.end());
-    out.pairable += std::ssize(values);
-    pairable.push_back(values);
-  }
-  if (pairable.empty()) {
-    return Undefined::undefined(Text::tr("no unit has two ratings"));
-  }
-  if (distinct.size() < 2) {
-    return Undefined::undefined(Text::tr("every rating is the same"));
-  }
-  out.values.assign(distinct.begin(), distinct.end());
-  const std::size_t size = out.values.size();
-  const auto numberOf = [&](double x) {
-    return static_cast<std::size_t>(std::lower_bound(out.values.begin(), out.values.end(), x) -
-                                    out.values.begin());
-  };
-  out.coincidences = NumberTable(size, size);
-  std::vector<double> counts(size, 0.0);
-  for (const std::vector<double>& unit : pairable) {
-    for (std::size_t i = 0; i < unit.size(); ++i) {
-      counts[numberOf(unit[i])] += 1.0;
-      for (std::size_t j = 0; j < unit.size(); ++j) {
-        if (i != j) {
-          out.coincidences.at(numberOf(unit[i]), numberOf(unit[j])) +=
-              1.0 / static_cast<double>(unit.size() - 1);
-        }
-      }
-    }
-  }
-  const double n = static_cast<double>(out.pairable);
-  for (std::size_t c = 0; c < size; ++c) {
-    for (std::size_t k = 0; k < size; ++k) {
-      const double d = difference2(metric, c, k, out.values, counts);
-      out.observed += out.coincidences.at(c, k) * d / n;
-      out.expected += counts[c] * counts[k] * d / (n * (n - 1.0));
-    }
-  }
-  if (out.expected == 0.0) {
-    return Undefined::undefined(Text::tr("the values do not differ under this metric"));
-  }
-  out.alpha = 1.0 - out.observed / out.expected;
-  return out;
+  const PairableRatings pairable = pairableRatings(ratings);
+  return AlphaOfCopies(pairable, metric).alpha(std::vector<int>(pairable.units.size(), 1));
 }
 
 Outcome<AlphaBootstrap> krippendorffInterval(const IncompleteRatings& ratings, AlphaMetric metric,
@@ -121,20 +197,25 @@ Outcome<AlphaBootstrap> krippendorffInterval(const IncompleteRatings& ratings, A
   if (!point) {
     return Outcome<AlphaBootstrap>::undefined(point.reason());
   }
+  const PairableRatings pairable = pairableRatings(ratings);
+  constexpr std::size_t kMostRatios = 300;  // each resample compares every value with every other
+  if (metric == AlphaMetric::kRatio && pairable.values.size() > kMostRatios) {
+    return Outcome<AlphaBootstrap>::undefined(
+        Text::tr("there are more than %1 distinct values to compare in each resample", kMostRatios));
+  }
+  AlphaOfCopies statistic(pairable, metric);
   Random random(seed);
   const std::size_t units = ratings.front().size();
   AlphaBootstrap out;
   out.resamples = resamples;
   std::vector<double> alphas;
-  IncompleteRatings sample = ratings;
+  std::vector<int> copies(units);
   for (int b = 0; b < resamples; ++b) {
+    std::fill(copies.begin(), copies.end(), 0);
     for (std::size_t u = 0; u < units; ++u) {
-      const std::size_t from = random.bounded(units);
-      for (std::size_t coder = 0; coder < ratings.size(); ++coder) {
-        sample[coder][u] = ratings[coder][from];
-      }
+      ++copies[random.bounded(units)];
     }
-    const Outcome<KrippendorffResult> alpha = krippendorffAlpha(sample, metric);
+    const Outcome<KrippendorffResult> alpha = statistic.alpha(copies);
     if (alpha) {
       alphas.push_back(alpha->alpha);
     }

@@ -13,21 +13,21 @@ enum class AlphaMetric { kNominal, kOrdinal, kInterval, kRatio };
 
 struct KrippendorffResult {
   double alpha = 0.0;
-  double observed = 0.0;       ///< disagreement within units
-  double expected = 0.0;       ///< disagreement between all values
-  std::int64_t pairable = 0;   ///< values in units that have at least two
-  std::vector<double> values;  ///< the distinct values, ascending
-  NumberTable coincidences;    ///< one row and column a value
+  double observed = 0.0;      ///< disagreement within units
+  double expected = 0.0;      ///< disagreement between all values
+  std::int64_t pairable = 0;  ///< values in units that have at least two
 };
 
 using IncompleteRatings = std::vector<std::vector<std::optional<double>>>;  ///< coders x units
 
 /// Computes Krippendorff's alpha for any pattern of missing ratings. Undefined when fewer than two values
-/// can be paired or all are the same (agreement without variation is not perfect reliability).
+/// can be paired, all are the same (agreement without variation is not perfect reliability) or their squares
+/// overflow. Time: n log n of n ratings; under kRatio the square of the number of distinct values.
 [[nodiscard]] Outcome<KrippendorffResult> krippendorffAlpha(const IncompleteRatings& codersByUnit,
                                                             AlphaMetric metric);
 
-/// Percentile interval from resampled units. Resamples without variation are left out and counted.
+/// Percentile interval from resampled units. Resamples without variation are left out and counted. Undefined
+/// as krippendorffAlpha, and under kRatio with more than 300 distinct values.
 struct AlphaBootstrap {
   Interval interval;
   std::int64_t resamples = 0;

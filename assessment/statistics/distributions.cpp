@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/statistics/distributions.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
+#include <utility>
 
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
@@ -30,9 +33,6 @@ using ChiSquared = bm::chi_squared_distribution<double, Policy>;
 using NoncentralT = bm::non_central_t_distribution<double, Policy>;
 using NoncentralF = bm::non_central_f_distribution<double, Policy>;
 
-constexpr double kTailProbability = 1e-17;  // of the scale factor that the outer integral leaves out
-constexpr int kPanels = 12;
-
 /// Composite Gauss-Legendre rule, 20 points a panel.
 template <class Function>
 double integrate(const Function& f, double from, double to, int panels) {
@@ -45,26 +45,29 @@ double integrate(const Function& f, double from, double to, int panels) {
 }
 
 /// P(range of k standard normal values > w) = k integral phi(z) [Phi(z)^(k-1) - (Phi(z) - Phi(z - w))^(k-1)]
-/// dz: the complement under the integral keeps small tails accurate.
+/// dz: the complement under the integral keeps small tails accurate, and a^n - b^n = -a^n expm1(n log1p(b/a -
+/// 1)).
 double rangeUpper(double w, int groups) {
   if (w <= 0.0) {
     return 1.0;
   }
+  const double n = groups - 1;
   const auto integrand = [&](double z) {
     const double upper = normalCdf(z);
     const double lower = normalCdf(z - w);
-    // a^(k-1) - b^(k-1) = (a - b) sum a^i b^(k-2-i), with a - b = Phi(z - w)
-    double sum = 0.0;
-    const double inside = upper - lower;
-    for (int i = 0; i <= groups - 2; ++i) {
-      sum += std::pow(upper, i) * std::pow(inside, groups - 2 - i);
+    if (lower >= upper) {
+      return normalDensity(z) * std::pow(upper, n);
     }
-    return normalDensity(z) * lower * sum;
+    return -normalDensity(z) * std::pow(upper, n) * std::expm1(n * std::log1p(-lower / upper));
   };
   constexpr double kReach = 8.5;
-  constexpr int kInnerPanels = 10;
-  return groups * integrate(integrand, -kReach, kReach, kInnerPanels);
+  constexpr double kPanelWidth = 1.7;
+  const double to = kReach + 0.5 * w;  // a wide range has its largest value about w / 2
+  return groups * integrate(integrand, -kReach, to, static_cast<int>(std::ceil((to + kReach) / kPanelWidth)));
 }
+
+constexpr double kPanelWidth = 0.5;    // of the interpolation, in standard deviations
+constexpr double kWidestRange = 50.0;  // beyond, the upper tail is below 1e-270
 
 }  // namespace
 
@@ -134,28 +137,78 @@ double noncentralityOfT(double t, double df, double p) {
   return 0.5 * (a + b);
 }
 
-double studentizedRangeUpper(double q, int groups, double df) {
-  TORSIO_EXPECTS(groups >= 2 && df >= 1.0);
+StudentizedRange::StudentizedRange(int groups)
+    : groups_(groups), panels_(static_cast<std::size_t>(kWidestRange / kPanelWidth)) {
+  TORSIO_EXPECTS(groups >= 2);
+}
+
+const std::array<double, StudentizedRange::kTerms>& StudentizedRange::panel(std::size_t number) {
+  std::optional<std::array<double, kTerms>>& terms = panels_[number];
+  if (!terms) {
+    terms.emplace();
+    constexpr double kCount = kTerms;
+    for (std::size_t i = 0; i < kTerms; ++i) {
+      const double angle = std::numbers::pi * (static_cast<double>(i) + 0.5) / kCount;
+      const double w = kPanelWidth * (static_cast<double>(number) + 0.5 + 0.5 * std::cos(angle));
+      const double value = std::log(rangeUpper(w, groups_));
+      for (std::size_t j = 0; j < kTerms; ++j) {
+        (*terms)[j] += (j == 0 ? 1.0 : 2.0) / kCount * value * std::cos(static_cast<double>(j) * angle);
+      }
+    }
+  }
+  return *terms;
+}
+
+double StudentizedRange::logRangeUpper(double w) {
+  const double place = w / kPanelWidth;
+  const auto number = static_cast<std::size_t>(place);
+  const std::array<double, kTerms>& terms = panel(number);
+  const double x = 2.0 * (place - static_cast<double>(number)) - 1.0;
+  double sum = 0.0;  // Clenshaw
+  double before = 0.0;
+  for (std::size_t j = kTerms - 1; j > 0; --j) {
+    before = std::exchange(sum, terms[j] + 2.0 * x * sum - before);
+  }
+  return terms[0] + x * sum - before;
+}
+
+double StudentizedRange::upper(double q, double df) {
+  TORSIO_EXPECTS(df >= 1.0);
   if (q <= 0.0) {
     return 1.0;
   }
+  const auto tail = [&](double w) { return w < kWidestRange ? std::exp(logRangeUpper(w)) : 0.0; };
   constexpr double kAsGoodAsKnown = 1e6;  // the scale no longer matters in double precision
   if (df > kAsGoodAsKnown) {
-    return rangeUpper(q, groups);
+    return tail(q);
   }
+  // Over u = log s of the scale s, where the density is smooth for every df: that of s is 2 (df/2)^(df/2) /
+  // Gamma(df/2) s^(df-1) exp(-df s^2/2).
   const double logScale = std::log(2.0) + 0.5 * df * std::log(0.5 * df) - std::lgamma(0.5 * df);
-  const auto integrand = [&](double s) {
-    const double logDensity = logScale + (df - 1.0) * std::log(s) - 0.5 * df * s * s;
-    return std::exp(logDensity) * rangeUpper(q * s, groups);
+  const auto integrand = [&](double u) {
+    const double s = std::exp(u);
+    return std::exp(logScale + df * u - 0.5 * df * s * s) * tail(q * s);
   };
-  const double from = std::sqrt(bm::quantile(ChiSquared(df), kTailProbability) / df);
-  const double to = std::sqrt(bm::quantile(bm::complement(ChiSquared(df), kTailProbability)) / df);
-  return integrate(integrand, from, to, kPanels);
+  constexpr double kTailProbability = 1e-17;  // of the scale that the outer integral leaves out
+  const double from = 0.5 * std::log(bm::quantile(ChiSquared(df), kTailProbability) / df);
+  const double to = 0.5 * std::log(bm::quantile(bm::complement(ChiSquared(df), kTailProbability)) / df);
+  // The tail falls from 1 to 0 within a few tenths of u where there are many groups; below it is smooth.
+  constexpr double kSmooth = 0.5;
+  constexpr double kWidePanel = 2.5;
+  constexpr double kNarrowPanel = 0.5;
+  const double middle = std::clamp(std::log(kSmooth / q), from, to);
+  const double end = std::clamp(std::log(kWidestRange / q), middle, to);
+  const auto panels = [](double width, double widest) {
+    constexpr double kFewestPanels = 8.0;
+    return static_cast<int>(std::max(kFewestPanels, std::ceil(width / widest)));
+  };
+  return integrate(integrand, from, middle, panels(middle - from, kWidePanel)) +
+         integrate(integrand, middle, end, panels(end - middle, kNarrowPanel));
 }
 
-double studentizedRangeQuantile(double p, int groups, double df) {
+double StudentizedRange::quantile(double p, double df) {
   TORSIO_EXPECTS(p > 0.0 && p < 1.0);
-  const auto excess = [&](double q) { return studentizedRangeUpper(q, groups, df) - (1.0 - p); };
+  const auto excess = [&](double q) { return upper(q, df) - (1.0 - p); };
   double high = 4.0;
   while (excess(high) > 0.0) {
     high *= 2.0;

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
 namespace torsio {
 
 // Distribution functions in double precision, the same on every platform. "Upper" is the upper tail, accurate
@@ -29,9 +34,28 @@ namespace torsio {
 /// Returns the noncentrality d for which P(T <= t; df, d) = p.
 [[nodiscard]] double noncentralityOfT(double t, double df, double p);
 
-/// Returns the upper tail of the studentised range of `groups` means with `df` error degrees of freedom:
-/// Gauss-Legendre over both integrals, absolute error below 1e-12.
-[[nodiscard]] double studentizedRangeUpper(double q, int groups, double df);
-[[nodiscard]] double studentizedRangeQuantile(double p, int groups, double df);
+/// The studentised range of `groups` means: Gauss-Legendre over both integrals, the inner one shared by all
+/// questions (Chebyshev interpolation of its logarithm), which 60 groups with 1,770 pairs need. Absolute
+/// error below 1e-12. One thread at a time.
+class StudentizedRange {
+ public:
+  /// `groups` >= 2.
+  explicit StudentizedRange(int groups);
+
+  /// Returns the upper tail at q, with `df` >= 1 error degrees of freedom.
+  [[nodiscard]] double upper(double q, double df);
+  /// Returns the q of which the lower tail is p, 0 < p < 1.
+  [[nodiscard]] double quantile(double p, double df);
+
+ private:
+  static constexpr std::size_t kTerms = 14;  // of a panel of the interpolation
+
+  [[nodiscard]] double logRangeUpper(double w);
+  const std::array<double, kTerms>& panel(std::size_t number);
+
+  int groups_;
+  std::vector<std::optional<std::array<double, kTerms>>>
+      panels_;  // Chebyshev terms of the log of the range's upper tail
+};
 
 }  // namespace torsio

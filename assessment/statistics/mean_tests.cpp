@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/distributions.h"
@@ -229,19 +230,36 @@ Outcome<ChiSquaredTest> bartlett(const Groups& groups) {
 
 namespace {
 
-PairComparison comparedPair(const Groups& groups, std::size_t i, std::size_t j, double error, double df,
-                            double confidence) {
-  const int k = static_cast<int>(groups.size());
+/// Compares pairs of groups by the studentised range.
+class PairComparer {
+ public:
+  PairComparer(const Groups& groups, double confidence)
+      : groups_(groups), confidence_(confidence), range_(std::max(2, static_cast<int>(groups.size()))) {}
+
+  [[nodiscard]] PairComparison compared(std::size_t i, std::size_t j, double error, double df);
+
+ private:
+  const Groups& groups_;
+  double confidence_;
+  StudentizedRange range_;
+  std::map<double, double> quantiles_;  // by df
+};
+
+PairComparison PairComparer::compared(std::size_t i, std::size_t j, double error, double df) {
   PairComparison pair;
   pair.first = i;
   pair.second = j;
-  pair.difference = meanOf(groups[j]) - meanOf(groups[i]);
+  pair.difference = meanOf(groups_[j]) - meanOf(groups_[i]);
   pair.df = df;
   // The studentised range statistic is sqrt(2) times the t statistic.
   const double scale = error / std::sqrt(2.0);
   pair.q = std::abs(pair.difference) / scale;
-  pair.p = studentizedRangeUpper(pair.q, k, df);
-  const double reach = studentizedRangeQuantile(confidence, k, df) * scale;
+  pair.p = range_.upper(pair.q, df);
+  const auto [quantile, isNew] = quantiles_.try_emplace(df);
+  if (isNew) {
+    quantile->second = range_.quantile(confidence_, df);
+  }
+  const double reach = quantile->second * scale;
   pair.interval = {pair.difference - reach, pair.difference + reach};
   return pair;
 }
@@ -254,10 +272,11 @@ Outcome<std::vector<PairComparison>> tukeyPairs(const Groups& groups, double con
     return Outcome<std::vector<PairComparison>>::undefined(anova.reason());
   }
   std::vector<PairComparison> out;
+  PairComparer pairs(groups, confidence);
   for (std::size_t i = 0; i < groups.size(); ++i) {
     for (std::size_t j = i + 1; j < groups.size(); ++j) {
       const double error = std::sqrt(anova->msWithin * (1.0 / countOf(groups[i]) + 1.0 / countOf(groups[j])));
-      out.push_back(comparedPair(groups, i, j, error, anova->df2, confidence));
+      out.push_back(pairs.compared(i, j, error, anova->df2));
     }
   }
   return out;
@@ -266,13 +285,14 @@ Outcome<std::vector<PairComparison>> tukeyPairs(const Groups& groups, double con
 Outcome<std::vector<PairComparison>> gamesHowellPairs(const Groups& groups, double confidence) {
   using Undefined = Outcome<std::vector<PairComparison>>;
   std::vector<PairComparison> out;
+  PairComparer pairs(groups, confidence);
   for (std::size_t i = 0; i < groups.size(); ++i) {
     for (std::size_t j = i + 1; j < groups.size(); ++j) {
       const Outcome<TTest> test = welchT(groups[i], groups[j]);
       if (!test) {
         return Undefined::undefined(test.reason());
       }
-      out.push_back(comparedPair(groups, i, j, test->error, test->df, confidence));
+      out.push_back(pairs.compared(i, j, test->error, test->df));
     }
   }
   if (out.empty()) {

@@ -104,8 +104,10 @@ Sphericity sphericityOf(const Cells& cells) {
   Sphericity out;
   out.greenhouseGeisser = s.trace() * s.trace() / (p * s.squaredNorm());
   const double pe = p * out.greenhouseGeisser;
-  out.huynhFeldt = ((cells.n - k + 1.0) * pe - 2.0) / (p * (dfe - pe));
-  out.huynhFeldtOriginal = (cells.n * pe - 2.0) / (p * (dfe - pe));
+  if (dfe > pe) {  // else the estimates grow without bound, and 1 is the largest that is used
+    out.huynhFeldt = ((cells.n - k + 1.0) * pe - 2.0) / (p * (dfe - pe));
+    out.huynhFeldtOriginal = (cells.n * pe - 2.0) / (p * (dfe - pe));
+  }
   if (p < 2.0) {
     return out;
   }
@@ -117,9 +119,16 @@ Sphericity sphericityOf(const Cells& cells) {
   }
   const double logW = logDeterminant - p * std::log(s.trace() / p);
   out.mauchlyW = std::exp(logW);
-  out.mauchlyChiSquared = -(dfe - (2.0 * p * p + p + 2.0) / (6.0 * p)) * logW;
+  const double scale = dfe - (2.0 * p * p + p + 2.0) / (6.0 * p);
+  out.mauchlyChiSquared = -scale * logW;
   out.mauchlyDf = 0.5 * p * (p + 1.0) - 1.0;
-  out.mauchlyP = chiSquaredUpper(std::max(0.0, out.mauchlyChiSquared), out.mauchlyDf);
+  // Anderson (2003), section 10.7.4: the second term of the expansion of the distribution.
+  const double second = (p + 2.0) * (p - 1.0) * (p - 2.0) * (2.0 * p * p * p + 6.0 * p * p + 3.0 * p + 2.0) /
+                        (288.0 * p * p * scale * scale);
+  const double chiSquared = std::max(0.0, out.mauchlyChiSquared);
+  const double first = chiSquaredUpper(chiSquared, out.mauchlyDf);
+  out.mauchlyP =
+      std::clamp(first + second * (chiSquaredUpper(chiSquared, out.mauchlyDf + 4.0) - first), 0.0, 1.0);
   return out;
 }
 
@@ -158,7 +167,7 @@ Outcome<MixedAnova> mixedAnova(const std::vector<NumberTable>& groups) {
   const Cells cells = cellsOf(groups);
   const double k = static_cast<double>(groups.size());
   const double dfSubjects = cells.n - k;
-  if (dfSubjects < cells.m) {
+  if (dfSubjects < cells.m - 1.0) {
     return Undefined::undefined(Text::tr("there are too few trainees for the number of occasions"));
   }
   if (!(cells.ssError > 0.0) || !(cells.ssSubjects > 0.0)) {

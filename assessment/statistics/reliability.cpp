@@ -62,12 +62,16 @@ double spearmanBrown(double r, double k) {
 std::pair<IccForm, IccForm> singleAndMean(const IccResult& of, double error, double df2, double tail) {
   const double k = static_cast<double>(of.raters);
   const double df1 = static_cast<double>(of.targets) - 1.0;
+  const IccForm single{(of.bms - error) / (of.bms + (k - 1.0) * error), std::nullopt};
+  const IccForm mean{(of.bms - error) / of.bms, std::nullopt};
+  if (error == 0.0) {
+    return {single, mean};
+  }
   const double f = of.bms / error;
   const double low = f / fQuantile(1.0 - tail, df1, df2);
   const double high = f * fQuantile(1.0 - tail, df2, df1);
-  return {{(of.bms - error) / (of.bms + (k - 1.0) * error),
-           Interval{(low - 1.0) / (low + k - 1.0), (high - 1.0) / (high + k - 1.0)}},
-          {(of.bms - error) / of.bms, Interval{1.0 - 1.0 / low, 1.0 - 1.0 / high}}};
+  return {{single.estimate, Interval{(low - 1.0) / (low + k - 1.0), (high - 1.0) / (high + k - 1.0)}},
+          {mean.estimate, Interval{1.0 - 1.0 / low, 1.0 - 1.0 / high}}};
 }
 
 void addOneWay(IccResult& out, double tail) {
@@ -75,9 +79,10 @@ void addOneWay(IccResult& out, double tail) {
   const double k = static_cast<double>(out.raters);
   const double df1 = n - 1.0;
   const double df2 = n * (k - 1.0);
-  const double f = out.bms / out.wms;
-  out.fOneWay = f;
-  out.pOneWay = fUpper(f, df1, df2);
+  if (out.wms > 0.0) {
+    out.fOneWay = out.bms / out.wms;
+    out.pOneWay = fUpper(*out.fOneWay, df1, df2);
+  }
   std::tie(out.oneWaySingle, out.oneWayMean) = singleAndMean(out, out.wms, df2, tail);
 }
 
@@ -86,11 +91,12 @@ void addConsistency(IccResult& out, double tail) {
   const double k = static_cast<double>(out.raters);
   const double df1 = n - 1.0;
   const double df2 = (n - 1.0) * (k - 1.0);
-  const double f = out.bms / out.ems;
-  out.fTwoWay = f;
-  out.pTwoWay = fUpper(f, df1, df2);
-  out.fRaters = out.jms / out.ems;
-  out.pRaters = fUpper(out.fRaters, k - 1.0, df2);
+  if (out.ems > 0.0) {
+    out.fTwoWay = out.bms / out.ems;
+    out.pTwoWay = fUpper(*out.fTwoWay, df1, df2);
+    out.fRaters = out.jms / out.ems;
+    out.pRaters = fUpper(*out.fRaters, k - 1.0, df2);
+  }
   std::tie(out.consistencySingle, out.consistencyMean) = singleAndMean(out, out.ems, df2, tail);
 }
 
@@ -99,6 +105,11 @@ void addAgreement(IccResult& out, double tail) {
   const double n = static_cast<double>(out.targets);
   const double k = static_cast<double>(out.raters);
   const double r = (out.bms - out.ems) / (out.bms + (k - 1.0) * out.ems + k * (out.jms - out.ems) / n);
+  out.agreementSingle.estimate = r;
+  out.agreementMean.estimate = (out.bms - out.ems) / (out.bms + (out.jms - out.ems) / n);
+  if (out.ems == 0.0) {
+    return;
+  }
   const double a = k * r / (n * (1.0 - r));
   const double b = 1.0 + k * r * (n - 1.0) / (n * (1.0 - r));
   const double sum = a * out.jms + b * out.ems;
@@ -106,8 +117,6 @@ void addAgreement(IccResult& out, double tail) {
       sum * sum /
       ((a * out.jms) * (a * out.jms) / (k - 1.0) + (b * out.ems) * (b * out.ems) / ((n - 1.0) * (k - 1.0)));
   out.agreementDf = v;
-  out.agreementSingle.estimate = r;
-  out.agreementMean.estimate = (out.bms - out.ems) / (out.bms + (out.jms - out.ems) / n);
   if (!(v > 0.0) || !std::isfinite(v)) {
     return;
   }
@@ -129,10 +138,21 @@ Outcome<IccResult> intraclassCorrelation(const NumberTable& ratings, double conf
   if (ratings.columns() < 2) {
     return Outcome<IccResult>::undefined(Text::tr("there are fewer than two raters"));
   }
-  const TwoWay ss = twoWay(ratings);
+  TwoWay ss = twoWay(ratings);
+  if (!std::isfinite(ss.rows + ss.within + ss.columns)) {
+    return Outcome<IccResult>::undefined(Text::tr("the values are too large to be squared"));
+  }
   if (ss.rows + ss.within == 0.0) {
     return Outcome<IccResult>::undefined(Text::tr("every rating is the same"));
   }
+  constexpr double kRounding = 1e-13;  // of the total: what remains of a residual that is truly zero
+  const double total = ss.rows + ss.within;
+  if (ss.rows <= kRounding * total) {
+    return Outcome<IccResult>::undefined(Text::tr("the targets do not differ"));
+  }
+  ss.error = ss.error <= kRounding * total ? 0.0 : ss.error;
+  ss.within = ss.within <= kRounding * total ? 0.0 : ss.within;
+  ss.columns = ss.within == 0.0 ? 0.0 : ss.columns;
   IccResult out;
   out.targets = ratings.rows();
   out.raters = ratings.columns();
@@ -140,14 +160,6 @@ Outcome<IccResult> intraclassCorrelation(const NumberTable& ratings, double conf
   out.wms = ss.within / (ss.n * (ss.k - 1.0));
   out.jms = ss.columns / (ss.k - 1.0);
   out.ems = ss.error / ((ss.n - 1.0) * (ss.k - 1.0));
-  constexpr double kRounding = 1e-13;  // of the total: what remains of a residual that is truly zero
-  if (ss.error <= kRounding * (ss.rows + ss.within)) {
-    return Outcome<IccResult>::undefined(
-        Text::tr("the raters differ by constants only, so there is no residual variance"));
-  }
-  if (ss.rows <= kRounding * (ss.rows + ss.within)) {
-    return Outcome<IccResult>::undefined(Text::tr("the targets do not differ"));
-  }
   const double tail = 0.5 * (1.0 - confidence);
   addOneWay(out, tail);
   addConsistency(out, tail);

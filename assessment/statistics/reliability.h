@@ -18,23 +18,24 @@ struct IccForm {
 struct IccResult {
   std::size_t targets = 0;
   std::size_t raters = 0;
-  double bms = 0.0;           ///< between targets
-  double wms = 0.0;           ///< within targets
-  double jms = 0.0;           ///< between raters
-  double ems = 0.0;           ///< residual
-  IccForm oneWaySingle;       ///< ICC(1,1): other raters for every target
-  IccForm agreementSingle;    ///< ICC(2,1): same raters, absolute agreement
-  IccForm consistencySingle;  ///< ICC(3,1): same raters, order only
-  IccForm oneWayMean;         ///< ICC(1,k)
-  IccForm agreementMean;      ///< ICC(2,k): the reported form, as scores are means over the same raters
-  IccForm consistencyMean;    ///< ICC(3,k)
-  double agreementDf = 0.0;   ///< Satterthwaite degrees of freedom of the ICC(2,1) interval
-  double fOneWay = 0.0;
-  double pOneWay = 0.0;
-  double fTwoWay = 0.0;
-  double pTwoWay = 0.0;  ///< of ICC(2,.) and ICC(3,.) = 0, degrees of freedom n - 1 and (n - 1)(k - 1)
-  double fRaters = 0.0;
-  double pRaters = 0.0;
+  double bms = 0.0;               ///< between targets
+  double wms = 0.0;               ///< within targets
+  double jms = 0.0;               ///< between raters
+  double ems = 0.0;               ///< residual
+  IccForm oneWaySingle;           ///< ICC(1,1): other raters for every target
+  IccForm agreementSingle;        ///< ICC(2,1): same raters, absolute agreement
+  IccForm consistencySingle;      ///< ICC(3,1): same raters, order only
+  IccForm oneWayMean;             ///< ICC(1,k)
+  IccForm agreementMean;          ///< ICC(2,k): the reported form, as scores are means over the same raters
+  IccForm consistencyMean;        ///< ICC(3,k)
+  double agreementDf = 0.0;       ///< Satterthwaite degrees of freedom of the ICC(2,1) interval
+  std::optional<double> fOneWay;  ///< these six are empty where the error that they are divided by is zero
+  std::optional<double> pOneWay;
+  std::optional<double> fTwoWay;
+  std::optional<double>
+      pTwoWay;  ///< of ICC(2,.) and ICC(3,.) = 0, degrees of freedom n - 1 and (n - 1)(k - 1)
+  std::optional<double> fRaters;
+  std::optional<double> pRaters;
   double varianceTargets = 0.0;
   double varianceRaters = 0.0;
   double varianceResidual = 0.0;
@@ -42,8 +43,9 @@ struct IccResult {
   double semAgreement = 0.0;    ///< sqrt(rater variance + EMS); negative rater variance counts as 0
 };
 
-/// Computes the six intraclass correlations. `ratings`: targets x raters, complete. Undefined with fewer
-/// than two of either, without any variation, or when the residual variance is zero.
+/// Computes the six intraclass correlations. `ratings`: targets x raters, complete. Raters that differ by
+/// constants only leave no residual: consistency is 1, and what would be divided by the residual is empty.
+/// Undefined with fewer than two of either, without variation between targets, or when squares overflow.
 [[nodiscard]] Outcome<IccResult> intraclassCorrelation(const NumberTable& ratings,
                                                        double confidence = kUsualConfidence);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/statistics/distributions.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "assessment/statistics/power.h"
@@ -44,10 +46,10 @@ double valueOf(const std::string& f, const std::vector<double>& a) {
     return noncentralFCdf(a[0], a[1], a[2], a[3]);
   }
   if (f == "tukey_sf") {
-    return studentizedRangeUpper(a[0], static_cast<int>(a[1]), a[2]);
+    return StudentizedRange(static_cast<int>(a[1])).upper(a[0], a[2]);
   }
   if (f == "tukey_quantile") {
-    return studentizedRangeQuantile(a[0], static_cast<int>(a[1]), a[2]);
+    return StudentizedRange(static_cast<int>(a[1])).quantile(a[0], a[2]);
   }
   throw std::runtime_error("unknown function " + f);
 }
@@ -62,6 +64,25 @@ TEST(Distributions, AgreeWithTheReferenceProgramsAndHighPrecisionValues) {
     const double expected = row.contains("exact") ? row.at("exact").get<double>() : row.at("R").get<double>();
     EXPECT_TRUE(matches(valueOf(f, args), expected, c.tolerance)) << f;
   }
+}
+
+TEST(StudentizedRange, OfTwoMeansIsStudentsTForEveryDegreeOfFreedom) {
+  StudentizedRange range(2);
+  for (const double df : {1.0, 1.1, 1.5, 1.99, 2.0, 3.7, 30.0, 2000.0}) {
+    for (const double q : {0.02, 0.5, 1.7, 4.0, 15.0, 80.0}) {
+      const double exact = tTwoSided(q / std::sqrt(2.0), df);  // the range of two is sqrt(2) |t|
+      EXPECT_NEAR(range.upper(q, df), exact, 1e-9 * exact + 1e-14) << q << " with " << df;
+    }
+    EXPECT_NEAR(range.quantile(0.95, df), std::sqrt(2.0) * tQuantile(0.975, df),
+                1e-8 * range.quantile(0.95, df));
+  }
+}
+
+TEST(StudentizedRange, OfManyMeansWithFewDegreesOfFreedomKeepsItsDigits) {
+  // Both integrals over 0.05 wide panels of 20 points, without interpolation.
+  EXPECT_NEAR(StudentizedRange(60).upper(20.0, 1.7), 0.07592678434341313, 1e-12);
+  EXPECT_NEAR(StudentizedRange(5).upper(10.0, 1.3), 0.12679881359947826, 1e-12);
+  EXPECT_NEAR(StudentizedRange(3).upper(3.5, 1.0), 0.35987526963605143, 1e-12);
 }
 
 TEST(Power, AgreesForTAnovaAndIntraclassCorrelation) {

@@ -425,6 +425,20 @@ struct Study {
   }
 };
 
+TEST(MixedAnova, NeedsNoMoreTraineesThanContrasts) {
+  // Five trainees in two groups, four occasions: three degrees of freedom for three contrasts.
+  const Outcome<MixedAnova> got = mixedAnova(
+      {NumberTable({{1, 3, 2, 5}, {2, 2, 4, 6}, {1, 4, 4, 7}}), NumberTable({{3, 3, 5, 4}, {2, 5, 3, 6}})});
+
+  ASSERT_TRUE(got) << got.reason().str();
+  EXPECT_DOUBLE_EQ(got->time.dfError, 9.0);
+  EXPECT_GT(got->sphericity.mauchlyP, 0.0);
+  EXPECT_LE(got->sphericity.mauchlyP, 1.0);
+  EXPECT_GE(*got->time.pHuynhFeldt, got->time.p);
+  EXPECT_FALSE(
+      mixedAnova({NumberTable({{1, 3, 2, 5}, {2, 2, 4, 6}}), NumberTable({{3, 3, 5, 4}, {2, 5, 3, 6}})}));
+}
+
 TEST(MixedAnova, AgreesOnTheSyntheticTrainingStudy) {
   const Study study;
   std::vector<NumberTable> groups;
