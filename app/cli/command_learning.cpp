@@ -128,7 +128,8 @@ Json tabularJson(const LearningArguments& arguments, const std::vector<double>& 
     out["lower"].push_back(point.lower);
   }
   out["first_signal"] = cusum.firstSignal ? Json(*cusum.firstSignal) : undefinedJson("there is no signal");
-  out["average_run_length"] = averageRunLengthTwoSided(kUsualReference, arguments.h, 0.0);
+  out["average_run_length"] = numberJson(averageRunLengthTwoSided(kUsualReference, arguments.h, 0.0),
+                                         "it is longer than 1e12 values");
   return out;
 }
 

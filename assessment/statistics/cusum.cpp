@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include <Eigen/Dense>
@@ -50,14 +49,21 @@ TabularCusum tabularCusum(std::span<const double> values, double target, double 
   return out;
 }
 
-double averageRunLengthOneSided(double k, double h, double shift) {
+std::optional<double> averageRunLengthOneSided(double k, double h, double shift) {
   TORSIO_EXPECTS(h > 0.0);
+  // Siegmund's approximation tells beforehand where the equation has no digits left.
+  const double drift = k - shift;
+  const double away = h + 1.166;
+  constexpr double kLongest = 1e12;
+  if (drift > 0.0 && std::exp(2.0 * drift * away) > kLongest * 2.0 * drift * drift) {
+    return std::nullopt;
+  }
   using Rule = boost::math::quadrature::gauss<double, 20>;
-  constexpr int kPanels = 4;
+  const int panels = std::max(4, static_cast<int>(std::ceil(h)));
   std::vector<double> nodes;
   std::vector<double> weights;
-  const double half = 0.5 * h / kPanels;
-  for (int panel = 0; panel < kPanels; ++panel) {
+  const double half = 0.5 * h / panels;
+  for (int panel = 0; panel < panels; ++panel) {
     for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
       for (const double side : {-1.0, 1.0}) {
         nodes.push_back(half * (2.0 * panel + 1.0 + side * Rule::abscissa()[i]));
@@ -80,8 +86,13 @@ double averageRunLengthOneSided(double k, double h, double shift) {
   return system.partialPivLu().solve(Eigen::VectorXd::Ones(n + 1))[0];
 }
 
-double averageRunLengthTwoSided(double k, double h, double shift) {
-  return 1.0 / (1.0 / averageRunLengthOneSided(k, h, shift) + 1.0 / averageRunLengthOneSided(k, h, -shift));
+std::optional<double> averageRunLengthTwoSided(double k, double h, double shift) {
+  const std::optional<double> up = averageRunLengthOneSided(k, h, shift);
+  const std::optional<double> down = averageRunLengthOneSided(k, h, -shift);
+  if (!up && !down) {
+    return std::nullopt;
+  }
+  return 1.0 / ((up ? 1.0 / *up : 0.0) + (down ? 1.0 / *down : 0.0));
 }
 
 BinaryCusum binaryCusum(const std::vector<bool>& failed, double acceptable, double unacceptable, double alpha,
@@ -117,28 +128,76 @@ LcCusum lcCusum(const std::vector<bool>& failed, const LcCusumDesign& design) {
   return out;
 }
 
-double lcCusumProbability(const LcCusumDesign& design, double failureRate, std::size_t attempts) {
-  TORSIO_EXPECTS(failureRate >= 0.0 && failureRate <= 1.0);
-  const LcWeights weights = weightsOf(design);
-  // A state is the number of successes and failures since the sum was last 0: whole numbers, so equal sums
-  // merge.
-  std::map<std::pair<int, int>, double> states = {{{0, 0}, 1.0}};
-  double declared = 0.0;
-  for (std::size_t attempt = 0; attempt < attempts; ++attempt) {
-    std::map<std::pair<int, int>, double> next;
-    for (const auto& [state, probability] : states) {
-      for (const bool failure : {false, true}) {
-        const std::pair<int, int> to = {state.first + (failure ? 0 : 1), state.second + (failure ? 1 : 0)};
-        const double sum = to.first * weights.success + to.second * weights.failure;
-        const double share = probability * (failure ? failureRate : 1.0 - failureRate);
-        if (sum >= design.limit - kRounding) {
-          declared += share;
-        } else {
-          next[sum <= kRounding ? std::pair{0, 0} : to] += share;
+namespace {
+
+/// Probabilities of the states of an LC-CUSUM that has not reached its limit. A state is the number of
+/// successes and failures since the sum was last 0: whole numbers, so equal sums merge. With f failures the
+/// sum lies between 0 and the limit for a few numbers of successes only.
+class LcCusumStates {
+ public:
+  LcCusumStates(const LcCusumDesign& design, std::size_t attempts) {
+    const LcWeights weights = weightsOf(design);
+    const double largest = static_cast<double>(attempts) * weights.success;
+    for (double lost = 0.0; lost <= largest; lost -= weights.failure) {
+      Row row;
+      row.fewest = static_cast<std::size_t>(std::floor((lost + kRounding) / weights.success)) + 1;
+      const double most = std::ceil((design.limit - kRounding + lost) / weights.success) - 1.0;
+      row.states.resize(
+          static_cast<std::size_t>(std::max(0.0, most - static_cast<double>(row.fewest) + 1.0)));
+      rows_.push_back(std::move(row));
+    }
+  }
+
+  /// Makes one attempt and returns the probability that it reaches the limit.
+  double attempt(double failureRate) {
+    const double atStart = std::exchange(atZero_, atZero_ * failureRate);
+    double declared = 0.0;
+    // From many failures and successes to few: what has moved is not met again.
+    for (std::size_t f = used_; f-- > 0;) {
+      Row& row = rows_[f];
+      for (std::size_t i = row.states.size(); i-- > 0;) {
+        const double share = std::exchange(row.states[i], 0.0);
+        if (share < kNothing) {
+          continue;
         }
+        fail(f + 1, row.fewest + i, share * failureRate);
+        (i + 1 < row.states.size() ? row.states[i + 1] : declared) += share * (1.0 - failureRate);
       }
     }
-    states = std::move(next);
+    (rows_.front().states.empty() ? declared : rows_.front().states.front()) += atStart * (1.0 - failureRate);
+    return declared;
+  }
+
+ private:
+  static constexpr double kNothing = 1e-40;  // of all: less than rounding takes, however many attempts
+
+  struct Row {
+    std::size_t fewest = 0;      // successes that keep the sum above 0
+    std::vector<double> states;  // by number of successes, from `fewest` on
+  };
+
+  void fail(std::size_t failures, std::size_t successes, double share) {
+    if (failures < rows_.size() && successes >= rows_[failures].fewest) {
+      rows_[failures].states[successes - rows_[failures].fewest] += share;
+      used_ = std::max(used_, failures + 1);
+    } else {
+      atZero_ += share;
+    }
+  }
+
+  std::vector<Row> rows_;  // by number of failures
+  std::size_t used_ = 1;   // rows that may hold something
+  double atZero_ = 1.0;
+};
+
+}  // namespace
+
+double lcCusumProbability(const LcCusumDesign& design, double failureRate, std::size_t attempts) {
+  TORSIO_EXPECTS(failureRate >= 0.0 && failureRate <= 1.0);
+  LcCusumStates states(design, attempts);
+  double declared = 0.0;
+  for (std::size_t attempt = 0; attempt < attempts; ++attempt) {
+    declared += states.attempt(failureRate);
   }
   return declared;
 }

@@ -25,9 +25,10 @@ struct TabularCusum {
                                         double limit);
 
 /// Computes the average run length of the one-sided and two-sided CUSUM of normal values, in units of
-/// sigma, from the integral equation (Gauss-Legendre collocation).
-[[nodiscard]] double averageRunLengthOneSided(double k, double h, double shift);
-[[nodiscard]] double averageRunLengthTwoSided(double k, double h, double shift);
+/// sigma, from the integral equation (Gauss-Legendre collocation); empty where it is longer than 1e12, which
+/// double precision does not resolve.
+[[nodiscard]] std::optional<double> averageRunLengthOneSided(double k, double h, double shift);
+[[nodiscard]] std::optional<double> averageRunLengthTwoSided(double k, double h, double shift);
 
 /// CUSUM of success and failure, as the surgical literature draws it: a failure adds 1 - s, a success
 /// subtracts s.

@@ -116,14 +116,25 @@ TEST(AverageRunLength, AgreesInAndOutOfControl) {
                                                             {"k0.5_h5_shift0", 5, 0},
                                                             {"k0.5_h5_shift1", 5, 1}}) {
     const nlohmann::json& e = c.expected.at(name);
-    EXPECT_TRUE(
-        matches(averageRunLengthTwoSided(0.5, h, shift), e.at("two_sided").get<double>(), c.tolerance))
+    EXPECT_TRUE(matches(averageRunLengthTwoSided(0.5, h, shift).value(), e.at("two_sided").get<double>(),
+                        c.tolerance))
         << name;
   }
-  EXPECT_TRUE(
-      matches(averageRunLengthOneSided(0.5, 4, 0), c.expected.at("one_sided_h4").get<double>(), c.tolerance));
-  EXPECT_TRUE(
-      matches(averageRunLengthOneSided(0.5, 5, 0), c.expected.at("one_sided_h5").get<double>(), c.tolerance));
+  EXPECT_TRUE(matches(averageRunLengthOneSided(0.5, 4, 0).value(),
+                      c.expected.at("one_sided_h4").get<double>(), c.tolerance));
+  EXPECT_TRUE(matches(averageRunLengthOneSided(0.5, 5, 0).value(),
+                      c.expected.at("one_sided_h5").get<double>(), c.tolerance));
+}
+
+TEST(AverageRunLength, GrowsWithTheLimitUntilDoublePrecisionHasNoDigitsLeft) {
+  for (const double h : {8.0, 14.0, 20.0}) {
+    const double away = h + 1.166;  // Siegmund (1985): (exp(2 k b) - 1 - 2 k b) / (2 k^2) for k = 1/2
+    const double siegmund = 2.0 * (std::exp(away) - 1.0 - away);
+    EXPECT_NEAR(averageRunLengthOneSided(0.5, h, 0.0).value(), siegmund, 0.01 * siegmund) << h;
+  }
+  EXPECT_FALSE(averageRunLengthOneSided(0.5, 40.0, 0.0));
+  EXPECT_FALSE(averageRunLengthTwoSided(0.5, 100.0, 0.0));
+  EXPECT_NEAR(averageRunLengthOneSided(0.5, 100.0, 1.5).value(), 100.0, 3.0);  // drifts by 1 each value
 }
 
 std::vector<bool> outcomes(const nlohmann::json& list) {
@@ -156,6 +167,17 @@ TEST(LcCusum, SignalsWhereTheSeriesSays) {
     EXPECT_NEAR(got.sums[i], e.at("S")[i].get<double>(), 1e-12) << i;
   }
   EXPECT_EQ(got.competentAt, 32U);  // stated with the series: signals at trial 32 with h = 1.25
+}
+
+TEST(LcCusumProbability, OfManyAttemptsIsThatOfARenewalProcess) {
+  const LcCusumDesign design{0.1, 0.2, 3.0};
+
+  const double some = 1.0 - lcCusumProbability(design, 0.2, 1000);
+  const double more = 1.0 - lcCusumProbability(design, 0.2, 1500);
+  const double most = 1.0 - lcCusumProbability(design, 0.2, 2000);
+
+  EXPECT_GT(some, more);
+  EXPECT_NEAR(most / more, more / some, 1e-9);  // who has not passed by then has forgotten the start
 }
 
 TEST(LcCusumProbability, AgreesWithTheExactTable) {
