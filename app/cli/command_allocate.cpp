@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -225,6 +226,16 @@ AllocationRecord recordOf(const Input& json, const AllocationDesign& design, con
   return record;
 }
 
+/// Says what is wrong with a seed; empty: it is a whole number of 64 bits, which CLI11 does not make sure of.
+std::string seedProblem(const std::string& text) {
+  std::uint64_t seed = 0;
+  const char* end = text.data() + text.size();
+  const auto [stopped, fault] = std::from_chars(text.data(), end, seed);
+  return fault == std::errc{} && stopped == end
+             ? std::string()
+             : "a seed is a whole number from 0 to 18446744073709551615, not " + text;
+}
+
 void runAllocation(const AllocateArguments& arguments) {
   const Input json = parsed(arguments.design);
   JsonFields fields(json, arguments.design);
@@ -309,7 +320,8 @@ void addAllocate(CLI::App& program) {
   auto arguments = std::make_shared<AllocateArguments>();
   CLI::App* command = program.add_subcommand("allocate", "Random allocation to groups that can be repeated");
   command->add_option("--design", arguments->design, "Design and persons, JSON: docs/cli.md");
-  command->add_option("--seed", arguments->seed, "Decides everything; keep it sealed until the end");
+  command->add_option("--seed", arguments->seed, "Decides everything; keep it sealed until the end")
+      ->check(CLI::Validator(seedProblem, "UINT64"));
   command->add_option("--replay", arguments->replay, "Repeat an allocation and compare: exit code 13");
   command->callback([arguments] { run(*arguments); });
 }

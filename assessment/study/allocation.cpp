@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <numeric>
 #include <span>
 
@@ -92,6 +93,12 @@ void validateDesign(const AllocationDesign& design) {
   if (arms < 2) {
     refuseDesign(Text::tr("there are fewer than two arms"), Text::tr("Name at least two arms."));
   }
+  for (std::size_t arm = 1; arm < arms; ++arm) {
+    const auto before = design.arms.begin() + static_cast<std::ptrdiff_t>(arm);
+    if (std::find(design.arms.begin(), before, *before) != before) {
+      refuseDesign(Text::tr("arm \"%1\" is named twice", *before), Text::tr("Name each arm once."));
+    }
+  }
   for (const AllocationFactor& factor : design.factors) {
     if (factor.levels.empty()) {
       refuseDesign(Text::tr("factor \"%1\" has no levels", factor.name), Text::tr("List its levels."));
@@ -105,6 +112,13 @@ void validateDesign(const AllocationDesign& design) {
   }
   if (usesBlocks(design.method)) {
     checkBlockSizes(design.blockSizes, arms);
+    const std::size_t smallest = *std::min_element(design.blockSizes.begin(), design.blockSizes.end());
+    for (const std::size_t size : design.blockSizes) {
+      if (!design.stratumTotals.empty() && size % smallest != 0) {
+        refuseDesign(Text::tr("blocks of %1 and %2 cannot fill a stratum without a rest", smallest, size),
+                     Text::tr("Give multiples of the smallest block."));
+      }
+    }
   }
   if (design.method == AllocationMethod::kCompletePermutation &&
       (design.participants == 0 || design.participants % arms != 0)) {
@@ -202,16 +216,18 @@ std::vector<std::size_t> Allocator::shuffled(std::vector<std::size_t> labels) {
   return labels;
 }
 
-std::vector<std::size_t> Allocator::nextBlock() {
-  const std::size_t choices = design_.blockSizes.size();
-  const std::size_t size = design_.blockSizes[choices == 1 ? 0 : draw(choices)];
+std::vector<std::size_t> Allocator::nextBlock(std::size_t room) {
+  std::vector<std::size_t> sizes;
+  std::copy_if(design_.blockSizes.begin(), design_.blockSizes.end(), std::back_inserter(sizes),
+               [&](std::size_t size) { return size <= room; });
+  const std::size_t size = sizes[sizes.size() == 1 ? 0 : draw(sizes.size())];
   return shuffled(equalArms(size, design_.arms.size()));
 }
 
-std::size_t Allocator::fromBlocks(const std::string& stratum) {
+std::size_t Allocator::fromBlocks(const std::string& stratum, std::size_t room) {
   std::vector<std::size_t>& list = waiting_[stratum];
   if (list.empty()) {
-    list = nextBlock();
+    list = nextBlock(room);
   }
   const std::size_t arm = list.back();
   list.pop_back();
@@ -222,11 +238,13 @@ std::size_t Allocator::fromStratum(const std::string& stratum) {
   if (design_.stratumTotals.empty()) {
     return fromBlocks(stratum);
   }
-  const std::size_t block = *std::max_element(design_.blockSizes.begin(), design_.blockSizes.end());
+  const std::size_t block = *std::min_element(design_.blockSizes.begin(), design_.blockSizes.end());
   const auto total = design_.stratumTotals.find(stratum);
   const std::size_t known = total == design_.stratumTotals.end() ? 0 : total->second;
-  if (served_[stratum]++ < known / block * block) {
-    return fromBlocks(stratum);
+  const std::size_t inBlocks = known - known % block;
+  const std::size_t served = served_[stratum]++;
+  if (served < inBlocks) {
+    return fromBlocks(stratum, inBlocks - served);
   }
   std::vector<std::size_t>& list = waiting_[kLeftovers];
   if (list.empty()) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -45,14 +46,15 @@ struct AllocationDesign {
   std::vector<AllocationFactor> factors;  ///< strata, or the margins of minimisation
   std::int64_t bestArm_tenths = 8;        ///< kMinimisation: probability of the best arm in tenths, 5 to 9
   Imbalance imbalance = Imbalance::kRange;
-  /// With kStratifiedBlocks: persons in each stratum, when all are known. The last, incomplete block of
-  /// every stratum is then replaced by one permutation over all strata, so that the arms come out even.
-  /// Empty: closed blocks.
+  /// With kStratifiedBlocks: persons in each stratum, when all are known. Blocks then fill a stratum up to
+  /// less than the smallest one, of which the others are multiples; the rests of all strata share one
+  /// permutation, so that the arms come out even. Empty: closed blocks.
   std::map<std::string, std::size_t> stratumTotals;
 };
 
-/// Checks a design. Throws Error{kBadParameter}: fewer than two arms, block sizes that are no multiple of
-/// the arms, a factor without levels, a probability of 1, a permutation for nobody.
+/// Checks a design. Throws Error{kBadParameter}: fewer than two arms, one named twice, block sizes that are
+/// no multiple of the arms or, with known strata, of the smallest, a factor without levels, a probability of
+/// 1, a permutation for nobody.
 void validateDesign(const AllocationDesign& design);
 
 /// Writes everything that decides the allocation except the seed as one line of text.
@@ -109,10 +111,13 @@ class Allocator {
   [[nodiscard]] const std::vector<AllocationRecord>& records() const noexcept { return records_; }
 
  private:
+  static constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
+
   [[nodiscard]] std::uint64_t draw(std::uint64_t n);
   [[nodiscard]] std::vector<std::size_t> shuffled(std::vector<std::size_t> labels);
-  [[nodiscard]] std::vector<std::size_t> nextBlock();
-  [[nodiscard]] std::size_t fromBlocks(const std::string& stratum);
+  // `room`: persons that the block may hold at most; at least the smallest size.
+  [[nodiscard]] std::vector<std::size_t> nextBlock(std::size_t room);
+  [[nodiscard]] std::size_t fromBlocks(const std::string& stratum, std::size_t room = kNoLimit);
   [[nodiscard]] std::size_t fromStratum(const std::string& stratum);
   [[nodiscard]] std::size_t minimise(const AllocationPerson& person, std::vector<std::int64_t>& scores);
   [[nodiscard]] std::string stratumOf(const AllocationPerson& person) const;

@@ -113,6 +113,33 @@ TEST(Allocate, FillsTheLeftoversOfAllStrataJointlySoThatTheArmsComeOutEven) {
   }
 }
 
+TEST(Allocate, FillsStrataWithBlocksOfSeveralSizesAndLeavesTheArmsEven) {
+  const Vectors vectors;
+  AllocationDesign strata = design(AllocationMethod::kStratifiedBlocks);
+  strata.blockSizes = {3, 6};
+  strata.factors = {kSex};
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    const Allocation got = allocate(strata, seed, vectors.persons(true, false));
+
+    std::vector<int> counts(3, 0);
+    for (const AllocationRecord& record : got.records) {
+      ++counts[record.arm];
+    }
+    EXPECT_EQ(counts, (std::vector<int>{10, 10, 10})) << seed;
+    EXPECT_TRUE(replayAllocation(got).sound);
+  }
+  strata.blockSizes = {6, 9};  // nine persons could be six and three that fit no block
+  EXPECT_THROW((void)allocate(strata, 1, vectors.persons(true, false)), Error);
+}
+
+TEST(Allocate, RefusesAnArmThatIsNamedTwice) {
+  AllocationDesign twice = design(AllocationMethod::kPermutedBlocks);
+  twice.arms = {"simulator", "arm", "simulator"};
+  twice.blockSizes = {3};
+
+  EXPECT_THROW(validateDesign(twice), Error);
+}
+
 TEST(Allocate, ReproducesTheVectorOfMinimisationWithItsScores) {
   const Vectors vectors;
   AllocationDesign margins = design(AllocationMethod::kMinimisation);

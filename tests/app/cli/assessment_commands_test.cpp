@@ -405,6 +405,11 @@ TEST_F(AssessmentCommands, AllocateRefusesDesignsThatBreakTheirRules) {
   refused(R"({"study": "S", "arms": ["1", "2"], "persons": "a"})", "persons");
   refused(R"({"study": "S", "arms": ["1", 2], "persons": ["a", "b"]})", "arms");
   refused(R"({"study": "S", "arms": ["1", "2"], "person": ["a", "b"]})", "persons");
+  for (const char* seed : {"-1", "18446744073709551616", "1e3", "0x10", ""}) {
+    const ProgramRun run = runTorsio("allocate --design x.json --seed '" + std::string(seed) + "'", folder_);
+    EXPECT_EQ(run.code, static_cast<int>(ErrorCode::kUsage)) << seed;
+    EXPECT_EQ(run.out, "");
+  }
   const ProgramRun noSeed = runTorsio("allocate --design x.json", folder_);
   EXPECT_EQ(noSeed.code, static_cast<int>(ErrorCode::kUsage));
 }
