@@ -9645,6 +9645,18 @@
         <source>Turn less far, or in more steps</source>
         <translation>请少转一些，或分更多步</translation>
     </message>
+    <message>
+        <source>is not known to the formulation &apos;paper&apos;</source>
+        <translation>不适用于 paper 公式</translation>
+    </message>
+    <message>
+        <source>is known to the formulation &apos;paper&apos; only</source>
+        <translation>仅适用于 paper 公式</translation>
+    </message>
+    <message>
+        <source>is 0</source>
+        <translation>为 0</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
