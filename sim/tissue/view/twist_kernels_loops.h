@@ -31,18 +31,18 @@ inline SineCosine sineCosine(float x) {
   return {flipped(s, parity), flipped(c, parity)};
 }
 
-// Sine and cosine of pi y. An angle in half turns is brought to [-1/2, 1/2] exactly, by one subtraction:
-// three multiplications less than above; pairs of coefficients side by side, because what limits a narrow
-// processor is how long the sum waits for itself. The coefficients above times powers of pi; error
-// below 1.8e-7.
-inline SineCosine sineCosineOfHalfTurns(float y) {
+// Sine and cosine of pi y; the sine is turned round for `pi` < 0. An angle in half turns is brought to [-1/2,
+// 1/2] exactly, by one subtraction: three multiplications less than above; pairs of coefficients side by
+// side, because what limits a narrow processor is how long the sum waits for itself. The coefficients above
+// times powers of pi; error below 1.8e-7.
+inline SineCosine sineCosineOfHalfTurns(float y, float pi) {
   const float kRound = 12582912.0F;
   const float sum = y + kRound;
   const unsigned parity = __builtin_bit_cast(unsigned, sum);
   const float r = y - (sum - kRound);
   const float z = r * r;
   const float zz = z * z;
-  const float w = r * 3.14159265F;
+  const float w = r * pi;
   const float s =
       w + (w * z) * ((-1.64493312F + z * 0.811711631F) + zz * (-0.190418593F + z * 0.0246705561F));
   const float c = (1.0F + z * -4.9348022F) +
@@ -62,8 +62,12 @@ struct PreparedFrame {
   float nearSlope;
   float farBase;
   float farSlope;
-  float sign;
-  float blendFrom;  // the blend is blendFrom - blendSlope C, clamped to 0 .. 1
+  float pi;  // with the sign of the angles
+  // The blend is blendFrom - blendSlope C, C clamped to where it runs from 1 to 0. A clamp of the blend
+  // itself to the constants 0 and 1 is taken apart by GCC into three branches, 25 instructions of masks.
+  float blendFirst;
+  float blendLast;
+  float blendFrom;
   float blendSlope;
   float farRate;
   float rise3;  // three and two times nearRate - farRate
@@ -73,10 +77,13 @@ struct PreparedFrame {
 inline PreparedFrame prepared(const TwistFrame& f) {
   const float sign = f.torque < 0.0F ? -1.0F : 1.0F;
   const float scale = sign * f.torque * 0.318309886F;
+  const float half = f.inverseBlend > 0.0F ? 0.5F / f.inverseBlend : 1e30F;
   return {scale * f.nearSlope,
           scale * f.farBase,
           scale * f.farSlope,
-          sign,
+          sign * 3.14159265F,
+          f.graspCompliance - half,
+          f.graspCompliance + half,
           0.5F + f.graspCompliance * f.inverseBlend,
           f.inverseBlend,
           f.farRate,
@@ -85,9 +92,7 @@ inline PreparedFrame prepared(const TwistFrame& f) {
 }
 
 inline SineCosine turnAt(const PreparedFrame& f, float c) {
-  SineCosine r = sineCosineOfHalfTurns(smaller(f.nearSlope * c, f.farBase + f.farSlope * c));
-  r.sine *= f.sign;
-  return r;
+  return sineCosineOfHalfTurns(smaller(f.nearSlope * c, f.farBase + f.farSlope * c), f.pi);
 }
 
 // tangent x radius, computed here instead of read: memory is the limit, not arithmetic.
@@ -111,7 +116,7 @@ void curvedWarp(const float* __restrict in, int blocks, const TwistFrame& frame,
     for (int i = 0; i < 16; ++i) {
       const float c = v[144 + i];
       const SineCosine r = turnAt(f, c);
-      const float t = larger(0.0F, smaller(1.0F, f.blendFrom - f.blendSlope * c));
+      const float t = f.blendFrom - f.blendSlope * larger(f.blendFirst, smaller(f.blendLast, c));
       const float warp = (f.farRate + t * t * (f.rise3 - f.rise2 * t)) * v[160 + i];
       const Across a = tangentCrossRadius(v, i);
       o[i] = v[i] + r.cosine * v[48 + i] + r.sine * a.x + warp * v[96 + i];
