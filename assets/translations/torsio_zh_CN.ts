@@ -7666,10 +7666,6 @@
         <translation>最优组的概率须在 0.5 至 0.9 之间；取 1 时结果可被预测</translation>
     </message>
     <message>
-        <source>the raters differ by constants only, so there is no residual variance</source>
-        <translation>评分者之间仅相差常数，没有残差方差</translation>
-    </message>
-    <message>
         <source>the rating plan falls into parts that share no person and no rater</source>
         <translation>评分方案分裂为互不共享受评者和评分者的部分</translation>
     </message>
@@ -9654,8 +9650,44 @@
         <translation>--angle %1，目标 %2</translation>
     </message>
     <message>
+        <source>is not known to the formulation &apos;paper&apos;</source>
+        <translation>不适用于 paper 公式</translation>
+    </message>
+    <message>
+        <source>is known to the formulation &apos;paper&apos; only</source>
+        <translation>仅适用于 paper 公式</translation>
+    </message>
+    <message>
+        <source>is 0</source>
+        <translation>为 0</translation>
+    </message>
+    <message>
         <source>Give an angle with the sign of the target</source>
         <translation>请给出与目标同号的角度</translation>
+    </message>
+    <message>
+        <source>the values are too large to be squared</source>
+        <translation>数值过大，无法求平方</translation>
+    </message>
+    <message>
+        <source>there are more than %1 distinct values to compare in each resample</source>
+        <translation>每次重抽样需比较的不同数值超过 %1 个</translation>
+    </message>
+    <message>
+        <source>arm &quot;%1&quot; is named twice</source>
+        <translation>组别“%1”重复出现</translation>
+    </message>
+    <message>
+        <source>Name each arm once.</source>
+        <translation>每个组别只列一次。</translation>
+    </message>
+    <message>
+        <source>blocks of %1 and %2 cannot fill a stratum without a rest</source>
+        <translation>大小为 %1 和 %2 的区组无法恰好填满一个分层</translation>
+    </message>
+    <message>
+        <source>Give multiples of the smallest block.</source>
+        <translation>请给出最小区组的整数倍。</translation>
     </message>
 </context>
 <context>

@@ -90,6 +90,18 @@ int JsonFields::integer(const std::string& name, int low, int high, int fallback
   return static_cast<int>(value);
 }
 
+bool JsonFields::flag(const std::string& name, bool fallback) {
+  asked_.insert(name);
+  if (!has(name)) {
+    return fallback;
+  }
+  const nlohmann::json& value = find(name);
+  if (!value.is_boolean()) {
+    refuse(name, Text::tr("must be true or false"), Text::tr("Correct the value."));
+  }
+  return value.get<bool>();
+}
+
 Vec3 JsonFields::vector(const std::string& name) {
   const nlohmann::json& value = find(name);
   if (!value.is_array() || value.size() != 3 || !value[0].is_number() || !value[1].is_number() ||

@@ -31,6 +31,8 @@ class JsonFields {
   [[nodiscard]] double number(const std::string& name, double low, double high);
   [[nodiscard]] double number(const std::string& name, double low, double high, double fallback);
   [[nodiscard]] int integer(const std::string& name, int low, int high, int fallback);
+  /// Reads true or false.
+  [[nodiscard]] bool flag(const std::string& name, bool fallback);
   [[nodiscard]] Vec3 vector(const std::string& name);
   /// Reads one of `names`; returns its position.
   [[nodiscard]] std::size_t choice(const std::string& name, const std::vector<std::string>& names,

@@ -7,21 +7,21 @@
 
 namespace torsio {
 
-/// What an engineer asks of the twist model in place of what the scene says; each part is named after what it
-/// does in the paper's equations or in docs/model.md. Nothing given: the model of the scene. Recordings are
-/// never made of a chosen model.
+/// What a scene, or an engineer in its place, asks of the twist model beyond the formulation; each part is
+/// named after what it does in the paper's equations or in docs/model.md. Recordings are made of what a scene
+/// asks for, never of what an engineer does.
 struct ModelChoice {
-  std::optional<PaperInterpolation> interpolation;  ///< of the paper (Eq. 15)
-  std::optional<Drift> drift;                       ///< of kriging (Eq. 16)
-  std::optional<double> beta;                       ///< of Eq. 18, in sections
-  bool clampLift = false;                           ///< dZ of Eq. 23 at the clamp too
-  bool poynting = false;                            ///< axial stretch of a twisted bar
-  bool restrainedEnds = false;                      ///< clamped ends keep their sections flat
-  bool taper = false;                               ///< sections of a cone turn less
-  bool shearCentre = false;                         ///< sections turn about their shear centres
-  std::optional<double> foundationLengths;          ///< of an elastic foundation, in organ lengths
-  std::optional<double> stiffeningStrain;           ///< at which the torque has doubled
-  std::optional<double> shearModulus_Pa;            ///< G
+  std::optional<PaperInterpolation> interpolation{};  ///< of the paper (Eq. 15)
+  std::optional<Drift> drift{};                       ///< of kriging (Eq. 16)
+  std::optional<double> beta{};                       ///< of Eq. 18, in sections
+  bool clampLift = false;                             ///< dZ of Eq. 23 at the clamp too
+  bool poynting = false;                              ///< axial stretch of a twisted bar
+  bool restrainedEnds = false;                        ///< clamped ends keep their sections flat
+  bool taper = false;                                 ///< sections of a cone turn less
+  bool shearCentre = false;                           ///< sections turn about their shear centres
+  std::optional<double> foundationLengths{};          ///< of an elastic foundation, in organ lengths
+  std::optional<double> stiffeningStrain{};           ///< at which the torque has doubled
+  std::optional<double> shearModulus_Pa{};            ///< G
 
   friend bool operator==(const ModelChoice&, const ModelChoice&) = default;
   /// Tells whether anything is asked for.

@@ -19,7 +19,7 @@ namespace torsio {
 
 /// Normalised bend z of the skin above which a pose counts as folded: there FoldCheck finds that det F falls
 /// below kLeastDeterminant (docs/model.md R.12).
-inline constexpr double kFoldingBend = 0.56;
+inline constexpr double kFoldingBend = 0.55;
 
 /// Returns the pose `share` of the way from `a` to `b`, which have the same number of nodes.
 [[nodiscard]] RodPose poseBetween(const RodPose& a, const RodPose& b, double share) noexcept;

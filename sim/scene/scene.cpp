@@ -102,7 +102,11 @@ void applyWishes(SceneDescription& scene, const SceneRequest& request) {
   if (request.formulation) {
     scene.formulation = *request.formulation;
   }
+  scene.model = request.model.any() ? request.model : choiceFor(scene.model, scene.formulation);
   if (!request.material.empty()) {
+    if (request.material != scene.material.id && !request.model.any()) {
+      scene.model.shearModulus_Pa.reset();  // it was that of the scene's tissue
+    }
     scene.material = findMaterial(request.assets, request.material, ErrorCode::kBadParameter, "");
   }
 }
@@ -147,11 +151,11 @@ Scene loadScene(const SceneRequest& request) {
   TwistModelOptions options;
   options.formulation = description.formulation;
   options.ends = pattern.ends;
-  applyChoice(request.model, lattice.sections(), options, description.material);
+  applyChoice(description.model, lattice.sections(), options, description.material);
   TwistModel model(mesh, lattice, description.material, options);
   CollisionMesh collision(mesh);
   std::shared_ptr<const RodOrgan> rod;
-  const bool bar = request.noRod || request.model.ofBar();
+  const bool bar = request.noRod || description.model.ofBar();
   if (pattern.task && !bar && description.formulation != Formulation::kPaper) {
     rod = std::make_shared<const RodOrgan>(RodOrgan::Parts{.mesh = &mesh,
                                                            .model = &model,
@@ -171,7 +175,7 @@ Scene loadScene(const SceneRequest& request) {
   return Scene{description.id,   description.title,      description.provenance, std::move(organHash),
                digest.hex(),     std::move(parameters),  std::move(mesh),        std::move(collision),
                std::move(model), description.instrument, std::move(chosen),      std::move(patterns),
-               repairs,          std::move(rod)};
+               repairs,          std::move(rod),         description.model};
 }
 
 }  // namespace torsio

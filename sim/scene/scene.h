@@ -63,7 +63,7 @@ struct SceneRequest {
   bool noRod = false;              ///< leave every organ to the twist model, also where a pattern has a task
   std::optional<Vec3> fixedEnd_m;  ///< of organFile, with freeEnd_m; none: found
   std::optional<Vec3> freeEnd_m;
-  ModelChoice model;  ///< of an engineer: no scene to record
+  ModelChoice model;  ///< of an engineer, in place of the scene's own: no scene to record
 };
 
 /// Everything that an exercise needs, loaded and checked. Immutable; shared by servo and views.
@@ -84,6 +84,7 @@ struct Scene {
   /// The organ as a rod, for a pattern with a task; null: `model` alone says how it twists. The paper's
   /// formulation knows no rod.
   std::shared_ptr<const RodOrgan> rod{};
+  ModelChoice modelChoice{};  ///< what `model` was built with beyond the formulation
 
   [[nodiscard]] const SectionLattice& lattice() const noexcept { return model.lattice(); }
 

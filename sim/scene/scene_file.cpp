@@ -2,6 +2,7 @@
 #include "sim/scene/scene_file.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
@@ -19,6 +20,7 @@ constexpr double kMillimetre = 1e-3;
 constexpr double kLargestAngle_deg = 3600.0;
 constexpr double kLeastLine_m = 1e-3;
 constexpr int kMostSprings = 30;
+constexpr double kShortestFoundation = 0.05;  // organ lengths: below it a turn does not leave the grasp
 
 nlohmann::json readJson(const fs::path& file) {
   try {
@@ -136,6 +138,53 @@ Restraint readRestraint(const nlohmann::json& json, const std::string& where) {
   }
   fields.finish();
   return restraint;
+}
+
+/// The parts of the model that are named after equations; those that the formulation does not know are
+/// refused.
+ModelChoice readModel(JsonFields& scene, Formulation formulation) {
+  ModelChoice model;
+  if (!scene.has("model")) {
+    return model;
+  }
+  JsonFields fields(scene.child("model"), scene.where() + " model");
+  const bool paper = formulation == Formulation::kPaper;
+  for (const char* name :
+       {"poynting", "restrained_ends", "taper", "shear_centre", "foundation", "stiffening"}) {
+    if (paper && fields.has(name)) {
+      fields.refuse(name, Text::tr("is not known to the formulation 'paper'"),
+                    Text::tr("Leave it out, or choose the formulation saint-venant"));
+    }
+  }
+  for (const char* name : {"interpolation", "beta", "clamp_lift"}) {
+    if (!paper && fields.has(name)) {
+      fields.refuse(name, Text::tr("is known to the formulation 'paper' only"),
+                    Text::tr("Leave it out, or choose the formulation paper"));
+    }
+  }
+  const auto numberOf = [&fields](const char* name, double low, double high) {
+    return fields.has(name) ? std::optional(fields.number(name, low, high)) : std::nullopt;
+  };
+  if (fields.choice("interpolation", {"angle", "components"}, 0) == 1) {
+    model.interpolation = PaperInterpolation::kComponents;
+  }
+  if (fields.choice("drift", {"linear", "constant"}, 0) == 1) {
+    model.drift = Drift::kConstant;
+  }
+  model.beta = numberOf("beta", -1e6, 1e6);
+  if (model.beta == 0.0) {
+    fields.refuse("beta", Text::tr("is 0"), Text::tr("Give a number of sections, or leave it out"));
+  }
+  model.clampLift = fields.flag("clamp_lift", false);
+  model.poynting = fields.flag("poynting", false);
+  model.restrainedEnds = fields.flag("restrained_ends", false);
+  model.taper = fields.flag("taper", false);
+  model.shearCentre = fields.flag("shear_centre", false);
+  model.foundationLengths = numberOf("foundation", kShortestFoundation, 100.0);
+  model.stiffeningStrain = numberOf("stiffening", 1e-3, 100.0);
+  model.shearModulus_Pa = numberOf("shear_modulus_pa", 1.0, 1e9);
+  fields.finish();
+  return model;
 }
 
 std::vector<Restraint> readRestraints(JsonFields& scene) {
@@ -274,6 +323,7 @@ SceneDescription readSceneFile(const fs::path& assets, const std::string& id) {
   scene.formulation = fields.choice("formulation", {"saint-venant", "paper"}, 0) == 0
                           ? Formulation::kSaintVenant
                           : Formulation::kPaper;
+  scene.model = readModel(fields, scene.formulation);
   scene.instrument = readInstrument(assets, fields.text("instrument"));
   scene.restraints = readRestraints(fields);
   scene.patterns = readPatterns(fields);

@@ -35,6 +35,7 @@ struct SceneDescription {
   LatticeOptions lattice;
   Material material;
   Formulation formulation = Formulation::kSaintVenant;
+  ModelChoice model;  ///< parts that the formulation knows
   Instrument instrument;
   std::vector<Restraint> restraints;         ///< of the organ where a pattern has a task
   std::vector<PatternDescription> patterns;  ///< at least one, ids all different

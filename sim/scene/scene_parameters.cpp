@@ -22,6 +22,8 @@ constexpr std::array kAxes{"own", "line", "instrument"};
 constexpr std::array kSides{"centre", "inner", "outer"};
 constexpr std::array kFormulations{"saint-venant", "paper"};
 constexpr std::array kEnds{"clamped-free", "both-held"};
+constexpr std::array kInterpolations{"angle", "components"};
+constexpr std::array kDrifts{"constant", "linear"};
 
 template <typename Names, typename Enum>
 const char* nameOf(const Names& names, Enum value) {
@@ -91,6 +93,36 @@ Json toJson(const Instrument& instrument) {
   return json;
 }
 
+Json toJson(const ModelChoice& model) {
+  Json json = Json::object();
+  const auto put = [&json](const char* name, const auto& value) {
+    if (value) {
+      json[name] = *value;
+    }
+  };
+  const auto say = [&json](const char* name, bool chosen) {
+    if (chosen) {
+      json[name] = true;
+    }
+  };
+  if (model.interpolation) {
+    json["interpolation"] = nameOf(kInterpolations, *model.interpolation);
+  }
+  if (model.drift) {
+    json["drift"] = nameOf(kDrifts, *model.drift);
+  }
+  put("beta", model.beta);
+  say("clamp_lift", model.clampLift);
+  say("poynting", model.poynting);
+  say("restrained_ends", model.restrainedEnds);
+  say("taper", model.taper);
+  say("shear_centre", model.shearCentre);
+  put("foundation", model.foundationLengths);
+  put("stiffening", model.stiffeningStrain);
+  put("shear_modulus_pa", model.shearModulus_Pa);
+  return json;
+}
+
 Vec3 vectorOf(const nlohmann::json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
@@ -115,6 +147,9 @@ std::string parametersText(const SceneDescription& scene, const TwistPattern& pa
   json["organ_unit_m"] = scene.organUnit_m;
   json["lattice"] = toJson(scene.lattice);
   json["material"] = {{"id", scene.material.id}, {"shear_modulus_pa", scene.material.shearModulus_Pa}};
+  if (scene.model.any()) {
+    json["model"] = toJson(scene.model);
+  }
   json["instrument"] = toJson(scene.instrument);
   json["pattern"] = {{"id", pattern.id},
                      {"ends", nameOf(kEnds, pattern.ends)},

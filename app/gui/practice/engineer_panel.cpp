@@ -136,19 +136,20 @@ void EngineerPanel::setChangeable(bool changeable) {
 }
 
 void EngineerPanel::showModel(const TwistModelOptions& options, const Material& material,
-                              const ModelChoice& choice) {
+                              const ModelChoice& built, bool chosen) {
   const std::vector<QWidget*> fields{modulus_,     drift_,      interpolation_,  beta_,
                                      clampLift_,   poynting_,   restrainedEnds_, taper_,
                                      shearCentre_, foundation_, stiffening_};
   for (QWidget* field : fields) {
     field->blockSignals(true);
   }
-  shown_ = choice;
+  shown_ = built;
+  chosen_ = chosen;
   formulation_ = options.formulation;
   modulus_->setValue(material.shearModulus_Pa);
   drift_->setCurrentIndex(options.kriging.drift == Drift::kConstant ? 1 : 0);
   interpolation_->setCurrentIndex(options.paperInterpolation == PaperInterpolation::kComponents ? 1 : 0);
-  beta_->setValue(choice.beta.value_or(0.0));
+  beta_->setValue(built.beta.value_or(0.0));
   clampLift_->setChecked(options.paper.clampLift);
   poynting_->setChecked(options.poynting);
   restrainedEnds_->setChecked(options.corrections.restrainedEnds);
@@ -191,9 +192,9 @@ ModelChoice EngineerPanel::choice() const {
 
 void EngineerPanel::noteChange() {
   apply_->setEnabled(!(choice() == shown_));
-  reset_->setEnabled(shown_.any());
-  state_->setText(shown_.any() ? tr("The organ is built with this model: nothing can be recorded.")
-                               : tr("The organ is built as its scene says."));
+  reset_->setEnabled(chosen_);
+  state_->setText(chosen_ ? tr("The organ is built with this model: nothing can be recorded.")
+                          : tr("The organ is built as its scene says."));
 }
 
 void EngineerPanel::retranslate() {

@@ -26,8 +26,10 @@ class EngineerPanel : public QWidget {
  public:
   explicit EngineerPanel(QWidget* parent = nullptr);
 
-  /// What is loaded now; emits nothing.
-  void showModel(const TwistModelOptions& options, const Material& material, const ModelChoice& choice);
+  /// Shows what the organ on view is built with; emits nothing. `built`: what its model was built with,
+  /// whether a scene or an engineer asked for it; `chosen`: the engineer did.
+  void showModel(const TwistModelOptions& options, const Material& material, const ModelChoice& built,
+                 bool chosen);
   /// What the fields ask for.
   [[nodiscard]] ModelChoice choice() const;
   void setFolded(bool folded);
@@ -71,6 +73,7 @@ class EngineerPanel : public QWidget {
   std::vector<QWidget*> ofSaintVenant_;
   Formulation formulation_ = Formulation::kSaintVenant;
   ModelChoice shown_;
+  bool chosen_ = false;  // by an engineer, not by the scene
 };
 
 }  // namespace torsio::gui

@@ -364,7 +364,8 @@ void SimulatorWindow::showScene() {
   showGhost();
   actions_.markers->setEnabled(!controller_->viewScene().markers.empty());
   exercise_->showScene(scene, controller_->target_rad(), controller_->request().organFile.has_value());
-  engineer_->showModel(scene.model.options(), scene.model.material(), controller_->request().model);
+  engineer_->showModel(scene.model.options(), scene.model.material(), scene.modelChoice,
+                       controller_->request().model.any());
   readout_->setLimits({.tolerance_rad = scene.pattern.tolerance_rad,
                        .force_N = scene.pattern.forceLimit_N,
                        .torque_Nm = scene.pattern.torqueLimit_Nm});

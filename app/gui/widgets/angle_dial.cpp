@@ -110,11 +110,14 @@ void AngleDial::paintEvent(QPaintEvent*) {
   QFont figure = font();
   figure.setPointSizeF(kFigureText_pt);
   figure.setWeight(QFont::DemiBold);
-  painter.setFont(figure);
-  painter.setPen(theme_->text);
   const QRectF inside = ring.adjusted(0.5 * kRing, kRing, -0.5 * kRing, -kRing);
   QString text = QLocale().toString(angle_deg, 'f', 1) + QChar(0x00B0);
   text.replace(QLatin1Char('-'), QChar(0x2212));
+  const double room = inside.width() - 2.0 * kRing;  // a wide font would run into the ring
+  const double wide = QFontMetricsF(figure).horizontalAdvance(text);
+  figure.setPointSizeF(kFigureText_pt * std::min(1.0, room / wide));
+  painter.setFont(figure);
+  painter.setPen(theme_->text);
   const double line = QFontMetricsF(figure).height();
   painter.drawText(QRectF(inside.left(), centre.y() - 0.62 * line, inside.width(), line), Qt::AlignCenter,
                    text);

@@ -263,7 +263,7 @@ RodCurve RodSkin::curveOf(const RodPose& pose) const noexcept {
     const RodStrain strain = rodStrain(h, c.nodes[i], c.nodes[i + 1]);
     stretches[i] = strain.stretch;
     bends[i] = strain.curvature_per_m;
-    c.turns[i] = h * strain.curvature_per_m;
+    c.turns[i] = 4.0 * quarterTangent(conjugate(c.nodes[i].orientation) * c.nodes[i + 1].orientation);
   }
   for (std::size_t i = 0; i <= elements; ++i) {
     const std::size_t before = i > 0 ? i - 1 : 0;

@@ -42,7 +42,7 @@ struct KrigedComponents {
   const float* rest = nullptr;           ///< [vertex][3]
 };
 
-/// The per-frame loops for views, one table an instruction set. Float kernels are good to about 3e-7 of the
+/// The per-frame loops for views, one table an instruction set. Float kernels are good to about 6e-7 of the
 /// radius at a full turn. Every pointer is 64-byte aligned; `blocks` counts blocks of sixteen vertices;
 /// inputs and outputs do not overlap unless said. What enters a recorded sample never comes from here: the
 /// last bit depends on the instruction set.

@@ -203,13 +203,13 @@ TEST_F(Window, TheEngineersPanelOffersWhatTheFormulationKnows) {
   everything.clampLift = true;
 
   options.corrections.taper = true;
-  panel.showModel(options, {}, everything);
+  panel.showModel(options, {}, everything, true);
   EXPECT_TRUE(offered(QStringLiteral("Taper correction")));
   EXPECT_FALSE(offered(QStringLiteral("Lift clamp (Eq. 23)")));
   EXPECT_TRUE(panel.choice().taper);
 
   options.formulation = Formulation::kPaper;
-  panel.showModel(options, {}, everything);
+  panel.showModel(options, {}, everything, true);
   EXPECT_FALSE(offered(QStringLiteral("Taper correction")));
   EXPECT_TRUE(offered(QStringLiteral("Lift clamp (Eq. 23)")));
   EXPECT_FALSE(panel.choice().taper);

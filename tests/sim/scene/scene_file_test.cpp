@@ -93,6 +93,56 @@ TEST_F(SceneFile, IsReadInFull) {
   }
 }
 
+TEST_F(SceneFile, SaysWhatTheModelIsBuiltWithBeyondItsFormulation) {
+  change("scenes/forearm.json", [](Json& j) {
+    j["model"] = {{"poynting", true},     {"restrained_ends", true}, {"taper", true},
+                  {"shear_centre", true}, {"foundation", 0.5},       {"stiffening", 0.3},
+                  {"drift", "constant"},  {"shear_modulus_pa", 5200}};
+  });
+  change("scenes/stomach.json", [](Json& j) {
+    j["formulation"] = "paper";
+    j["model"] = {{"interpolation", "components"}, {"beta", 30}, {"clamp_lift", true}};
+  });
+
+  const ModelChoice bar = readSceneFile(assets_, "forearm").model;
+  const ModelChoice paper = readSceneFile(assets_, "stomach").model;
+
+  EXPECT_EQ(bar, (ModelChoice{.drift = Drift::kConstant,
+                              .poynting = true,
+                              .restrainedEnds = true,
+                              .taper = true,
+                              .shearCentre = true,
+                              .foundationLengths = 0.5,
+                              .stiffeningStrain = 0.3,
+                              .shearModulus_Pa = 5200.0}));
+  EXPECT_EQ(paper,
+            (ModelChoice{.interpolation = PaperInterpolation::kComponents, .beta = 30.0, .clampLift = true}));
+}
+
+TEST_F(SceneFile, RefusesAModelThatItsFormulationDoesNotKnow) {
+  for (const char* field : {"interpolation", "beta", "clamp_lift"}) {
+    expectBadField([field](Json& j) { j["model"][field] = 1; }, field);
+  }
+  for (const char* field :
+       {"poynting", "restrained_ends", "taper", "shear_centre", "foundation", "stiffening"}) {
+    expectBadField(
+        [field](Json& j) {
+          j["formulation"] = "paper";
+          j["model"][field] = 1;
+        },
+        field);
+  }
+  expectBadField([](Json& j) { j["model"]["taper"] = "yes"; }, "taper");
+  expectBadField([](Json& j) { j["model"]["foundation"] = 0.01; }, "foundation");
+  expectBadField([](Json& j) { j["model"]["gamma"] = 1; }, "gamma");
+  expectBadField(
+      [](Json& j) {
+        j["formulation"] = "paper";
+        j["model"]["beta"] = 0;
+      },
+      "beta");
+}
+
 TEST_F(SceneFile, NamesAFieldThatItDoesNotKnow) {
   expectBadField([](Json& j) { j["colour"] = "pink"; }, "colour");
   expectBadField([](Json& j) { j["lattice"]["ridge"] = 12; }, "ridge");

@@ -9,9 +9,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
+#include "sim/base/file_io.h"
 #include "sim/base/portable_math.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/scene/rod_organ.h"
@@ -136,6 +138,39 @@ TEST(Scene, HoldsTheCardiaOfTheStomachInEveryTask) {
 
     EXPECT_LT(norm(moved_m - cardia_m), 0.005) << pattern;
   }
+}
+
+TEST(Scene, TasksAreDoneWithRestraintsHalfAndTwiceAsStiff) {
+  // Nearly all stiffnesses are assumed: what the tasks ask for may not hang on them.
+  const std::filesystem::path assets = std::filesystem::path(::testing::TempDir()) / "restraints";
+  for (const double factor : {0.5, 2.0}) {
+    std::filesystem::remove_all(assets);
+    std::filesystem::copy(kAssets, assets, std::filesystem::copy_options::recursive);
+    auto json = nlohmann::json::parse(readFile(kAssets / "scenes" / "stomach.json"));
+    for (auto& restraint : json["restraints"]) {
+      for (const char* name : {"stiffness_n_per_mm", "turn_nmm_per_rad"}) {
+        if (restraint.contains(name)) {
+          restraint[name] = factor * restraint[name].get<double>();
+        }
+      }
+    }
+    writeFileAtomically(assets / "scenes" / "stomach.json", json.dump());
+    for (const std::string& pattern : patternIds(assets, "stomach")) {
+      SCOPED_TRACE(pattern + " x " + std::to_string(factor));
+      SceneRequest request = shipped("stomach", pattern);
+      request.assets = assets;
+      const Scene scene = loadScene(request);
+      const OrganState target = scene.stateAt(scene.pattern.targetAngle_rad);
+
+      const Vec3 moved_m = scene.toDeformed_m({0.021, 0.018, 0.042}, target);
+
+      EXPECT_NEAR(target.twist.graspAngle_rad, scene.pattern.targetAngle_rad, 1e-9);
+      EXPECT_LT(std::abs(scene.torqueAt_Nm(scene.pattern.targetAngle_rad)), scene.pattern.torqueLimit_Nm);
+      EXPECT_LT(scene.rod->skin().sharpestBend(scene.rod->skin().curveOf(target.pose)), kFoldingBend);
+      EXPECT_LT(norm(moved_m - Vec3{0.021, 0.018, 0.042}), 0.0075);
+    }
+  }
+  std::filesystem::remove_all(assets);
 }
 
 TEST(Scene, AnotherGripTwistsTheStomachOtherwise) {

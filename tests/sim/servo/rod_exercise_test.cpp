@@ -180,6 +180,23 @@ TEST(RodExercise, AHandThatIsNowhereMovesNothing) {
   EXPECT_TRUE(std::isfinite(hand.last().response.torque_Nm));
 }
 
+TEST(RodExercise, LetsGoWhenTheDeviceIsLost) {
+  TurningHand hand(stomach("organo-axial"));
+  hand.turnTo(radians(-60.0), 1000);
+  const double held_Nm = hand.last().response.torque_Nm;
+  const RodPose before = hand.exercise().organ().pose;
+  ToolState lost = hand.tool(radians(-60.0));
+  lost.status = kDeviceLost;
+
+  hand.step(lost);
+
+  EXPECT_GT(std::abs(held_Nm), 1e-3);
+  EXPECT_EQ(hand.last().phase, ExercisePhase::kReleased);
+  EXPECT_EQ(hand.last().response.torque_Nm, 0.0);
+  EXPECT_TRUE(hand.events() & kEventReleased);
+  EXPECT_EQ(hand.exercise().organ().pose, before);  // it swings back from there
+}
+
 TEST(RodExercise, GripsTheTwistedOrganWhereItLies) {
   TurningHand hand(stomach("organo-axial"));
   hand.turnTo(radians(-60.0), 1000);

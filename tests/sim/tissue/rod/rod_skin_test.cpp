@@ -2,6 +2,7 @@
 #include "sim/tissue/rod/rod_skin.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -106,6 +107,21 @@ TEST(RodSkin, EveryVolumeIsKeptHoweverTheRodIsTwistedAndBent) {
     now.vertices_m = o.drawn(pose);
     // What is left is the chords of the triangles, which cut off more of a twisted surface.
     EXPECT_NEAR(signedVolume_m3(now) / signedVolume_m3(o.mesh), 1.0, 0.003) << angle_deg;
+  }
+}
+
+TEST(RodSkin, IsWholeAcrossTheNodesOfTheRod) {
+  // A thin tube, 20 degrees an element and more: just before and just behind a node lies the same tissue.
+  const SkinnedOrgan o(testing::bentTube(0.008, 0.03, 2.5, 32, 60));
+  const RodCurve curve = o.skin.curveOf(o.turned(360.0));
+
+  for (std::size_t i = 1; i + 1 < static_cast<std::size_t>(curve.count); ++i) {
+    for (const std::array<double, 2>& section :
+         {std::array{0.0, 0.0}, std::array{0.007, 0.0}, std::array{0.0, -0.007}}) {
+      const RodSkinPlace before{.arc_m = curve.arcs_m[i] - 1e-13, .section_m = section};
+      const RodSkinPlace behind{.arc_m = curve.arcs_m[i] + 1e-13, .section_m = section};
+      EXPECT_LT(norm(o.skin.positionOf_m(before, curve) - o.skin.positionOf_m(behind, curve)), 1e-11) << i;
+    }
   }
 }
 
