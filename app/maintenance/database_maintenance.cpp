@@ -14,6 +14,7 @@
 #include "db/connection/locator.h"
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
+#include "db/migrations/schema_check.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "sim/base/error.h"
@@ -50,11 +51,15 @@ DatabaseCheck check(Connection& connection, const ProgressCallback& progress = {
       return result;  // a damaged file cannot be read to its end
     }
     tellProgress(progress, Text::tr("Checking the audit trail"), kReferencesShare);
+    const std::vector<SchemaFinding> schema = schemaFindings(connection);
     result.audit = verifyAuditTrail(connection, [&](std::int64_t done, std::int64_t all) {
       tellProgress(
           progress, Text::tr("Checking recording %1 of %2", done + 1, all),
           kReferencesShare + (1.0 - kReferencesShare) * static_cast<double>(done) / static_cast<double>(all));
     });
+    for (const SchemaFinding& finding : schema) {
+      result.audit.push_back({0, "schema", finding.part, finding.what});
+    }
     result.auditEntries = AuditRepository(connection).length();
   } catch (const DbError& error) {
     if (error.fault() != DbFault::kCorrupt && error.fault() != DbFault::kOther) {

@@ -9773,6 +9773,46 @@
         <source>is a database, which is never overwritten</source>
         <translation>是数据库，绝不会被覆盖</translation>
     </message>
+    <message>
+        <source>is no key of Torsio</source>
+        <translation>不是 Torsio 的密钥</translation>
+    </message>
+    <message>
+        <source>Make one with torsio audit key FILE</source>
+        <translation>请用 torsio audit key FILE 生成</translation>
+    </message>
+    <message>
+        <source>other accounts of this computer could read this key until now</source>
+        <translation>此前本机其他账户可以读取此密钥</translation>
+    </message>
+    <message>
+        <source>Make a new key, and keep this one only to check older heads</source>
+        <translation>请生成新密钥，此密钥仅保留用于核对较早的链头</translation>
+    </message>
+    <message>
+        <source>is no head of an audit trail</source>
+        <translation>不是审计记录的链头</translation>
+    </message>
+    <message>
+        <source>Give a line that torsio audit head printed</source>
+        <translation>请提供 torsio audit head 输出的一行</translation>
+    </message>
+    <message>
+        <source>Name a new file: an older key is needed to check older heads</source>
+        <translation>请指定新文件：核对较早的链头需要旧密钥</translation>
+    </message>
+    <message>
+        <source>holds no head of an audit trail</source>
+        <translation>不含审计记录的链头</translation>
+    </message>
+    <message>
+        <source>Choose the file that torsio audit head --witness wrote</source>
+        <translation>请选择 torsio audit head --witness 写入的文件</translation>
+    </message>
+    <message>
+        <source>seals a row otherwise that was sealed before</source>
+        <translation>对先前已封存的行作了不同的封存</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

@@ -275,7 +275,7 @@ const std::map<std::string, std::set<std::string>>& privateLibraries() {
       {"QSql", {"db/connection"}},
       {"QtSql", {"db/connection"}},
       {"QtCharts", {"app/report", "app/gui"}},
-      {"sodium", {"sim/base", "db/repository/base", "db/repository/people", "app/access"}},
+      {"sodium", {"sim/base", "db/repository/base", "db/repository/people", "app/access", "app/maintenance"}},
       {"CLI/", {"app/cli"}},
   };
   return kPrivate;
