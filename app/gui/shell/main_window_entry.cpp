@@ -80,11 +80,12 @@ void MainWindow::openDatabase() {
 
 /// Recordings that wait in files can take long to store; until then nobody signs in.
 void MainWindow::settle() {
+  const bool begins = !std::exchange(filesClosed_, true);
   background_.run(
-      [this, key = key(),
+      [this, begins, key = key(),
        folder = setup_.unstored.empty() ? unstoredFolder() : setup_.unstored]() -> Background::Finish {
         sweepLeftovers(key.locator);
-        const std::vector<Text> closed = closeRecordFiles(key.locator, folder);
+        const std::vector<Text> closed = begins ? closeRecordFiles(key.locator, folder) : std::vector<Text>{};
         SessionContext own(key);
         const StationStart start = settleStation(own, folder);
         return [this, kept = start.kept, closed] {
