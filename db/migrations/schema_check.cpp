@@ -30,10 +30,19 @@ Parts sqliteParts(Connection& connection) {
                    " WHERE name NOT LIKE 'sqlite\\_%' ESCAPE '\\'");
 }
 
-Parts expectedOnSqlite() {
+/// Who may do what: rows that the steps fill, and nothing else.
+Parts rightsIn(Connection& connection) {
+  Parts parts =
+      partsFrom(connection, "SELECT 'right ' || role_code || ' ' || operation_code, '' FROM role_operation");
+  parts.merge(partsFrom(connection, "SELECT 'role ' || code, label FROM role"));
+  parts.merge(partsFrom(connection, "SELECT 'operation ' || code, label FROM operation"));
+  return parts;
+}
+
+Connection freshRecord() {
   Connection fresh = openDatabase(":memory:", OpenMode::kCreate);
   migrate(fresh, embeddedMigrations(), {.backup = false});
-  return sqliteParts(fresh);
+  return fresh;
 }
 
 /// A trigger is "on" for every session, and its function has the body that the step gives it.
@@ -75,8 +84,11 @@ std::vector<SchemaFinding> schemaFindings(Connection& connection) {
   if (const SchemaState state = checkSchema(connection, embeddedMigrations()); state.version != state.known) {
     return {};
   }
-  const Parts expected = sqlite ? expectedOnSqlite() : expectedOnPostgresql();
-  const Parts found = sqlite ? sqliteParts(connection) : postgresqlParts(connection);
+  Connection fresh = freshRecord();
+  Parts expected = sqlite ? sqliteParts(fresh) : expectedOnPostgresql();
+  Parts found = sqlite ? sqliteParts(connection) : postgresqlParts(connection);
+  expected.merge(rightsIn(fresh));
+  found.merge(rightsIn(connection));
   std::vector<SchemaFinding> findings;
   for (const auto& [part, made] : expected) {
     const auto present = found.find(part);

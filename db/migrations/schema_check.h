@@ -8,9 +8,9 @@
 
 namespace torsio {
 
-/// A part of the schema that is not as the steps of this program made it.
+/// A part of the schema, or of the matrix of rights, that is not as the steps of this program made it.
 struct SchemaFinding {
-  std::string part{};  ///< name of the table, index, trigger or function
+  std::string part{};  ///< kind and name: "trigger person_code_frozen", "right trainee user.manage"
   std::string what{};  ///< one sentence without a full stop
 };
 

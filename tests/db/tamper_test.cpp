@@ -14,6 +14,9 @@
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/record/content_hash.h"
+#include "sim/record/sample_codec.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 
@@ -139,6 +142,38 @@ TEST_F(TamperTest, ADeletedMarkWithAnEntryOfItsRemovalIsFound) {
 
   EXPECT_TRUE(finds("tells of a removal that did not take place"));
   EXPECT_TRUE(finds("was recorded, but is gone"));
+}
+
+TEST_F(TamperTest, ATombstoneThatSomebodyInsertedExcusesNoChangedSecond) {
+  Trial trial;
+  trial.header = sampleHeader("11111111-1111-4111-8111-111111111111", "T-01");
+  TrialChunk chunk = sampleChunk(0, 300);
+  chunk.digest = chunkDigest(chunk);
+  trial.chunks.push_back(chunk);
+  trial.summary.samples = chunk.samples;
+  trial.summary.contentHash = contentHash(trial);
+  TrialRepository(*connection_, {.station = "ward"}).import(trial);
+  ASSERT_TRUE(verifyAuditTrail(*connection_).empty());
+  dropTriggers("trial_chunk");
+  connection_->execute("UPDATE trial_chunk SET bytes = ?", {Blob(300)});
+  connection_->executeVerbatim(
+      "INSERT INTO erasure (person_id, requested_by, reason, erased_utc_us)"
+      " SELECT trainee_id, 'somebody', 'none', 1 FROM trial");
+
+  EXPECT_FALSE(verifyAuditTrail(*connection_).empty());
+}
+
+TEST_F(TamperTest, ARightThatWasGivenToTraineesIsNamed) {
+  connection_->execute("INSERT INTO role_operation (role_code, operation_code) VALUES (?, ?)",
+                       {"trainee", "user.manage"});
+  connection_->execute("DELETE FROM role_operation WHERE role_code = ? AND operation_code = ?",
+                       {"administrator", "audit.view"});
+
+  const std::vector<SchemaFinding> findings = schemaFindings(*connection_);
+
+  ASSERT_EQ(findings.size(), 2U);
+  EXPECT_EQ(findings[0].part, "right administrator audit.view");
+  EXPECT_EQ(findings[1].part, "right trainee user.manage");
 }
 
 TEST_F(TamperTest, AGateThatWasLeftOpenIsFound) {

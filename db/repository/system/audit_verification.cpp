@@ -24,10 +24,14 @@ const std::string kTrial(storedText(AuditObject::kTrial));
 
 using Hashes = std::map<std::string, std::string>;
 
-/// Ids of trials whose samples were erased with their trainee.
+/// Ids of trials whose samples were erased with their trainee, as the trail tells: a tombstone alone would
+/// excuse seconds that somebody changed.
 std::set<std::string> erasedTrials(Connection& connection) {
   const std::vector<std::string> trials = selectAll(
-      connection, "SELECT t.id FROM trial t JOIN erasure e ON e.person_id = t.trainee_id", {}, readText);
+      connection,
+      "SELECT t.id FROM trial t JOIN erasure e ON e.person_id = t.trainee_id WHERE EXISTS (SELECT 1 FROM"
+      " audit_entry a WHERE a.object_kind = ? AND a.object_id = e.person_id AND a.action = ?)",
+      {storedText(AuditObject::kPerson), storedText(AuditAction::kPersonErase)}, readText);
   return {trials.begin(), trials.end()};
 }
 
