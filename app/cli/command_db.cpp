@@ -8,9 +8,11 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/progress_line.h"
+#include "app/maintenance/anchor.h"
 #include "app/maintenance/database_copy.h"
 #include "app/maintenance/database_maintenance.h"
 #include "assessment/people/audit_entry.h"
+#include "sim/base/clock.h"
 #include "sim/base/error.h"
 
 namespace torsio::cli {
@@ -50,6 +52,7 @@ void backUp(const DbArguments& arguments) {
                                                arguments.replace ? Replace::kBackup : Replace::kNothing);
   std::cout << "Backup written and checked: " << arguments.file << "\n";
   printContent(content);
+  std::cout << "  " << anchoredHead(arguments.file, {}, utcNow_us()) << "\n";
 }
 
 void verify(const DbArguments& arguments) {

@@ -124,7 +124,9 @@ TEST_F(Anchor, AChainThatWasRewrittenIsFound) {
 }
 
 TEST_F(Anchor, AnOlderFileInTheRecordsPlaceIsFound) {
-  ASSERT_EQ(run("db backup " + file("older.sqlite") + database()).code, 0);
+  const ProgramRun backup = run("db backup " + file("older.sqlite") + database());
+  ASSERT_EQ(backup.code, 0);
+  EXPECT_NE(backup.out.find("torsio-head 1 "), std::string::npos) << "to be noted beside the backup";
   {
     Connection connection = openRecord(file("record.sqlite"), OpenMode::kReadWrite);
     append(connection, "something to forget");
