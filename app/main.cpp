@@ -4,8 +4,10 @@
 #include "app/cli/cli.h"
 #include "app/gui/program/screenshots.h"
 #include "app/gui/program/window_main.h"
+#include "sim/base/private_files.h"
 
 int main(int argc, char** argv) {
+  torsio::keepFilesPrivate();
   // The one command that draws the program's own windows.
   const bool screenshots = argc > 1 && std::string_view(argv[1]) == "screenshots";
   if (!screenshots && torsio::cli::wantsCommandLine(argc, argv)) {

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/access/first_run.h"
 
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 
+#include <QFileInfo>
 #include <QRandomGenerator>
 
-#include "app/base/build_info.h"
 #include "assessment/people/account.h"
 #include "db/connection/connection.h"
+#include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/contracts.h"
+#include "sim/base/error.h"
 
 namespace torsio {
 
@@ -32,11 +36,37 @@ CentreSign centreSign(Connection& connection) {
   return sign;
 }
 
-bool recordHasUsers(const std::string& locator) {
-  MigrationOptions options;
-  options.softwareVersion = softwareVersion();
-  Connection connection = openRecord(locator, OpenMode::kCreate, options);
-  return !needsFirstRun(connection);
+RecordPlace lookAtRecord(const std::string& locator) {
+  const Locator place = parseLocator(locator);
+  std::error_code ignored;
+  if (place.engine == Engine::kSqlite && !std::filesystem::exists(place.file, ignored)) {
+    const QFileInfo folder(QFileInfo(QString::fromStdString(place.file)).absolutePath());
+    if (!folder.isDir() || !folder.isWritable()) {
+      throw Error(ErrorCode::kFileUnwritable,
+                  folder.isDir() ? Text::tr("folder is read-only") : Text::tr("no such folder"),
+                  folder.filePath().toStdString(), Text::tr("Choose a folder in which you may write"));
+    }
+    return RecordPlace::kNothing;
+  }
+  Connection connection = openDatabase(locator, OpenMode::kReadOnly);
+  if (checkSchema(connection, embeddedMigrations()).version == 0) {
+    return RecordPlace::kEmpty;
+  }
+  return needsFirstRun(connection) ? RecordPlace::kEmpty : RecordPlace::kCentre;
+}
+
+void requireKnownRecord(const std::string& locator) {
+  switch (lookAtRecord(locator)) {
+    case RecordPlace::kCentre:
+      return;
+    case RecordPlace::kNothing:
+      throw Error(ErrorCode::kFileMissing, Text::tr("the record of this station is gone"), locator,
+                  Text::tr("Connect the disk that it lies on, or restore the latest backup"));
+    case RecordPlace::kEmpty:
+      break;
+  }
+  throw Error(ErrorCode::kVerifyFailed, Text::tr("the record of this station holds no centre any more"),
+              parseLocator(locator).shown(), Text::tr("Restore the latest backup"));
 }
 
 std::string randomStartPassword() {

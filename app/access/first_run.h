@@ -18,9 +18,20 @@ struct CentreSign {
 };
 [[nodiscard]] CentreSign centreSign(Connection& connection);
 
-/// Whether a record can be kept at `locator`: opens it, makes an SQLite file when it is missing, and says
-/// whether a centre lives there already. Throws Error, DbError with what is wrong.
-[[nodiscard]] bool recordHasUsers(const std::string& locator);
+/// What lies where a record is to be kept.
+enum class RecordPlace {
+  kNothing,  ///< no file yet: one can be made there
+  kEmpty,    ///< a database that nobody uses yet
+  kCentre,   ///< a centre with its accounts
+};
+
+/// Looks without writing anything. Throws Error, DbError with what is wrong: a folder that is missing or
+/// cannot be written, a file that is no record or is damaged, a server that does not answer.
+[[nodiscard]] RecordPlace lookAtRecord(const std::string& locator);
+
+/// Looks at a record that a centre was set up in before, at this station. Throws Error (kFileMissing,
+/// kVerifyFailed) when no centre is there any more: whoever comes next must not become its administrator.
+void requireKnownRecord(const std::string& locator);
 
 /// An account of the demonstration. The password was drawn at random, must be changed at the first sign-in,
 /// and is told once: only its hash is stored.

@@ -2,13 +2,17 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
+#include "app/maintenance/anchor.h"
 #include "app/maintenance/database_maintenance.h"
 #include "assessment/people/audit_entry.h"
+#include "sim/base/clock.h"
 #include "sim/base/error.h"
 
 namespace torsio::cli {
@@ -17,6 +21,11 @@ namespace {
 
 struct AuditArguments {
   std::string database = "torsio.sqlite";
+  std::string file;
+  std::string key;
+  std::string witness;
+  std::string since;
+  std::string publicKey;
   bool json = false;
 };
 
@@ -31,8 +40,27 @@ nlohmann::ordered_json jsonOf(const DatabaseCheck& check) {
   return {{"entries", check.auditEntries}, {"findings", std::move(findings)}};
 }
 
+/// What the heads that were kept elsewhere say of this record.
+std::vector<AuditFinding> findingsOfHeads(const AuditArguments& arguments) {
+  std::vector<std::string> heads;
+  if (!arguments.witness.empty()) {
+    heads = headsOf(arguments.witness);
+  }
+  if (!arguments.since.empty()) {
+    heads.push_back(arguments.since);
+  }
+  if (heads.empty()) {
+    return {};
+  }
+  return compareWithHeads(arguments.database, heads,
+                          arguments.key.empty() ? arguments.publicKey : publicAnchorKey(arguments.key));
+}
+
 void verify(const AuditArguments& arguments) {
-  const DatabaseCheck check = checkDatabase(arguments.database);
+  DatabaseCheck check = checkDatabase(arguments.database);
+  for (AuditFinding& finding : findingsOfHeads(arguments)) {
+    check.audit.push_back(std::move(finding));
+  }
   if (!check.damage.empty()) {
     throw Error(ErrorCode::kVerifyFailed, "the database is damaged: " + check.damage.front(), check.location,
                 Text::verbatim("Run torsio db check, and restore a backup"));
@@ -54,11 +82,30 @@ void verify(const AuditArguments& arguments) {
   }
   if (!check.audit.empty()) {
     throw Error(ErrorCode::kVerifyFailed,
-                (check.audit.size() == 1 ? std::string("one row is")
-                                         : std::to_string(check.audit.size()) + " rows are") +
+                (check.audit.size() == 1 ? std::string("one thing is")
+                                         : std::to_string(check.audit.size()) + " things are") +
                     " not as recorded",
                 check.location, Text::verbatim("Keep this file as it is, and compare it with a backup"));
   }
+}
+
+void printHead(const AuditArguments& arguments) {
+  const std::string head = anchoredHead(arguments.database, arguments.key, utcNow_us());
+  if (!arguments.witness.empty()) {
+    appendToWitness(arguments.witness, head);
+  }
+  std::cout << head << "\n";
+  if (arguments.key.empty()) {
+    std::cerr
+        << "torsio: this head is not signed; whoever can change the place where it is kept can replace it. "
+           "torsio audit key FILE makes a key\n";
+  }
+}
+
+void makeKey(const AuditArguments& arguments) {
+  std::cout << "Public key: " << makeAnchorKey(arguments.file) << "\n"
+            << "Keep " << arguments.file
+            << " away from the record, and the public key where you check heads.\n";
 }
 
 }  // namespace
@@ -67,11 +114,28 @@ void addAudit(CLI::App& program) {
   auto arguments = std::make_shared<AuditArguments>();
   CLI::App* audit = program.add_subcommand("audit", "The audit trail");
   audit->require_subcommand(1);
+  const auto addDatabase = [&arguments](CLI::App& command) {
+    command.add_option("--database", arguments->database, "SQLite file or postgresql://... address")
+        ->capture_default_str();
+  };
   CLI::App* command = audit->add_subcommand("verify", "Finds any change to audit entries, marks or trials");
-  command->add_option("--database", arguments->database, "SQLite file or postgresql://... address")
-      ->capture_default_str();
+  addDatabase(*command);
+  command->add_option("--since", arguments->since, "A line of torsio audit head, in quotes");
+  command->add_option("--witness", arguments->witness, "File of such lines");
+  command->add_option("--key", arguments->key, "File of the key that must have signed them");
+  command->add_option("--public-key", arguments->publicKey, "The same, by its public part");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments] { verify(*arguments); });
+
+  command = audit->add_subcommand("head", "Prints the head of the audit trail, to be kept elsewhere");
+  addDatabase(*command);
+  command->add_option("--key", arguments->key, "File of the key that signs it");
+  command->add_option("--witness", arguments->witness, "File that the line is added to");
+  command->callback([arguments] { printHead(*arguments); });
+
+  command = audit->add_subcommand("key", "Makes a key that signs heads, in a file of its own");
+  command->add_option("FILE", arguments->file, "The new file")->required();
+  command->callback([arguments] { makeKey(*arguments); });
 }
 
 }  // namespace torsio::cli

@@ -8,9 +8,11 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/progress_line.h"
+#include "app/maintenance/anchor.h"
 #include "app/maintenance/database_copy.h"
 #include "app/maintenance/database_maintenance.h"
 #include "assessment/people/audit_entry.h"
+#include "sim/base/clock.h"
 #include "sim/base/error.h"
 
 namespace torsio::cli {
@@ -21,6 +23,7 @@ struct DbArguments {
   std::string database = "torsio.sqlite";
   std::string file;
   std::string target;
+  bool replace = false;
 };
 
 void printContent(const BackupContent& content) {
@@ -45,9 +48,11 @@ void requireSound(const DatabaseCheck& check, const std::string& remedy) {
 }
 
 void backUp(const DbArguments& arguments) {
-  const BackupContent content = backUpDatabase(arguments.database, arguments.file);
+  const BackupContent content = backUpDatabase(arguments.database, arguments.file,
+                                               arguments.replace ? Replace::kBackup : Replace::kNothing);
   std::cout << "Backup written and checked: " << arguments.file << "\n";
   printContent(content);
+  std::cout << "  " << anchoredHead(arguments.file, {}, utcNow_us()) << "\n";
 }
 
 void verify(const DbArguments& arguments) {
@@ -59,10 +64,13 @@ void verify(const DbArguments& arguments) {
 }
 
 void restore(const DbArguments& arguments) {
-  const BackupContent content = restoreDatabase(arguments.file, arguments.database);
-  std::cout << "Restored " << arguments.database << "; what was there is kept as " << arguments.database
-            << ".before-restore\n";
-  printContent(content);
+  const Restored restored = restoreDatabase(arguments.file, arguments.database);
+  std::cout << "Restored " << arguments.database;
+  if (!restored.before.empty()) {
+    std::cout << "; what was there is kept as " << restored.before.string();
+  }
+  std::cout << "\n";
+  printContent(restored.content);
 }
 
 void check(const DbArguments& arguments) {
@@ -103,6 +111,7 @@ void addDb(CLI::App& program) {
 
   CLI::App* command = db->add_subcommand("backup", "Copies a database in use into one checked file");
   command->add_option("FILE", arguments->file, "The backup to write")->required();
+  command->add_flag("--replace", arguments->replace, "An older backup of that name may go; a record never");
   addDatabase(*command, arguments);
   command->callback([arguments] { backUp(*arguments); });
 

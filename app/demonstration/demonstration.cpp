@@ -21,8 +21,11 @@
 #include "assessment/report/cohort_report.h"
 #include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
+#include "db/migrations/backup.h"
+#include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/id_source.h"
+#include "db/repository/system/demonstration_data.h"
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
@@ -63,40 +66,6 @@ class ProgressMeter {
  private:
   const ProgressCallback& callback_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
-};
-
-/// A database that exists only under its temporary name until it is complete.
-class TemporaryDatabase {
- public:
-  explicit TemporaryDatabase(const fs::path& file) : file_(file), temporary_(temporaryBeside(file)) {
-    discard();
-  }
-  ~TemporaryDatabase() { discard(); }
-  TemporaryDatabase(const TemporaryDatabase&) = delete;
-  TemporaryDatabase& operator=(const TemporaryDatabase&) = delete;
-
-  [[nodiscard]] std::string locator() const { return temporary_.string(); }
-  void keep() {
-    std::error_code failed;
-    for (const char* companion : {"-wal", "-shm"}) {
-      fs::remove(file_.string() + companion, failed);
-    }
-    fs::rename(temporary_, file_, failed);
-    if (failed) {
-      throw Error(ErrorCode::kFileUnwritable, Text::tr("cannot be written"), file_.string(),
-                  Text::tr("Close other programs that use it"));
-    }
-  }
-
- private:
-  void discard() const {
-    std::error_code ignored;
-    for (const char* ending : {"", "-wal", "-shm"}) {
-      fs::remove(temporary_.string() + ending, ignored);
-    }
-  }
-  fs::path file_;
-  fs::path temporary_;
 };
 
 /// One run of the demonstration: what its steps hand to each other.
@@ -246,6 +215,40 @@ class Demonstration {
   DemonstrationSummary summary_;
 };
 
+/// Refuses to let a demonstration take the place of a record in which anything is real.
+void requireOnlySimulated(const fs::path& record) {
+  std::error_code ignored;
+  if (!fs::exists(fs::symlink_status(record, ignored))) {
+    return;
+  }
+  Text why = Text::tr("is a record with real people or data");
+  try {
+    Connection connection = openRecord(record.string(), OpenMode::kReadOnly);
+    if (holdsOnlySimulated(connection)) {
+      return;
+    }
+  } catch (const Error& error) {
+    why = Text::tr("may be a record with real people: %1", error.happenedText());
+  }
+  throw Error(ErrorCode::kFileUnwritable, why, record.string(),
+              Text::tr("Give the demonstration a folder of its own; this file was not touched"));
+}
+
+/// The finished demonstration replaces an older one that nobody has open.
+void takeItsPlace(const fs::path& finished, const fs::path& record) {
+  requireOnlySimulated(record);
+  std::error_code failed;
+  if (fs::exists(record, failed)) {
+    foldSqlite(record);
+  }
+  foldSqlite(finished);
+  fs::rename(finished, record, failed);
+  if (failed) {
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("cannot be written"), record.string(),
+                Text::tr("Close other programs that use it"));
+  }
+}
+
 void requireShortening(const DemonstrationOptions& options) {
   if (options.shortening >= 1 && options.shortening <= 600) {
     return;
@@ -270,12 +273,19 @@ DemonstrationSummary runDemonstration(const DemonstrationOptions& options) {
   const Wording wording = wordingIn(options.language);
   ensureFolder(options.out);
   DemonstrationSummary summary;
-  TemporaryDatabase database(options.out / "torsio.sqlite");
+  const fs::path record = options.out / "torsio.sqlite";
+  requireOnlySimulated(record);
+  sweepUnfinished(options.out);
+  for (const char* name : {"cohort.pdf", "cohort.csv"}) {
+    std::error_code ignored;
+    fs::remove(temporaryBeside(options.out / name), ignored);  // of a demonstration that was killed
+  }
+  const FileInTheMaking database(record);
   {
     MigrationOptions migration;
     migration.softwareVersion = softwareVersion();
     migration.now_us = options.simulatedUtc_us;
-    Connection connection = openRecord(database.locator(), OpenMode::kCreate, migration);
+    Connection connection = openRecord(database.path().string(), OpenMode::kCreate, migration);
     Demonstration demonstration(options, connection);
     const CohortInputs inputs = demonstration.run();
     summary = demonstration.summary();
@@ -284,11 +294,11 @@ DemonstrationSummary runDemonstration(const DemonstrationOptions& options) {
     }
     summary.report = options.out / "cohort.pdf";
     summary.table = options.out / "cohort.csv";
-    summary.database = options.out / "torsio.sqlite";
+    summary.database = record;
     writePdfReport(cohortReport(inputs), summary.report, wording);
     writeFileAtomically(summary.table, cohortCsvText(cohortCsvRows(inputs)));
   }
-  database.keep();
+  takeItsPlace(database.path(), record);
   if (options.progress) {
     options.progress({Text::tr("Done"), 1.0, 0.0});
   }

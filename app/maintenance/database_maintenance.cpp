@@ -5,11 +5,16 @@
 #include <system_error>
 #include <vector>
 
+#include <QDir>
+#include <QLockFile>
 #include <QTemporaryDir>
 
 #include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/connection/locator.h"
+#include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
+#include "db/migrations/schema_check.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "sim/base/error.h"
@@ -32,31 +37,49 @@ void requireSqlite(const std::string& locator, Phrase remedy) {
 constexpr std::size_t kCopyStep_bytes = 4 << 20;
 constexpr double kReferencesShare = 0.3;  // of a check; the rest goes to the recordings
 
+constexpr const char* kCheckFolder = "torsio-check-";  // of copies that are being checked
+constexpr const char* kCheckLock = "in-use";
+
 DatabaseCheck check(Connection& connection, const ProgressCallback& progress = {}) {
   DatabaseCheck result;
   result.location = connection.location();
   result.schemaVersion = checkSchema(connection, embeddedMigrations()).version;
   tellProgress(progress, Text::tr("Checking tables and references"), 0.0);
-  result.damage = integrityFindings(connection);
-  if (!result.damage.empty()) {
-    return result;  // a damaged file cannot be read to its end
+  try {
+    result.damage = integrityFindings(connection);
+    if (!result.damage.empty()) {
+      return result;  // a damaged file cannot be read to its end
+    }
+    tellProgress(progress, Text::tr("Checking the audit trail"), kReferencesShare);
+    const std::vector<SchemaFinding> schema = schemaFindings(connection);
+    result.audit = verifyAuditTrail(connection, [&](std::int64_t done, std::int64_t all) {
+      tellProgress(
+          progress, Text::tr("Checking recording %1 of %2", done + 1, all),
+          kReferencesShare + (1.0 - kReferencesShare) * static_cast<double>(done) / static_cast<double>(all));
+    });
+    for (const SchemaFinding& finding : schema) {
+      result.audit.push_back({0, "schema", finding.part, finding.what});
+    }
+    result.auditEntries = AuditRepository(connection).length();
+  } catch (const DbError& error) {
+    if (error.fault() != DbFault::kCorrupt && error.fault() != DbFault::kOther) {
+      throw;
+    }
+    result.damage.push_back(error.happened());  // a page or a table that cannot be read
   }
-  tellProgress(progress, Text::tr("Checking the audit trail"), kReferencesShare);
-  result.audit = verifyAuditTrail(connection, [&](std::int64_t done, std::int64_t all) {
-    tellProgress(
-        progress, Text::tr("Checking recording %1 of %2", done + 1, all),
-        kReferencesShare + (1.0 - kReferencesShare) * static_cast<double>(done) / static_cast<double>(all));
-  });
-  result.auditEntries = AuditRepository(connection).length();
   return result;
 }
 
-/// A copy in a folder of its own, since others may check a backup of the same name; gone at the end.
+/// A copy in a folder of its own, since others may check a backup of the same name; gone at the end. The lock
+/// tells sweepLeftovers() that somebody is at it.
 class ScratchFile {
  public:
   explicit ScratchFile(const fs::path& original)
-      : path_(fs::path(folder_.path().toStdString()) / original.filename()) {
-    if (!folder_.isValid()) {
+      : folder_(QDir::tempPath() + QLatin1Char('/') + QLatin1String(kCheckFolder) + QStringLiteral("XXXXXX")),
+        lock_(folder_.filePath(QLatin1String(kCheckLock))),
+        path_(fs::path(folder_.path().toStdString()) / original.filename()) {
+    lock_.setStaleLockTime(0);
+    if (!folder_.isValid() || !lock_.tryLock(0)) {
       throw Error(ErrorCode::kFileUnwritable, Text::tr("no folder for the check can be made"),
                   fs::temp_directory_path().string(), Text::tr("Free some space in the temporary folder"));
     }
@@ -65,16 +88,41 @@ class ScratchFile {
 
  private:
   QTemporaryDir folder_;
+  QLockFile lock_;
   fs::path path_;
 };
 
+/// Removes the folder of a check whose program is gone.
+void sweepCheck(const fs::path& folder) {
+  QLockFile lock(QString::fromStdString((folder / kCheckLock).string()));
+  lock.setStaleLockTime(0);
+  std::error_code ignored;
+  if (fs::exists(folder / kCheckLock, ignored) && lock.tryLock(0)) {
+    fs::remove_all(folder, ignored);
+  }
+}
+
 }  // namespace
 
-BackupContent backUpDatabase(const std::string& locator, const fs::path& target) {
+void sweepLeftovers(const std::string& locator) {
+  if (const Locator record = parseLocator(locator); record.engine == Engine::kSqlite) {
+    sweepUnfinished(fs::path(record.file).parent_path());
+  }
+  std::error_code unreadable;
+  for (const fs::directory_entry& entry :
+       fs::directory_iterator(QDir::tempPath().toStdString(), unreadable)) {
+    if (entry.path().filename().string().starts_with(kCheckFolder)) {
+      sweepCheck(entry.path());
+    }
+  }
+}
+
+BackupContent backUpDatabase(const std::string& locator, const fs::path& target, Replace replace) {
   requireSqlite(locator, Text::tr("Use pg_dump --format=custom --file=FILE on the server"));
+  sweepLeftovers(locator);
   {
     Connection connection = openRecord(locator, OpenMode::kReadWrite);
-    backupSqlite(connection, target);
+    backupSqlite(connection, target, replace);
   }
   return checkBackup(target);
 }
@@ -126,15 +174,15 @@ BackupCheck verifyBackup(const fs::path& backup, const ProgressCallback& progres
   return result;
 }
 
-BackupContent restoreDatabase(const fs::path& backup, const std::string& locator) {
+Restored restoreDatabase(const fs::path& backup, const std::string& locator) {
   requireSqlite(locator, Text::tr("Use pg_restore on the server"));
+  sweepLeftovers(locator);
   const BackupCheck tested = verifyBackup(backup);
   if (!tested.database.sound()) {
     throw Error(ErrorCode::kVerifyFailed, Text::tr("the backup is not sound, so nothing was restored"),
                 backup.string(), Text::tr("Run torsio db verify on it, and use an older backup"));
   }
-  restoreSqlite(backup, parseLocator(locator).file);
-  return tested.content;
+  return {tested.content, restoreSqlite(backup, parseLocator(locator).file)};
 }
 
 DatabaseCheck checkDatabase(const std::string& locator) {
@@ -153,7 +201,7 @@ BackupContent backUpDatabase(SessionContext& session, const fs::path& target,
                 .objectKind = AuditObject::kDatabase,
                 .objectId = target.filename().string()});
   tellProgress(progress, Text::tr("Copying the record while others work"), 0.0);
-  backupSqlite(session.connection(), target);
+  backupSqlite(session.connection(), target, Replace::kBackup);
   tellProgress(progress, Text::tr("Reading the backup from end to end"), 0.6);
   return checkBackup(target);
 }

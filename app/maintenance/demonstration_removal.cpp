@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "db/migrations/compaction.h"
 #include "db/repository/system/demonstration_data.h"
 
 namespace torsio {
@@ -35,8 +36,10 @@ DemonstrationSize demonstrationSize(SessionContext& session) {
 
 DemonstrationSize removeDemonstrationData(SessionContext& session, const std::string& reason) {
   session.require(Operation::kPersonErase);
-  return sizeOf(removeDemonstration(session.connection(), session.actor().userId, session.station(), reason,
-                                    session.now_us()));
+  const DemonstrationSize size = sizeOf(removeDemonstration(session.connection(), session.actor().userId,
+                                                            session.station(), reason, session.now_us()));
+  compactDatabase(session.connection());
+  return size;
 }
 
 }  // namespace torsio

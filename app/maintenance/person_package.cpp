@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "db/connection/connection.h"
+#include "db/migrations/compaction.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/digest.h"
@@ -197,6 +198,7 @@ void erasePersonRecord(SessionContext& session, const PersonId& personId, const 
                 Text::tr("Say why, for the audit trail"));
   }
   erasePerson(session.connection(), personId, session.actor().userId, reason, session.now_us());
+  truncateLog(session.connection());
 }
 
 }  // namespace torsio

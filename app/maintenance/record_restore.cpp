@@ -14,10 +14,10 @@
 #include "app/maintenance/others_at_work.h"
 #include "db/connection/connection.h"
 #include "db/migrations/backup.h"
+#include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/people/person_data.h"
 #include "sim/base/error.h"
-#include "sim/base/file_io.h"
 #include "sim/base/ids.h"
 
 namespace torsio {
@@ -115,8 +115,8 @@ std::vector<Erasure> erasedSince(Connection& present, Connection& older) {
 fs::path safetyName(const fs::path& record, std::int64_t now_us) {
   const QString when =
       QDateTime::fromMSecsSinceEpoch(now_us / 1000, Qt::UTC).toString(QStringLiteral("yyyyMMddTHHmmssZ"));
-  return record.parent_path() /
-         (record.stem().string() + "-before-restore-" + when.toStdString() + record.extension().string());
+  return freeName(record.parent_path() / (record.stem().string() + "-before-restore-" + when.toStdString() +
+                                          record.extension().string()));
 }
 
 void requireRoom(const fs::path& record, const fs::path& backup) {
@@ -207,8 +207,8 @@ std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session, const R
   backupSqlite(session.connection(), safety);
   (void)checkBackup(safety);
 
-  const fs::path ready = temporaryBeside(record);
-  auto prepared = std::make_shared<PreparedRestore>(ready, record, safety);
+  auto prepared = std::make_shared<PreparedRestore>(record, safety);
+  const fs::path& ready = prepared->ready();
   copyStepwise(plan.backup, ready, partOf(progress, 0.5, 0.7));
   tellProgress(progress, Text::tr("Preparing the restored record"), 0.7);
   bringToday(session, ready, plan, safety);
@@ -218,15 +218,17 @@ std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session, const R
   return prepared;
 }
 
-PreparedRestore::~PreparedRestore() {
-  std::error_code ignored;
-  for (const char* suffix : {"", "-wal", "-shm", "-journal"}) {
-    fs::remove(ready_.string() + suffix, ignored);
-  }
+PreparedRestore::PreparedRestore(const fs::path& target, fs::path safety)
+    : ready_(std::make_unique<FileInTheMaking>(target)), target_(target), safety_(std::move(safety)) {}
+
+PreparedRestore::~PreparedRestore() = default;
+
+const fs::path& PreparedRestore::ready() const noexcept {
+  return ready_->path();
 }
 
 void PreparedRestore::takeOver() {
-  replaceSqlite(ready_, target_);
+  replaceSqlite(ready_->path(), target_);
 }
 
 }  // namespace torsio

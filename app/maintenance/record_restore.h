@@ -11,6 +11,8 @@
 
 namespace torsio {
 
+class FileInTheMaking;
+
 /// How much a record holds.
 struct RecordExtent {
   std::int64_t people = 0;
@@ -40,21 +42,22 @@ struct RestorePlan {
 /// A backup that stands ready beside the record. Removes itself unless it has taken the record's place.
 class PreparedRestore {
  public:
-  PreparedRestore(std::filesystem::path ready, std::filesystem::path target, std::filesystem::path safety)
-      : ready_(std::move(ready)), target_(std::move(target)), safety_(std::move(safety)) {}
+  PreparedRestore(const std::filesystem::path& target, std::filesystem::path safety);
   PreparedRestore(const PreparedRestore&) = delete;
   PreparedRestore& operator=(const PreparedRestore&) = delete;
   ~PreparedRestore();
 
-  /// Takes the place of the record; what was there is kept as "<record>.before-restore" besides. Quick. Every
-  /// connection to the record must be closed. Throws Error: kDatabase when somebody has it open,
+  /// Where the restored record is being made.
+  [[nodiscard]] const std::filesystem::path& ready() const noexcept;
+  /// Takes the place of the record; what was there is kept as "<record>.before-restore-N" besides. Quick.
+  /// Every connection to the record must be closed. Throws Error: kDatabase when somebody has it open,
   /// kFileUnwritable; then the record is as before.
   void takeOver();
   /// The backup that was made of the record as it was.
   [[nodiscard]] const std::filesystem::path& safety() const noexcept { return safety_; }
 
  private:
-  std::filesystem::path ready_;
+  std::unique_ptr<FileInTheMaking> ready_;
   std::filesystem::path target_;
   std::filesystem::path safety_;
 };

@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "app/base/csv_table.h"
 #include "app/people/person_codes.h"
+#include "app/people/person_text.h"
 #include "assessment/people/consent.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
@@ -76,7 +79,23 @@ PersonRow rowOf(PeopleRepository& repository, const PersonId& personId) {
   return row;
 }
 
+/// Texts that can be read, compared and printed.
+void checkTexts(const PersonEntry& entry) {
+  const std::initializer_list<std::tuple<const std::string*, Text, std::size_t>> texts{
+      {&entry.fullName, Text::tr("name"), kLongestField},
+      {&entry.externalId, Text::tr("staff or student number"), kLongestNumber},
+      {&entry.email, Text::tr("e-mail"), kLongestField},
+      {&entry.level, Text::tr("level"), kLongestField},
+      {&entry.experience, Text::tr("experience"), kLongestField}};
+  for (const auto& [text, field, longest] : texts) {
+    if (const Text flaw = flawOf(*text, longest); !flaw.empty()) {
+      refuse(Text::tr("this text %1", flaw), field, Text::tr("Type it anew"));
+    }
+  }
+}
+
 void checkEntry(PeopleRepository& repository, const PersonEntry& entry, const PersonId& personId) {
+  checkTexts(entry);
   if (entry.fullName.empty()) {
     refuse(Text::tr("the name is missing"), Text::tr("name"), Text::tr("Enter the full name"));
   }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reading a roster and guessing what its columns mean; what is done with it stands in roster_import.cpp.
 #include <algorithm>
+#include <cstdint>
 #include <map>
+#include <system_error>
 #include <utility>
 
 #include "app/people/roster_import.h"
@@ -106,6 +108,14 @@ std::string rosterTemplate(RosterKind kind) {
 }
 
 RosterFile readRoster(const std::filesystem::path& file) {
+  constexpr std::uintmax_t kLargest_bytes = 16U << 20U;  // 80,000 people with every field filled
+  std::error_code unknown;
+  if (const std::uintmax_t size = std::filesystem::file_size(file, unknown);
+      !unknown && size > kLargest_bytes) {
+    throw Error(ErrorCode::kBadData,
+                Text::tr("is larger than %1 MiB, which no roster is", kLargest_bytes >> 20U),
+                file.filename().string(), Text::tr("Choose the list of the people, or divide it"));
+  }
   return parseRoster(readFile(file), file.filename().string());
 }
 

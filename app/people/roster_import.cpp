@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/people/person_codes.h"
+#include "app/people/person_text.h"
 #include "app/people/roster_rows.h"
 #include "assessment/people/person.h"
 #include "db/connection/connection.h"
@@ -82,6 +83,7 @@ RosterPreview preview(SessionContext& session, const RosterFile& file, RosterKin
   RosterPreview preview;
   preview.kind = kind;
   std::map<std::string, std::size_t> lineOf;
+  std::map<std::string, std::size_t> alike;  // by likenessOf() the number
   LineCount count(progress, Text::tr("Comparing with the record"), file.rows.size(), 0.0, share);
   for (const CsvRecord& record : file.rows) {
     count.next();
@@ -103,6 +105,12 @@ RosterPreview preview(SessionContext& session, const RosterFile& file, RosterKin
       if (!number.empty() && !fresh) {
         refuseRow(row, Text::tr("the number %1 stands on line %2 already", number, first->second),
                   Text::tr("Remove one of the two lines, or correct the number"));
+      }
+      const auto [twin, alone] = alike.emplace(likenessOf(number), row.line);
+      if (!number.empty() && !alone) {
+        refuseRow(row,
+                  Text::tr("the number %1 looks like that of line %2, but is another", number, twin->second),
+                  Text::tr("Write both in the same way, or change one of the two"));
       }
       if (row.problem.empty()) {
         compareWithKnown(row, kind, known);

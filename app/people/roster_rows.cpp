@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/people/people_service.h"
+#include "app/people/person_text.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
@@ -116,6 +117,7 @@ KnownPeople readKnown(SessionContext& session) {
     if (named.identity.externalId.empty()) {
       continue;
     }
+    known.codeByLikeness[likenessOf(named.identity.externalId)] = named.row.person.code;
     KnownPeople::Known& person = known.byNumber[named.identity.externalId];
     person.id = named.row.person.id;
     person.code = named.row.person.code;
@@ -154,6 +156,15 @@ void refuseRow(RosterRow& row, const Text& problem, const Text& remedy) {
 }
 
 void understand(RosterRow& row, RosterKind kind, const KnownPeople& known) {
+  for (const RosterField field : rosterFields(kind)) {
+    std::string& value = row.values[rosterIndex(field)];
+    const Text flaw = flawOf(value, field == RosterField::kExternalId ? kLongestNumber : kLongestField);
+    if (!flaw.empty()) {
+      refuseRow(row, Text::tr("the %1 %2", std::string(rosterFieldCode(field)), flaw),
+                Text::tr("Type the cell anew"));
+      value.clear();  // what cannot be shown is shown nowhere
+    }
+  }
   for (const RosterField field : rosterFields(kind)) {
     if (!isRequired(field, kind) || !row.values[rosterIndex(field)].empty()) {
       continue;
@@ -200,6 +211,12 @@ void compareWithKnown(RosterRow& row, RosterKind kind, const KnownPeople& known)
   }
   const auto found = known.byNumber.find(number);
   if (found == known.byNumber.end()) {
+    if (const auto alike = known.codeByLikeness.find(likenessOf(number));
+        alike != known.codeByLikeness.end()) {
+      refuseRow(row, Text::tr("the number %1 looks like that of %2, but is another", number, alike->second),
+                Text::tr("Write it as in the record, or change one of the two"));
+      return;
+    }
     row.status = RosterStatus::kNew;
     return;
   }

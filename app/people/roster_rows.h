@@ -28,7 +28,8 @@ struct KnownPeople {
     bool left = false;
   };
   std::map<std::string, Known> byNumber;
-  std::map<std::string, std::string> codeByEmail;  ///< lower-case address
+  std::map<std::string, std::string> codeByLikeness{};  ///< by likenessOf() the number
+  std::map<std::string, std::string> codeByEmail;       ///< lower-case address
   std::map<std::string, std::string> numberByEmail;
   std::vector<SeniorityClass> classes;
 };

@@ -216,6 +216,7 @@ void compose(PageFlow& flow, const ReportModel& model, const Wording& wording) {
 void writePdfReport(const ReportModel& model, const std::filesystem::path& file, const Wording& wording,
                     const PdfProgress& progress) {
   TORSIO_EXPECTS(QCoreApplication::instance() != nullptr);
+  requireNoDatabase(file);
   const std::filesystem::path temporary = temporaryBeside(file);
   std::error_code failed;
   bool painted = false;

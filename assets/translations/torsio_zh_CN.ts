@@ -9686,8 +9686,176 @@
         <translation>大小为 %1 和 %2 的区组无法恰好填满一个分层</translation>
     </message>
     <message>
+        <source>the record of this station is gone</source>
+        <translation>本工作站的记录已不存在</translation>
+    </message>
+    <message>
+        <source>Connect the disk that it lies on, or restore the latest backup</source>
+        <translation>请连接存放它的磁盘，或恢复最近的备份</translation>
+    </message>
+    <message>
+        <source>the record of this station holds no centre any more</source>
+        <translation>本工作站的记录中已没有任何中心</translation>
+    </message>
+    <message>
+        <source>is a record with real people or data</source>
+        <translation>是含有真实人员或数据的记录</translation>
+    </message>
+    <message>
+        <source>may be a record with real people: %1</source>
+        <translation>可能是含有真实人员的记录：%1</translation>
+    </message>
+    <message>
+        <source>Give the demonstration a folder of its own; this file was not touched</source>
+        <translation>请为演示另指定一个文件夹；此文件未被改动</translation>
+    </message>
+    <message>
+        <source>Other accounts of this computer could read %1; now only yours can</source>
+        <translation>此前本机其他账户可以读取 %1；现在只有您的账户可以读取</translation>
+    </message>
+    <message>
+        <source>staff or student number</source>
+        <translation>工号或学号</translation>
+    </message>
+    <message>
+        <source>e-mail</source>
+        <translation>电子邮箱</translation>
+    </message>
+    <message>
+        <source>this text %1</source>
+        <translation>此文本%1</translation>
+    </message>
+    <message>
+        <source>Type it anew</source>
+        <translation>请重新输入</translation>
+    </message>
+    <message>
+        <source>is longer than %1 characters</source>
+        <translation>超过 %1 个字符</translation>
+    </message>
+    <message>
+        <source>holds the character U+%1, which nobody can see</source>
+        <translation>含有不可见字符 U+%1</translation>
+    </message>
+    <message>
+        <source>is larger than %1 MiB, which no roster is</source>
+        <translation>大于 %1 MiB，名册不会有这么大</translation>
+    </message>
+    <message>
+        <source>Choose the list of the people, or divide it</source>
+        <translation>请选择人员名单，或将其拆分</translation>
+    </message>
+    <message>
+        <source>the number %1 looks like that of line %2, but is another</source>
+        <translation>号码 %1 与第 %2 行的号码看起来相同，但并不是同一个</translation>
+    </message>
+    <message>
+        <source>Write both in the same way, or change one of the two</source>
+        <translation>请将两者写成一致，或更改其中一个</translation>
+    </message>
+    <message>
+        <source>the %1 %2</source>
+        <translation>%1%2</translation>
+    </message>
+    <message>
+        <source>Type the cell anew</source>
+        <translation>请重新输入该单元格</translation>
+    </message>
+    <message>
+        <source>the number %1 looks like that of %2, but is another</source>
+        <translation>号码 %1 与 %2 的号码看起来相同，但并不是同一个</translation>
+    </message>
+    <message>
+        <source>Write it as in the record, or change one of the two</source>
+        <translation>请写成与记录中一致，或更改其中一个</translation>
+    </message>
+    <message>
+        <source>is no file, so it is no database</source>
+        <translation>不是文件，因此也不是数据库</translation>
+    </message>
+    <message>
+        <source>Name a file</source>
+        <translation>请指定一个文件</translation>
+    </message>
+    <message>
+        <source>is empty, which no record ever is: something emptied it</source>
+        <translation>是空文件，而记录绝不会为空：内容已被清除</translation>
+    </message>
+    <message>
+        <source>Restore the latest backup; if there never was a record here, remove the file</source>
+        <translation>请恢复最近的备份；如果此处从未有过记录，请删除该文件</translation>
+    </message>
+    <message>
+        <source>is no backup, so it is never replaced by one</source>
+        <translation>不是备份，因此绝不会被备份替换</translation>
+    </message>
+    <message>
+        <source>Name another file</source>
+        <translation>请指定其他文件</translation>
+    </message>
+    <message>
+        <source>exists already</source>
+        <translation>已存在</translation>
+    </message>
+    <message>
+        <source>Name another file, or give --replace</source>
+        <translation>请指定其他文件，或使用 --replace</translation>
+    </message>
+    <message>
+        <source>another program is writing this file now</source>
+        <translation>另一个程序正在写入此文件</translation>
+    </message>
+    <message>
+        <source>Wait until it has come to its end</source>
+        <translation>请等待其结束</translation>
+    </message>
+    <message>
+        <source>is a database, which is never overwritten</source>
+        <translation>是数据库，绝不会被覆盖</translation>
+    </message>
+    <message>
+        <source>is no key of Torsio</source>
+        <translation>不是 Torsio 的密钥</translation>
+    </message>
+    <message>
+        <source>Make one with torsio audit key FILE</source>
+        <translation>请用 torsio audit key FILE 生成</translation>
+    </message>
+    <message>
+        <source>other accounts of this computer could read this key until now</source>
+        <translation>此前本机其他账户可以读取此密钥</translation>
+    </message>
+    <message>
+        <source>Make a new key, and keep this one only to check older heads</source>
+        <translation>请生成新密钥，此密钥仅保留用于核对较早的链头</translation>
+    </message>
+    <message>
+        <source>is no head of an audit trail</source>
+        <translation>不是审计记录的链头</translation>
+    </message>
+    <message>
+        <source>Give a line that torsio audit head printed</source>
+        <translation>请提供 torsio audit head 输出的一行</translation>
+    </message>
+    <message>
+        <source>Name a new file: an older key is needed to check older heads</source>
+        <translation>请指定新文件：核对较早的链头需要旧密钥</translation>
+    </message>
+    <message>
+        <source>holds no head of an audit trail</source>
+        <translation>不含审计记录的链头</translation>
+    </message>
+    <message>
+        <source>Choose the file that torsio audit head --witness wrote</source>
+        <translation>请选择 torsio audit head --witness 写入的文件</translation>
+    </message>
+    <message>
+        <source>seals a row otherwise that was sealed before</source>
+        <translation>对先前已封存的行作了不同的封存</translation>
+    </message>
+    <message>
         <source>Give multiples of the smallest block.</source>
-        <translation>请给出最小区组的整数倍。</translation>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -2,7 +2,9 @@
 #include "db/connection/connection_state.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <fstream>
 
 #include <QCoreApplication>
 #include <QSqlDatabase>
@@ -36,6 +38,27 @@ std::string connectionName(const void* state) {
   return "torsio-" + std::to_string(reinterpret_cast<std::uintptr_t>(state));
 }
 
+/// Whether a file that cannot be read as a database once was one.
+bool beginsAsDatabase(const fs::path& file) {
+  std::string head(15, '\0');
+  std::ifstream(file, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head == "SQLite format 3";
+}
+
+/// Whether a file has no byte, and gets none although it is new: another program may be making it just now.
+bool staysEmpty(const fs::path& file) {
+  constexpr auto kPatience = std::chrono::seconds(2);
+  constexpr auto kPause = std::chrono::milliseconds(20);
+  std::error_code gone;
+  while (fs::file_size(file, gone) == 0 && !gone) {
+    if (fs::file_time_type::clock::now() - fs::last_write_time(file, gone) > kPatience) {
+      return true;
+    }
+    std::this_thread::sleep_for(kPause);
+  }
+  return false;
+}
+
 /// What the engine would only report as "unable to open database file" gets a reason here.
 void checkFile(const fs::path& file, OpenMode mode) {
   std::error_code ignored;
@@ -45,6 +68,15 @@ void checkFile(const fs::path& file, OpenMode mode) {
                 Text::tr("Name a file in that folder"));
   }
   const bool exists = fs::exists(file, ignored);
+  if (exists && !fs::is_regular_file(file, ignored)) {  // opening a pipe would wait for somebody who writes
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("is no file, so it is no database"), file.string(),
+                Text::tr("Name a file"));
+  }
+  if (exists && staysEmpty(file)) {
+    throw Error(ErrorCode::kFileUnreadable,
+                Text::tr("is empty, which no record ever is: something emptied it"), file.string(),
+                Text::tr("Restore the latest backup; if there never was a record here, remove the file"));
+  }
   if (!exists && mode != OpenMode::kCreate) {
     throw Error(ErrorCode::kFileMissing, Text::tr("no such database"), file.string(),
                 Text::tr("Check the path"));
@@ -132,7 +164,8 @@ void ConnectionState::openSqlite(const Locator& locator, OpenMode mode, int busy
     if (!readOnly) {
       run("PRAGMA journal_mode = WAL");
       run("PRAGMA synchronous = FULL");
-      run("BEGIN IMMEDIATE");  // finds a read-only file system before the first record
+      run("PRAGMA secure_delete = ON");  // what is erased is overwritten, not only forgotten
+      run("BEGIN IMMEDIATE");            // finds a read-only file system before the first record
       run("ROLLBACK");
     }
   } catch (const DbError& error) {
@@ -143,7 +176,8 @@ void ConnectionState::openSqlite(const Locator& locator, OpenMode mode, int busy
       readOnlyFile(Text::tr("database file is read-only"), locator.file);
     }
     if (error.fault() == DbFault::kCorrupt) {
-      throw Error(ErrorCode::kFileUnreadable, Text::tr("is not a database, or is damaged"), location,
+      throw Error(beginsAsDatabase(locator.file) ? ErrorCode::kVerifyFailed : ErrorCode::kFileUnreadable,
+                  Text::tr("is not a database, or is damaged"), location,
                   Text::tr("Choose another file, or restore the latest backup"));
     }
     throw;

@@ -5,8 +5,8 @@ namespace torsio {
 
 DbError::DbError(DbFault fault, const std::string& operation, const Text& what, const Text& where,
                  const Text& remedy)
-    : Error(ErrorCode::kDatabase, operation.empty() ? what : Text::tr("%1 (%2)", what, operation), where,
-            remedy),
+    : Error(fault == DbFault::kCorrupt ? ErrorCode::kVerifyFailed : ErrorCode::kDatabase,
+            operation.empty() ? what : Text::tr("%1 (%2)", what, operation), where, remedy),
       fault_(fault),
       operation_(operation) {}
 

@@ -25,7 +25,7 @@ enum class DbFault {
 };
 
 /// A database refused an operation. Carries the operation ("INSERT INTO trial_chunk") without any values, so
-/// that no name or mark reaches a log.
+/// that no name or mark reaches a log. Its code is kDatabase, and kVerifyFailed for a damaged file.
 class DbError : public Error {
  public:
   DbError(DbFault fault, const std::string& operation, const Text& what, const Text& where,

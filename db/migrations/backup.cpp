@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/migrations/backup.h"
 
-#include <array>
+#include <cstdint>
+#include <fstream>
+#include <string_view>
 #include <system_error>
 
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
+#include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
+#include "db/migrations/record_exchange.h"
 #include "sim/base/contracts.h"
-#include "sim/base/file_io.h"
 
 namespace torsio {
 
@@ -16,18 +19,50 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A database and what may lie beside it.
-constexpr std::array<const char*, 4> kParts{"", "-wal", "-shm", "-journal"};
+// PRAGMA application_id of a file: "TORB" for a backup, "TORS" for a record.
+constexpr std::uint32_t kBackupMark = 0x544F5242;
+constexpr std::uint32_t kRecordMark = 0x544F5253;
 
-fs::path withSuffix(fs::path file, const char* suffix) {
-  file += suffix;
-  return file;
+/// The head of a database file, https://www.sqlite.org/fileformat2.html#the_database_header.
+struct SqliteHead {
+  bool database = false;
+  bool writeAheadLog = false;  // a record that was opened for writing
+  std::uint32_t application = 0;
+};
+
+SqliteHead headOf(const fs::path& file) {
+  constexpr std::string_view kMagic("SQLite format 3\0", 16);
+  constexpr std::size_t kHeadLength = 100;
+  constexpr std::size_t kWriteVersion = 18;
+  constexpr std::size_t kApplication = 68;
+  std::ifstream in(file, std::ios::binary);
+  std::string head(kHeadLength, '\0');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (!in || !head.starts_with(kMagic)) {
+    return {};
+  }
+  SqliteHead found{.database = true, .writeAheadLog = head[kWriteVersion] == 2};
+  for (std::size_t i = 0; i < 4; ++i) {
+    found.application = found.application << 8U | static_cast<std::uint8_t>(head[kApplication + i]);
+  }
+  return found;
 }
 
-void removeWithLogs(const fs::path& file) noexcept {
+void requireReplaceable(const fs::path& target, Replace replace) {
   std::error_code ignored;
-  for (const char* suffix : kParts) {
-    fs::remove(withSuffix(file, suffix), ignored);
+  const fs::file_status status = fs::status(target, ignored);
+  if (!fs::exists(status)) {
+    return;
+  }
+  const SqliteHead head = fs::is_regular_file(status) ? headOf(target) : SqliteHead{};
+  if (!fs::is_regular_file(status) ||
+      (head.database && (head.writeAheadLog || head.application != kBackupMark))) {
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("is no backup, so it is never replaced by one"),
+                target.string(), Text::tr("Name another file"));
+  }
+  if (replace == Replace::kNothing) {
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("exists already"), target.string(),
+                Text::tr("Name another file, or give --replace"));
   }
 }
 
@@ -37,45 +72,33 @@ std::int64_t rowsOf(Connection& connection, const char* table) {
   return row.step() ? row.int64(0) : 0;
 }
 
-/// Folds the write-ahead log into the file, which needs it for ourselves: fails while anybody else has it
-/// open. A file that is too damaged for that is put aside with its log as it is.
-void takeOver(const fs::path& target) {
-  try {
-    Connection connection = openDatabase(target.string(), OpenMode::kReadWrite, 0);
-    connection.executeVerbatim("PRAGMA journal_mode = DELETE");
-  } catch (const DbError& error) {
-    if (error.fault() == DbFault::kBusy) {
-      throw Error(ErrorCode::kDatabase, Text::tr("is open in another program"), target.string(),
-                  Text::tr("Close Torsio at every station and try again"));
-    }
-  } catch (const Error&) {
-    return;  // not a database any more
+/// Writes one page in rollback mode: the commit makes the system flush the whole file to the disk, which
+/// VACUUM INTO and copying leave open.
+void settleAs(std::uint32_t mark, const fs::path& copy) {
+  Connection connection = openDatabase(copy.string(), OpenMode::kReadWrite);
+  const std::vector<std::string> findings = integrityFindings(connection);
+  if (!findings.empty()) {
+    throw Error(ErrorCode::kVerifyFailed, Text::tr("backup does not pass its check: %1", findings.front()),
+                copy.string(), Text::tr("Check the disk, and the database itself"));
   }
+  connection.executeVerbatim("PRAGMA journal_mode = DELETE");
+  connection.executeVerbatim("PRAGMA synchronous = FULL");
+  connection.executeVerbatim("PRAGMA application_id = " + std::to_string(mark));
+  connection.executeVerbatim("PRAGMA user_version = 1");
 }
 
-void moveAside(const fs::path& target) {
-  const fs::path aside = withSuffix(target, ".before-restore");
-  removeWithLogs(aside);
-  for (const char* suffix : kParts) {
-    const fs::path part = withSuffix(target, suffix);
-    if (fs::exists(part)) {
-      fs::rename(part, withSuffix(aside, suffix));
+/// Gives the logs of a damaged database to the file `to`.
+void moveLogs(const fs::path& from, const fs::path& to) {
+  for (const char* suffix : {"-wal", "-shm", "-journal"}) {
+    if (fs::exists(withSuffix(from, suffix))) {
+      fs::rename(withSuffix(from, suffix), withSuffix(to, suffix));
     }
   }
 }
 
-/// After moveAside, when nothing could take the place.
-void putBack(const fs::path& target) noexcept {
-  std::error_code ignored;
-  const fs::path aside = withSuffix(target, ".before-restore");
-  if (fs::exists(target, ignored)) {
-    return;
-  }
-  for (const char* suffix : kParts) {
-    if (fs::exists(withSuffix(aside, suffix), ignored)) {
-      fs::rename(withSuffix(aside, suffix), withSuffix(target, suffix), ignored);
-    }
-  }
+[[noreturn]] void cannotRestore(const fs::path& target, const fs::filesystem_error& error) {
+  throw Error(ErrorCode::kFileUnwritable, Text::tr("backup cannot be restored: %1", error.code().message()),
+              target.string(), Text::tr("Check the folder and the free space"));
 }
 
 }  // namespace
@@ -101,49 +124,60 @@ std::vector<std::string> integrityFindings(Connection& connection) {
   return findings;
 }
 
-/// Writes one page in rollback mode: the commit makes the system flush the whole file to the disk, which
-/// VACUUM INTO and copying leave open.
 void settleSqlite(const fs::path& copy) {
-  Connection connection = openDatabase(copy.string(), OpenMode::kReadWrite);
-  const std::vector<std::string> findings = integrityFindings(connection);
-  if (!findings.empty()) {
-    throw Error(ErrorCode::kVerifyFailed, Text::tr("backup does not pass its check: %1", findings.front()),
-                copy.string(), Text::tr("Check the disk, and the database itself"));
-  }
-  connection.executeVerbatim("PRAGMA journal_mode = DELETE");
-  connection.executeVerbatim("PRAGMA synchronous = FULL");
-  connection.executeVerbatim("PRAGMA user_version = 1");
+  settleAs(kRecordMark, copy);
 }
 
-void replaceSqlite(const fs::path& ready, const fs::path& target) {
+bool foldSqlite(const fs::path& file) {
   try {
-    if (fs::exists(target)) {
-      takeOver(target);
-      moveAside(target);
+    Connection connection = openDatabase(file.string(), OpenMode::kReadWrite, 0);
+    connection.executeVerbatim("PRAGMA journal_mode = DELETE");
+    return true;
+  } catch (const DbError& error) {
+    if (error.fault() == DbFault::kBusy) {
+      throw Error(ErrorCode::kDatabase, Text::tr("is open in another program"), file.string(),
+                  Text::tr("Close Torsio at every station and try again"));
     }
-    fs::rename(ready, target);
-  } catch (const fs::filesystem_error& error) {
-    putBack(target);
-    throw Error(ErrorCode::kFileUnwritable, Text::tr("backup cannot be restored: %1", error.code().message()),
-                target.string(), Text::tr("Check the folder and the free space"));
+  } catch (const Error&) {
+    return false;
   }
+  return false;
 }
 
-void backupSqlite(Connection& connection, const fs::path& target) {
-  TORSIO_EXPECTS(connection.engine() == Engine::kSqlite && !connection.inTransaction());
-  const fs::path temporary = temporaryBeside(target);
-  removeWithLogs(temporary);
+fs::path replaceSqlite(const fs::path& ready, const fs::path& target) {
+  fs::path aside;
   try {
-    connection.execute("VACUUM INTO ?", {temporary.string()});
-    settleSqlite(temporary);
-  } catch (...) {
-    removeWithLogs(temporary);
-    throw;
+    if (!fs::exists(target)) {
+      fs::rename(ready, target);
+      return aside;
+    }
+    const bool whole = foldSqlite(target);
+    aside = numberedName(withSuffix(target, ".before-restore"));
+    if (!whole) {
+      moveLogs(target, aside);  // they must never meet the restored file
+    }
+    try {
+      exchangeRecord(ready, target, aside);
+    } catch (const fs::filesystem_error&) {
+      moveLogs(aside, target);
+      throw;
+    }
+  } catch (const fs::filesystem_error& error) {
+    cannotRestore(target, error);
   }
+  return aside;
+}
+
+void backupSqlite(Connection& connection, const fs::path& target, Replace replace) {
+  TORSIO_EXPECTS(connection.engine() == Engine::kSqlite && !connection.inTransaction());
+  requireReplaceable(target, replace);
+  const FileInTheMaking copy(target);
+  connection.execute("VACUUM INTO ?", {copy.path().string()});
+  settleAs(kBackupMark, copy.path());
+  requireReplaceable(target, replace);  // whoever was faster keeps what he wrote
   std::error_code failed;
-  fs::rename(temporary, target, failed);
+  fs::rename(copy.path(), target, failed);
   if (failed) {
-    removeWithLogs(temporary);
     throw Error(ErrorCode::kFileUnwritable, Text::tr("backup cannot be written"), target.string(),
                 Text::tr("Choose a folder in which you may write"));
   }
@@ -167,22 +201,16 @@ BackupContent checkBackup(const fs::path& backup) {
   return content;
 }
 
-void restoreSqlite(const fs::path& backup, const fs::path& target) {
+fs::path restoreSqlite(const fs::path& backup, const fs::path& target) {
   (void)checkBackup(backup);
-  const fs::path temporary = temporaryBeside(target);
-  removeWithLogs(temporary);
+  const FileInTheMaking ready(target);
   try {
-    fs::copy_file(backup, temporary);
-    settleSqlite(temporary);
-    replaceSqlite(temporary, target);
+    fs::copy_file(backup, ready.path());
   } catch (const fs::filesystem_error& error) {
-    removeWithLogs(temporary);
-    throw Error(ErrorCode::kFileUnwritable, Text::tr("backup cannot be restored: %1", error.code().message()),
-                target.string(), Text::tr("Check the folder and the free space"));
-  } catch (...) {
-    removeWithLogs(temporary);
-    throw;
+    cannotRestore(target, error);
   }
+  settleSqlite(ready.path());
+  return replaceSqlite(ready.path(), target);
 }
 
 }  // namespace torsio

@@ -10,10 +10,15 @@ namespace torsio {
 
 class Connection;
 
-/// Writes a consistent copy of an open SQLite database while others go on working, checks it, and renames it
-/// to `target` (an older file of that name is replaced). On failure nothing is left behind and an older
-/// `target` is untouched. Throws Error, DbError.
-void backupSqlite(Connection& connection, const std::filesystem::path& target);
+/// What may be replaced by a new backup.
+enum class Replace { kNothing, kBackup };
+
+/// Writes a consistent copy of an open SQLite database while others go on working, checks it, marks it as a
+/// backup, and renames it to `target`. On failure nothing is left behind and an older `target` is untouched.
+/// Throws DbError, Error: kFileUnwritable when `target` exists and nothing may be replaced, and always when
+/// it is a database but no backup: a record is never replaced by one.
+void backupSqlite(Connection& connection, const std::filesystem::path& target,
+                  Replace replace = Replace::kNothing);
 
 /// What a backup holds, after it was read from end to end.
 struct BackupContent {
@@ -26,10 +31,11 @@ struct BackupContent {
 /// kVerifyFailed).
 [[nodiscard]] BackupContent checkBackup(const std::filesystem::path& backup);
 
-/// Puts a checked copy of `backup` in place of `target`; what was there is kept beside it as
-/// "<target>.before-restore". Throws Error (kDatabase) when another program has `target` open; nothing is
-/// changed then, nor when the backup does not pass its check.
-void restoreSqlite(const std::filesystem::path& backup, const std::filesystem::path& target);
+/// Puts a checked copy of `backup` in place of `target`. What was there is kept beside it as
+/// "<target>.before-restore-N", the first free number; returns that path, empty when nothing was there. There
+/// is a whole record under the name `target` at every instant (exchangeRecord). Throws Error (kDatabase) when
+/// another program has `target` open; nothing is changed then, nor when the backup does not pass its check.
+std::filesystem::path restoreSqlite(const std::filesystem::path& backup, const std::filesystem::path& target);
 
 /// Reads all of a database file that is to take a record's place, and makes sure that it lies on the disk
 /// whole. Throws Error (kVerifyFailed) when it is not sound.
@@ -38,7 +44,11 @@ void settleSqlite(const std::filesystem::path& copy);
 /// Puts `ready`, a settled file in the same folder, in place of `target`, as restoreSqlite does. Throws Error
 /// (kDatabase) when another program or another connection has `target` open, (kFileUnwritable); then `target`
 /// and `ready` are as before.
-void replaceSqlite(const std::filesystem::path& ready, const std::filesystem::path& target);
+std::filesystem::path replaceSqlite(const std::filesystem::path& ready, const std::filesystem::path& target);
+
+/// Folds the write-ahead log into the file, so that it can be moved alone. Returns false for a file that is
+/// no database any more. Throws Error (kDatabase) when anybody else has it open.
+bool foldSqlite(const std::filesystem::path& file);
 
 /// What the engine finds wrong with the file or its references; empty: nothing.
 [[nodiscard]] std::vector<std::string> integrityFindings(Connection& connection);

@@ -9,6 +9,8 @@
 
 #include "db/migrations/backup.h"
 #include "db/migrations/dialect.h"
+#include "db/migrations/file_in_the_making.h"
+#include "db/migrations/record_exchange.h"
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
 #include "sim/base/digest.h"
@@ -194,6 +196,7 @@ MigrationReport migrate(Connection& connection, const std::vector<Migration>& mi
     const std::filesystem::path file = connection.location();
     std::filesystem::path copy = file;
     copy += ".schema-" + std::to_string(state.version) + ".sqlite";
+    copy = freeName(copy);  // an older copy may be all that is left of what it holds
     backupSqlite(connection, copy);
     report.backup = copy;
   }
@@ -206,6 +209,10 @@ MigrationReport migrate(Connection& connection, const std::vector<Migration>& mi
 }
 
 Connection openRecord(const std::string& locator, OpenMode mode, const MigrationOptions& options) {
+  if (const Locator parsed = parseLocator(locator);
+      parsed.engine == Engine::kSqlite && mode != OpenMode::kReadOnly) {
+    recoverRecord(parsed.file);
+  }
   Connection connection = openDatabase(locator, mode);
   const std::vector<Migration> migrations = embeddedMigrations();
   if (mode != OpenMode::kReadOnly) {

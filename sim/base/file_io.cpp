@@ -34,6 +34,20 @@ std::string readFile(const fs::path& file) {
   return bytes.str();
 }
 
+void requireNoDatabase(const fs::path& file) {
+  constexpr std::string_view kDatabase("SQLite format 3");
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) {
+    return;
+  }
+  std::string head(kDatabase.size(), '\0');
+  std::ifstream(file, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (head == kDatabase) {
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("is a database, which is never overwritten"),
+                file.string(), Text::tr("Name another file"));
+  }
+}
+
 fs::path temporaryBeside(const fs::path& file) {
   fs::path temporary = file;
   temporary += ".part";
@@ -41,6 +55,7 @@ fs::path temporaryBeside(const fs::path& file) {
 }
 
 void writeFileAtomically(const fs::path& file, const std::function<void(std::ostream&)>& write) {
+  requireNoDatabase(file);
   const fs::path temporary = temporaryBeside(file);
   std::error_code failed;
   try {

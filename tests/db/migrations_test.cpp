@@ -194,7 +194,7 @@ TEST_F(BackupTest, IsRestoredOverADatabaseThatNobodyUses) {
 
   Connection restored = openWithSchema();
   EXPECT_EQ(numberFrom(restored, "SELECT count(*) FROM rater_class WHERE label = 'before'"), 1);
-  Connection aside = openDatabase(locator() + ".before-restore", OpenMode::kReadOnly);
+  Connection aside = openDatabase(locator() + ".before-restore-1", OpenMode::kReadOnly);
   EXPECT_EQ(numberFrom(aside, "SELECT count(*) FROM rater_class WHERE label = 'after'"), 1);
 }
 
@@ -231,7 +231,7 @@ TEST_F(BackupTest, ReplacesADatabaseThatIsBeyondRepair) {
 
   Connection restored = openWithSchema();
   EXPECT_TRUE(integrityFindings(restored).empty());
-  EXPECT_TRUE(fs::exists(locator() + ".before-restore"));
+  EXPECT_TRUE(fs::exists(locator() + ".before-restore-1"));
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ TEST_F(SqliteFileTest, ReportsADamagedDatabase) {
 
   const Refusal refusal = opening(file(), OpenMode::kReadWrite);
 
-  EXPECT_EQ(refusal.code, ErrorCode::kFileUnreadable);
+  EXPECT_EQ(refusal.code, ErrorCode::kVerifyFailed);
   EXPECT_NE(refusal.text.find("backup"), std::string::npos) << refusal.text;
 }
 

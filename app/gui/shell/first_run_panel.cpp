@@ -225,7 +225,7 @@ void FirstRunPanel::testDatabase() {
   test_->setEnabled(false);
   background_->run(
       [this, where = locator().toStdString()]() -> Background::Finish {
-        const bool inUse = recordHasUsers(where);
+        const bool inUse = lookAtRecord(where) == RecordPlace::kCentre;
         return [this, inUse] {
           test_->setEnabled(true);
           say(inUse ? tr("A centre keeps its records there already. You can sign in to it after this step")

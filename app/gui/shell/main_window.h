@@ -133,9 +133,10 @@ class MainWindow : public QWidget {
   std::unique_ptr<SessionContext> session_;
   std::unique_ptr<StationWriter> line_;
   std::size_t refusedTold_ = 0;
-  bool answered_ = true;    // the database, at the last heartbeat
-  bool settleDue_ = false;  // recordings may have gone to files meanwhile
-  std::vector<Text> kept_;  // recordings that could not be stored; told until somebody signs in
+  bool answered_ = true;      // the database, at the last heartbeat
+  bool settleDue_ = false;    // recordings may have gone to files meanwhile
+  bool filesClosed_ = false;  ///< files that others could read were looked for since the start
+  std::vector<Text> kept_;    // recordings that could not be stored; told until somebody signs in
   std::shared_ptr<std::atomic<bool>> setUpCancelled_ = std::make_shared<std::atomic<bool>>(false);
   bool mayClose_ = true;
   ThemeKind theme_ = ThemeKind::kLight;

@@ -16,6 +16,8 @@
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/shell/trouble_panel.h"
+#include "app/maintenance/database_maintenance.h"
+#include "app/maintenance/record_privacy.h"
 #include "app/recording/station_start.h"
 #include "app/recording/station_writer.h"
 #include "assessment/people/account.h"
@@ -52,12 +54,15 @@ void MainWindow::leaveKiosk() {
 void MainWindow::openDatabase() {
   line_.reset();
   try {
-    session_ = std::make_unique<SessionContext>(key());
-    session_->setPasswordCost(setup_.passwordCost);
-    if (needsFirstRun(session_->connectionWithoutRight())) {
+    if (!preferences_.database().isEmpty() && preferences_.database() == setup_.locator) {
+      requireKnownRecord(key().locator);
+    } else if (lookAtRecord(key().locator) != RecordPlace::kCentre) {
+      session_.reset();
       enterFirstRun();
       return;
     }
+    session_ = std::make_unique<SessionContext>(key());
+    session_->setPasswordCost(setup_.passwordCost);
     const CentreSign sign = centreSign(session_->connectionWithoutRight());
     centre_ = toQString(sign.name);
     if (!preferences_.language({})) {
@@ -75,15 +80,20 @@ void MainWindow::openDatabase() {
 
 /// Recordings that wait in files can take long to store; until then nobody signs in.
 void MainWindow::settle() {
+  const bool begins = !std::exchange(filesClosed_, true);
   background_.run(
-      [this, key = key(),
+      [this, begins, key = key(),
        folder = setup_.unstored.empty() ? unstoredFolder() : setup_.unstored]() -> Background::Finish {
+        sweepLeftovers(key.locator);
+        const std::vector<Text> closed = begins ? closeRecordFiles(key.locator, folder) : std::vector<Text>{};
         SessionContext own(key);
         const StationStart start = settleStation(own, folder);
-        return [this, kept = start.kept] {
+        return [this, kept = start.kept, closed] {
           kept_ = kept;
           if (!kept_.empty()) {
             signIn_->say(translatedLines(kept_), true);
+          } else if (!closed.empty()) {
+            signIn_->say(translatedLines(closed), false);
           }
           startLine();
         };

@@ -124,6 +124,7 @@ QString TranscriptPage::html(bool paper) const {
 }
 
 void TranscriptPage::writePdf(const std::filesystem::path& file) const {
+  requireNoDatabase(file);
   const std::filesystem::path temporary = temporaryBeside(file);
   {
     QPdfWriter writer(toQString(temporary));

@@ -142,6 +142,20 @@ std::vector<DemonstrationRows> demonstrationRows(Connection& connection) {
   return rows;
 }
 
+bool holdsOnlySimulated(Connection& connection) {
+  std::int64_t simulated = 0;
+  for (const SchemaTable& table : tablesInReferenceOrder(connection)) {
+    if (!table.has(kFlag)) {
+      continue;
+    }
+    if (countOf(connection, table.name, std::string(kFlag) + " = FALSE") > 0) {
+      return false;
+    }
+    simulated += countOf(connection, table.name, std::string(kFlag) + " = TRUE");
+  }
+  return simulated > 0;
+}
+
 std::vector<DemonstrationRows> removeDemonstration(Connection& connection, const std::string& requestedBy,
                                                    const std::string& station, const std::string& reason,
                                                    std::int64_t utc_us) {

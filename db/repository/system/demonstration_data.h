@@ -20,6 +20,10 @@ struct DemonstrationRows {
 /// For every table, parents first.
 [[nodiscard]] std::vector<DemonstrationRows> demonstrationRows(Connection& connection);
 
+/// Whether every row that carries the flag of a demonstration has it set: nobody and nothing here is real. A
+/// record without any such row is no demonstration.
+[[nodiscard]] bool holdsOnlySimulated(Connection& connection);
+
 /// Removes all demonstration data through the erasure gate, in one transaction, with an entry in the audit
 /// trail for every sealed mark and trial that goes and one for the whole. Real rows stay as they are; a
 /// station that shows a simulated trial shows none. Returns what was removed, children first, without tables

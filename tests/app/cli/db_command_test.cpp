@@ -64,7 +64,7 @@ TEST_F(DbCommandTest, BacksUpVerifiesAndRestores) {
 
   EXPECT_EQ(restore.code, 0) << restore.err;
   EXPECT_NE(restore.out.find("what was there is kept"), std::string::npos) << restore.out;
-  EXPECT_TRUE(fs::exists(file("record.sqlite.before-restore")));
+  EXPECT_TRUE(fs::exists(file("record.sqlite.before-restore-1")));
   EXPECT_EQ(run("db check" + database).code, 0);
 }
 

@@ -570,7 +570,7 @@ TEST_F(Shell, CancellingTheFirstRunLeavesNoCentre) {
 
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
   EXPECT_TRUE(says(*window_, QStringLiteral("nothing was set up")));
-  EXPECT_FALSE(recordHasUsers(with.locator.toStdString()));
+  EXPECT_EQ(lookAtRecord(with.locator.toStdString()), RecordPlace::kEmpty);
 }
 
 /// Fills the dialog that leaves the kiosk.

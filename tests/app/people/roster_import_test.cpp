@@ -111,6 +111,52 @@ TEST(RosterImport, GivesEveryLineItsStatusAndSaysWhatToMend) {
   EXPECT_FALSE(preview.importable());
 }
 
+TEST(RosterImport, NamesTheLineOfATextThatIsTooLongOrCannotBeSeen) {
+  StudyCentre centre;
+  SessionContext& session = centre.as("administrator");
+
+  const RosterPreview preview = look(session,
+                                     "id,name,level\n"
+                                     "S-1,Ann,\n"
+                                     "S-2," +
+                                         std::string(201, 'x') +
+                                         ",\n"                          // 201 characters
+                                         "S-3,Bob\xE2\x80\xAE nnA,\n"   // U+202E turns what follows round
+                                         "S-4\xE2\x80\x8B,Cid,\n"       // U+200B, a blank without width
+                                         "S-5,Dan,\"second\nyear\"\n"   // a line end
+                                         "S-6,Zo\xC3\xAB O'Brien,\n");  // nothing wrong
+
+  ASSERT_EQ(preview.rows.size(), 6U);
+  EXPECT_EQ(preview.rows[1].problem, "the full_name is longer than 200 characters");
+  EXPECT_EQ(preview.rows[2].problem, "the full_name holds the character U+202E, which nobody can see");
+  EXPECT_EQ(preview.rows[3].line, 5U);
+  EXPECT_FALSE(preview.rows[3].problem.empty());
+  EXPECT_FALSE(preview.rows[4].problem.empty());
+  EXPECT_EQ(preview.rows[5].status, RosterStatus::kNew);
+  EXPECT_EQ(preview.errors, 4U);
+}
+
+TEST(RosterImport, NamesTheLinesOfNumbersThatLookAlike) {
+  StudyCentre centre;
+  SessionContext& session = centre.as("administrator");
+  commitRoster(session, "id,name\nS-1,Ann\n");
+
+  const RosterPreview preview = look(session,
+                                     "id,name\n"
+                                     "\xD0\x85-1,Ann\n"  // Cyrillic dze
+                                     "S-2,Bob\n"         //
+                                     "S\xE2\x80\x93"
+                                     "2,Bob\n"               // en dash
+                                     "\xEF\xBC\xB3-3,Cid\n"  // wide S, alone
+                                     "S-4,Dan\n");
+
+  ASSERT_EQ(preview.rows.size(), 5U);
+  EXPECT_NE(preview.rows[0].problem.str().find("looks like that of T-"), std::string::npos);
+  EXPECT_NE(preview.rows[2].problem.str().find("looks like that of line 3"), std::string::npos);
+  EXPECT_EQ(preview.rows[3].status, RosterStatus::kNew);
+  EXPECT_EQ(preview.errors, 2U);
+}
+
 TEST(RosterImport, ImportsAllOrNothing) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");

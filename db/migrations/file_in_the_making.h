@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+class QLockFile;
+
+namespace torsio {
+
+/// A database and what SQLite may lay beside it.
+inline constexpr const char* kDatabaseParts[] = {"", "-wal", "-shm", "-journal"};
+
+/// Returns `file` with `suffix` at the end of its name.
+[[nodiscard]] std::filesystem::path withSuffix(std::filesystem::path file, const std::string& suffix);
+/// Removes a database file with its logs, as far as they are there.
+void removeDatabase(const std::filesystem::path& file) noexcept;
+/// Returns `wanted` if nothing has that name, else the first free one of "wanted-2", "wanted-3" ... (before
+/// the ending `.sqlite`, if there is one).
+[[nodiscard]] std::filesystem::path freeName(const std::filesystem::path& wanted);
+
+/// Returns the first of "<stem>-1", "<stem>-2" ... that nothing has.
+[[nodiscard]] std::filesystem::path numberedName(const std::filesystem::path& stem);
+
+/// The temporary file "<target>.part" of a database that is being made: held by a lock file beside it while
+/// this object lives, gone with its logs at the end unless it was renamed. What a killed program leaves is
+/// found by its lock, and swept.
+class FileInTheMaking {
+ public:
+  /// Removes leftovers of that name. Throws Error (kDatabase) when another program is making `target` now,
+  /// (kFileUnwritable) when its folder cannot be written.
+  explicit FileInTheMaking(const std::filesystem::path& target);
+  FileInTheMaking(const FileInTheMaking&) = delete;
+  FileInTheMaking& operator=(const FileInTheMaking&) = delete;
+  ~FileInTheMaking();
+
+  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  std::unique_ptr<QLockFile> lock_;
+};
+
+/// Removes from `folder` what killed programs left there of databases in the making. What another program is
+/// making now stays, and so does every file without a lock of ours beside it.
+void sweepUnfinished(const std::filesystem::path& folder);
+
+}  // namespace torsio

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "db/connection/connection.h"
+
+namespace torsio {
+
+/// A part of the schema, or of the matrix of rights, that is not as the steps of this program made it.
+struct SchemaFinding {
+  std::string part{};  ///< kind and name: "trigger person_code_frozen", "right trainee user.manage"
+  std::string what{};  ///< one sentence without a full stop
+};
+
+/// Compares the schema of a record with what the steps make, so that nobody can take a trigger away, add one,
+/// or loosen a rule unseen. SQLite: every table, index, trigger and view. PostgreSQL: every trigger, whether
+/// it is switched on, and what its functions do. Of the schema that this program knows; empty: nothing
+/// differs, or the record is newer.
+[[nodiscard]] std::vector<SchemaFinding> schemaFindings(Connection& connection);
+
+}  // namespace torsio

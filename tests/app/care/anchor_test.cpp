@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Heads of the audit trail that are kept elsewhere find what no look at the file alone can find.
+#include <gtest/gtest.h>
+
+#include "db/connection/connection.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/base/audit_repository.h"
+#include "sim/base/error.h"
+#include "tests/app/cli/program.h"
+#include "tests/db/full_record.h"
+#include "tests/db/sample_record.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+namespace fs = std::filesystem;
+using test::emptyFolder;
+using test::ProgramRun;
+using test::runTorsio;
+
+/// A record, a key, and a witness with one signed head.
+class Anchor : public ::testing::Test {
+ protected:
+  Anchor()
+      : folder_(emptyFolder(std::string("anchor-") +
+                            ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    Connection connection = openRecord(file("record.sqlite"), OpenMode::kCreate, {.softwareVersion = "test"});
+    const FullRecord rows(connection, "real", false);
+    append(connection, "first");
+    append(connection, "second");
+  }
+  void SetUp() override {
+    ASSERT_EQ(run("audit key " + file("key")).code, 0);
+    ASSERT_EQ(run("audit head" + database() + " --key " + file("key") + " --witness " + file("witness")).code,
+              0);
+  }
+
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  [[nodiscard]] std::string database() const { return " --database " + file("record.sqlite"); }
+  [[nodiscard]] ProgramRun run(const std::string& arguments) const { return runTorsio(arguments, folder_); }
+  [[nodiscard]] ProgramRun verified() const {
+    return run("audit verify" + database() + " --witness " + file("witness") + " --key " + file("key"));
+  }
+  static void append(Connection& connection, const std::string& reason) {
+    AuditRepository(connection)
+        .append({.atUtc_us = kSampleTime_us,
+                 .actor = "admin",
+                 .station = "office",
+                 .action = AuditAction::kPersonChange,
+                 .objectKind = AuditObject::kPerson,
+                 .objectId = "p",
+                 .reason = reason});
+  }
+  /// As somebody with the file in hand.
+  [[nodiscard]] Connection pryOpen() const {
+    Connection connection = openDatabase(file("record.sqlite"), OpenMode::kReadWrite);
+    connection.executeVerbatim("DROP TRIGGER audit_entry_no_UPDATE");
+    connection.executeVerbatim("DROP TRIGGER audit_entry_no_DELETE");
+    return connection;
+  }
+  /// Puts the triggers back, so that nothing but the rows tells.
+  static void close(Connection& connection) {
+    for (const char* act : {"UPDATE", "DELETE"}) {
+      connection.executeVerbatim(
+          std::string("CREATE TRIGGER audit_entry_no_") + act + " BEFORE " + act +
+          " ON audit_entry BEGIN SELECT RAISE(ABORT, 'append-only: audit_entry'); END");
+    }
+  }
+  static constexpr int kVerifyFailed = static_cast<int>(ErrorCode::kVerifyFailed);
+
+  fs::path folder_;
+};
+
+TEST_F(Anchor, ARecordThatOnlyGrewFitsItsWitness) {
+  {
+    Connection connection = openRecord(file("record.sqlite"), OpenMode::kReadWrite);
+    append(connection, "later");
+  }
+
+  const ProgramRun run = verified();
+
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+}
+
+TEST_F(Anchor, ANewestEntryThatWasDeletedIsFound) {
+  {
+    Connection connection = pryOpen();
+    connection.executeVerbatim(
+        "DELETE FROM audit_entry WHERE sequence = (SELECT max(sequence) FROM audit_entry)");
+    close(connection);
+  }
+
+  EXPECT_EQ(run("audit verify" + database()).code, 0) << "the file alone tells nothing";
+  const ProgramRun found = verified();
+  EXPECT_EQ(found.code, kVerifyFailed);
+  EXPECT_NE(found.out.find("it was cut off, or an older file lies here"), std::string::npos) << found.out;
+}
+
+TEST_F(Anchor, AChainThatWasRewrittenIsFound) {
+  {
+    Connection connection = pryOpen();
+    std::string previous;
+    for (AuditEntry entry : [&] {
+           std::vector<AuditEntry> all;
+           AuditRepository(connection).forEach([&all](const AuditEntry& one) { all.push_back(one); });
+           return all;
+         }()) {
+      entry.reason += " (as somebody would like it)";
+      entry.previousHash = previous;
+      entry.entryHash = auditHash(entry);
+      connection.execute(
+          "UPDATE audit_entry SET reason = ?, previous_hash = ?, entry_hash = ? WHERE sequence = ?",
+          {entry.reason, entry.previousHash, entry.entryHash, entry.sequence});
+      previous = entry.entryHash;
+    }
+    close(connection);
+  }
+
+  EXPECT_EQ(run("audit verify" + database()).code, 0) << "the file alone tells nothing";
+  const ProgramRun found = verified();
+  EXPECT_EQ(found.code, kVerifyFailed);
+  EXPECT_NE(found.out.find("the audit trail was rewritten"), std::string::npos) << found.out;
+}
+
+TEST_F(Anchor, AnOlderFileInTheRecordsPlaceIsFound) {
+  const ProgramRun backup = run("db backup " + file("older.sqlite") + database());
+  ASSERT_EQ(backup.code, 0);
+  EXPECT_NE(backup.out.find("torsio-head 1 "), std::string::npos) << "to be noted beside the backup";
+  {
+    Connection connection = openRecord(file("record.sqlite"), OpenMode::kReadWrite);
+    append(connection, "something to forget");
+  }
+  const ProgramRun head = run("audit head" + database() + " --key " + file("key"));
+  ASSERT_EQ(head.code, 0) << head.err;
+  for (const char* part : {"", "-wal", "-shm"}) {
+    fs::remove(file("record.sqlite") + part);
+  }
+  fs::copy_file(file("older.sqlite"), file("record.sqlite"));
+
+  const ProgramRun found = run("audit verify" + database() + " --since '" +
+                               head.out.substr(0, head.out.find('\n')) + "' --key " + file("key"));
+
+  EXPECT_EQ(found.code, kVerifyFailed) << found.out << found.err;
+}
+
+TEST_F(Anchor, AWitnessThatSomebodyElseSignedOrChangedIsFound) {
+  ASSERT_EQ(run("audit key " + file("other")).code, 0);
+  ASSERT_EQ(run("audit head" + database() + " --key " + file("other") + " --witness " + file("forged")).code,
+            0);
+  std::string changed = readFile(file("witness"));
+  changed.replace(changed.find(" 1 ") + 3, 1, "9");
+  writeFileAtomically(file("changed"), changed);
+
+  for (const char* witness : {"forged", "changed"}) {
+    const ProgramRun found =
+        run("audit verify" + database() + " --witness " + file(witness) + " --key " + file("key"));
+    EXPECT_EQ(found.code, kVerifyFailed) << witness << found.out;
+  }
+}
+
+TEST_F(Anchor, TheKeyIsForItsOwnerAloneAndNeverReplaced) {
+  const std::string key = readFile(file("key"));
+  EXPECT_EQ(fs::status(file("key")).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+
+  EXPECT_EQ(run("audit key " + file("key")).code, static_cast<int>(ErrorCode::kFileUnwritable));
+  EXPECT_EQ(readFile(file("key")), key);
+  fs::permissions(file("key"), fs::perms::others_read, fs::perm_options::add);
+  EXPECT_EQ(run("audit head" + database() + " --key " + file("key")).code,
+            static_cast<int>(ErrorCode::kPermission));
+}
+
+}  // namespace
+}  // namespace torsio

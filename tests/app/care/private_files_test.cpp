@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is about people is for the owner of the record alone, and what was erased is not left on the disk.
+#include "sim/base/private_files.h"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "app/maintenance/demonstration_removal.h"
+#include "app/maintenance/person_package.h"
+#include "app/maintenance/record_privacy.h"
+#include "db/connection/connection.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/base/id_source.h"
+#include "sim/base/file_io.h"
+#include "tests/app/cli/program.h"
+#include "tests/db/full_record.h"
+#include "tests/db/sample_record.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+namespace fs = std::filesystem;
+using test::emptyFolder;
+using test::runTorsio;
+
+constexpr auto kOthers = fs::perms::group_all | fs::perms::others_all;
+
+bool isPrivate(const fs::path& file) {
+  return (fs::status(file).permissions() & kOthers) == fs::perms::none;
+}
+
+TEST(PrivateFiles, WhatTheProgramWritesIsForItsOwnerAlone) {
+  const fs::path folder = emptyFolder("private");
+  const std::string out = (folder / "out").string();
+
+  ASSERT_EQ(runTorsio("demo --shorten 600 --out " + out, folder).code, 0);
+  ASSERT_EQ(runTorsio("db backup " + out + "/copy.sqlite --database " + out + "/torsio.sqlite", folder).code,
+            0);
+  ASSERT_EQ(runTorsio("db restore " + out + "/copy.sqlite --database " + out + "/torsio.sqlite", folder).code,
+            0);
+
+  EXPECT_TRUE(isPrivate(out));
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(out)) {
+    EXPECT_TRUE(isPrivate(entry.path())) << entry.path();
+    ++files;
+  }
+  EXPECT_GE(files, 5U) << "record, backup, record before the restore, report and table";
+}
+
+TEST(PrivateFiles, RecordsThatOthersCouldReadAreClosedAndNamed) {
+  const fs::path folder = emptyFolder("mended");
+  for (const char* name : {"torsio.sqlite", "torsio.sqlite.schema-1.sqlite", "torsio-before-restore-1.sqlite",
+                           "somebody-else.txt"}) {
+    std::ofstream(folder / name) << "x";
+    fs::permissions(folder / name, fs::perms::owner_all | fs::perms::group_read | fs::perms::others_read);
+  }
+  fs::create_directories(folder / "unstored");
+  fs::permissions(folder / "unstored", fs::perms::all);
+
+  const std::vector<Text> told = closeRecordFiles((folder / "torsio.sqlite").string(), folder / "unstored");
+
+  EXPECT_EQ(told.size(), 4U);
+  EXPECT_TRUE(isPrivate(folder / "torsio.sqlite"));
+  EXPECT_TRUE(isPrivate(folder / "unstored"));
+  EXPECT_FALSE(isPrivate(folder / "somebody-else.txt"));
+  EXPECT_TRUE(closeRecordFiles((folder / "torsio.sqlite").string(), folder / "unstored").empty());
+}
+
+/// An administrator at a record with real and simulated rows in every table.
+class ErasedBytes : public ::testing::Test {
+ protected:
+  ErasedBytes()
+      : file_(emptyFolder("erased") / "record.sqlite"),
+        connection_(openRecord(file_.string(), OpenMode::kCreate, {.softwareVersion = "test"})),
+        real_(connection_, "real", false),
+        simulated_(connection_, "demo", true) {
+    connection_.execute(
+        "INSERT INTO app_user (id, login, password_hash, must_change_password, state, failed_count,"
+        " locked_until_utc_us, created_utc_us, demonstration) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
+        {"u", "admin", "", false, "active", 0, 0, kSampleTime_us, false});
+    connection_.execute("INSERT INTO user_role (user_id, role_code) VALUES (?, ?)", {"u", "administrator"});
+  }
+  SessionContext office() {
+    Actor actor{.userId = "u", .login = "admin"};
+    actor.roles = {"administrator"};
+    return {connection_, ids_, {file_.string(), "room", actor}, [] { return kSampleTime_us; }};
+  }
+  /// Whether the bytes stand anywhere in the file or its log.
+  [[nodiscard]] bool found(const std::string& text) const {
+    const fs::path log = file_.string() + "-wal";
+    return readFile(file_).find(text) != std::string::npos ||
+           (fs::exists(log) && readFile(log).find(text) != std::string::npos);
+  }
+
+  fs::path file_;
+  Connection connection_;
+  SeededIdSource ids_{7};
+  FullRecord real_;
+  FullRecord simulated_;
+};
+
+TEST_F(ErasedBytes, TheNameOfAnErasedPersonIsNotLeftInTheFileOrItsLog) {
+  const std::string name = "Nobody Likely Uvwxyz";
+  connection_.execute(
+      "INSERT INTO person_identity (person_id, full_name) VALUES (?, ?)"
+      " ON CONFLICT (person_id) DO UPDATE SET full_name = excluded.full_name",
+      {real_.traineeId, name});
+  ASSERT_TRUE(found(name));
+  SessionContext session = office();
+
+  erasePersonRecord(session, real_.traineeId, "asked for it");
+
+  EXPECT_FALSE(found(name));
+}
+
+TEST_F(ErasedBytes, RemovingTheDemonstrationGivesItsRoomBack) {
+  SessionContext session = office();
+
+  removeDemonstrationData(session, "the centre begins");
+
+  EXPECT_EQ(numberFrom(connection_, "PRAGMA freelist_count"), 0);
+  const fs::path log = file_.string() + "-wal";
+  EXPECT_TRUE(!fs::exists(log) || fs::file_size(log) == 0);
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Torsio never destroys a record: what the command line is told to write, and where a program may be killed.
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <fstream>
+#include <spawn.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "app/access/first_run.h"
+#include "db/connection/connection.h"
+#include "db/migrations/backup.h"
+#include "db/migrations/file_in_the_making.h"
+#include "db/migrations/migrations.h"
+#include "db/migrations/record_exchange.h"
+#include "sim/base/error.h"
+#include "tests/app/cli/program.h"
+#include "tests/db/full_record.h"
+#include "tests/db/test_database.h"
+
+extern char** environ;
+
+namespace torsio {
+namespace {
+
+namespace fs = std::filesystem;
+using test::emptyFolder;
+using test::ProgramRun;
+using test::runTorsio;
+
+constexpr const char* kShort = " --shorten 600 --seed 7";
+
+int codeOf(ErrorCode code) {
+  return static_cast<int>(code);
+}
+
+/// A folder with a real centre's record of the default name, and a backup of it.
+class RecordSafety : public ::testing::Test {
+ protected:
+  RecordSafety()
+      : folder_(emptyFolder(std::string("care-") +
+                            ::testing::UnitTest::GetInstance()->current_test_info()->name())) {}
+
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  [[nodiscard]] ProgramRun run(const std::string& arguments) const { return runTorsio(arguments, folder_); }
+  void makeRecord(const std::string& name, const std::string& prefix = "real") const {
+    Connection connection = openRecord(file(name), OpenMode::kCreate, {.softwareVersion = "test"});
+    const FullRecord rows(connection, prefix, false);
+  }
+  [[nodiscard]] std::string personIn(const std::string& name, OpenMode mode = OpenMode::kReadOnly) const {
+    Connection connection = openRecord(file(name), mode);
+    Statement row = connection.prepare("SELECT min(id) FROM person");
+    row.execute();
+    return row.step() ? row.text(0) : "";
+  }
+  /// What lies in the folder and begins with `name`.
+  [[nodiscard]] std::vector<std::string> besides(const std::string& name) const {
+    std::vector<std::string> found;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      const std::string other = entry.path().filename().string();
+      if (other != name && other.starts_with(name)) {
+        found.push_back(other);
+      }
+    }
+    return found;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(RecordSafety, ADemonstrationDoesNotReplaceARecordWithARealPerson) {
+  makeRecord("torsio.sqlite");
+  const std::string before = readFile(file("torsio.sqlite"));
+
+  const ProgramRun demo = run("demo --out " + folder_.string() + kShort);
+
+  EXPECT_EQ(demo.code, codeOf(ErrorCode::kFileUnwritable)) << demo.err;
+  EXPECT_EQ(readFile(file("torsio.sqlite")), before);
+  EXPECT_FALSE(fs::exists(file("cohort.pdf")));
+}
+
+TEST_F(RecordSafety, ADemonstrationDoesNotReplaceWhatItCannotRead) {
+  for (const std::string content : {"", "no database", "SQLite format 3 and then nothing of the kind"}) {
+    std::ofstream(file("torsio.sqlite"), std::ios::trunc) << content;
+
+    const ProgramRun demo = run("demo --out " + folder_.string() + kShort);
+
+    EXPECT_EQ(demo.code, codeOf(ErrorCode::kFileUnwritable)) << demo.err;
+    EXPECT_EQ(readFile(file("torsio.sqlite")), content);
+  }
+}
+
+TEST_F(RecordSafety, ADemonstrationReplacesAnOlderOneThatNobodyHasOpen) {
+  ASSERT_EQ(run("demo --out " + folder_.string() + kShort).code, 0);
+  {
+    Connection open = openRecord(file("torsio.sqlite"), OpenMode::kReadWrite);
+    const Transaction working(open);
+    EXPECT_EQ(run("demo --out " + folder_.string() + kShort).code, codeOf(ErrorCode::kDatabase));
+  }
+
+  const ProgramRun again = run("demo --out " + folder_.string() + kShort + "1");
+
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(run("audit verify --database " + file("torsio.sqlite")).code, 0);
+  EXPECT_TRUE(besides("torsio.sqlite").empty());
+}
+
+TEST_F(RecordSafety, EveryRestoreKeepsWhatWasThere) {
+  makeRecord("record.sqlite", "original");
+  makeRecord("a.sqlite", "a");
+  makeRecord("b.sqlite", "b");
+  for (const std::string name : {"a", "b"}) {
+    ASSERT_EQ(run("db backup " + file(name + ".backup") + " --database " + file(name + ".sqlite")).code, 0);
+  }
+
+  const ProgramRun first = run("db restore " + file("a.backup") + " --database " + file("record.sqlite"));
+  const ProgramRun second = run("db restore " + file("b.backup") + " --database " + file("record.sqlite"));
+
+  EXPECT_EQ(first.code, 0) << first.err;
+  EXPECT_EQ(second.code, 0) << second.err;
+  EXPECT_EQ(personIn("record.sqlite").substr(0, 1), "b");
+  EXPECT_EQ(personIn("record.sqlite.before-restore-1").substr(0, 8), "original");
+  EXPECT_EQ(personIn("record.sqlite.before-restore-2").substr(0, 1), "a");
+  EXPECT_NE(second.out.find("before-restore-2"), std::string::npos) << second.out;
+}
+
+TEST_F(RecordSafety, ABackupReplacesAnOlderBackupWhenToldToAndARecordNever) {
+  makeRecord("record.sqlite");
+  makeRecord("other.sqlite", "other");
+  const std::string other = readFile(file("other.sqlite"));
+  const std::string database = " --database " + file("record.sqlite");
+  ASSERT_EQ(run("db backup " + file("backup.sqlite") + database).code, 0);
+
+  EXPECT_EQ(run("db backup " + file("backup.sqlite") + database).code, codeOf(ErrorCode::kFileUnwritable));
+  EXPECT_EQ(run("db backup --replace " + file("backup.sqlite") + database).code, 0);
+  for (const char* record : {"other.sqlite", "record.sqlite"}) {
+    EXPECT_EQ(run("db backup --replace " + file(record) + database).code, codeOf(ErrorCode::kFileUnwritable));
+  }
+
+  EXPECT_EQ(readFile(file("other.sqlite")), other);
+  EXPECT_EQ(run("db check" + database).code, 0);
+}
+
+TEST_F(RecordSafety, ARestoredRecordIsNoBackupAnyMore) {
+  makeRecord("record.sqlite");
+  const std::string database = " --database " + file("record.sqlite");
+  ASSERT_EQ(run("db backup " + file("backup.sqlite") + database).code, 0);
+  ASSERT_EQ(run("db restore " + file("backup.sqlite") + " --database " + file("new.sqlite")).code, 0);
+
+  const ProgramRun backup = run("db backup --replace " + file("new.sqlite") + database);
+
+  EXPECT_EQ(backup.code, codeOf(ErrorCode::kFileUnwritable));
+}
+
+TEST_F(RecordSafety, AnEmptyFileIsNeitherARecordNorBackedUp) {
+  makeRecord("record.sqlite");
+  fs::resize_file(file("record.sqlite"), 0);
+  const std::string database = " --database " + file("record.sqlite");
+
+  EXPECT_EQ(run("db backup " + file("backup.sqlite") + database).code, codeOf(ErrorCode::kFileUnreadable));
+  EXPECT_EQ(run("db check" + database).code, codeOf(ErrorCode::kFileUnreadable));
+  EXPECT_EQ(run("db verify " + file("record.sqlite")).code, codeOf(ErrorCode::kFileUnreadable));
+
+  EXPECT_FALSE(fs::exists(file("backup.sqlite")));
+  EXPECT_EQ(refusalFrom([&] { (void)lookAtRecord(file("record.sqlite")); }).code, ErrorCode::kFileUnreadable);
+}
+
+TEST_F(RecordSafety, AKnownRecordThatIsGoneOrEmptiedIsAnError) {
+  makeRecord("empty.sqlite");
+  {
+    Connection connection = openDatabase(file("schema.sqlite"), OpenMode::kCreate);
+    migrate(connection, embeddedMigrations(), {});
+  }
+
+  EXPECT_EQ(refusalFrom([&] { requireKnownRecord(file("none.sqlite")); }).code, ErrorCode::kFileMissing);
+  EXPECT_EQ(refusalFrom([&] { requireKnownRecord(file("schema.sqlite")); }).code, ErrorCode::kVerifyFailed);
+  fs::resize_file(file("empty.sqlite"), 0);
+  EXPECT_EQ(refusalFrom([&] { requireKnownRecord(file("empty.sqlite")); }).code, ErrorCode::kFileUnreadable);
+}
+
+TEST_F(RecordSafety, LookingWhereARecordCouldBeWritesNothing) {
+  EXPECT_EQ(lookAtRecord(file("new.sqlite")), RecordPlace::kNothing);
+  EXPECT_EQ(refusalFrom([&] { (void)lookAtRecord(file("none/new.sqlite")); }).code,
+            ErrorCode::kFileUnwritable);
+
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(RecordSafety, ACheckOfAPipeEnds) {
+  ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
+
+  for (const char* command : {"db check --database ", "audit verify --database ", "db verify "}) {
+    const int status = std::system(
+        ("timeout 20 " TORSIO_PROGRAM " " + (command + file("pipe")) + " >/dev/null 2>&1").c_str());
+    EXPECT_EQ(WEXITSTATUS(status), codeOf(ErrorCode::kFileUnreadable)) << command;
+  }
+}
+
+TEST_F(RecordSafety, DamagedPagesAreAFailedCheck) {
+  makeRecord("record.sqlite");
+  ASSERT_EQ(run("db backup " + file("sound.sqlite") + " --database " + file("record.sqlite")).code, 0);
+
+  for (const std::streamoff page : {std::streamoff{0}, std::streamoff{1}, std::streamoff{2}}) {
+    fs::copy_file(file("sound.sqlite"), file("bad.sqlite"), fs::copy_options::overwrite_existing);
+    std::fstream bad(file("bad.sqlite"), std::ios::in | std::ios::out | std::ios::binary);
+    bad.seekp(page * 4096 + 100);
+    bad << std::string(3996, '\xA5');
+    bad.close();
+    for (const char* command : {"db check --database ", "audit verify --database ", "db verify "}) {
+      const ProgramRun check = run(command + file("bad.sqlite"));
+      EXPECT_EQ(check.code, codeOf(ErrorCode::kVerifyFailed)) << command << page << check.err;
+    }
+  }
+}
+
+TEST_F(RecordSafety, NoReportTakesThePlaceOfADatabase) {
+  makeRecord("record.sqlite");
+  const std::string before = readFile(file("record.sqlite"));
+
+  EXPECT_EQ(refusalFrom([&] { writeFileAtomically(file("record.sqlite"), "a,b\n"); }).code,
+            ErrorCode::kFileUnwritable);
+
+  EXPECT_EQ(readFile(file("record.sqlite")), before);
+}
+
+TEST_F(RecordSafety, WhatKilledProgramsLeftIsSweptAndWhatOthersMakeStays) {
+  makeRecord("record.sqlite");
+  for (const char* left : {"old.sqlite.part", "old.sqlite.part-wal", "unrelated.part"}) {
+    std::ofstream(file(left)) << "left";
+  }
+  std::ofstream(file("old.sqlite.part.lock"))
+      << "4194399\ntorsio\nelsewhere\n";  // no process has this number
+  const fs::path check = fs::temp_directory_path() / ("torsio-check-" + folder_.filename().string());
+  fs::create_directories(check);
+  std::ofstream(check / "copy.sqlite") << "names";
+  std::ofstream(check / "in-use") << "4194399\ntorsio\n\n";
+  const FileInTheMaking mine(file("mine.sqlite"));
+  std::ofstream(mine.path()) << "being made";
+
+  const ProgramRun backup = run("db backup " + file("b.sqlite") + " --database " + file("record.sqlite"));
+
+  EXPECT_EQ(backup.code, 0) << backup.err;
+  EXPECT_FALSE(fs::exists(check));
+  EXPECT_TRUE(fs::exists(mine.path()));
+  EXPECT_TRUE(fs::exists(file("unrelated.part")));
+  fs::remove_all(check);
+}
+
+TEST_F(RecordSafety, EveryWayOfExchangingKeepsBothFiles) {
+  for (const ExchangeBy way : {ExchangeBy::kOneStep, ExchangeBy::kHardLink, ExchangeBy::kNote}) {
+    std::ofstream(file("record"), std::ios::trunc) << "old";
+    std::ofstream(file("ready"), std::ios::trunc) << "new";
+    const fs::path aside = freeName(file("aside"));
+
+    exchangeRecord(file("ready"), file("record"), aside, way);
+
+    EXPECT_EQ(readFile(file("record")), "new");
+    EXPECT_EQ(readFile(aside), "old");
+    EXPECT_FALSE(fs::exists(file("ready")));
+    EXPECT_FALSE(fs::exists(file("record.restoring")));
+  }
+}
+
+TEST_F(RecordSafety, ARecordThatLostItsNameGetsItBackAtTheNextStart) {
+  makeRecord("record.sqlite");
+  {
+    Connection connection = openDatabase(file("record.sqlite"), OpenMode::kReadWrite);
+    connection.executeVerbatim("PRAGMA journal_mode = DELETE");
+  }
+  fs::rename(file("record.sqlite"), file("record.sqlite.before-restore-1"));
+  std::ofstream(file("record.sqlite.restoring")) << "record.sqlite.before-restore-1";
+
+  const Connection connection = openRecord(file("record.sqlite"), OpenMode::kReadWrite);
+
+  EXPECT_EQ(personIn("record.sqlite").substr(0, 4), "real");
+  EXPECT_FALSE(fs::exists(file("record.sqlite.restoring")));
+}
+
+/// Starts the program and kills it after so long.
+void runAndKill(const std::vector<std::string>& arguments, std::chrono::microseconds after) {
+  std::vector<char*> words{const_cast<char*>(TORSIO_PROGRAM)};
+  for (const std::string& argument : arguments) {
+    words.push_back(const_cast<char*>(argument.c_str()));
+  }
+  words.push_back(nullptr);
+  posix_spawn_file_actions_t silent{};
+  posix_spawn_file_actions_init(&silent);
+  posix_spawn_file_actions_addopen(&silent, 1, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&silent, 2, "/dev/null", O_WRONLY, 0);
+  pid_t child = 0;
+  ASSERT_EQ(posix_spawn(&child, TORSIO_PROGRAM, &silent, nullptr, words.data(), environ), 0);
+  posix_spawn_file_actions_destroy(&silent);
+  std::this_thread::sleep_for(after);
+  kill(child, SIGKILL);
+  int status = 0;
+  waitpid(child, &status, 0);
+}
+
+TEST_F(RecordSafety, ARestoreThatIsKilledAtAnyInstantLeavesAWholeRecord) {
+  makeRecord("record.sqlite", "original");
+  makeRecord("b.sqlite", "b");
+  ASSERT_EQ(run("db backup " + file("b.backup") + " --database " + file("b.sqlite")).code, 0);
+  const char* wanted = std::getenv("TORSIO_KILL_INSTANTS");
+  const int kills = wanted == nullptr ? 12 : std::atoi(wanted);
+  const auto begin = std::chrono::steady_clock::now();
+  ASSERT_EQ(run("db restore " + file("b.backup") + " --database " + file("timed.sqlite")).code, 0);
+  const auto whole = std::chrono::steady_clock::now() - begin;
+
+  for (int i = 0; i < kills; ++i) {
+    runAndKill({"db", "restore", file("b.backup"), "--database", file("record.sqlite")},
+               std::chrono::duration_cast<std::chrono::microseconds>(whole) * (i + 1) / kills);
+    const std::string person = personIn("record.sqlite", OpenMode::kReadWrite);  // as the next start does
+    EXPECT_TRUE(person.starts_with("original") || person.starts_with("b")) << person;
+  }
+
+  int originals = personIn("record.sqlite").starts_with("original") ? 1 : 0;
+  for (const std::string& name : besides("record.sqlite")) {
+    if (name.find("before-restore-") != std::string::npos && !name.ends_with("-shm") &&
+        !name.ends_with("-wal")) {
+      originals += personIn(name).starts_with("original") ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(originals, 1) << "the record that was there first is still there";
+}
+
+}  // namespace
+}  // namespace torsio
