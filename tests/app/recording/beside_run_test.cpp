@@ -167,18 +167,22 @@ TEST(BesidePlayback, DrawsTheModelLedToTheRecordedAngle) {
   shown.response.angle_rad = 0.3;
 
   playback.follow(shown);
+  const double wanted_m = 2.0 * kBarRadius_m * std::sin(0.15);
+  const auto farthest_m = [&] {
+    std::vector<Vec3> vertices_m = scene->mesh.vertices_m;
+    shape->vertices(vertices_m);
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < vertices_m.size(); ++i) {
+      farthest = std::max(farthest, norm(vertices_m[i] - scene->mesh.vertices_m[i]));
+    }
+    return farthest;
+  };
   const auto end = std::chrono::steady_clock::now() + 20s;
-  while (shape->number() < 4 && std::chrono::steady_clock::now() < end) {
+  while (farthest_m() < wanted_m - 1e-3 && std::chrono::steady_clock::now() < end) {
     std::this_thread::sleep_for(10ms);
   }
 
-  std::vector<Vec3> vertices_m = scene->mesh.vertices_m;
-  shape->vertices(vertices_m);
-  double farthest_m = 0.0;
-  for (std::size_t i = 0; i < vertices_m.size(); ++i) {
-    farthest_m = std::max(farthest_m, norm(vertices_m[i] - scene->mesh.vertices_m[i]));
-  }
-  EXPECT_NEAR(farthest_m, 2.0 * kBarRadius_m * std::sin(0.15), 1e-3);
+  EXPECT_NEAR(farthest_m(), wanted_m, 1e-3);
 }
 
 }  // namespace

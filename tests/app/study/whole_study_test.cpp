@@ -237,9 +237,9 @@ void storeRecording(Connection& connection, const char* id, TissueModel model) {
 TEST(CampaignService, TakesOneFinishedRecordingOfEachModel) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
-  storeRecording(session.connection(), "with-twist", TissueModel::kTwist);
-  storeRecording(session.connection(), "with-elements", TissueModel::kFiniteElements);
-  storeRecording(session.connection(), "with-springs", TissueModel::kMassSpring);
+  storeRecording(centre.connection(), "with-twist", TissueModel::kTwist);
+  storeRecording(centre.connection(), "with-elements", TissueModel::kFiniteElements);
+  storeRecording(centre.connection(), "with-springs", TissueModel::kMassSpring);
   CampaignPlan plan;
   plan.name = "Recorded models";
   plan.instrument = paperEvaluationInstrument();
@@ -268,8 +268,7 @@ TEST(CampaignService, TakesOneFinishedRecordingOfEachModel) {
 
   const CampaignRow row = campaigns(session).at(0);
   EXPECT_EQ(row.campaign.models[1].trialId, "with-elements");
-  EXPECT_EQ(TrialRepository(session.connection()).load("with-springs").header.model,
-            TissueModel::kMassSpring);
+  EXPECT_EQ(TrialRepository(centre.connection()).load("with-springs").header.model, TissueModel::kMassSpring);
 }
 
 TEST(CampaignService, OrdersAreCounterbalancedWithinEachClass) {
