@@ -19,6 +19,7 @@
 #include "sim/record/sample_codec.h"
 #include "sim/record/trial_file.h"
 #include "sim/scene/scene.h"
+#include "sim/servo/pose_track.h"
 
 namespace torsio::cli {
 
@@ -103,16 +104,19 @@ LoadedRun loadRun(const MetricsArguments& arguments) {
 }
 
 /// What the metrics ask of the scene, which must outlive the answer.
-OrganKnowledge organOf(const Scene& scene) {
-  OrganKnowledge organ{.axisAt = [&scene](double arc_m) {
+OrganKnowledge organOf(const Scene& scene, const Trial& trial) {
+  OrganKnowledge organ;
+  organ.axisAt = [&scene](double arc_m) {
     const AxisFrame frame = scene.graspFrame(arc_m, {});
     return GraspAxis{frame.centre_m, frame.tangent};
-  }};
-  if (!scene.rod) {  // the shear of a rod depends on how it lies, which arc length and angle do not tell
-    organ.peakShear_Pa = [&scene](double arc_m, double angle_rad) {
-      return scene.model.peakShear_Pa({arc_m, angle_rad});
-    };
-  }
+  };
+  const auto poses = std::make_shared<const PoseTrack>(scene, trial.header, trial.chunks);
+  organ.peakShear_Pa = [&scene, poses](const Sample& sample) {
+    const TwistResponse& response = sample.response;
+    const OrganState state{{response.graspArc_m, response.angle_rad}, poses->at(sample.device.time_us)};
+    const bool atRest = scene.rod ? state.pose.count == 0 : response.angle_rad == 0.0;
+    return atRest ? 0.0 : scene.peakShear_Pa(state);
+  };
   return organ;
 }
 
@@ -167,7 +171,7 @@ void runMetrics(const MetricsArguments& arguments) {
   if (arguments.scene || arguments.shearLimit_Pa) {
     scene = sceneOf(arguments, trial.header);
   }
-  OrganKnowledge organ = scene ? organOf(*scene) : OrganKnowledge{};
+  OrganKnowledge organ = scene ? organOf(*scene, trial) : OrganKnowledge{};
   organ.shearLimit_Pa = arguments.shearLimit_Pa;
   const MeasuredTrial measured = measureTwists(trial.header, samples, run.rules, organ);
   const AttemptMeasures measures = measureAttempt(samples, measured);

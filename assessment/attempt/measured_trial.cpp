@@ -74,9 +74,7 @@ TrialTrace traceOf(const Reading& reading, std::span<const Sample> samples, doub
     trace.force_N.push_back(norm(sample.force_N));
     trace.torque_Nm.push_back(response.torque_Nm);
     if (organ.peakShear_Pa) {
-      const bool atRest = response.angle_rad == 0.0;
-      trace.patchShear_Pa.push_back(atRest ? 0.0
-                                           : organ.peakShear_Pa(response.graspArc_m, response.angle_rad));
+      trace.patchShear_Pa.push_back(organ.peakShear_Pa(sample));
     }
   }
   markHolds(reading, samples, tolerance_rad, trace);

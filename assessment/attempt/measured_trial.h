@@ -34,8 +34,8 @@ struct GraspAxis {
 /// What the organ adds to a recording when its scene is at hand; without a function the metrics that need it
 /// stay undefined.
 struct OrganKnowledge {
-  /// Largest shear stress of the surface, Pa, by arc length of the grasped section and angle of twist.
-  std::function<double(double arc_m, double angle_rad)> peakShear_Pa{};
+  /// Largest shear stress of the surface, Pa, as the organ lies in a sample of the recording.
+  std::function<double(const Sample& sample)> peakShear_Pa{};
   std::function<GraspAxis(double arc_m)> axisAt{};
   std::optional<double> shearLimit_Pa{};
 };

@@ -9693,6 +9693,18 @@
         <source>the model</source>
         <translation>模型</translation>
     </message>
+    <message>
+        <source>this task turns the other way</source>
+        <translation>该任务的扭转方向与此相反</translation>
+    </message>
+    <message>
+        <source>--angle %1, target %2</source>
+        <translation>--angle %1，目标 %2</translation>
+    </message>
+    <message>
+        <source>Give an angle with the sign of the target</source>
+        <translation>请给出与目标同号的角度</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

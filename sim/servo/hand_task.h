@@ -10,7 +10,8 @@ namespace torsio {
 /// pattern.graspArc where the surface faces away from the axis of the twist and the way to it is free, and
 /// turns by the target. Throws Error{kBadParameter} when no point of that section can be reached.
 [[nodiscard]] HandTask handTask(const Scene& scene);
-/// The same, up to another angle of the pattern: the hand turns by what the pattern's measured angle needs.
+/// Makes the task of handTask(scene) up to another angle of the pattern: the hand turns by what the pattern's
+/// measured angle needs.
 [[nodiscard]] HandTask handTask(const Scene& scene, double angle_rad);
 
 }  // namespace torsio

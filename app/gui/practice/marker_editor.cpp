@@ -29,7 +29,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kEditorWidth = 340;
-constexpr int kHintLines = 4;
+constexpr int kHintLines = 5;
 
 QLabel* field(QGridLayout* grid, int row, QWidget* widget) {
   auto* label = new QLabel;

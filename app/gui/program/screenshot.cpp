@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include <QCoreApplication>
@@ -18,6 +19,7 @@
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/picture.h"
 #include "app/recording/recorded_run.h"
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/device/virtual/pointer_device.h"
 
@@ -92,7 +94,16 @@ void settle(SimulatorWindow& window) {
 }
 
 double angleOf(const ScreenshotRequest& request, SimulatorWindow& window) {
-  return request.angle_rad.value_or(window.controller().scene()->pattern.targetAngle_rad);
+  const Scene& scene = *window.controller().scene();
+  const double target_rad = scene.pattern.targetAngle_rad;
+  const double angle_rad = request.angle_rad.value_or(target_rad);
+  if (scene.rod && angle_rad * target_rad < 0.0) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("this task turns the other way"),
+                Text::tr("--angle %1, target %2", std::to_string(std::lround(degrees(angle_rad))),
+                         std::to_string(std::lround(degrees(target_rad)))),
+                Text::tr("Give an angle with the sign of the target"));
+  }
+  return angle_rad;
 }
 
 }  // namespace

@@ -442,6 +442,33 @@ TEST_F(AssessmentCommands, MetricsMeasureEveryTwistOfATrialFile) {
   EXPECT_EQ(out["cards"]["force.peak"]["unit"], "N");
 }
 
+TEST_F(AssessmentCommands, MetricsTellForHowLongACurvedOrganWasStrained) {
+  SceneRequest request;
+  request.assets = assetsFolder();
+  request.id = "stomach";
+  const Scene scene = loadScene(request);
+  const fs::path file = folder_ / "stomach.bin";
+  TrialFileSink sink(file);
+  ScriptedTrial trial;
+  trial.recording.trialId = "00000000-0000-4000-8000-000000000007";
+  trial.duration_s = 10.0;
+  recordScriptedTrial(scene, trial, sink);
+  const double atTarget_Pa = scene.peakShear_Pa(scene.stateAt(scene.pattern.targetAngle_rad));
+  const auto overLimit_s = [&](double limit_Pa) {
+    const json out =
+        answer("metrics --organ stomach --shear-limit " + std::to_string(limit_Pa) + " " + file.string());
+    return out["whole"]["shear.over_limit"]["value"].get<double>();
+  };
+
+  const double beyondHalf_s = overLimit_s(0.5 * atTarget_Pa);
+  const double beyondTenth_s = overLimit_s(0.1 * atTarget_Pa);
+
+  EXPECT_GT(beyondHalf_s, 0.5);
+  EXPECT_GT(beyondTenth_s, beyondHalf_s);
+  EXPECT_LT(beyondTenth_s, 10.0);
+  EXPECT_EQ(overLimit_s(10.0 * atTarget_Pa), 0.0);  // no hand of this run goes ten times as far
+}
+
 TEST_F(AssessmentCommands, MetricsOfUnknownTrialsAreRefused) {
   const ProgramRun run = runTorsio("metrics 0 --database " + (folder_ / "none.sqlite").string(), folder_);
   EXPECT_EQ(run.code, static_cast<int>(ErrorCode::kFileMissing)) << run.err;

@@ -9,6 +9,8 @@
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
+#include "sim/base/error.h"
+
 namespace {
 
 constexpr int kPatience_ms = 200'000;  // a busy machine draws slowly
@@ -24,7 +26,7 @@ class Screenshot : public ::testing::Test {
     }
   }
 
-  QImage shot(const QString& name, const QStringList& options) {
+  QImage shot(const QString& name, const QStringList& options, int exitCode = 0) {
     const QString file = folder_.filePath(name);
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -39,7 +41,7 @@ class Screenshot : public ::testing::Test {
                       options);
     EXPECT_TRUE(process.waitForFinished(kPatience_ms));
     said_ = QString::fromLocal8Bit(process.readAllStandardError());
-    EXPECT_EQ(process.exitCode(), 0) << said_.toStdString();
+    EXPECT_EQ(process.exitCode(), exitCode) << said_.toStdString();
     return QImage(file);
   }
 
@@ -85,7 +87,7 @@ TEST_F(Screenshot, ShowsALitOrganInTheMiddleAndATwistThatCanBeSeen) {
                             QStringLiteral("--scene-only"), QStringLiteral("--angle")};
 
   const QImage rest = shot(QStringLiteral("rest.png"), options + QStringList{QStringLiteral("0")});
-  const QImage twisted = shot(QStringLiteral("twisted.png"), options + QStringList{QStringLiteral("90")});
+  const QImage twisted = shot(QStringLiteral("twisted.png"), options + QStringList{QStringLiteral("-90")});
 
   ASSERT_FALSE(rest.isNull());
   ASSERT_EQ(rest.size(), twisted.size());
@@ -95,6 +97,17 @@ TEST_F(Screenshot, ShowsALitOrganInTheMiddleAndATwistThatCanBeSeen) {
   EXPECT_GT(tissue(rest, middle), middle.width() * middle.height() / 8);
   EXPECT_LT(tissue(rest, QRect(0, 0, whole.width() / 10, whole.height())), 50);
   EXPECT_GT(different(rest, twisted), whole.width() * whole.height() / 100);
+}
+
+TEST_F(Screenshot, AnAngleAgainstTheTaskIsRefusedNotDrawnAtRest) {
+  const QStringList options{QStringLiteral("--organ"), QStringLiteral("stomach"), QStringLiteral("--angle"),
+                            QStringLiteral("90")};  // the tasks of the stomach turn to negative angles
+
+  const QImage picture =
+      shot(QStringLiteral("none.png"), options, static_cast<int>(torsio::ErrorCode::kBadParameter));
+
+  EXPECT_TRUE(picture.isNull());
+  EXPECT_TRUE(said_.contains(QLatin1String("this task turns the other way"))) << said_.toStdString();
 }
 
 TEST_F(Screenshot, TheGhostOfTheTargetPoseAndTheMarkersComeOnlyWhenAsked) {
@@ -168,10 +181,10 @@ TEST_F(Screenshot, AFilmStripShowsTheOrganMoreAndMoreTwisted) {
   const QImage strip =
       shot(QStringLiteral("strip.png"),
            {QStringLiteral("--organ"), QStringLiteral("stomach"), QStringLiteral("--angle"),
-            QStringLiteral("90"), QStringLiteral("--film-strip"), QStringLiteral("--quality"),
+            QStringLiteral("-90"), QStringLiteral("--film-strip"), QStringLiteral("--quality"),
             QStringLiteral("fast"), QStringLiteral("--size"), QStringLiteral("640x480")});
 
-  // 0, 30, 60 and 90 degrees in one row.
+  // 0, -30, -60 and -90 degrees in one row.
   ASSERT_FALSE(strip.isNull());
   const int cell = strip.width() / 4;
   const QRect first(0, 0, cell, strip.height());
