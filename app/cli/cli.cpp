@@ -45,6 +45,7 @@ void buildProgram(CLI::App& program) {
   addLearning(program);
   addMetrics(program);
   addPower(program);
+  addRecord(program);
   addReplay(program);
   addSection(program);
   addStandardSetting(program);

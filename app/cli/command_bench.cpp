@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <chrono>
 #include <iostream>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/base/assets.h"
 #include "app/cli/commands.h"
 #include "assessment/report/number_format.h"
+#include "sim/baseline/grasped_organ.h"
+#include "sim/scene/scene.h"
 #include "sim/tissue/rod/rod_bench.h"
 #include "sim/tissue/twist/twist_bench.h"
 
@@ -15,6 +22,30 @@ namespace torsio::cli {
 namespace {
 
 constexpr double kRodTickTarget_us = 60.0;  // docs/model.md R.6
+
+constexpr int kGraspFrames = 40;
+constexpr double kGraspTurn_rad = 1.0;
+
+/// Times a frame of every model in a hand: the arm, turned at the grasp of its pattern.
+void addGraspedModels(std::vector<TissueBenchRow>& rows) {
+  using Clock = std::chrono::steady_clock;
+  SceneRequest request;
+  request.assets = assetsFolder();
+  const Scene scene = loadScene(request);
+  for (const TissueModel model : kTissueModels) {
+    const auto organ = graspedOrgan(model, {&scene.mesh, &scene.lattice(), &scene.model, scene.grasp_m()});
+    std::vector<double> times_us;
+    for (int frame = 1; frame <= kGraspFrames; ++frame) {
+      const auto begun = Clock::now();
+      organ->turnTo(kGraspTurn_rad * frame / kGraspFrames);
+      times_us.push_back(std::chrono::duration<double, std::micro>(Clock::now() - begun).count());
+    }
+    std::sort(times_us.begin(), times_us.end());
+    const std::string id(tissueModelId(model));
+    rows.push_back({.name = id + "_frame_median", .value = times_us[times_us.size() / 2], .unit = "us"});
+    rows.push_back({.name = id + "_torque", .value = organ->torque_Nm(), .unit = "N m"});
+  }
+}
 
 void runBench(bool json) {
   TissueBenchResult result = runTissueBench();
@@ -26,6 +57,7 @@ void runBench(bool json) {
                          .target = kRodTickTarget_us,
                          .atLeast = false});
   result.rows.push_back({.name = "rod_landmark_turn", .value = rod.turn_rad, .unit = "rad"});
+  addGraspedModels(result.rows);
   if (!json) {
     std::cout << "instruction set " << result.isa << ", load average " << formatFixed(result.loadAverage, 2)
               << "\n";

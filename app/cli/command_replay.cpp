@@ -40,7 +40,8 @@ void print(const ReplayResult& result, bool json) {
   const ReplayReport& report = result.report;
   if (!json) {
     std::cout << "trial " << result.header.trialId << ", scene " << result.header.sceneId << ", pattern "
-              << result.header.patternId << ", " << report.samples << " samples\n"
+              << result.header.patternId << ", model " << tissueModelId(result.header.model) << ", "
+              << report.samples << " samples\n"
               << (report.identical() ? std::string("replay is bit-identical to the recording")
                                      : "replay differs: " + differenceText(report))
               << "\n";
@@ -50,6 +51,7 @@ void print(const ReplayResult& result, bool json) {
   out["trial"] = result.header.trialId;
   out["scene"] = result.header.sceneId;
   out["pattern"] = result.header.patternId;
+  out["model"] = std::string(tissueModelId(result.header.model));
   out["recorded_with"] = result.header.softwareVersion;
   out["samples"] = report.samples;
   out["chunks"] = report.chunks;

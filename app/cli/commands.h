@@ -24,6 +24,7 @@ void addEvaluate(CLI::App& program);
 void addLearning(CLI::App& program);
 void addMetrics(CLI::App& program);
 void addPower(CLI::App& program);
+void addRecord(CLI::App& program);
 void addReplay(CLI::App& program);
 void addSection(CLI::App& program);
 void addStandardSetting(CLI::App& program);

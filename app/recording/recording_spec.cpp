@@ -20,6 +20,7 @@ TrialHeader headerFor(const Scene& scene, const DeviceCapabilities& device, cons
   header.organHash = scene.organHash;
   header.parameterHash = scene.parameterHash;
   header.parametersJson = scene.parametersJson;
+  header.model = scene.tissue;
 
   header.deviceModel = device.model;
   header.deviceLimits = deviceLimits(device);

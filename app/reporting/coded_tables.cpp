@@ -59,17 +59,18 @@ std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
                              const std::filesystem::path& file) {
   session.require(Operation::kTrialViewCoded);
   std::vector<Cells> lines{{"trial", "trainee", "scene", "pattern", "phase", "mode", "station", "started_utc",
-                            "duration_s", "end"}};
+                            "duration_s", "end", "model"}};
   TrialRepository repository(session.connection());
   for (const Enrolment& enrolment : StudyRepository(session.connection()).enrolments(cohortId)) {
     const std::vector<TrialListing> newestFirst =
         repository.list({.enrolmentId = enrolment.id, .limit = kAllTrials});
     for (auto trial = newestFirst.rbegin(); trial != newestFirst.rend(); ++trial) {
-      lines.push_back(
-          {trial->trialId, trial->traineeCode, trial->sceneId, trial->patternId, trial->phaseLabel,
-           trial->attemptMode ? std::string(storedText(*trial->attemptMode)) : std::string(), trial->station,
-           formatUtc(trial->startedUtc_us),
-           trial->summary ? formatExact(spanOf_s(trial->summary->samples)) : std::string(), endOf(*trial)});
+      lines.push_back({trial->trialId, trial->traineeCode, trial->sceneId, trial->patternId,
+                       trial->phaseLabel,
+                       trial->attemptMode ? std::string(storedText(*trial->attemptMode)) : std::string(),
+                       trial->station, formatUtc(trial->startedUtc_us),
+                       trial->summary ? formatExact(spanOf_s(trial->summary->samples)) : std::string(),
+                       endOf(*trial), std::string(tissueModelId(trial->model))});
     }
   }
   return write(session, AuditAction::kTrialExportCoded, cohortId, lines, file);

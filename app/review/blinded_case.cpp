@@ -28,6 +28,7 @@ TrialHeader blinded(const TrialHeader& header, const std::string& label) {
   copy.phaseLabel.clear();
   copy.softwareVersion.clear();
   copy.startedUtc_us = 0;
+  copy.model = TissueModel::kTwist;  // the scene is rebuilt from the parameters, and nobody reads those
   return copy;
 }
 

@@ -40,7 +40,7 @@ struct BlindedRecording {
   std::string digest{};
 };
 
-/// `header` without trial id, trainee, phase, date and program version; what a replay needs stays.
+/// `header` without trial id, trainee, phase, date, program version and model; what a replay needs stays.
 [[nodiscard]] TrialHeader blinded(const TrialHeader& header, const std::string& label);
 /// The digits of BlindedRecording::digest.
 [[nodiscard]] std::string blindedDigest(const std::string& contentHash, const std::string& salt);

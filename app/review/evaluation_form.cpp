@@ -66,7 +66,8 @@ OpenForm formOf(Connection& connection, const Campaign& campaign, const Campaign
   const auto draft = DeskRepository(connection).evaluationDraft(campaign.id, rater.raterId);
   const auto marks = EvaluationRepository(connection).marks(campaign.id);
   for (const CampaignModel& model : open.models) {
-    EvaluationFormModel shown{model.hiddenLabel, std::vector<std::optional<std::int64_t>>(count), false};
+    EvaluationFormModel shown{model.hiddenLabel, std::vector<std::optional<std::int64_t>>(count), false,
+                              !model.trialId.empty()};
     for (const EvaluationDraftMark& mark : draft) {
       if (mark.modelCode == model.code) {
         shown.scores.at(static_cast<std::size_t>(mark.indexNumber - 1)) = mark.score_steps;
@@ -135,6 +136,19 @@ std::vector<EvaluationForm> evaluationForms(SessionContext& session) {
     }
   }
   return forms;
+}
+
+BlindedRecording loadEvaluationRecording(SessionContext& session, const CampaignId& campaignId,
+                                         const std::string& hiddenLabel) {
+  const OpenForm open = ownForm(session, campaignId);
+  for (const CampaignModel& model : open.models) {
+    if (model.hiddenLabel == hiddenLabel && !model.trialId.empty()) {
+      const std::string salt = campaignId.text() + session.actor().personId.text();
+      return blindedRecordingOf(session.connection(), model.trialId, hiddenLabel, salt);
+    }
+  }
+  throw Error(ErrorCode::kBadData, Text::tr("there is no recording of this model"),
+              Text::tr("model %1", hiddenLabel), Text::tr("Score what you have met"));
 }
 
 void saveEvaluationScore(SessionContext& session, const CampaignId& campaignId,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
+#include "app/review/blinded_case.h"
 #include "assessment/scoring/instrument.h"
 #include "sim/base/ids.h"
 
@@ -17,6 +18,7 @@ struct EvaluationFormModel {
   std::string hiddenLabel{};                          ///< "X"
   std::vector<std::optional<std::int64_t>> scores{};  ///< steps, one an index; drafts while not submitted
   bool submitted = false;
+  bool recorded = false;  ///< there is a recording to watch (loadEvaluationRecording)
 };
 
 /// What one rater fills in, with the models in the order that was drawn for this rater. Neither names of the
@@ -32,6 +34,11 @@ struct EvaluationForm {
 
 /// The campaigns that ask the actor, oldest first. kEvaluationSubmit.
 [[nodiscard]] std::vector<EvaluationForm> evaluationForms(SessionContext& session);
+/// Loads the recording of one model under its hidden label, as loadBlindedRecording does: nothing in it that
+/// is shown tells the model. kEvaluationSubmit, own form. Throws Error{kPermission}: not asked, {kBadData}:
+/// unknown label or a model without a recording, {kVerifyFailed}: the recording was changed.
+[[nodiscard]] BlindedRecording loadEvaluationRecording(SessionContext& session, const CampaignId& campaignId,
+                                                       const std::string& hiddenLabel);
 /// Stores one mark of the draft, empty takes it back; it is on the disk when the call returns.
 /// kEvaluationSubmit, own form. Throws Error{kPermission}: not asked, {kBadData}: unknown model or index, out
 /// of the scale, or submitted already.

@@ -15,6 +15,7 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/random.h"
 #include "sim/base/refusal.h"
@@ -24,6 +25,7 @@ namespace torsio {
 namespace {
 
 constexpr std::size_t kAllOrdersUpTo = 4;  // 24 orders; five models would already have 120
+constexpr std::int64_t kMostRecordings = 1'000;
 constexpr std::uint64_t kLabelStream = 1;
 constexpr std::uint64_t kOrderStream = 2;
 
@@ -81,6 +83,38 @@ void checkModels(const std::vector<NewModel>& models) {
   }
 }
 
+/// Real recordings are compared by the model that answered the hand, and belong to nobody in training. Tells
+/// whether a simulated hand made any of them: the evaluation is then one of a demonstration.
+bool checkRecordings(SessionContext& session, const std::vector<NewModel>& models) {
+  const auto recorded = [](const NewModel& model) { return !model.trialId.empty(); };
+  if (std::none_of(models.begin(), models.end(), recorded)) {
+    return false;
+  }
+  bool simulated = false;
+  TrialRepository trials(session.connection());
+  std::set<TissueModel> met;
+  for (const NewModel& model : models) {
+    if (!recorded(model)) {
+      refuseParameter(Text::tr("a model has no recording"), model.code,
+                      Text::tr("Choose one for each model, or for none"));
+    }
+    const Trial trial = trials.load(model.trialId);
+    if (trial.summary.contentHash.empty()) {
+      refuseParameter(Text::tr("this recording has no end"), model.code, Text::tr("Choose a finished one"));
+    }
+    if (!trial.header.traineeCode.empty() && !trial.header.demonstration) {
+      refuseParameter(Text::tr("this recording belongs to a trainee"), model.code,
+                      Text::tr("Choose one of free practice"));
+    }
+    if (!met.insert(trial.header.model).second) {
+      refuseParameter(Text::tr("two recordings were made with the same model"), model.code,
+                      Text::tr("Choose one of each model"));
+    }
+    simulated = simulated || trial.header.demonstration;
+  }
+  return simulated;
+}
+
 /// The raters of the plan by class, in the order of codes.
 std::map<std::string, std::vector<Rater>> ratersByClass(SessionContext& session, const CampaignPlan& plan) {
   std::map<std::string, std::int64_t> weight_milli;
@@ -126,12 +160,24 @@ EvaluationInstrument paperEvaluationInstrument() {
   return instrument;
 }
 
+std::vector<EvaluationRecording> evaluationRecordings(SessionContext& session) {
+  session.require(Operation::kEvaluationSetup);
+  std::vector<EvaluationRecording> found;
+  for (const TrialListing& trial : TrialRepository(session.connection()).list({.limit = kMostRecordings})) {
+    if (trial.summary && trial.traineeCode.empty()) {
+      found.push_back({trial.trialId, trial.sceneId, trial.patternId, trial.model, trial.startedUtc_us});
+    }
+  }
+  return found;
+}
+
 CampaignId addCampaign(SessionContext& session, const CampaignPlan& plan) {
   session.require(Operation::kEvaluationSetup);
   if (plan.name.empty()) {
     refuseParameter(Text::tr("the evaluation has no name"), Text::tr("name"), Text::tr("Enter one"));
   }
   checkModels(plan.models);
+  const bool simulated = checkRecordings(session, plan.models);
   validateInstrument(plan.instrument);
   Transaction transaction(session.connection());
   const std::uint64_t seed = plan.seed ? *plan.seed : drawSeed(session.ids());
@@ -140,12 +186,12 @@ CampaignId addCampaign(SessionContext& session, const CampaignPlan& plan) {
   campaign.name = plan.name;
   campaign.instrument = plan.instrument;
   campaign.createdUtc_us = session.now_us();
-  campaign.demonstration = plan.demonstration;
+  campaign.demonstration = plan.demonstration || simulated;
   Random labelDraw = Random::forStream(seed, kLabelStream);
   const std::vector<std::string> labels = hiddenLabels(plan.models.size(), labelDraw);
   for (std::size_t i = 0; i < plan.models.size(); ++i) {
-    campaign.models.push_back(
-        {plan.models[i].code, plan.models[i].label, labels[i], static_cast<std::int64_t>(i + 1)});
+    campaign.models.push_back({plan.models[i].code, plan.models[i].label, labels[i],
+                               static_cast<std::int64_t>(i + 1), plan.models[i].trialId});
   }
   Random orderDraw = Random::forStream(seed, kOrderStream);
   for (const auto& [classCode, raters] : ratersByClass(session, plan)) {

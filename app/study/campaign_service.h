@@ -9,6 +9,7 @@
 #include "app/access/session_context.h"
 #include "assessment/people/person.h"
 #include "assessment/rating/campaign.h"
+#include "sim/base/tissue_model.h"
 
 namespace torsio {
 
@@ -16,6 +17,8 @@ namespace torsio {
 struct NewModel {
   std::string code{};   ///< "PM"
   std::string label{};  ///< "proposed model"
+  /// The recording that the raters watch under the hidden label; empty: they have met the model elsewhere.
+  TrialId trialId{};
 };
 
 /// A nine-index evaluation to set up (paper section 5.3).
@@ -32,10 +35,23 @@ struct CampaignPlan {
 /// The paper's instrument, with the codes of the stored classes: intern, deputy_chief, chief.
 [[nodiscard]] EvaluationInstrument paperEvaluationInstrument();
 
+/// A recording that an evaluation may show: nobody's in training, and finished.
+struct EvaluationRecording {
+  TrialId trialId{};
+  SceneId sceneId{};
+  PatternId patternId{};
+  TissueModel model = TissueModel::kTwist;
+  std::int64_t startedUtc_us = 0;
+};
+/// Newest first, among the newest thousand recordings of the record. kEvaluationSetup.
+[[nodiscard]] std::vector<EvaluationRecording> evaluationRecordings(SessionContext& session);
+
 /// Stores the campaign: hidden labels (X, Y, Z ...) drawn at random, orders of the models counterbalanced
 /// within each class (every order as often as any other, up to four models; beyond, rows of a Latin square).
 /// Returns the id. Audited. kEvaluationSetup. Throws Error{kBadParameter}: weights that do not sum to 1,
-/// fewer than two models, a weighted class without a rater, a rater whose class has no weight.
+/// fewer than two models, a weighted class without a rater, a rater whose class has no weight, recordings of
+/// some models only, without their end, of a trainee, or twice of the same model; Error{kBadData}: no such
+/// recording. With recordings of a simulated hand it is a demonstration.
 CampaignId addCampaign(SessionContext& session, const CampaignPlan& plan);
 
 struct CampaignRow {

@@ -46,6 +46,7 @@ struct TrialListing {
   ModuleId moduleId{};
   PhaseId phaseId{};
   std::optional<AttemptMode> attemptMode{};  ///< empty: free practice
+  TissueModel model = TissueModel::kTwist;   ///< that answered the hand
 };
 
 /// Which trials to list, newest first. Empty texts do not restrict.

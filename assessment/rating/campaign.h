@@ -16,6 +16,8 @@ struct CampaignModel {
   std::string label{};        ///< "proposed model"
   std::string hiddenLabel{};  ///< "X"
   std::int64_t position = 0;
+  /// The recording that was made with it and that the raters watch; empty: they have met it elsewhere.
+  TrialId trialId{};
 };
 
 /// A rater of a campaign, with the class that counted then.

@@ -9642,6 +9642,54 @@
         <translation>请少转一些，或分更多步</translation>
     </message>
     <message>
+        <source>there is no recording of this model</source>
+        <translation>该模型没有录像</translation>
+    </message>
+    <message>
+        <source>Score what you have met</source>
+        <translation>请按您已接触到的情况评分</translation>
+    </message>
+    <message>
+        <source>a model has no recording</source>
+        <translation>有一个模型没有录像</translation>
+    </message>
+    <message>
+        <source>Choose one for each model, or for none</source>
+        <translation>请为每个模型各选一份，或都不选</translation>
+    </message>
+    <message>
+        <source>this recording has no end</source>
+        <translation>该录像没有结尾</translation>
+    </message>
+    <message>
+        <source>Choose a finished one</source>
+        <translation>请选择已完成的录像</translation>
+    </message>
+    <message>
+        <source>this recording belongs to a trainee</source>
+        <translation>该录像属于一位学员</translation>
+    </message>
+    <message>
+        <source>Choose one of free practice</source>
+        <translation>请选择自由练习的录像</translation>
+    </message>
+    <message>
+        <source>two recordings were made with the same model</source>
+        <translation>有两份录像是用同一模型录制的</translation>
+    </message>
+    <message>
+        <source>Choose one of each model</source>
+        <translation>请每个模型选一份</translation>
+    </message>
+    <message>
+        <source>there is no model &apos;%1&apos;</source>
+        <translation>没有模型“%1”</translation>
+    </message>
+    <message>
+        <source>the model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
         <source>this task turns the other way</source>
         <translation>该任务的扭转方向与此相反</translation>
     </message>
@@ -9855,7 +9903,7 @@
     </message>
     <message>
         <source>Give multiples of the smallest block.</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出最小区组的整数倍。</translation>
     </message>
 </context>
 <context>
@@ -10554,6 +10602,46 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Both lists of weights sum to 1; %1 raters are chosen.</source>
         <translation>两组权重之和均为 1；已选择 %1 位评分者。</translation>
+    </message>
+    <message>
+        <source>Code = name. Behind a bar (|) may stand the id of a recording made with the model, for all models or for none: the raters then watch it under its letter.</source>
+        <translation>代码 = 名称。竖线（|）之后可写用该模型录制的录像编号，须为所有模型都写或都不写：评分者将在字母代号下观看录像。</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>录像</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>扭转类型</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>No recordings of free practice yet.</source>
+        <translation>还没有自由练习的录像。</translation>
+    </message>
+    <message>
+        <source>Choose one recording of each model: the raters watch it under its letter.</source>
+        <translation>每个模型选一份录像：评分者在字母代号下观看。</translation>
+    </message>
+    <message>
+        <source>finite elements</source>
+        <translation>有限元</translation>
+    </message>
+    <message>
+        <source>mass-spring</source>
+        <translation>质点弹簧</translation>
+    </message>
+    <message>
+        <source>proposed model</source>
+        <translation>本文模型</translation>
     </message>
 </context>
 <context>
@@ -12139,6 +12227,14 @@ MSM = 质点弹簧</translation>
         <source>Ctrl+Enter</source>
         <translation>Ctrl+Enter</translation>
     </message>
+    <message>
+        <source>The recording is being opened. You may score meanwhile.</source>
+        <translation>正在打开录像，您可以先评分。</translation>
+    </message>
+    <message>
+        <source>Opening the recording of model %1</source>
+        <translation>正在打开模型 %1 的录像</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::ExerciseEditor</name>
@@ -12258,8 +12354,28 @@ MSM = 质点弹簧</translation>
         <translation>按论文公式</translation>
     </message>
     <message>
-        <source>Which reading of the equations turns the organ</source>
-        <translation>用哪一种公式计算器官的扭转</translation>
+        <source>Finite elements</source>
+        <translation>有限元</translation>
+    </message>
+    <message>
+        <source>Mass-spring lattice</source>
+        <translation>质点弹簧点阵</translation>
+    </message>
+    <message>
+        <source>Which model turns the organ and answers the hand</source>
+        <translation>由哪个模型扭转器官并对手作出反馈</translation>
+    </message>
+    <message>
+        <source>%1: no answer. The force of the grip is off</source>
+        <translation>%1：没有应答，夹持力已关闭</translation>
+    </message>
+    <message>
+        <source>%1: %2 times a second beside the force at %3</source>
+        <translation>%1：每秒 %2 次，与每秒 %3 次的力并行</translation>
+    </message>
+    <message>
+        <source>%1: beside the force; it begins with the first grip</source>
+        <translation>%1：与力并行；自第一次夹持开始</translation>
     </message>
 </context>
 <context>

@@ -540,6 +540,7 @@ CREATE TABLE trial (
   tick_period_us BIGINT NOT NULL,
   started_utc_us BIGINT NOT NULL,
   demonstration BOOLEAN NOT NULL,
+  tissue_model TEXT NOT NULL CHECK (tissue_model IN ('twist', 'fem', 'msm')),
   module_id TEXT REFERENCES module (id),
   phase_id TEXT REFERENCES curriculum_phase (id),
   attempt_mode TEXT CHECK (attempt_mode IN ('practice', 'graded')),
@@ -958,15 +959,18 @@ CREATE TABLE evaluation_index (
 );
 {{append_only evaluation_index}}
 
+-- trial_id: the recording that the raters watch; null: they have met the model elsewhere.
 CREATE TABLE evaluation_model (
   campaign_id TEXT NOT NULL REFERENCES evaluation_campaign (id),
   model_code TEXT NOT NULL,
   label TEXT NOT NULL,
   hidden_label TEXT NOT NULL,
   position BIGINT NOT NULL,
+  trial_id TEXT REFERENCES trial (id),
   PRIMARY KEY (campaign_id, model_code),
   UNIQUE (campaign_id, hidden_label)
 );
+CREATE INDEX evaluation_model_trial ON evaluation_model (trial_id);
 {{append_only evaluation_model}}
 
 -- The class that counted at the time, whatever the rater becomes later.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "sim/base/beside_answer.h"
 #include "sim/base/device_sample.h"
 #include "sim/base/rod_pose.h"
 
@@ -58,6 +59,8 @@ enum ForceLimit : std::uint32_t {
   kForceEngaging = 1U << 7,
   kForceInhibited = 1U << 8,
   kForcePassivity = 1U << 9,  ///< damped, because more energy came out of the tissue than went in
+  /// The model beside the servo has failed, or said nothing for too long: the grip is not felt.
+  kForceModelLate = 1U << 10,
 };
 
 /// Bits of Sample::contact: which parts of the instrument touch the organ.
@@ -110,6 +113,7 @@ struct Sample {
   std::int64_t tick = 0;  ///< 0, 1, 2 ... without gaps unless the ring refused (then counted)
   DeviceSample device;
   ServoCommand command;  ///< obeyed at the start of this tick; kNone mostly
+  BesideAnswer beside;   ///< of a model beside the servo, arrived before this tick; kNothing mostly
   ExercisePhase phase = ExercisePhase::kTracking;
   std::uint32_t limits = kForceFull;
   TwistResponse response;                ///< response.force_N: before the governor

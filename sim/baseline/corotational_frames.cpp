@@ -185,11 +185,22 @@ void CorotationalFrames::precondition(const Field& in, Field& out) const {
 }
 
 void CorotationalFrames::step(double torque_Nm) {
+  advance(torque_Nm, std::nullopt);
+}
+
+void CorotationalFrames::stepTo(double angle_rad) {
+  advance(0.0, angle_rad - pose_.angle_rad);
+}
+
+void CorotationalFrames::advance(double torque_Nm, std::optional<double> turn_rad) {
   for (const int node : ends_.turned) {
     motion_m_[static_cast<std::size_t>(node)] = turningOf(ends_, pose_, node);
   }
   assemble();
   makePreconditioner();
+  if (turn_rad) {
+    inverseTurned_[0] = 0.0;  // its number in the way stays as it is given
+  }
   // Unknown: the way of this frame. Right side: M v / dt - forces, the torque on the angle.
   const double h = options_.frame_s;
   Field right(velocity_.size());
@@ -209,6 +220,7 @@ void CorotationalFrames::step(double torque_Nm) {
   for (std::size_t k = turn_; k < way.size(); ++k) {
     way[k] = h * velocity_[k];
   }
+  way[turn_] = turn_rad.value_or(way[turn_]);
   Field residual(way.size());
   Field answer(way.size());
   apply(way, residual);
@@ -221,7 +233,9 @@ void CorotationalFrames::step(double torque_Nm) {
   double remaining = product(residual, answer);
   Field scaled(way.size());
   precondition(right, scaled);
-  const double wanted = kGradientTolerance * kGradientTolerance * product(right, scaled);
+  // What is led has no torque on its right side: the error that it begins with is the measure.
+  const double measure = turn_rad ? std::max(remaining, product(right, scaled)) : product(right, scaled);
+  const double wanted = kGradientTolerance * kGradientTolerance * measure;
   for (gradientSteps_ = 0; gradientSteps_ < kMostGradientSteps && remaining > wanted; ++gradientSteps_) {
     apply(direction, image);
     const double length = remaining / product(direction, image);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "sim/baseline/corotational_tetrahedra.h"
@@ -21,6 +22,8 @@ class CorotationalFrames {
 
   /// Computes the next frame under a torque on the turned part, N m.
   void step(double torque_Nm);
+  /// Computes the next frame with the turned part led to this angle, rad: a small turn a frame.
+  void stepTo(double angle_rad);
 
   [[nodiscard]] const TwistEnds& ends() const noexcept { return ends_; }
   [[nodiscard]] const TwistPose& pose() const noexcept { return pose_; }
@@ -32,6 +35,8 @@ class CorotationalFrames {
   /// One number for each number of each node, then the angle's and the three of the turned part's way.
   using Field = std::vector<double>;
 
+  /// Computes the next frame, the turned part under a torque or led by `turn_rad`.
+  void advance(double torque_Nm, std::optional<double> turn_rad);
   void makePattern(const SolidMesh& mesh);
   void assemble();
   void makePreconditioner();

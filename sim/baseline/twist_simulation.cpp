@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "sim/base/error.h"
-#include "sim/base/portable_math.h"
 #include "sim/baseline/corotational_frames.h"
 #include "sim/baseline/equilibrium.h"
 #include "sim/baseline/reference_solid.h"
+#include "sim/baseline/spring_calibration.h"
 #include "sim/baseline/xpbd_frames.h"
 #include "sim/tissue/twist/twist_model_view.h"
 
@@ -164,29 +164,6 @@ class ReferenceRun final : public TwistSimulation {
   ReferenceSolid reference_;
 };
 
-constexpr double kSmallTurn_rad = 0.01;  ///< of the free end: springs are calibrated where they are linear
-
-/// Every section turned in its plane as the membrane analogy says when the free end turns by kSmallTurn_rad.
-std::vector<Vec3> sectionsTurned(const SweptSolid& solid, const SectionLattice& lattice,
-                                 const TwistModel& model) {
-  const TwistState state =
-      model.stateForTorque(lattice.length_m(), kSmallTurn_rad / model.graspCompliance(lattice.length_m()));
-  std::vector<Vec3> turned = solid.points_m;
-  for (int j = 0; j < solid.sections; ++j) {
-    const double arc_m = lattice.sectionArc_m(j);
-    const AxisFrame frame = lattice.frameAt(arc_m);
-    const SinCos turn = portableSinCos(model.angleAt(arc_m, state));
-    for (int i = 0; i < solid.pointsPerSection(); ++i) {
-      Vec3& place = turned[static_cast<std::size_t>(j) * static_cast<std::size_t>(solid.pointsPerSection()) +
-                           static_cast<std::size_t>(i)];
-      const Vec3 arm = place - frame.centre_m;
-      const Vec3 along = dot(arm, frame.tangent) * frame.tangent;
-      place = frame.centre_m + along + turn.cos * (arm - along) + turn.sin * cross(frame.tangent, arm);
-    }
-  }
-  return turned;
-}
-
 }  // namespace
 
 std::unique_ptr<TwistSimulation> twistModelSimulation(const ComparedOrgan& organ, const TwistModel& model) {
@@ -202,16 +179,8 @@ std::unique_ptr<TwistSimulation> finiteElementSimulation(const ComparedOrgan& or
 std::unique_ptr<TwistSimulation> massSpringSimulation(const ComparedOrgan& organ, const TwistModel& model,
                                                       int rings, const MassSpringOptions& options) {
   SweptSolid solid = sweptSolid(*organ.lattice, rings);
-  const double compliance = model.graspCompliance(organ.lattice->length_m());
-  const double energy_J = 0.5 * kSmallTurn_rad * kSmallTurn_rad / compliance;
-  SpringLattice springs = SpringLattice(solid, organ.constants)
-                              .calibrated(sectionsTurned(solid, *organ.lattice, model), energy_J);
-  if (options.calibration == Calibration::kEquilibrium) {
-    Equilibrium newton(springs, twistEnds(solid), solid.points_m, organ.check);
-    TwistPose pose{solid.points_m};
-    static_cast<void>(newton.solve(kSmallTurn_rad / compliance, pose));
-    springs = springs.scaled(pose.angle_rad / kSmallTurn_rad);
-  }
+  SpringLattice springs =
+      calibratedSprings(solid, *organ.lattice, organ.constants, model, options.calibration, organ.check);
   XpbdFrames frames(solid, twistEnds(solid, organ.hold), std::move(springs), organ.dynamics,
                     options.substeps);
   return std::make_unique<MovingRun<XpbdFrames>>(std::move(solid), std::move(frames), organ.check);

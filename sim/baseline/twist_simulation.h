@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim/baseline/lattice_surface.h"
+#include "sim/baseline/spring_calibration.h"
 #include "sim/baseline/twist_dynamics.h"
 #include "sim/tissue/twist/twist_model.h"
 
@@ -58,15 +59,6 @@ struct ComparedOrgan {
                                                                     const TwistModel& model);
 /// Makes corotational linear tetrahedra with `rings` rings of elements.
 [[nodiscard]] std::unique_ptr<TwistSimulation> finiteElementSimulation(const ComparedOrgan& organ, int rings);
-/// How the common stiffness of all springs is found.
-enum class Calibration {
-  /// Turning every section as the membrane analogy says for a small torque T takes T^2 / (2 K), the energy it
-  /// gives: the usual way. The springs then give way further, and are too soft.
-  kAffine,
-  /// In equilibrium the free end turns as far under a small torque as the membrane analogy says.
-  kEquilibrium,
-};
-
 struct MassSpringOptions {
   int substeps = 10;  ///< of XPBD, a frame's
   Calibration calibration = Calibration::kAffine;

@@ -129,6 +129,18 @@ void XpbdFrames::substep(double torque_Nm, double time_s) {
   pose_.angle_rad = angle_rad_;
 }
 
+void XpbdFrames::stepTo(double angle_rad) {
+  const double time_s = options_.frame_s / substeps_;
+  const double kept = 1.0 / (1.0 + options_.drag_per_s * time_s);
+  const double turn_rad = (angle_rad - angle_rad_) / substeps_;
+  const double inverseInertia = std::exchange(inverseInertia_, 0.0);  // springs do not move what is led
+  for (int i = 0; i < substeps_; ++i) {
+    spin_rad_per_s_ = turn_rad / (time_s * kept);
+    substep(0.0, time_s);
+  }
+  inverseInertia_ = inverseInertia;
+}
+
 void XpbdFrames::step(double torque_Nm) {
   for (int i = 0; i < substeps_; ++i) {
     substep(torque_Nm, options_.frame_s / substeps_);

@@ -20,6 +20,8 @@ class XpbdFrames {
 
   /// Computes the next frame under a torque on the turned part, N m.
   void step(double torque_Nm);
+  /// Computes the next frame with the turned part led to this angle, rad: a small turn a frame.
+  void stepTo(double angle_rad);
 
   [[nodiscard]] const TwistEnds& ends() const noexcept { return ends_; }
   [[nodiscard]] const TwistPose& pose() const noexcept { return pose_; }

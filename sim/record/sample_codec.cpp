@@ -20,7 +20,8 @@ namespace {
 
 // bytes = magic, version, then one zstd frame (with its own checksum) over the columns in this order.
 constexpr std::array<std::uint8_t, 4> kChunkMagic{'T', 'R', 'S', 'C'};
-constexpr std::uint8_t kVersion = 1;
+constexpr std::uint8_t kVersion = 1;        // the columns up to kRules
+constexpr std::uint8_t kVersionBeside = 2;  // all: something has arrived from a model beside the servo
 constexpr std::size_t kHeaderSize = kChunkMagic.size() + 1;
 constexpr int kCompressionLevel = 3;
 
@@ -54,8 +55,13 @@ enum Column : std::size_t {
   kSentZ,
   kContact,
   kRules,
+  kBesideState,
+  kBesideAngle,  // the bits of the doubles, as of the value of a command: inputs are kept exactly
+  kBesideTorque,
+  kBesideSlope,
   kColumns
 };
+constexpr std::size_t kColumnsWithoutBeside = kBesideState;
 
 using Row = std::array<std::int64_t, kColumns>;
 
@@ -105,6 +111,10 @@ Row toRow(const Sample& s) noexcept {
   row[kSentZ] = toSteps(s.force_N.z, kForceStep_N);
   row[kContact] = s.contact;
   row[kRules] = s.rules;
+  row[kBesideState] = static_cast<std::int64_t>(s.beside.state);
+  row[kBesideAngle] = std::bit_cast<std::int64_t>(s.beside.angle_rad);
+  row[kBesideTorque] = std::bit_cast<std::int64_t>(s.beside.torque_Nm);
+  row[kBesideSlope] = std::bit_cast<std::int64_t>(s.beside.slope_Nm_per_rad);
   return row;
 }
 
@@ -126,6 +136,20 @@ void answersFromRow(const Row& row, Sample& s) noexcept {
   s.response.depth_m = value(kDepth, kDepthStep_m);
   s.response.graspArc_m = value(kGraspArc, kArcStep_m);
   s.force_N = {value(kSentX, kForceStep_N), value(kSentY, kForceStep_N), value(kSentZ, kForceStep_N)};
+}
+
+BesideAnswer besideOf(const Row& row) {
+  constexpr auto kLastState = static_cast<std::int64_t>(BesideState::kBroken);
+  const std::int64_t state = row[kBesideState];
+  const BesideAnswer answer{static_cast<BesideState>(state), std::bit_cast<double>(row[kBesideAngle]),
+                            std::bit_cast<double>(row[kBesideTorque]),
+                            std::bit_cast<double>(row[kBesideSlope])};
+  const bool finite = std::isfinite(answer.angle_rad) && std::isfinite(answer.torque_Nm) &&
+                      std::isfinite(answer.slope_Nm_per_rad);
+  if (state < 0 || state > kLastState || !finite) {
+    damaged(Text::verbatim("an answer of a model that makes no sense"));
+  }
+  return answer;
 }
 
 Sample toSample(const Row& row) {
@@ -159,11 +183,22 @@ Sample toSample(const Row& row) {
   s.limits = within<std::uint32_t>(row[kLimits]);
   s.contact = within<std::uint32_t>(row[kContact]);
   s.rules = within<std::uint32_t>(row[kRules]);
+  s.beside = besideOf(row);
   answersFromRow(row, s);
   return s;
 }
 
-std::vector<std::uint8_t> packColumns(std::span<const Sample> samples) {
+std::size_t columnsOf(std::uint8_t version) noexcept {
+  return version == kVersion ? kColumnsWithoutBeside : kColumns;
+}
+
+std::uint8_t versionFor(std::span<const Sample> samples) noexcept {
+  const bool arrived = std::any_of(samples.begin(), samples.end(),
+                                   [](const Sample& s) { return s.beside.state != BesideState::kNothing; });
+  return arrived ? kVersionBeside : kVersion;
+}
+
+std::vector<std::uint8_t> packColumns(std::span<const Sample> samples, std::size_t columns) {
   std::vector<Row> rows;
   rows.reserve(samples.size());
   for (const Sample& sample : samples) {
@@ -171,7 +206,7 @@ std::vector<std::uint8_t> packColumns(std::span<const Sample> samples) {
   }
   std::vector<std::uint8_t> packed;
   std::vector<std::int64_t> column(samples.size());
-  for (std::size_t c = 0; c < kColumns; ++c) {
+  for (std::size_t c = 0; c < columns; ++c) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       column[i] = rows[i][c];
     }
@@ -199,7 +234,8 @@ std::vector<std::uint8_t> decompress(std::span<const std::byte> frame, std::size
 
 TrialChunk encodeChunk(std::int64_t index, std::span<const Sample> samples) {
   TORSIO_EXPECTS(!samples.empty() && samples.size() <= static_cast<std::size_t>(kLargestChunk));
-  const std::vector<std::uint8_t> packed = packColumns(samples);
+  const std::uint8_t version = versionFor(samples);
+  const std::vector<std::uint8_t> packed = packColumns(samples, columnsOf(version));
 
   TrialChunk chunk;
   chunk.index = index;
@@ -209,7 +245,7 @@ TrialChunk encodeChunk(std::int64_t index, std::span<const Sample> samples) {
   for (std::size_t i = 0; i < kChunkMagic.size(); ++i) {
     chunk.bytes[i] = std::byte{kChunkMagic[i]};
   }
-  chunk.bytes[kChunkMagic.size()] = std::byte{kVersion};
+  chunk.bytes[kChunkMagic.size()] = std::byte{version};
 
   ZSTD_CCtx* const context = ZSTD_createCCtx();
   TORSIO_EXPECTS(context != nullptr);
@@ -240,7 +276,7 @@ std::vector<Sample> decodeChunk(const TrialChunk& chunk) {
     damaged(Text::verbatim("this is not a chunk of samples"));
   }
   const auto version = std::to_integer<std::uint8_t>(bytes[kChunkMagic.size()]);
-  if (version != kVersion) {
+  if (version != kVersion && version != kVersionBeside) {
     throw Error(ErrorCode::kBadData, Text::verbatim("the samples were written in another format version"),
                 Text::verbatim("recorded chunk"),
                 Text::verbatim("Open the trial with the version that wrote it, or a newer one"));
@@ -251,7 +287,7 @@ std::vector<Sample> decodeChunk(const TrialChunk& chunk) {
   std::vector<Row> rows(count);
   std::vector<std::int64_t> column(count);
   std::span<const std::uint8_t> rest(packed);
-  for (std::size_t c = 0; c < kColumns; ++c) {
+  for (std::size_t c = 0; c < columnsOf(version); ++c) {
     rest = unpackColumn(rest, column);
     for (std::size_t i = 0; i < count; ++i) {
       rows[i][c] = column[i];

@@ -9,6 +9,7 @@
 #include "sim/base/ids.h"
 #include "sim/base/live_types.h"
 #include "sim/base/tick_period.h"
+#include "sim/base/tissue_model.h"
 
 namespace torsio {
 
@@ -42,7 +43,8 @@ struct TrialHeader {
   double forceScale = 1.0;
   std::int64_t tickPeriod_us = kTickPeriod_us;
   std::int64_t startedUtc_us = 0;
-  bool demonstration = false;  ///< simulated people: shown as such everywhere
+  bool demonstration = false;               ///< simulated people: shown as such everywhere
+  TissueModel model = TissueModel::kTwist;  ///< that answered the hand; physicians never learn it
   friend bool operator==(const TrialHeader&, const TrialHeader&) = default;
 };
 

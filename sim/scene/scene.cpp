@@ -155,7 +155,7 @@ Scene loadScene(const SceneRequest& request) {
   TwistModel model(mesh, lattice, description.material, options);
   CollisionMesh collision(mesh);
   std::shared_ptr<const RodOrgan> rod;
-  const bool bar = request.noRod || description.model.ofBar();
+  const bool bar = request.noRod || description.model.ofBar() || runsBeside(request.tissue);
   if (pattern.task && !bar && description.formulation != Formulation::kPaper) {
     rod = std::make_shared<const RodOrgan>(RodOrgan::Parts{.mesh = &mesh,
                                                            .model = &model,
@@ -164,7 +164,8 @@ Scene loadScene(const SceneRequest& request) {
                                                            .graspArc = pattern.graspArc,
                                                            .targetAngle_rad = pattern.targetAngle_rad});
   }
-  std::string parameters = parametersText(description, pattern, request.organFile.has_value());
+  std::string parameters =
+      parametersText(description, pattern, request.organFile.has_value(), request.tissue);
   Digest digest;
   digest.update(parameters);
   if (request.model.any()) {
@@ -175,7 +176,7 @@ Scene loadScene(const SceneRequest& request) {
   return Scene{description.id,   description.title,      description.provenance, std::move(organHash),
                digest.hex(),     std::move(parameters),  std::move(mesh),        std::move(collision),
                std::move(model), description.instrument, std::move(chosen),      std::move(patterns),
-               repairs,          std::move(rod),         description.model};
+               repairs,          std::move(rod),         description.model,      request.tissue};
 }
 
 }  // namespace torsio

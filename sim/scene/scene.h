@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/base/live_types.h"
+#include "sim/base/tissue_model.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/geometry/mesh/mesh_repair.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
@@ -64,6 +65,9 @@ struct SceneRequest {
   std::optional<Vec3> fixedEnd_m;  ///< of organFile, with freeEnd_m; none: found
   std::optional<Vec3> freeEnd_m;
   ModelChoice model;  ///< of an engineer, in place of the scene's own: no scene to record
+  /// The model that answers the hand. One that runs beside the servo knows no tasks of a curved organ: it
+  /// twists the organ about its own axis.
+  TissueModel tissue = TissueModel::kTwist;
 };
 
 /// Everything that an exercise needs, loaded and checked. Immutable; shared by servo and views.
@@ -85,6 +89,9 @@ struct Scene {
   /// formulation knows no rod.
   std::shared_ptr<const RodOrgan> rod{};
   ModelChoice modelChoice{};  ///< what `model` was built with beyond the formulation
+  /// The model that answers the hand; where it runs beside the servo, `model` says where the instrument meets
+  /// the organ, and it says what is felt and seen.
+  TissueModel tissue = TissueModel::kTwist;
 
   [[nodiscard]] const SectionLattice& lattice() const noexcept { return model.lattice(); }
 

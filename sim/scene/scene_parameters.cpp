@@ -137,7 +137,8 @@ LatticeMode modeOf(const std::string& name) {
 
 }  // namespace
 
-std::string parametersText(const SceneDescription& scene, const TwistPattern& pattern, bool usersOrgan) {
+std::string parametersText(const SceneDescription& scene, const TwistPattern& pattern, bool usersOrgan,
+                           TissueModel tissue) {
   Json json;
   json["format"] = kFormat;
   json["formulation"] = nameOf(kFormulations, scene.formulation);
@@ -163,6 +164,10 @@ std::string parametersText(const SceneDescription& scene, const TwistPattern& pa
       json["restraints"].push_back(toJson(restraint));
     }
   }
+  // The model of the product goes unsaid, so that the hashes of older trials stay true.
+  if (runsBeside(tissue)) {
+    json["tissue_model"] = std::string(tissueModelId(tissue));
+  }
   return json.dump();
 }
 
@@ -177,6 +182,8 @@ SceneRequest sceneRequestFor(const std::string& parametersJson) {
     request.sections = json.at("sections").get<int>();
     request.pattern = json.at("pattern").at("id").get<std::string>();
     request.material = json.at("material").at("id").get<std::string>();
+    request.tissue =
+        tissueModelOf(json.value("tissue_model", std::string(tissueModelId(TissueModel::kTwist))));
     const nlohmann::json& lattice = json.at("lattice");
     request.latticeMode = modeOf(lattice.at("mode").get<std::string>());
     if (json.at("organ") == "file") {

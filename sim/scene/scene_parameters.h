@@ -9,7 +9,8 @@ namespace torsio {
 
 /// Writes everything that decides what the model answers as one line of JSON with its fields in a fixed
 /// order: equal parameters give equal text on every machine. `usersOrgan`: the organ is a user's mesh.
+/// `tissue`: the model that answers the hand.
 [[nodiscard]] std::string parametersText(const SceneDescription& scene, const TwistPattern& pattern,
-                                         bool usersOrgan);
+                                         bool usersOrgan, TissueModel tissue);
 
 }  // namespace torsio

@@ -91,6 +91,8 @@ bool Exercise::grip(const Vec3& held_m, const ToolState& tool, const Scene& scen
   angle_rad_ = 0.0;
   firstAngle_rad_ = driveAngle(tool);
   angle_rad_ = firstAngle_rad_;
+  ++grips_;
+  beside_.grip();
   return true;
 }
 
@@ -203,20 +205,37 @@ Vec3 Exercise::pushBack(const ToolTouch& at, std::array<ContactPatch, 2>& patche
   return force_N;
 }
 
+void Exercise::feelGrip(const ToolState& tool, const Scene& scene, TwistResponse& response,
+                        std::uint32_t& limits) const noexcept {
+  const Vec3& tip_m = tool.pose.position_m;
+  if (runsBeside(scene.tissue)) {
+    if (beside_.doubtful()) {
+      limits |= kForceModelLate;
+      return;
+    }
+    const double cap_N_per_m = scene.model.options().stiffnessCap_N_per_m;
+    response.torque_Nm = beside_.torque_Nm(organ_.twist.graspAngle_rad);
+    response.force_N = beside_.force_N(organ_.twist.graspAngle_rad, axis_, tip_m, cap_N_per_m);
+  } else if (scene.rod) {
+    response.torque_Nm = rodGrasp_.torque_Nm();
+    response.force_N = rodGrasp_.force_N(*scene.rod, tip_m);
+  } else {
+    response.torque_Nm = scene.model.torque_Nm(organ_.twist);
+    response.force_N = scene.model.graspForce_N(organ_.twist, tip_m);
+  }
+  response.force_N -= gripOffset(tool, scene) * kGripStiffness_N_per_m;
+}
+
 TwistResponse Exercise::responseTo(const ToolTouch& at, const ToolState& tool, const Scene& scene,
-                                   std::array<ContactPatch, 2>& patches) noexcept {
+                                   ExerciseStep& answer) noexcept {
   TwistResponse response;
   response.depth_m = std::max(0.0, -at.jaw.gap_m);
   response.angle_rad = organ_.twist.graspAngle_rad;
   response.graspArc_m = organ_.twist.graspArc_m;
   if (phase_ == ExercisePhase::kTwisting) {
-    const Vec3& tip_m = tool.pose.position_m;
-    response.torque_Nm = scene.rod ? rodGrasp_.torque_Nm() : scene.model.torque_Nm(organ_.twist);
-    response.force_N =
-        scene.rod ? rodGrasp_.force_N(*scene.rod, tip_m) : scene.model.graspForce_N(organ_.twist, tip_m);
-    response.force_N -= gripOffset(tool, scene) * kGripStiffness_N_per_m;
+    feelGrip(tool, scene, response, answer.limits);
   }
-  response.force_N += pushBack(at, patches);
+  response.force_N += pushBack(at, answer.patches);
   return response;
 }
 
@@ -260,7 +279,7 @@ ExerciseStep Exercise::step(const ToolState& tool, const Scene& scene) noexcept 
   const std::optional<SurfacePoint> held = closes ? tissueInMouth(shape, tool, scene, organ_) : std::nullopt;
   moveOn(std::min(at.jaw.gap_m, at.shaft.gap_m), held, tool, scene, answer.events);
   answer.phase = phase_;
-  answer.response = responseTo(at, tool, scene, answer.patches);
+  answer.response = responseTo(at, tool, scene, answer);
   noteContacts(at, answer);
   return answer;
 }

@@ -9,6 +9,7 @@
 #include "sim/base/live_types.h"
 #include "sim/base/tick_period.h"
 #include "sim/scene/scene.h"
+#include "sim/servo/beside_tissue.h"
 #include "sim/servo/contact_coupling.h"
 #include "sim/servo/rod_grasp.h"
 #include "sim/servo/tool_touch.h"
@@ -76,6 +77,7 @@ struct ExerciseStep {
   ExercisePhase phase = ExercisePhase::kTracking;
   std::uint32_t events = kEventNone;      ///< ExerciseEvent bits
   std::uint32_t contact = kContactNone;   ///< ToolContact bits
+  std::uint32_t limits = kForceFull;      ///< kForceModelLate, if so
   std::array<ContactPatch, 2> patches{};  ///< under the jaw and under the shaft
 };
 
@@ -96,6 +98,12 @@ class Exercise {
 
   /// Steps the exercise by one tick. Servo thread; noexcept, no allocation.
   [[nodiscard]] ExerciseStep step(const ToolState& tool, const Scene& scene) noexcept;
+
+  /// Takes what a model beside the servo has said before the next step, if anything; once a tick, where the
+  /// scene is answered by such a model.
+  void hear(const BesideAnswer& answer) noexcept { beside_.hear(answer, options_.tickPeriod_us); }
+  /// Returns how often the jaw has gripped the organ.
+  [[nodiscard]] std::int64_t grips() const noexcept { return grips_; }
 
   /// Lets go in the next step, as if the jaw had opened; the jaw must open and close to grip again.
   void releaseTissue() noexcept { releaseAsked_ = true; }
@@ -126,8 +134,11 @@ class Exercise {
   void noteContacts(const ToolTouch& at, ExerciseStep& answer) noexcept;
   /// Steps both couplings and returns the force of the touched parts.
   [[nodiscard]] Vec3 pushBack(const ToolTouch& at, std::array<ContactPatch, 2>& patches) noexcept;
+  /// What the grip lets the hand feel: torque, and the force of it.
+  void feelGrip(const ToolState& tool, const Scene& scene, TwistResponse& response,
+                std::uint32_t& limits) const noexcept;
   [[nodiscard]] TwistResponse responseTo(const ToolTouch& at, const ToolState& tool, const Scene& scene,
-                                         std::array<ContactPatch, 2>& patches) noexcept;
+                                         ExerciseStep& answer) noexcept;
 
   ExerciseOptions options_;
   ContactCoupling jaw_;
@@ -139,6 +150,9 @@ class Exercise {
   bool jawClosed_ = true;  // a jaw that is closed at the start grips nothing
   bool gripPending_ = false;
   bool releaseAsked_ = false;
+
+  BesideTissue beside_;  // where a model beside the servo answers
+  std::int64_t grips_ = 0;
 
   // Of the current grip.
   RodGrasp rodGrasp_;  // of an organ that is a rod

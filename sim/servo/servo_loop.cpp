@@ -81,11 +81,14 @@ void ServoLoop::tick(std::int64_t time_us) noexcept {
   sample_.tick = nextTick_++;
   sample_.command = nextCommand();
   obey(sample_.command);
+  sample_.beside = heard();
+  exercise_.hear(sample_.beside);
 
   sample_.device = links_.device->read(time_us);
   sample_.device.time_us = time_us;
   const ToolState tool = toolState(sample_.device);
   const ExerciseStep step = exercise_.step(tool, *links_.scene);
+  ask();
   noteEvents(step);
   std::uint32_t damped = kForceFull;
   const Vec3 wanted_N = wantedForce_N(step, tool, damped);
@@ -97,7 +100,7 @@ void ServoLoop::tick(std::int64_t time_us) noexcept {
   links_.device->write(force);
   passivity_.sent(force.force_N);
   sample_.force_N = force.force_N;
-  sample_.limits = force.limits | damped;
+  sample_.limits = force.limits | damped | step.limits;
 
   // A refused sample is counted by the ring.
   if (links_.recording != nullptr) {
@@ -187,6 +190,29 @@ void ServoLoop::obey(const ServoCommand& command) noexcept {
     case ServoCommand::Kind::kEnableForce:
       governor_.enable(command.value != 0.0);
       break;
+  }
+}
+
+BesideAnswer ServoLoop::heard() noexcept {
+  if (links_.beside == nullptr) {
+    return {};
+  }
+  const BesideDelivery& newest = links_.beside->deliveries.latest();
+  const bool news = newest.number != lastDelivery_;
+  lastDelivery_ = newest.number;
+  if (!news || newest.grip != exercise_.grips() || exercise_.phase() != ExercisePhase::kTwisting) {
+    return {};
+  }
+  const BesideAnswer& answer = newest.answer;
+  const bool finite = std::isfinite(answer.angle_rad) && std::isfinite(answer.torque_Nm) &&
+                      std::isfinite(answer.slope_Nm_per_rad);
+  return answer.state == BesideState::kSound && finite ? answer : BesideAnswer{.state = BesideState::kBroken};
+}
+
+void ServoLoop::ask() noexcept {
+  if (links_.beside != nullptr) {
+    const TwistState& twist = exercise_.organ().twist;
+    links_.beside->questions.publish({exercise_.grips(), twist.graspArc_m, twist.graspAngle_rad});
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "sim/base/beside_link.h"
 #include "sim/base/latest_value.h"
 #include "sim/base/live_types.h"
 #include "sim/base/spsc_ring.h"
@@ -42,6 +43,8 @@ class ServoLoop {
     LatestValue<LiveState>* live = nullptr;      ///< may be null
     SpscRing<ServoCommand>* commands = nullptr;  ///< may be null
     SpscRing<ExerciseMoment>* events = nullptr;  ///< may be null: each tick in which something happened
+    /// Of a scene that a model beside the servo answers; null: it stays silent, and nothing is felt of it.
+    BesideLink* beside = nullptr;
   };
 
   /// Wires the loop. Throws Error{kBadParameter} for options out of range or a device whose limits make no
@@ -65,6 +68,8 @@ class ServoLoop {
   /// Asks the device to let go of the hand until the next write: for a watchdog. Any thread.
   void dropForce() noexcept { links_.device->dropForce(); }
   [[nodiscard]] std::int64_t tickPeriod_us() const noexcept { return options_.tickPeriod_us; }
+  /// Returns how often the jaw has gripped the organ.
+  [[nodiscard]] std::int64_t grips() const noexcept { return exercise_.grips(); }
   [[nodiscard]] GovernorState governorState() const noexcept { return governor_.state(); }
   /// Returns the number of ticks that did not come in time: whole periods missing between two ticks.
   [[nodiscard]] std::int64_t lateTicks() const noexcept { return lateTicks_; }
@@ -73,6 +78,10 @@ class ServoLoop {
  private:
   [[nodiscard]] ServoCommand nextCommand() noexcept;
   void obey(const ServoCommand& command) noexcept;
+  /// Takes the newest answer of the model beside the servo, if it belongs to the present grip.
+  [[nodiscard]] BesideAnswer heard() noexcept;
+  /// Tells the model beside the servo how far the grip is turned.
+  void ask() noexcept;
   void countLate(std::int64_t time_us) noexcept;
   /// Returns the wanted force of this tick, scaled and kept passive; NaN when the answer of the tissue is
   /// not finite.
@@ -90,6 +99,7 @@ class ServoLoop {
   std::array<ContactPatch, 2> patches_{};
   ExerciseTimes times_;
   std::uint32_t events_ = kEventNone;
+  std::int64_t lastDelivery_ = 0;
   std::int64_t nextTick_ = 0;
   std::int64_t last_us_ = 0;
   double lastTickDuration_us_ = 0.0;

@@ -25,11 +25,15 @@ TrialRerun::HandedSample::HandedSample(const TrialHeader& header) {
 
 TrialRerun::TrialRerun(const Scene& scene, const TrialHeader& header, std::uint32_t rules)
     : device_(header),
-      loop_({.device = &device_, .scene = &scene, .commands = &commands_}, optionsOf(header, rules)) {}
+      loop_({.device = &device_, .scene = &scene, .commands = &commands_, .beside = &beside_},
+            optionsOf(header, rules)) {}
 
 const Sample& TrialRerun::next(const Sample& recorded) {
   if (recorded.command.kind != ServoCommand::Kind::kNone) {
     (void)commands_.push(recorded.command);
+  }
+  if (recorded.beside.state != BesideState::kNothing) {
+    beside_.deliveries.publish({++deliveries_, loop_.grips(), recorded.beside});
   }
   device_.hand(recorded.device);
   loop_.tick(recorded.device.time_us);

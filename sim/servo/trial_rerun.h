@@ -39,6 +39,8 @@ class TrialRerun {
   };
 
   SpscRing<ServoCommand> commands_{1};
+  BesideLink beside_;  // hands on what the model beside the servo had said
+  std::int64_t deliveries_ = 0;
   HandedSample device_;
   ServoLoop loop_;
 };

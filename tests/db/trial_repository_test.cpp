@@ -24,7 +24,7 @@ namespace {
 /// too.
 void expectSameHeader(const TrialHeader& a, const TrialHeader& b) {
   const auto& [id, code, scene, pattern, organ, parameterHash, parameters, device, limits, software, phase,
-               drive, target, scale, period, started, demonstration] = a;
+               drive, target, scale, period, started, demonstration, model] = a;
   EXPECT_EQ(id, b.trialId);
   EXPECT_EQ(code, b.traineeCode);
   EXPECT_EQ(scene, b.sceneId);
@@ -42,6 +42,7 @@ void expectSameHeader(const TrialHeader& a, const TrialHeader& b) {
   EXPECT_EQ(period, b.tickPeriod_us);
   EXPECT_EQ(started, b.startedUtc_us);
   EXPECT_EQ(demonstration, b.demonstration);
+  EXPECT_EQ(model, b.model);
 }
 
 void expectSameChunk(const TrialChunk& a, const TrialChunk& b) {

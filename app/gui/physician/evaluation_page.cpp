@@ -13,6 +13,7 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/physician/choice_row.h"
+#include "app/gui/physician/replay_panel.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
@@ -52,6 +53,7 @@ EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
       choices_(new ChoiceRow(this)),
       scaleText_(sentence(this)),
       sheet_(new SheetEditorPanel(false, this)),
+      replay_(new ReplayPanel(shell.assets(), this)),
       said_(sentence(this)),
       submit_(primaryButton(this)) {
   sheet_->setScoresOnly();
@@ -64,6 +66,8 @@ EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
   column->addWidget(scaleText_);
   auto* middle = new QHBoxLayout;
   sheet_->setMaximumWidth(110 * fontMetrics().averageCharWidth());
+  middle->setSpacing(2 * kSpace);
+  middle->addWidget(replay_, 1);
   middle->addWidget(sheet_, 1);
   middle->addStretch(0);
   column->addLayout(middle, 1);
@@ -127,8 +131,39 @@ void EvaluationPage::openModel(std::size_t at) {
     sheet_->beginSheet(rubricOf(*form()), sheetOf(*one), false);
     sheet_->takeFocus();
   }
+  openRecording();
   showModels();
   showAll();
+}
+
+void EvaluationPage::openRecording() {
+  const std::uint64_t ticket = ++loads_;
+  const EvaluationFormModel* one = model();
+  replay_->show(nullptr);
+  replay_->setVisible(one != nullptr && one->recorded);
+  if (one == nullptr || !one->recorded) {
+    return;
+  }
+  replay_->showSentence(tr("The recording is being opened. You may score meanwhile."));
+  auto loaded = std::make_shared<std::shared_ptr<LoadedRecording>>();
+  shell().run(
+      tr("Opening the recording of model %1").arg(toQString(one->hiddenLabel)),
+      [loaded, id = form()->campaignId, label = one->hiddenLabel, assets = shell().assets()](
+          SessionContext& own, const ProgressCallback&) {
+        *loaded = loadForShowing(loadEvaluationRecording(own, id, label), assets);
+      },
+      [this, loaded, ticket] {
+        if (ticket == loads_) {
+          replay_->show(*loaded);
+        }
+      });
+}
+
+bool EvaluationPage::leave() {
+  ++loads_;
+  replay_->pause();
+  replay_->show(nullptr);
+  return true;
 }
 
 void EvaluationPage::edited() {
@@ -220,6 +255,7 @@ void EvaluationPage::retranslate() {
   submit_->setText(tr("Submit this model"));
   submit_->setToolTip(tr("Ctrl+Enter"));
   sheet_->retranslate();
+  replay_->retranslate();
   showModels();
   showAll();
 }
@@ -230,10 +266,11 @@ std::vector<std::pair<QString, QString>> EvaluationPage::keys() const {
 
 void EvaluationPage::applyTheme(const Theme& theme) {
   sheet_->setTheme(theme);
+  replay_->setTheme(theme);
 }
 
 void EvaluationPage::keyPressEvent(QKeyEvent* event) {
-  if (!sheet_->handle(event)) {
+  if (!sheet_->handle(event) && !(replay_->isVisible() && replay_->handleKey(event->key()))) {
     Page::keyPressEvent(event);
   }
 }

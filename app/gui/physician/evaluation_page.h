@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "app/gui/base/page.h"
@@ -15,6 +16,7 @@ namespace torsio::gui {
 
 class ChoiceRow;
 class PageHeading;
+class ReplayPanel;
 class SheetEditorPanel;
 
 /// The nine-index form: one model after the other in the order drawn for this rater, under hidden labels.
@@ -26,6 +28,7 @@ class EvaluationPage : public Page {
   ~EvaluationPage() override;
 
   void enter(const QVariant& argument) override;
+  [[nodiscard]] bool leave() override;
   [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
@@ -41,6 +44,8 @@ class EvaluationPage : public Page {
   void openModel(std::size_t at);
   void edited();
   void submit();
+  /// Loads the recording of the open model, where it has one.
+  void openRecording();
   void showModels();
   void showAll();
 
@@ -49,6 +54,8 @@ class EvaluationPage : public Page {
   ChoiceRow* choices_;
   QLabel* scaleText_;
   SheetEditorPanel* sheet_;
+  ReplayPanel* replay_;
+  std::uint64_t loads_ = 0;  // number of the newest loading
   QLabel* said_;
   QPushButton* submit_;
   std::vector<EvaluationForm> forms_;

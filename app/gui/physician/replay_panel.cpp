@@ -49,6 +49,9 @@ std::shared_ptr<LoadedRecording> loadForShowing(BlindedRecording recording,
     checkScene(recording, *scene);
     loaded->playback.setPoses(PoseTrack(*scene, loaded->playback.header(), loaded->playback.chunks()));
     loaded->view = makeViewScene(scene);
+    if (auto shape = showBesideShape(*scene, loaded->view)) {
+      loaded->beside = std::make_unique<BesidePlayback>(scene, std::move(shape));
+    }
     loaded->scene = std::move(scene);
   } catch (const Error&) {
     loaded->scene.reset();  // a user's own organ: the traces tell what can be told
@@ -281,6 +284,9 @@ void ReplayPanel::frame(double elapsed_s) {
 void ReplayPanel::showState() {
   if (recording_ != nullptr && recording_->scene != nullptr) {
     const LiveState state = recording_->playback.state();
+    if (recording_->beside) {
+      recording_->beside->follow(state);
+    }
     view_->setOrgan(organStateOf(state));
     view_->setTool(state.tool, state.grip);
     if (view_->draws()) {

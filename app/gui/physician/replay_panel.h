@@ -15,6 +15,7 @@
 
 #include "app/gui/physician/trace_view.h"
 #include "app/gui/scene/scene_view.h"
+#include "app/gui/simulator/beside_view.h"
 #include "app/gui/simulator/trial_playback.h"
 #include "app/gui/widgets/theme.h"
 #include "app/review/blinded_case.h"
@@ -34,6 +35,7 @@ struct LoadedRecording {
   std::string digest;
   std::shared_ptr<const Scene> scene;  ///< null: the organ is not here, traces only
   ViewScene view;
+  std::unique_ptr<BesidePlayback> beside;  ///< null: the view needs none
 };
 /// Decodes, checks and builds; a missing organ leaves the scene empty. Throws Error for a recording that
 /// cannot be played. Worker thread.

@@ -152,6 +152,7 @@ void SimulatorWindow::connectController() {
     request.assets = setup_.assets;
     request.id = id.toStdString();
     request.formulation = controller_->request().formulation;
+    request.tissue = controller_->request().tissue;
     controller_->load(request);
   });
   connect(exercise_, &ExercisePanel::patternChosen, this, [this](const QString& id) {
@@ -162,7 +163,15 @@ void SimulatorWindow::connectController() {
   connect(exercise_, &ExercisePanel::formulationChosen, this, [this](Formulation formulation) {
     SceneRequest request = controller_->request();
     request.formulation = formulation;
+    request.tissue = TissueModel::kTwist;
     request.model = choiceFor(request.model, formulation);
+    controller_->load(request);
+  });
+  connect(exercise_, &ExercisePanel::tissueChosen, this, [this](TissueModel tissue) {
+    SceneRequest request = controller_->request();
+    request.formulation = Formulation::kSaintVenant;
+    request.tissue = tissue;
+    request.model = {};
     controller_->load(request);
   });
   connect(engineer_, &EngineerPanel::chosen, this, [this](const ModelChoice& choice) {
@@ -286,6 +295,7 @@ void SimulatorWindow::frame(double elapsed_s) {
   readoutDue_s_ = kReadoutEvery_s;
   measureRate();
   readout_->show(state, controller_->frozen() ? 0.0 : framesPerSecond_);  // a picture has no rate
+  exercise_->showBeside(controller_->besideRate_per_s(), (state.limits & kForceModelLate) != 0);
   showHint(state);
   replayBar_->show(controller_->playback());
 }

@@ -215,6 +215,7 @@ void SceneView::setScene(const ViewScene& view) {
   view_ = view;
   deformed_m_.assign(view_.surface.vertices().size(), Vec3{});
   shown_ = OrganState{};
+  shapeShown_ = 0;
   QVector3D low(1e9F, 1e9F, 1e9F);
   QVector3D high = -low;
   for (const SurfaceVertex& v : view_.surface.vertices()) {
@@ -263,12 +264,11 @@ void SceneView::showLook(const TissueLook& look) {
 }
 
 void SceneView::setOrgan(const OrganState& state) {
-  if (!view_.deform || (shown_.has_value() && *shown_ == state)) {
+  if (!view_.deform || !moves(state)) {
     return;
   }
-  shown_ = state;
+  deformSkin(state);
   dented_ = false;
-  view_.deform(state, deformed_m_);
   showSkin();
 }
 
@@ -278,13 +278,27 @@ void SceneView::setTissue(const LiveState& state) {
   }
   const OrganState organ = organStateOf(state);
   const bool touched = state.patches[0].depth_m > 0.0 || state.patches[1].depth_m > 0.0;
-  if (touched || dented_ || !shown_.has_value() || *shown_ != organ) {
-    shown_ = organ;
-    view_.deform(organ, deformed_m_);
+  if (touched || dented_ || moves(organ)) {
+    deformSkin(organ);
     dented_ = indentSurface(state, deformed_m_);
     showSkin();
   }
   setForce(state.tool.position_m, state.response.force_N);
+}
+
+bool SceneView::moves(const OrganState& state) const {
+  const bool otherShape = view_.shapeNumber && view_.shapeNumber() != shapeShown_;
+  return !shown_.has_value() || *shown_ != state || otherShape;
+}
+
+void SceneView::deformSkin(const OrganState& state) {
+  shown_ = state;
+  shapeShown_ = view_.shapeNumber ? view_.shapeNumber() : 0;
+  if (shapeShown_ > 0) {
+    view_.shape(deformed_m_);
+  } else {
+    view_.deform(state, deformed_m_);
+  }
 }
 
 void SceneView::showSkin() {

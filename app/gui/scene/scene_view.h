@@ -49,6 +49,10 @@ struct ViewScene {
   std::vector<SkinAnchor> markers;  ///< empty: the organ has none
   /// The vertices for a state of twist, one a vertex of the surface, metres. GUI thread.
   std::function<void(const OrganState&, std::span<Vec3>)> deform;
+  /// Where a model beside the servo answers: the number of its newest shape, 0 before the first, and the
+  /// vertices of that shape. GUI thread. Empty: `deform` tells all.
+  std::function<std::int64_t()> shapeNumber;
+  std::function<void(std::span<Vec3>)> shape;
 };
 
 /// Surface, overlay lines and colours of a scene. Slow (fractions of a second); asks scene->collision, so
@@ -142,6 +146,10 @@ class SceneView : public QWidget {
   void noteFrame();
   void applyQuality();
   void showSkin();
+  /// Tells whether the organ lies otherwise than it is shown.
+  [[nodiscard]] bool moves(const OrganState& state) const;
+  /// Computes the vertices: of the state, or of the shape that a model beside the servo has delivered.
+  void deformSkin(const OrganState& state);
   void showLook(const TissueLook& look);
   void placeMarkers();
   void placeLegend();
@@ -161,6 +169,7 @@ class SceneView : public QWidget {
   ViewScene view_;
   std::vector<Vec3> deformed_m_;
   std::optional<OrganState> shown_;
+  std::int64_t shapeShown_ = 0;  // of ViewScene::shape
   bool dented_ = false;
   bool shearVisible_ = false;
   bool markersVisible_ = false;

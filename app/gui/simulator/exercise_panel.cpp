@@ -7,6 +7,7 @@
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -16,6 +17,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/angle.h"
+#include "sim/base/tick_period.h"
 
 namespace torsio::gui {
 
@@ -23,6 +25,11 @@ namespace {
 
 constexpr int kEnglishRole = Qt::UserRole + 1;
 constexpr double kLargestTarget_deg = 360.0;
+constexpr int kBesideItems = 16;  ///< items of the models beside the servo; below it the formulations
+
+int itemOf(TissueModel tissue) {
+  return kBesideItems + static_cast<int>(tissue);
+}
 
 QLabel* addField(QGridLayout* grid, QWidget* field) {
   const int row = grid->rowCount();
@@ -77,6 +84,9 @@ ExercisePanel::ExercisePanel(QWidget* parent)
   formulationLabel_ = addField(grid, formulation_);
   formulation_->addItem(QString(), static_cast<int>(Formulation::kSaintVenant));
   formulation_->addItem(QString(), static_cast<int>(Formulation::kPaper));
+  for (const TissueModel tissue : {TissueModel::kFiniteElements, TissueModel::kMassSpring}) {
+    formulation_->addItem(QString(), itemOf(tissue));
+  }
   targetLabel_ = addField(grid, target_);
   target_->setRange(-kLargestTarget_deg, kLargestTarget_deg);
   target_->setDecimals(0);
@@ -85,6 +95,12 @@ ExercisePanel::ExercisePanel(QWidget* parent)
   target_->setKeyboardTracking(false);
   target_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   card_->content()->addLayout(grid);
+  beside_ = new QLabel;
+  beside_->setObjectName(QStringLiteral("beside"));
+  beside_->setProperty("quiet", true);
+  beside_->setWordWrap(true);
+  beside_->hide();
+  card_->content()->addWidget(beside_);
   column->addWidget(card_);
   retranslate();
 
@@ -97,7 +113,12 @@ ExercisePanel::ExercisePanel(QWidget* parent)
   connect(pattern_, &QComboBox::activated, this,
           [this](int index) { Q_EMIT patternChosen(pattern_->itemData(index).toString()); });
   connect(formulation_, &QComboBox::activated, this, [this](int index) {
-    Q_EMIT formulationChosen(static_cast<Formulation>(formulation_->itemData(index).toInt()));
+    const int item = formulation_->itemData(index).toInt();
+    if (item >= kBesideItems) {
+      Q_EMIT tissueChosen(static_cast<TissueModel>(item - kBesideItems));
+    } else {
+      Q_EMIT formulationChosen(static_cast<Formulation>(item));
+    }
   });
   connect(target_, &QDoubleSpinBox::valueChanged, this,
           [this](double target_deg) { Q_EMIT targetChosen(radians(target_deg)); });
@@ -112,7 +133,10 @@ void ExercisePanel::retranslate() {
   const auto index = [this](Formulation f) { return formulation_->findData(static_cast<int>(f)); };
   rename(formulation_, index(Formulation::kSaintVenant), tr("Saint-Venant"));
   rename(formulation_, index(Formulation::kPaper), tr("As in the paper"));
-  formulation_->setToolTip(tr("Which reading of the equations turns the organ"));
+  const auto beside = [this](TissueModel t) { return formulation_->findData(itemOf(t)); };
+  rename(formulation_, beside(TissueModel::kFiniteElements), tr("Finite elements"));
+  rename(formulation_, beside(TissueModel::kMassSpring), tr("Mass-spring lattice"));
+  formulation_->setToolTip(tr("Which model turns the organ and answers the hand"));
   for (int i = 0; i < organ_->count(); ++i) {
     const QString id = organ_->itemData(i).toString();
     if (!id.isEmpty()) {
@@ -161,8 +185,28 @@ void ExercisePanel::showScene(const Scene& scene, double target_rad, bool ownOrg
   }
   pattern_->setCurrentIndex(pattern_->findData(toQString(scene.pattern.id)));
   pattern_->setToolTip(toQString(scene.pattern.source));
-  formulation_->setCurrentIndex(formulation_->findData(static_cast<int>(scene.model.options().formulation)));
+  const int item =
+      runsBeside(scene.tissue) ? itemOf(scene.tissue) : static_cast<int>(scene.model.options().formulation);
+  formulation_->setCurrentIndex(formulation_->findData(item));
   target_->setValue(std::round(degrees(target_rad)));
+}
+
+void ExercisePanel::showBeside(std::optional<double> rate_per_s, bool late) {
+  beside_->setVisible(rate_per_s.has_value());
+  if (!rate_per_s) {
+    return;
+  }
+  const QString model = formulation_->currentText();
+  const QLocale locale;
+  if (late) {
+    beside_->setText(tr("%1: no answer. The force of the grip is off").arg(model));
+  } else if (*rate_per_s > 0.0) {
+    beside_->setText(
+        tr("%1: %2 times a second beside the force at %3")
+            .arg(model, locale.toString(*rate_per_s, 'f', 0), locale.toString(1'000'000 / kTickPeriod_us)));
+  } else {
+    beside_->setText(tr("%1: beside the force; it begins with the first grip").arg(model));
+  }
 }
 
 void ExercisePanel::setChangeable(bool changeable) {

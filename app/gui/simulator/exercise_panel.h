@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace torsio::gui {
 
 class Card;
 
-/// Choice of organ, pattern, formulation and target.
+/// Choice of organ, pattern, model and target.
 class ExercisePanel : public QWidget {
   Q_OBJECT
 
@@ -27,6 +28,9 @@ class ExercisePanel : public QWidget {
   void setOrgans(const std::vector<std::string>& ids);
   /// What is loaded now; emits nothing. `ownOrgan`: a mesh of the user's stands in for the shipped one.
   void showScene(const Scene& scene, double target_rad, bool ownOrgan);
+  /// Says at which rate a model beside the servo answers, or that it does not (`late`). `rate_per_s`: 0
+  /// before its first answer; none: the servo answers alone, and nothing is said.
+  void showBeside(std::optional<double> rate_per_s, bool late);
   /// Off while a trial is recorded or replayed: the exercise must not change under it.
   void setChangeable(bool changeable);
 
@@ -39,6 +43,8 @@ class ExercisePanel : public QWidget {
   void organChosen(const QString& id);
   void patternChosen(const QString& id);
   void formulationChosen(torsio::Formulation formulation);
+  /// A model that runs beside the servo.
+  void tissueChosen(torsio::TissueModel tissue);
   void targetChosen(double target_rad);
 
  private:
@@ -49,6 +55,7 @@ class ExercisePanel : public QWidget {
   QLabel* patternLabel_;
   QLabel* formulationLabel_;
   QLabel* targetLabel_;
+  QLabel* beside_;
   QComboBox* organ_;
   QComboBox* pattern_;
   QComboBox* formulation_;

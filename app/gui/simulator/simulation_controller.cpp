@@ -23,8 +23,10 @@ constexpr double kFarthestParking_m = 0.300;
 constexpr double kInsideEnd = 0.04;  // a section at the very end is too small to be pointed at
 const Vec3 kTowardsViewer{0.0, -1.0, 0.0};
 
-/// The recorded scene is found among the two formulations; its parameters tell which.
+/// The model is the recorded one, and the scene is found among the two formulations; its parameters tell
+/// which.
 LoadedScene loadRecorded(const SceneLoader& loader, SceneRequest request, const TrialHeader& header) {
+  request.tissue = header.model;
   for (const Formulation formulation : {Formulation::kSaintVenant, Formulation::kPaper}) {
     request.formulation = formulation;
     LoadedScene loaded = loader(request);
@@ -47,6 +49,7 @@ LoadedScene loadSceneForView(const SceneRequest& request) {
   // A user's organ is not what the scene it borrows was drawn for.
   const std::string tissue = request.organFile ? request.organFile->stem().string() : std::string();
   loaded.view = makeViewScene(loaded.scene, tissue);
+  loaded.shape = showBesideShape(*loaded.scene, loaded.view);
   if (!request.organFile) {
     loaded.view.markers = organMarkers(*loaded.scene, request.assets);
   }
@@ -160,7 +163,7 @@ void SimulationController::replace(const SceneRequest& request, LoadedScene load
   if (playback) {
     target_rad_ = playback->header().targetAngle_rad;
     playback->setPlaying(true);
-    enter(stage::Replaying{std::move(*playback)});
+    enter(stage::Replaying{std::move(*playback), besidePlayback()});
   } else {
     target_rad_ = loaded_.scene->pattern.targetAngle_rad;
     practise(nullptr);
@@ -237,7 +240,8 @@ stage::Running SimulationController::newRun(std::unique_ptr<HapticDevice> device
     running.pointer = pointer.get();
     device = std::move(pointer);
   }
-  running.run = std::make_unique<RecordedRun>(loaded_.scene, std::move(device), recording, std::move(sink));
+  running.run = std::make_unique<RecordedRun>(loaded_.scene, std::move(device), recording, std::move(sink),
+                                              loaded_.shape);
   return running;
 }
 
@@ -275,6 +279,9 @@ void SimulationController::advance(double elapsed_s) {
   }
   const bool was = played->playing();
   played->advance(elapsed_s);
+  if (const auto& beside = std::get<stage::Replaying>(stage_).beside) {
+    beside->follow(played->state());
+  }
   if (was != played->playing()) {
     Q_EMIT modeChanged();
   }
@@ -288,6 +295,18 @@ LiveState SimulationController::state() {
     return still->shown;
   }
   return run() != nullptr ? run()->latest() : LiveState{};
+}
+
+std::unique_ptr<BesidePlayback> SimulationController::besidePlayback() const {
+  return loaded_.shape ? std::make_unique<BesidePlayback>(loaded_.scene, loaded_.shape) : nullptr;
+}
+
+std::optional<double> SimulationController::besideRate_per_s() const {
+  const stage::Running* now = running();
+  if (now == nullptr || now->run->beside() == nullptr) {
+    return std::nullopt;
+  }
+  return now->run->beside()->framesPerSecond();
 }
 
 bool SimulationController::toolRidesOnTissue() const noexcept {

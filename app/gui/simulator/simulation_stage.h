@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "app/gui/simulator/trial_playback.h"
+#include "app/recording/beside_playback.h"
 #include "app/recording/recorded_run.h"
 #include "sim/base/live_types.h"
 #include "sim/device/virtual/pointer_device.h"
@@ -46,6 +47,7 @@ struct Still {
 /// A recording is played.
 struct Replaying {
   TrialPlayback playback;
+  std::unique_ptr<BesidePlayback> beside{};  ///< null: the recording needs none
 };
 
 }  // namespace stage

@@ -32,9 +32,10 @@ void insertInstrument(Connection& connection, const Campaign& campaign) {
 
 void insertParticipants(Connection& connection, const Campaign& campaign) {
   Statement model = connection.prepare(
-      insertInto("evaluation_model", "campaign_id, model_code, label, hidden_label, position"));
+      insertInto("evaluation_model", "campaign_id, model_code, label, hidden_label, position, trial_id"));
   for (const CampaignModel& part : campaign.models) {
-    model.execute({campaign.id, part.code, part.label, part.hiddenLabel, part.position});
+    model.execute(
+        {campaign.id, part.code, part.label, part.hiddenLabel, part.position, textOrNull(part.trialId)});
   }
   Statement rater =
       connection.prepare(insertInto("evaluation_rater", "campaign_id, rater_id, class_code, model_order"));
@@ -64,10 +65,10 @@ std::vector<EvaluationIndex> indicesOf(Connection& connection, const CampaignId&
 std::vector<CampaignModel> modelsOf(Connection& connection, const CampaignId& campaignId) {
   return selectAll(
       connection,
-      "SELECT model_code, label, hidden_label, position FROM evaluation_model WHERE campaign_id = ?"
+      "SELECT model_code, label, hidden_label, position, trial_id FROM evaluation_model WHERE campaign_id = ?"
       " ORDER BY position",
       {campaignId}, [](RowReader& row) {
-        return CampaignModel{row.text(), row.text(), row.text(), row.int64()};
+        return CampaignModel{row.text(), row.text(), row.text(), row.int64(), row.text()};
       });
 }
 

@@ -32,7 +32,7 @@ constexpr const char* kSelectHeader =
     " t.workspace_min_x_m, t.workspace_min_y_m, t.workspace_min_z_m,"
     " t.workspace_max_x_m, t.workspace_max_y_m, t.workspace_max_z_m,"
     " t.software_version, t.phase_label, t.drive, t.target_angle_rad, t.force_scale, t.tick_period_us,"
-    " t.started_utc_us, t.demonstration"
+    " t.started_utc_us, t.demonstration, t.tissue_model"
     " FROM trial t LEFT JOIN person p ON p.id = t.trainee_id WHERE t.id = ?";
 
 DeviceLimits deviceLimitsOf(RowReader& row) {
@@ -60,7 +60,8 @@ TrialHeader headerOf(RowReader& row) {
           .forceScale = row.real(),
           .tickPeriod_us = row.int64(),
           .startedUtc_us = row.int64(),
-          .demonstration = row.boolean()};
+          .demonstration = row.boolean(),
+          .model = tissueModelOf(row.text())};
 }
 
 /// The closing row `e` of a trial, as summaryOf() reads it.
@@ -89,7 +90,7 @@ const std::string kSelectListing =
     "SELECT t.id, p.code, t.enrolment_id, t.station, t.scene_id, t.pattern_id, t.phase_label,"
     " t.started_utc_us, t.demonstration, " +
     kSummaryColumns +
-    ", t.module_id, t.phase_id, t.attempt_mode"
+    ", t.module_id, t.phase_id, t.attempt_mode, t.tissue_model"
     " FROM trial t LEFT JOIN person p ON p.id = t.trainee_id LEFT JOIN trial_end e ON e.trial_id = t.id";
 
 TrialListing listingOf(RowReader& row) {
@@ -105,7 +106,8 @@ TrialListing listingOf(RowReader& row) {
           .summary = maybeSummaryOf(row),
           .moduleId = row.text(),
           .phaseId = row.text(),
-          .attemptMode = readMaybeTerm<AttemptMode>(row, "attempt_mode")};
+          .attemptMode = readMaybeTerm<AttemptMode>(row, "attempt_mode"),
+          .model = tissueModelOf(row.text())};
 }
 
 TrialChunk chunkOf(RowReader& row) {
@@ -156,7 +158,8 @@ std::vector<IdempotentColumn> headerColumns(const TrialHeader& header, Value tra
           {"force_scale", header.forceScale},
           {"tick_period_us", header.tickPeriod_us},
           {"started_utc_us", header.startedUtc_us},
-          {"demonstration", header.demonstration}};
+          {"demonstration", header.demonstration},
+          {"tissue_model", std::string(tissueModelId(header.model))}};
 }
 
 std::vector<IdempotentColumn> contextColumns(const TrialContext& context, Kind kind) {

@@ -29,8 +29,10 @@ inline LoadedScene loadBar(const SceneRequest& request) {
   if (!request.pattern.empty()) {
     scene.pattern.id = request.pattern;
   }
+  scene.tissue = request.tissue;
   loaded.scene = std::make_shared<const Scene>(std::move(scene));
   loaded.view = makeViewScene(loaded.scene);
+  loaded.shape = showBesideShape(*loaded.scene, loaded.view);
   return loaded;
 }
 

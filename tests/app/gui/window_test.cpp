@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QToolBar>
@@ -159,6 +160,29 @@ TEST_F(Window, ChoosingAFormulationLoadsTheSceneWithIt) {
   ASSERT_EQ(loaded_.size(), 1U);
   EXPECT_EQ(loaded_.front().id, "bar");
   EXPECT_EQ(loaded_.front().formulation, Formulation::kPaper);
+}
+
+TEST_F(Window, AModelBesideTheForceSaysInWordsHowOftenItAnswers) {
+  auto* panel = window_.findChild<ExercisePanel*>();
+  auto* said = window_.findChild<QLabel*>(QStringLiteral("beside"));
+  ASSERT_NE(said, nullptr);
+  EXPECT_TRUE(said->isHidden());
+
+  Q_EMIT panel->tissueChosen(TissueModel::kFiniteElements);
+  ASSERT_TRUE(testing::eventually([this] { return !window_.controller().loading(); }));
+  window_.frame(1.0);
+  EXPECT_TRUE(said->text().contains(QStringLiteral("begins with the first grip")))
+      << said->text().toStdString();
+  window_.controller().run()->step(100);
+  window_.frame(1.0);
+
+  EXPECT_EQ(loaded_.back().tissue, TissueModel::kFiniteElements);
+  EXPECT_EQ(window_.controller().run()->header().model, TissueModel::kFiniteElements);
+  EXPECT_FALSE(said->isHidden());
+  const QRegularExpression words(
+      QStringLiteral("^Finite elements: [0-9,]+ times a second beside the force at 1,000$"));
+  EXPECT_TRUE(words.match(said->text()).hasMatch()) << said->text().toStdString();
+  EXPECT_NE(window_.controller().run()->beside()->framesPerSecond(), 0.0);
 }
 
 TEST_F(Window, AnEngineersModelIsAskedOfTheLoaderAndNeverRecorded) {

@@ -298,6 +298,41 @@ TEST(EvaluationForm, HidesTheModelsAndKeepsTheOwnOrder) {
   EXPECT_TRUE(DeskRepository(centre.connection()).evaluationDraft(campaign.id, centre.raterId(0)).empty());
 }
 
+TEST(EvaluationForm, ShowsRealRecordingsUnderTheirLettersAndNeverTheirModel) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  Campaign campaign;
+  campaign.id = "campaign";
+  campaign.name = "Two models, recorded";
+  campaign.instrument = paperInstrument();
+  campaign.instrument.classes = {{"chief", "chief physicians", 1000}};
+  campaign.models = {{"PM", "proposed model", "K", 1, centre.trialIds()[0]},
+                     {"FEM", "finite elements", "M", 2, centre.trialIds()[1]}};
+  campaign.raters = {{centre.raterId(0), "chief", "FEM,PM"}};
+  EvaluationRepository(centre.connection()).addCampaign(campaign);
+  const auto desk = centre.physician(0);
+
+  const EvaluationForm form = evaluationForms(*desk).at(0);
+  const BlindedRecording shown = loadEvaluationRecording(*desk, campaign.id, "M");
+
+  EXPECT_TRUE(form.models[0].recorded && form.models[1].recorded);
+  EXPECT_EQ(shown.label, "M");
+  EXPECT_EQ(shown.trial.header.trialId, "case M");
+  EXPECT_EQ(shown.trial.header.traineeCode, "");
+  EXPECT_EQ(shown.trial.summary.contentHash, "");
+  EXPECT_FALSE(shown.trial.chunks.empty());
+  EXPECT_EQ(refusal([&] { (void)loadEvaluationRecording(*desk, campaign.id, "K2"); }).first,
+            ErrorCode::kBadData);
+  EXPECT_EQ(refusal([&] { (void)loadEvaluationRecording(*centre.physician(1), campaign.id, "M"); }).first,
+            ErrorCode::kPermission);
+}
+
+TEST(Blinded, TakesTheModelOutOfTheHeader) {
+  TrialHeader header;
+  header.model = TissueModel::kFiniteElements;
+
+  EXPECT_EQ(blinded(header, "M"), blinded(TrialHeader{}, "M"));
+}
+
 TEST(ReviewDesk, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto desk = centre.physician(0);

@@ -35,6 +35,8 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
+#include "sim/record/content_hash.h"
+#include "sim/record/sample_codec.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {
@@ -212,6 +214,61 @@ TEST(ScoringPlan, MarksAreReleasedWhenAllAreInOrWithAReason) {
   EXPECT_EQ(states[1].missing, 18U);
   EXPECT_EQ(study.centre.audited("mark.release"), 2);
   EXPECT_EQ(study.centre.audited("mark.retract"), 1);
+}
+
+/// A recording of free practice, as the station stores it.
+void storeRecording(Connection& connection, const char* id, TissueModel model) {
+  TrialRepository trials(connection, {.station = "station-1"});
+  Trial trial;
+  trial.header.trialId = id;
+  trial.header.model = model;
+  trials.begin(trial.header);
+  std::vector<Sample> samples(3);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].tick = static_cast<std::int64_t>(i);
+  }
+  trial.chunks.push_back(encodeChunk(0, samples));
+  trials.append(trial.chunks.front());
+  trial.summary.samples = 3;
+  trial.summary.contentHash = contentHash(trial);
+  trials.finish(trial.summary);
+}
+
+TEST(CampaignService, TakesOneFinishedRecordingOfEachModel) {
+  StudyCentre centre;
+  SessionContext& session = centre.as("administrator");
+  storeRecording(centre.connection(), "with-twist", TissueModel::kTwist);
+  storeRecording(centre.connection(), "with-elements", TissueModel::kFiniteElements);
+  storeRecording(centre.connection(), "with-springs", TissueModel::kMassSpring);
+  CampaignPlan plan;
+  plan.name = "Recorded models";
+  plan.instrument = paperEvaluationInstrument();
+  for (const char* raterClass : {"intern", "deputy_chief", "chief"}) {
+    plan.raterIds.push_back(addPerson(
+        session,
+        {.fullName = "Rater", .externalId = raterClass, .trainee = false, .raterClass = raterClass}));
+  }
+  const auto refused = [&](std::vector<NewModel> models) {
+    plan.models = std::move(models);
+    try {
+      addCampaign(session, plan);
+    } catch (const Error& error) {
+      return error.code() == ErrorCode::kBadParameter;
+    }
+    return false;
+  };
+
+  EXPECT_EQ(evaluationRecordings(session).size(), 3U);
+  EXPECT_TRUE(refused({{"PM", "proposed", "with-twist"}, {"FEM", "finite elements"}}));
+  EXPECT_TRUE(refused({{"PM", "proposed", "with-twist"}, {"FEM", "finite elements", "with-twist"}}));
+  plan.models = {{"PM", "proposed", "with-twist"},
+                 {"FEM", "finite elements", "with-elements"},
+                 {"MSM", "mass-spring", "with-springs"}};
+  addCampaign(session, plan);
+
+  const CampaignRow row = campaigns(session).at(0);
+  EXPECT_EQ(row.campaign.models[1].trialId, "with-elements");
+  EXPECT_EQ(TrialRepository(centre.connection()).load("with-springs").header.model, TissueModel::kMassSpring);
 }
 
 TEST(CampaignService, OrdersAreCounterbalancedWithinEachClass) {

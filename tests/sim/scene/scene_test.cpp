@@ -239,9 +239,9 @@ TEST(Scene, EverythingOfTheInstrumentDecidesTheParameters) {
   const auto textWith = [&](auto&& edit) {
     SceneDescription changed = description;
     edit(changed.instrument);
-    return parametersText(changed, pattern, false);
+    return parametersText(changed, pattern, false, TissueModel::kTwist);
   };
-  const std::string usual = parametersText(description, pattern, false);
+  const std::string usual = parametersText(description, pattern, false, TissueModel::kTwist);
 
   const std::string longer = textWith([](Instrument& i) { i.shaftLength_m = 0.33; });
   const std::set<std::string> texts{usual, longer, textWith([](Instrument& i) { i.tipRadius_m = 0.003; }),
@@ -252,6 +252,10 @@ TEST(Scene, EverythingOfTheInstrumentDecidesTheParameters) {
   // The usual length goes unsaid: the hashes of older trials stay true.
   EXPECT_THAT(usual, ::testing::Not(HasSubstr("shaft_length_m")));
   EXPECT_EQ(sceneRequestFor(longer).pattern, pattern.id);
+  EXPECT_EQ(sceneRequestFor(longer).tissue, TissueModel::kTwist);
+  const std::string elements = parametersText(description, pattern, false, TissueModel::kFiniteElements);
+  EXPECT_NE(elements, usual);
+  EXPECT_EQ(sceneRequestFor(elements).tissue, TissueModel::kFiniteElements);
 }
 
 TEST(Scene, IsRebuiltFromItsParameters) {

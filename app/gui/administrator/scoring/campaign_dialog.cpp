@@ -49,15 +49,31 @@ QDoubleSpinBox* weightField(std::int64_t weight_milli, QWidget* parent) {
   return field;
 }
 
+/// The code of a model in an evaluation, as the paper has it.
+QString codeOf(TissueModel model) {
+  switch (model) {
+    case TissueModel::kTwist:
+      break;
+    case TissueModel::kFiniteElements:
+      return QStringLiteral("FEM");
+    case TissueModel::kMassSpring:
+      return QStringLiteral("MSM");
+  }
+  return QStringLiteral("PM");
+}
+
 }  // namespace
 
-CampaignDialog::CampaignDialog(const std::vector<PersonRow>& raters, QWidget* parent)
+CampaignDialog::CampaignDialog(const std::vector<PersonRow>& raters,
+                               std::vector<EvaluationRecording> recordings, QWidget* parent)
     : QDialog(parent),
       instrument_(paperEvaluationInstrument()),
       name_(new QLineEdit(this)),
       models_(new QPlainTextEdit(this)),
       sums_(new QLabel(this)),
       raters_(new DataTable(QString(), this)),
+      choice_(std::move(recordings)),
+      recordings_(new DataTable(QString(), this)),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
   setWindowTitle(tr("New evaluation"));
   resize(900, 620);
@@ -66,7 +82,25 @@ CampaignDialog::CampaignDialog(const std::vector<PersonRow>& raters, QWidget* pa
   auto* form = new QFormLayout;
   form->setSpacing(kSpace);
   form->addRow(tr("&Name"), name_);
+  models_->setToolTip(
+      tr("Code = name. Behind a bar (|) may stand the id of a recording made with the model, for all models "
+         "or for none: the raters then watch it under its letter."));
   form->addRow(tr("&Models, one a line"), models_);
+  recordings_->setColumns({{tr("Recording")}, {tr("Pattern")}, {tr("Model")}, {tr("Since")}});
+  recordings_->setEmptyText(tr("No recordings of free practice yet."));
+  std::vector<Row> recorded;
+  for (const EvaluationRecording& one : choice_) {
+    recorded.push_back({toQString(one.trialId),
+                        {{toQString(one.sceneId)},
+                         {toQString(one.patternId)},
+                         {codeOf(one.model)},
+                         timeCell(one.startedUtc_us)}});
+  }
+  recordings_->setRows(std::move(recorded));
+  recordings_->view().setSelectionMode(QAbstractItemView::ExtendedSelection);
+  recordings_->view().clearSelection();
+  recordings_->setToolTip(tr("Choose one recording of each model: the raters watch it under its letter."));
+  connect(recordings_, &DataTable::currentChanged, this, &CampaignDialog::takeRecordings);
   raters_->setColumns({{tr("Rater")}, {tr("Class")}});
   raters_->setEmptyText(tr("No raters yet: import them under Roster."));
   std::vector<Row> rows;
@@ -83,6 +117,7 @@ CampaignDialog::CampaignDialog(const std::vector<PersonRow>& raters, QWidget* pa
   connect(raters_, &DataTable::currentChanged, this, &CampaignDialog::check);
   auto* left = new QVBoxLayout;
   left->addLayout(form);
+  left->addWidget(recordings_, 1);
   left->addWidget(raters_, 1);
   auto* both = new QHBoxLayout;
   both->setSpacing(3 * kSpace);
@@ -155,6 +190,32 @@ void CampaignDialog::check() {
                    plan().models.size() >= 2);
 }
 
+void CampaignDialog::takeRecordings() {
+  QStringList lines;
+  for (const QString& id : recordings_->selectedIds()) {
+    for (const EvaluationRecording& one : choice_) {
+      if (toQString(one.trialId) == id) {
+        lines << QStringLiteral("%1 = %2 | %3").arg(codeOf(one.model), modelName(one.model), id);
+      }
+    }
+  }
+  if (!lines.isEmpty()) {
+    models_->setPlainText(lines.join(QLatin1Char('\n')));
+  }
+}
+
+QString CampaignDialog::modelName(TissueModel model) {
+  switch (model) {
+    case TissueModel::kTwist:
+      break;
+    case TissueModel::kFiniteElements:
+      return tr("finite elements");
+    case TissueModel::kMassSpring:
+      return tr("mass-spring");
+  }
+  return tr("proposed model");
+}
+
 CampaignPlan CampaignDialog::plan() const {
   CampaignPlan out;
   out.name = name_->text().trimmed().toStdString();
@@ -167,9 +228,12 @@ CampaignPlan CampaignDialog::plan() const {
   }
   for (const QString& line : models_->toPlainText().split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
     const QString code = line.section(QLatin1Char('='), 0, 0).trimmed();
-    const QString label = line.section(QLatin1Char('='), 1).trimmed();
+    const QString said = line.section(QLatin1Char('='), 1);
+    const QString label = said.section(QLatin1Char('|'), 0, 0).trimmed();
+    const QString recording = said.section(QLatin1Char('|'), 1).trimmed();
     if (!code.isEmpty()) {
-      out.models.push_back({code.toStdString(), (label.isEmpty() ? code : label).toStdString()});
+      out.models.push_back(
+          {code.toStdString(), (label.isEmpty() ? code : label).toStdString(), recording.toStdString()});
     }
   }
   for (const QString& id : raters_->selectedIds()) {

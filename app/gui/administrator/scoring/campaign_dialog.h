@@ -26,13 +26,18 @@ class CampaignDialog : public QDialog {
   Q_OBJECT
 
  public:
-  CampaignDialog(const std::vector<PersonRow>& raters, QWidget* parent);
+  /// `recordings`: those that may be shown to the raters.
+  CampaignDialog(const std::vector<PersonRow>& raters, std::vector<EvaluationRecording> recordings,
+                 QWidget* parent);
 
   [[nodiscard]] CampaignPlan plan() const;
 
  private:
   QWidget* weightFields();
   void check();
+  /// Writes the models of the chosen recordings, each with its recording.
+  void takeRecordings();
+  [[nodiscard]] static QString modelName(TissueModel model);
 
   EvaluationInstrument instrument_;
   QLineEdit* name_;
@@ -42,6 +47,8 @@ class CampaignDialog : public QDialog {
   QLabel* sums_;
   std::map<QString, std::string> classOf_;  // of a rater's id
   DataTable* raters_;
+  std::vector<EvaluationRecording> choice_;
+  DataTable* recordings_;
   QDialogButtonBox* buttons_;
 };
 

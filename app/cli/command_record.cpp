@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <QUuid>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/organ_option.h"
+#include "app/recording/pipeline.h"
+#include "app/recording/recording_host.h"
+#include "app/recording/trial_store.h"
+#include "app/recording/unstored_trials.h"
+#include "sim/base/clock.h"
+#include "sim/base/tissue_model.h"
+#include "sim/scene/scene.h"
+
+namespace torsio::cli {
+
+namespace {
+
+struct RecordArguments {
+  std::string database;
+  std::string model = "twist";
+  double duration_s = 20.0;
+  std::uint64_t seed = 1;
+  bool json = false;
+  OrganArguments organ;
+};
+
+void runRecord(const RecordArguments& arguments) {
+  SceneRequest request = sceneRequest(arguments.organ);
+  request.tissue = tissueModelOf(arguments.model);
+  const Scene scene = loadScene(request);
+  const TrialStore store(arguments.database);  // makes the database when there is none
+  ScriptedTrial trial;
+  trial.recording = {.trialId = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString(),
+                     .startedUtc_us = utcNow_us(),
+                     .demonstration = true,
+                     .context = stationContext()};
+  trial.personSeed = arguments.seed;
+  trial.trialSeed = arguments.seed;
+  trial.duration_s = arguments.duration_s;
+  const std::unique_ptr<TrialSink> sink = recordingSink(arguments.database, trial.recording.context);
+  const TrialSummary summary = recordScriptedTrial(scene, trial, *sink);
+  if (arguments.json) {
+    nlohmann::ordered_json out{{"trial", trial.recording.trialId},
+                               {"model", arguments.model},
+                               {"scene", scene.id},
+                               {"pattern", scene.pattern.id},
+                               {"samples", summary.samples},
+                               {"content_hash", summary.contentHash}};
+    std::cout << out.dump(2) << '\n';
+    return;
+  }
+  std::cout << "trial " << trial.recording.trialId << ", scene " << scene.id << ", pattern "
+            << scene.pattern.id << ", model " << arguments.model << ", " << summary.samples << " samples\n"
+            << "Replay it: torsio replay " << trial.recording.trialId << " --database " << store.location()
+            << " --verify\n";
+}
+
+}  // namespace
+
+void addRecord(CLI::App& program) {
+  auto arguments = std::make_shared<RecordArguments>();
+  CLI::App* command = program.add_subcommand("record", "Record a simulated hand that twists an organ");
+  command
+      ->add_option("--database", arguments->database,
+                   "SQLite file or postgresql://user:password@host:port/database")
+      ->required();
+  command->add_option("--model", arguments->model, "What answers the hand: twist, fem, msm")
+      ->check(CLI::IsMember({"twist", "fem", "msm"}))
+      ->capture_default_str();
+  command->add_option("--duration", arguments->duration_s, "Seconds to record")
+      ->check(CLI::Range(1.0, 3600.0))
+      ->capture_default_str();
+  command->add_option("--seed", arguments->seed, "Same seed, same hand")->capture_default_str();
+  command->add_flag("--json", arguments->json, "Print JSON");
+  addOrganOptions(*command, arguments->organ);
+  command->callback([arguments] { runRecord(*arguments); });
+}
+
+}  // namespace torsio::cli
