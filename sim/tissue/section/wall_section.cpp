@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "sim/base/portable_math.h"
 #include "sim/base/refusal.h"
@@ -94,6 +95,33 @@ double narrowestPlace(const Loop& loop) {
 }
 
 }  // namespace
+
+WallMap::WallMap(std::vector<std::array<double, 2>> places) : places_(std::move(places)) {
+  double before = -1.0;
+  for (const auto& [share, thickness_m] : places_) {
+    if (!(share >= 0.0 && share <= 1.0 && share > before && thickness_m > 0.0) ||
+        !std::isfinite(thickness_m)) {
+      refuseParameter(Text::verbatim("the wall is %1 mm thick at %2 of the length",
+                                     std::to_string(1000.0 * thickness_m), std::to_string(share)),
+                      Text::verbatim("wall"),
+                      Text::verbatim("Give thicknesses above 0 at ascending shares of the length, 0 to 1."));
+    }
+    before = share;
+  }
+}
+
+double WallMap::thickness_m(double share) const noexcept {
+  if (places_.empty()) {
+    return 0.0;
+  }
+  for (std::size_t i = 1; i < places_.size(); ++i) {
+    if (share < places_[i][0]) {
+      const double way = std::max(0.0, share - places_[i - 1][0]) / (places_[i][0] - places_[i - 1][0]);
+      return places_[i - 1][1] + way * (places_[i][1] - places_[i - 1][1]);
+    }
+  }
+  return places_.back()[1];
+}
 
 WallSection wallSection(std::span<const Point2> outline, std::span<const double> thickness) {
   const auto edges = outline.size() < 3 ? std::nullopt : firstSelfCrossing(outline);

@@ -1,12 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
 #include "sim/tissue/section/polygon.h"
 
 namespace torsio {
+
+/// Thickness of a wall along an organ: linear between places, constant beyond the outermost. Empty: a filled
+/// organ.
+class WallMap {
+ public:
+  WallMap() = default;
+  /// Takes pairs of a place, as a share of the length, and a thickness in metres. Throws Error{kBadParameter}
+  /// for places outside 0..1 or not ascending, and for a thickness that is not above 0.
+  explicit WallMap(std::vector<std::array<double, 2>> places);
+
+  [[nodiscard]] bool empty() const noexcept { return places_.empty(); }
+  /// Returns the thickness at a share of the length, m; 0 for an empty map.
+  [[nodiscard]] double thickness_m(double share) const noexcept;
+
+ private:
+  std::vector<std::array<double, 2>> places_;
+};
 
 /// A closed wall inside an outline, by the middle line of the wall. Lengths in the unit of the outline.
 struct WallSection {
