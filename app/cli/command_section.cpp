@@ -13,6 +13,7 @@
 #include "sim/base/error.h"
 #include "sim/tissue/section/outline_file.h"
 #include "sim/tissue/section/section_solver.h"
+#include "sim/tissue/section/wall_section.h"
 
 namespace torsio::cli {
 
@@ -23,6 +24,7 @@ struct SectionArguments {
   std::string method = "auto";
   std::vector<std::string> holes;
   std::vector<std::array<double, 2>> points;
+  std::vector<double> wall;  // thickness: one, or one a point of the outline; empty: filled
   bool json = false;
 };
 
@@ -59,7 +61,43 @@ nlohmann::ordered_json fieldAt(const SectionField& field, const std::vector<std:
   return all;
 }
 
+void printSection(const nlohmann::ordered_json& result, bool json) {
+  if (json) {
+    std::cout << result.dump(2) << '\n';
+    return;
+  }
+  for (const auto& [key, value] : result.items()) {
+    std::cout << key << " = " << value.dump() << '\n';
+  }
+}
+
+/// A closed wall by Bredt's formula: no field inside, hence no points and no choice of a solver.
+void runWall(const SectionArguments& arguments) {
+  if (!arguments.holes.empty() || !arguments.points.empty() || arguments.method != "auto") {
+    throw Error(ErrorCode::kUsage,
+                Text::verbatim("a wall is computed in closed form, without holes, points or a solver"),
+                Text::verbatim("--wall"), Text::verbatim("Leave out --hole, --at and --method, or --wall"));
+  }
+  const WallSection wall = wallSection(readOutline(arguments.file), arguments.wall);
+  nlohmann::ordered_json result;
+  result["method"] = "wall";
+  result["area"] = wall.area;
+  result["J"] = wall.torsionConstant;
+  result["volume"] = 0.25 * wall.torsionConstant;
+  result["max_shear"] = wall.maxShear;
+  result["area_mid"] = wall.areaMid;
+  result["perimeter_mid"] = wall.perimeterMid;
+  result["radius"] = wall.radius;
+  result["wall"] = wall.thickest;
+  result["wall_most"] = wall.mostThickness;
+  printSection(result, arguments.json);
+}
+
 void runSection(const SectionArguments& arguments) {
+  if (!arguments.wall.empty()) {
+    runWall(arguments);
+    return;
+  }
   const auto outline = readOutline(arguments.file);
   std::vector<std::vector<std::array<double, 2>>> holes;
   for (const std::string& hole : arguments.holes) {
@@ -89,13 +127,7 @@ void runSection(const SectionArguments& arguments) {
   if (!arguments.points.empty()) {
     result["points"] = fieldAt(field, arguments.points);
   }
-  if (arguments.json) {
-    std::cout << result.dump(2) << '\n';
-    return;
-  }
-  for (const auto& [key, value] : result.items()) {
-    std::cout << key << " = " << value.dump() << '\n';
-  }
+  printSection(result, arguments.json);
 }
 
 }  // namespace
@@ -110,6 +142,11 @@ void addSection(CLI::App& program) {
       ->add_option("--at", arguments->points,
                    "Point x,y: membrane, warping and stress there; may be repeated")
       ->delimiter(',');
+  command
+      ->add_option("--wall", arguments->wall,
+                   "Thickness of a wall inside the outline, in its unit: one, or one for each point")
+      ->delimiter(',')
+      ->expected(1, -1);
   command->add_option("--method", arguments->method, "Solver: auto, fem or bem")
       ->check(CLI::IsMember({"auto", "fem", "bem"}));
   command->add_flag("--json", arguments->json, "Print JSON");

@@ -18,11 +18,13 @@
 #include "app/cli/model_option.h"
 #include "app/cli/organ_option.h"
 #include "app/cli/rod_twist.h"
+#include "app/cli/wall_twist.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/scene/scene.h"
+#include "sim/tissue/hollow/wrung_organ.h"
 #include "sim/tissue/rod/fold_check.h"
 
 namespace torsio::cli {
@@ -40,6 +42,10 @@ struct TwistArguments {
   std::optional<double> poisson;
   bool jaw = false;
   bool reference = false;
+  std::string wall;  // of a hollow organ; empty: filled
+  std::optional<double> pressure_mmHg;
+  std::optional<double> restPressure_mmHg;
+  bool sealed = false;
   bool allowFold = false;
   std::string out;
   bool json = false;
@@ -281,10 +287,45 @@ RodTwistRequest rodRequest(const TwistArguments& arguments, const Scene& scene) 
   request.grasp = graspOf(arguments, scene);
   request.jaw = arguments.jaw;
   request.reference = arguments.reference;
+  if (!arguments.wall.empty()) {
+    request.wall = wallMap(arguments.wall);
+  }
   if (request.reference && request.ends == RodEnds::kClampedFree) {
     request.jaw = true;  // a single face inside a body cannot be turned: the reference has a jaw
   }
   return request;
+}
+
+/// Pressure of an option in pascal. Throws Error{kBadParameter} outside 0 to 100 mmHg.
+double pressureOf_Pa(const char* option, double pressure_mmHg) {
+  constexpr double kMostPressure_mmHg = 100.0;
+  if (!(pressure_mmHg >= 0.0 && pressure_mmHg <= kMostPressure_mmHg)) {
+    throw Error(ErrorCode::kBadParameter, Text::verbatim("the pressure must lie in 0 to 100 mmHg"),
+                option + (" " + std::to_string(pressure_mmHg)), Text::verbatim("Give 0 for an empty organ"));
+  }
+  return pressure_mmHg * kPascalsPerMmHg;
+}
+
+void addWall(nlohmann::ordered_json& result, const TwistArguments& arguments, const Scene& scene,
+             const RodTwistRequest& rod) {
+  WallTwistRequest request;
+  request.pressure_Pa = pressureOf_Pa("--pressure-mmhg", arguments.pressure_mmHg.value_or(0.0));
+  request.restPressure_Pa = pressureOf_Pa(
+      "--rest-pressure-mmhg", arguments.restPressure_mmHg.value_or(arguments.pressure_mmHg.value_or(0.0)));
+  request.sealed = arguments.sealed;
+  const WallTwistResult wall = wallTwist(scene, rod, request);
+  result["taut_torque_nm"] = result["torque_nm"];
+  result["torque_nm"] = wall.torque_Nm;
+  result["peak_torque_nm"] = wall.peakTorque_Nm;
+  result["pressure_mmhg"] = wall.pressure_Pa / kPascalsPerMmHg;
+  result["patency"] = wall.patency;
+  result["waist_mm"] = 1000.0 * wall.waist_m;
+  result["waist_place"] = wall.waistPlace;
+  result["onset_deg"] = degrees(wall.onset_rad);
+  result["closing_deg"] = degrees(wall.closing_rad);
+  result["shortening_mm"] = 1000.0 * wall.shortening_m;
+  result["fold_waves"] = wall.waves;
+  result["wall_ms"] = wall.setUp_ms;
 }
 
 void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms) {
@@ -293,12 +334,14 @@ void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms
   const auto twisting = SteadyClock::now();
   RodTwistResult twist = rodTwist(scene, request);
   const double twist_ms = millisecondsSince(twisting);
-  requireUnfolded(twist.fold, arguments);
+  if (arguments.wall.empty()) {
+    requireUnfolded(twist.fold, arguments);
+  }
   writeSurface(arguments, scene.mesh, std::move(twist.vertices_m));
 
   nlohmann::ordered_json result;
   addOrgan(result, scene, arguments);
-  result["model"] = "rod";
+  result["model"] = arguments.wall.empty() ? "rod" : "hollow";
   result["ends"] = arguments.ends;
   result["shear_modulus_pa"] = request.shearModulus_Pa;
   result["nu"] = request.poisson;
@@ -311,6 +354,9 @@ void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms
   result["torque_nm"] = twist.torque_Nm;
   result["energy_j"] = twist.energy_J;
   result["inverse_m"] = twist.inverse_m;
+  if (!arguments.wall.empty()) {
+    addWall(result, arguments, scene, request);
+  }
   addReference(result, twist, request.angle_rad);
   addFold(result, twist.fold);
   result["set_up_ms"] = setUp_ms;
@@ -322,7 +368,24 @@ void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms
   print(result, arguments.json);
 }
 
+void checkWallArguments(const TwistArguments& arguments) {
+  const bool content = arguments.pressure_mmHg || arguments.restPressure_mmHg || arguments.sealed;
+  if (arguments.wall.empty() && content) {
+    throw Error(ErrorCode::kUsage, Text::verbatim("a pressure needs a wall"),
+                Text::verbatim("--pressure-mmhg, --rest-pressure-mmhg or --sealed"),
+                Text::verbatim("Give --wall too, or leave it out"));
+  }
+  if (!arguments.wall.empty() && (arguments.ends.empty() || arguments.reference)) {
+    throw Error(ErrorCode::kUsage,
+                arguments.ends.empty() ? Text::verbatim("a wall is wrung between ends")
+                                       : Text::verbatim("the reference is a filled organ"),
+                Text::verbatim("--wall"),
+                Text::verbatim("Give --ends, without --reference, or leave out --wall"));
+  }
+}
+
 void runTwist(TwistArguments arguments) {
+  checkWallArguments(arguments);
   if (arguments.ends.empty() && arguments.poisson) {
     throw Error(ErrorCode::kUsage, Text::verbatim("a pattern is computed without Poisson's ratio"),
                 Text::verbatim("--nu"), Text::verbatim("Give --ends too, or leave it out"));
@@ -377,6 +440,16 @@ void addTwist(CLI::App& program) {
       "--reference", arguments->reference,
       "With --ends: also turn quadratic neo-Hookean elements likewise, and say how far the rod is "
       "from them");
+  command->add_option(
+      "--wall", arguments->wall,
+      "With --ends: the organ is hollow, its wall so many mm thick; or along its length, as shares "
+      "and mm: 0:2,1:5");
+  command->add_option("--pressure-mmhg", arguments->pressure_mmHg,
+                      "With --wall: pressure inside over outside; default: 0");
+  command->add_option("--rest-pressure-mmhg", arguments->restPressure_mmHg,
+                      "With --wall: pressure at which the surface is drawn; default: --pressure-mmhg");
+  command->add_flag("--sealed", arguments->sealed,
+                    "With --wall: the gas stays inside, so that the pressure rises as the organ is wrung");
   command->add_flag("--allow-fold", arguments->allowFold, "Also show a twist that folds the organ");
   command->add_option("--out", arguments->out,
                       "Write the twisted surface as PLY or OBJ, by its ending (millimetres)");

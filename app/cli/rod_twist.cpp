@@ -110,9 +110,10 @@ RodTwistResult rodTwist(const Scene& scene, const RodTwistRequest& request) {
   const SolvedSections sections = solvedSections(lattice, scene.model.options());
   const bool free = request.ends == RodEnds::kClampedFree;
   const double grasp_m = free ? request.grasp * lattice.length_m() : lattice.length_m();
-  const OrganRod organ = rodOfOrgan(lattice, sections, {request.shearModulus_Pa, request.poisson},
-                                    {.elements = request.reference ? rodElementsOn(lattice) : kRodElements,
-                                     .node_m = free ? grasp_m : -1.0});
+  const OrganRod organ =
+      rodOfOrgan(lattice, sections, {request.shearModulus_Pa, request.poisson, request.wall},
+                 {.elements = request.reference ? rodElementsOn(lattice) : kRodElements,
+                  .node_m = free ? grasp_m : -1.0});
   const Rod rod(organ.elements, organ.rest, organ.radii_m);
   const std::size_t turned = nearestNode(organ.arcs_m, grasp_m);
   const double halfWidth_m = request.jaw ? 0.5 * organ.radii_m[turned] : 0.0;
@@ -130,6 +131,7 @@ RodTwistResult rodTwist(const Scene& scene, const RodTwistRequest& request) {
   }
   requireTwistWithin(solved.pose, organ.arcs_m, solved.turn_rad, request.angle_rad);
   RodTwistResult result;
+  result.nodeArcs_m = organ.arcs_m;
   const NodeRange jaw = nodesAround(organ.elements, organ.arcs_m[turned] - organ.arcs_m[0], halfWidth_m,
                                     static_cast<int>(organ.arcs_m.size()));
   const NodeTurns turns(organ.arcs_m, solved.turn_rad, static_cast<std::size_t>(jaw.first));

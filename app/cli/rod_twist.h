@@ -7,6 +7,7 @@
 
 #include "sim/scene/scene.h"
 #include "sim/tissue/rod/fold_check.h"
+#include "sim/tissue/section/wall_section.h"
 
 namespace torsio::cli {
 
@@ -25,6 +26,7 @@ struct RodTwistRequest {
   double grasp = 1.0;  ///< place of the turned section, fraction of the length; the upper face: 1
   /// Whether a jaw grips there: the sections within half a local radius turn as one (kClampedFree only).
   bool jaw = false;
+  WallMap wall;            ///< of a hollow organ; empty: filled
   bool reference = false;  ///< whether the accuracy reference is turned likewise; needs poisson < 0.5
 };
 
@@ -38,9 +40,10 @@ struct TwistReference {
 
 /// What one twist of an organ as a curved rod comes to.
 struct RodTwistResult {
-  std::vector<double> arcs_m;    ///< of the sections of the lattice
-  std::vector<double> turn_rad;  ///< of each about its own tangent at rest
-  double torque_Nm = 0.0;        ///< about the tangent at rest of the turned section
+  std::vector<double> nodeArcs_m;  ///< of the nodes of the rod
+  std::vector<double> arcs_m;      ///< of the sections of the lattice
+  std::vector<double> turn_rad;    ///< of each about its own tangent at rest
+  double torque_Nm = 0.0;          ///< about the tangent at rest of the turned section
   double energy_J = 0.0;
   int elements = 0;
   std::vector<Vec3> vertices_m;  ///< of the mesh, twisted

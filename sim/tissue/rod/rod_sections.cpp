@@ -16,6 +16,7 @@ namespace torsio {
 namespace {
 
 constexpr double kShearFactor = 0.9;  // of a circle; 0.85 changes the torque of a bent tube by 0.2 %
+constexpr double kOvalRamp = 1.4;     // of R sqrt(R / t): so near to a held end a wall is kept round
 constexpr double kLeastRestFibre =
     0.25;                              // j0: a section that reaches the centre of its bend is cut off there
 constexpr double kMostCoupling = 0.5;  // of the energy that shear and twist may exchange through a bend
@@ -143,7 +144,9 @@ class RodMaker {
       : lattice_(lattice),
         sections_(sections),
         shear_Pa_(material.shearModulus_Pa),
+        poisson_(material.poisson),
         young_Pa_(2.0 * material.shearModulus_Pa * (1.0 + material.poisson)),
+        wall_(material.wall),
         division_(division),
         count_(division.elements) {}
 
@@ -245,16 +248,21 @@ class RodMaker {
 
   [[nodiscard]] SectionPart section(double arc_m, std::span<const Point2> outline,
                                     const std::array<double, 3>& bend) const {
-    const SectionMoments plain = momentsOf(outline, 0.0, 0.0);
-    const SectionMoments m = momentsOf(outline, bend[0], bend[1]);
+    const double wall_m = wall_.thickness_m(arc_m / lattice_.length_m());
+    const std::vector<Point2> inner = wall_.empty() ? std::vector<Point2>{} : innerOutline(outline, wall_m);
+    const SectionMoments plain = less(momentsOf(outline, 0.0, 0.0), momentsOf(inner, 0.0, 0.0));
+    const SectionMoments m = less(momentsOf(outline, bend[0], bend[1]), momentsOf(inner, bend[0], bend[1]));
     const double cx = plain.x_m3 / plain.area_m2;
     const double cy = plain.y_m3 / plain.area_m2;
     const auto polar = [cx, cy](const SectionMoments& s) {
       return s.xx_m4 + s.yy_m4 - 2.0 * (cx * s.x_m3 + cy * s.y_m3) + (cx * cx + cy * cy) * s.area_m2;
     };
-    const double torsion_m4 = sections_.profile().at(arc_m).torsionConstant_m4 * polar(m) / polar(plain);
+    const WallSection wall = wall_.empty() ? WallSection{} : wallSection(outline, {&wall_m, 1});
+    const double straight_m4 =
+        wall_.empty() ? sections_.profile().at(arc_m).torsionConstant_m4 : wall.torsionConstant;
+    const double torsion_m4 = straight_m4 * polar(m) / polar(plain);
     RodElement e;
-    const double shear_N = kShearFactor * shear_Pa_ * m.area_m2;
+    const double shear_N = shearFactor(inner, plain.area_m2) * shear_Pa_ * m.area_m2;
     e.stretch_N = {shear_N, 0, 0, 0, shear_N, 0, 0, 0, young_Pa_ * m.area_m2};
     // What bending at rest alone shifts; of a straight bar the shear centre says it all.
     double shiftX = m.x_m3 - m.area_m2 * cx;
@@ -268,8 +276,9 @@ class RodMaker {
     }
     e.coupling_Nm = {
         0, 0, -shear_Pa_ * shiftY, 0, 0, shear_Pa_ * shiftX, young_Pa_ * m.y_m3, -young_Pa_ * m.x_m3, 0};
+    const double bending_Pa = young_Pa_ * ovalFactor(arc_m, wall.radius, wall_m, bend);
     e.bend_Nm2 = {
-        young_Pa_ * m.yy_m4,   -young_Pa_ * m.xy_m4, 0, -young_Pa_ * m.xy_m4, young_Pa_ * m.xx_m4, 0, 0, 0,
+        bending_Pa * m.yy_m4,  -bending_Pa * m.xy_m4, 0, -bending_Pa * m.xy_m4, bending_Pa * m.xx_m4, 0, 0, 0,
         shear_Pa_ * torsion_m4};
     const std::array<double, 2> centre = sections_.shearCentre_m(arc_m);
     addShearCentre(e, centre[0], centre[1]);
@@ -277,6 +286,39 @@ class RodMaker {
             {(plain.xx_m4 - cx * plain.x_m3) / plain.area_m2, (plain.xy_m4 - cx * plain.y_m3) / plain.area_m2,
              (plain.yy_m4 - cy * plain.y_m3) / plain.area_m2},
             young_Pa_ * plain.area_m2};
+  }
+
+  static SectionMoments less(const SectionMoments& a, const SectionMoments& b) {
+    return {a.area_m2 - b.area_m2, a.x_m3 - b.x_m3,   a.y_m3 - b.y_m3,
+            a.xx_m4 - b.xx_m4,     a.xy_m4 - b.xy_m4, a.yy_m4 - b.yy_m4};
+  }
+
+  // Cowper's shear factor of a round tube for nu = 0.5, from the squared ratio of its radii: 0.9 of a filled
+  // one.
+  static double shearFactor(std::span<const Point2> inner, double material_m2) {
+    if (inner.empty()) {
+      return kShearFactor;
+    }
+    const double hole_m2 = std::max(0.0, momentsOf(inner, 0.0, 0.0).area_m2);
+    const double ratio2 = hole_m2 / (hole_m2 + material_m2);
+    const double sum2 = (1.0 + ratio2) * (1.0 + ratio2);
+    return 9.0 * sum2 / (10.0 * sum2 + 26.0 * ratio2);
+  }
+
+  // What is left of the bending stiffness of a wall that is bent at rest: von Karman's factor where the
+  // section can go oval, 1 at the held ends.
+  [[nodiscard]] double ovalFactor(double arc_m, double radius_m, double wall_m,
+                                  const std::array<double, 3>& bend) const {
+    const double curvature_per_m = std::sqrt(bend[0] * bend[0] + bend[1] * bend[1]);
+    if (wall_.empty() || curvature_per_m <= 0.0) {
+      return 1.0;
+    }
+    const double bent = wall_m / (curvature_per_m * radius_m * radius_m);
+    const double square = bent * bent / (1.0 - poisson_ * poisson_);
+    const double flexibility = (10.0 + 12.0 * square) / (1.0 + 12.0 * square);
+    const double away_m = std::min(arc_m - rod_.arcs_m.front(), rod_.arcs_m.back() - arc_m);
+    const double ramp = std::clamp(away_m / (kOvalRamp * radius_m * std::sqrt(radius_m / wall_m)), 0.0, 1.0);
+    return 1.0 / (1.0 + (flexibility - 1.0) * ramp);
   }
 
   static RodBendLimit bendLimit(const std::array<double, 3>& second_m2, double axial_N,
@@ -325,7 +367,9 @@ class RodMaker {
   const SectionLattice& lattice_;
   const SolvedSections& sections_;
   double shear_Pa_;
+  double poisson_;
   double young_Pa_;
+  WallMap wall_;
   RodDivision division_;
   int count_;
   OrganRod rod_;

@@ -7,6 +7,7 @@
 #include "sim/base/rod_pose.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/tissue/rod/rod.h"
+#include "sim/tissue/section/wall_section.h"
 #include "sim/tissue/twist/twist_model_sections.h"
 
 namespace torsio {
@@ -15,6 +16,7 @@ namespace torsio {
 struct RodMaterial {
   double shearModulus_Pa = 0.0;  ///< G > 0
   double poisson = 0.5;          ///< nu, 0 to 0.5: E = 2 G (1 + nu); 0.5 is incompressible, E = 3 G
+  WallMap wall = {};             ///< of a hollow organ, along the lattice; empty: filled
 };
 
 /// Number of elements that the shape and the torque of an organ need: 24 differ from 96 by 0.1 % in torque on
@@ -40,8 +42,11 @@ struct RodDivision {
 /// Makes the elements of a rod from the sections of an organ as they are. J and the shear centre come from
 /// `sections`; all integrals over the section are taken over its outline and weighted with 1 / j0, the rest
 /// length of a fibre of the bent organ (docs/model.md R.2). Each element gets the mean of the compliance (6 x
-/// 6) over its arc length by Gauss's rule, so that a straight bar twists by C(s). Throws Error{kBadParameter}
-/// for G, nu or a number of elements out of range, Error{kBadMesh} where the organ has no simple section.
+/// 6) over its arc length by Gauss's rule, so that a straight bar twists by C(s). A wall has Bredt's J
+/// (wall_section.h) and the moments between its two sides; bent at rest it bends more easily, because its
+/// section goes oval (von Karman; docs/model.md H.5), but not beside the held ends. Throws
+/// Error{kBadParameter} for G, nu or a number of elements out of range, Error{kBadMesh} where the organ has
+/// no simple section.
 [[nodiscard]] OrganRod rodOfOrgan(const SectionLattice& lattice, const SolvedSections& sections,
                                   const RodMaterial& material, const RodDivision& division = {});
 

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/wall_twist.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "sim/base/angle.h"
+#include "sim/base/error.h"
+#include "sim/tissue/hollow/wrung_organ.h"
+#include "sim/tissue/rod/rod_sections.h"
+
+namespace torsio::cli {
+
+namespace {
+
+constexpr int kPlaces = 41;
+constexpr double kSmallTurn_rad = radians(0.1);
+
+[[noreturn]] void refuseWall(const std::string& words) {
+  throw Error(ErrorCode::kUsage, Text::verbatim("this is no thickness of a wall"), "--wall " + words,
+              Text::verbatim("Give millimetres such as 3, or shares of the length and millimetres: 0:2,1:5"));
+}
+
+double numberOf(std::string_view word, const std::string& words) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size()) {
+    refuseWall(words);
+  }
+  return value;
+}
+
+// Pressure up to which a wall that is sealed is solved: P = p R / (G t) = 4 where that comes first.
+double mostSealed_Pa(const std::vector<WallPlace>& places, double shear_Pa) {
+  constexpr double kMostPressure = 4.0;
+  double most_Pa = 1e9;
+  for (const WallPlace& place : places) {
+    most_Pa = std::min(most_Pa, kMostPressure * shear_Pa * place.thickness_m / place.radius_m);
+  }
+  return most_Pa;
+}
+
+std::vector<WallPlace> wallPlaces(const SectionLattice& lattice, const WallMap& wall, double from_m,
+                                  double to_m) {
+  std::vector<double> arcs_m;
+  for (int i = 0; i < kPlaces; ++i) {
+    arcs_m.push_back(std::min(to_m, from_m + (to_m - from_m) * i / (kPlaces - 1)));
+  }
+  std::vector<WallPlace> places;
+  const std::vector<LatticeOutline> outlines = lattice.outlinesAt(arcs_m);
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    const double thickness_m = wall.thickness_m(arcs_m[i] / lattice.length_m());
+    places.push_back({wallSection(outlines[i].points_m, {&thickness_m, 1}).radius, thickness_m});
+  }
+  return places;
+}
+
+}  // namespace
+
+WallMap wallMap(const std::string& words) {
+  constexpr double kMillimetre = 1e-3;
+  std::vector<std::array<double, 2>> places;
+  std::string_view rest = words;
+  if (rest.find(':') == std::string_view::npos) {
+    return WallMap({{0.0, kMillimetre * numberOf(rest, words)}});
+  }
+  while (!rest.empty()) {
+    const std::string_view word = rest.substr(0, rest.find(','));
+    const std::size_t colon = word.find(':');
+    if (colon == std::string_view::npos) {
+      refuseWall(words);
+    }
+    places.push_back(
+        {numberOf(word.substr(0, colon), words), kMillimetre * numberOf(word.substr(colon + 1), words)});
+    rest.remove_prefix(std::min(rest.size(), word.size() + 1));
+  }
+  return WallMap(places);
+}
+
+WallTwistResult wallTwist(const Scene& scene, const RodTwistRequest& rod, const WallTwistRequest& request) {
+  const auto started = std::chrono::steady_clock::now();
+  RodTwistRequest taut = rod;
+  taut.reference = false;
+  taut.angle_rad = kSmallTurn_rad;
+  const RodTwistResult small = rodTwist(scene, taut);
+  const double from_m = small.nodeArcs_m.front();
+  const double to_m = std::min(small.nodeArcs_m.back(), rod.grasp * scene.lattice().length_m());
+  HollowContent content;
+  content.shearModulus_Pa = rod.shearModulus_Pa;
+  content.restPressure_Pa = request.restPressure_Pa;
+  content.freeLength = rod.ends == RodEnds::kClampedFree;
+  const std::vector<WallPlace> places = wallPlaces(scene.lattice(), rod.wall, from_m, to_m);
+  content.highestPressure_Pa = std::max(request.pressure_Pa, request.restPressure_Pa);
+  if (request.sealed) {
+    content.highestPressure_Pa =
+        std::max(content.highestPressure_Pa, mostSealed_Pa(places, rod.shearModulus_Pa));
+  }
+  const WrungOrgan organ(places, to_m - from_m, content);
+  WallTwistResult result;
+  result.setUp_ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - started).count();
+  result.pressure_Pa =
+      request.sealed ? organ.sealedPressure_Pa(rod.angle_rad, request.pressure_Pa) : request.pressure_Pa;
+  if (result.pressure_Pa > content.highestPressure_Pa) {
+    throw Error(
+        ErrorCode::kBadParameter,
+        Text::verbatim("a sealed organ would come under more than %1 mmHg, which is beyond the wall's law",
+                       std::to_string(content.highestPressure_Pa / kPascalsPerMmHg)),
+        Text::verbatim("--sealed"), Text::verbatim("Turn less far, or leave out --sealed."));
+  }
+  const WrungState state = organ.at(rod.angle_rad, result.pressure_Pa);
+  const double bend = small.torque_Nm / (kSmallTurn_rad * organ.plainStiffness_Nm_per_rad());
+  result.torque_Nm = bend * state.torque;
+  result.peakTorque_Nm = bend * organ.peakTorque_Nm(result.pressure_Pa);
+  result.patency = state.patency;
+  result.waist_m = state.waist;
+  result.waistPlace = state.waistPlace;
+  result.onset_rad = organ.onset_rad(result.pressure_Pa);
+  result.closing_rad = organ.closing_rad(result.pressure_Pa);
+  result.shortening_m = organ.at(0.0, result.pressure_Pa).length - state.length;
+  result.waves = organ.waves(result.pressure_Pa);
+  return result;
+}
+
+}  // namespace torsio::cli

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/tissue/hollow/tube_onset.h"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace torsio {
+namespace {
+
+constexpr double kNeoHookean = 1e9;
+
+TEST(TubeOnset, WithoutPressureIsThatOfCalculix) {
+  // CalculiX 2.20, C3D20R *BUCKLE, clamped ends, tau / E at nu = 0.45 (tests/data/hollow/README.md). Donnell:
+  // tau / E = 0.736 (1 - nu^2)^(-5/8) (t / R)^(5/4) (R / L)^(1/2), so that omega = tau / G at nu = 0.5 is
+  // 3 (0.75 / 0.7975)^(-5/8) of it.
+  struct Case {
+    double thinness, slenderness, stress;
+  };
+  const double toHalf = 3.0 * std::pow(0.75 / 0.7975, -0.625);
+  for (const Case& c : {Case{0.03, 3, 0.00623}, Case{0.05, 6, 0.00818}, Case{0.05, 12, 0.00611},
+                        Case{0.10, 3, 0.02953}, Case{0.10, 6, 0.01987}, Case{0.10, 12, 0.01295}}) {
+    const double onset = foldOnset({c.thinness, c.slenderness, 0.0, kNeoHookean});
+
+    EXPECT_NEAR(onset / (toHalf * c.stress), 1.0, 0.08) << c.thinness << ' ' << c.slenderness;
+  }
+}
+
+TEST(TubeOnset, UnderPressureIsThatOfCalculixWithinEightInAHundred) {
+  // L / R 6, pressure and torque scaled together: load factor of the linear shell's tau / G by CalculiX.
+  struct Case {
+    double thinness, pressure, shell, factor;
+  };
+  for (const Case& c :
+       {Case{0.05, 0.05, 0.08252, 0.997}, Case{0.05, 0.2, 0.20718, 1.013}, Case{0.10, 0.1, 0.17125, 1.014}}) {
+    const double onset = foldOnset({c.thinness, 6.0, c.pressure, kNeoHookean});
+
+    EXPECT_NEAR(onset / (c.shell * c.factor), 1.0, 0.08) << c.thinness << ' ' << c.pressure;
+  }
+}
+
+TEST(TubeOnset, OfAMembraneIsTheClosedForm) {
+  // Without bending the smaller principal stress is 0 at omega = P / sqrt(2) for small strain; finite strain
+  // lowers it by these factors (bisection in 60 steps on the hoop balance, neo-Hookean).
+  const std::vector<std::pair<double, double>> factors{{0.02, 0.997}, {0.05, 0.994}, {0.1, 0.987},
+                                                       {0.2, 0.975},  {0.4, 0.949},  {0.6, 0.924}};
+  for (const auto& [pressure, factor] : factors) {
+    const double omega = factor * pressure / std::sqrt(2.0);
+
+    EXPECT_LT(tautTube(pressure, kNeoHookean, 0.995 * omega).excess, 0.0) << pressure;
+    EXPECT_GT(tautTube(pressure, kNeoHookean, 1.005 * omega).excess, 0.0) << pressure;
+  }
+}
+
+TEST(TubeOnset, GrowsWithPressureAndThickness) {
+  double before = 0.0;
+  for (const double pressure : {0.0, 0.01, 0.05, 0.1, 0.3, 0.6, 1.0}) {
+    const double onset = foldOnset({0.05, 6.0, pressure, 1.0});
+    EXPECT_GT(onset, before) << pressure;
+    EXPECT_GT(foldOnset({0.08, 6.0, pressure, 1.0}), onset) << pressure;
+    before = onset;
+  }
+}
+
+TEST(TubeOnset, WavesAreThoseOfTheRunsInThreeDimensions) {
+  EXPECT_EQ(foldWaves({0.05, 6, 0.0, 1.0}), 3);
+  EXPECT_EQ(foldWaves({0.05, 6, 0.05, 1.0}), 4);
+  EXPECT_EQ(foldWaves({0.05, 6, 0.2, 1.0}), 5);
+  EXPECT_EQ(foldWaves({0.10, 6, 0.1, 1.0}), 3);
+  EXPECT_EQ(foldWaves({0.03, 6, 0.1, 1.0}), 5);
+  EXPECT_EQ(foldWaves({0.05, 6, 0.5, 1.0}), 5);
+}
+
+TEST(TubeOnset, ATautTubeCarriesTheShearOfItsWall) {
+  // P = 0 and small omega: lambda = 1, m = omega.
+  const TautTube tube = tautTube(0.0, kNeoHookean, 1e-3);
+
+  EXPECT_NEAR(tube.stretch, 1.0, 1e-6);
+  EXPECT_NEAR(tube.torque, 1e-3, 1e-8);
+}
+
+TEST(TubeOnset, RestStretchIsTheHoopBalance) {
+  // lambda = 1.2, J_m = 1: g = 1 / (1 - (1.44 + 1 / 1.44 - 2)), so that p R / (G t) = g (1.44 - 1 / 1.44).
+  const double square = 1.44;
+  const double pressure = (square - 1.0 / square) / (1.0 - (square + 1.0 / square - 2.0));
+
+  EXPECT_NEAR(restStretch(pressure, 1.0), 1.2, 1e-12);
+  EXPECT_NEAR(restStretch(0.0, 1.0), 1.0, 1e-12);
+  EXPECT_LT(restStretch(1e6, 1.0), 1.62);  // locks where lambda^2 + lambda^-2 = 3
+}
+
+}  // namespace
+}  // namespace torsio

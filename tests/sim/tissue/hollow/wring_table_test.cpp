@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/tissue/hollow/wring_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "sim/base/angle.h"
+#include "tests/support/allocation_count.h"
+
+namespace torsio {
+namespace {
+
+TubeWall uniform(double thinness) {
+  TubeWall wall;
+  wall.radius.assign(41, 1.0);
+  wall.thickness.assign(41, thinness);
+  wall.length = 6.0;
+  return wall;
+}
+
+const WringTable& table() {
+  static const WringTable kTable(uniform(0.05), 0.5 * 0.05);
+  return kTable;
+}
+
+TEST(WringTable, HasTorqueAndPatencyOfTheTube) {
+  // One tube, t / R 0.05, L / R 6, J_m 1, from a prototype of the same equations in another language: P,
+  // angle, T / (2 pi G t R^2), patency. P = 0 and 0.5 are rows of the table.
+  struct Case {
+    double pressure, angle_deg, torque, patency;
+  };
+  for (const Case& c :
+       {Case{0, 30, .0298, .70}, Case{0, 60, .0320, .38}, Case{0, 90, .0299, .11}, Case{0, 120, .0244, 0},
+        Case{.5, 45, .1858, 1}, Case{.5, 90, .3633, 1}, Case{.5, 105, .4081, 1}, Case{.5, 120, .3680, .65},
+        Case{.5, 135, .2825, .27}, Case{.5, 150, .1949, .03}}) {
+    const WrungState state = table().at(radians(c.angle_deg), c.pressure * 0.05);
+
+    EXPECT_NEAR(state.torque / (kTurn * 0.05), c.torque, 0.01 * (c.pressure > 0 ? .4081 : .032))
+        << c.pressure << ' ' << c.angle_deg;
+    EXPECT_NEAR(state.patency, c.patency, 0.015) << c.pressure << ' ' << c.angle_deg;
+  }
+}
+
+TEST(WringTable, BetweenItsPressuresAgreesWithTheTube) {
+  // 0.35 lies between rows; the same prototype as above. Normalised rows: 1 % of the peak.
+  struct Case {
+    double angle_deg, torque;
+  };
+  for (const Case& c : {Case{30, .1093}, Case{60, .2191}, Case{75, .2699}, Case{105, .2792}, Case{120, .2358},
+                        Case{135, .1855}}) {
+    EXPECT_NEAR(table().at(radians(c.angle_deg), 0.35 * 0.05).torque / (kTurn * 0.05), c.torque, 0.012 * 0.31)
+        << c.angle_deg;
+  }
+}
+
+TEST(WringTable, ClosesLaterUnderPressure) {
+  double before = 0.0;
+  for (const double pressure : {0.0, 0.05, 0.1, 0.2, 0.3, 0.5}) {
+    const double closing = table().closing_rad(pressure * 0.05);
+    EXPECT_GT(closing, before) << pressure;
+    EXPECT_NEAR(table().at(closing, pressure * 0.05).patency, 0.0, 0.005) << pressure;
+    before = closing;
+  }
+}
+
+TEST(WringTable, PatencyNeverRisesWithTheAngle) {
+  for (const double pressure : {0.0, 0.03, 0.2, 0.5}) {
+    double before = 1.0;
+    for (int degree = 0; degree <= 400; ++degree) {
+      const double patency = table().at(radians(degree), pressure * 0.05).patency;
+      EXPECT_LE(patency, before + 1e-12) << pressure << ' ' << degree;
+      before = patency;
+    }
+  }
+}
+
+TEST(WringTable, TakesAnAngleOfEitherSign) {
+  const WrungState right = table().at(1.0, 0.01);
+  const WrungState left = table().at(-1.0, 0.01);
+
+  EXPECT_EQ(left.torque, -right.torque);
+  EXPECT_EQ(left.patency, right.patency);
+  EXPECT_EQ(left.waist, right.waist);
+  EXPECT_EQ(table().at(0.0, 0.01).torque, 0.0);
+}
+
+TEST(WringTable, AnswersWithoutAllocation) {
+  static_assert(noexcept(std::declval<const WringTable&>().at(1.0, 0.01)));
+  static_assert(std::is_trivially_copyable_v<WrungState>);
+  const WringTable& queried = table();
+  const auto before = testing::allocationCount();
+  double sum = 0.0;
+
+  for (int k = 0; k < 1000; ++k) {
+    sum += queried.at(0.005 * k, 2e-5 * k).torque;
+  }
+
+  EXPECT_EQ(testing::allocationCount(), before);
+  EXPECT_GT(sum, 0.0);
+}
+
+TEST(WringTable, PeakIsTheLargestTorqueOnTheWay) {
+  double most = 0.0;
+  for (int k = 0; k <= 2000; ++k) {
+    most = std::max(most, table().at(table().closing_rad(0.02) * k / 2000, 0.02).torque);
+  }
+
+  EXPECT_NEAR(table().peakTorque(0.02), most, 1e-3 * most);
+}
+
+}  // namespace
+}  // namespace torsio
