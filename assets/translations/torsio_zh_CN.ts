@@ -16076,8 +16076,8 @@ Leave it empty to remove it.</source>
         <translation>力反馈设备已断开。此前的记录已保留；您可用鼠标继续</translation>
     </message>
     <message>
-        <source>The haptic device was lost. Its force is off; you go on with the mouse</source>
-        <translation>力反馈设备已断开，其力已关闭；您可用鼠标继续</translation>
+        <source>The haptic device was lost. Let go of the stylus; you go on with the mouse</source>
+        <translation>力反馈设备已断开。请松开手柄笔；您可用鼠标继续</translation>
     </message>
 </context>
 <context>
