@@ -13,7 +13,7 @@
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/text_list.h"
-#include "sim/device/hdapi/hdapi_library.h"
+#include "sim/device/process/device_process.h"
 
 namespace torsio {
 
@@ -26,6 +26,10 @@ constexpr double kGoodRate_Hz = 950.0;
 constexpr double kGoodRegularShare = 0.95;
 constexpr double kGeometryTolerance_m = 0.005;
 constexpr double kRollNoise_deg = 2.0;
+// Share of the frames that may come without a position: the device skips one now and then.
+constexpr double kPosesForgiven = 0.01;
+// Frames with force in two seconds below which nothing was felt.
+constexpr std::int64_t kForcesSeen = 100;
 // For taking the stylus out of the inkwell before the force test.
 constexpr double kUndockWait_s = 15.0;
 
@@ -55,6 +59,17 @@ Text orNotReported(const std::string& value) {
   return value.empty() ? Text::tr("not reported") : Text(value);
 }
 
+StylusRequest stylusRequest(const DeviceChoice& choice, const std::function<bool()>& cancelled,
+                            bool onlyLibrary = false) {
+  StylusRequest request;
+  request.library = choice.library;
+  request.options.deviceName = choice.name;
+  request.onlyLibrary = onlyLibrary;
+  request.inThisProcess = choice.inThisProcess;
+  request.cancelled = cancelled;
+  return request;
+}
+
 /// One check, step by step; every step returns false when the next ones make no sense.
 class Check {
  public:
@@ -64,8 +79,7 @@ class Check {
     if (openDevice() && startServo()) {
       if (waitForCalibration() && measure()) {
         judgeServo();
-        judgeStylus();
-        if (request_.forceTest) {
+        if (judgePosition() && request_.forceTest) {
           testForce();
         }
       }
@@ -89,7 +103,14 @@ class Check {
   }
 
   bool openDevice() {
-    const HdapiLibrary library = loadHdapi(request_.choice.library);
+    HdapiLibrary library;
+    try {
+      StylusOpening opening = openStylus(stylusRequest(request_.choice, request_.cancelled, true));
+      library = opening.library;
+    } catch (const Error& error) {
+      add(FindingGrade::kBad, Text::tr("Library"), error.happenedText(), error.remedyText());
+      return false;
+    }
     if (library.status != HdapiLoadStatus::kLoaded) {
       add(FindingGrade::kBad, Text::tr("Library"), library.sentence, library.remedy);
       return false;
@@ -99,10 +120,8 @@ class Check {
       add(FindingGrade::kNote, Text::tr("Library"),
           Text::tr("it lacks %1, which Torsio can do without", joined(library.absentOptionals)));
     }
-    HdapiOptions options;
-    options.deviceName = request_.choice.name;
     try {
-      device_ = std::make_unique<HdapiDevice>(library.api, options);
+      device_ = openStylus(stylusRequest(request_.choice, request_.cancelled)).driver;
     } catch (const Error& error) {
       add(FindingGrade::kBad, Text::tr("Device"), error.happenedText(), error.remedyText());
       return false;
@@ -136,7 +155,7 @@ class Check {
 
   bool startServo() {
     try {
-      device_->start();
+      device_->serve();
     } catch (const Error& error) {
       add(FindingGrade::kBad, Text::tr("Servo"), error.happenedText(), error.remedyText());
       device_.reset();
@@ -148,6 +167,12 @@ class Check {
 
   /// False, with a finding, when the device was lost or the user gave up.
   bool stillThere(const HdapiSnapshot& now) {
+    if (now.state == HdapiState::kSilent && now.timing.ticks > 0) {
+      add(FindingGrade::kBad, Text::tr("Connection"),
+          Text::tr("the library's servo stopped calling after %1 s", formatFixed(elapsed_s(begun_us_), 1)),
+          Text::tr("Check cable and power, then plug the device in again and repeat the check"));
+      return false;
+    }
     if (now.state == HdapiState::kLost) {
       add(FindingGrade::kBad, Text::tr("Connection"),
           Text::tr("%1 after %2 s", hdapiErrorText(now.lostBecause), formatFixed(elapsed_s(begun_us_), 1)),
@@ -228,6 +253,9 @@ class Check {
     last_ = now;
     const double time_s = elapsed_s(from_us);
     const auto ticks = static_cast<double>(now.timing.ticks - first.timing.ticks);
+    validPoses_ = now.validPoses - first.validPoses;
+    invalidPoses_ = now.invalidPoses - first.invalidPoses;
+    refusedFrames_ = now.refusedFrames - first.refusedFrames;
     const std::size_t regular = timingClass(kServoPeriod_us);
     result_.rate_Hz = ticks / time_s;
     result_.regularShare =
@@ -263,6 +291,27 @@ class Check {
     const bool calm = result_.regularShare >= kGoodRegularShare && gaps_ == 0;
     add(calm ? FindingGrade::kGood : FindingGrade::kNote, Text::tr("Jitter"), jitter,
         calm ? Text() : slowRemedy);
+  }
+
+  /// False when the device gives no position that force could be computed from.
+  bool judgePosition() {
+    const std::int64_t frames = validPoses_ + invalidPoses_ + refusedFrames_;
+    const auto lost = static_cast<double>(frames - validPoses_);
+    if (frames == 0 || lost > kPosesForgiven * static_cast<double>(frames)) {
+      add(FindingGrade::kBad, Text::tr("Position"),
+          Text::tr("%1 of %2 frames gave a valid position, %3 were refused", validPoses_, frames,
+                   refusedFrames_),
+          Text::tr("Calibrate the device again; if it stays so, have it serviced"));
+      return false;
+    }
+    if (last_.frozen) {
+      add(FindingGrade::kBad, Text::tr("Position"),
+          Text::tr("the position stands still while the stylus is turned"),
+          Text::tr("Calibrate the device again; if it stays so, have it serviced"));
+      return false;
+    }
+    judgeStylus();
+    return true;
   }
 
   void judgeStylus() {
@@ -325,6 +374,12 @@ class Check {
       add(FindingGrade::kBad, Text::tr("Force"),
           Text::tr("the device's own protection switched the force off"),
           Text::tr("Let the device rest, calibrate it again and repeat the check"));
+    } else if (now.forcesSent - before.forcesSent < kForcesSeen ||
+               now.forcesRefused - before.forcesRefused + now.refusedFrames - before.refusedFrames > 0) {
+      add(FindingGrade::kBad, Text::tr("Force"),
+          Text::tr("the library took %1 frames with force and refused %2", now.forcesSent - before.forcesSent,
+                   now.forcesRefused - before.forcesRefused + now.refusedFrames - before.refusedFrames),
+          Text::tr("Let the device rest, calibrate it again and repeat the check"));
     } else {
       add(FindingGrade::kGood, Text::tr("Force"),
           Text::tr("%1 N upwards were sent without complaint; only the hand can tell whether they were felt",
@@ -364,11 +419,14 @@ class Check {
   const DeviceCheckRequest& request_;
   MonotonicClock clock_;
   DeviceCheckResult result_;
-  std::unique_ptr<HdapiDevice> device_;
+  std::unique_ptr<StylusDriver> device_;
   HdapiSnapshot last_;
   std::int64_t begun_us_ = 0;
   std::int64_t lateTicks_ = 0;
   std::int64_t gaps_ = 0;
+  std::int64_t validPoses_ = 0;
+  std::int64_t invalidPoses_ = 0;
+  std::int64_t refusedFrames_ = 0;
   std::optional<double> rollNoise_deg_;
 };
 
@@ -388,6 +446,16 @@ DeviceReadout readout(const HdapiSnapshot& now, double time_s) {
   shown.rate_Hz = now.timing.rate_Hz;
   shown.lateTicks = now.timing.late;
   return shown;
+}
+
+void requireServo(const HdapiSnapshot& now, const std::string& model) {
+  if (now.state != HdapiState::kSilent) {
+    return;
+  }
+  throw Error(ErrorCode::kDevice,
+              now.timing.ticks == 0 ? Text::tr("the library's servo loop never called")
+                                    : Text::tr("the library's servo loop stopped calling"),
+              model, Text::tr("Close every other program that uses the device; restart the computer"));
 }
 
 }  // namespace
@@ -411,29 +479,34 @@ DeviceCheckResult checkDevice(const DeviceCheckRequest& request) {
 void monitorDevice(const DeviceMonitorRequest& request) {
   requireTime(request.seconds, 86'400.0, Text::tr("the time to watch"));
   requireTime(request.interval_s, 60.0, Text::tr("the interval"));
-  const HdapiLibrary library = loadHdapi(request.choice.library);
-  if (library.status != HdapiLoadStatus::kLoaded) {
-    throw Error(ErrorCode::kDevice, library.sentence, Text::tr("haptic device"), library.remedy);
+  StylusOpening opening = openStylus(stylusRequest(request.choice, request.cancelled));
+  if (opening.driver == nullptr) {
+    throw Error(ErrorCode::kDevice, opening.library.sentence, Text::tr("haptic device"),
+                opening.library.remedy);
   }
-  HdapiOptions options;
-  options.deviceName = request.choice.name;
-  HdapiDevice device(library.api, options);
-  device.start();
+  StylusDriver& device = *opening.driver;
+  device.serve();
   const MonotonicClock clock;
   const std::int64_t begun_us = clock.now_us();
+  HdapiSnapshot now;
   for (double time_s = 0.0; time_s < request.seconds;
        time_s = 1e-6 * static_cast<double>(clock.now_us() - begun_us)) {
     pause_s(request.interval_s);
     if (request.cancelled && request.cancelled()) {
       return;
     }
-    const HdapiSnapshot now = device.snapshot();
+    now = device.snapshot();
     request.show(readout(now, 1e-6 * static_cast<double>(clock.now_us() - begun_us)));
     if (now.state == HdapiState::kLost) {
       throw Error(ErrorCode::kDevice, hdapiErrorText(now.lostBecause), device.capabilities().model,
                   Text::tr("Check cable and power, plug the device in again and start anew"));
     }
+    requireServo(now, device.capabilities().model);
   }
+  if (now.timing.ticks == 0) {
+    now.state = HdapiState::kSilent;  // watched for less than the patience
+  }
+  requireServo(now, device.capabilities().model);
 }
 
 std::string deviceStateText(const HdapiSnapshot& snapshot) {
@@ -455,6 +528,8 @@ std::string deviceStateText(const HdapiSnapshot& snapshot) {
     case HdapiState::kDegraded:
       return (snapshot.sample.status & kDeviceWarm) != 0 ? "motors warm, force off"
                                                          : "servo too slow, force off";
+    case HdapiState::kSilent:
+      return "the servo does not call";
     case HdapiState::kLost:
       return "connection lost";
     case HdapiState::kClosed:

@@ -15,6 +15,7 @@ namespace torsio {
 struct DeviceChoice {
   std::string library;
   std::string name;
+  bool inThisProcess = false;  ///< for tests that steer a fake library; else torsio-device drives
 };
 
 enum class FindingGrade {

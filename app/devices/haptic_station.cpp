@@ -7,14 +7,12 @@
 #include <utility>
 
 #include "sim/base/error.h"
-#include "sim/device/hdapi/hdapi_device.h"
+#include "sim/device/process/device_process.h"
 #include "sim/servo/hand_task.h"
 
 namespace torsio {
 
 namespace {
-
-constexpr const char* kHapticDriver = "hdapi";
 
 /// Subject of the check -> line of the trainee's device check; what is not listed belongs to "connected".
 constexpr std::array<std::pair<const char*, const char*>, 6> kLines{{{"Calibration", "calibrated"},
@@ -35,20 +33,24 @@ Light lightOf(FindingGrade grade) {
                                      : (grade == FindingGrade::kNote ? Light::kAmber : Light::kGreen);
 }
 
-DeviceDriver driverOf(const DeviceChoice& choice) {
-  for (const DeviceDriver& driver : deviceDrivers(choice.library)) {
-    if (driver.id == kHapticDriver) {
-      return driver;
-    }
-  }
-  throw Error(ErrorCode::kDevice, Text::tr("this build has no driver for haptic devices"), "",
-              Text::tr("Use mouse and keyboard"));
+StylusRequest stationRequest(const DeviceChoice& choice) {
+  StylusRequest request;
+  request.library = choice.library;
+  request.options.deviceName = choice.name;
+  request.inThisProcess = choice.inThisProcess;
+  return request;
 }
 
 }  // namespace
 
 bool hapticLibraryInstalled(const DeviceChoice& choice) {
-  return driverOf(choice).available;
+  StylusRequest request = stationRequest(choice);
+  request.onlyLibrary = true;
+  try {
+    return openStylus(request).library.status == HdapiLoadStatus::kLoaded;
+  } catch (const Error&) {
+    return false;  // `torsio device check` says why
+  }
 }
 
 DeviceReadiness hapticReadiness(const DeviceCheckResult& check) {
@@ -77,14 +79,16 @@ DeviceProbe hapticProbe(const DeviceChoice& choice) {
 }
 
 std::unique_ptr<HapticDevice> openHapticDevice(const Scene& scene, const DeviceChoice& choice) {
-  DeviceRequest request;
-  request.hdapi.deviceName = choice.name;
-  request.hdapi.workspaceCentre_m = handTask(scene).graspPoint_m;
-  std::unique_ptr<HapticDevice> device = driverOf(choice).open(request);
-  auto& haptic = dynamic_cast<HdapiDevice&>(*device);
-  haptic.start();
-  haptic.enableForce(true);
-  return device;
+  StylusRequest request = stationRequest(choice);
+  request.options.workspaceCentre_m = handTask(scene).graspPoint_m;
+  StylusOpening opening = openStylus(request);
+  if (opening.driver == nullptr) {
+    throw Error(ErrorCode::kDevice, opening.library.sentence, Text::tr("haptic device"),
+                opening.library.remedy);
+  }
+  opening.driver->serve();
+  opening.driver->enableForce(true);
+  return std::move(opening.driver);
 }
 
 }  // namespace torsio

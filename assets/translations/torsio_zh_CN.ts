@@ -3590,10 +3590,6 @@
         <translation>请使用 m、cm、mm 或 um</translation>
     </message>
     <message>
-        <source>Use mouse and keyboard</source>
-        <translation>请使用鼠标和键盘</translation>
-    </message>
-    <message>
         <source>Use obj, stl, ply, off, glb, gltf or dae</source>
         <translation>请使用 obj、stl、ply、off、glb、gltf 或 dae</translation>
     </message>
@@ -5544,10 +5540,6 @@
     <message>
         <source>this belongs to somebody else</source>
         <translation>这属于其他人</translation>
-    </message>
-    <message>
-        <source>this build has no driver for haptic devices</source>
-        <translation>此版本没有力反馈设备驱动</translation>
     </message>
     <message>
         <source>this case has no recording to score</source>
@@ -9900,6 +9892,66 @@
     <message>
         <source>seals a row otherwise that was sealed before</source>
         <translation>对先前已封存的行作了不同的封存</translation>
+    </message>
+    <message>
+        <source>the library&apos;s servo stopped calling after %1 s</source>
+        <translation>%1 秒后厂商库的伺服停止了调用</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames gave a valid position, %3 were refused</source>
+        <translation>%2 帧中有 %1 帧给出有效位置，%3 帧被拒绝</translation>
+    </message>
+    <message>
+        <source>Calibrate the device again; if it stays so, have it serviced</source>
+        <translation>请重新校准设备；若仍如此，请送修</translation>
+    </message>
+    <message>
+        <source>the position stands still while the stylus is turned</source>
+        <translation>转动手柄笔时位置保持不动</translation>
+    </message>
+    <message>
+        <source>the library took %1 frames with force and refused %2</source>
+        <translation>厂商库接受了 %1 帧带力的数据，拒绝了 %2 帧</translation>
+    </message>
+    <message>
+        <source>the library&apos;s servo loop stopped calling</source>
+        <translation>厂商库的伺服循环停止了调用</translation>
+    </message>
+    <message>
+        <source>the device is still being let go</source>
+        <translation>设备仍在释放中</translation>
+    </message>
+    <message>
+        <source>Wait a moment and try again; if it stays so, plug the device in again and restart Torsio</source>
+        <translation>请稍候再试；若仍如此，请重新插入设备并重启 Torsio</translation>
+    </message>
+    <message>
+        <source>the system gives no memory for the device process</source>
+        <translation>系统未能为设备进程提供内存</translation>
+    </message>
+    <message>
+        <source>the device process %1 cannot be started: %2</source>
+        <translation>无法启动设备进程 %1：%2</translation>
+    </message>
+    <message>
+        <source>Install Torsio anew; torsio-device lies beside the program</source>
+        <translation>请重新安装 Torsio；torsio-device 位于程序所在的文件夹中</translation>
+    </message>
+    <message>
+        <source>Plug the device in again, run the vendor&apos;s set-up tool once and try again</source>
+        <translation>请重新插入设备，运行一次厂商的设置工具，然后再试</translation>
+    </message>
+    <message>
+        <source>the vendor&apos;s library ended the device process</source>
+        <translation>厂商库使设备进程终止</translation>
+    </message>
+    <message>
+        <source>the vendor&apos;s library does not answer</source>
+        <translation>厂商库没有响应</translation>
     </message>
     <message>
         <source>Give multiples of the smallest block.</source>
@@ -16340,8 +16392,8 @@ Leave it empty to remove it.</source>
         <translation>力反馈设备已断开。此前的记录已保留；您可用鼠标继续</translation>
     </message>
     <message>
-        <source>The haptic device was lost. Its force is off; you go on with the mouse</source>
-        <translation>力反馈设备已断开，其力已关闭；您可用鼠标继续</translation>
+        <source>The haptic device was lost. Let go of the stylus; you go on with the mouse</source>
+        <translation>力反馈设备已断开。请松开手柄笔；您可用鼠标继续</translation>
     </message>
 </context>
 <context>

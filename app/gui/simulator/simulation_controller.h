@@ -134,7 +134,7 @@ class SimulationController : public QObject {
   void noticed(const QString& sentence);
   /// hapticModel() is another one.
   void hapticModelChanged();
-  /// The device of a training run does not answer any more; its force is off. Once a run.
+  /// The device of a training run does not answer any more; nobody knows its force then. Once a run.
   void deviceLost();
 
  private:

@@ -109,7 +109,7 @@ void SimulationController::loseHaptic() {
   practise(nullptr);
   Q_EMIT noticed(recorded ? tr("The haptic device was lost. The recording until then is kept; you go on with "
                                "the mouse")
-                          : tr("The haptic device was lost. Its force is off; you go on with the mouse"));
+                          : tr("The haptic device was lost. Let go of the stylus; you go on with the mouse"));
 }
 
 QString SimulationController::hapticModel() const {

@@ -11,6 +11,8 @@ namespace {
 constexpr double kLink_mm = 133.35;
 constexpr double kBaseHeight_mm = 23.35;
 constexpr double kBaseDepth_mm = 168.35;
+// No arm of a desktop device reaches farther.
+constexpr double kFarthest_m = 2.0;
 
 struct Axes {
   Vec3 x;
@@ -49,7 +51,7 @@ std::optional<Pose> worldPose(const HdapiFrame& frame, const DevicePlacement& pl
   const Axes axes{column(frame.transform_mm, 0), column(frame.transform_mm, 1),
                   column(frame.transform_mm, 2)};
   const Vec3 gimbal_m = column(frame.transform_mm, 3) * kMillimetre_m;
-  if (!isFinite(gimbal_m) || !isRotation(axes)) {
+  if (!isFinite(gimbal_m) || !(norm(gimbal_m) < kFarthest_m) || !isRotation(axes)) {
     return std::nullopt;
   }
   Pose pose;

@@ -20,6 +20,7 @@ void HdapiDevice::start(const HdapiTick& tick) {
   TORSIO_EXPECTS(!started_);
   driven_ = tick.run != nullptr;
   started_ = true;
+  lastTick_ = std::chrono::steady_clock::now();
   session_->start(tick);
 }
 
@@ -31,8 +32,9 @@ void HdapiDevice::beginClose() {
   std::promise<void> promise;
   closed_ = promise.get_future();
   // The thread keeps the session alive for as long as the library holds on to it.
-  std::thread([session = session_, done = std::move(promise)]() mutable {
+  std::thread([session = session_, released = released_, done = std::move(promise)]() mutable {
     session->tearDown();
+    released->store(true, std::memory_order_release);
     done.set_value();
   }).detach();
 }
@@ -45,10 +47,22 @@ bool HdapiDevice::close() {
   return closed_.wait_for(patience) == std::future_status::ready;
 }
 
+bool HdapiDevice::released() const {
+  return released_->load(std::memory_order_acquire);
+}
+
 HdapiSnapshot HdapiDevice::snapshot() noexcept {
   HdapiSnapshot snapshot = session_->servo().newestSnapshot();
+  const auto now = std::chrono::steady_clock::now();
+  if (snapshot.timing.ticks != lastTicks_) {
+    lastTicks_ = snapshot.timing.ticks;
+    lastTick_ = now;
+  }
   if (closed_.valid()) {
     snapshot.state = HdapiState::kClosed;
+  } else if (started_ && snapshot.state != HdapiState::kLost &&
+             now - lastTick_ > std::chrono::microseconds(kServoSilent_us)) {
+    snapshot.state = HdapiState::kSilent;
   }
   return snapshot;
 }

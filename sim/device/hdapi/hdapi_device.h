@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <future>
 #include <memory>
 
-#include "sim/device/haptic_device.h"
 #include "sim/device/hdapi/hdapi_session.h"
+#include "sim/device/hdapi/stylus_driver.h"
 
 namespace torsio {
 
@@ -14,6 +16,9 @@ namespace torsio {
 inline constexpr std::int64_t kReadingStale_us = 5'000;
 /// Age of a reading at which the device counts as lost in mailbox operation.
 inline constexpr std::int64_t kReadingLost_us = 250'000;
+
+/// Time without any call of the library's servo after which a snapshot says so.
+inline constexpr std::int64_t kServoSilent_us = 500'000;
 
 /// PHANTOM Omni or 3D Systems Touch through the vendor's library. Two ways to run:
 ///
@@ -47,7 +52,7 @@ inline constexpr std::int64_t kReadingLost_us = 250'000;
 ///
 /// start, close and destruction belong to one thread; enableForce, retryCalibration, snapshot and nextEvent
 /// to one (the same or another); read and write to the servo.
-class HdapiDevice final : public HapticDevice {
+class HdapiDevice final : public StylusDriver {
  public:
   /// Opens the device, force off. `api`: complete (HdapiLibrary). Throws Error{kDevice}.
   HdapiDevice(const hd::Api& api, const HdapiOptions& options);
@@ -61,17 +66,20 @@ class HdapiDevice final : public HapticDevice {
   void beginClose();
   /// beginClose(), then waits, the first time for at most HdapiOptions::patience_us. False when the library
   /// did not let go (unplugged devices block it): the process must end before the device can be opened again.
-  bool close();
+  bool close() override;
+  void serve() override { start(); }
+  /// Tells, without waiting, whether the library has let go of a device that is being closed.
+  [[nodiscard]] bool released() const;
 
   /// Asks for force output. Force is granted while the device is calibrated, quick and cool, and always
   /// ramped.
-  void enableForce(bool on) noexcept { session_->servo().wishForce(on); }
+  void enableForce(bool on) noexcept override { session_->servo().wishForce(on); }
   /// Begins another round of calibration attempts after CalibrationState::kFailed.
   void retryCalibration() noexcept { session_->servo().wishCalibration(); }
-  [[nodiscard]] HdapiSnapshot snapshot() noexcept;
+  [[nodiscard]] HdapiSnapshot snapshot() noexcept override;
   /// Takes the oldest event not yet taken; false when there is none.
   [[nodiscard]] bool nextEvent(HdapiEvent& event) noexcept { return session_->servo().nextEvent(event); }
-  [[nodiscard]] const HdapiIdentity& identity() const noexcept { return session_->identity(); }
+  [[nodiscard]] const HdapiIdentity& identity() const noexcept override { return session_->identity(); }
 
   [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override {
     return session_->capabilities();
@@ -85,9 +93,12 @@ class HdapiDevice final : public HapticDevice {
   std::shared_ptr<HdapiSession> session_;  // shared with the thread that closes it
   const std::int64_t patience_us_;
   std::future<void> closed_;
+  std::shared_ptr<std::atomic<bool>> released_ = std::make_shared<std::atomic<bool>>(false);
   bool waited_ = false;
   bool started_ = false;
-  bool driven_ = false;  // by the vendor's servo thread
+  bool driven_ = false;                               // by the vendor's servo thread
+  std::int64_t lastTicks_ = 0;                        // snapshot(): of the newest one
+  std::chrono::steady_clock::time_point lastTick_{};  // ... and when it was new
   // Mailbox operation, servo thread only.
   std::uint64_t lastNumber_ = 0;
   std::int64_t lastNew_us_ = 0;

@@ -11,6 +11,13 @@ namespace {
 
 constexpr std::size_t kEventCapacity = 1024;
 constexpr std::size_t kMostMotors = 6;
+// Joints turn by less than a circle; what is far beyond is no angle.
+constexpr double kLargestAngle_rad = 20.0;
+
+bool areAngles(const std::array<double, 3>& angles_rad) noexcept {
+  return std::all_of(angles_rad.begin(), angles_rad.end(),
+                     [](double angle_rad) { return std::abs(angle_rad) < kLargestAngle_rad; });
+}
 
 }  // namespace
 
@@ -18,12 +25,13 @@ HdapiServo::HdapiServo(const hd::Api& api, const HdapiSetup& setup, const Clock&
     : api_(api), setup_(setup), clock_(clock), events_(kEventCapacity) {}
 
 hd::CallbackCode HdapiServo::frame() noexcept {
-  if (lost()) {
+  if (lost() || lettingGo_.load(std::memory_order_acquire)) {
     return hd::kCallbackDone;
   }
   const std::int64_t now_us = clock_.now_us();
   if (!started_) {
     begun_us_ = now_us;
+    opened_us_ = now_us;
   }
   started_ = true;
   interval_us_ = meter_.begin(now_us);
@@ -48,9 +56,34 @@ hd::CallbackCode HdapiServo::frame() noexcept {
     judge(now_us);
     runTick(now_us);
   }
+  if (lost() || revoked_.load(std::memory_order_relaxed)) {
+    letGo(true);
+    snapshot_.forceOn = api_.hdIsEnabled(hd::kForceOutput) != 0;
+    (void)drainHdapiErrors(api_);
+  }
   meter_.end(clock_.now_us());
   publish();
-  return lost() ? hd::kCallbackDone : hd::kCallbackContinue;
+  return lost() || silent() ? hd::kCallbackDone : hd::kCallbackContinue;
+}
+
+void HdapiServo::letGo(bool afterFrame) noexcept {
+  if (lettingGo_.exchange(true)) {
+    return;
+  }
+  if (!zeroSent_) {
+    if (afterFrame) {
+      api_.hdDisable(hd::kOneFrameLimit);
+    }
+    api_.hdBeginFrame(setup_.handle);
+    if (!drainHdapiErrors(api_).any(HdapiErrorClass::kFrame)) {
+      constexpr std::array<double, 3> kZero_N{};
+      api_.hdSetDoublev(hd::kCurrentForce, kZero_N.data());
+      api_.hdEndFrame(setup_.handle);
+    }
+  }
+  api_.hdDisable(hd::kForceOutput);
+  (void)drainHdapiErrors(api_);
+  silent_.store(true, std::memory_order_release);
 }
 
 void HdapiServo::takeWishes() noexcept {
@@ -62,7 +95,15 @@ void HdapiServo::takeWishes() noexcept {
 bool HdapiServo::beginFrame(std::int64_t now_us) noexcept {
   api_.hdBeginFrame(setup_.handle);
   // A frame that was refused must not be ended; after any other error it is open and has to be.
-  return !drain(now_us).any(HdapiErrorClass::kFrame);
+  if (!drain(now_us).any(HdapiErrorClass::kFrame)) {
+    opened_us_ = now_us;
+    return true;
+  }
+  ++snapshot_.refusedFrames;
+  if (now_us - opened_us_ >= kFramesRefused_us && !lost()) {
+    lose({hd::kFrameError, 0, setup_.handle}, now_us);
+  }
+  return false;
 }
 
 void HdapiServo::readDevice(std::int64_t now_us) noexcept {
@@ -79,14 +120,21 @@ void HdapiServo::readDevice(std::int64_t now_us) noexcept {
 
   reading_.status = kDeviceOk;
   const std::optional<Pose> pose = worldPose(frame, setup_.placement);
-  const double gimbalRoll_rad = trueGimbal_rad(setup_.gimbal, frame.gimbal_rad)[2];
-  if (!answered || !pose || !std::isfinite(gimbalRoll_rad)) {
+  if (!answered || !pose || !areAngles(frame.joints_rad) || !areAngles(frame.gimbal_rad)) {
     reading_.status = kDeviceInvalid;
+    ++snapshot_.invalidPoses;
     return;
   }
+  ++snapshot_.validPoses;
+  const double gimbalRoll_rad = trueGimbal_rad(setup_.gimbal, frame.gimbal_rad)[2];
   noteJump(*pose, now_us);
   reading_.pose = *pose;
   snapshot_.docked = isDocked(frame);
+  const bool wasFrozen = snapshot_.frozen;
+  snapshot_.frozen = liveness_.frozen(frame, snapshot_.docked);
+  if (snapshot_.frozen && !wasFrozen) {
+    note(HdapiEvent::Kind::kFrozen, now_us);
+  }
   const bool wasAtStop = snapshot_.rollAtStop;
   roll_.follow(gimbalRoll_rad);
   if (snapshot_.docked && calibration_.calibrated() && !roll_.referenced()) {
@@ -167,9 +215,7 @@ void HdapiServo::updateCalibration(std::int64_t now_us) noexcept {
     // Here a device fault only says that the calibration did not succeed.
     const hd::ErrorCode code = errors.entries[i].error;
     if (hdapiErrorClass(code) == HdapiErrorClass::kFatal && code != hd::kDeviceFault) {
-      snapshot_.lostBecause = code;
-      snapshot_.state = HdapiState::kLost;
-      lost_.store(true, std::memory_order_release);
+      lose(errors.entries[i], now_us);
     }
   }
   calibration_.updated(errors.count > 0);
@@ -201,6 +247,9 @@ void HdapiServo::judge(std::int64_t now_us) noexcept {
   if (lost() || !frameOpen_ || slow || warmStop_) {
     status |= kDeviceStale;
   }
+  if (snapshot_.frozen) {
+    status |= kDeviceStale | kDeviceUncalibrated;  // nobody knows where the hand is
+  }
   if (!calibration_.calibrated() || now_us < distrustUntil_us_) {
     status |= kDeviceUncalibrated;
   }
@@ -218,8 +267,12 @@ void HdapiServo::judge(std::int64_t now_us) noexcept {
   reading_.status = status;
   reading_.time_us = now_us - begun_us_;
   snapshot_.sample = quantize(reading_, snapshot_.sample);
-  switchForce(forceWished_.load(std::memory_order_relaxed) && calibration_.calibrated() && !slow &&
-              !warmStop_ && !revoked_.load(std::memory_order_relaxed));
+  // A device that refuses a frame goes on with its last force: only the output can be switched off then.
+  const bool revoked = revoked_.load(std::memory_order_relaxed);
+  if (!revoked) {
+    switchForce(forceWished_.load(std::memory_order_relaxed) && calibration_.calibrated() && !slow &&
+                !warmStop_ && (frameOpen_ || lost()));
+  }
   chooseState(slow || warmStop_);
 }
 
@@ -243,7 +296,7 @@ void HdapiServo::switchForce(bool on) noexcept {
     return;
   }
   (on ? api_.hdEnable : api_.hdDisable)(hd::kForceOutput);
-  snapshot_.forceOn = on;
+  snapshot_.forceOn = api_.hdIsEnabled(hd::kForceOutput) != 0;
 }
 
 void HdapiServo::runTick(std::int64_t now_us) noexcept {
@@ -291,16 +344,18 @@ void HdapiServo::sendForce(std::int64_t now_us) noexcept {
   if (!frameOpen_) {
     return;
   }
-  const bool silent = revoked_.load(std::memory_order_relaxed);
+  std::array<double, 3> force_N{};
   if (!lost()) {
-    const std::array<double, 3> force_N = deviceForce(forceToSend(now_us), setup_.placement);
-    api_.hdSetDoublev(hd::kCurrentForce, force_N.data());
+    force_N = deviceForce(forceToSend(now_us), setup_.placement);
   }
+  api_.hdSetDoublev(hd::kCurrentForce, force_N.data());
   api_.hdEndFrame(setup_.handle);
   frameOpen_ = false;
-  (void)drain(now_us);
-  if (silent) {
-    silent_.store(true, std::memory_order_release);
+  const bool taken = drain(now_us).count == 0;
+  const bool zero = force_N == std::array<double, 3>{};
+  zeroSent_ = zero && taken;
+  if (!zero) {
+    ++(taken ? snapshot_.forcesSent : snapshot_.forcesRefused);
   }
 }
 
@@ -324,18 +379,22 @@ HdapiErrors HdapiServo::drain(std::int64_t now_us) noexcept {
         break;
       case HdapiErrorClass::kLicence:
       case HdapiErrorClass::kFatal:
-        if (!lost()) {
-          snapshot_.lostBecause = error.error;
-          note(HdapiEvent::Kind::kLost, now_us, 0, error);
-        }
-        snapshot_.state = HdapiState::kLost;
-        lost_.store(true, std::memory_order_release);
+        lose(error, now_us);
         break;
       default:
         ++snapshot_.refusedCalls;
     }
   }
   return errors;
+}
+
+void HdapiServo::lose(const hd::ErrorInfo& error, std::int64_t now_us) noexcept {
+  if (!lost()) {
+    snapshot_.lostBecause = error.error;
+    note(HdapiEvent::Kind::kLost, now_us, 0, error);
+  }
+  snapshot_.state = HdapiState::kLost;
+  lost_.store(true, std::memory_order_release);
 }
 
 void HdapiServo::publish() noexcept {

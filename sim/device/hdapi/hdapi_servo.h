@@ -14,6 +14,7 @@
 #include "sim/device/hdapi/hdapi_border.h"
 #include "sim/device/hdapi/hdapi_errors.h"
 #include "sim/device/hdapi/hdapi_state.h"
+#include "sim/device/hdapi/position_liveness.h"
 #include "sim/device/safety/force_gate.h"
 #include "sim/device/stylus_roll.h"
 
@@ -45,6 +46,8 @@ struct HdapiForce {
 
 /// Age at which a force that was not renewed is no longer sent.
 inline constexpr std::int64_t kForceExpires_us = 20'000;
+/// Time after which a device that refuses every frame counts as lost.
+inline constexpr std::int64_t kFramesRefused_us = 100'000;
 /// Temperature of a motor above which the force is folded back (rule of the vendor's own sample).
 inline constexpr double kWarmAbove = 0.7;
 /// Temperature below which all motors must be before the full force returns.
@@ -70,7 +73,12 @@ class HdapiServo {
   /// Runs one frame; returns kCallbackDone when the connection is over. Allocates nothing, locks nothing,
   /// logs nothing.
   hd::CallbackCode frame() noexcept;
-  /// Tells whether a frame with zero force went out after revokeTick().
+  /// Lets go of the hand: a frame with zero force, then force output off. Vendor's servo thread, or any other
+  /// one once the servo no longer calls. Once; later calls do nothing.
+  /// `afterFrame`: in the tick of a frame that is over, so that a second one needs the library's limit
+  /// lifted.
+  void letGo(bool afterFrame = false) noexcept;
+  /// Tells whether letGo() was done after revokeTick() or a loss.
   [[nodiscard]] bool silent() const noexcept { return silent_.load(std::memory_order_acquire); }
 
   // --- inside the tick function ---
@@ -115,6 +123,7 @@ class HdapiServo {
   void chooseState(bool slowOrWarm) noexcept;
   [[nodiscard]] Vec3 forceToSend(std::int64_t now_us) noexcept;
   void switchForce(bool on) noexcept;
+  void lose(const hd::ErrorInfo& error, std::int64_t now_us) noexcept;
   HdapiErrors drain(std::int64_t now_us) noexcept;
   void publish() noexcept;
   void note(HdapiEvent::Kind kind, std::int64_t now_us, std::uint32_t value = 0,
@@ -129,6 +138,7 @@ class HdapiServo {
   TickMeter meter_;
   CalibrationFlow calibration_;
   StylusRoll roll_;
+  PositionLiveness liveness_;
   ButtonFilter buttons_;
   ForceGate gate_;
   HdapiSnapshot snapshot_;
@@ -142,6 +152,7 @@ class HdapiServo {
   bool warm_ = false;          // fold-back with hysteresis
   bool updateNeeded_ = false;  // hdUpdateCalibration after the frame
   std::int64_t begun_us_ = 0;
+  std::int64_t opened_us_ = 0;  // last frame that was opened
   std::int64_t interval_us_ = 0;
   std::int64_t lastPose_us_ = 0;
   std::int64_t distrustUntil_us_ = 0;
@@ -162,6 +173,8 @@ class HdapiServo {
   std::atomic<bool> inTick_{false};
   std::atomic<bool> lost_{false};
   std::atomic<bool> silent_{false};
+  std::atomic<bool> lettingGo_{false};
+  std::atomic<bool> zeroSent_{false};  // the last frame carried zero force and was taken
 };
 
 }  // namespace torsio

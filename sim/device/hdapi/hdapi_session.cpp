@@ -3,13 +3,23 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <thread>
+#include <utility>
 
 #include "sim/base/error.h"
 #include "sim/base/tick_period.h"
 #include "sim/device/hdapi/hdapi_border.h"
 
 namespace torsio {
+
+/// What the library's callback is given: it outlives the servo, as a late callback does.
+struct ServoEntry {
+  std::atomic<HdapiServo*> servo{nullptr};
+  std::atomic<int> inside{0};
+};
 
 namespace {
 
@@ -22,13 +32,49 @@ constexpr double kPerMillimetre_per_m = 1e3;
 // Nominal box of the Omni and the Touch about the device's origin: 160 x 120 x 70 mm.
 constexpr std::array<double, 6> kNominalBox_mm{-80.0, -60.0, -35.0, 80.0, 60.0, 35.0};
 
-hd::CallbackCode TORSIO_HD_CALL servoCallback(void* servo) {
-  return static_cast<HdapiServo*>(servo)->frame();
+// The library keeps one device stack a process: a session that still lets go excludes another one.
+std::atomic<bool> sessionOpen{false};
+// Time for the servo to let go by itself: its callback comes each millisecond.
+constexpr auto kServoLetsGo = std::chrono::milliseconds(15);
+// Time for a callback that was under way when the task was taken out.
+constexpr auto kCallbackEnds = std::chrono::milliseconds(100);
+constexpr std::size_t kLongestText = 120;
+
+hd::CallbackCode TORSIO_HD_CALL servoCallback(void* context) {
+  auto& entry = *static_cast<ServoEntry*>(context);
+  entry.inside.fetch_add(1);
+  HdapiServo* const servo = entry.servo.load();
+  const hd::CallbackCode answer = servo != nullptr ? servo->frame() : hd::kCallbackDone;
+  entry.inside.fetch_sub(1);
+  return answer;
 }
 
-/// Waits for a tick to pass; the frame's own callback has a higher priority and ran before.
-hd::CallbackCode TORSIO_HD_CALL passTick(void*) {
+hd::CallbackCode TORSIO_HD_CALL letGoCallback(void* context) {
+  auto& entry = *static_cast<ServoEntry*>(context);
+  entry.inside.fetch_add(1);
+  if (HdapiServo* const servo = entry.servo.load()) {
+    servo->letGo();
+  }
+  entry.inside.fetch_sub(1);
   return hd::kCallbackDone;
+}
+
+/// A vendor's text as ours: printable ASCII, cut off. What is not UTF-8 would fail where it is written.
+std::string printable(const char* vendor) {
+  std::string text;
+  for (const char* at = vendor; at != nullptr && *at != '\0' && text.size() < kLongestText; ++at) {
+    text += *at >= ' ' && *at <= '~' ? *at : '?';
+  }
+  return text;
+}
+
+/// Largest force that a model renders, N; by the vendor's data sheets. A model that is not known is a Touch.
+double modelForce_N(const std::string& model) {
+  constexpr std::array<std::pair<const char*, double>, 4> kForces{
+      {{"Touch X", 7.9}, {"Desktop", 7.9}, {"Premium", 8.5}, {"", 3.3}}};
+  return std::find_if(kForces.begin(), kForces.end(),
+                      [&](const auto& known) { return model.find(known.first) != std::string::npos; })
+      ->second;
 }
 
 std::string hex(hd::ErrorCode code) {
@@ -45,7 +91,7 @@ Text described(const hd::Api& api, hd::ErrorCode code) {
   if (vendor == nullptr) {
     return Text::tr("%1 (%2)", hdapiErrorText(code), hex(code));
   }
-  return Text::verbatim("%1 (%2, %3)", hdapiErrorText(code), hex(code), vendor);
+  return Text::verbatim("%1 (%2, %3)", hdapiErrorText(code), hex(code), printable(vendor));
 }
 
 Text remedyFor(hd::ErrorCode code) {
@@ -80,8 +126,14 @@ std::vector<const char*> namesToTry(const std::string& configured) {
 
 HdapiSession::HdapiSession(const hd::Api& api, const HdapiOptions& options)
     : api_(api), clock_(options.clock ? options.clock : std::make_shared<const MonotonicClock>()) {
-  open(options.deviceName);
+  if (sessionOpen.exchange(true)) {
+    throw Error(ErrorCode::kDevice, Text::tr("the device is still being let go"), Text::tr("haptic device"),
+                Text::tr("Wait a moment and try again; if it stays so, plug the device in again and restart "
+                         "Torsio"));
+  }
+  claimed_ = true;
   try {
+    open(options.deviceName);
     api_.hdMakeCurrentDevice(handle_);
     api_.hdDisable(hd::kForceOutput);
     // The vendor's own safeguards stay on behind ours.
@@ -144,7 +196,7 @@ void HdapiSession::open(const std::string& deviceName) {
 std::string HdapiSession::text(hd::Enum name) {
   const char* const value = api_.hdGetString(name);
   const HdapiErrors errors = drainHdapiErrors(api_);
-  return value != nullptr && errors.count == 0 ? value : "";
+  return errors.count == 0 ? printable(value) : "";
 }
 
 void HdapiSession::readIdentity() {
@@ -194,7 +246,8 @@ void HdapiSession::readCapabilities(const HdapiOptions& options) {
   capabilities_.rendersForce = true;
   capabilities_.realTime = true;
   capabilities_.maxForce_N =
-      reported(hd::kNominalMaxForce, 0.1, 40.0, nominal.maxForce_N, Text::tr("maximum force"));
+      std::min(modelForce_N(identity_.model),
+               reported(hd::kNominalMaxForce, 0.1, 40.0, nominal.maxForce_N, Text::tr("maximum force")));
   capabilities_.continuousForce_N =
       reported(hd::kNominalMaxContinuousForce, 0.05, capabilities_.maxForce_N,
                std::min(nominal.continuousForce_N, capabilities_.maxForce_N), Text::tr("continuous force"));
@@ -274,7 +327,9 @@ void HdapiSession::start(const HdapiTick& tick) {
     tearDown();
     throw Error(ErrorCode::kDevice, sentence, identity_.openedAs, remedyFor(code));
   };
-  callback_ = api_.hdScheduleAsynchronous(servoCallback, servo_.get(), hd::kDefaultPriority);
+  entry_ = new ServoEntry;  // given away
+  entry_->servo.store(servo_.get());
+  callback_ = api_.hdScheduleAsynchronous(servoCallback, entry_, hd::kDefaultPriority);
   const HdapiErrors scheduling = drainHdapiErrors(api_);
   scheduled_ = scheduling.worst < HdapiErrorClass::kLicence;
   if (!scheduled_) {
@@ -296,31 +351,52 @@ void HdapiSession::start(const HdapiTick& tick) {
   served_ = true;
 }
 
-void HdapiSession::tearDown() noexcept {
-  if (handle_ == hd::kInvalidHandle) {
+void HdapiSession::letGo() noexcept {
+  if (servo_ == nullptr) {
+    api_.hdDisable(hd::kForceOutput);
     return;
   }
-  if (servo_) {
-    servo_->revokeTick();
+  servo_->revokeTick();
+  if (served_ && !servo_->silent()) {
+    // Before anything else in the servo's next tick, even when the frame's own task is gone. Does not wait.
+    (void)api_.hdScheduleAsynchronous(letGoCallback, entry_, hd::kMaxPriority);
   }
-  if (served_ && !servo_->lost() && api_.hdScheduleSynchronous != nullptr) {
-    // The first may be served in the tick whose frame is over already; the second lies in a later one.
-    for (int i = 0; i < 2 && !servo_->silent() && !servo_->lost(); ++i) {
-      api_.hdScheduleSynchronous(passTick, nullptr, hd::kMinPriority);
+  const auto until = std::chrono::steady_clock::now() + kServoLetsGo;
+  while (served_ && !servo_->silent() && std::chrono::steady_clock::now() < until) {
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  servo_->letGo(true);
+}
+
+void HdapiSession::tearDown() noexcept {
+  if (handle_ != hd::kInvalidHandle) {
+    letGo();
+    if (running_) {
+      api_.hdStopScheduler();
     }
+    if (scheduled_) {
+      api_.hdUnschedule(callback_);
+    }
+    if (entry_ != nullptr) {
+      entry_->servo.store(nullptr);
+      const auto until = std::chrono::steady_clock::now() + kCallbackEnds;
+      while (entry_->inside.load() > 0 && std::chrono::steady_clock::now() < until) {
+        std::this_thread::yield();
+      }
+      if (entry_->inside.load() > 0) {
+        (void)servo_.release();  // a callback that hangs still uses it
+      }
+    }
+    api_.hdDisableDevice(handle_);
+    (void)drainHdapiErrors(api_);
+    served_ = false;
+    running_ = false;
+    scheduled_ = false;
+    handle_ = hd::kInvalidHandle;
   }
-  if (running_) {
-    api_.hdStopScheduler();
+  if (std::exchange(claimed_, false)) {
+    sessionOpen.store(false);
   }
-  if (scheduled_) {
-    api_.hdUnschedule(callback_);
-  }
-  api_.hdDisableDevice(handle_);
-  (void)drainHdapiErrors(api_);
-  served_ = false;
-  running_ = false;
-  scheduled_ = false;
-  handle_ = hd::kInvalidHandle;
 }
 
 }  // namespace torsio

@@ -39,6 +39,8 @@ struct HdapiIdentity {
   std::vector<Text> notes;    ///< sentences for the user
 };
 
+struct ServoEntry;
+
 /// One connection to one device, from hdInitDevice to hdDisableDevice, and the order of everything between:
 /// init, capabilities, callback, scheduler; then zero force, scheduler, callback, device. The library
 /// allows one servo loop a process, so there is one session at a time. The calls of a session belong to one
@@ -71,6 +73,9 @@ class HdapiSession {
   [[nodiscard]] double reported(hd::Enum name, double least, double most, double assumed, Phrase what);
   [[nodiscard]] std::string text(hd::Enum name);
 
+  /// Waits for the servo to let go, for as long as it calls; then does it in its place.
+  void letGo() noexcept;
+
   const hd::Api api_;
   const std::shared_ptr<const Clock> clock_;
   hd::Handle handle_ = hd::kInvalidHandle;
@@ -82,6 +87,8 @@ class HdapiSession {
   DeviceCapabilities capabilities_;
   HdapiIdentity identity_;
   std::unique_ptr<HdapiServo> servo_;
+  ServoEntry* entry_ = nullptr;  // never freed: the library may call after hdUnschedule
+  bool claimed_ = false;         // the process's one session
 };
 
 }  // namespace torsio

@@ -200,8 +200,9 @@ TEST_F(HapticPractice, ATrainingRunSaysOnceThatItsDeviceIsLost) {
 TEST_F(HapticPractice, TheVendorsLibraryIsOpenedAndItsLossNoticed) {
   FakeHd fake(TORSIO_FAKEHD);
   fake.reset();
-  controller_.useHapticDevice(
-      [](const Scene& scene) { return openHapticDevice(scene, {.library = TORSIO_FAKEHD, .name = ""}); });
+  controller_.useHapticDevice([](const Scene& scene) {
+    return openHapticDevice(scene, {.library = TORSIO_FAKEHD, .name = "", .inThisProcess = true});
+  });
   load("bar");
   ASSERT_TRUE(eventually([this] { return !controller_.hapticModel().isEmpty(); })) << said_.toStdString();
   tick(10);

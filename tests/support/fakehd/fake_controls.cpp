@@ -62,6 +62,8 @@ void fakehd_reset() {
   f.now_us = 1'000'000;
   f.period_us = 1000;
   f.unplugged = false;
+  f.dead = false;
+  f.kept = {};
   f.real = false;
   f.dockAtTick = -1;
   f.unplugAtTick = -1;
@@ -146,6 +148,19 @@ void fakehd_fault(const char* function, int skip, int times, std::uint32_t error
 void fakehd_push_error(std::uint32_t error, std::int32_t internal) {
   FAKEHD_GUARDED
   push(f, error, internal);
+}
+void fakehd_die() {
+  fake().dead = true;
+}
+void fakehd_keep_task() {
+  FAKEHD_GUARDED
+  f.kept = f.tasks[0];
+}
+void fakehd_call_kept() {
+  const Task kept = fake().kept;
+  if (kept.callback != nullptr) {
+    (void)kept.callback(kept.userData);
+  }
 }
 void fakehd_unplug() {
   fake().unplugged = true;

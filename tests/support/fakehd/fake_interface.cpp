@@ -105,7 +105,7 @@ void hdBeginFrame(hd::Handle device) {
     breakRule(f, hd::kBadHandle);
     return;
   }
-  if (f.inFrame || f.framesThisTick > 0) {
+  if (f.inFrame || (f.framesThisTick > 0 && f.enabled[hd::kOneFrameLimit])) {
     breakRule(f, hd::kIllegalBegin);
     return;
   }
@@ -358,12 +358,22 @@ void hdStopScheduler() {
 hd::SchedulerHandle hdScheduleAsynchronous(hd::SchedulerCallback callback, void* userData,
                                            hd::UShort priority) {
   Fake& f = fake();
-  const Guard guard(f.spin);
-  writeLog(f, "hdScheduleAsynchronous");
-  if (!enter(f, __func__, false)) {
-    return 0;
+  hd::SchedulerHandle handle = 0;
+  {
+    const Guard guard(f.spin);
+    writeLog(f, "hdScheduleAsynchronous");
+    if (!enter(f, __func__, false)) {
+      return 0;
+    }
+    handle = schedule(f, callback, userData, priority, false);
   }
-  return schedule(f, callback, userData, priority, false);
+  if (f.running && !f.real && !f.dead) {
+    // With the manual clock nobody else would serve a task that a teardown leaves.
+    const std::lock_guard lock(f.mutex);
+    f.pendingOnce = 1;
+    f.changed.notify_all();
+  }
+  return handle;
 }
 
 #ifndef FAKEHD_WITHOUT_UNSCHEDULE

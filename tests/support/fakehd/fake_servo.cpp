@@ -112,6 +112,9 @@ namespace {
 
 /// One tick: the hand moves, then every task runs in decreasing priority.
 void runTick(Fake& f) {
+  if (f.dead) {
+    return;
+  }
   std::array<Task, kMostTasks> tasks;
   int count = 0;
   FakePoseFunction move = nullptr;

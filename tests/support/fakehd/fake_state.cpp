@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/fakehd/fake_state.h"
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 
@@ -62,6 +63,11 @@ void writeLog(const Fake& f, const char* line) {
 }
 
 bool enter(Fake& f, const char* function, bool deviceCall) {
+  if (!f.hangIn.empty() && f.hangIn == function && f.tick >= f.hangAtTick) {
+    for (;;) {
+      std::this_thread::sleep_for(std::chrono::hours(1));
+    }
+  }
   const bool servo = onServoThread(f);
   if (f.logCount < kMostCalls) {
     f.log[static_cast<std::size_t>(f.logCount++)] = {function, f.tick.load(), servo ? 1 : 0};
@@ -135,6 +141,8 @@ void readEnvironment(Fake& f) {
   if (std::string(environment("FAKEHD_POSE")) == "centre") {
     f.pose = {{0, 0, 0}, {0, 0, 0}, 1, {0, 0, 0}};
   }
+  f.hangIn = environment("FAKEHD_HANG");
+  f.hangAtTick = std::atoi(environment("FAKEHD_HANG_AT_TICK"));
   f.logFile = environment("FAKEHD_LOG");
 }
 

@@ -92,6 +92,8 @@ struct Fake {
   int dockAtTick = -1;
   int unplugAtTick = -1;
   std::string logFile;
+  std::string hangIn;  // the function that never returns ...
+  int hangAtTick = 0;  // ... from this tick on
 
   // Library.
   std::array<hd::ErrorInfo, kMostErrors> errors{};
@@ -108,6 +110,7 @@ struct Fake {
   std::array<double, 3> commanded{};
   std::array<Task, kMostTasks> tasks{};
   int taskCount = 0;
+  Task kept;
   hd::SchedulerHandle nextTask = 1;
   std::array<FakeCall, kMostCalls> log{};
   int logCount = 0;
@@ -119,6 +122,7 @@ struct Fake {
   std::atomic<std::int64_t> period_us{1000};
   std::atomic<bool> unplugged{false};
   std::atomic<bool> running{false};
+  std::atomic<bool> dead{false};  // the servo thread calls nobody any more
   std::atomic<bool> real{true};
   std::atomic<std::thread::id> servo{};
 

@@ -9,6 +9,7 @@
 ///
 /// Without fakehd_reset() the fake runs in real time and takes its story from the environment, for tests of
 /// the whole program: FAKEHD_NO_DEVICE, FAKEHD_NO_LICENCE, FAKEHD_MODEL, FAKEHD_CALIBRATION=ok|update|dock,
+/// FAKEHD_HANG=hdEndFrame and FAKEHD_HANG_AT_TICK (that function never returns from then on),
 /// FAKEHD_DOCK_AT_TICK, FAKEHD_UNPLUG_AT_TICK, FAKEHD_TICK_US, FAKEHD_POSE=centre, FAKEHD_LOG (file that gets
 /// a line for each call that matters for the order of teardown).
 extern "C" {
@@ -62,6 +63,11 @@ void fakehd_fault(const char* function, int skip, int times, std::uint32_t error
 void fakehd_push_error(std::uint32_t error, std::int32_t internal);
 /// From now on every call fails with a communication error, the state is frozen and hdStopScheduler blocks.
 void fakehd_unplug();
+/// From now on the servo thread calls no callback, without any error.
+void fakehd_die();
+/// Remembers the first task; call_kept() calls its callback, as a library does that unschedules too late.
+void fakehd_keep_task();
+void fakehd_call_kept();
 /// Ends the blocking of hdStopScheduler and plugs the device in again.
 void fakehd_replug();
 

@@ -23,7 +23,7 @@ struct FakeHd {
   X(reset) X(set_present) X(set_garbage_handle) X(set_only_name) X(set_model) \
   X(set_gimbal) X(set_number) X(set_pose) X(set_pose_function) X(set_buttons) \
   X(set_stuck_force) X(set_temperature) X(set_calibration) X(dock) X(fault) X(push_error) \
-  X(unplug) X(replug) X(run) X(set_tick_us) X(advance_us) X(now_us) X(set_hook) \
+  X(unplug) X(die) X(keep_task) X(call_kept) X(replug) X(run) X(set_tick_us) X(advance_us) X(now_us) X(set_hook) \
   X(set_real_time) X(log_count) X(log_entry) X(calls) X(off_thread) X(rule_breaks) \
   X(callbacks) X(running) X(errors_pending) X(loads) X(force) X(commanded) \
   X(force_enabled)

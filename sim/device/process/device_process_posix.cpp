@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <new>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+#include "sim/base/error.h"
+#include "sim/device/process/device_channel.h"
+#include "sim/device/process/device_process.h"
+
+extern char** environ;  // NOLINT(readability-redundant-declaration)
+
+namespace torsio {
+
+namespace {
+
+using std::chrono::steady_clock;
+
+constexpr auto kLookEvery = std::chrono::milliseconds(5);
+// Looks in a row without a frame: each takes at least kLookEvery, so that a machine that stalls both does not
+// count.
+constexpr int kLooksForgiven = static_cast<int>(kChildEnded_us / 5'000);
+// A library that calibrates or searches takes seconds; more is a hang.
+constexpr auto kOpens = std::chrono::seconds(15);
+
+std::string deviceProgram() {
+  if (const char* const named = std::getenv("TORSIO_DEVICE_PROGRAM"); named != nullptr && *named != '\0') {
+    return named;
+  }
+  std::error_code failed;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", failed);
+  return (self.parent_path() / "torsio-device").string();
+}
+
+[[noreturn]] void refuse(const Text& sentence, const Text& remedy) {
+  throw Error(ErrorCode::kDevice, sentence, Text::tr("haptic device"), remedy);
+}
+
+template <std::size_t Size>
+void copyText(const std::string& from, std::array<char, Size>& to) {
+  std::memcpy(to.data(), from.data(), std::min(from.size(), Size - 1));
+}
+
+/// A file that is closed with its owner.
+struct OpenFile {
+  int number = -1;
+  OpenFile() = default;
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() { reset(); }
+  void reset() {
+    if (number >= 0) {
+      ::close(number);
+    }
+    number = -1;
+  }
+};
+
+/// The device process and the memory shared with it.
+class Child {
+ public:
+  explicit Child(const StylusRequest& request) {
+    OpenFile memory;
+    memory.number = memfd_create("torsio-device", MFD_CLOEXEC);
+    std::array<int, 2> ends{-1, -1};
+    void* place = MAP_FAILED;
+    if (memory.number >= 0 && ftruncate(memory.number, sizeof(DeviceChannel)) == 0) {
+      place = mmap(nullptr, sizeof(DeviceChannel), PROT_READ | PROT_WRITE, MAP_SHARED, memory.number, 0);
+    }
+    if (place == MAP_FAILED || pipe2(ends.data(), O_CLOEXEC) != 0) {
+      refuse(Text::tr("the system gives no memory for the device process"),
+             Text::tr("Close other programs and try again"));
+    }
+    channel_ = new (place) DeviceChannel;
+    copyText(request.library, channel_->request.library);
+    copyText(request.options.deviceName, channel_->request.deviceName);
+    channel_->request.deviceToWorld = request.options.deviceToWorld;
+    channel_->request.workspaceCentre_m = request.options.workspaceCentre_m;
+    channel_->request.onlyLibrary = request.onlyLibrary;
+    channel_->request.stylusTip_m = request.options.stylusTip_m;
+    OpenFile theirs;
+    theirs.number = ends[0];
+    ours_.number = ends[1];
+    start(memory.number, theirs.number);
+  }
+  ~Child() {
+    end();
+    munmap(channel_, sizeof(DeviceChannel));
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  [[nodiscard]] DeviceChannel& channel() noexcept { return *channel_; }
+  /// Tells whether the process is gone; takes its status. One thread at a time.
+  [[nodiscard]] bool gone() noexcept {
+    if (process_ > 0 && waitpid(process_, nullptr, WNOHANG) == process_) {
+      process_ = -1;
+    }
+    return process_ <= 0;
+  }
+  /// Ends the process at once.
+  void end() noexcept {
+    if (!gone()) {
+      kill(process_, SIGKILL);
+      (void)waitpid(process_, nullptr, 0);
+      process_ = -1;
+    }
+  }
+
+ private:
+  void start(int memory, int parentEnd) {
+    const std::string program = deviceProgram();
+    // Away from the numbers that the child wants them under, which dup2 would otherwise close.
+    OpenFile memoryCopy;
+    memoryCopy.number = fcntl(memory, F_DUPFD_CLOEXEC, 10);
+    OpenFile pipeCopy;
+    pipeCopy.number = fcntl(parentEnd, F_DUPFD_CLOEXEC, 10);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_adddup2(&files, memoryCopy.number, kChannelFile);
+    posix_spawn_file_actions_adddup2(&files, pipeCopy.number, kParentFile);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    // A group of its own: a signal of the terminal is for the program, which closes the device in order.
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    std::string name = "torsio-device";
+    std::array<char*, 2> arguments{name.data(), nullptr};
+    const int failed =
+        posix_spawn(&process_, program.c_str(), &files, &attributes, arguments.data(), environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&files);
+    if (failed != 0) {
+      process_ = -1;
+      munmap(channel_, sizeof(DeviceChannel));
+      refuse(Text::tr("the device process %1 cannot be started: %2", program, std::string(strerror(failed))),
+             Text::tr("Install Torsio anew; torsio-device lies beside the program"));
+    }
+  }
+
+  OpenFile ours_;
+  DeviceChannel* channel_ = nullptr;
+  pid_t process_ = -1;
+};
+
+/// A stylus whose driver runs in the device process.
+class ProcessDevice final : public StylusDriver {
+ public:
+  ProcessDevice(std::unique_ptr<Child> child, const ChannelReport& report, std::int64_t patience_us,
+                std::function<bool()> cancelled)
+      : child_(std::move(child)),
+        report_(report),
+        patience_us_(patience_us),
+        cancelled_(std::move(cancelled)) {
+    snapshot_.state = HdapiState::kOpened;
+  }
+  ~ProcessDevice() override { (void)close(); }
+
+  void serve() override;
+  bool close() override;
+  void enableForce(bool on) noexcept override { child_->channel().forceWished.store(on); }
+  [[nodiscard]] HdapiSnapshot snapshot() noexcept override;
+  [[nodiscard]] const HdapiIdentity& identity() const noexcept override { return report_.identity; }
+  [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override {
+    return report_.capabilities;
+  }
+  [[nodiscard]] DeviceSample read(std::int64_t time_us) noexcept override;
+  void write(const ForceCommand& command) noexcept override {
+    force_ = {command.force_N, force_.number + 1};
+    child_->channel().force.publish(force_);
+  }
+  void dropForce() noexcept override { child_->channel().drops.fetch_add(1); }
+
+ private:
+  void watch() noexcept;
+
+  std::unique_ptr<Child> child_;
+  ChannelReport report_;
+  const std::int64_t patience_us_;
+  std::function<bool()> cancelled_;
+  std::thread supervisor_;
+  std::atomic<bool> lost_{false};
+  std::atomic<bool> ending_{false};
+  bool closed_ = false;
+  bool released_ = false;
+  HdapiSnapshot snapshot_;
+  HdapiForce force_;
+  HdapiServo::Reading reading_;
+  std::int64_t lastNew_us_ = 0;
+  bool read_ = false;
+};
+
+/// Waits until the device process leaves `from`; ends it when it takes too long or nobody waits any more.
+ChannelStage answerOf(Child& child, ChannelStage from, const std::function<bool()>& cancelled) {
+  const auto until = steady_clock::now() + kOpens;
+  for (;;) {
+    const bool gone = child.gone();  // before the look: an answer may be its last word
+    const ChannelStage stage = child.channel().stage.load(std::memory_order_acquire);
+    if (stage != from) {
+      return stage;
+    }
+    const Text remedy = Text::tr("Plug the device in again, run the vendor's set-up tool once and try again");
+    if (gone) {
+      refuse(Text::tr("the vendor's library ended the device process"), remedy);
+    }
+    if (cancelled && cancelled()) {
+      child.end();
+      refuse(Text::tr("stopped before its end"), Text::tr("Try again"));
+    }
+    if (steady_clock::now() > until) {
+      child.end();
+      refuse(Text::tr("the vendor's library does not answer"), remedy);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+ChannelReport reportOf(DeviceChannel& channel) {
+  const std::size_t length = std::min<std::size_t>(channel.reportLength, channel.report.size());
+  return unpacked(std::string(channel.report.data(), length));
+}
+
+void ProcessDevice::serve() {
+  child_->channel().serveAsked.store(true);
+  if (answerOf(*child_, ChannelStage::kOpened, cancelled_) == ChannelStage::kServoRefused) {
+    const ChannelReport report = reportOf(child_->channel());
+    refuse(report.happened, report.remedy);
+  }
+  supervisor_ = std::thread([this] { watch(); });
+}
+
+void ProcessDevice::watch() noexcept {
+  DeviceChannel& channel = child_->channel();
+  std::uint64_t frames = 0;
+  int still = 0;
+  while (!ending_.load()) {
+    std::this_thread::sleep_for(kLookEvery);
+    const std::uint64_t seen = channel.frames.load(std::memory_order_acquire);
+    still = seen != frames || seen == 0 ? 0 : still + 1;
+    frames = seen;
+    const std::optional<HdapiSnapshot> snapshot = channel.snapshot.latest();
+    const bool over = snapshot && snapshot->state == HdapiState::kLost;  // said by the driver itself
+    if (child_->gone() || (still >= kLooksForgiven && !over)) {
+      lost_.store(true);
+      child_->end();
+      return;
+    }
+  }
+}
+
+HdapiSnapshot ProcessDevice::snapshot() noexcept {
+  if (const std::optional<HdapiSnapshot> newest = child_->channel().snapshot.latest()) {
+    snapshot_ = *newest;
+  }
+  if (lost_.load()) {
+    snapshot_.state = HdapiState::kLost;
+    snapshot_.lostBecause = snapshot_.lostBecause == hd::kSuccess ? hd::kDeviceFault : snapshot_.lostBecause;
+    snapshot_.forceOn = false;  // its process is gone
+  }
+  if (closed_) {
+    snapshot_.state = HdapiState::kClosed;
+  }
+  return snapshot_;
+}
+
+DeviceSample ProcessDevice::read(std::int64_t time_us) noexcept {
+  const std::optional<HdapiServo::Reading> newest = child_->channel().reading.latest();
+  if (!read_ || (newest && newest->number != reading_.number)) {
+    lastNew_us_ = time_us;
+  }
+  read_ = true;
+  reading_ = newest.value_or(reading_);
+  DeviceSample sample = reading_.sample;
+  const std::int64_t age_us = time_us - lastNew_us_;
+  if (reading_.number == 0) {
+    sample.status |= kDeviceStale | kDeviceUncalibrated;
+  }
+  if (age_us > kReadingStale_us) {
+    sample.status |= kDeviceStale;
+  }
+  if (age_us > kReadingLost_us || lost_.load(std::memory_order_relaxed)) {
+    sample.status |= kDeviceLost | kDeviceStale;
+  }
+  sample.time_us = time_us;
+  return sample;
+}
+
+bool ProcessDevice::close() {
+  if (closed_) {
+    return released_;
+  }
+  closed_ = true;
+  ending_.store(true);
+  if (supervisor_.joinable()) {
+    supervisor_.join();
+  }
+  DeviceChannel& channel = child_->channel();
+  channel.closeAsked.store(true);
+  const auto until = steady_clock::now() + std::chrono::microseconds(patience_us_);
+  while (!child_->gone() && steady_clock::now() < until) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  released_ = child_->gone() && !lost_.load() && channel.released.load();
+  child_->end();
+  return released_;
+}
+
+}  // namespace
+
+StylusOpening openStylus(const StylusRequest& request) {
+  if (request.inThisProcess) {
+    StylusOpening opening{loadHdapi(request.library), nullptr};
+    if (opening.library.status == HdapiLoadStatus::kLoaded && !request.onlyLibrary) {
+      opening.driver = std::make_unique<HdapiDevice>(opening.library.api, request.options);
+    }
+    return opening;
+  }
+  auto child = std::make_unique<Child>(request);
+  const ChannelStage stage = answerOf(*child, ChannelStage::kStarting, request.cancelled);
+  ChannelReport report = reportOf(child->channel());
+  if (stage == ChannelStage::kRefused) {
+    throw Error(ErrorCode::kDevice, report.happened, Text::tr("haptic device"), report.remedy);
+  }
+  StylusOpening opening{report.library, nullptr};
+  if (stage != ChannelStage::kNoLibrary) {
+    opening.driver = std::make_unique<ProcessDevice>(std::move(child), report, request.options.patience_us,
+                                                     request.cancelled);
+  }
+  return opening;
+}
+
+}  // namespace torsio
