@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bits of a wrung organ's table, the same in every build: it is solved again wherever a recording is played.
+// The bits of a wrung organ's table, the same in every build: it is solved again wherever a recording is
+// played.
 #include <cstdint>
 #include <cstring>
 #include <vector>
