@@ -4,6 +4,7 @@
 #include <QUrl>
 #include <QUrlQuery>
 
+#include "app/access/first_run.h"
 #include "app/maintenance/database_copy.h"
 #include "app/maintenance/others_at_work.h"
 #include "db/connection/connection.h"
@@ -187,6 +188,10 @@ std::string joinServer(SessionContext& session, const ServerAddress& address,
                 Text::tr("Copy the record of this station there"));
   }
   std::string locator = openLasting(address);
+  if (lookAtRecord(locator) != RecordPlace::kCentre) {
+    throw Error(ErrorCode::kBadData, Text::tr("the record in this database holds no centre"), check.location,
+                Text::tr("Set the centre up at the first station; this one can join then"));
+  }
   const AuditNote note{
       .action = AuditAction::kDatabaseJoin, .objectKind = AuditObject::kDatabase, .objectId = check.location};
   Connection there = openUpToDate(locator);

@@ -9957,6 +9957,14 @@
         <source>Give multiples of the smallest block.</source>
         <translation>请给出最小区组的整数倍。</translation>
     </message>
+    <message>
+        <source>the record in this database holds no centre</source>
+        <translation>该数据库中的记录不含任何中心</translation>
+    </message>
+    <message>
+        <source>Set the centre up at the first station; this one can join then</source>
+        <translation>请先在第一台工作站建立中心；之后本工作站即可加入</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

@@ -2,6 +2,8 @@
 // A trainee's station with the fake vendor library in place of a Touch.
 #include "app/devices/haptic_station.h"
 
+#include <cstdlib>
+
 #include <gtest/gtest.h>
 
 #include "app/base/assets.h"
@@ -30,12 +32,18 @@ const ReadinessFinding* find(const DeviceReadiness& readiness, const std::string
   return nullptr;
 }
 
-TEST(HapticStation, KnowsWhetherTheVendorLibraryIsThere) {
+/// The library is loaded by the device process of this build.
+class HapticStation : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { setenv("TORSIO_DEVICE_PROGRAM", TORSIO_DEVICE_PROGRAM, 1); }
+};
+
+TEST_F(HapticStation, KnowsWhetherTheVendorLibraryIsThere) {
   EXPECT_TRUE(hapticLibraryInstalled(kFake));
   EXPECT_FALSE(hapticLibraryInstalled(kNone));
 }
 
-TEST(HapticStation, IsRedWithoutALibraryAndSaysWhatToDo) {
+TEST_F(HapticStation, IsRedWithoutALibraryAndSaysWhatToDo) {
   const DeviceReadiness readiness = hapticProbe(kNone)();
 
   EXPECT_EQ(readiness.light(), Light::kRed);
@@ -43,7 +51,7 @@ TEST(HapticStation, IsRedWithoutALibraryAndSaysWhatToDo) {
   EXPECT_FALSE(find(readiness, "connected")->remedy.empty());
 }
 
-TEST(HapticStation, TheWorstFindingOfASubjectIsItsLight) {
+TEST_F(HapticStation, TheWorstFindingOfASubjectIsItsLight) {
   DeviceCheckResult check;
   check.findings = {
       {"Library", FindingGrade::kGood, Text::verbatim("found"), ""},
@@ -59,7 +67,7 @@ TEST(HapticStation, TheWorstFindingOfASubjectIsItsLight) {
   EXPECT_EQ(find(readiness, "rate")->remedy, "close other programs");
 }
 
-TEST(HapticStation, OpensTheDeviceWithItsWorkspaceAboutTheGrasp) {
+TEST_F(HapticStation, OpensTheDeviceWithItsWorkspaceAboutTheGrasp) {
   const Scene scene = arm();
 
   const std::unique_ptr<HapticDevice> device = openHapticDevice(scene, kFake);
@@ -72,7 +80,7 @@ TEST(HapticStation, OpensTheDeviceWithItsWorkspaceAboutTheGrasp) {
   EXPECT_LT(norm(middle_m - grasp_m), kSameBox_m);
 }
 
-TEST(HapticStation, SaysWhatIsMissingWhenNoDeviceCanBeOpened) {
+TEST_F(HapticStation, SaysWhatIsMissingWhenNoDeviceCanBeOpened) {
   const Scene scene = arm();
 
   EXPECT_THROW(static_cast<void>(openHapticDevice(scene, kNone)), Error);

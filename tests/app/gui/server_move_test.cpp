@@ -117,6 +117,8 @@ TEST_F(ServerMove, AUsedDatabaseIsNoTargetButAStationMayJoinIt) {
     Connection used = openRecord(typedLocator(address_), OpenMode::kCreate, {.softwareVersion = "test"});
     used.execute("INSERT INTO setting (name, value, changed_utc_us) VALUES ('a', 'b', 1)");
   }
+  SessionKey other = window_->session()->key();
+  other.locator = typedLocator(address_);
   writePasswordFile();
   auto& page = openBy<MovePage>("Move to PostgreSQL");
 
@@ -126,6 +128,11 @@ TEST_F(ServerMove, AUsedDatabaseIsNoTargetButAStationMayJoinIt) {
                   .text()
                   .contains(QStringLiteral("There is a record in this database already")));
   EXPECT_FALSE(child<QPushButton>(page, "copyButton").isVisible());
+  click(child<QPushButton>(page, "switchButton"));
+  ASSERT_EQ(failures_.size(), 1);
+  EXPECT_EQ(failures_.front(), QStringLiteral("The record in this database holds no centre"));
+  setUpCentre(*std::make_unique<SessionContext>(other),
+              {.centre = "Old hospital", .login = "chief", .password = "a long enough password"});
   click(child<QPushButton>(page, "switchButton"));
   QTRY_COMPARE_WITH_TIMEOUT(window_->session()->key().locator, lastingLocator(address_), 5'000);
   testing::waitFor(window_->background());
