@@ -42,7 +42,8 @@ struct TwistArguments {
   std::optional<double> poisson;
   bool jaw = false;
   bool reference = false;
-  std::string wall;  // of a hollow organ; empty: filled
+  std::string referenceElements;  // empty: wedges
+  std::string wall;               // of a hollow organ; empty: filled
   std::optional<double> pressure_mmHg;
   std::optional<double> restPressure_mmHg;
   bool sealed = false;
@@ -242,6 +243,8 @@ void addReference(nlohmann::ordered_json& result, const RodTwistResult& twist, d
   if (!twist.reference) {
     return;
   }
+  result["reference_elements"] =
+      twist.reference->elements == ReferenceElements::kTetrahedra ? "tetrahedra" : "wedges";
   result["reference_unknowns"] = twist.reference->unknowns;
   result["reference_torque_nm"] = twist.reference->torque_Nm;
   result["reference_energy_j"] = twist.reference->energy_J;
@@ -287,6 +290,9 @@ RodTwistRequest rodRequest(const TwistArguments& arguments, const Scene& scene) 
   request.grasp = graspOf(arguments, scene);
   request.jaw = arguments.jaw;
   request.reference = arguments.reference;
+  if (arguments.referenceElements == "tetrahedra") {
+    request.referenceElements = ReferenceElements::kTetrahedra;
+  }
   if (!arguments.wall.empty()) {
     request.wall = wallMap(arguments.wall);
   }
@@ -395,6 +401,10 @@ void runTwist(TwistArguments arguments) {
                 std::string(arguments.jaw ? "--jaw" : "--reference"),
                 Text::verbatim("Give --ends too, or leave it out"));
   }
+  if (!arguments.referenceElements.empty() && !arguments.reference) {
+    throw Error(ErrorCode::kUsage, Text::verbatim("there is no reference to make of elements"),
+                Text::verbatim("--reference-elements"), Text::verbatim("Give --reference too"));
+  }
   if (arguments.reference) {
     constexpr int kReferenceRidges = 16;
     constexpr int kReferenceSections = 61;
@@ -440,6 +450,10 @@ void addTwist(CLI::App& program) {
       "--reference", arguments->reference,
       "With --ends: also turn quadratic neo-Hookean elements likewise, and say how far the rod is "
       "from them");
+  command
+      ->add_option("--reference-elements", arguments->referenceElements,
+                   "With --reference: wedges or tetrahedra on the same points; default: wedges")
+      ->check(CLI::IsMember({"wedges", "tetrahedra"}));
   command->add_option(
       "--wall", arguments->wall,
       "With --ends: the organ is hollow, its wall so many mm thick; or along its length, as shares "

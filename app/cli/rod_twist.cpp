@@ -93,9 +93,11 @@ TwistReference turnedReference(const SectionLattice& lattice, const RodTwistRequ
   if (request.ends == RodEnds::kClampedFree) {
     hold.grasp = request.grasp;
   }
-  ReferenceSolid solid(sweptSolid(lattice, kRings), {request.shearModulus_Pa, request.poisson}, hold);
+  ReferenceSolid solid(sweptSolid(lattice, kRings), {request.shearModulus_Pa, request.poisson}, hold, {},
+                       request.referenceElements);
   solid.turnTo(request.angle_rad);
   TwistReference reference;
+  reference.elements = request.referenceElements;
   reference.torque_Nm = solid.torque_Nm();
   reference.energy_J = solid.energy_J();
   reference.unknowns = solid.unknowns();

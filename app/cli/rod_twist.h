@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/baseline/reference_solid.h"
 #include "sim/scene/scene.h"
 #include "sim/tissue/rod/fold_check.h"
 #include "sim/tissue/section/wall_section.h"
@@ -28,10 +29,12 @@ struct RodTwistRequest {
   bool jaw = false;
   WallMap wall;            ///< of a hollow organ; empty: filled
   bool reference = false;  ///< whether the accuracy reference is turned likewise; needs poisson < 0.5
+  ReferenceElements referenceElements = ReferenceElements::kWedges;
 };
 
 /// The accuracy reference (sim/baseline/reference_solid.h) turned as the rod is.
 struct TwistReference {
+  ReferenceElements elements = ReferenceElements::kWedges;
   double torque_Nm = 0.0;
   double energy_J = 0.0;
   int unknowns = 0;

@@ -10,15 +10,19 @@
 namespace torsio {
 
 ReferenceSolid::ReferenceSolid(SweptSolid solid, const ElasticConstants& constants, const TwistHold& hold,
-                               std::function<void()> check)
+                               std::function<void()> check, ReferenceElements elements)
     : solid_(std::move(solid)),
       ends_(twistEnds(solid_, hold)),
-      body_(quadratic() ? quadraticWedges(solid_) : linearWedges(solid_), solid_.points_m, constants),
+      body_(meshOf(elements), solid_.points_m, constants),
       newton_(body_, ends_, solid_.points_m, std::move(check)),
       pose_{solid_.points_m} {}
 
-bool ReferenceSolid::quadratic() const noexcept {
-  return solid_.ridges % 2 == 0 && solid_.rings % 2 == 0 && solid_.sections % 2 == 1;
+SolidMesh ReferenceSolid::meshOf(ReferenceElements elements) const {
+  if (elements == ReferenceElements::kTetrahedra) {
+    return quadraticTetrahedra(solid_);
+  }
+  const bool even = solid_.ridges % 2 == 0 && solid_.rings % 2 == 0 && solid_.sections % 2 == 1;
+  return even ? quadraticWedges(solid_) : linearWedges(solid_);
 }
 
 void ReferenceSolid::toRest() {

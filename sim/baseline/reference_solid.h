@@ -6,20 +6,23 @@
 #include <vector>
 
 #include "sim/baseline/equilibrium.h"
-#include "sim/baseline/neo_hookean_wedges.h"
+#include "sim/baseline/neo_hookean_elements.h"
 #include "sim/baseline/swept_solid.h"
 
 namespace torsio {
 
+/// Of what the accuracy reference is made.
+enum class ReferenceElements { kWedges, kTetrahedra };
+
 /// The accuracy reference of an organ: neo-Hookean wedges, quadratic ones if ridges, rings and steps between
-/// sections are even, else linear ones, always in equilibrium. An end, or a jaw, is turned by a torque or to
-/// an angle, while the other end stands still. One thread.
+/// sections are even, else linear ones, or quadratic tetrahedra on the same points; always in equilibrium. An
+/// end, or a jaw, is turned by a torque or to an angle, while the other end stands still. One thread.
 class ReferenceSolid {
  public:
   /// Takes the organ at rest. `check`: called in each step of Newton's method; what it throws ends it. Throws
-  /// as twistEnds and NeoHookeanWedges.
+  /// as twistEnds, quadraticTetrahedra and NeoHookeanElements.
   ReferenceSolid(SweptSolid solid, const ElasticConstants& constants, const TwistHold& hold,
-                 std::function<void()> check = {});
+                 std::function<void()> check = {}, ReferenceElements elements = ReferenceElements::kWedges);
 
   /// Goes on to the equilibrium under a torque, N m, in one step from where it is. Throws as
   /// Equilibrium::solve.
@@ -36,13 +39,13 @@ class ReferenceSolid {
   [[nodiscard]] int unknowns() const noexcept { return freeUnknowns(solid_, ends_); }
 
  private:
-  [[nodiscard]] bool quadratic() const noexcept;
+  [[nodiscard]] SolidMesh meshOf(ReferenceElements elements) const;
   void toRest();
   void stepTo(double angle_rad);
 
   SweptSolid solid_;
   TwistEnds ends_;
-  NeoHookeanWedges body_;
+  NeoHookeanElements body_;
   Equilibrium newton_;
   TwistPose pose_;
   double torque_Nm_ = 0.0;

@@ -182,6 +182,45 @@ double sectionArea_m2(const SweptSolid& solid, int section) {
   return 0.5 * norm(twice);
 }
 
+namespace {
+
+/// A corner of a prism: which of its three edges along the organ, and whether at the upper end.
+struct PrismCorner {
+  std::size_t edge = 0;
+  bool up = false;
+};
+
+/// Divides a prism into three tetrahedra of positive volume. `below`: numbers of its lower corners,
+/// anticlockwise. Numbers grow with the section, so on each side face the lowest is the lower of the two
+/// below, and two prisms that share a face agree on its diagonal. The three are put in order by turning and,
+/// if need be, swapping, which the sign of the volume undoes.
+std::array<std::array<PrismCorner, 4>, 3> prismTetrahedra(const std::array<int, 3>& below) {
+  std::array<std::size_t, 3> order{0, 1, 2};
+  std::sort(order.begin(), order.end(), [&](std::size_t p, std::size_t q) { return below[p] < below[q]; });
+  const auto [a, b, c] = order;
+  const bool turned = b == (a + 1) % 3;
+  std::array<std::array<PrismCorner, 4>, 3> all{{{{{a, false}, {b, false}, {c, false}, {c, true}}},
+                                                 {{{a, false}, {b, false}, {c, true}, {b, true}}},
+                                                 {{{a, false}, {b, true}, {c, true}, {a, true}}}}};
+  for (auto& tetrahedron : all) {
+    if (!turned) {
+      std::swap(tetrahedron[1], tetrahedron[2]);
+    }
+  }
+  return all;
+}
+
+/// Number of the node of a quadratic wedge in the middle of two of its corners, or of one of them.
+std::size_t wedgeMiddle(const PrismCorner& p, const PrismCorner& q) {
+  constexpr std::size_t kNodesOfALevel = 6;
+  const std::size_t level = (p.up ? 1 : 0) + (q.up ? 1 : 0);
+  // Middles 3, 4, 5 of the sides 01, 12, 20.
+  const std::size_t side = p.edge + q.edge == 1 ? 3 : p.edge + q.edge == 3 ? 4 : 5;
+  return level * kNodesOfALevel + (p.edge == q.edge ? p.edge : side);
+}
+
+}  // namespace
+
 SolidMesh tetrahedra(const SweptSolid& solid) {
   SolidMesh mesh;
   const int step = solid.pointsPerSection();
@@ -192,19 +231,11 @@ SolidMesh tetrahedra(const SweptSolid& solid) {
       for (std::size_t k = 0; k < 3; ++k) {
         below[k] = solid.point(j, triangle[k][0], triangle[k][1]);
       }
-      // Numbers grow with the section, so on each side face the lowest is the lower of the two below. The
-      // three are put in order by turning and, if need be, swapping, which the sign of the volume undoes.
-      std::array<int, 3> sorted = below;
-      std::sort(sorted.begin(), sorted.end());
-      const auto [a, b, c] = sorted;
-      const bool turned = (below[0] == a && below[1] == b) || (below[1] == a && below[2] == b) ||
-                          (below[2] == a && below[0] == b);
-      const auto add = [&](int p, int q, int r, int s) {
-        mesh.nodes.insert(mesh.nodes.end(), {p, turned ? q : r, turned ? r : q, s});
-      };
-      add(a, b, c, c + step);
-      add(a, b, c + step, b + step);
-      add(a, b + step, c + step, a + step);
+      for (const auto& tetrahedron : prismTetrahedra(below)) {
+        for (const auto& [corner, up] : tetrahedron) {
+          mesh.nodes.push_back(below[corner] + (up ? step : 0));
+        }
+      }
     }
   }
   return mesh;
@@ -247,6 +278,26 @@ SolidMesh quadraticWedges(const SweptSolid& solid) {
           // The centre lies on every ridge: a side that leaves it stays on the ridge of its other end.
           const int ridge = p[0] == 0 ? 2 * q[1] : q[0] == 0 ? 2 * p[1] : p[1] + q[1];
           mesh.nodes.push_back(solid.point(j + up, p[0] + q[0], ridge));
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+SolidMesh quadraticTetrahedra(const SweptSolid& solid) {
+  const SolidMesh wedges = quadraticWedges(solid);
+  SolidMesh mesh;
+  mesh.nodesPerCell = kQuadraticTetrahedronNodes;
+  for (std::size_t cell = 0; cell < wedges.cells(); ++cell) {
+    const std::span<const int> nodes = wedges.cell(cell);
+    for (const auto& corners : prismTetrahedra({nodes[0], nodes[1], nodes[2]})) {
+      for (const PrismCorner& corner : corners) {
+        mesh.nodes.push_back(nodes[wedgeMiddle(corner, corner)]);
+      }
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        for (std::size_t m = k + 1; m < corners.size(); ++m) {
+          mesh.nodes.push_back(nodes[wedgeMiddle(corners[k], corners[m])]);
         }
       }
     }

@@ -73,6 +73,11 @@ struct SolidMesh {
 /// middle, upper. Throws Error{kBadParameter} unless ridges, rings and steps between sections are even.
 [[nodiscard]] SolidMesh quadraticWedges(const SweptSolid& solid);
 
+/// Divides the solid into quadratic tetrahedra: three a quadratic wedge, on the same points. Corners 0..3,
+/// then the middles of the sides 01, 02, 03, 12, 13, 23. Throws as quadraticWedges.
+[[nodiscard]] SolidMesh quadraticTetrahedra(const SweptSolid& solid);
+inline constexpr int kQuadraticTetrahedronNodes = 10;
+
 /// Computes the volume of each tetrahedron, m^3.
 [[nodiscard]] std::vector<double> tetrahedronVolumes(const SolidMesh& mesh, std::span<const Vec3> points_m);
 

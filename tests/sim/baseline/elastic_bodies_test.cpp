@@ -10,7 +10,7 @@
 
 #include "sim/base/error.h"
 #include "sim/baseline/corotational_tetrahedra.h"
-#include "sim/baseline/neo_hookean_wedges.h"
+#include "sim/baseline/neo_hookean_elements.h"
 #include "sim/baseline/spring_lattice.h"
 #include "tests/sim/baseline/bars.h"
 
@@ -109,13 +109,18 @@ TEST_P(Body, KeepsItsEnergyWhenMovedAsARigidBody) {
 INSTANTIATE_TEST_SUITE_P(All, Body,
                          testing::Values(BodyCase{"LinearWedges",
                                                   [](const SweptSolid& s) {
-                                                    return std::make_unique<NeoHookeanWedges>(
+                                                    return std::make_unique<NeoHookeanElements>(
                                                         linearWedges(s), s.points_m, kConstants);
                                                   }},
                                          BodyCase{"QuadraticWedges",
                                                   [](const SweptSolid& s) {
-                                                    return std::make_unique<NeoHookeanWedges>(
+                                                    return std::make_unique<NeoHookeanElements>(
                                                         quadraticWedges(s), s.points_m, kConstants);
+                                                  }},
+                                         BodyCase{"QuadraticTetrahedra",
+                                                  [](const SweptSolid& s) {
+                                                    return std::make_unique<NeoHookeanElements>(
+                                                        quadraticTetrahedra(s), s.points_m, kConstants);
                                                   }},
                                          BodyCase{"Tetrahedra",
                                                   [](const SweptSolid& s) {
@@ -186,7 +191,7 @@ TEST(ElasticBodies, RefuseConstantsWithoutMeaning) {
   for (const ElasticConstants& bad :
        {ElasticConstants{0.0, 0.45}, ElasticConstants{4000.0, 0.5}, ElasticConstants{4000.0, std::nan("")}}) {
     EXPECT_THROW(CorotationalTetrahedra(tetrahedra(solid), solid.points_m, bad), Error);
-    EXPECT_THROW(NeoHookeanWedges(linearWedges(solid), solid.points_m, bad), Error);
+    EXPECT_THROW(NeoHookeanElements(linearWedges(solid), solid.points_m, bad), Error);
     EXPECT_THROW(SpringLattice(solid, bad), Error);
   }
 }

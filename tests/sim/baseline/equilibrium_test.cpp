@@ -9,7 +9,7 @@
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/baseline/corotational_tetrahedra.h"
-#include "sim/baseline/neo_hookean_wedges.h"
+#include "sim/baseline/neo_hookean_elements.h"
 #include "sim/baseline/reference_solid.h"
 #include "tests/sim/baseline/bars.h"
 
@@ -44,7 +44,7 @@ double excessStiffness(const ElasticBody& body, const SweptSolid& solid, double 
 TEST(Equilibrium, LinearWedgesTwistARegularPolygonWithItsPolarMoment) {
   const SweptSolid bar = straightBar(24, 6, 2, kRadius_m, kLength_m);
   for (const double poisson : {0.0, 0.30, 0.45, 0.499}) {
-    const NeoHookeanWedges wedges(linearWedges(bar), bar.points_m, {kShear_Pa, poisson});
+    const NeoHookeanElements wedges(linearWedges(bar), bar.points_m, {kShear_Pa, poisson});
 
     const double excess = excessStiffness(wedges, bar, polygonPolarMoment_m4(24, kRadius_m));
 
@@ -79,7 +79,7 @@ TEST(Equilibrium, LinearTetrahedraAreAsMuchTooStiffAsPublished) {
 
 TEST(Equilibrium, QuadraticWedgesMeetSaintVenantOnARoundBar) {
   const SweptSolid bar = straightBar(36, 36, 2, kRadius_m, kLength_m);
-  const NeoHookeanWedges wedges(quadraticWedges(bar), bar.points_m, {kShear_Pa, 0.45});
+  const NeoHookeanElements wedges(quadraticWedges(bar), bar.points_m, {kShear_Pa, 0.45});
 
   const double excess = excessStiffness(wedges, bar, 0.5 * kPi * std::pow(kRadius_m, 4));
 
@@ -96,7 +96,7 @@ TEST(Equilibrium, QuadraticWedgesMeetSaintVenantOnAnEllipse) {
     }
   }
   const SweptSolid bar = sweptSolid(outlines, {0.0, 0.0, 1.0}, 2);
-  const NeoHookeanWedges wedges(quadraticWedges(bar), bar.points_m, {kShear_Pa, 0.45});
+  const NeoHookeanElements wedges(quadraticWedges(bar), bar.points_m, {kShear_Pa, 0.45});
   const double a = 1.3 * kRadius_m;
   const double b = 0.8 * kRadius_m;
   const double torsion_m4 = kPi * a * a * a * b * b * b / (a * a + b * b);
@@ -111,7 +111,7 @@ TEST(Equilibrium, QuadraticWedgesMeetSaintVenantOnAnEllipse) {
 
 TEST(Equilibrium, QuadraticWedgesMeetTheClosedFormAt180Degrees) {
   const SweptSolid bar = straightBar(24, 12, 2, kRadius_m, kLength_m);
-  const NeoHookeanWedges wedges(quadraticWedges(bar), bar.points_m, {kShear_Pa, 0.45});
+  const NeoHookeanElements wedges(quadraticWedges(bar), bar.points_m, {kShear_Pa, 0.45});
   const double torque_Nm = kShear_Pa * 0.5 * kPi * std::pow(kRadius_m, 4) * kPi / kLength_m;
 
   const double turn = turnUnder(wedges, bar, torque_Nm, 12);
@@ -124,7 +124,7 @@ TEST(Equilibrium, QuadraticWedgesMeetCalculixOnABarBentBy90Degrees) {
   // C3D20R, 11,741 nodes: R 25 mm, length 240 mm, G 10 kPa, nu 0.45; lower face held, upper face turned by 1
   // degree about its tangent, its place held: 49.48 N mm/rad.
   const SweptSolid bar = bentBar(36, 36, 2, 0.025, 0.240, kPi / 2.0);
-  const NeoHookeanWedges wedges(quadraticWedges(bar), bar.points_m, {10000.0, 0.45});
+  const NeoHookeanElements wedges(quadraticWedges(bar), bar.points_m, {10000.0, 0.45});
   const double torque_Nm = 49.48e-3 * radians(1.0);
 
   const double turn = turnUnder(wedges, bar, torque_Nm);
@@ -134,7 +134,7 @@ TEST(Equilibrium, QuadraticWedgesMeetCalculixOnABarBentBy90Degrees) {
 
 TEST(Equilibrium, NumberOfStepsDoesNotChangeTheTurn) {
   const SweptSolid bar = straightBar(12, 6, 2, kRadius_m, kLength_m);
-  const NeoHookeanWedges wedges(quadraticWedges(bar), bar.points_m, {kShear_Pa, 0.45});
+  const NeoHookeanElements wedges(quadraticWedges(bar), bar.points_m, {kShear_Pa, 0.45});
   const double torque_Nm = kShear_Pa * 0.5 * kPi * std::pow(kRadius_m, 4) * 1.0 / kLength_m;
 
   const double two = turnUnder(wedges, bar, torque_Nm, 2);
@@ -153,7 +153,7 @@ TEST(Equilibrium, NoTorqueIsNoTurn) {
 
 TEST(Equilibrium, StoredEnergyOfASmallTurnIsHalfTorqueTimesTurn) {
   const SweptSolid bar = straightBar(12, 6, 2, kRadius_m, kLength_m);
-  const NeoHookeanWedges wedges(quadraticWedges(bar), bar.points_m, {kShear_Pa, 0.45});
+  const NeoHookeanElements wedges(quadraticWedges(bar), bar.points_m, {kShear_Pa, 0.45});
   Equilibrium equilibrium(wedges, twistEnds(bar), bar.points_m);
   TwistPose pose{bar.points_m, 0.0};
 
@@ -165,7 +165,7 @@ TEST(Equilibrium, StoredEnergyOfASmallTurnIsHalfTorqueTimesTurn) {
 
 TEST(Equilibrium, RefusesATorqueThatNothingHolds) {
   const SweptSolid bar = straightBar(12, 6, 2, kRadius_m, kLength_m);
-  const NeoHookeanWedges wedges(quadraticWedges(bar), bar.points_m, {kShear_Pa, 0.45});
+  const NeoHookeanElements wedges(quadraticWedges(bar), bar.points_m, {kShear_Pa, 0.45});
 
   EXPECT_THROW(static_cast<void>(turnUnder(wedges, bar, 1e3)), Error);
   EXPECT_THROW(static_cast<void>(turnUnder(wedges, bar, std::nan(""))), Error);

@@ -51,6 +51,16 @@ TEST(ReferenceSolid, HasTorqueAndProfileOfCalculixOnABentBar) {
   RecordProperty("profile_error", std::to_string(worst));
 }
 
+TEST(ReferenceSolid, QuadraticTetrahedraSayTheSameAsWedges) {
+  ReferenceSolid bar(bentBy90(24, 40), kConstants, {}, {}, ReferenceElements::kTetrahedra);
+
+  bar.turnTo(radians(1.0));
+
+  // Two elements of different kinds, and CalculiX with a third (C3D20R), on one bent bar.
+  EXPECT_NEAR(1e3 * bar.torque_Nm() / radians(1.0), 49.48, 0.01 * 49.48);
+  RecordProperty("torque_Nmm_per_rad", std::to_string(1e3 * bar.torque_Nm() / radians(1.0)));
+}
+
 /// What is left of a rotation beside a swing of `tangent`.
 double turnAlong(const nlohmann::json& r, const Vec3& tangent) {
   const auto m = [&r](std::size_t i, std::size_t j) { return r[i][j].get<double>(); };

@@ -93,6 +93,33 @@ TEST(SweptSolid, QuadraticWedgesHaveTheirMiddlesOnTheGrid) {
   EXPECT_NEAR(norm(at(4) - Vec3{0.0, 0.0, 0.0}), 0.02, 1e-15);    // the outline's middle is on the circle
 }
 
+TEST(SweptSolid, QuadraticTetrahedraFillTheirWedgesWithMiddlesBetweenTheirCorners) {
+  const SweptSolid bar = straightBar(8, 4, 2, 0.02, 0.08);
+
+  const SolidMesh mesh = quadraticTetrahedra(bar);
+
+  ASSERT_EQ(mesh.nodesPerCell, kQuadraticTetrahedronNodes);
+  ASSERT_EQ(mesh.cells(), 3U * quadraticWedges(bar).cells());
+  double volume_m3 = 0.0;
+  for (std::size_t c = 0; c < mesh.cells(); ++c) {
+    const auto at = [&](std::size_t k) { return bar.points_m[static_cast<std::size_t>(mesh.cell(c)[k])]; };
+    const double own_m3 = dot(cross(at(1) - at(0), at(2) - at(0)), at(3) - at(0)) / 6.0;
+    EXPECT_GT(own_m3, 0.0);
+    volume_m3 += own_m3;
+    std::size_t middle = 4;
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t m = k + 1; m < 4; ++m) {
+        // On the outline the middle lies on the circle, 1 - cos(45 degrees) of the radius from the chord.
+        EXPECT_LT(norm(at(middle++) - 0.5 * (at(k) + at(m))), 0.3 * 0.02);
+      }
+    }
+  }
+  // Four corners of a square of half a diagonal of 20 mm, 80 mm long.
+  EXPECT_NEAR(volume_m3, 2.0 * 0.02 * 0.02 * 0.08, 1e-15);
+  const SweptSolid odd = straightBar(9, 4, 2, 0.02, 0.08);
+  EXPECT_THROW(static_cast<void>(quadraticTetrahedra(odd)), Error);
+}
+
 TEST(SweptSolid, QuadraticWedgesRefuseALatticeThatTheyCannotPair) {
   const SweptSolid bar = straightBar(9, 4, 2, 0.02, 0.08);
 

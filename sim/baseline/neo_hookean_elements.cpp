@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/baseline/neo_hookean_wedges.h"
+#include "sim/baseline/neo_hookean_elements.h"
 
 #include <algorithm>
 #include <array>
@@ -15,10 +15,9 @@ namespace torsio {
 
 namespace {
 
-constexpr std::size_t kPointsPerWedge = 18;
-
-/// Point of the reference wedge with its weight: xi, eta in the unit triangle, t in [-1, 1].
-struct WedgePoint {
+/// Point of the reference element with its weight: xi, eta in the unit triangle, t in [-1, 1]; in a
+/// tetrahedron the three in the unit tetrahedron.
+struct ElementPoint {
   double xi = 0.0;
   double eta = 0.0;
   double t = 0.0;
@@ -26,20 +25,19 @@ struct WedgePoint {
 };
 
 /// Six points across, exact to degree 4 (Dunavant 1985), by three Gauss points along, exact to degree 5.
-std::array<WedgePoint, kPointsPerWedge> wedgePoints() {
+std::vector<ElementPoint> wedgePoints() {
   constexpr double kA = 0.445948490915965;
   constexpr double kB = 0.091576213509771;
   constexpr double kWeightA = 0.223381589678011 / 2.0;
   constexpr double kWeightB = 0.109951743655322 / 2.0;
   const double end = std::sqrt(0.6);
-  std::array<WedgePoint, kPointsPerWedge> points;
-  std::size_t next = 0;
+  std::vector<ElementPoint> points;
   for (const auto& [t, along] : {std::pair{-end, 5.0 / 9.0}, {0.0, 8.0 / 9.0}, {end, 5.0 / 9.0}}) {
     for (const auto& [at, weight] : {std::pair{kA, kWeightA}, {kB, kWeightB}}) {
       const double far = 1.0 - 2.0 * at;
-      points[next++] = {at, at, t, weight * along};
-      points[next++] = {far, at, t, weight * along};
-      points[next++] = {at, far, t, weight * along};
+      points.push_back({at, at, t, weight * along});
+      points.push_back({far, at, t, weight * along});
+      points.push_back({at, far, t, weight * along});
     }
   }
   return points;
@@ -81,15 +79,44 @@ std::vector<ShapeAcross> shapesAcross(double xi, double eta, bool quadratic) {
   return shapes;
 }
 
-using WedgeGradients = Eigen::Matrix<double, 3, static_cast<int>(kMostElementNodes)>;
+using LocalGradients = Eigen::Matrix<double, 3, static_cast<int>(kMostElementNodes)>;
 
 /// Derivatives of all shape functions by (xi, eta, t), in the order of quadraticWedges and linearWedges.
-WedgeGradients localGradients(const WedgePoint& p, bool quadratic) {
-  WedgeGradients d = WedgeGradients::Zero();
+LocalGradients wedgeGradients(const ElementPoint& p, bool quadratic) {
+  LocalGradients d = LocalGradients::Zero();
   int node = 0;
   for (const Shape& along : shapesAlong(p.t, quadratic)) {
     for (const ShapeAcross& across : shapesAcross(p.xi, p.eta, quadratic)) {
       d.col(node++) << across.byXi * along.value, across.byEta * along.value, across.value * along.slope;
+    }
+  }
+  return d;
+}
+
+/// Four points, exact to degree 2: to the last digit in a quadratic tetrahedron with straight sides.
+std::vector<ElementPoint> tetrahedronPoints() {
+  const double far = 0.25 + 0.15 * std::sqrt(5.0);
+  const double near = (1.0 - far) / 3.0;
+  constexpr double kWeight = 1.0 / 24.0;
+  return {{near, near, near, kWeight},
+          {far, near, near, kWeight},
+          {near, far, near, kWeight},
+          {near, near, far, kWeight}};
+}
+
+/// The same of a quadratic tetrahedron, by (xi, eta, t), in the order of quadraticTetrahedra.
+LocalGradients tetrahedronGradients(const ElementPoint& p) {
+  const std::array<double, 4> l{1.0 - p.xi - p.eta - p.t, p.xi, p.eta, p.t};
+  const std::array<Eigen::Vector3d, 4> slopes{Eigen::Vector3d(-1.0, -1.0, -1.0), Eigen::Vector3d::UnitX(),
+                                              Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
+  LocalGradients d = LocalGradients::Zero();
+  int node = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    d.col(node++) = (4.0 * l[k] - 1.0) * slopes[k];
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t m = k + 1; m < 4; ++m) {
+      d.col(node++) = 4.0 * (l[k] * slopes[m] + l[m] * slopes[k]);
     }
   }
   return d;
@@ -120,16 +147,19 @@ Matrix3 plainNumbers(const Eigen::Matrix3d& m) {
 
 }  // namespace
 
-NeoHookeanWedges::NeoHookeanWedges(SolidMesh mesh, std::span<const Vec3> rest_m,
-                                   const ElasticConstants& constants)
+NeoHookeanElements::NeoHookeanElements(SolidMesh mesh, std::span<const Vec3> rest_m,
+                                       const ElasticConstants& constants)
     : mesh_(std::move(mesh)), constants_(constants) {
   checkElasticConstants(constants);
+  const bool tetrahedra = mesh_.nodesPerCell == kQuadraticTetrahedronNodes;
   const bool quadratic = mesh_.nodesPerCell == static_cast<int>(kMostElementNodes);
-  points_.reserve(mesh_.cells() * kPointsPerWedge);
+  const std::vector<ElementPoint> rule = tetrahedra ? tetrahedronPoints() : wedgePoints();
+  pointsPerElement_ = rule.size();
+  points_.reserve(mesh_.cells() * pointsPerElement_);
   for (std::size_t c = 0; c < mesh_.cells(); ++c) {
     const std::span<const int> nodes = mesh_.cell(c);
-    for (const WedgePoint& p : wedgePoints()) {
-      const WedgeGradients local = localGradients(p, quadratic);
+    for (const ElementPoint& p : rule) {
+      const LocalGradients local = tetrahedra ? tetrahedronGradients(p) : wedgeGradients(p, quadratic);
       Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();  // d place / d (xi, eta, t)
       for (std::size_t a = 0; a < nodes.size(); ++a) {
         jacobian +=
@@ -140,7 +170,7 @@ NeoHookeanWedges::NeoHookeanWedges(SolidMesh mesh, std::span<const Vec3> rest_m,
         throw Error(ErrorCode::kBadMesh, Text::tr("An element of the organ is folded at rest"),
                     Text::tr("element %1", c + 1), Text::tr("Give other ends, or fewer sections"));
       }
-      const WedgeGradients gradients = jacobian.inverse().transpose() * local;
+      const LocalGradients gradients = jacobian.inverse().transpose() * local;
       IntegrationPoint point;
       for (std::size_t a = 0; a < nodes.size(); ++a) {
         const auto g = gradients.col(static_cast<int>(a));
@@ -152,13 +182,13 @@ NeoHookeanWedges::NeoHookeanWedges(SolidMesh mesh, std::span<const Vec3> rest_m,
   }
 }
 
-bool NeoHookeanWedges::elementForces(std::size_t element, std::span<const Vec3> places_m, double& energy_J,
-                                     std::span<Vec3> forces_N) const {
+bool NeoHookeanElements::elementForces(std::size_t element, std::span<const Vec3> places_m, double& energy_J,
+                                       std::span<Vec3> forces_N) const {
   const std::span<const int> nodes = mesh_.cell(element);
   energy_J = 0.0;
   std::fill(forces_N.begin(), forces_N.end(), Vec3{});
-  for (std::size_t q = 0; q < kPointsPerWedge; ++q) {
-    const IntegrationPoint& point = points_[element * kPointsPerWedge + q];
+  for (std::size_t q = 0; q < pointsPerElement_; ++q) {
+    const IntegrationPoint& point = points_[element * pointsPerElement_ + q];
     const Eigen::Matrix3d f = deformation(nodes, places_m, point.gradients);
     if (!(f.determinant() > 0.0)) {
       return false;
@@ -174,14 +204,14 @@ bool NeoHookeanWedges::elementForces(std::size_t element, std::span<const Vec3> 
   return true;
 }
 
-void NeoHookeanWedges::elementStiffness(std::size_t element, std::span<const Vec3> places_m,
-                                        std::span<double> stiffness) const {
+void NeoHookeanElements::elementStiffness(std::size_t element, std::span<const Vec3> places_m,
+                                          std::span<double> stiffness) const {
   const std::span<const int> nodes = mesh_.cell(element);
   const auto count = static_cast<Eigen::Index>(nodes.size());
   Eigen::Map<Eigen::MatrixXd> k(stiffness.data(), 3 * count, 3 * count);
   k.setZero();
-  for (std::size_t q = 0; q < kPointsPerWedge; ++q) {
-    const IntegrationPoint& point = points_[element * kPointsPerWedge + q];
+  for (std::size_t q = 0; q < pointsPerElement_; ++q) {
+    const IntegrationPoint& point = points_[element * pointsPerElement_ + q];
     const Matrix9 tangent =
         neoHookeanTangent(plainNumbers(deformation(nodes, places_m, point.gradients)), constants_);
     const Eigen::Map<const Eigen::Matrix<double, 9, 9>> a(tangent.data());

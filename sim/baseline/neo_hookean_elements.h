@@ -10,14 +10,15 @@
 
 namespace torsio {
 
-/// The accuracy reference: wedges, linear or quadratic (isoparametric), of compressible neo-Hookean material,
-/// total Lagrangian, integrated at 6 points across and 3 along. Quadratic wedges hold torsion, bending and
-/// warping; they do not lock.
-class NeoHookeanWedges final : public ElasticBody {
+/// The accuracy reference: wedges, linear or quadratic, or quadratic tetrahedra, isoparametric, of
+/// compressible neo-Hookean material, total Lagrangian. Wedges are integrated at 6 points across and 3 along,
+/// tetrahedra at 4. Quadratic elements hold torsion, bending and warping; they do not lock.
+class NeoHookeanElements final : public ElasticBody {
  public:
-  /// Prepares the integration points. `mesh`: linearWedges or quadraticWedges. Throws Error{kBadMesh} when
+  /// Prepares the integration points. `mesh`: linearWedges, quadraticWedges or
+  /// quadraticTetrahedra. Throws Error{kBadMesh} when
   /// an element is folded at rest, Error{kBadParameter} for the constants.
-  NeoHookeanWedges(SolidMesh mesh, std::span<const Vec3> rest_m, const ElasticConstants& constants);
+  NeoHookeanElements(SolidMesh mesh, std::span<const Vec3> rest_m, const ElasticConstants& constants);
 
   [[nodiscard]] std::size_t elements() const noexcept override { return mesh_.cells(); }
   [[nodiscard]] std::span<const int> elementNodes(std::size_t element) const noexcept override {
@@ -36,7 +37,8 @@ class NeoHookeanWedges final : public ElasticBody {
   };
   SolidMesh mesh_;
   ElasticConstants constants_;
-  std::vector<IntegrationPoint> points_;  ///< kPointsPerWedge an element
+  std::size_t pointsPerElement_ = 0;
+  std::vector<IntegrationPoint> points_;
 };
 
 }  // namespace torsio
