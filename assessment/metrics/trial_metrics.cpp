@@ -21,8 +21,8 @@ struct Prepared {
   std::size_t n = 0;
   std::size_t lost = 0;
   std::vector<Vec3> tip;
-  std::vector<double> angle, target, force, torque, shear;
-  std::vector<double> angleRaw, forceRaw;
+  std::vector<double> angle;  // filtered
+  std::vector<double> angleRaw, target, force, torque, shear;
   std::vector<TracePhase> phase;
   std::vector<double> tipSpeed;
 };
@@ -102,9 +102,8 @@ Prepared prepare(const TrialTrace& trace) {
   out.n = out.phase.size();
   out.angleRaw = onGrid(trace, trace.angle_rad, grid);
   out.angle = filtered(out.angleRaw, kPoseCutoff_Hz);
-  out.forceRaw = onGrid(trace, trace.force_N, grid);
-  out.force = filtered(out.forceRaw, kForceCutoff_Hz);
-  out.torque = filtered(onGrid(trace, trace.torque_Nm, grid), kForceCutoff_Hz);
+  out.force = onGrid(trace, trace.force_N, grid);
+  out.torque = onGrid(trace, trace.torque_Nm, grid);
   out.shear = onGrid(trace, trace.patchShear_Pa, grid);
   if (trace.tip_m.empty()) {
     return out;
@@ -187,9 +186,17 @@ class Measurer {
     found->value = std::move(value);
   }
 
+  /// A signal in a stretch of the trial, filtered by itself: a filter over the whole trial would smear the
+  /// release into the end of the hold.
+  [[nodiscard]] static std::vector<double> calm(const std::vector<double>& raw,
+                                                std::pair<std::size_t, std::size_t> stretch,
+                                                double cutoff_Hz) {
+    const std::span<const double> signal = part(raw, stretch);
+    return filtered({signal.begin(), signal.end()}, cutoff_Hz);
+  }
+
   void measureTurn() {
-    // Filtered by itself: a filter over the whole trial would smear the release into the end of the hold.
-    const std::vector<double> angle = lowPass(part(s_.angleRaw, held_), kPoseCutoff_Hz, kRate_Hz);
+    const std::vector<double> angle = calm(s_.angleRaw, held_, kPoseCutoff_Hz);
     std::vector<double> speed = derivative(angle, kRate_Hz);
     set("twist.ldlj",
         logDimensionlessJerk(speed, kRate_Hz));  // signed: a kink at each reversal would be our own
@@ -217,7 +224,7 @@ class Measurer {
       set("twist.rmse_without_lag", error->rmseWithoutLag);
     }
     const auto still = longest(s_.phase, [](TracePhase phase) { return phase == TracePhase::kHolding; });
-    set("twist.hold_steadiness", holdSteadiness(part(s_.angle, still)));
+    set("twist.hold_steadiness", holdSteadiness(calm(s_.angleRaw, still, kPoseCutoff_Hz)));
     if (targets_.axisPoint_m && !s_.tip.empty()) {
       set("twist.axis_wander", axisWander(part(s_.tip, held_), *targets_.axisPoint_m, targets_.axis));
     }
@@ -225,14 +232,14 @@ class Measurer {
 
   void measureLoads() {
     if (!s_.force.empty()) {
-      const std::span<const double> force = part(s_.force, held_);
+      const std::vector<double> force = calm(s_.force, held_, kForceCutoff_Hz);
       const Outcome<Loading> load = loadingOf(force, kRate_Hz);
       set("force.mean", load->mean);
       set("force.peak", load->peak);
       set("force.p95", load->p95);
       set("force.impulse", load->impulse);
       set("force.rate", load->largestRate);
-      const std::span<const double> raw = part(s_.forceRaw, held_);
+      const std::span<const double> raw = part(s_.force, held_);
       set("force.peak_raw", *std::max_element(raw.begin(), raw.end()));
       if (targets_.forceLimit_N) {
         const Violations violations = violationsOf(force, *targets_.forceLimit_N, kRate_Hz);
@@ -242,7 +249,7 @@ class Measurer {
       }
     }
     if (!s_.torque.empty()) {
-      const std::span<const double> torque = part(s_.torque, held_);
+      const std::vector<double> torque = calm(s_.torque, held_, kForceCutoff_Hz);
       std::vector<double> magnitude;
       for (const double value : torque) {
         magnitude.push_back(std::abs(value));
@@ -255,9 +262,9 @@ class Measurer {
             static_cast<double>(violationsOf(magnitude, *targets_.torqueLimit_Nm, kRate_Hz).count));
       }
       const auto letGo = longest(s_.phase, [](TracePhase phase) { return phase == TracePhase::kReleasing; });
-      set("torque.release_rate", releaseRate(part(s_.torque, letGo), kRate_Hz));
+      set("torque.release_rate", releaseRate(part(filtered(s_.torque, kForceCutoff_Hz), letGo), kRate_Hz));
       if (!s_.angle.empty()) {
-        const Outcome<TwistWork> work = twistWork(torque, part(s_.angle, held_));
+        const Outcome<TwistWork> work = twistWork(torque, calm(s_.angleRaw, held_, kPoseCutoff_Hz));
         set("work.delivered", work->delivered_J);
         set("work.loop", work->loop_J);
       }

@@ -338,6 +338,27 @@ TEST(MeasureTrial, GivesEveryMetricThatAppliesAndLeavesTheOthersUndefined) {
   EXPECT_EQ(got.poseCutoff_Hz, kPoseCutoff_Hz);
 }
 
+TEST(MeasureTrial, AQuickReleaseChangesNeitherTheSteadinessOfTheHoldNorItsWork) {
+  TrialTrace trace = twistTrial();
+  for (std::size_t i = 0; i < trace.phase.size(); ++i) {
+    if (trace.phase[i] == TracePhase::kHolding) {  // a tremor of 0.01 rad at 3 Hz, three periods of it
+      trace.angle_rad[i] =
+          0.5 * kPi_ + 0.01 * std::sin(6.0 * kPi_ * (static_cast<double>(i) - 2500.0) / kRate);
+    } else if (trace.phase[i] == TracePhase::kReleasing) {
+      trace.angle_rad[i] = 0.0;  // from one sample to the next
+    }
+    trace.torque_Nm[i] = 0.2 * trace.angle_rad[i];
+  }
+  TrialTargets targets;
+  targets.target_rad = 0.5 * kPi_;
+
+  const TrialMetrics got = measureTrial(trace, targets);
+
+  EXPECT_NEAR(*got.at("twist.hold_steadiness"), 0.01 / std::sqrt(2.0), 0.03 * 0.01);
+  // 1/2 0.2 theta^2 up to the target; each of three tremors gives back what it takes: 0.2 theta 2 a.
+  EXPECT_NEAR(*got.at("work.loop"), 0.1 * 0.25 * kPi_ * kPi_, 1e-3);
+}
+
 /// A twist that is let go while 15 samples are missing, with stamps that jitter by up to 0.3 ms: twisting
 /// until 999 ms, releasing from 1015 ms on. Nobody held anything.
 TrialTrace letGoInAGap() {
