@@ -86,6 +86,10 @@ TEST_F(DeviceProcess, ServesReadingsAndForcesAndLetsGoInOrder) {
   opening.driver->serve();
 
   push(*opening.driver);
+  const auto since = Clock::now();
+  while (!opening.driver->snapshot().forceOn && Clock::now() - since < 2s) {
+    std::this_thread::sleep_for(1ms);  // a frame of the library publishes what it did after it was done
+  }
   EXPECT_TRUE(opening.driver->snapshot().forceOn);
   EXPECT_EQ(opening.driver->read(0).status & kDeviceLost, 0U);
 
