@@ -7,14 +7,15 @@
 
 #include "sim/base/beside_answer.h"
 #include "sim/base/device_sample.h"
+#include "sim/base/hollow_pose.h"
 #include "sim/base/rod_pose.h"
 
 namespace torsio {
 
 /// Version of the rules by which a tick answers; stamped on every sample, so that a trial replays by the
 /// rules that it was recorded with. 1: jaw and shaft collide, contact is a virtual coupling to a surface that
-/// gives way, passivity is kept.
-inline constexpr std::uint32_t kServoRules = 1;
+/// gives way, passivity is kept. 2: of a hollow organ that came twisted, which a hand undoes.
+inline constexpr std::uint32_t kServoRules = 2;
 
 /// Stages of one exercise (paper Fig. 6): no force and no deformation before contact.
 enum class ExercisePhase : std::uint8_t {
@@ -102,6 +103,9 @@ struct ServoCommand {
     kSetForceScale,  ///< value: 0 .. 1
     kSetTarget,      ///< value: target angle in rad
     kEnableForce,    ///< value: 0 off, 1 on
+    kHoldOrgan,      ///< value: 1 a clip or an assistant holds a hollow organ where it is, 0 lets go
+    kVent,           ///< value: 1 opens the way out for the content, 0 closes it
+    kCheckFlow,      ///< value: FlowCheck
   };
   Kind kind = Kind::kNone;
   double value = 0.0;
@@ -119,7 +123,8 @@ struct Sample {
   TwistResponse response;                ///< response.force_N: before the governor
   Vec3 force_N;                          ///< sent to the device
   std::uint32_t contact = kContactNone;  ///< ToolContact bits
-  std::uint32_t rules = kServoRules;     ///< by which this tick was answered
+  std::uint32_t rules = 1;               ///< by which this tick was answered, up to kServoRules
+  HollowReading hollow;                  ///< of an organ with a wall
   friend bool operator==(const Sample&, const Sample&) = default;
 };
 
@@ -142,7 +147,8 @@ struct LiveState {
   /// Where the surface gives way under the jaw and under the shaft.
   std::array<ContactPatch, 2> patches{};
   ExerciseTimes times;
-  RodPose pose;  ///< of an organ that is a rod; no nodes: at rest
+  RodPose pose;       ///< of an organ that is a rod; no nodes: at rest
+  HollowPose hollow;  ///< of a hollow organ that came twisted
   /// Energy that the hand has put into the rendered force since that force was last zero; below 0 the hand
   /// got more back.
   double portEnergy_J = 0.0;

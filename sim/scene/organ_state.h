@@ -3,6 +3,7 @@
 
 #include <type_traits>
 
+#include "sim/base/hollow_pose.h"
 #include "sim/base/live_types.h"
 #include "sim/base/rod_pose.h"
 #include "sim/tissue/twist/twist_model.h"
@@ -11,8 +12,9 @@ namespace torsio {
 
 /// How an organ lies: all that changes while it is twisted. Trivially copyable: can be saved, compared.
 struct OrganState {
-  TwistState twist;  ///< the gripped section and the angle of the task
-  RodPose pose;      ///< of an organ that is a rod; no nodes: at rest
+  TwistState twist;     ///< the gripped section and the angle of the task
+  RodPose pose{};       ///< of an organ that is a rod; no nodes: at rest
+  HollowPose hollow{};  ///< of a hollow organ that came twisted
 
   /// Tells whether nothing is moved.
   [[nodiscard]] bool atRest() const noexcept { return pose.count == 0 && twist.graspAngle_rad == 0.0; }
@@ -22,7 +24,7 @@ static_assert(std::is_trivially_copyable_v<OrganState>);
 
 /// Returns how the organ lies in a snapshot.
 [[nodiscard]] inline OrganState organStateOf(const LiveState& state) noexcept {
-  return {{state.response.graspArc_m, state.response.angle_rad}, state.pose};
+  return {{state.response.graspArc_m, state.response.angle_rad}, state.pose, state.hollow};
 }
 
 }  // namespace torsio

@@ -21,6 +21,7 @@
 
 namespace torsio {
 
+class HollowOrgan;
 class RodOrgan;
 
 /// What collision and grip need of an instrument's file. ToolShape (sim/servo/tool_touch.h) makes tip, blades
@@ -92,6 +93,9 @@ struct Scene {
   /// The model that answers the hand; where it runs beside the servo, `model` says where the instrument meets
   /// the organ, and it says what is felt and seen.
   TissueModel tissue = TissueModel::kTwist;
+  /// The organ with its wall, twisted at the start, for a pattern that is to be undone; null: one that is to
+  /// be twisted.
+  std::shared_ptr<const HollowOrgan> hollow{};
 
   [[nodiscard]] const SectionLattice& lattice() const noexcept { return model.lattice(); }
 

@@ -28,7 +28,7 @@ void requireSameScene(const Scene& scene, const TrialHeader& header) {
 }
 
 void requireKnownRules(const std::vector<Sample>& recorded, const TrialHeader& header) {
-  const auto known = [](const Sample& sample) { return sample.rules == kServoRules; };
+  const auto known = [](const Sample& sample) { return sample.rules >= 1 && sample.rules <= kServoRules; };
   if (std::all_of(recorded.begin(), recorded.end(), known)) {
     return;
   }
