@@ -260,6 +260,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
         "sim/geometry/query", "sim/record", "sim/scene", "sim/tissue/rod", "sim/tissue/twist"}},
       {"sim/tissue/reference", {"sim/base"}},
       {"sim/tissue/hollow", {"sim/base"}},
+      {"sim/tissue/perfusion", {"sim/base"}},
       {"sim/tissue/rod",
        {"sim/base", "sim/geometry/lattice", "sim/geometry/mesh", "sim/tissue/section", "sim/tissue/twist"}},
       {"sim/tissue/section", {"sim/base"}},
