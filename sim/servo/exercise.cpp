@@ -137,6 +137,7 @@ std::uint32_t Exercise::follow(const ToolState& tool, const Scene& scene) noexce
 
 void Exercise::letGo(std::uint32_t why, std::uint32_t& events) noexcept {
   phase_ = ExercisePhase::kReleased;
+  jawOpens_ = options_.rules >= kRulesOfStoredEnergy;
   events |= why;
 }
 
@@ -192,6 +193,10 @@ void Exercise::moveOn(double gap_m, const std::optional<SurfacePoint>& held, con
 Vec3 Exercise::pushBack(const ToolTouch& at, std::array<ContactPatch, 2>& patches) noexcept {
   const bool holding = phase_ == ExercisePhase::kTwisting;
   Vec3 force_N;
+  if (jawOpens_) {
+    jaw_.anchor(-at.jaw.gap_m);
+    jawOpens_ = false;
+  }
   const double jaw_m = jaw_.step(holding ? 0.0 : -at.jaw.gap_m);
   if (jaw_m > 0.0) {
     patches[0] = patchUnder(at.jaw, jaw_m);

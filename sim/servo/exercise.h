@@ -144,7 +144,8 @@ class Exercise {
   ContactCoupling jaw_;
   ContactCoupling shaft_;
   bool shaftTouched_ = false;
-  double returnFactor_;  // of the angle, a tick
+  bool jawOpens_ = false;  // it has let go in this tick, and touches anew from where it is
+  double returnFactor_;    // of the angle, a tick
   ExercisePhase phase_ = ExercisePhase::kTracking;
   OrganState organ_;
   bool jawClosed_ = true;  // a jaw that is closed at the start grips nothing

@@ -24,10 +24,10 @@ double farthest_m(const RodPose& a, const RodPose& b) noexcept {
 }  // namespace
 
 PoseTrack::PoseTrack(const Scene& scene, const TrialHeader& header, std::span<const TrialChunk> chunks) {
-  if (!scene.rod) {
+  if (!scene.rod || chunks.empty()) {
     return;
   }
-  TrialRerun rerun(scene, header, kServoRules);
+  TrialRerun rerun(scene, header, decodeChunk(chunks.front()).front().rules);
   RodPose kept;
   for (const TrialChunk& chunk : chunks) {
     for (const Sample& recorded : decodeChunk(chunk)) {

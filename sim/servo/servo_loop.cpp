@@ -8,6 +8,7 @@
 
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
+#include "sim/base/float_mode.h"
 #include "sim/base/live_of_sample.h"
 
 namespace torsio {
@@ -22,7 +23,8 @@ const HapticDevice& deviceOf(const ServoLoop::Links& links) {
 ExerciseOptions exerciseOptions(const ServoLoop::Links& links, const ServoOptions& options) {
   return {.drive = options.drive,
           .maxStiffness_N_per_m = deviceOf(links).capabilities().maxStiffness_N_per_m,
-          .tickPeriod_us = options.tickPeriod_us};
+          .tickPeriod_us = options.tickPeriod_us,
+          .rules = options.rules};
 }
 
 GovernorLimits governorLimits(const ServoLoop::Links& links, const ServoOptions& options) {
@@ -31,7 +33,8 @@ GovernorLimits governorLimits(const ServoLoop::Links& links, const ServoOptions&
           .continuousForce_N = device.continuousForce_N,
           .workspaceMin_m = device.workspaceMin_m,
           .workspaceMax_m = device.workspaceMax_m,
-          .tickPeriod_us = options.tickPeriod_us};
+          .tickPeriod_us = options.tickPeriod_us,
+          .fallsFreely = options.rules >= kRulesOfStoredEnergy};
 }
 
 bool isFinite(const TwistResponse& response) noexcept {
@@ -39,6 +42,8 @@ bool isFinite(const TwistResponse& response) noexcept {
          torsio::isFinite(response.force_N) && std::isfinite(response.depth_m) &&
          std::isfinite(response.graspArc_m);
 }
+
+constexpr std::uint32_t kNoHand = kDeviceLost | kDeviceUncalibrated | kDeviceInvalid | kDeviceEnded;
 
 bool inUnitRange(double value) noexcept {
   return value >= 0.0 && value <= 1.0;  // false for NaN
@@ -66,7 +71,9 @@ ServoLoop::ServoLoop(const Links& links, const ServoOptions& options)
       options_(options),
       exercise_(exerciseOptions(links, options)),
       passivity_({.tickPeriod_us = options.tickPeriod_us}),
-      governor_(governorLimits(links, options)) {
+      governor_(governorLimits(links, options)),
+      storedEnergy_({.tickPeriod_us = options.tickPeriod_us}) {
+  sample_.rules = options.rules;
   if (!inUnitRange(options.forceScale) || !std::isfinite(options.targetAngle_rad)) {
     throw Error(ErrorCode::kBadParameter,
                 Text::verbatim("the force scale must lie in 0..1 and the target be finite, got %1 and %2",
@@ -77,6 +84,7 @@ ServoLoop::ServoLoop(const Links& links, const ServoOptions& options)
 
 void ServoLoop::tick(std::int64_t time_us) noexcept {
   const auto begun = std::chrono::steady_clock::now();
+  const PinnedFloatMode defaults;
   countLate(time_us);
   sample_.tick = nextTick_++;
   sample_.command = nextCommand();
@@ -92,13 +100,21 @@ void ServoLoop::tick(std::int64_t time_us) noexcept {
   noteEvents(step);
   std::uint32_t damped = kForceFull;
   const Vec3 wanted_N = wantedForce_N(step, tool, damped);
-  const ForceCommand force = governor_.govern({.now_us = time_us,
-                                               .computed_us = time_us,
-                                               .wanted_N = wanted_N,
-                                               .tip_m = tool.pose.position_m,
-                                               .deviceStatus = tool.status});
+  ForceCommand force = governor_.govern({.now_us = time_us,
+                                         .computed_us = time_us,
+                                         .wanted_N = wanted_N,
+                                         .tip_m = tool.pose.position_m,
+                                         .deviceStatus = tool.status});
+  if (energyLast()) {
+    if ((step.events & (kEventGripped | kEventReleased)) != 0) {
+      storedEnergy_.forget();
+    }
+    force.force_N = storedEnergy_.limited(tool.pose.position_m, force.force_N, (tool.status & kNoHand) == 0,
+                                          force.limits);
+  } else {
+    passivity_.sent(force.force_N);
+  }
   links_.device->write(force);
-  passivity_.sent(force.force_N);
   sample_.force_N = force.force_N;
   sample_.limits = force.limits | damped | step.limits;
 
@@ -118,7 +134,9 @@ Vec3 ServoLoop::wantedForce_N(const ExerciseStep& step, const ToolState& tool,
   sample_.response = finite ? step.response : TwistResponse{};
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   const Vec3 scaled_N = finite ? step.response.force_N * options_.forceScale : Vec3{kNaN, 0.0, 0.0};
-  constexpr std::uint32_t kNoHand = kDeviceLost | kDeviceUncalibrated | kDeviceInvalid | kDeviceEnded;
+  if (energyLast()) {
+    return scaled_N;
+  }
   const bool sound = finite && (tool.status & kNoHand) == 0;
   const Vec3 passive_N =
       passivity_.control(sample_.device.time_us, tool.pose.position_m, scaled_N, sound, limits);
@@ -177,6 +195,9 @@ ServoCommand ServoLoop::nextCommand() noexcept {
 void ServoLoop::obey(const ServoCommand& command) noexcept {
   switch (command.kind) {
     case ServoCommand::Kind::kNone:
+    case ServoCommand::Kind::kHoldOrgan:
+    case ServoCommand::Kind::kVent:
+    case ServoCommand::Kind::kCheckFlow:
       break;
     case ServoCommand::Kind::kReleaseTissue:
       exercise_.releaseTissue();
@@ -242,7 +263,7 @@ void ServoLoop::publish() noexcept {
   live.patches = patches_;
   live.times = times_;
   live.pose = exercise_.organ().pose;
-  live.portEnergy_J = passivity_.energy_J();
+  live.portEnergy_J = portEnergy_J();
   links_.live->publish(live);
 }
 
