@@ -11,6 +11,7 @@
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/text_list.h"
+#include "sim/servo/servo_thread.h"
 
 namespace torsio {
 
@@ -263,6 +264,25 @@ class Check {
     const bool calm = result_.regularShare >= kGoodRegularShare && gaps_ == 0;
     add(calm ? FindingGrade::kGood : FindingGrade::kNote, Text::tr("Jitter"), jitter,
         calm ? Text() : slowRemedy);
+    judgeScheduling(calm);
+  }
+
+  /// What the system refuses matters where it is felt: a servo that keeps its time all the same is good.
+  void judgeScheduling(bool calm) {
+    const RealTimeGrant grant = askForRealTime();
+    if (grant.scheduling && grant.memory) {
+      add(FindingGrade::kGood, Text::tr("Scheduling"),
+          Text::tr("the servo goes before other work and stays in memory"));
+      return;
+    }
+    const Text refused =
+        grant.memory ? Text::tr("the system refuses real-time priority")
+                     : (grant.scheduling ? Text::tr("the system refuses to keep the servo in memory")
+                                         : Text::tr("the system refuses real-time priority and to keep "
+                                                    "the servo in memory"));
+    add(calm ? FindingGrade::kGood : FindingGrade::kNote, Text::tr("Scheduling"),
+        calm ? Text::tr("%1; the servo kept its time all the same", refused) : refused,
+        Text::tr("Copy assets/system/torsio-limits.conf to /etc/security/limits.d and log in again"));
   }
 
   /// False when the device gives no position that force could be computed from.

@@ -4,6 +4,7 @@
 // its servo runs in real time, as the program's does; no test depends on how regular that is.
 #include <fstream>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -164,6 +165,32 @@ TEST_F(DeviceCommand, MonitorShowsReadingsAndEndsInOrder) {
 
   EXPECT_EQ(result.code, 0) << result.err;
   expectMentions(result.out, {"tip", "roll", "docked, ready, force off"});
+}
+
+TEST_F(DeviceCommand, CheckSaysWhatTheSystemGrantsTheServo) {
+  const std::string check = "check --seconds 0.5 --wait 5 --json --library " TORSIO_FAKEHD;
+  // Without the right to it, whoever runs the tests.
+  const std::string without = std::string("setpriv --inh-caps=-all --bounding-set=-sys_nice,-ipc_lock ") +
+                              "--no-new-privs sh -c 'ulimit -r 0 2>/dev/null; exec " TORSIO_PROGRAM
+                              " device " +
+                              check + "' > " + (folder_ / "out").string() + " 2>/dev/null";
+  const ProgramRun usual = run(check);
+  const bool dropped = geteuid() == 0 && std::system(without.c_str()) != -1;
+
+  const auto sentenceOf = [](const nlohmann::json& result) {
+    for (const nlohmann::json& finding : result["findings"]) {
+      if (finding["subject"] == "Scheduling") {
+        EXPECT_NE(finding["grade"], "problem");
+        return finding["sentence"].get<std::string>();
+      }
+    }
+    return std::string();
+  };
+  EXPECT_FALSE(sentenceOf(nlohmann::json::parse(usual.out)).empty());
+  if (dropped) {
+    const std::string refused = sentenceOf(nlohmann::json::parse(readFile(folder_ / "out")));
+    EXPECT_NE(refused.find("the system refuses real-time priority"), std::string::npos) << refused;
+  }
 }
 
 TEST_F(DeviceCommand, MonitorPrintsOneJsonDocumentWhateverEndsIt) {
