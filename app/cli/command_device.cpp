@@ -11,6 +11,7 @@
 
 #include "app/cli/commands.h"
 #include "app/devices/device_check.h"
+#include "app/devices/device_monitor.h"
 #include "assessment/report/number_format.h"
 #include "sim/base/error.h"
 
@@ -146,15 +147,61 @@ std::string readoutLine(const DeviceReadout& r) {
   return line.str();
 }
 
+nlohmann::ordered_json readoutJson(const DeviceReadout& r) {
+  return {{"time_s", r.time_s},
+          {"state", r.state},
+          {"tip_mm", {r.tip_mm.x, r.tip_mm.y, r.tip_mm.z}},
+          {"roll_deg", r.roll_deg},
+          {"roll_at_stop", r.rollAtStop},
+          {"grip", r.grip},
+          {"button_1", r.firstButton},
+          {"button_2", r.secondButton},
+          {"docked", r.docked},
+          {"warmest_motor", r.warmest},
+          {"rate_hz", r.rate_Hz},
+          {"late_ticks", r.lateTicks}};
+}
+
+/// One document, a reading a line as it comes: `readings`, then how it ended.
+class ReadoutDocument {
+ public:
+  ReadoutDocument() { std::cout << "{\"readings\": ["; }
+  ReadoutDocument(const ReadoutDocument&) = delete;
+  ReadoutDocument& operator=(const ReadoutDocument&) = delete;
+  ~ReadoutDocument() { std::cout << "\n], \"ended\": " << nlohmann::json(ended_).dump() << "}" << std::endl; }
+
+  void add(const DeviceReadout& readout) {
+    std::cout << (any_ ? ",\n" : "\n") << readoutJson(readout).dump() << std::flush;
+    any_ = true;
+  }
+  void end(const std::string& how) { ended_ = how; }
+
+ private:
+  bool any_ = false;
+  std::string ended_;
+};
+
 void runMonitor(const DeviceArguments& arguments) {
   closeInOrderOnSignals();
   DeviceMonitorRequest request;
   request.choice = arguments.choice;
   request.seconds = arguments.monitorSeconds;
   request.interval_s = arguments.interval_s;
-  request.show = [](const DeviceReadout& r) { std::cout << readoutLine(r) << std::endl; };
   request.cancelled = [] { return stopAsked != 0; };
-  monitorDevice(request);
+  if (!arguments.json) {
+    request.show = [](const DeviceReadout& r) { std::cout << readoutLine(r) << std::endl; };
+    monitorDevice(request);
+    return;
+  }
+  ReadoutDocument document;
+  request.show = [&document](const DeviceReadout& r) { document.add(r); };
+  try {
+    monitorDevice(request);
+    document.end(stopAsked != 0 ? "stopped" : "complete");
+  } catch (const Error& error) {
+    document.end(error.happened());
+    throw;
+  }
 }
 
 }  // namespace
@@ -192,6 +239,7 @@ void addDevice(CLI::App& program) {
   monitor->add_option("--seconds", arguments->monitorSeconds, "How long")->capture_default_str();
   monitor->add_option("--interval", arguments->interval_s, "Seconds between two lines")
       ->capture_default_str();
+  monitor->add_flag("--json", arguments->json, "Print JSON");
   monitor->callback([arguments] { runMonitor(*arguments); });
 }
 

@@ -2,18 +2,16 @@
 #include "app/devices/device_check.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "assessment/report/number_format.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/text_list.h"
-#include "sim/device/process/device_process.h"
+#include "sim/servo/servo_thread.h"
 
 namespace torsio {
 
@@ -33,20 +31,6 @@ constexpr std::int64_t kForcesSeen = 100;
 // For taking the stylus out of the inkwell before the force test.
 constexpr double kUndockWait_s = 15.0;
 
-void pause_s(double seconds) {
-  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
-}
-
-void requireTime(double seconds, double longest, Phrase what) {
-  if (seconds > 0.0 && seconds <= longest) {
-    return;
-  }
-  throw Error(ErrorCode::kBadParameter,
-              Text::tr("%1 must lie above 0 s and not above %2 s, got %3", what, formatFixed(longest, 0),
-                       formatFixed(seconds, 2)),
-              Text::tr("device"), Text::tr("Give another number of seconds"));
-}
-
 std::string joined(const std::vector<std::string>& parts) {
   std::string text;
   for (const std::string& part : parts) {
@@ -57,17 +41,6 @@ std::string joined(const std::vector<std::string>& parts) {
 
 Text orNotReported(const std::string& value) {
   return value.empty() ? Text::tr("not reported") : Text(value);
-}
-
-StylusRequest stylusRequest(const DeviceChoice& choice, const std::function<bool()>& cancelled,
-                            bool onlyLibrary = false) {
-  StylusRequest request;
-  request.library = choice.library;
-  request.options.deviceName = choice.name;
-  request.onlyLibrary = onlyLibrary;
-  request.inThisProcess = choice.inThisProcess;
-  request.cancelled = cancelled;
-  return request;
 }
 
 /// One check, step by step; every step returns false when the next ones make no sense.
@@ -291,6 +264,25 @@ class Check {
     const bool calm = result_.regularShare >= kGoodRegularShare && gaps_ == 0;
     add(calm ? FindingGrade::kGood : FindingGrade::kNote, Text::tr("Jitter"), jitter,
         calm ? Text() : slowRemedy);
+    judgeScheduling(calm);
+  }
+
+  /// What the system refuses matters where it is felt: a servo that keeps its time all the same is good.
+  void judgeScheduling(bool calm) {
+    const RealTimeGrant grant = askForRealTime();
+    if (grant.scheduling && grant.memory) {
+      add(FindingGrade::kGood, Text::tr("Scheduling"),
+          Text::tr("the servo goes before other work and stays in memory"));
+      return;
+    }
+    const Text refused =
+        grant.memory ? Text::tr("the system refuses real-time priority")
+                     : (grant.scheduling ? Text::tr("the system refuses to keep the servo in memory")
+                                         : Text::tr("the system refuses real-time priority and to keep "
+                                                    "the servo in memory"));
+    add(calm ? FindingGrade::kGood : FindingGrade::kNote, Text::tr("Scheduling"),
+        calm ? Text::tr("%1; the servo kept its time all the same", refused) : refused,
+        Text::tr("Copy assets/system/torsio-limits.conf to /etc/security/limits.d and log in again"));
   }
 
   /// False when the device gives no position that force could be computed from.
@@ -430,34 +422,6 @@ class Check {
   std::optional<double> rollNoise_deg_;
 };
 
-DeviceReadout readout(const HdapiSnapshot& now, double time_s) {
-  const ToolState tool = toolState(now.sample);
-  DeviceReadout shown;
-  shown.time_s = time_s;
-  shown.state = deviceStateText(now);
-  shown.tip_mm = tool.pose.position_m * 1e3;
-  shown.roll_deg = degrees(tool.roll_rad);
-  shown.rollAtStop = now.rollAtStop;
-  shown.grip = tool.grip;
-  shown.firstButton = (tool.buttons & kButtonGrip) != 0;
-  shown.secondButton = (tool.buttons & kButtonSecond) != 0;
-  shown.docked = now.docked;
-  shown.warmest = now.warmest;
-  shown.rate_Hz = now.timing.rate_Hz;
-  shown.lateTicks = now.timing.late;
-  return shown;
-}
-
-void requireServo(const HdapiSnapshot& now, const std::string& model) {
-  if (now.state != HdapiState::kSilent) {
-    return;
-  }
-  throw Error(ErrorCode::kDevice,
-              now.timing.ticks == 0 ? Text::tr("the library's servo loop never called")
-                                    : Text::tr("the library's servo loop stopped calling"),
-              model, Text::tr("Close every other program that uses the device; restart the computer"));
-}
-
 }  // namespace
 
 bool DeviceCheckResult::usable() const {
@@ -474,68 +438,6 @@ DeviceCheckResult checkDevice(const DeviceCheckRequest& request) {
   requireTime(request.seconds, 600.0, Text::tr("the time of the measurement"));
   requireTime(request.calibrationWait_s, 600.0, Text::tr("the wait for the calibration"));
   return Check(request).run();
-}
-
-void monitorDevice(const DeviceMonitorRequest& request) {
-  requireTime(request.seconds, 86'400.0, Text::tr("the time to watch"));
-  requireTime(request.interval_s, 60.0, Text::tr("the interval"));
-  StylusOpening opening = openStylus(stylusRequest(request.choice, request.cancelled));
-  if (opening.driver == nullptr) {
-    throw Error(ErrorCode::kDevice, opening.library.sentence, Text::tr("haptic device"),
-                opening.library.remedy);
-  }
-  StylusDriver& device = *opening.driver;
-  device.serve();
-  const MonotonicClock clock;
-  const std::int64_t begun_us = clock.now_us();
-  HdapiSnapshot now;
-  for (double time_s = 0.0; time_s < request.seconds;
-       time_s = 1e-6 * static_cast<double>(clock.now_us() - begun_us)) {
-    pause_s(request.interval_s);
-    if (request.cancelled && request.cancelled()) {
-      return;
-    }
-    now = device.snapshot();
-    request.show(readout(now, 1e-6 * static_cast<double>(clock.now_us() - begun_us)));
-    if (now.state == HdapiState::kLost) {
-      throw Error(ErrorCode::kDevice, hdapiErrorText(now.lostBecause), device.capabilities().model,
-                  Text::tr("Check cable and power, plug the device in again and start anew"));
-    }
-    requireServo(now, device.capabilities().model);
-  }
-  if (now.timing.ticks == 0) {
-    now.state = HdapiState::kSilent;  // watched for less than the patience
-  }
-  requireServo(now, device.capabilities().model);
-}
-
-std::string deviceStateText(const HdapiSnapshot& snapshot) {
-  switch (snapshot.state) {
-    case HdapiState::kOpened:
-      return "starting";
-    case HdapiState::kNeedsCalibration:
-      if (snapshot.calibration == CalibrationState::kFailed) {
-        return "calibration failed";
-      }
-      if (snapshot.calibration == CalibrationState::kUpdating) {
-        return "being calibrated";
-      }
-      return "put the stylus into the inkwell";
-    case HdapiState::kReady:
-      return "ready, force off";
-    case HdapiState::kRunning:
-      return "ready, force on";
-    case HdapiState::kDegraded:
-      return (snapshot.sample.status & kDeviceWarm) != 0 ? "motors warm, force off"
-                                                         : "servo too slow, force off";
-    case HdapiState::kSilent:
-      return "the servo does not call";
-    case HdapiState::kLost:
-      return "connection lost";
-    case HdapiState::kClosed:
-      return "closed";
-  }
-  return "";
 }
 
 }  // namespace torsio

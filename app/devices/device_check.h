@@ -5,18 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "app/devices/device_choice.h"
 #include "sim/base/text.h"
 #include "sim/device/drivers/device_driver.h"
 
 namespace torsio {
-
-/// Which haptic device: path or name of the vendor's library, and the name that the vendor's set-up tool gave
-/// the device. Empty: the usual ones.
-struct DeviceChoice {
-  std::string library;
-  std::string name;
-  bool inThisProcess = false;  ///< for tests that steer a fake library; else torsio-device drives
-};
 
 enum class FindingGrade {
   kGood,
@@ -66,36 +59,5 @@ struct DeviceCheckResult {
 /// Everything that goes wrong with the device is a finding; throws Error{kBadParameter} for times out of
 /// range.
 [[nodiscard]] DeviceCheckResult checkDevice(const DeviceCheckRequest& request);
-
-/// One reading for people.
-struct DeviceReadout {
-  double time_s = 0.0;
-  std::string state;      ///< "ready", "put the stylus into the inkwell" ...
-  Vec3 tip_mm;            ///< world frame, about the centre of the workspace
-  double roll_deg = 0.0;  ///< from the docked reference
-  bool rollAtStop = false;
-  double grip = 0.0;
-  bool firstButton = false;
-  bool secondButton = false;
-  bool docked = false;
-  double warmest = 0.0;
-  double rate_Hz = 0.0;
-  std::int64_t lateTicks = 0;
-};
-
-struct DeviceMonitorRequest {
-  DeviceChoice choice;
-  double seconds = 10.0;
-  double interval_s = 0.25;
-  std::function<void(const DeviceReadout&)> show;
-  std::function<bool()> cancelled;  ///< may be empty
-};
-
-/// Shows readings until the time is over or somebody cancels; no force. Throws Error{kDevice} when there is
-/// no device or it is lost; it is closed in order on every way out.
-void monitorDevice(const DeviceMonitorRequest& request);
-
-/// The state of the device in plain words.
-[[nodiscard]] std::string deviceStateText(const HdapiSnapshot& snapshot);
 
 }  // namespace torsio

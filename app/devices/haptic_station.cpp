@@ -15,10 +15,11 @@ namespace torsio {
 namespace {
 
 /// Subject of the check -> line of the trainee's device check; what is not listed belongs to "connected".
-constexpr std::array<std::pair<const char*, const char*>, 6> kLines{{{"Calibration", "calibrated"},
+constexpr std::array<std::pair<const char*, const char*>, 7> kLines{{{"Calibration", "calibrated"},
                                                                      {"Roll", "docked"},
                                                                      {"Rate", "rate"},
                                                                      {"Jitter", "rate"},
+                                                                     {"Scheduling", "rate"},
                                                                      {"Force", "force"},
                                                                      {"Motors", "force"}}};
 
@@ -33,21 +34,11 @@ Light lightOf(FindingGrade grade) {
                                      : (grade == FindingGrade::kNote ? Light::kAmber : Light::kGreen);
 }
 
-StylusRequest stationRequest(const DeviceChoice& choice) {
-  StylusRequest request;
-  request.library = choice.library;
-  request.options.deviceName = choice.name;
-  request.inThisProcess = choice.inThisProcess;
-  return request;
-}
-
 }  // namespace
 
 bool hapticLibraryInstalled(const DeviceChoice& choice) {
-  StylusRequest request = stationRequest(choice);
-  request.onlyLibrary = true;
   try {
-    return openStylus(request).library.status == HdapiLoadStatus::kLoaded;
+    return openStylus(stylusRequest(choice, {}, true)).library.status == HdapiLoadStatus::kLoaded;
   } catch (const Error&) {
     return false;  // `torsio device check` says why
   }
@@ -79,7 +70,7 @@ DeviceProbe hapticProbe(const DeviceChoice& choice) {
 }
 
 std::unique_ptr<HapticDevice> openHapticDevice(const Scene& scene, const DeviceChoice& choice) {
-  StylusRequest request = stationRequest(choice);
+  StylusRequest request = stylusRequest(choice, {});
   request.options.workspaceCentre_m = handTask(scene).graspPoint_m;
   StylusOpening opening = openStylus(request);
   if (opening.driver == nullptr) {

@@ -14,9 +14,11 @@ namespace torsio {
 
 /// Version of the rules by which a tick answers; stamped on every sample, so that a trial replays by the
 /// rules that it was recorded with. 1: jaw and shaft collide, contact is a virtual coupling to a surface that
-/// gives way, passivity is kept. 2: of a hollow organ that came twisted, which a hand undoes.
-inline constexpr std::uint32_t kRulesOfTwisting = 1;
-inline constexpr std::uint32_t kRulesOfDetorsion = 2;
+/// gives way, passivity is kept. 2: passivity is the last stage (no force beyond the energy that the hand has
+/// put in), a falling force is not held back, a jaw that lets go touches anew. 3: so, of a hollow organ that
+/// came twisted, which a hand undoes.
+inline constexpr std::uint32_t kRulesOfStoredEnergy = 2;
+inline constexpr std::uint32_t kRulesOfDetorsion = 3;
 inline constexpr std::uint32_t kServoRules = kRulesOfDetorsion;
 
 /// Stages of one exercise (paper Fig. 6): no force and no deformation before contact.
@@ -61,7 +63,7 @@ enum ForceLimit : std::uint32_t {
   kForceSlew = 1U << 6,
   kForceEngaging = 1U << 7,
   kForceInhibited = 1U << 8,
-  kForcePassivity = 1U << 9,  ///< damped, because more energy came out of the tissue than went in
+  kForcePassivity = 1U << 9,  ///< made smaller: the hand would get more energy than it has put in
   /// The model beside the servo has failed, or said nothing for too long: the grip is not felt.
   kForceModelLate = 1U << 10,
 };

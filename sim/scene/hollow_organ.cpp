@@ -134,6 +134,15 @@ double HollowOrgan::torque_Nm(double angle_rad, double pressure_Pa) const noexce
   return torque_Nm;
 }
 
+double HollowOrgan::storedEnergy_J(double angle_rad, double pressure_Pa) const noexcept {
+  constexpr int kSteps = 64;
+  double sum_Nm = 0.5 * (torque_Nm(0.0, pressure_Pa) + torque_Nm(angle_rad, pressure_Pa));
+  for (int i = 1; i < kSteps; ++i) {
+    sum_Nm += torque_Nm(angle_rad * i / kSteps, pressure_Pa);
+  }
+  return sum_Nm * angle_rad / kSteps;
+}
+
 double HollowOrgan::slope_Nm_per_rad(double angle_rad, double pressure_Pa) const noexcept {
   return (torque_Nm(angle_rad + kSlopeStep_rad, pressure_Pa) -
           torque_Nm(angle_rad - kSlopeStep_rad, pressure_Pa)) /

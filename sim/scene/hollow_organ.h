@@ -106,6 +106,9 @@ class HollowOrgan {
   [[nodiscard]] double torque_Nm(double angle_rad, double pressure_Pa) const noexcept;
   /// Returns the slope of that torque, N m/rad: negative beyond the peak. In the tick.
   [[nodiscard]] double slope_Nm_per_rad(double angle_rad, double pressure_Pa) const noexcept;
+  /// Returns the energy that the spans give while the mobile part turns back to rest, J: the integral of the
+  /// torque, by 64 trapezia.
+  [[nodiscard]] double storedEnergy_J(double angle_rad, double pressure_Pa) const noexcept;
   /// Returns the largest torque on the way to closing, N m; of a cord that of its largest twist.
   [[nodiscard]] double peakTorque_Nm(double pressure_Pa) const noexcept;
   /// Returns the peak torque at the pressure with which a trial begins, N m: what the friction of the base

@@ -34,9 +34,19 @@ class ContactCoupling {
         spring_N_per_m_(kCouplingRatio * surface_N_per_m),
         damper_N_per_m_(spring_N_per_m_ * kCouplingTime_s / (static_cast<double>(tickPeriod_us) * 1e-6)) {}
 
+  /// Begins a contact anew at this depth, m: until the part has come out as far, only what lies deeper is
+  /// pressed. For a part that is in the tissue already when it begins to touch.
+  constexpr void anchor(double depth_m) noexcept {
+    anchor_m_ = depth_m > 0.0 ? depth_m : 0.0;
+    depth_m_ = 0.0;
+    surface_m_ = 0.0;
+  }
+
   /// Steps to the next tick at this depth, m; 0 or less: no contact. Returns by how much the surface gives
   /// way, m.
   constexpr double step(double depth_m) noexcept {
+    anchor_m_ = depth_m > 0.0 ? std::min(anchor_m_, depth_m) : 0.0;
+    depth_m -= anchor_m_;
     if (!(depth_m > 0.0)) {
       depth_m_ = 0.0;
       surface_m_ = 0.0;
@@ -59,6 +69,7 @@ class ContactCoupling {
   double damper_N_per_m_;  // B / T
   double depth_m_ = 0.0;
   double surface_m_ = 0.0;
+  double anchor_m_ = 0.0;
 };
 static_assert(std::is_trivially_copyable_v<ContactCoupling>);
 

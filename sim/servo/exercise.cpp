@@ -173,6 +173,7 @@ std::uint32_t Exercise::follow(const ToolState& tool, const Scene& scene) noexce
 
 void Exercise::letGo(std::uint32_t why, std::uint32_t& events) noexcept {
   phase_ = ExercisePhase::kReleased;
+  jawOpens_ = options_.rules >= kRulesOfStoredEnergy;
   events |= why;
 }
 
@@ -234,6 +235,10 @@ void Exercise::moveOn(double gap_m, const std::optional<SurfacePoint>& held, con
 Vec3 Exercise::pushBack(const ToolTouch& at, std::array<ContactPatch, 2>& patches) noexcept {
   const bool holding = phase_ == ExercisePhase::kTwisting;
   Vec3 force_N;
+  if (jawOpens_) {
+    jaw_.anchor(-at.jaw.gap_m);
+    jawOpens_ = false;
+  }
   const double jaw_m = jaw_.step(holding ? 0.0 : -at.jaw.gap_m);
   if (jaw_m > 0.0) {
     patches[0] = patchUnder(at.jaw, jaw_m);
@@ -348,6 +353,11 @@ ExerciseStep Exercise::step(const ToolState& tool, const Scene& scene) noexcept 
   moveOn(std::min(at.jaw.gap_m, at.shaft.gap_m), held, tool, scene, answer.events);
   if (scene.hollow) {
     detorsion_.step(*scene.hollow, detorsionHand(tool), organ_, answer.events);
+    if ((answer.events & (kEventGripped | kEventUnclipped)) != 0 && phase_ == ExercisePhase::kTwisting) {
+      const double angle_rad = organ_.twist.graspAngle_rad;
+      answer.lent_J = scene.hollow->storedEnergy_J(angle_rad, organ_.hollow.reading.pressure_Pa) +
+                      std::abs(DetorsionStep::relapse_Nm(*scene.hollow, organ_) * angle_rad);
+    }
   }
   answer.phase = phase_;
   answer.response = responseTo(at, tool, scene, answer);

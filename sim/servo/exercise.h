@@ -48,8 +48,8 @@ struct ExerciseMoment {
 };
 static_assert(std::is_trivially_copyable_v<ExerciseMoment>);
 
-/// Stiffness that a steady push meets, softer than any device's limit, which caps it. By rules 1 it is the
-/// stiffness of a plain spring, by rules 2 that of the coupling (contact_coupling.h).
+/// Stiffness that a steady push meets, softer than any device's limit, which caps it: that of the
+/// coupling (contact_coupling.h).
 inline constexpr double kContactStiffness_N_per_m = 400.0;
 static_assert(kSurfaceStiffness_N_per_m * kCouplingRatio / (1.0 + kCouplingRatio) ==
               kContactStiffness_N_per_m);
@@ -76,6 +76,7 @@ struct ExerciseOptions {
   TwistDrive drive = TwistDrive::kTangential;
   double maxStiffness_N_per_m = 500.0;          ///< of the device; > 0
   std::int64_t tickPeriod_us = kTickPeriod_us;  ///< > 0
+  std::uint32_t rules = kServoRules;            ///< 1 .. kServoRules: older ones replay older trials
 };
 
 /// Answer of the exercise in one tick.
@@ -86,6 +87,8 @@ struct ExerciseStep {
   std::uint32_t contact = kContactNone;   ///< ToolContact bits
   std::uint32_t limits = kForceFull;      ///< kForceModelLate, if so
   std::array<ContactPatch, 2> patches{};  ///< under the jaw and under the shaft
+  /// Energy that the tissue brings along into the grip, of an organ that came twisted.
+  double lent_J = 0.0;
 };
 
 /// The flow of paper Fig. 6 as a state machine: tracking, contact, twisting, released. Outside contact there
@@ -159,7 +162,8 @@ class Exercise {
   ContactCoupling jaw_;
   ContactCoupling shaft_;
   bool shaftTouched_ = false;
-  double returnFactor_;  // of the angle, a tick
+  bool jawOpens_ = false;  // it has let go in this tick, and touches anew from where it is
+  double returnFactor_;    // of the angle, a tick
   ExercisePhase phase_ = ExercisePhase::kTracking;
   OrganState organ_;
   bool jawClosed_ = true;  // a jaw that is closed at the start grips nothing

@@ -26,10 +26,10 @@ double farthest_m(const RodPose& a, const RodPose& b) noexcept {
 }  // namespace
 
 PoseTrack::PoseTrack(const Scene& scene, const TrialHeader& header, std::span<const TrialChunk> chunks) {
-  if (!scene.rod && !scene.hollow) {
+  if ((!scene.rod && !scene.hollow) || chunks.empty()) {
     return;
   }
-  TrialRerun rerun(scene, header);
+  TrialRerun rerun(scene, header, decodeChunk(chunks.front()).front().rules);
   RodPose kept;
   for (const TrialChunk& chunk : chunks) {
     for (const Sample& recorded : decodeChunk(chunk)) {

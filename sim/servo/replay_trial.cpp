@@ -82,7 +82,7 @@ ReplayReport replayTrial(const Scene& scene, const Trial& trial) {
   report.chunks = static_cast<std::int64_t>(trial.chunks.size());
   report.contentIntact = contentHash(trial) == trial.summary.contentHash;
 
-  TrialRerun rerun(scene, trial.header);
+  TrialRerun rerun(scene, trial.header, recorded.empty() ? kServoRules : recorded.front().rules);
   std::size_t at = 0;
   std::int64_t expectedTick = 0;
   for (const TrialChunk& chunk : trial.chunks) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/servo/servo_loop.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -8,6 +9,7 @@
 
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
+#include "sim/base/float_mode.h"
 #include "sim/base/live_of_sample.h"
 
 namespace torsio {
@@ -22,7 +24,8 @@ const HapticDevice& deviceOf(const ServoLoop::Links& links) {
 ExerciseOptions exerciseOptions(const ServoLoop::Links& links, const ServoOptions& options) {
   return {.drive = options.drive,
           .maxStiffness_N_per_m = deviceOf(links).capabilities().maxStiffness_N_per_m,
-          .tickPeriod_us = options.tickPeriod_us};
+          .tickPeriod_us = options.tickPeriod_us,
+          .rules = options.rules};
 }
 
 GovernorLimits governorLimits(const ServoLoop::Links& links, const ServoOptions& options) {
@@ -31,7 +34,8 @@ GovernorLimits governorLimits(const ServoLoop::Links& links, const ServoOptions&
           .continuousForce_N = device.continuousForce_N,
           .workspaceMin_m = device.workspaceMin_m,
           .workspaceMax_m = device.workspaceMax_m,
-          .tickPeriod_us = options.tickPeriod_us};
+          .tickPeriod_us = options.tickPeriod_us,
+          .fallsFreely = options.rules >= kRulesOfStoredEnergy};
 }
 
 bool isFinite(const TwistResponse& response) noexcept {
@@ -39,6 +43,8 @@ bool isFinite(const TwistResponse& response) noexcept {
          torsio::isFinite(response.force_N) && std::isfinite(response.depth_m) &&
          std::isfinite(response.graspArc_m);
 }
+
+constexpr std::uint32_t kNoHand = kDeviceLost | kDeviceUncalibrated | kDeviceInvalid | kDeviceEnded;
 
 bool inUnitRange(double value) noexcept {
   return value >= 0.0 && value <= 1.0;  // false for NaN
@@ -72,19 +78,21 @@ ServoLoop::ServoLoop(const Links& links, const ServoOptions& options)
       options_(options),
       exercise_(exerciseOptions(links, options)),
       passivity_({.tickPeriod_us = options.tickPeriod_us}),
-      governor_(governorLimits(links, options)) {
+      governor_(governorLimits(links, options)),
+      storedEnergy_({.tickPeriod_us = options.tickPeriod_us}) {
   if (!inUnitRange(options.forceScale) || !std::isfinite(options.targetAngle_rad)) {
     throw Error(ErrorCode::kBadParameter,
                 Text::verbatim("the force scale must lie in 0..1 and the target be finite, got %1 and %2",
                                std::to_string(options.forceScale), std::to_string(options.targetAngle_rad)),
                 Text::verbatim("servo loop"), Text::verbatim("Check the exercise's options"));
   }
-  sample_.rules = links.scene->hollow ? kRulesOfDetorsion : kRulesOfTwisting;
+  sample_.rules = links.scene->hollow ? kRulesOfDetorsion : std::min(options.rules, kRulesOfStoredEnergy);
   exercise_.begin(*links.scene, options.seed);
 }
 
 void ServoLoop::tick(std::int64_t time_us) noexcept {
   const auto begun = std::chrono::steady_clock::now();
+  const PinnedFloatMode defaults;
   countLate(time_us);
   sample_.tick = nextTick_++;
   sample_.command = nextCommand();
@@ -100,13 +108,22 @@ void ServoLoop::tick(std::int64_t time_us) noexcept {
   noteEvents(step);
   std::uint32_t damped = kForceFull;
   const Vec3 wanted_N = wantedForce_N(step, tool, damped);
-  const ForceCommand force = governor_.govern({.now_us = time_us,
-                                               .computed_us = time_us,
-                                               .wanted_N = wanted_N,
-                                               .tip_m = tool.pose.position_m,
-                                               .deviceStatus = tool.status});
+  ForceCommand force = governor_.govern({.now_us = time_us,
+                                         .computed_us = time_us,
+                                         .wanted_N = wanted_N,
+                                         .tip_m = tool.pose.position_m,
+                                         .deviceStatus = tool.status});
+  if (energyLast()) {
+    if ((step.events & (kEventGripped | kEventReleased)) != 0) {
+      storedEnergy_.forget();
+    }
+    storedEnergy_.lend(step.lent_J);
+    force.force_N = storedEnergy_.limited(tool.pose.position_m, force.force_N, (tool.status & kNoHand) == 0,
+                                          force.limits);
+  } else {
+    passivity_.sent(force.force_N);
+  }
   links_.device->write(force);
-  passivity_.sent(force.force_N);
   sample_.force_N = force.force_N;
   sample_.limits = force.limits | damped | step.limits;
 
@@ -126,7 +143,9 @@ Vec3 ServoLoop::wantedForce_N(const ExerciseStep& step, const ToolState& tool,
   sample_.response = finite ? step.response : TwistResponse{};
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   const Vec3 scaled_N = finite ? step.response.force_N * options_.forceScale : Vec3{kNaN, 0.0, 0.0};
-  constexpr std::uint32_t kNoHand = kDeviceLost | kDeviceUncalibrated | kDeviceInvalid | kDeviceEnded;
+  if (energyLast()) {
+    return scaled_N;
+  }
   const bool sound = finite && (tool.status & kNoHand) == 0;
   const Vec3 passive_N =
       passivity_.control(sample_.device.time_us, tool.pose.position_m, scaled_N, sound, limits);
@@ -203,6 +222,9 @@ ServoCommand ServoLoop::nextCommand() noexcept {
 void ServoLoop::obey(const ServoCommand& command) noexcept {
   switch (command.kind) {
     case ServoCommand::Kind::kNone:
+    case ServoCommand::Kind::kHoldOrgan:
+    case ServoCommand::Kind::kVent:
+    case ServoCommand::Kind::kCheckFlow:
       break;
     case ServoCommand::Kind::kReleaseTissue:
       exercise_.releaseTissue();
@@ -278,7 +300,7 @@ void ServoLoop::publish() noexcept {
   live.times = times_;
   live.pose = exercise_.organ().pose;
   live.hollow = exercise_.organ().hollow;
-  live.portEnergy_J = passivity_.energy_J();
+  live.portEnergy_J = portEnergy_J();
   links_.live->publish(live);
 }
 

@@ -12,6 +12,7 @@
 #include "sim/device/haptic_device.h"
 #include "sim/device/safety/force_governor.h"
 #include "sim/device/safety/passivity.h"
+#include "sim/device/safety/stored_energy.h"
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"
 #include "sim/servo/exercise.h"
@@ -23,6 +24,7 @@ struct ServoOptions {
   double targetAngle_rad = 0.0;
   double forceScale = 1.0;  ///< 0..1, shown; the material is never rescaled
   std::int64_t tickPeriod_us = kTickPeriod_us;
+  std::uint32_t rules = kServoRules;  ///< 1 .. kServoRules; older ones replay older trials
   /// Of a hollow organ: the twist that it begins with and the errors of the checks (detorsionSeed).
   std::uint64_t seed = 0;
 };
@@ -52,9 +54,11 @@ class ServoLoop {
   /// sense.
   ServoLoop(const Links& links, const ServoOptions& options);
 
-  /// Runs one tick: drain one command, read, collide, step the tissue, keep the contact passive, govern,
-  /// write, record, publish. `time_us` never decreases; it is the time of the sample, whatever the device
-  /// reports. Allocates nothing, locks nothing, logs nothing; on any doubt the force is zero.
+  /// Runs one tick: drain one command, read, collide, step the tissue, govern, keep the force to the energy
+  /// that the hand has put in, write, record, publish. Rounding and the like are the processor's defaults
+  /// while it runs, whatever its thread has set. `time_us` never decreases; it is the time of the sample,
+  /// whatever the device reports. Allocates nothing, locks nothing, logs nothing; on any doubt the force is
+  /// zero.
   void tick(std::int64_t time_us) noexcept;
 
   [[nodiscard]] const Sample& lastSample() const noexcept { return sample_; }
@@ -64,8 +68,10 @@ class ServoLoop {
   [[nodiscard]] const OrganState& organ() const noexcept { return exercise_.organ(); }
   /// Returns when the stages of the exercise were last reached.
   [[nodiscard]] const ExerciseTimes& times() const noexcept { return times_; }
-  /// Returns the energy of the passivity observer, J.
-  [[nodiscard]] double portEnergy_J() const noexcept { return passivity_.energy_J(); }
+  /// Returns the energy that the hand has put into the force, J.
+  [[nodiscard]] double portEnergy_J() const noexcept {
+    return energyLast() ? storedEnergy_.energy_J() : passivity_.energy_J();
+  }
   /// Asks the device to let go of the hand until the next write: for a watchdog. Any thread.
   void dropForce() noexcept { links_.device->dropForce(); }
   [[nodiscard]] std::int64_t tickPeriod_us() const noexcept { return options_.tickPeriod_us; }
@@ -77,6 +83,7 @@ class ServoLoop {
   [[nodiscard]] std::int64_t ticks() const noexcept { return nextTick_; }
 
  private:
+  [[nodiscard]] bool energyLast() const noexcept { return options_.rules >= kRulesOfStoredEnergy; }
   [[nodiscard]] ServoCommand nextCommand() noexcept;
   void obey(const ServoCommand& command) noexcept;
   /// Takes the newest answer of the model beside the servo, if it belongs to the present grip.
@@ -84,8 +91,8 @@ class ServoLoop {
   /// Tells the model beside the servo how far the grip is turned.
   void ask() noexcept;
   void countLate(std::int64_t time_us) noexcept;
-  /// Returns the wanted force of this tick, scaled and kept passive; NaN when the answer of the tissue is
-  /// not finite.
+  /// Returns the wanted force of this tick, scaled, by rules 1 kept passive; NaN when the answer of the
+  /// tissue is not finite.
   [[nodiscard]] Vec3 wantedForce_N(const ExerciseStep& step, const ToolState& tool,
                                    std::uint32_t& limits) noexcept;
   /// Takes how a hollow organ fares into the sample; false, and the last that was sound, when it is in doubt.
@@ -98,6 +105,7 @@ class ServoLoop {
   Exercise exercise_;
   PassivityController passivity_;
   ForceGovernor governor_;
+  StoredEnergyLimit storedEnergy_;
   Sample sample_;
   HollowReading soundReading_;  // the last that was finite
   std::array<ContactPatch, 2> patches_{};

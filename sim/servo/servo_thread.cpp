@@ -6,6 +6,15 @@
 
 namespace torsio {
 
+RealTimeGrant askForRealTime() {
+  RealTimeGrant grant;
+  std::thread([&grant] {
+    grant.scheduling = requestRealTime(RealTimeRank::kServo);
+    grant.memory = LockedMemory(&grant, sizeof grant).locked();
+  }).join();
+  return grant;
+}
+
 ServoThread::ServoThread(ServoLoop& loop, std::int64_t period_us)
     : loop_(loop), period_ns_(period_us * 1000), watchdog_([&loop] { loop.dropForce(); }) {
   TORSIO_EXPECTS(period_us > 0);

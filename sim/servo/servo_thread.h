@@ -11,6 +11,15 @@
 
 namespace torsio {
 
+/// What the system grants a thread that renders force.
+struct RealTimeGrant {
+  bool scheduling = false;  ///< its ticks go before ordinary work
+  bool memory = false;      ///< its stack stays in memory
+};
+
+/// Asks the system as ServoThread does, in a thread of its own that ends at once.
+[[nodiscard]] RealTimeGrant askForRealTime();
+
 /// Calls ServoLoop::tick on absolute deadlines in a thread of its own, with real-time scheduling and locked
 /// memory where the system permits them. A deadline that has passed by a whole period or more is skipped:
 /// late ticks are counted (ServoLoop::lateTicks) and never caught up in a burst. A watchdog lets go of the

@@ -3,6 +3,16 @@
 
 namespace torsio {
 
+namespace {
+
+ServoOptions optionsOf(const TrialHeader& header, std::uint32_t rules) {
+  ServoOptions options = servoOptions(header);
+  options.rules = rules;
+  return options;
+}
+
+}  // namespace
+
 TrialRerun::HandedSample::HandedSample(const TrialHeader& header) {
   capabilities_.model = header.deviceModel;
   capabilities_.maxForce_N = header.deviceLimits.maxForce_N;
@@ -13,10 +23,10 @@ TrialRerun::HandedSample::HandedSample(const TrialHeader& header) {
   capabilities_.realTime = false;
 }
 
-TrialRerun::TrialRerun(const Scene& scene, const TrialHeader& header)
+TrialRerun::TrialRerun(const Scene& scene, const TrialHeader& header, std::uint32_t rules)
     : device_(header),
       loop_({.device = &device_, .scene = &scene, .commands = &commands_, .beside = &beside_},
-            servoOptions(header)) {}
+            optionsOf(header, rules)) {}
 
 const Sample& TrialRerun::next(const Sample& recorded) {
   if (recorded.command.kind != ServoCommand::Kind::kNone) {

@@ -31,12 +31,12 @@ struct DeviceDriver {
   Text finding;  ///< why, or why not; a sentence without a full stop
   Text remedy;   ///< what to do; "" when available
   /// Opens the device. Throws Error{kDevice} or Error{kBadParameter}. An hdapi device still has to be
-  /// started (HdapiDevice::start).
+  /// started (StylusDriver::serve).
   std::function<std::unique_ptr<HapticDevice>(const DeviceRequest&)> open;
 };
 
-/// Lists all drivers, best first, and whether each could be used now. Loads the vendor's library if there
-/// is one (never unloaded), but opens no device. `library`: its path or name, "" for the usual ones.
+/// Lists all drivers, best first, and whether each could be used now. The device process looks whether the
+/// vendor's library loads; no device is opened. `library`: its path or name, "" for the usual ones.
 [[nodiscard]] std::vector<DeviceDriver> deviceDrivers(const std::string& library = "");
 
 }  // namespace torsio

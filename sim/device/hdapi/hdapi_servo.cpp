@@ -333,11 +333,23 @@ Vec3 HdapiServo::forceToSend(std::int64_t now_us) noexcept {
   if (asked || expired || !std::isfinite(size_N) || revoked_.load(std::memory_order_relaxed)) {
     gate_.close();
   }
-  const double gain = gate_.advance(std::clamp<std::int64_t>(interval_us_, 0, kServoPeriod_us));
+  const std::int64_t step_us = std::clamp<std::int64_t>(interval_us_, 0, kServoPeriod_us);
+  const double gain = gate_.advance(step_us);
   if (!(gain > 0.0)) {
+    rendered_N_ = {};
     return {};
   }
-  return command_.force_N * (gain * setup_.maxForce_N / std::max(size_N, setup_.maxForce_N));
+  const Vec3 asked_N = command_.force_N * (gain * setup_.maxForce_N / std::max(size_N, setup_.maxForce_N));
+  if (tick_.run != nullptr) {
+    return asked_N;
+  }
+  // Over mailboxes several ticks of the other side may fall between two frames: their rises do not add up.
+  const Vec3 kept_N = keptForce_N(rendered_N_, asked_N);
+  const Vec3 rise_N = asked_N - kept_N;
+  const double most_N = kSlewLimit_N_per_s * 1e-6 * static_cast<double>(step_us);
+  const double rise = norm(rise_N);
+  rendered_N_ = rise > most_N ? kept_N + rise_N * (most_N / rise) : asked_N;
+  return rendered_N_;
 }
 
 void HdapiServo::sendForce(std::int64_t now_us) noexcept {

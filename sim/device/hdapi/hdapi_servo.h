@@ -16,6 +16,7 @@
 #include "sim/device/hdapi/hdapi_state.h"
 #include "sim/device/hdapi/position_liveness.h"
 #include "sim/device/safety/force_gate.h"
+#include "sim/device/safety/force_rise.h"
 #include "sim/device/stylus_roll.h"
 
 namespace torsio {
@@ -143,6 +144,7 @@ class HdapiServo {
   ForceGate gate_;
   HdapiSnapshot snapshot_;
   HdapiForce command_;
+  Vec3 rendered_N_;  // by the last frame, over mailboxes
   DeviceReading reading_;
   std::optional<Pose> lastPose_;
   bool started_ = false;

@@ -200,6 +200,9 @@ ForceCommand ForceGovernor::govern(const GovernorInput& input) noexcept {
     const Vec3 force_N = limited(input, staleness, bits);
     // The ramp may use part of the slew budget, so that the sent force keeps the limit in every tick.
     const double rampShare_N = advanceRamp(step_us) * limits_.maxForce_N;
+    if (limits_.fallsFreely) {
+      slewed_N_ = keptForce_N(slewed_N_, force_N);
+    }
     Vec3 change_N = force_N - slewed_N_;
     clampNorm(change_N, std::max(0.0, kSlewLimit_N_per_s * step_s - rampShare_N), kForceSlew, bits);
     slewed_N_ += change_N;

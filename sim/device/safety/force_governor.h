@@ -6,6 +6,7 @@
 
 #include "sim/base/live_types.h"
 #include "sim/base/tick_period.h"
+#include "sim/device/safety/force_rise.h"
 
 namespace torsio {
 
@@ -25,6 +26,9 @@ struct GovernorLimits {
   Vec3 workspaceMin_m{-10.0, -10.0, -10.0};  ///< usable box, world frame
   Vec3 workspaceMax_m{10.0, 10.0, 10.0};
   std::int64_t tickPeriod_us = kTickPeriod_us;  ///< > 0
+  /// Whether a force may fall at once and only its rise is limited; a fall that is held back gives the hand
+  /// energy. False: by rules 1.
+  bool fallsFreely = true;
 };
 
 /// Longest gap between ticks after which force is still let through; after a longer one the coupling starts
@@ -46,9 +50,6 @@ inline constexpr double kThermalRecovery = 1.001;
 inline constexpr double kHeatTime_s = 60.0;
 /// Share of the heat budget over which the allowed force falls from the maximum to the continuous one.
 inline constexpr double kHeatMargin = 0.25;
-/// Largest change of the sent force: 3.3 N take 33 ms. No published limit exists for the Touch; at the
-/// stiffest contact (500 N/m) a hand at 0.2 m/s stays just below it.
-inline constexpr double kSlewLimit_N_per_s = 100.0;
 /// Time of the ramp by which the force comes in when it is switched on.
 inline constexpr std::int64_t kEngageTime_us = 500'000;
 /// Time of the ramp by which the force goes when it is switched off.
@@ -72,8 +73,8 @@ struct GovernorInput {
 ///
 /// A plain value: copying it copies its memory. The governor knows the time only from its input and
 /// computes with IEEE basic operations and square roots, so that a replay repeats it bit for bit. Servo
-/// thread; noexcept, no allocation. The sent force changes by at most kSlewLimit_N_per_s, except that a
-/// fault, a lost device or a gap between ticks cuts it to zero at once.
+/// thread; noexcept, no allocation. The sent force rises by at most kSlewLimit_N_per_s; it falls as it is
+/// asked to, and a fault, a lost device or a gap between ticks cuts it to zero at once.
 class ForceGovernor {
  public:
   /// Makes a governor for a device. Throws Error{kBadParameter} for limits that are not finite or not in

@@ -2,7 +2,9 @@
 // `torsio device` through the real program: with no vendor library, with the fake one, with the fake one
 // unplugged in the middle. The fake takes its story from the environment (tests/support/fakehd/fakehd.h) and
 // its servo runs in real time, as the program's does; no test depends on how regular that is.
+#include <fstream>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -163,6 +165,61 @@ TEST_F(DeviceCommand, MonitorShowsReadingsAndEndsInOrder) {
 
   EXPECT_EQ(result.code, 0) << result.err;
   expectMentions(result.out, {"tip", "roll", "docked, ready, force off"});
+}
+
+TEST_F(DeviceCommand, CheckSaysWhatTheSystemGrantsTheServo) {
+  const std::string check = "check --seconds 0.5 --wait 5 --json --library " TORSIO_FAKEHD;
+  // Without the right to it, whoever runs the tests.
+  const std::string without = std::string("setpriv --inh-caps=-all --bounding-set=-sys_nice,-ipc_lock ") +
+                              "--no-new-privs sh -c 'ulimit -r 0 2>/dev/null; exec " TORSIO_PROGRAM
+                              " device " +
+                              check + "' > " + (folder_ / "out").string() + " 2>/dev/null";
+  const ProgramRun usual = run(check);
+  const bool dropped = geteuid() == 0 && std::system(without.c_str()) != -1;
+
+  const auto sentenceOf = [](const nlohmann::json& result) {
+    for (const nlohmann::json& finding : result["findings"]) {
+      if (finding["subject"] == "Scheduling") {
+        EXPECT_NE(finding["grade"], "problem");
+        return finding["sentence"].get<std::string>();
+      }
+    }
+    return std::string();
+  };
+  EXPECT_FALSE(sentenceOf(nlohmann::json::parse(usual.out)).empty());
+  if (dropped) {
+    const std::string refused = sentenceOf(nlohmann::json::parse(readFile(folder_ / "out")));
+    EXPECT_NE(refused.find("the system refuses real-time priority"), std::string::npos) << refused;
+  }
+}
+
+TEST_F(DeviceCommand, MonitorPrintsOneJsonDocumentWhateverEndsIt) {
+  const ProgramRun whole = run("monitor --seconds 0.3 --interval 0.05 --json --library " TORSIO_FAKEHD);
+  const ProgramRun lost = run("monitor --seconds 30 --interval 0.05 --json --library " TORSIO_FAKEHD,
+                              "FAKEHD_UNPLUG_AT_TICK=200");
+
+  EXPECT_EQ(whole.code, 0) << whole.err;
+  const nlohmann::json complete = nlohmann::json::parse(whole.out);
+  EXPECT_EQ(complete["ended"], "complete");
+  ASSERT_GE(complete["readings"].size(), 3U);
+  EXPECT_EQ(complete["readings"].back()["state"], "ready, force off");
+  EXPECT_EQ(lost.code, kDevice);
+  const nlohmann::json ended = nlohmann::json::parse(lost.out);
+  EXPECT_EQ(ended["ended"], "the connection to the device broke off");
+  EXPECT_EQ(ended["readings"].back()["state"], "connection lost");
+}
+
+TEST_F(DeviceCommand, ListLooksAtALibraryThatIsCutOffWithoutFalling) {
+  const fs::path cut = folder_ / "libHD.so";
+  std::ofstream(cut, std::ios::binary) << readFile(TORSIO_FAKEHD).substr(0, 3000);
+
+  const ProgramRun listed = run("list --json --library " + cut.string());
+
+  EXPECT_EQ(listed.code, 0) << listed.err;
+  const nlohmann::json drivers = nlohmann::json::parse(listed.out);
+  EXPECT_EQ(drivers[0]["id"], "hdapi");
+  EXPECT_EQ(drivers[0]["available"], false);
+  EXPECT_NE(drivers[0]["finding"].get<std::string>().find("truncated"), std::string::npos);
 }
 
 TEST_F(DeviceCommand, E2_MonitorEndsWithTheDeviceCodeWhenTheDeviceIsUnplugged) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/device/drivers/device_driver.h"
 
+#include <cstdlib>
+
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
-#include "tests/sim/device/hdapi_bench.h"
 
 namespace torsio {
 namespace {
@@ -18,7 +19,13 @@ DeviceRequest anyRequest() {
   return request;
 }
 
-TEST(DeviceDrivers, L1_OffersEveryDriverButTheHapticOneWithoutTheVendorsLibrary) {
+/// The device process that was built beside the tests.
+class DeviceDrivers : public testing::Test {
+ protected:
+  DeviceDrivers() { setenv("TORSIO_DEVICE_PROGRAM", TORSIO_DEVICE_PROGRAM, 1); }
+};
+
+TEST_F(DeviceDrivers, L1_OffersEveryDriverButTheHapticOneWithoutTheVendorsLibrary) {
   const std::vector<DeviceDriver> drivers = deviceDrivers("/nowhere/libHD.so");
 
   ASSERT_EQ(drivers.size(), 5U);
@@ -41,10 +48,7 @@ TEST(DeviceDrivers, L1_OffersEveryDriverButTheHapticOneWithoutTheVendorsLibrary)
   }
 }
 
-TEST(DeviceDrivers, OpensTheHapticDeviceOnTheLibraryThatIsNamed) {
-  const testing::FakeHd fake(TORSIO_FAKEHD);
-  fake.reset();
-
+TEST_F(DeviceDrivers, OpensTheHapticDeviceOnTheLibraryThatIsNamed) {
   const std::vector<DeviceDriver> drivers = deviceDrivers(TORSIO_FAKEHD);
   const auto device = drivers[0].open(anyRequest());
 

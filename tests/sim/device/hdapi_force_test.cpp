@@ -47,6 +47,27 @@ TEST_F(HdapiForces, F1_NeverRendersMoreThanTheDevicesMaximumWhateverIsWritten) {
   EXPECT_NEAR(norm(rendered_N()), 3.3, kRounding_N);
 }
 
+TEST_F(HdapiForces, F2_RisesByNoMoreThanATickOverMailboxesThatHandOverSeveralAtOnce) {
+  open();
+  device->enableForce(true);
+  device->start({});
+  const auto frame = [this](double force_N) {
+    device->write({{force_N, 0.0, 0.0}, 0});
+    fake.run(1);
+    return rendered_N().x;
+  };
+  for (int i = 0; i < 700; ++i) {
+    (void)frame(0.5);  // until the gate has opened
+  }
+  ASSERT_NEAR(rendered_N().x, 0.5, kRounding_N);
+
+  // The other side has gone on by three ticks and more since the frame before.
+  EXPECT_NEAR(frame(0.81), 0.6, kRounding_N);
+  EXPECT_NEAR(frame(0.81), 0.7, kRounding_N);
+  EXPECT_NEAR(frame(0.2), 0.2, kRounding_N);    // down at once
+  EXPECT_NEAR(frame(-3.0), -0.1, kRounding_N);  // and through zero by a tick's rise
+}
+
 TEST_F(HdapiForces, F1_RendersInTheDevicesAxesWhatIsMeantInTheWorlds) {
   startBare({0.1, 0.2, 0.3});
 

@@ -375,18 +375,34 @@ TEST_F(ExerciseTest, PullsTheJawBackToTheSectionAndSlipsOffBeyondItsWay) {
   EXPECT_EQ(slipped.events, static_cast<std::uint32_t>(kEventReleased | kEventSlipped));
 }
 
-TEST_F(ExerciseTest, FeelsTheTwistedSurfaceWhileTheOrganReturns) {
+TEST_F(ExerciseTest, TouchesAnewFromWhereTheJawLetGo) {
   gripAt(0.0);
   (void)turn(0.0, radians(90.0));
 
-  // Open jaw, still pressed in: the round section looks the same twisted, the force stays normal.
+  // Open jaw, still pressed in: no kick. A millimetre deeper the twisted surface is felt, its force normal:
+  // the round section looks the same.
   const ExerciseStep released = step(onSurface(radians(90.0), 0.001));
+  const ExerciseStep deeper = step(onSurface(radians(90.0), 0.002));
 
   EXPECT_EQ(released.phase, ExercisePhase::kReleased);
   EXPECT_NEAR(released.response.depth_m, 0.001, kFlat_m);
-  EXPECT_GT(released.response.force_N.y, 0.4 - 400.0 * kFlat_m);  // more at the onset
-  EXPECT_LE(released.response.force_N.y, 0.5 + 500.0 * kFlat_m);
-  EXPECT_NEAR(released.response.force_N.x, 0.0, 0.02);  // a facet may tilt by 2.5 degrees
+  EXPECT_EQ(norm(released.response.force_N), 0.0);
+  EXPECT_GT(deeper.response.force_N.y, 0.4 - 400.0 * kFlat_m);  // more at the onset
+  EXPECT_LE(deeper.response.force_N.y, 0.5 + 500.0 * kFlat_m);
+  EXPECT_NEAR(deeper.response.force_N.x, 0.0, 0.03);  // a facet may tilt by 2.5 degrees
+}
+
+TEST_F(ExerciseTest, IsTouchedAsEverOnceTheJawHasComeOut) {
+  gripAt(0.0);
+  (void)step(onSurface(0.0, 0.001));   // let go, deep in
+  (void)step(onSurface(0.0, -0.002));  // out
+  for (int i = 0; i < 2000; ++i) {
+    (void)step(onSurface(0.0, -0.002));
+  }
+
+  const ExerciseStep touched = step(onSurface(0.0, 0.001));
+
+  EXPECT_GT(norm(touched.response.force_N), 0.4 - 400.0 * kFlat_m);
 }
 
 TEST_F(ExerciseTest, RefusesToTwistWhatIsHeldFast) {

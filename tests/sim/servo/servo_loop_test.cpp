@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/servo/servo_loop.h"
 
+#include <cfenv>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -361,6 +362,24 @@ TEST(HandTask, GraspsTheSectionOfThePatternFromOutside) {
   EXPECT_NEAR(std::abs(task.axisDirection.z), 1.0, 1e-9);
   EXPECT_NEAR(std::hypot(task.start_m.x, task.start_m.y), kBarRadius_m + 0.090, 1e-4);
   EXPECT_EQ(task.targetAngle_rad, radians(90.0));
+}
+
+TEST(ServoLoop, AnswersAlikeWhateverRoundingItsThreadHasSet) {
+  ScriptedHand first = trainee(3, 4.0);
+  ScriptedHand second = trainee(3, 4.0);
+  const Recording usual = record(first, {}, 3'000);
+
+  ASSERT_EQ(std::fesetround(FE_UPWARD), 0);
+  const Recording upward = record(second, {}, 3'000);
+  const int after = std::fegetround();
+  ASSERT_EQ(std::fesetround(FE_TONEAREST), 0);
+
+  EXPECT_EQ(after, FE_UPWARD);  // the thread's own, for what else it does
+  ASSERT_EQ(usual.exact.size(), upward.exact.size());
+  for (std::size_t i = 0; i < usual.exact.size(); ++i) {
+    ASSERT_EQ(usual.exact[i].force_N, upward.exact[i].force_N) << i;
+    ASSERT_EQ(usual.exact[i].response, upward.exact[i].response) << i;
+  }
 }
 
 }  // namespace

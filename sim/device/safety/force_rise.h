@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+
+#include "sim/base/vec3.h"
+
+namespace torsio {
+
+/// Largest rise of the sent force: 3.3 N take 33 ms. No published limit exists for the Touch; at the
+/// stiffest contact (500 N/m) a hand at 0.2 m/s stays just below it.
+inline constexpr double kSlewLimit_N_per_s = 100.0;
+
+/// Returns the part of the last force that the next one keeps: the last one shortened as far as the next asks
+/// for. Only the way from there to the next is a rise; a fall is free, because one that is held back gives
+/// the hand energy.
+[[nodiscard]] inline Vec3 keptForce_N(const Vec3& last_N, const Vec3& next_N) noexcept {
+  const double square = dot(last_N, last_N);
+  return square > 0.0 ? last_N * std::clamp(dot(last_N, next_N) / square, 0.0, 1.0) : last_N;
+}
+
+}  // namespace torsio
