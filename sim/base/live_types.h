@@ -124,11 +124,11 @@ struct Sample {
   BesideAnswer beside;   ///< of a model beside the servo, arrived before this tick; kNothing mostly
   ExercisePhase phase = ExercisePhase::kTracking;
   std::uint32_t limits = kForceFull;
-  TwistResponse response;                  ///< response.force_N: before the governor
-  Vec3 force_N;                            ///< sent to the device
-  std::uint32_t contact = kContactNone;    ///< ToolContact bits
-  std::uint32_t rules = kRulesOfTwisting;  ///< by which this tick was answered, up to kServoRules
-  HollowReading hollow;                    ///< of an organ with a wall
+  TwistResponse response;                ///< response.force_N: before the governor
+  Vec3 force_N;                          ///< sent to the device
+  std::uint32_t contact = kContactNone;  ///< ToolContact bits
+  std::uint32_t rules = 1;               ///< by which this tick was answered, up to kServoRules
+  HollowReading hollow;                  ///< of an organ with a wall
   friend bool operator==(const Sample&, const Sample&) = default;
 };
 

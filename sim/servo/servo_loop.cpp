@@ -222,9 +222,6 @@ ServoCommand ServoLoop::nextCommand() noexcept {
 void ServoLoop::obey(const ServoCommand& command) noexcept {
   switch (command.kind) {
     case ServoCommand::Kind::kNone:
-    case ServoCommand::Kind::kHoldOrgan:
-    case ServoCommand::Kind::kVent:
-    case ServoCommand::Kind::kCheckFlow:
       break;
     case ServoCommand::Kind::kReleaseTissue:
       exercise_.releaseTissue();
