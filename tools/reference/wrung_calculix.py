@@ -6,7 +6,8 @@
 
 THINNESS is t/R, PRESSURE p R / (G t). Writes tube.inp into the working folder, runs `ccx` on it and prints one
 line a step: angle, torque / (2 pi G t R^2), least lumen radius / R, its place, waves and their amplitude / R, kinetic
-energy over torque x angle / 2; --report prints a finished run again. Needs Python and CalculiX (Debian: calculix-ccx) alone.
+energy over torque x angle / 2; --report prints a finished run again. Needs
+Python and CalculiX (Debian: calculix-ccx) alone.
 
 The tube: R 1, L 6, G 1, nu 0.49, neo-Hookean, C3D20R, one element through the wall. Lower end held, upper end turned
 as a rigid circle, the length kept. Follower pressure, half inside and half as suction outside, so that its resultant
@@ -104,7 +105,8 @@ def write(tube, pressure, last, stride, pace, settled):
             out.write('*DLOAD\nWALL,P6,%.10g\nWALL,P4,%.10g\n' % (load, -load))
         out.write(printed)
         hand = ('*BOUNDARY,AMPLITUDE=COSINE\n%d,1,1,1.\n*BOUNDARY,AMPLITUDE=SINE\n%d,1,1,1.\n' % (cosine, cosine + 1))
-        for start, stop, moving in ((0.0, settled[0], False), (settled[0], settled[1], True), (settled[1], last, False)):
+        early, late = settled
+        for start, stop, moving in ((0.0, early, False), (early, late, True), (late, last, False)):
             if stop <= start:
                 continue
             out.write('*STEP,NLGEOM,INC=20000\n*CONTROLS,PARAMETERS=TIME INCREMENTATION\n10,14,9,30,12,4,,8,,\n')
@@ -149,8 +151,8 @@ def report(tube, pace):
                  for ring in tube.rings()]
         angle = (time - 1) / pace
         c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
-        torque = sum((c * tube.place[v - 1][0] - s * tube.place[v - 1][1]) * f[1]
-                     - (s * tube.place[v - 1][0] + c * tube.place[v - 1][1]) * f[0] for v, f in tables['forces'].items())
+        torque = sum((c * x - s * y) * f[1] - (s * x + c * y) * f[0]
+                     for (x, y, _), f in ((tube.place[v - 1], f) for v, f in tables['forces'].items()))
         lumen = [math.sqrt(max(area(ring), 0.0) / flat) for ring in rings]
         waist = min(range(len(lumen)), key=lumen.__getitem__)
         waves = max((abs(sum(math.hypot(p[0], p[1]) * cmath.exp(-2j * math.pi * n * i / count)
