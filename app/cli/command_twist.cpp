@@ -22,6 +22,7 @@
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/geometry/mesh/mesh_export.h"
+#include "sim/scene/hollow_organ.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/scene/scene.h"
 #include "sim/tissue/hollow/wrung_organ.h"
@@ -161,6 +162,46 @@ nlohmann::ordered_json modelResult(const Scene& scene, const TwistState& state) 
   return result;
 }
 
+/// What an organ that came twisted is like at an angle and the pressure of its scene.
+nlohmann::ordered_json hollowResult(const HollowOrgan& organ, const OrganState& state) {
+  const HollowReading& reading = state.hollow.reading;
+  const double angle_rad = state.twist.graspAngle_rad;
+  nlohmann::ordered_json result;
+  result["angle_rad"] = angle_rad;
+  result["torque_nm"] = organ.torque_Nm(angle_rad, reading.pressure_Pa);
+  result["peak_torque_nm"] = organ.peakTorque_Nm(reading.pressure_Pa);
+  result["pressure_mmhg"] = reading.pressure_Pa / kPascalsPerMmHg;
+  result["patency"] = reading.patency;
+  result["flow"] = reading.flow;
+  if (organ.tube(0) != nullptr) {
+    result["waist_mm"] = 1000.0 * organ.waist_m(angle_rad, reading.pressure_Pa);
+    result["onset_deg"] = degrees(organ.onset_rad(reading.pressure_Pa));
+    result["closing_deg"] = degrees(organ.closing_rad(reading.pressure_Pa));
+  }
+  return result;
+}
+
+/// Angles along a hollow organ.
+nlohmann::ordered_json hollowProfile(const Scene& scene, const OrganState& state) {
+  nlohmann::ordered_json profile = nlohmann::ordered_json::array();
+  for (int j = 0; j < scene.lattice().sections(); ++j) {
+    const double arc_m = scene.lattice().sectionArc_m(j);
+    const HollowOrgan::Section section = scene.hollow->sectionAt(arc_m, state);
+    profile.push_back({{"s_m", arc_m}, {"phi_rad", section.turn_rad}, {"radius", section.radius}});
+  }
+  return profile;
+}
+
+/// Angle of an organ that came twisted: the one asked for, or the least that its trials begin with.
+OrganState hollowState(const TwistArguments& arguments, const Scene& scene) {
+  if (arguments.grasp) {
+    throw Error(ErrorCode::kUsage, Text::verbatim("the mobile part of this organ turns as a whole"),
+                Text::verbatim("--grasp"), Text::verbatim("Leave it out."));
+  }
+  const InitialTwist& start = scene.hollow->detorsion().start;
+  return scene.stateAt(arguments.angle_deg ? angleOf_rad(arguments, scene) : start.sign * start.least_rad);
+}
+
 /// Turns the organ as the pattern's task says until the measured turn is the one asked for.
 TaskPoint taskPoint(const TwistArguments& arguments, const Scene& scene) {
   const double angle_rad = angleOf_rad(arguments, scene);
@@ -191,7 +232,10 @@ void runPattern(const TwistArguments& arguments, const Scene& scene, double setU
   OrganState state;
   nlohmann::ordered_json effect;
   const auto deforming = SteadyClock::now();
-  if (scene.rod) {
+  if (scene.hollow) {
+    state = hollowState(arguments, scene);
+    effect = hollowResult(*scene.hollow, state);
+  } else if (scene.rod) {
     const TaskPoint point = taskPoint(arguments, scene);
     state = {{graspOf(arguments, scene) * length_m, point.angle_rad}, point.pose};
     effect = taskResult(scene, point);
@@ -205,14 +249,16 @@ void runPattern(const TwistArguments& arguments, const Scene& scene, double setU
   const FoldReport fold = FoldCheck(scene.mesh, scene.lattice()).judge(twisted, [&](const Vec3& rest_m) {
     return scene.toDeformed_m(rest_m, state);
   });
-  requireUnfolded(fold, arguments);
+  if (!scene.hollow) {
+    requireUnfolded(fold, arguments);  // a wall folds on purpose
+  }
   writeSurface(arguments, scene.mesh, std::move(twisted));
 
   nlohmann::ordered_json result;
   addOrgan(result, scene, arguments);
   result["pattern"] = scene.pattern.id;
   result["formulation"] = scene.model.options().formulation == Formulation::kPaper ? "paper" : "saint-venant";
-  result["body"] = scene.rod ? "rod" : "bar";
+  result["body"] = scene.hollow ? "hollow" : scene.rod ? "rod" : "bar";
   result["ridges"] = scene.lattice().ridges();
   result["sections"] = scene.lattice().sections();
   result["patches"] = scene.lattice().patches();
@@ -226,7 +272,9 @@ void runPattern(const TwistArguments& arguments, const Scene& scene, double setU
   if (!arguments.out.empty()) {
     result["out"] = arguments.out;
   }
-  result["profile"] = scene.rod ? twistProfile(scene, state.pose) : angleProfile(scene.model, state.twist);
+  result["profile"] = scene.hollow ? hollowProfile(scene, state)
+                      : scene.rod  ? twistProfile(scene, state.pose)
+                                   : angleProfile(scene.model, state.twist);
   print(result, arguments.json);
 }
 

@@ -13,6 +13,7 @@
 
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
+#include "sim/scene/wall_places.h"
 #include "sim/tissue/hollow/wrung_organ.h"
 #include "sim/tissue/rod/rod_sections.h"
 
@@ -20,7 +21,6 @@ namespace torsio::cli {
 
 namespace {
 
-constexpr int kPlaces = 41;
 constexpr double kSmallTurn_rad = radians(0.1);
 
 [[noreturn]] void refuseWall(const std::string& words) {
@@ -45,21 +45,6 @@ double mostSealed_Pa(const std::vector<WallPlace>& places, double shear_Pa) {
     most_Pa = std::min(most_Pa, kMostPressure * shear_Pa * place.thickness_m / place.radius_m);
   }
   return most_Pa;
-}
-
-std::vector<WallPlace> wallPlaces(const SectionLattice& lattice, const WallMap& wall, double from_m,
-                                  double to_m) {
-  std::vector<double> arcs_m;
-  for (int i = 0; i < kPlaces; ++i) {
-    arcs_m.push_back(std::min(to_m, from_m + (to_m - from_m) * i / (kPlaces - 1)));
-  }
-  std::vector<WallPlace> places;
-  const std::vector<LatticeOutline> outlines = lattice.outlinesAt(arcs_m);
-  for (std::size_t i = 0; i < outlines.size(); ++i) {
-    const double thickness_m = wall.thickness_m(arcs_m[i] / lattice.length_m());
-    places.push_back({wallSection(outlines[i].points_m, {&thickness_m, 1}).radius, thickness_m});
-  }
-  return places;
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include "sim/base/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/memory_trial_sink.h"
+#include "sim/scene/hollow_organ.h"
+#include "sim/servo/detorsion.h"
 #include "sim/servo/hand_task.h"
 
 namespace torsio {
@@ -21,7 +23,7 @@ constexpr HandProfile kNothingLeftToLearn{
 
 ScriptedHandOptions expertHand(const Scene& scene, double target_rad) {
   ScriptedHandOptions hand;
-  hand.task = handTask(scene, target_rad);
+  hand.task = scene.hollow ? detorseTask(scene, detorsionSeed("expert")) : handTask(scene, target_rad);
   hand.profile = kNothingLeftToLearn;
   hand.duration_s = kLongestPlan_s;
   return hand;
@@ -30,13 +32,19 @@ ScriptedHandOptions expertHand(const Scene& scene, double target_rad) {
 }  // namespace
 
 Trial expertRun(const Scene& scene, double target_rad) {
-  auto hand = std::make_unique<ScriptedHand>(expertHand(scene, target_rad));
-  const double twistEnds_s = hand->span_s(0)[1];
+  ScriptedHandOptions options = expertHand(scene, target_rad);
+  auto hand = std::make_unique<ScriptedHand>(options);
+  double ends_s = hand->span_s(0)[1] + kAfterwards_s;
+  if (scene.hollow) {
+    ends_s = undone_s(*scene.hollow, *hand);
+    options.duration_s = ends_s + kAfterwards_s;
+    hand = std::make_unique<ScriptedHand>(options);
+  }
   const RecordingSpec spec{
       .trialId = "expert", .phaseLabel = kExpertPhase, .targetAngle_rad = target_rad, .demonstration = true};
   MemoryTrialSink sink;
   RecordedRun run(borrowed(scene), std::move(hand), spec, borrowed<TrialSink>(sink));
-  run.step(ticksIn(twistEnds_s + kAfterwards_s));
+  run.step(ticksIn(ends_s));
   static_cast<void>(run.finish(TrialOutcome::kCompleted));
   return sink.trial();
 }

@@ -32,7 +32,7 @@ struct FlowReading {
 /// A place where the jaw has hurt the wall; it stays.
 struct TissueMark {
   double arc_m = 0.0;      ///< of the organ at rest
-  double round_rad = 0.0;  ///< round the section, from the zero ridge
+  double round_rad = 0.0;  ///< round the section at rest, from e1 of SectionLattice::frameAt
   std::int64_t tick = 0;
   bool torn = false;  ///< through the wall; else bruised
   friend constexpr bool operator==(const TissueMark&, const TissueMark&) = default;

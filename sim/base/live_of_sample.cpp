@@ -15,6 +15,8 @@ LiveState liveStateOf(const Sample& sample) noexcept {
   live.force_N = sample.force_N;
   live.limits = sample.limits;
   live.contact = sample.contact;
+  live.hollow.present = sample.rules >= kRulesOfDetorsion;
+  live.hollow.reading = sample.hollow;
   return live;
 }
 

@@ -15,7 +15,9 @@ namespace torsio {
 /// Version of the rules by which a tick answers; stamped on every sample, so that a trial replays by the
 /// rules that it was recorded with. 1: jaw and shaft collide, contact is a virtual coupling to a surface that
 /// gives way, passivity is kept. 2: of a hollow organ that came twisted, which a hand undoes.
-inline constexpr std::uint32_t kServoRules = 2;
+inline constexpr std::uint32_t kRulesOfTwisting = 1;
+inline constexpr std::uint32_t kRulesOfDetorsion = 2;
+inline constexpr std::uint32_t kServoRules = kRulesOfDetorsion;
 
 /// Stages of one exercise (paper Fig. 6): no force and no deformation before contact.
 enum class ExercisePhase : std::uint8_t {
@@ -120,11 +122,11 @@ struct Sample {
   BesideAnswer beside;   ///< of a model beside the servo, arrived before this tick; kNothing mostly
   ExercisePhase phase = ExercisePhase::kTracking;
   std::uint32_t limits = kForceFull;
-  TwistResponse response;                ///< response.force_N: before the governor
-  Vec3 force_N;                          ///< sent to the device
-  std::uint32_t contact = kContactNone;  ///< ToolContact bits
-  std::uint32_t rules = 1;               ///< by which this tick was answered, up to kServoRules
-  HollowReading hollow;                  ///< of an organ with a wall
+  TwistResponse response;                  ///< response.force_N: before the governor
+  Vec3 force_N;                            ///< sent to the device
+  std::uint32_t contact = kContactNone;    ///< ToolContact bits
+  std::uint32_t rules = kRulesOfTwisting;  ///< by which this tick was answered, up to kServoRules
+  HollowReading hollow;                    ///< of an organ with a wall
   friend bool operator==(const Sample&, const Sample&) = default;
 };
 

@@ -21,7 +21,8 @@ namespace {
 // bytes = magic, version, then one zstd frame (with its own checksum) over the columns in this order.
 constexpr std::array<std::uint8_t, 4> kChunkMagic{'T', 'R', 'S', 'C'};
 constexpr std::uint8_t kVersion = 1;        // the columns up to kRules
-constexpr std::uint8_t kVersionBeside = 2;  // all: something has arrived from a model beside the servo
+constexpr std::uint8_t kVersionBeside = 2;  // up to kBesideSlope: a model beside the servo has answered
+constexpr std::uint8_t kVersionHollow = 3;  // all: a hollow organ that came twisted
 constexpr std::size_t kHeaderSize = kChunkMagic.size() + 1;
 constexpr int kCompressionLevel = 3;
 
@@ -59,9 +60,14 @@ enum Column : std::size_t {
   kBesideAngle,  // the bits of the doubles, as of the value of a command: inputs are kept exactly
   kBesideTorque,
   kBesideSlope,
+  kPressure,
+  kNarrowing,  // 1 - patency, so that 0 is an organ at rest
+  kWant,       // 1 - flow
+  kDose,
   kColumns
 };
 constexpr std::size_t kColumnsWithoutBeside = kBesideState;
+constexpr std::size_t kColumnsWithoutHollow = kPressure;
 
 using Row = std::array<std::int64_t, kColumns>;
 
@@ -115,6 +121,10 @@ Row toRow(const Sample& s) noexcept {
   row[kBesideAngle] = std::bit_cast<std::int64_t>(s.beside.angle_rad);
   row[kBesideTorque] = std::bit_cast<std::int64_t>(s.beside.torque_Nm);
   row[kBesideSlope] = std::bit_cast<std::int64_t>(s.beside.slope_Nm_per_rad);
+  row[kPressure] = toSteps(s.hollow.pressure_Pa, kPressureStep_Pa);
+  row[kNarrowing] = toSteps(1.0 - s.hollow.patency, kShareStep);
+  row[kWant] = toSteps(1.0 - s.hollow.flow, kShareStep);
+  row[kDose] = toSteps(s.hollow.dose, kDoseStep);
   return row;
 }
 
@@ -136,6 +146,21 @@ void answersFromRow(const Row& row, Sample& s) noexcept {
   s.response.depth_m = value(kDepth, kDepthStep_m);
   s.response.graspArc_m = value(kGraspArc, kArcStep_m);
   s.force_N = {value(kSentX, kForceStep_N), value(kSentY, kForceStep_N), value(kSentZ, kForceStep_N)};
+  s.hollow = {value(kPressure, kPressureStep_Pa), 1.0 - value(kNarrowing, kShareStep),
+              1.0 - value(kWant, kShareStep), value(kDose, kDoseStep)};
+}
+
+/// Refuses what no hollow organ is like.
+void checkHollow(const Row& row) {
+  constexpr double kMostPressure_Pa = 1e6;
+  constexpr double kMostDose = 1e6;
+  const auto inside = [&row](Column column, double step, double most) {
+    return row[column] >= 0 && static_cast<double>(row[column]) * step <= most;
+  };
+  if (!inside(kPressure, kPressureStep_Pa, kMostPressure_Pa) || !inside(kNarrowing, kShareStep, 1.0) ||
+      !inside(kWant, kShareStep, 1.0) || !inside(kDose, kDoseStep, kMostDose)) {
+    damaged(Text::verbatim("a hollow organ that makes no sense"));
+  }
 }
 
 BesideAnswer besideOf(const Row& row) {
@@ -153,7 +178,7 @@ BesideAnswer besideOf(const Row& row) {
 }
 
 Sample toSample(const Row& row) {
-  constexpr auto kLastKind = static_cast<std::int64_t>(ServoCommand::Kind::kEnableForce);
+  constexpr auto kLastKind = static_cast<std::int64_t>(ServoCommand::Kind::kCheckFlow);
   constexpr auto kLastPhase = static_cast<std::int64_t>(ExercisePhase::kReleased);
   Sample s;
   s.tick = row[kTick];
@@ -184,15 +209,28 @@ Sample toSample(const Row& row) {
   s.contact = within<std::uint32_t>(row[kContact]);
   s.rules = within<std::uint32_t>(row[kRules]);
   s.beside = besideOf(row);
+  checkHollow(row);
   answersFromRow(row, s);
   return s;
 }
 
 std::size_t columnsOf(std::uint8_t version) noexcept {
-  return version == kVersion ? kColumnsWithoutBeside : kColumns;
+  switch (version) {
+    case kVersion:
+      return kColumnsWithoutBeside;
+    case kVersionBeside:
+      return kColumnsWithoutHollow;
+    default:
+      return kColumns;
+  }
 }
 
 std::uint8_t versionFor(std::span<const Sample> samples) noexcept {
+  const bool hollow = std::any_of(samples.begin(), samples.end(),
+                                  [](const Sample& s) { return s.hollow != HollowReading{}; });
+  if (hollow) {
+    return kVersionHollow;
+  }
   const bool arrived = std::any_of(samples.begin(), samples.end(),
                                    [](const Sample& s) { return s.beside.state != BesideState::kNothing; });
   return arrived ? kVersionBeside : kVersion;
@@ -276,7 +314,7 @@ std::vector<Sample> decodeChunk(const TrialChunk& chunk) {
     damaged(Text::verbatim("this is not a chunk of samples"));
   }
   const auto version = std::to_integer<std::uint8_t>(bytes[kChunkMagic.size()]);
-  if (version != kVersion && version != kVersionBeside) {
+  if (version < kVersion || version > kVersionHollow) {
     throw Error(ErrorCode::kBadData, Text::verbatim("the samples were written in another format version"),
                 Text::verbatim("recorded chunk"),
                 Text::verbatim("Open the trial with the version that wrote it, or a newer one"));
@@ -349,6 +387,11 @@ std::string outputDigest(std::span<const Sample> samples) {
                                s.response.force_N.y, s.response.force_N.z, s.response.depth_m,
                                s.response.graspArc_m, s.force_N.x, s.force_N.y, s.force_N.z}) {
       digest.update(value);
+    }
+    if (s.rules >= kRulesOfDetorsion) {
+      for (const double value : {s.hollow.pressure_Pa, s.hollow.patency, s.hollow.flow, s.hollow.dose}) {
+        digest.update(value);
+      }
     }
   }
   return digest.hex();

@@ -23,6 +23,9 @@ inline constexpr double kTorqueStep_Nm = 1e-6;
 inline constexpr double kForceStep_N = 1e-5;
 inline constexpr double kDepthStep_m = 1e-7;
 inline constexpr double kArcStep_m = 1e-6;
+inline constexpr double kPressureStep_Pa = 0.1;
+inline constexpr double kShareStep = 1e-6;  ///< of patency and flow
+inline constexpr double kDoseStep = 1e-7;
 
 /// Packs consecutive samples: integer columns, polynomial prediction of the order that suits each column
 /// (0 to 4), byte shuffle, zstd. `samples`: 1 .. kLargestChunk, ticks strictly increasing, doubles finite.
@@ -42,7 +45,8 @@ inline constexpr double kArcStep_m = 1e-6;
 /// Computes TrialChunk::digest: over index, first tick, sample count and bytes.
 [[nodiscard]] std::string chunkDigest(const TrialChunk& chunk);
 
-/// Computes TrialChunk::outputDigest: over the exact bits of response and sent force of every sample.
+/// Computes TrialChunk::outputDigest: over the exact bits of response and sent force of every sample, and of
+/// what a hollow organ is like where the rules are those of an untwisting.
 [[nodiscard]] std::string outputDigest(std::span<const Sample> samples);
 
 }  // namespace torsio

@@ -4,11 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "sim/base/vec3.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/scene/organ_state.h"
 #include "sim/tissue/hollow/wrung_organ.h"
@@ -82,51 +80,85 @@ struct Detorsion {
   std::string validity;     ///< in plain words: what of this is measured, sourced, assumed
 };
 
-/// A hollow organ that came twisted: its mobile part turns as a whole, the spans beside it are wrung.
-/// Immutable after construction; queries are noexcept and allocate nothing.
+/// A hollow organ that came twisted: its mobile part turns as a whole, the spans beside it are wrung
+/// (docs/model.md U). Immutable after construction; queries are noexcept and allocate nothing unless they
+/// say otherwise. Those of the tick use + - * / and roots only.
 class HollowOrgan {
  public:
   struct Parts {
-    const SectionLattice* lattice = nullptr;
+    const SectionLattice* lattice = nullptr;  ///< needed by the constructor only
     double shearModulus_Pa = 0.0;
+    double graspArc = 0.5;  ///< where the pattern grips, as a fraction of the length
     Detorsion detorsion;
   };
-  /// Solves the tables of the spans; at most 1 s. Throws Error{kBadParameter}.
+  /// Solves the tables of the spans, each in a thread, one that is like another only once; at most 1 s.
+  /// Throws Error{kBadParameter} for a wall or a vessel out of range, or a grasp off the mobile part.
   explicit HollowOrgan(const Parts& parts);
 
   [[nodiscard]] const Detorsion& detorsion() const noexcept { return detorsion_; }
   [[nodiscard]] const Perfusion& vessels() const noexcept { return vessels_; }
-  /// Returns how the organ lies at the start of a trial with this seed.
+  /// Returns how the organ lies at the start of a trial with this seed: turned by an angle drawn from its
+  /// range, the other way in the opposite share of trials, and short of blood for as long as it has lain so.
   [[nodiscard]] OrganState start(std::uint64_t seed) const;
-  /// Returns the torque that holds the mobile part against the wrung spans alone, N m.
+  /// Returns how the organ lies when it is turned by an angle and nothing has changed yet; flow has settled.
+  [[nodiscard]] OrganState stateAt(double angle_rad) const noexcept;
+  /// Returns the torque that holds the mobile part against the wrung spans alone, N m. In the tick.
   [[nodiscard]] double torque_Nm(double angle_rad, double pressure_Pa) const noexcept;
-  /// Returns the largest torque on the way to closing, N m.
+  /// Returns the slope of that torque, N m/rad: negative beyond the peak. In the tick.
+  [[nodiscard]] double slope_Nm_per_rad(double angle_rad, double pressure_Pa) const noexcept;
+  /// Returns the largest torque on the way to closing, N m; of a cord that of its largest twist.
   [[nodiscard]] double peakTorque_Nm(double pressure_Pa) const noexcept;
-  /// Returns the free cross-section of the narrowest place.
+  /// Returns the peak torque at the pressure with which a trial begins, N m: what the friction of the base
+  /// and the torque of relapse are shares of. In the tick.
+  [[nodiscard]] double basePeak_Nm() const noexcept { return basePeak_Nm_; }
+  /// Returns the free cross-section of the narrowest place. In the tick.
   [[nodiscard]] double patency(double angle_rad, double pressure_Pa) const noexcept;
-  /// Returns the angles at which folds begin and at which the narrowest place is closed.
+  /// Returns the mean radius of the wall at the narrowest place, m; 0 of a cord.
+  [[nodiscard]] double waist_m(double angle_rad, double pressure_Pa) const noexcept;
+  /// Returns the angles at which folds begin and at which the narrowest place is closed; infinite of a cord.
+  /// onset_rad allocates.
   [[nodiscard]] double onset_rad(double pressure_Pa) const;
   [[nodiscard]] double closing_rad(double pressure_Pa) const noexcept;
-  /// Returns the span that a place belongs to, -1 of the mobile part; and where in it, 0 held to 1 mobile.
+  /// Says where a section of the organ lies.
   struct Place {
-    int span = -1;
-    double share = 1.0;
+    int span = -1;       ///< -1: in the mobile part
+    double share = 1.0;  ///< of the span: 0 held to 1 mobile; 0 beyond the held section
   };
   [[nodiscard]] Place placeOf(double arc_m) const noexcept;
-  /// Returns how far the section at an arc length is turned, rad, and its mean radius against rest.
+  /// Says how far a section is turned.
   struct Section {
     double turn_rad = 0.0;
-    double radius = 1.0;
+    double radius = 1.0;  ///< mean, against rest
   };
+  /// Returns how a section lies at a share of a span, 0 held to 1 mobile. In the tick.
+  [[nodiscard]] Section sectionIn(int span, double share, const OrganState& state) const noexcept;
+  /// Returns how the section at an arc length lies. In the tick.
   [[nodiscard]] Section sectionAt(double arc_m, const OrganState& state) const noexcept;
+  /// Returns the shear stress of the wall at an arc length, Pa: torque of its span over 2 pi r^2 t; 0 in the
+  /// mobile part, beyond the held sections and of a cord.
+  [[nodiscard]] double wallShear_Pa(double arc_m, const OrganState& state) const noexcept;
+  /// Returns the number of spans.
+  [[nodiscard]] int spans() const noexcept { return static_cast<int>(detorsion_.spans.size()); }
   /// Returns the wrung tube of a span; null of a cord.
   [[nodiscard]] const WrungOrgan* tube(int span) const noexcept;
+  /// Returns the organ's length, m.
+  [[nodiscard]] double length_m() const noexcept { return length_m_; }
 
  private:
+  static constexpr std::size_t kWallPlaces = 41;
+  /// Wall of a span at equal shares, from the held section.
+  struct Limb {
+    std::shared_ptr<const WrungOrgan> tube;
+    std::array<WallPlace, kWallPlaces> wall{};
+  };
+  void solveLimbs(const Parts& parts);
+
   Detorsion detorsion_;
   Perfusion vessels_;
-  std::vector<WrungOrgan> tubes_;
+  std::vector<Limb> limbs_;  // none: a cord
   double length_m_ = 0.0;
+  double graspArc_m_ = 0.0;
+  double basePeak_Nm_ = 0.0;
 };
 
 }  // namespace torsio

@@ -16,8 +16,10 @@ struct OrganState {
   RodPose pose{};       ///< of an organ that is a rod; no nodes: at rest
   HollowPose hollow{};  ///< of a hollow organ that came twisted
 
-  /// Tells whether nothing is moved.
-  [[nodiscard]] bool atRest() const noexcept { return pose.count == 0 && twist.graspAngle_rad == 0.0; }
+  /// Tells whether nothing is moved; never of a hollow organ, which its content may widen.
+  [[nodiscard]] bool atRest() const noexcept {
+    return pose.count == 0 && twist.graspAngle_rad == 0.0 && !hollow.present;
+  }
   friend constexpr bool operator==(const OrganState&, const OrganState&) = default;
 };
 static_assert(std::is_trivially_copyable_v<OrganState>);

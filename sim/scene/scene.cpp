@@ -8,6 +8,7 @@
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/geometry/mesh/mesh_import.h"
+#include "sim/scene/hollow_organ.h"
 #include "sim/scene/pattern_axes.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/scene/scene_file.h"
@@ -111,6 +112,25 @@ void applyWishes(SceneDescription& scene, const SceneRequest& request) {
   }
 }
 
+/// The wall of an organ that came twisted; null where the pattern is to be twisted.
+std::shared_ptr<const HollowOrgan> hollowOf(const SceneDescription& scene, const SceneRequest& request,
+                                            const TwistPattern& pattern, const TwistModel& model) {
+  if (!pattern.detorsion) {
+    return nullptr;
+  }
+  if (runsBeside(request.tissue) || scene.formulation == Formulation::kPaper) {
+    throw Error(
+        ErrorCode::kBadParameter,
+        Text::tr("the pattern '%1' is undone, which only the twist model with a wall knows", pattern.id),
+        Text::tr("scene %1", scene.id), Text::tr("Choose another pattern, or leave out the other model."));
+  }
+  return std::make_shared<const HollowOrgan>(
+      HollowOrgan::Parts{.lattice = &model.lattice(),
+                         .shearModulus_Pa = model.material().shearModulus_Pa,
+                         .graspArc = pattern.graspArc,
+                         .detorsion = *pattern.detorsion});
+}
+
 }  // namespace
 
 std::vector<std::string> sceneIds(const fs::path& assets) {
@@ -164,6 +184,7 @@ Scene loadScene(const SceneRequest& request) {
                                                            .graspArc = pattern.graspArc,
                                                            .targetAngle_rad = pattern.targetAngle_rad});
   }
+  std::shared_ptr<const HollowOrgan> hollow = hollowOf(description, request, pattern, model);
   std::string parameters =
       parametersText(description, pattern, request.organFile.has_value(), request.tissue);
   Digest digest;
@@ -176,7 +197,8 @@ Scene loadScene(const SceneRequest& request) {
   return Scene{description.id,   description.title,      description.provenance, std::move(organHash),
                digest.hex(),     std::move(parameters),  std::move(mesh),        std::move(collision),
                std::move(model), description.instrument, std::move(chosen),      std::move(patterns),
-               repairs,          std::move(rod),         description.model,      request.tissue};
+               repairs,          std::move(rod),         description.model,      request.tissue,
+               std::move(hollow)};
 }
 
 }  // namespace torsio

@@ -23,6 +23,7 @@ namespace torsio {
 
 class HollowOrgan;
 class RodOrgan;
+struct Detorsion;
 
 /// What collision and grip need of an instrument's file. ToolShape (sim/servo/tool_touch.h) makes tip, blades
 /// and shaft of it.
@@ -46,6 +47,8 @@ struct TwistPattern {
   std::string source;  ///< clinical source of the angles
   /// How the hand turns an organ that is a rod; none: a straight organ, twisted about its own axis.
   std::optional<TurnTask> task;
+  /// How the organ came twisted, of a pattern that is to be undone; its target is 0. None: to be twisted.
+  std::shared_ptr<const Detorsion> detorsion{};
 };
 
 /// Request for a scene: a scene file of assets/scenes, possibly with another organ.
@@ -99,7 +102,7 @@ struct Scene {
 
   [[nodiscard]] const SectionLattice& lattice() const noexcept { return model.lattice(); }
 
-  /// Maps a point of the organ at rest to where it lies, without warping. In the tick.
+  /// Maps a point of the organ at rest to where it lies, without warping or folds. In the tick.
   [[nodiscard]] Vec3 toDeformed_m(const Vec3& rest_m, const OrganState& state) const noexcept;
   /// Computes all mesh vertices as they lie, warped, into `out_m`, one entry a vertex.
   void deform(const OrganState& state, std::span<Vec3> out_m) const noexcept;
@@ -120,7 +123,7 @@ struct Scene {
   /// Returns the torque that holds stateAt(angle_rad), N m.
   [[nodiscard]] double torqueAt_Nm(double angle_rad) const;
   /// Returns how the organ lies under a torque at the pattern's grasp; of a rod the first state that needs
-  /// so much.
+  /// so much, of a hollow organ likewise, within the twist that it comes with.
   [[nodiscard]] OrganState stateForTorque(double torque_Nm) const;
 };
 

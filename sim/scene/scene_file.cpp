@@ -8,6 +8,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "sim/geometry/mesh/mesh_import.h"
+#include "sim/scene/detorsion_file.h"
 #include "sim/scene/json_fields.h"
 
 namespace torsio {
@@ -219,6 +220,11 @@ PatternDescription readPattern(const nlohmann::json& json, const std::string& wh
   pattern.source = fields.text("source");
   if (fields.has("task")) {
     pattern.task = readTask(fields, description.elsewhere);
+  }
+  pattern.detorsion = readGoal(fields);
+  if (pattern.detorsion && (pattern.task || pattern.targetAngle_rad != 0.0)) {
+    fields.refuse(pattern.task ? "task" : "angle_deg", Text::tr("does not belong to an organ that is undone"),
+                  Text::tr("Leave out 'task' and give 'angle_deg' 0."));
   }
   fields.finish();
   return description;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/base/error.h"
+#include "sim/scene/hollow_organ.h"
 
 namespace torsio {
 
@@ -123,6 +124,79 @@ Json toJson(const ModelChoice& model) {
   return json;
 }
 
+Json toJson(const HollowWall& wall) {
+  Json thickness = Json::array();
+  for (const auto& [share, thickness_m] : wall.thickness_m) {
+    thickness.push_back({share, thickness_m});
+  }
+  return {{"thickness_m", thickness},
+          {"gent_limit", wall.gentLimit},
+          {"rest_pressure_pa", wall.restPressure_Pa},
+          {"pressure_pa", wall.pressure_Pa},
+          {"vent", wall.vent},
+          {"vented_pressure_pa", wall.ventedPressure_Pa}};
+}
+
+Json toJson(const InitialTwist& start) {
+  return {{"least_rad", start.least_rad},
+          {"most_rad", start.most_rad},
+          {"step_rad", start.step_rad},
+          {"sign", start.sign},
+          {"opposite_share", start.oppositeShare},
+          {"since_s", start.since_s}};
+}
+
+Json toJson(const PerfusionParameters& vessels) {
+  return {{"arterial_mmhg", vessels.arterial_mmHg},
+          {"venous_mmhg", vessels.venous_mmHg},
+          {"shut_at_turn_mmhg", vessels.shutAtTurn_mmHg},
+          {"shut_power", vessels.shutPower},
+          {"pedicle_m", vessels.pedicle_m},
+          {"pedicle_reference_m", vessels.pedicleReference_m},
+          {"pedicle_share", vessels.pedicleShare},
+          {"lumen_threshold_mmhg", vessels.lumenThreshold_mmHg},
+          {"lumen_floor", vessels.lumenFloor},
+          {"flow_time_s", vessels.flowTime_s},
+          {"loss_time_s", vessels.lossTime_s},
+          {"enough_flow", vessels.enoughFlow}};
+}
+
+Json toJson(const DetorsionLimits& limits) {
+  return {{"jaw_area_m2", limits.jawArea_m2},
+          {"jaw_force_n", limits.jawForce_N},
+          {"bruise_pa", limits.bruise_Pa},
+          {"bruise_s", limits.bruise_s},
+          {"tear_pa", limits.tear_Pa},
+          {"pull_n", limits.pull_N},
+          {"residual_rad", limits.residual_rad},
+          {"patency", limits.patency},
+          {"flow", limits.flow},
+          {"hands_off_s", limits.handsOff_s}};
+}
+
+Json toJson(const Detorsion& detorsion) {
+  Json json;
+  if (detorsion.wall.thickness_m.empty()) {
+    json["cord_stiffness_nm_per_rad"] = detorsion.cordStiffness_Nm_per_rad;
+  } else {
+    json["wall"] = toJson(detorsion.wall);
+  }
+  json["spans"] = Json::array();
+  for (const WrungSpan& span : detorsion.spans) {
+    json["spans"].push_back({span.held, span.mobile});
+  }
+  json["initial_twist"] = toJson(detorsion.start);
+  json["pedicle"] = toJson(detorsion.vessels);
+  json["base"] = {{"stick_share", detorsion.base.stickShare},
+                  {"relapse_share", detorsion.base.relapseShare},
+                  {"relapse_from_rad", detorsion.base.relapseFrom_rad},
+                  {"relapse_time_s", detorsion.base.relapseTime_s}};
+  json["limits"] = toJson(detorsion.limits);
+  json["time_scale"] = detorsion.timeScale;
+  json["pause_s"] = detorsion.pause_s;
+  return json;
+}
+
 Vec3 vectorOf(const nlohmann::json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
@@ -163,6 +237,11 @@ std::string parametersText(const SceneDescription& scene, const TwistPattern& pa
     for (const Restraint& restraint : scene.restraints) {
       json["restraints"].push_back(toJson(restraint));
     }
+  }
+  if (pattern.detorsion) {
+    json["grasp"] = pattern.graspArc;
+    json["goal"] = "detorse";
+    json["detorsion"] = toJson(*pattern.detorsion);
   }
   // The model of the product goes unsaid, so that the hashes of older trials stay true.
   if (runsBeside(tissue)) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the organ of a scene lies, by the twist model or as a rod.
+// How the organ of a scene lies: by the twist model, as a rod, or as a hollow organ that came twisted.
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/angle.h"
+#include "sim/scene/hollow_map.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/scene/scene.h"
 #include "sim/tissue/twist/twist_model_tables.h"
@@ -10,6 +12,9 @@
 namespace torsio {
 
 Vec3 Scene::toDeformed_m(const Vec3& rest_m, const OrganState& state) const noexcept {
+  if (hollow) {
+    return HollowMap(model, *hollow, state).forward(rest_m);
+  }
   if (!rod) {
     return model.toDeformed_m(rest_m, state.twist);
   }
@@ -17,7 +22,12 @@ Vec3 Scene::toDeformed_m(const Vec3& rest_m, const OrganState& state) const noex
 }
 
 void Scene::deform(const OrganState& state, std::span<Vec3> out_m) const noexcept {
-  if (!rod) {
+  if (hollow) {
+    const HollowMap map(model, *hollow, state);
+    const std::vector<TwistVertex>& vertices = model.tables().vertices;
+    std::transform(vertices.begin(), vertices.begin() + std::min(std::ssize(vertices), std::ssize(out_m)),
+                   out_m.begin(), [&map](const TwistVertex& vertex) { return map.vertex(vertex); });
+  } else if (!rod) {
     model.deform(state.twist, out_m);
   } else if (state.pose.count == 0) {
     std::copy_n(mesh.vertices_m.begin(), std::min(out_m.size(), mesh.vertices_m.size()), out_m.begin());
@@ -27,6 +37,12 @@ void Scene::deform(const OrganState& state, std::span<Vec3> out_m) const noexcep
 }
 
 void Scene::patchShear(const OrganState& state, std::span<double> out_Pa) const noexcept {
+  if (hollow) {
+    const std::vector<double>& arcs_m = model.tables().patchArc_m;
+    std::transform(arcs_m.begin(), arcs_m.begin() + std::min(std::ssize(arcs_m), std::ssize(out_Pa)),
+                   out_Pa.begin(), [&](double arc_m) { return hollow->wallShear_Pa(arc_m, state); });
+    return;
+  }
   if (!rod) {
     model.patchShear(state.twist, out_Pa);
     return;
@@ -38,6 +54,13 @@ void Scene::patchShear(const OrganState& state, std::span<double> out_Pa) const 
 }
 
 double Scene::peakShear_Pa(const OrganState& state) const noexcept {
+  if (hollow) {
+    double peak_Pa = 0.0;
+    for (const double arc_m : model.tables().patchArc_m) {
+      peak_Pa = std::max(peak_Pa, hollow->wallShear_Pa(arc_m, state));
+    }
+    return peak_Pa;
+  }
   if (!rod) {
     return model.peakShear_Pa(state.twist);
   }
@@ -59,6 +82,9 @@ double Scene::grasp_m() const noexcept {
 }
 
 OrganState Scene::stateAt(double angle_rad) const {
+  if (hollow) {
+    return hollow->stateAt(angle_rad);
+  }
   if (!rod) {
     return {{grasp_m(), angle_rad}, {}};
   }
@@ -67,10 +93,22 @@ OrganState Scene::stateAt(double angle_rad) const {
 }
 
 double Scene::torqueAt_Nm(double angle_rad) const {
+  if (hollow) {
+    return hollow->torque_Nm(angle_rad, hollow->detorsion().wall.pressure_Pa);
+  }
   return rod ? atAngle(rod->path(), angle_rad).torque_Nm : model.torque_Nm({grasp_m(), angle_rad});
 }
 
 OrganState Scene::stateForTorque(double torque_Nm) const {
+  if (hollow) {
+    constexpr double kStep_rad = radians(1.0);
+    const double most_rad = pattern.detorsion->start.most_rad;
+    double angle_rad = 0.0;
+    while (angle_rad < most_rad && std::abs(torqueAt_Nm(angle_rad)) < std::abs(torque_Nm)) {
+      angle_rad += kStep_rad;
+    }
+    return stateAt(torque_Nm < 0.0 ? -angle_rad : angle_rad);
+  }
   if (!rod) {
     return {model.stateForTorque(grasp_m(), torque_Nm), {}};
   }

@@ -7,6 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
+#include "sim/scene/hollow_organ.h"
 #include "sim/servo/indentation.h"
 
 namespace torsio {
@@ -59,8 +60,16 @@ ContactPatch patchUnder(const PartTouch& touch, double depth_m) noexcept {
 Exercise::Exercise(const ExerciseOptions& options)
     : options_(options),
       jaw_(surfaceStiffness_N_per_m(options), options.tickPeriod_us),
-      shaft_(surfaceStiffness_N_per_m(options), options.tickPeriod_us) {
+      shaft_(surfaceStiffness_N_per_m(options), options.tickPeriod_us),
+      detorsion_(options.tickPeriod_us) {
   returnFactor_ = portableExp(-static_cast<double>(options.tickPeriod_us) * 1e-6 / kReturnTime_s);
+}
+
+void Exercise::begin(const Scene& scene, std::uint64_t seed) {
+  if (scene.hollow) {
+    organ_ = scene.hollow->start(seed);
+    detorsion_.begin(seed);
+  }
 }
 
 bool Exercise::updateJaw(const ToolState& tool) noexcept {
@@ -78,12 +87,16 @@ bool Exercise::grip(const Vec3& held_m, const ToolState& tool, const Scene& scen
     axis_ = rodGrasp_.axis();
   } else {
     axis_ = scene.model.graspFrame(arc_m);
-    const bool follows = scene.model.angleAt(arc_m, {arc_m, 1.0}) > kLeastShare;
+    const bool follows = scene.hollow ? scene.hollow->placeOf(arc_m).span < 0
+                                      : scene.model.angleAt(arc_m, {arc_m, 1.0}) > kLeastShare;
     if (!follows || !(about(axis_, held_m).radius_m > kNearAxis_m)) {
       return false;  // held there, or no arm: nothing to twist
     }
-    organ_.twist = {arc_m, 0.0};
+    organ_.twist = {arc_m, scene.hollow ? organ_.twist.graspAngle_rad : 0.0};
   }
+  const Vec3 fromAxis_m = held_m - axis_.centre_m;
+  gripRound_rad_ = portableAtan2(dot(fromAxis_m, axis_.e2), dot(fromAxis_m, axis_.e1));
+  gripAngle_rad_ = organ_.twist.graspAngle_rad;
   grippedAt_ = tool.pose.orientation;
   const Cylindrical at = about(axis_, tip_m);
   gripRadius_m_ = at.radius_m;
@@ -117,6 +130,27 @@ Vec3 Exercise::gripOffset(const ToolState& tool, const Scene& scene) const noexc
   return at.outwards * (at.radius_m - gripRadius_m_) + axis_.tangent * (at.height_m - gripHeight_m_);
 }
 
+void Exercise::turnMobilePart(double turn_rad) noexcept {
+  if (organ_.hollow.clipped) {
+    firstAngle_rad_ = angle_rad_;
+    gripAngle_rad_ = organ_.twist.graspAngle_rad;
+  } else {
+    organ_.twist.graspAngle_rad = gripAngle_rad_ + turn_rad;
+  }
+}
+
+DetorsionHand Exercise::detorsionHand(const ToolState& tool) const noexcept {
+  const bool grips = (tool.buttons & kButtonGrip) != 0;
+  return {.time_us = tool.time_us,
+          .holds = phase_ == ExercisePhase::kTwisting,
+          .touches = phase_ == ExercisePhase::kContact,
+          .secondButton = (tool.buttons & kButtonSecond) != 0,
+          .closure = grips ? 1.0 : std::clamp(tool.grip, 0.0, 1.0),
+          .pull_N = lastPull_N_,
+          .arc_m = organ_.twist.graspArc_m,
+          .round_rad = gripRound_rad_};
+}
+
 std::uint32_t Exercise::follow(const ToolState& tool, const Scene& scene) noexcept {
   angle_rad_ = driveAngle(tool);
   const double turn_rad = angle_rad_ - firstAngle_rad_;
@@ -127,6 +161,8 @@ std::uint32_t Exercise::follow(const ToolState& tool, const Scene& scene) noexce
       return kEventFolded;
     }
     slips = rodGrasp_.drawnBeyond(kSlipWay_m);
+  } else if (scene.hollow) {
+    turnMobilePart(turn_rad);
   } else {
     organ_.twist.graspAngle_rad = turn_rad;
   }
@@ -141,6 +177,12 @@ void Exercise::letGo(std::uint32_t why, std::uint32_t& events) noexcept {
 }
 
 void Exercise::relax(bool touching, const Scene& scene, std::uint32_t& events) noexcept {
+  if (scene.hollow) {
+    // It stays where its base holds it.
+    phase_ = touching ? ExercisePhase::kContact : ExercisePhase::kTracking;
+    events |= touching ? kEventTouched : kEventNone;
+    return;
+  }
   if (scene.rod) {
     if (rodGrasp_.relax(*scene.rod, tick_s(), organ_) == RodReturn::kMoving) {
       return;
@@ -205,6 +247,25 @@ Vec3 Exercise::pushBack(const ToolTouch& at, std::array<ContactPatch, 2>& patche
   return force_N;
 }
 
+void Exercise::feelWrung(const Vec3& tip_m, const Scene& scene, TwistResponse& response) const noexcept {
+  if (organ_.hollow.clipped) {
+    return;  // the clip bears the torque
+  }
+  constexpr double kSmallestArm_m = 1e-9;
+  const double angle_rad = organ_.twist.graspAngle_rad;
+  const double pressure_Pa = organ_.hollow.reading.pressure_Pa;
+  response.torque_Nm =
+      scene.hollow->torque_Nm(angle_rad, pressure_Pa) - DetorsionStep::relapse_Nm(*scene.hollow, organ_);
+  const Vec3 way = cross(axis_.tangent, tip_m - axis_.centre_m);
+  const double arm2 = dot(way, way);
+  // The slope is negative beyond the peak: a pull that grows with the way is capped as one that falls.
+  const double slope = std::abs(scene.hollow->slope_Nm_per_rad(angle_rad, pressure_Pa));
+  const double cap_N_per_m = scene.model.options().stiffnessCap_N_per_m;
+  if (arm2 > kSmallestArm_m * kSmallestArm_m) {
+    response.force_N = (-response.torque_Nm / std::max(arm2, slope / cap_N_per_m)) * way;
+  }
+}
+
 void Exercise::feelGrip(const ToolState& tool, const Scene& scene, TwistResponse& response,
                         std::uint32_t& limits) const noexcept {
   const Vec3& tip_m = tool.pose.position_m;
@@ -219,6 +280,8 @@ void Exercise::feelGrip(const ToolState& tool, const Scene& scene, TwistResponse
   } else if (scene.rod) {
     response.torque_Nm = rodGrasp_.torque_Nm();
     response.force_N = rodGrasp_.force_N(*scene.rod, tip_m);
+  } else if (scene.hollow) {
+    feelWrung(tip_m, scene, response);
   } else {
     response.torque_Nm = scene.model.torque_Nm(organ_.twist);
     response.force_N = scene.model.graspForce_N(organ_.twist, tip_m);
@@ -232,8 +295,10 @@ TwistResponse Exercise::responseTo(const ToolTouch& at, const ToolState& tool, c
   response.depth_m = std::max(0.0, -at.jaw.gap_m);
   response.angle_rad = organ_.twist.graspAngle_rad;
   response.graspArc_m = organ_.twist.graspArc_m;
+  lastPull_N_ = 0.0;
   if (phase_ == ExercisePhase::kTwisting) {
     feelGrip(tool, scene, response, answer.limits);
+    lastPull_N_ = norm(response.force_N);
   }
   response.force_N += pushBack(at, answer.patches);
   return response;
@@ -265,6 +330,9 @@ ExerciseStep Exercise::step(const ToolState& tool, const Scene& scene) noexcept 
   const bool closing = updateJaw(tool);
   const bool letGoNow = !jawClosed_ || (tool.status & kHandGone) != 0 || releaseAsked_;
   releaseAsked_ = false;
+  if (scene.hollow) {
+    detorsion_.setHolders(detorsionHand(tool), organ_, answer.events);
+  }
   if (phase_ == ExercisePhase::kTwisting) {
     if (letGoNow) {
       letGo(kEventReleased, answer.events);
@@ -278,6 +346,9 @@ ExerciseStep Exercise::step(const ToolState& tool, const Scene& scene) noexcept 
                       (phase_ == ExercisePhase::kTracking || phase_ == ExercisePhase::kContact);
   const std::optional<SurfacePoint> held = closes ? tissueInMouth(shape, tool, scene, organ_) : std::nullopt;
   moveOn(std::min(at.jaw.gap_m, at.shaft.gap_m), held, tool, scene, answer.events);
+  if (scene.hollow) {
+    detorsion_.step(*scene.hollow, detorsionHand(tool), organ_, answer.events);
+  }
   answer.phase = phase_;
   answer.response = responseTo(at, tool, scene, answer);
   noteContacts(at, answer);

@@ -11,6 +11,7 @@
 #include "sim/scene/scene.h"
 #include "sim/servo/beside_tissue.h"
 #include "sim/servo/contact_coupling.h"
+#include "sim/servo/detorsion.h"
 #include "sim/servo/rod_grasp.h"
 #include "sim/servo/tool_touch.h"
 
@@ -28,6 +29,13 @@ enum ExerciseEvent : std::uint32_t {
   kEventShaftTouched = 1U << 6,
   kEventShaftLeft = 1U << 7,
   kEventFolded = 1U << 8,  ///< with kEventReleased: the tissue would have folded, so the jaw let go
+  // Of a hollow organ that came twisted.
+  kEventBruised = 1U << 9,     ///< the jaw has pressed too hard for too long
+  kEventTorn = 1U << 10,       ///< through the wall: the content leaves
+  kEventClipped = 1U << 11,    ///< a clip or an assistant holds the mobile part
+  kEventUnclipped = 1U << 12,  ///< and has let go
+  kEventChecked = 1U << 13,    ///< a check of the blood flow has its answer
+  kEventRelapsing = 1U << 14,  ///< the mobile part begins to turn back by itself
 };
 
 /// Events of one tick with their time, for readers that must not miss one.
@@ -68,7 +76,6 @@ struct ExerciseOptions {
   TwistDrive drive = TwistDrive::kTangential;
   double maxStiffness_N_per_m = 500.0;          ///< of the device; > 0
   std::int64_t tickPeriod_us = kTickPeriod_us;  ///< > 0
-  std::uint32_t rules = kServoRules;            ///< 1 .. kServoRules: older ones replay older trials
 };
 
 /// Answer of the exercise in one tick.
@@ -96,6 +103,14 @@ class Exercise {
   /// Throws Error{kBadParameter}.
   explicit Exercise(const ExerciseOptions& options);
 
+  /// Lays a hollow organ as it comes in the trial of this seed; any other organ lies at rest. Before the
+  /// first step; allocates nothing.
+  void begin(const Scene& scene, std::uint64_t seed);
+  /// Asks for what concerns a hollow organ, for the next step (DetorsionStep); others do not heed it.
+  void holdOrgan(bool held) noexcept { detorsion_.hold(held); }
+  void vent(bool open) noexcept { detorsion_.vent(open); }
+  void check(FlowCheck check) noexcept { detorsion_.check(check); }
+
   /// Steps the exercise by one tick. Servo thread; noexcept, no allocation.
   [[nodiscard]] ExerciseStep step(const ToolState& tool, const Scene& scene) noexcept;
 
@@ -114,18 +129,18 @@ class Exercise {
 
  private:
   [[nodiscard]] bool updateJaw(const ToolState& tool) noexcept;
-  /// Finds the contact by rules 1: a sphere at the tip, mapped back to the organ at rest.
-  [[nodiscard]] ToolTouch touchWithTip(const Vec3& tip_m, const Scene& scene) const noexcept;
-  /// Finds the surface point that a closing jaw would hold.
-  [[nodiscard]] std::optional<SurfacePoint> graspable(const ToolShape& shape, const ToolState& tool,
-                                                      const ToolTouch& at, const Scene& scene) const noexcept;
   [[nodiscard]] bool grip(const Vec3& held_m, const ToolState& tool, const Scene& scene) noexcept;
   [[nodiscard]] double driveAngle(const ToolState& tool) const noexcept;
   /// Turns the organ with the tool. Returns the event that ends the grip, kEventNone while it holds.
   [[nodiscard]] std::uint32_t follow(const ToolState& tool, const Scene& scene) noexcept;
   /// Returns the way of the tip along and across the axis since the grip.
   [[nodiscard]] Vec3 gripOffset(const ToolState& tool, const Scene& scene) const noexcept;
+  /// Turns the mobile part of a hollow organ with the hand, which slides on while a clip holds it.
+  void turnMobilePart(double turn_rad) noexcept;
+  [[nodiscard]] DetorsionHand detorsionHand(const ToolState& tool) const noexcept;
   void letGo(std::uint32_t why, std::uint32_t& events) noexcept;
+  /// What a hollow organ in the jaw lets the hand feel.
+  void feelWrung(const Vec3& tip_m, const Scene& scene, TwistResponse& response) const noexcept;
   void relax(bool touching, const Scene& scene, std::uint32_t& events) noexcept;
   [[nodiscard]] double tick_s() const noexcept { return static_cast<double>(options_.tickPeriod_us) * 1e-6; }
   /// Makes the transition of this tick, if any.
@@ -150,6 +165,11 @@ class Exercise {
   bool jawClosed_ = true;  // a jaw that is closed at the start grips nothing
   bool gripPending_ = false;
   bool releaseAsked_ = false;
+
+  DetorsionStep detorsion_;  // of a hollow organ
+  double lastPull_N_ = 0.0;  // of the hand on it, in the tick before
+  double gripAngle_rad_ = 0.0;
+  double gripRound_rad_ = 0.0;
 
   BesideTissue beside_;  // where a model beside the servo answers
   std::int64_t grips_ = 0;

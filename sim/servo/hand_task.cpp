@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
+#include "sim/scene/hollow_organ.h"
 #include "sim/scene/rod_organ.h"
+#include "sim/servo/detorsion.h"
+#include "sim/servo/exercise.h"
 
 namespace torsio {
 
@@ -47,15 +51,8 @@ Candidate candidateAt(const Scene& scene, double arc_m, double angle_rad) {
   return found;
 }
 
-}  // namespace
-
-HandTask handTask(const Scene& scene) {
-  return handTask(scene, scene.pattern.targetAngle_rad);
-}
-
-HandTask handTask(const Scene& scene, double angle_rad) {
-  const double fraction = std::clamp(scene.pattern.graspArc, kEndMargin, 1.0 - kEndMargin);
-  const double arc_m = fraction * scene.lattice().length_m();
+/// Where the grasped section can be reached best.
+Candidate reachable(const Scene& scene, double arc_m) {
   Candidate best;
   for (int i = 0; i < kDirections; ++i) {
     const Candidate next = candidateAt(scene, arc_m, 2.0 * kPi * i / kDirections);
@@ -69,16 +66,97 @@ HandTask handTask(const Scene& scene, double angle_rad) {
                 Text::verbatim("scene %1, pattern %2", scene.id, scene.pattern.id),
                 Text::verbatim("Choose another grasp section"));
   }
+  return best;
+}
+
+double graspArc_m(const Scene& scene) {
+  return std::clamp(scene.pattern.graspArc, kEndMargin, 1.0 - kEndMargin) * scene.lattice().length_m();
+}
+
+HandTask taskAt(const Scene& scene, double arc_m, const Candidate& best) {
   const AxisFrame axis = scene.graspFrame(arc_m, best.point_m);
   HandTask task;
   task.start_m = best.point_m + best.outwards * kStartWay_m;
   task.graspPoint_m = best.point_m;
   task.axisCentre_m = axis.centre_m;
   task.axisDirection = axis.tangent;
-  // What the task of a rod measures is not what the hand turns.
-  task.targetAngle_rad = scene.rod ? atAngle(scene.rod->path(), angle_rad).hand_rad : angle_rad;
   task.tipRadius_m = scene.instrument.tipRadius_m;
   return task;
+}
+
+/// The grasped section round its outline, at rest.
+std::vector<Vec3> outlineAt(const Scene& scene, double arc_m) {
+  constexpr int kPoints = 144;
+  std::vector<Vec3> points_m;
+  for (int i = 0; i < kPoints; ++i) {
+    points_m.push_back(scene.lattice().surfacePoint({arc_m, 2.0 * kPi * i / kPoints}).position_m);
+  }
+  return points_m;
+}
+
+/// The point of the grasped section that lies outwards when the mobile part is turned by an angle.
+Vec3 outwardPoint(const Scene& scene, const HandTask& task, const std::vector<Vec3>& outline_m,
+                  const Vec3& outwards, double angle_rad) {
+  const OrganState lies = scene.hollow->stateAt(angle_rad);
+  Vec3 found_m = task.graspPoint_m;
+  double best = -1.0;
+  for (const Vec3& rest_m : outline_m) {
+    const Vec3 point_m = scene.toDeformed_m(rest_m, lies);
+    const double facing = dot(normalized(point_m - task.axisCentre_m), outwards);
+    if (facing > best) {
+      best = facing;
+      found_m = point_m;
+    }
+  }
+  return found_m;
+}
+
+/// How tight a jaw holds a wall without harm.
+double carefulClosure(const DetorsionLimits& limits, double dose) {
+  constexpr double kCareful = 0.8;
+  constexpr double kDoseToCome = 0.3;
+  const double strength = 1.0 - kIschaemicWeakness * std::min(dose + kDoseToCome, 1.0);
+  const double most = kCareful * strength * limits.bruise_Pa * limits.jawArea_m2 / limits.jawForce_N;
+  return std::clamp(most, kJawCloses + 0.1, 1.0);
+}
+
+}  // namespace
+
+HandTask handTask(const Scene& scene) {
+  return handTask(scene, scene.pattern.targetAngle_rad);
+}
+
+HandTask handTask(const Scene& scene, double angle_rad) {
+  if (scene.hollow) {
+    return detorseTask(scene, detorsionSeed({}));
+  }
+  const double arc_m = graspArc_m(scene);
+  HandTask task = taskAt(scene, arc_m, reachable(scene, arc_m));
+  // What the task of a rod measures is not what the hand turns.
+  task.targetAngle_rad = scene.rod ? atAngle(scene.rod->path(), angle_rad).hand_rad : angle_rad;
+  return task;
+}
+
+HandTask detorseTask(const Scene& scene, std::uint64_t seed) {
+  const double arc_m = graspArc_m(scene);
+  const Candidate best = reachable(scene, arc_m);
+  HandTask task = taskAt(scene, arc_m, best);
+  const OrganState start = scene.hollow->start(seed);
+  const double start_rad = start.twist.graspAngle_rad;
+  const int turns = std::max(1, static_cast<int>(std::ceil(std::abs(start_rad) / kHandTurn_rad)));
+  const std::vector<Vec3> outline_m = outlineAt(scene, arc_m);
+  for (int i = 0; i < turns; ++i) {
+    const double left_rad = start_rad * (turns - i) / turns;
+    task.turns.push_back({outwardPoint(scene, task, outline_m, best.outwards, left_rad), -start_rad / turns});
+  }
+  task.graspPoint_m = task.turns.front().graspPoint_m;
+  task.closure = carefulClosure(scene.hollow->detorsion().limits, start.hollow.reading.dose);
+  return task;
+}
+
+double undone_s(const HollowOrgan& organ, const ScriptedHand& hand) {
+  constexpr double kAfterwards_s = 1.0;
+  return hand.ends_s() + organ.detorsion().limits.handsOff_s + kAfterwards_s;
 }
 
 }  // namespace torsio

@@ -2,6 +2,7 @@
 #include "sim/servo/pose_track.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "sim/record/sample_codec.h"
 #include "sim/servo/trial_rerun.h"
@@ -12,6 +13,7 @@ namespace {
 
 constexpr std::int64_t kApart_us = 40'000;
 constexpr double kApart_m = 0.002;
+constexpr std::int64_t kMomentsApart_us = 100'000;
 
 double farthest_m(const RodPose& a, const RodPose& b) noexcept {
   double farthest = 0.0;
@@ -24,14 +26,18 @@ double farthest_m(const RodPose& a, const RodPose& b) noexcept {
 }  // namespace
 
 PoseTrack::PoseTrack(const Scene& scene, const TrialHeader& header, std::span<const TrialChunk> chunks) {
-  if (!scene.rod) {
+  if (!scene.rod && !scene.hollow) {
     return;
   }
-  TrialRerun rerun(scene, header, kServoRules);
+  TrialRerun rerun(scene, header);
   RodPose kept;
   for (const TrialChunk& chunk : chunks) {
     for (const Sample& recorded : decodeChunk(chunk)) {
       rerun.next(recorded);
+      if (scene.hollow) {
+        keep(recorded.device.time_us, rerun.organ().hollow);
+        continue;
+      }
       const RodPose& pose = rerun.organ().pose;
       const std::int64_t time_us = recorded.device.time_us;
       const bool wasAtRest = shapes_.empty() || shapes_.back().count == 0;
@@ -43,6 +49,26 @@ PoseTrack::PoseTrack(const Scene& scene, const TrialHeader& header, std::span<co
       }
     }
   }
+}
+
+void PoseTrack::keep(std::int64_t time_us, const HollowPose& pose) {
+  if (!moments_.empty() && time_us - moments_.back().time_us < kMomentsApart_us) {
+    const HollowPose& last = moments_.back().pose;
+    if (last.clipped == pose.clipped && last.venting == pose.venting && last.leaking == pose.leaking &&
+        last.check == pose.check && last.markCount == pose.markCount) {
+      return;
+    }
+  }
+  moments_.push_back({time_us, pose});
+}
+
+HollowPose PoseTrack::hollowAt(std::int64_t time_us) const noexcept {
+  const auto after = std::upper_bound(moments_.begin(), moments_.end(), time_us,
+                                      [](std::int64_t t, const Moment& m) { return t < m.time_us; });
+  if (moments_.empty()) {
+    return {};
+  }
+  return after == moments_.begin() ? moments_.front().pose : std::prev(after)->pose;
 }
 
 void PoseTrack::keep(std::int64_t time_us, const RodPose& pose) {

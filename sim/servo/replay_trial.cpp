@@ -41,7 +41,7 @@ void requireKnownRules(const std::vector<Sample>& recorded, const TrialHeader& h
 /// The first field in which the two differ, if any.
 std::optional<ReplayDifference> difference(const Sample& recorded, const Sample& replayed) {
   using Field = std::pair<const char*, double (*)(const Sample&)>;
-  static constexpr std::array<Field, 14> kFields{{
+  static constexpr std::array<Field, 18> kFields{{
       {"time", [](const Sample& s) { return static_cast<double>(s.device.time_us); }},
       {"phase", [](const Sample& s) { return static_cast<double>(s.phase); }},
       {"contact", [](const Sample& s) { return static_cast<double>(s.contact); }},
@@ -56,6 +56,10 @@ std::optional<ReplayDifference> difference(const Sample& recorded, const Sample&
       {"sent force x", [](const Sample& s) { return s.force_N.x; }},
       {"sent force y", [](const Sample& s) { return s.force_N.y; }},
       {"sent force z", [](const Sample& s) { return s.force_N.z; }},
+      {"pressure", [](const Sample& s) { return s.hollow.pressure_Pa; }},
+      {"patency", [](const Sample& s) { return s.hollow.patency; }},
+      {"flow", [](const Sample& s) { return s.hollow.flow; }},
+      {"dose", [](const Sample& s) { return s.hollow.dose; }},
   }};
   if (recorded == replayed) {
     return std::nullopt;
@@ -78,7 +82,7 @@ ReplayReport replayTrial(const Scene& scene, const Trial& trial) {
   report.chunks = static_cast<std::int64_t>(trial.chunks.size());
   report.contentIntact = contentHash(trial) == trial.summary.contentHash;
 
-  TrialRerun rerun(scene, trial.header, recorded.empty() ? kServoRules : recorded.front().rules);
+  TrialRerun rerun(scene, trial.header);
   std::size_t at = 0;
   std::int64_t expectedTick = 0;
   for (const TrialChunk& chunk : trial.chunks) {

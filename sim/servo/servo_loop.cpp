@@ -44,13 +44,19 @@ bool inUnitRange(double value) noexcept {
   return value >= 0.0 && value <= 1.0;  // false for NaN
 }
 
+bool isFlowCheck(double value) noexcept {
+  constexpr auto kLast = static_cast<double>(FlowCheck::kDoppler);
+  return value >= 1.0 && value <= kLast && value == std::floor(value);
+}
+
 }  // namespace
 
 ServoOptions servoOptions(const TrialHeader& header) noexcept {
   return {.drive = header.drive,
           .targetAngle_rad = header.targetAngle_rad,
           .forceScale = header.forceScale,
-          .tickPeriod_us = header.tickPeriod_us};
+          .tickPeriod_us = header.tickPeriod_us,
+          .seed = detorsionSeed(header.trialId)};
 }
 
 DeviceLimits deviceLimits(const DeviceCapabilities& capabilities) noexcept {
@@ -73,6 +79,8 @@ ServoLoop::ServoLoop(const Links& links, const ServoOptions& options)
                                std::to_string(options.forceScale), std::to_string(options.targetAngle_rad)),
                 Text::verbatim("servo loop"), Text::verbatim("Check the exercise's options"));
   }
+  sample_.rules = links.scene->hollow ? kRulesOfDetorsion : kRulesOfTwisting;
+  exercise_.begin(*links.scene, options.seed);
 }
 
 void ServoLoop::tick(std::int64_t time_us) noexcept {
@@ -113,7 +121,7 @@ void ServoLoop::tick(std::int64_t time_us) noexcept {
 
 Vec3 ServoLoop::wantedForce_N(const ExerciseStep& step, const ToolState& tool,
                               std::uint32_t& limits) noexcept {
-  const bool finite = isFinite(step.response);
+  const bool finite = isFinite(step.response) && readHollow();
   // No NaN enters a record; the governor still sees it and inhibits.
   sample_.response = finite ? step.response : TwistResponse{};
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -123,6 +131,21 @@ Vec3 ServoLoop::wantedForce_N(const ExerciseStep& step, const ToolState& tool,
   const Vec3 passive_N =
       passivity_.control(sample_.device.time_us, tool.pose.position_m, scaled_N, sound, limits);
   return finite ? passive_N : scaled_N;
+}
+
+bool ServoLoop::readHollow() noexcept {
+  const HollowPose& pose = exercise_.organ().hollow;
+  if (!pose.present) {
+    return true;
+  }
+  const HollowReading& now = pose.reading;
+  const bool finite = std::isfinite(now.pressure_Pa) && std::isfinite(now.patency) &&
+                      std::isfinite(now.flow) && std::isfinite(now.dose);
+  if (finite) {
+    soundReading_ = now;
+  }
+  sample_.hollow = soundReading_;
+  return finite;
 }
 
 void ServoLoop::noteEvents(const ExerciseStep& step) noexcept {
@@ -171,6 +194,9 @@ ServoCommand ServoLoop::nextCommand() noexcept {
   if (command.kind == ServoCommand::Kind::kSetForceScale && !inUnitRange(command.value)) {
     return {};
   }
+  if (command.kind == ServoCommand::Kind::kCheckFlow && !isFlowCheck(command.value)) {
+    return {};
+  }
   return command;
 }
 
@@ -189,6 +215,15 @@ void ServoLoop::obey(const ServoCommand& command) noexcept {
       break;
     case ServoCommand::Kind::kEnableForce:
       governor_.enable(command.value != 0.0);
+      break;
+    case ServoCommand::Kind::kHoldOrgan:
+      exercise_.holdOrgan(command.value != 0.0);
+      break;
+    case ServoCommand::Kind::kVent:
+      exercise_.vent(command.value != 0.0);
+      break;
+    case ServoCommand::Kind::kCheckFlow:
+      exercise_.check(static_cast<FlowCheck>(static_cast<int>(command.value)));
       break;
   }
 }
@@ -242,6 +277,7 @@ void ServoLoop::publish() noexcept {
   live.patches = patches_;
   live.times = times_;
   live.pose = exercise_.organ().pose;
+  live.hollow = exercise_.organ().hollow;
   live.portEnergy_J = passivity_.energy_J();
   links_.live->publish(live);
 }

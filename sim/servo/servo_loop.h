@@ -23,7 +23,8 @@ struct ServoOptions {
   double targetAngle_rad = 0.0;
   double forceScale = 1.0;  ///< 0..1, shown; the material is never rescaled
   std::int64_t tickPeriod_us = kTickPeriod_us;
-  std::uint32_t rules = kServoRules;  ///< 1 .. kServoRules; older ones replay older trials
+  /// Of a hollow organ: the twist that it begins with and the errors of the checks (detorsionSeed).
+  std::uint64_t seed = 0;
 };
 
 /// Gives the options with which a trial of this header runs, when it is recorded and when it is replayed.
@@ -87,6 +88,8 @@ class ServoLoop {
   /// not finite.
   [[nodiscard]] Vec3 wantedForce_N(const ExerciseStep& step, const ToolState& tool,
                                    std::uint32_t& limits) noexcept;
+  /// Takes how a hollow organ fares into the sample; false, and the last that was sound, when it is in doubt.
+  [[nodiscard]] bool readHollow() noexcept;
   void noteEvents(const ExerciseStep& step) noexcept;
   void publish() noexcept;
 
@@ -96,6 +99,7 @@ class ServoLoop {
   PassivityController passivity_;
   ForceGovernor governor_;
   Sample sample_;
+  HollowReading soundReading_;  // the last that was finite
   std::array<ContactPatch, 2> patches_{};
   ExerciseTimes times_;
   std::uint32_t events_ = kEventNone;

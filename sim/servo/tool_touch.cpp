@@ -6,6 +6,7 @@
 
 #include "sim/base/portable_math.h"
 #include "sim/geometry/query/deformed_surface.h"
+#include "sim/scene/hollow_map.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/tissue/twist/twist_model_map.h"
 
@@ -133,6 +134,17 @@ struct RodVertices {
   }
 };
 
+/// The vertices as a hollow organ that came twisted lies, without its folds.
+struct WrungVertices {
+  HollowMap map;
+  const std::vector<TwistVertex>& vertices;
+
+  static Vec3 at(const void* self, std::uint32_t vertex) noexcept {
+    const auto& moved = *static_cast<const WrungVertices*>(self);
+    return moved.map.vertex(moved.vertices[vertex]);
+  }
+};
+
 /// Answers `ask(surface, toRest_m)` with the surface of the organ as it lies and the map back to rest.
 template <typename Ask>
 auto askDeformed(const Scene& scene, const OrganState& organ, const Ask& ask) noexcept {
@@ -143,6 +155,11 @@ auto askDeformed(const Scene& scene, const OrganState& organ, const Ask& ask) no
     return ask(surface, [&](const Vec3& at_m) { return skin.toRest_m(at_m, moved.curve); });
   }
   const TwistModel::Tables& tables = scene.model.tables();
+  if (scene.hollow) {
+    const WrungVertices moved{HollowMap(scene.model, *scene.hollow, organ), tables.vertices};
+    DeformedSurface surface(scene.collision.patches(), {&moved, &WrungVertices::at});
+    return ask(surface, [&](const Vec3& at_m) { return moved.map.backward(at_m); });
+  }
   const MovedVertices moved{TwistMap(tables, scene.model.lattice(), organ.twist), tables.vertices};
   DeformedSurface surface(scene.collision.patches(), {&moved, &MovedVertices::at});
   return ask(surface, [&](const Vec3& at_m) { return scene.model.toRest_m(at_m, organ.twist); });

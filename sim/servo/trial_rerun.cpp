@@ -3,16 +3,6 @@
 
 namespace torsio {
 
-namespace {
-
-ServoOptions optionsOf(const TrialHeader& header, std::uint32_t rules) {
-  ServoOptions options = servoOptions(header);
-  options.rules = rules;
-  return options;
-}
-
-}  // namespace
-
 TrialRerun::HandedSample::HandedSample(const TrialHeader& header) {
   capabilities_.model = header.deviceModel;
   capabilities_.maxForce_N = header.deviceLimits.maxForce_N;
@@ -23,10 +13,10 @@ TrialRerun::HandedSample::HandedSample(const TrialHeader& header) {
   capabilities_.realTime = false;
 }
 
-TrialRerun::TrialRerun(const Scene& scene, const TrialHeader& header, std::uint32_t rules)
+TrialRerun::TrialRerun(const Scene& scene, const TrialHeader& header)
     : device_(header),
       loop_({.device = &device_, .scene = &scene, .commands = &commands_, .beside = &beside_},
-            optionsOf(header, rules)) {}
+            servoOptions(header)) {}
 
 const Sample& TrialRerun::next(const Sample& recorded) {
   if (recorded.command.kind != ServoCommand::Kind::kNone) {

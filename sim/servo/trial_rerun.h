@@ -15,8 +15,8 @@ namespace torsio {
 /// bit. `scene` outlives it. One thread.
 class TrialRerun {
  public:
-  /// Prepares a loop that follows the `rules` stamped on the samples.
-  TrialRerun(const Scene& scene, const TrialHeader& header, std::uint32_t rules);
+  /// Prepares a loop. It follows the rules of its scene, which those stamped on the samples are.
+  TrialRerun(const Scene& scene, const TrialHeader& header);
 
   /// Runs the tick of `recorded`, the next sample of the trial; returns its answer.
   const Sample& next(const Sample& recorded);

@@ -22,6 +22,8 @@ constexpr double kReturn_rad_per_s = radians(120.0);
 constexpr double kShortestTwist_s = 1.0;
 constexpr double kClosestGrasp_m = 1e-4;  // nearer to the axis "outward" has no direction
 constexpr double kLongest_s = 86400.0;
+constexpr double kPressed_s = 0.1;        // of the second button
+constexpr double kPressedAfter_s = 0.05;  // the jaw has closed; before it opens: twice as long
 
 /// Flash and Hogan: the smoothest way from 0 to 1 that starts and ends at rest.
 double minimumJerk(double x) noexcept {
@@ -53,7 +55,8 @@ void require(bool good, Phrase what) {
 void check(const ScriptedHandOptions& options) {
   const HandTask& task = options.task;
   require(isFinite(task.start_m) && isFinite(task.graspPoint_m) && isFinite(task.axisCentre_m) &&
-              std::isfinite(task.targetAngle_rad) && std::isfinite(task.tipRadius_m),
+              std::isfinite(task.targetAngle_rad) && std::isfinite(task.tipRadius_m) && task.closure >= 0.0 &&
+              task.closure <= 1.0,
           Text::tr("the task must be finite"));
   require(std::abs(norm(task.axisDirection) - 1.0) < 1e-9,
           Text::tr("the axis direction must be a unit vector"));
@@ -102,9 +105,14 @@ ScriptedHand::ScriptedHand(const ScriptedHandOptions& options)
   fill(drift_, 0.1, 0.5);
 
   Random random = Random::forStream(options.seed, kPlanStream);
+  if (!task_.turns.empty()) {
+    planTurns(options, random);
+    return;
+  }
+  const HandTurn only{task_.graspPoint_m, task_.targetAngle_rad};
   for (double begin_s = 0.0;;) {
     const double practised_min = options.practisedBefore_min + options.practiceScale * begin_s / 60.0;
-    const Cycle cycle = plan(begin_s, skillAfter(options.profile, practised_min), random);
+    const Cycle cycle = plan(begin_s, skillAfter(options.profile, practised_min), only, random);
     if (!cycles_.empty() && cycle.begins_s[kLegs] > duration_s_) {
       break;
     }
@@ -113,7 +121,32 @@ ScriptedHand::ScriptedHand(const ScriptedHandOptions& options)
   }
 }
 
-ScriptedHand::Cycle ScriptedHand::plan(double begin_s, double skill, Random& random) const {
+void ScriptedHand::planTurns(const ScriptedHandOptions& options, Random& random) {
+  double begin_s = 0.0;
+  double missed_rad = 0.0;
+  for (std::size_t i = 0; i < task_.turns.size(); ++i) {
+    HandTurn turn = task_.turns[i];
+    const double wanted_rad = turn.angle_rad + missed_rad;
+    turn.angle_rad = wanted_rad;
+    const double practised_min = options.practisedBefore_min + options.practiceScale * begin_s / 60.0;
+    Cycle cycle = plan(begin_s, skillAfter(options.profile, practised_min), turn, random);
+    cycle.unclips = i > 0;
+    cycle.clipsAfter = i + 1 < task_.turns.size();
+    missed_rad = wanted_rad - cycle.held_rad;
+    begin_s = cycle.begins_s[kLegs];
+    cycles_.push_back(cycle);
+  }
+}
+
+bool ScriptedHand::pressesSecond(const Cycle& cycle, double t_s) noexcept {
+  const double closed_s = t_s - cycle.begins_s[kTwist] - kPressedAfter_s;
+  const double opens_s = cycle.begins_s[kOpen] - 2.0 * kPressedAfter_s - t_s;
+  const bool unclips = cycle.unclips && closed_s >= 0.0 && closed_s < kPressed_s;
+  return unclips || (cycle.clipsAfter && opens_s >= 0.0 && opens_s < kPressed_s);
+}
+
+ScriptedHand::Cycle ScriptedHand::plan(double begin_s, double skill, const HandTurn& turn,
+                                       Random& random) const {
   Cycle cycle;
   cycle.skill = skill;
   cycle.motion = handMotion(skill);
@@ -122,11 +155,11 @@ ScriptedHand::Cycle ScriptedHand::plan(double begin_s, double skill, Random& ran
   const Vec3 missed = task_.axisDirection * (motion.graspError_m * boundedNormal(random, 1.5)) +
                       sideways * (motion.graspError_m * boundedNormal(random, 1.5));
   const double depth_m = kPress_m + motion.pressError_m * boundedNormal(random, 2.0);
-  cycle.pressed_m = task_.graspPoint_m + missed + outward_ * (task_.tipRadius_m - depth_m);
+  cycle.pressed_m = turn.graspPoint_m + missed + outward_ * (task_.tipRadius_m - depth_m);
   cycle.above_m = cycle.pressed_m + outward_ * kHover_m;
-  cycle.held_rad = task_.targetAngle_rad + motion.angleError_rad * boundedNormal(random, 2.5);
+  cycle.held_rad = turn.angle_rad + motion.angleError_rad * boundedNormal(random, 2.5);
   cycle.reached_rad =
-      cycle.held_rad + task_.targetAngle_rad * motion.overshoot * (1.0 + 0.5 * boundedNormal(random, 2.0));
+      cycle.held_rad + turn.angle_rad * motion.overshoot * (1.0 + 0.5 * boundedNormal(random, 2.0));
 
   std::array<double, kLegs> lasts_s{};
   lasts_s[kReach] = motion.reach_s;
@@ -197,7 +230,8 @@ DeviceReading ScriptedHand::at(double t_s) noexcept {
       task_.axisCentre_m + rotateAbout(untwisted_m - task_.axisCentre_m, task_.axisDirection, angle_rad);
   const Quat shaken = turn > 0.0 ? axisAngle(turn_rad / turn, turn) : Quat{};
   reading.pose.orientation = axisAngle(task_.axisDirection, angle_rad) * shaken * upright_;
-  reading.grip = done(kClose) - done(kOpen);
+  reading.grip = task_.closure * (done(kClose) - done(kOpen));
+  reading.buttons = pressesSecond(cycle, t_s) ? kButtonSecond : 0U;
   return reading;
 }
 

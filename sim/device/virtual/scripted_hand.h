@@ -12,6 +12,12 @@
 
 namespace torsio {
 
+/// One of several turns of a task: between two the hand lets go and turns back.
+struct HandTurn {
+  Vec3 graspPoint_m;       ///< on the surface as it lies then
+  double angle_rad = 0.0;  ///< by which the hand turns
+};
+
 /// Task of a scripted hand as plain geometry in the world frame; handTask (sim/servo/hand_task.h) makes it
 /// from a scene.
 struct HandTask {
@@ -21,6 +27,11 @@ struct HandTask {
   Vec3 axisDirection{0.0, 0.0, 1.0};  ///< unit; a positive angle turns right-handed about it
   double targetAngle_rad = 0.0;
   double tipRadius_m = 0.0025;  ///< of the instrument: contact begins this far above the surface
+  double closure = 1.0;         ///< of the jaw that holds, 0 .. 1
+  /// Turns of an organ that is undone, in place of graspPoint_m and targetAngle_rad: each once, then the hand
+  /// rests. What one misses the next makes up for. Between two the second button sets a clip before the jaw
+  /// opens and takes it off after it has closed again.
+  std::vector<HandTurn> turns{};
 };
 
 struct ScriptedHandOptions {
@@ -45,7 +56,7 @@ struct ScriptedHandOptions {
 /// | orientation | given     | 1    | stylus towards the axis, turning with the twist         |
 /// | roll        | given     | rad  | 0: the stylus is perpendicular to the axis              |
 /// | grip        | given     | 1    | 0 open .. 1 closed, by the plan                         |
-/// | buttons     | given     |      | none                                                    |
+/// | buttons     | given     |      | kButtonSecond for 0.1 s where it clips; else none       |
 /// | status      | given     |      | kDeviceOk; kDeviceEnded after the duration              |
 /// | force       | taken     | N    | ignored                                                 |
 class ScriptedHand final : public HapticDevice {
@@ -64,6 +75,8 @@ class ScriptedHand final : public HapticDevice {
   [[nodiscard]] double heldAngle_rad(std::size_t cycle) const { return cycles_.at(cycle).held_rad; }
   /// Returns the skill during twist `cycle`.
   [[nodiscard]] double skill(std::size_t cycle) const { return cycles_.at(cycle).skill; }
+  /// Returns when the last twist has ended, seconds after the first read.
+  [[nodiscard]] double ends_s() const { return span_s(cycles_.size() - 1)[1]; }
   /// Returns when twist `cycle` begins and ends, seconds after the first read.
   [[nodiscard]] std::array<double, 2> span_s(std::size_t cycle) const;
 
@@ -102,7 +115,10 @@ class ScriptedHand final : public HapticDevice {
   static constexpr std::size_t kDriftWaves = 2;
   using Channels = std::array<double, kChannels>;
 
-  [[nodiscard]] Cycle plan(double begin_s, double skill, Random& random) const;
+  [[nodiscard]] Cycle plan(double begin_s, double skill, const HandTurn& turn, Random& random) const;
+  /// Plans the turns of an organ that is undone.
+  void planTurns(const ScriptedHandOptions& options, Random& random);
+  [[nodiscard]] static bool pressesSecond(const Cycle& cycle, double t_s) noexcept;
   [[nodiscard]] DeviceReading at(double t_s) noexcept;
   template <std::size_t N>
   [[nodiscard]] static Channels sum(const std::array<Wave, N>& waves, double t_s) noexcept;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <type_traits>
 
 namespace torsio {
@@ -11,7 +13,7 @@ struct PerfusionParameters {
   double arterial_mmHg = 90.0;
   double venous_mmHg = 5.0;
   double shutAtTurn_mmHg = 35.0;      ///< P_1: pressure at which vessels turned by 360 degrees reopen
-  double shutPower = 1.28;            ///< k
+  double shutPower = 1.28;            ///< k, from 1 on
   double pedicle_m = 0.06;            ///< L_v
   double pedicleReference_m = 0.06;   ///< L_ref: the length for which P_1 holds
   double pedicleShare = 1.0;          ///< of the organ's angle that the pedicle turns by
@@ -32,24 +34,41 @@ struct PerfusionState {
 };
 static_assert(std::is_trivially_copyable_v<PerfusionState>);
 
-/// Vessels of an organ, ready for the tick: the power of the angle is tabled. Immutable.
+/// Vessels of an organ, ready for the tick: the power of the angle is tabled. Immutable; queries are noexcept
+/// and allocate nothing.
 class Perfusion {
  public:
-  /// Throws Error{kBadParameter} for numbers out of range.
+  /// Tables the pressure at which the twisted vessels shut. Throws Error{kBadParameter} for numbers out of
+  /// range.
   explicit Perfusion(const PerfusionParameters& parameters);
 
   /// Returns the flow at an angle (either sign) and a pressure in the lumen, once it has settled.
   [[nodiscard]] double steadyFlow(double angle_rad, double lumenPressure_mmHg) const noexcept;
-  /// Returns the state that an organ has which has lain so for `since_s` of the tissue's time.
-  [[nodiscard]] PerfusionState after(double angle_rad, double lumenPressure_mmHg, double since_s) const;
-  /// Moves the state on by `duration_s` of the tissue's time. In the tick: + - * / and roots only.
+  /// Returns the state of an organ that was sound and has then lain so for `since_s` of the tissue's time, by
+  /// the closed form of step(). The same bits on every machine.
+  [[nodiscard]] PerfusionState after(double angle_rad, double lumenPressure_mmHg,
+                                     double since_s) const noexcept;
+  /// Moves the state on by `duration_s` of the tissue's time, within which angle and pressure stay. In the
+  /// tick: + - * / only.
   void step(PerfusionState& state, double angle_rad, double lumenPressure_mmHg,
             double duration_s) const noexcept;
 
   [[nodiscard]] const PerfusionParameters& parameters() const noexcept { return parameters_; }
 
  private:
+  static constexpr std::size_t kCells = 64;
+  /// Flow, and congestion of the tissue, once both have settled.
+  struct Settled {
+    double flow = 1.0;
+    double congestion = 0.0;
+  };
+  [[nodiscard]] double shutPressure_mmHg(double angle_rad) const noexcept;
+  [[nodiscard]] Settled settled(double angle_rad, double lumenPressure_mmHg) const noexcept;
+
   PerfusionParameters parameters_;
+  double cellsPerRadian_ = 0.0;  ///< of the organ's angle; the table ends where the arteries are shut
+  std::array<double, kCells + 1> pressure_mmHg_{};
+  std::array<double, kCells + 1> slope_mmHg_{};  ///< per cell
 };
 
 }  // namespace torsio

@@ -172,7 +172,7 @@ TEST(SampleCodec, RefusesAChunkWhoseBytesDoNotMatchItsDigest) {
 
 TEST(SampleCodec, RefusesAnotherFormatVersionInPlainWords) {
   TrialChunk chunk = encodeChunk(0, twistSamples(100));
-  chunk.bytes[4] = std::byte{3};
+  chunk.bytes[4] = std::byte{4};
   chunk.digest = chunkDigest(chunk);
   try {
     (void)decodeChunk(chunk);

@@ -130,7 +130,7 @@ TEST(FoldEvent, OfTheRecordingIsFoundWhenItIsRunAgain) {
   const ExerciseMoment* moment = folded(run);
   ASSERT_NE(moment, nullptr);
   const RodSkin& skin = thinOrgan().rod->skin();
-  TrialRerun rerun(thinOrgan(), run.trial.header, kServoRules);
+  TrialRerun rerun(thinOrgan(), run.trial.header);
   const auto bend = [&] { return skin.sharpestBend(skin.curveOf(rerun.organ().pose)); };
 
   const ReplayReport report = replayTrial(thinOrgan(), run.trial);

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "sim/scene/hollow_organ.h"
+#include "sim/tissue/twist/twist_model_tables.h"
+
+namespace torsio {
+
+/// How a hollow organ lies as a map of space (docs/model.md U.1): each section turns about the organ's own
+/// axis by its share of the angle and shrinks to the mean radius of the wrung wall there; folds are left
+/// out, so that a tool meets a smooth surface. What is common to all points is computed on construction.
+/// Lives on the stack of a query; noexcept, allocation-free, portable arithmetic only.
+class HollowMap {
+ public:
+  HollowMap(const TwistModel& model, const HollowOrgan& organ, const OrganState& state) noexcept;
+
+  /// Returns how the section at an arc length is turned.
+  [[nodiscard]] HollowOrgan::Section section(double arc_m) const noexcept;
+  /// Returns where a point of the organ at rest goes.
+  [[nodiscard]] Vec3 forward(const Vec3& rest_m) const noexcept;
+  /// Returns where a point near the organ would be at rest: the inverse of forward() up to rounding, as long
+  /// as the nearest point of the axis is the only one.
+  [[nodiscard]] Vec3 backward(const Vec3& deformed_m) const noexcept;
+  /// Returns where a vertex goes.
+  [[nodiscard]] Vec3 vertex(const TwistVertex& vertex) const noexcept;
+
+ private:
+  static constexpr std::size_t kPlaces = 65;  // of a span, at equal shares
+  using Profile = std::array<HollowOrgan::Section, kPlaces>;
+  [[nodiscard]] Vec3 unwound(const Vec3& deformed_m, double arc_m) const noexcept;
+  [[nodiscard]] double miss(const Vec3& deformed_m, double arc_m) const noexcept;
+
+  const TwistModel& model_;
+  const HollowOrgan& organ_;
+  double angle_rad_ = 0.0;
+  std::array<Profile, 2> profiles_;  // of the spans
+};
+
+}  // namespace torsio

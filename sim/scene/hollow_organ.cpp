@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/scene/hollow_organ.h"
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+#include <limits>
+#include <utility>
+
+#include "sim/base/angle.h"
+#include "sim/base/random.h"
+#include "sim/base/refusal.h"
+#include "sim/scene/wall_places.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::uint64_t kStartStream = 41;
+constexpr double kSlopeStep_rad = radians(0.5);
+
+bool alike(const std::vector<WallPlace>& a, const std::vector<WallPlace>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const WallPlace& x, const WallPlace& y) {
+    return x.radius_m == y.radius_m && x.thickness_m == y.thickness_m;
+  });
+}
+
+HollowContent contentOf(const HollowOrgan::Parts& parts) {
+  const HollowWall& wall = parts.detorsion.wall;
+  HollowContent content;
+  content.shearModulus_Pa = parts.shearModulus_Pa;
+  content.gentLimit = wall.gentLimit;
+  content.restPressure_Pa = wall.restPressure_Pa;
+  content.highestPressure_Pa = std::max(wall.restPressure_Pa, wall.pressure_Pa);
+  return content;
+}
+
+/// Share of a span, 0 held to 1 mobile; outside the span below 0 or above 1.
+double shareOf(const WrungSpan& span, double fraction) noexcept {
+  return (fraction - span.held) / (span.mobile - span.held);
+}
+
+}  // namespace
+
+HollowOrgan::HollowOrgan(const Parts& parts)
+    : detorsion_(parts.detorsion),
+      vessels_(parts.detorsion.vessels),
+      length_m_(parts.lattice->length_m()),
+      graspArc_m_(parts.graspArc * parts.lattice->length_m()) {
+  if (placeOf(graspArc_m_).span >= 0) {
+    refuseParameter(Text::tr("the pattern grips the organ where it is wrung"), Text::tr("field 'grasp'"),
+                    Text::tr("Grip between the mobile ends of the spans."));
+  }
+  if (!detorsion_.wall.thickness_m.empty()) {
+    solveLimbs(parts);
+  }
+  basePeak_Nm_ = peakTorque_Nm(detorsion_.wall.pressure_Pa);
+}
+
+void HollowOrgan::solveLimbs(const Parts& parts) {
+  const WallMap map(detorsion_.wall.thickness_m);
+  const HollowContent content = contentOf(parts);
+  std::vector<std::vector<WallPlace>> walls;
+  std::vector<std::future<std::shared_ptr<const WrungOrgan>>> solving;
+  std::vector<std::size_t> solvedAs;
+  for (const WrungSpan& span : detorsion_.spans) {
+    const double span_m = std::abs(span.mobile - span.held) * length_m_;
+    walls.push_back(wallPlaces(*parts.lattice, map, span.held * length_m_, span.mobile * length_m_));
+    const bool again = walls.size() > 1 && alike(walls[0], walls[1]) &&
+                       std::abs(detorsion_.spans[0].mobile - detorsion_.spans[0].held) * length_m_ == span_m;
+    if (!again) {
+      solving.push_back(std::async(std::launch::async, [wall = walls.back(), span_m, content] {
+        return std::make_shared<const WrungOrgan>(wall, span_m, content);
+      }));
+    }
+    solvedAs.push_back(solving.size() - 1);
+  }
+  std::vector<std::shared_ptr<const WrungOrgan>> solved;
+  for (auto& one : solving) {
+    solved.push_back(one.get());
+  }
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    Limb limb;
+    limb.tube = solved[solvedAs[i]];
+    std::copy_n(walls[i].begin(), std::min(walls[i].size(), kWallPlaces), limb.wall.begin());
+    limbs_.push_back(std::move(limb));
+  }
+}
+
+OrganState HollowOrgan::start(std::uint64_t seed) const {
+  const InitialTwist& twist = detorsion_.start;
+  Random random = Random::forStream(seed, kStartStream);
+  const double place = random.uniform();
+  const double way_rad = twist.most_rad - twist.least_rad;
+  double angle_rad = twist.least_rad + place * way_rad;
+  if (twist.step_rad > 0.0) {
+    const double steps = std::floor(way_rad / twist.step_rad + 1e-9) + 1.0;
+    angle_rad = twist.least_rad + twist.step_rad * std::min(std::floor(place * steps), steps - 1.0);
+  }
+  const bool opposite = random.uniform() < twist.oppositeShare;
+  OrganState state = stateAt((opposite ? -twist.sign : twist.sign) * angle_rad);
+  const double pressure_mmHg = state.hollow.reading.pressure_Pa / kPascalsPerMmHg;
+  const PerfusionState blood = vessels_.after(angle_rad, pressure_mmHg, twist.since_s);
+  state.hollow.reading.flow = blood.flow;
+  state.hollow.reading.dose = blood.dose;
+  state.hollow.congestion = blood.congestion;
+  state.hollow.saturation = blood.saturation;
+  return state;
+}
+
+OrganState HollowOrgan::stateAt(double angle_rad) const noexcept {
+  const double pressure_Pa = detorsion_.wall.pressure_Pa;
+  OrganState state;
+  state.twist = {graspArc_m_, angle_rad};
+  HollowPose& pose = state.hollow;
+  pose.present = true;
+  pose.start_rad = angle_rad;
+  // So long that flow has settled, so short that no dose has gathered.
+  const double settled_s = 20.0 * detorsion_.vessels.flowTime_s;
+  const PerfusionState blood = vessels_.after(angle_rad, pressure_Pa / kPascalsPerMmHg, settled_s);
+  pose.reading.pressure_Pa = pressure_Pa;
+  pose.reading.patency = patency(angle_rad, pressure_Pa);
+  pose.reading.flow = blood.flow;
+  pose.congestion = blood.congestion;
+  pose.saturation = blood.saturation;
+  return state;
+}
+
+double HollowOrgan::torque_Nm(double angle_rad, double pressure_Pa) const noexcept {
+  double torque_Nm = limbs_.empty() ? detorsion_.cordStiffness_Nm_per_rad * angle_rad : 0.0;
+  for (const Limb& limb : limbs_) {
+    torque_Nm += limb.tube->at(angle_rad, pressure_Pa).torque;
+  }
+  return torque_Nm;
+}
+
+double HollowOrgan::slope_Nm_per_rad(double angle_rad, double pressure_Pa) const noexcept {
+  return (torque_Nm(angle_rad + kSlopeStep_rad, pressure_Pa) -
+          torque_Nm(angle_rad - kSlopeStep_rad, pressure_Pa)) /
+         (2.0 * kSlopeStep_rad);
+}
+
+double HollowOrgan::peakTorque_Nm(double pressure_Pa) const noexcept {
+  double peak_Nm = limbs_.empty() ? detorsion_.cordStiffness_Nm_per_rad * detorsion_.start.most_rad : 0.0;
+  for (const Limb& limb : limbs_) {
+    peak_Nm += limb.tube->peakTorque_Nm(pressure_Pa);
+  }
+  return peak_Nm;
+}
+
+double HollowOrgan::patency(double angle_rad, double pressure_Pa) const noexcept {
+  double patency = 1.0;
+  for (const Limb& limb : limbs_) {
+    patency = std::min(patency, limb.tube->at(angle_rad, pressure_Pa).patency);
+  }
+  return patency;
+}
+
+double HollowOrgan::waist_m(double angle_rad, double pressure_Pa) const noexcept {
+  double waist_m = limbs_.empty() ? 0.0 : std::numeric_limits<double>::infinity();
+  for (const Limb& limb : limbs_) {
+    waist_m = std::min(waist_m, limb.tube->at(angle_rad, pressure_Pa).waist);
+  }
+  return waist_m;
+}
+
+double HollowOrgan::onset_rad(double pressure_Pa) const {
+  double onset_rad = std::numeric_limits<double>::infinity();
+  for (const Limb& limb : limbs_) {
+    onset_rad = std::min(onset_rad, limb.tube->onset_rad(pressure_Pa));
+  }
+  return onset_rad;
+}
+
+double HollowOrgan::closing_rad(double pressure_Pa) const noexcept {
+  double closing_rad = std::numeric_limits<double>::infinity();
+  for (const Limb& limb : limbs_) {
+    closing_rad = std::min(closing_rad, limb.tube->closing_rad(pressure_Pa));
+  }
+  return closing_rad;
+}
+
+HollowOrgan::Place HollowOrgan::placeOf(double arc_m) const noexcept {
+  const double fraction = arc_m / length_m_;
+  for (std::size_t i = 0; i < detorsion_.spans.size(); ++i) {
+    const double share = shareOf(detorsion_.spans[i], fraction);
+    if (share < 1.0) {
+      return {static_cast<int>(i), std::max(share, 0.0)};
+    }
+  }
+  return {};
+}
+
+HollowOrgan::Section HollowOrgan::sectionIn(int span, double share, const OrganState& state) const noexcept {
+  static_cast<void>(span);
+  return {state.twist.graspAngle_rad * share, 1.0};
+}
+
+HollowOrgan::Section HollowOrgan::sectionAt(double arc_m, const OrganState& state) const noexcept {
+  const Place place = placeOf(arc_m);
+  if (place.span < 0) {
+    return {state.twist.graspAngle_rad, 1.0};
+  }
+  return place.share > 0.0 ? sectionIn(place.span, place.share, state) : Section{};
+}
+
+double HollowOrgan::wallShear_Pa(double arc_m, const OrganState& state) const noexcept {
+  const Place place = placeOf(arc_m);
+  if (place.span < 0 || !(place.share > 0.0) || limbs_.empty()) {
+    return 0.0;
+  }
+  const Limb& limb = limbs_[static_cast<std::size_t>(place.span)];
+  const double angle_rad = state.twist.graspAngle_rad;
+  const double torque_Nm = limb.tube->at(angle_rad, state.hollow.reading.pressure_Pa).torque;
+  const auto at = static_cast<std::size_t>(place.share * static_cast<double>(kWallPlaces - 1) + 0.5);
+  const double radius_m = limb.wall[at].radius_m * sectionIn(place.span, place.share, state).radius;
+  return std::abs(torque_Nm) / (kTurn * radius_m * radius_m * limb.wall[at].thickness_m);
+}
+
+const WrungOrgan* HollowOrgan::tube(int span) const noexcept {
+  const bool known = span >= 0 && static_cast<std::size_t>(span) < limbs_.size();
+  return known ? limbs_[static_cast<std::size_t>(span)].tube.get() : nullptr;
+}
+
+}  // namespace torsio

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/tissue/perfusion/tissue_colour.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/base/angle.h"
+
+namespace torsio {
+namespace {
+
+TissueColour settledAt(double angle_deg) {
+  PerfusionState state = Perfusion{PerfusionParameters{}}.after(radians(angle_deg), 0.0, 3600.0);
+  state.dose = 0.0;
+  return colourOf(state);
+}
+
+TEST(TissueColour, ASoundOrganIsPink) {
+  EXPECT_EQ(colourOf(PerfusionState{}), kSerosaPink);
+}
+
+TEST(TissueColour, ATurnMakesItDarkerAndPurpler) {
+  TissueColour before = settledAt(0.0);
+  for (const double angle_deg : {180.0, 360.0, 540.0, 720.0}) {
+    const TissueColour now = settledAt(angle_deg);
+
+    EXPECT_LT(now.red + now.green + now.blue, before.red + before.green + before.blue) << angle_deg;
+    EXPECT_GT(now.blue / now.red, before.blue / before.red) << angle_deg;
+    before = now;
+  }
+}
+
+TEST(TissueColour, AShutArteryLeavesItPaleNotPurple) {
+  const TissueColour purple = settledAt(720.0);
+  const TissueColour pale = settledAt(760.0);
+
+  EXPECT_NEAR(pale.red, kSerosaPale.red, 1e-9);
+  EXPECT_NEAR(pale.blue, kSerosaPale.blue, 1e-9);
+  EXPECT_GT(pale.green, purple.green + 0.4);
+}
+
+TEST(TissueColour, ADoseBelowSevenTenthsDoesNotShowAndOneAndAFifthIsBlack) {
+  EXPECT_EQ(colourOf({.dose = 0.7}), kSerosaPink);
+  EXPECT_EQ(blackShare(0.95), 0.5);  // half-way of the smoothstep
+  EXPECT_EQ(colourOf({.dose = 1.2}), kSerosaBlack);
+  EXPECT_EQ(colourOf({.dose = 3.0}), kSerosaBlack);
+}
+
+}  // namespace
+}  // namespace torsio
