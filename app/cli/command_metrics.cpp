@@ -131,7 +131,7 @@ OrganKnowledge organOf(const Scene& scene, const Trial& trial) {
   organ.peakShear_Pa = [&scene, poses](const Sample& sample) {
     const TwistResponse& response = sample.response;
     OrganState state{{response.graspArc_m, response.angle_rad}, poses->at(sample.device.time_us)};
-    state.hollow.present = scene.hollow != nullptr;
+    state.hollow = poses->hollowAt(sample.device.time_us);
     state.hollow.reading = sample.hollow;
     const bool atRest = scene.rod ? state.pose.count == 0 : response.angle_rad == 0.0;
     return atRest ? 0.0 : scene.peakShear_Pa(state);

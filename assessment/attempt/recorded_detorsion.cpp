@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/attempt/recorded_detorsion.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -13,23 +14,23 @@ namespace torsio {
 namespace {
 
 constexpr std::uint32_t kHandLost = kDeviceLost | kDeviceUncalibrated;
-constexpr double kYes = 0.5;  // a command's value at and above it is "on"
 
-/// Follows the clip and the way out through the recording: by command, the clip also by the second button,
-/// each time that it is pressed.
+/// Follows the clip and the way out through the recording, as the servo does: by command, the clip also by
+/// the second button, each time that it is pressed by an instrument that touches or holds the organ.
 class Switches {
  public:
   void obey(const Sample& sample) noexcept {
-    if (sample.command.kind == ServoCommand::Kind::kHoldOrgan) {
-      clipped_ = sample.command.value >= kYes;
-    } else if (sample.command.kind == ServoCommand::Kind::kVent) {
-      venting_ = sample.command.value >= kYes;
-    }
     const bool pressed = (sample.device.buttons & kButtonSecond) != 0;
-    if (pressed && !pressed_) {
+    if (sample.command.kind == ServoCommand::Kind::kHoldOrgan) {
+      clipped_ = sample.command.value != 0.0;
+    } else if (pressed && !pressed_ && atOrgan_) {
       clipped_ = !clipped_;
     }
+    if (sample.command.kind == ServoCommand::Kind::kVent) {
+      venting_ = sample.command.value != 0.0;
+    }
     pressed_ = pressed;
+    atOrgan_ = sample.phase == ExercisePhase::kContact || sample.phase == ExercisePhase::kTwisting;
   }
   [[nodiscard]] bool clipped() const noexcept { return clipped_; }
   [[nodiscard]] bool venting() const noexcept { return venting_; }
@@ -38,7 +39,14 @@ class Switches {
   bool clipped_ = false;
   bool venting_ = false;
   bool pressed_ = false;
+  bool atOrgan_ = false;  // in the tick before
 };
+
+/// How far the jaw is closed: a button closes it fully.
+double closure(const DeviceSample& device) noexcept {
+  const bool grips = (device.buttons & kButtonGrip) != 0;
+  return grips ? 1.0 : std::clamp(static_cast<double>(device.grip) * kGripStep, 0.0, 1.0);
+}
 
 std::vector<DetorsionTick> ticksOf(std::span<const Sample> samples, std::span<const std::int64_t> times_us,
                                    const DetorsionRules& rules,
@@ -55,7 +63,7 @@ std::vector<DetorsionTick> ticksOf(std::span<const Sample> samples, std::span<co
                        .flow = sample.hollow.flow,
                        .dose = sample.hollow.dose,
                        .force_N = norm(sample.response.force_N),
-                       .jaw_Pa = rules.jaw_Pa * static_cast<double>(sample.device.grip) * kGripStep,
+                       .jaw_Pa = rules.jaw_Pa * closure(sample.device),
                        .held = sample.phase == ExercisePhase::kTwisting,
                        .clipped = switches.clipped(),
                        .handGone = (sample.device.status & kHandLost) != 0,
@@ -71,7 +79,7 @@ std::vector<DetorsionTick> ticksOf(std::span<const Sample> samples, std::span<co
 }  // namespace
 
 bool comesTwisted(std::span<const Sample> samples) noexcept {
-  return !samples.empty() && samples.front().rules == kDetorsionServoRules;
+  return !samples.empty() && samples.front().rules == kRulesOfDetorsion;
 }
 
 Outcome<DetorsionMetrics> measureRecordedDetorsion(

@@ -12,9 +12,6 @@
 
 namespace torsio {
 
-/// The rules (Sample::rules) by which the ticks of an organ that came twisted are answered.
-inline constexpr std::uint32_t kDetorsionServoRules = 2;
-
 /// Whether a recording is that of an organ which came twisted and is to be undone.
 [[nodiscard]] bool comesTwisted(std::span<const Sample> samples) noexcept;
 

@@ -231,7 +231,7 @@ const Outcome<double>& DetorsionMetrics::at(std::string_view id) const {
 }
 
 double leastRegrips(double start_rad) noexcept {
-  constexpr double kRounding = 1e-9;  // 310 degrees are two turns of a hand, not a little more
+  constexpr double kRounding = 1e-4;  // 310 degrees, as they are recorded, are two turns of a hand
   return std::max(0.0, std::ceil(std::abs(start_rad) / kHandTurn_rad - kRounding) - 1.0);
 }
 

@@ -14,7 +14,7 @@ namespace {
 class RecordedUntwisting {
  public:
   RecordedUntwisting() {
-    now_.rules = kDetorsionServoRules;
+    now_.rules = kRulesOfDetorsion;
     now_.response.angle_rad = radians(200.0);
     now_.hollow = {.pressure_Pa = 0.0, .patency = 0.4, .flow = 0.3, .dose = 0.1};
   }
@@ -108,20 +108,37 @@ TEST(RecordedDetorsion, TheClipIsNotHandsOffUntilItIsTakenAway) {
   EXPECT_FALSE(tooFew.measured().values.contains("detorse.residual"));
 }
 
-TEST(RecordedDetorsion, TheSecondButtonTogglesTheClipEachTimeThatItIsPressed) {
-  // Pressed at 4 s, held for a second, pressed again at 16 s: clipped from 4 to 16 s.
+TEST(RecordedDetorsion, TheSecondButtonTogglesTheClipEachTimeThatItIsPressedAtTheOrgan) {
+  // Pressed at the organ at 5 s, held for a second, pressed again at 17 s: clipped from 5 to 17 s.
   RecordedUntwisting run = undone();
+  run.stage(ExercisePhase::kContact, 1000, 0.0);
   run.now().device.buttons = kButtonSecond;
-  run.now().command = {};
-  run.command(ServoCommand::Kind::kHoldOrgan, 0.0).stage(ExercisePhase::kTracking, 1000, 0.0);
+  run.stage(ExercisePhase::kContact, 1000, 0.0);
   run.now().device.buttons = 0;
-  run.stage(ExercisePhase::kTracking, 11'000, 0.0);
+  run.stage(ExercisePhase::kContact, 11'000, 0.0);
   const double clipped = run.measured().values.at("detorse.done");
   run.now().device.buttons = kButtonSecond;
-  run.stage(ExercisePhase::kTracking, 10'000, 0.0);
+  run.stage(ExercisePhase::kContact, 10'000, 0.0);
 
   EXPECT_EQ(clipped, 0.0);
   EXPECT_EQ(run.measured().values.at("detorse.done"), 1.0);
+}
+
+TEST(RecordedDetorsion, TheSecondButtonInTheAirClipsNothing) {
+  RecordedUntwisting run = undone();
+  run.stage(ExercisePhase::kTracking, 1000, 0.0);
+  run.now().device.buttons = kButtonSecond;
+  run.stage(ExercisePhase::kTracking, 9'000, 0.0);
+
+  EXPECT_EQ(run.measured().values.at("detorse.done"), 1.0);
+}
+
+TEST(RecordedDetorsion, TheButtonThatGripsClosesTheJawFully) {
+  RecordedUntwisting run;
+  run.now().device.buttons = kButtonGrip;
+  run.stage(ExercisePhase::kTwisting, 100, 200.0);
+
+  EXPECT_EQ(run.measured().values.at("detorse.peak_jaw"), 400e3);
 }
 
 TEST(RecordedDetorsion, TheWayOutThatIsOpenedBeforeTheTurnCounts) {

@@ -27,7 +27,8 @@ Detorsion sigmoid() {
                       .residual_rad = 0.25,
                       .patency = 0.7,
                       .flow = 0.75,
-                      .handsOff_s = 12.0};
+                      .handsOff_s = 12.0,
+                      .source = "made up"};
   detorsion.timeScale = 30.0;
   return detorsion;
 }
