@@ -10,6 +10,7 @@
 #include "assessment/metrics/metric_cards.h"
 #include "assessment/metrics/trial_metrics.h"
 #include "sim/base/angle.h"
+#include "sim/base/hollow_pose.h"
 
 namespace torsio {
 
@@ -17,8 +18,6 @@ namespace torsio {
 inline constexpr double kChosenTurn_rad = radians(15.0);
 /// Whoever lets go of an organ that is turned further than this has to grip it again.
 inline constexpr double kRegripFrom_rad = radians(30.0);
-/// How far one hand turns: pronation 70 to 71 degrees and supination 84 to 85.
-inline constexpr double kHandTurn_rad = radians(155.0);
 /// Blood has come back when it has flowed for so long.
 inline constexpr double kFlowBack_s = 5.0;
 
