@@ -10,6 +10,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
 #include "app/cli/organ_option.h"
+#include "app/recording/detorsion_rules.h"
 #include "app/recording/kept_digests.h"
 #include "app/recording/replay_service.h"
 #include "assessment/attempt/attempt_measures.h"
@@ -51,15 +52,30 @@ const char* directionText(Direction direction) {
   return "";
 }
 
+Json valuesJson(const std::vector<MetricValue>& values) {
+  Json out = Json::object();
+  for (const MetricValue& metric : values) {
+    const MetricCard& card = metricCard(metric.id);
+    Json entry{{"value", outcomeJson(metric.value, [](double value) { return Json(value); })}};
+    entry["unit"] = std::string(card.unit);
+    out[std::string(metric.id)] = std::move(entry);
+  }
+  return out;
+}
+
 Json metricsJson(const Outcome<TrialMetrics>& outcome) {
-  return outcomeJson(outcome, [](const TrialMetrics& metrics) {
-    Json out = Json::object();
-    for (const MetricValue& metric : metrics.values) {
-      const MetricCard& card = metricCard(metric.id);
-      Json entry{{"value", outcomeJson(metric.value, [](double value) { return Json(value); })}};
-      entry["unit"] = std::string(card.unit);
-      out[std::string(metric.id)] = std::move(entry);
-    }
+  return outcomeJson(outcome, [](const TrialMetrics& metrics) { return valuesJson(metrics.values); });
+}
+
+/// An untwisting: its metrics, the angle that it came with, and its times in those of the tissue.
+Json detorsionJson(const MeasuredDetorsion& measured, const AttemptRules& rules) {
+  return outcomeJson(measured.metrics, [&](const DetorsionMetrics& detorsion) {
+    const double timeScale = rules.detorsion ? rules.detorsion->timeScale : 1.0;
+    Json out{{"start_rad", detorsion.start_rad}, {"time_scale", timeScale}};
+    out["done_s"] = detorsion.done_s ? Json(*detorsion.done_s) : Json();
+    out["tissue_time_to_flow_s"] = outcomeJson(detorsion.at("detorse.time_to_flow"),
+                                               [&](double time_s) { return Json(timeScale * time_s); });
+    out["metrics"] = valuesJson(detorsion.values);
     return out;
   });
 }
@@ -81,7 +97,8 @@ Json cardsJson() {
 /// Reads a trial file and finds the rules of its pattern.
 LoadedRun readRunFile(const std::filesystem::path& file) {
   LoadedRun run{readTrialFile(file), {}};
-  run.rules = ExerciseRules().ofPattern(run.trial.header.sceneId, run.trial.header.patternId);
+  const TrialHeader& header = run.trial.header;
+  run.rules = recordedRules(ExerciseRules().ofPattern(header.sceneId, header.patternId), header);
   return run;
 }
 
@@ -113,7 +130,9 @@ OrganKnowledge organOf(const Scene& scene, const Trial& trial) {
   const auto poses = std::make_shared<const PoseTrack>(scene, trial.header, trial.chunks);
   organ.peakShear_Pa = [&scene, poses](const Sample& sample) {
     const TwistResponse& response = sample.response;
-    const OrganState state{{response.graspArc_m, response.angle_rad}, poses->at(sample.device.time_us)};
+    OrganState state{{response.graspArc_m, response.angle_rad}, poses->at(sample.device.time_us)};
+    state.hollow = poses->hollowAt(sample.device.time_us);
+    state.hollow.reading = sample.hollow;
     const bool atRest = scene.rod ? state.pose.count == 0 : response.angle_rad == 0.0;
     return atRest ? 0.0 : scene.peakShear_Pa(state);
   };
@@ -199,6 +218,9 @@ void runMetrics(const MetricsArguments& arguments) {
   out["twists_not_completed"] = measures.unfinished;
   out["attempt"] = measures.values;
   out["whole"] = metricsJson(whole);
+  if (measured.detorsion) {
+    out["detorsion"] = detorsionJson(*measured.detorsion, run.rules);
+  }
   out["twists"] = Json::array();
   for (const MeasuredTwist& twist : measured.twists) {
     out["twists"].push_back(twistJson(twist));
@@ -213,8 +235,8 @@ void runMetrics(const MetricsArguments& arguments) {
 
 void addMetrics(CLI::App& program) {
   auto arguments = std::make_shared<MetricsArguments>();
-  CLI::App* command =
-      program.add_subcommand("metrics", "Measured quantities of a recorded trial and of each twist in it");
+  CLI::App* command = program.add_subcommand(
+      "metrics", "Measured quantities of a recorded trial and of each twist in it, or of its untwisting");
   command->add_option("TRIAL", arguments->trial, "Id of the trial, or its first characters, or a trial file")
       ->required();
   command

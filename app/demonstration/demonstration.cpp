@@ -9,6 +9,7 @@
 #include "app/base/build_info.h"
 #include "app/demonstration/demonstration_curriculum.h"
 #include "app/demonstration/demonstration_people.h"
+#include "app/recording/detorsion_rules.h"
 #include "app/recording/expert_run.h"
 #include "app/recording/kept_digests.h"
 #include "app/recording/pipeline.h"
@@ -153,8 +154,9 @@ class Demonstration {
 
     const Trial stored = repository.load(recording.trialId);
     const AttemptRules rules = rules_.of(connection_, scene.id, scene.pattern.id, context.moduleId);
-    const TrialDigest digest = keptDigest(stored, measureAttempt(stored.header, decodeTrial(stored), rules),
-                                          rules, options_.simulatedUtc_us);
+    const AttemptMeasures measures =
+        measureAttempt(stored.header, decodeTrial(stored), recordedRules(rules, stored.header));
+    const TrialDigest digest = keptDigest(stored, measures, rules, options_.simulatedUtc_us);
     TrialSummaryRow row = summaryRow({.trialId = recording.trialId,
                                       .traineeCode = recording.traineeCode,
                                       .phaseLabel = recording.phaseLabel,

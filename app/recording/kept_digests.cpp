@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/base/assets.h"
+#include "app/recording/detorsion_rules.h"
 #include "assessment/metrics/metric_cards.h"
 #include "db/connection/connection.h"
 #include "db/repository/trial/digest_repository.h"
@@ -141,6 +142,11 @@ TrialSummaryRow summaryRow(const TrialListing& listing, const TrialDigest& diges
   for (const JudgedTwist& twist : measures.twists) {
     row.attempts.push_back({twist.error_deg, twist.onTarget});
   }
+  for (const auto& [metric, value] : measures.values) {
+    if (isDetorsionMetric(metric)) {
+      row.detorsion.emplace(metric, value);
+    }
+  }
   return row;
 }
 
@@ -153,7 +159,8 @@ TrialDigest digestOf(Connection& connection, const TrialListing& listing, Exerci
     return *known;
   }
   const Trial trial = TrialRepository(connection).load(listing.trialId);
-  const AttemptMeasures measures = measureAttempt(trial.header, decodeTrial(trial), rules);
+  const AttemptMeasures measures =
+      measureAttempt(trial.header, decodeTrial(trial), recordedRules(rules, trial.header));
   keepDigest(connection, trial, measures, rules, now_us);
   return keptDigest(trial, measures, rules, now_us);
 }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "app/recording/detorsion_rules.h"
 #include "app/recording/kept_digests.h"
 #include "assessment/attempt/trial_listing.h"
 #include "db/connection/connection.h"
@@ -52,7 +53,8 @@ LoadedRun loadStoredRun(const std::string& database, const TrialId& trialId,
   const TrialHeader& header = run.trial.header;
   const TrialContext context = trials.context(header.trialId).value_or(TrialContext{});
   ExerciseRules exercises(assets);
-  run.rules = exercises.of(connection, header.sceneId, header.patternId, context.moduleId);
+  run.rules =
+      recordedRules(exercises.of(connection, header.sceneId, header.patternId, context.moduleId), header);
   return run;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "app/recording/detorsion_rules.h"
 #include "assessment/attempt/trial_digest.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/metrics/metric_cards.h"
@@ -111,8 +112,9 @@ std::vector<TrialSummaryRow> TrialDigests::ofCohort(SessionContext& session, con
                   static_cast<double>(i) / static_cast<double>(listed.size()), -1.0});
       }
       const Trial trial = trials.load(listing.trialId);
-      TrialDigest digest =
-          keptDigest(trial, measureAttempt(trial.header, decodeTrial(trial), rules), rules, session.now_us());
+      const AttemptMeasures measures =
+          measureAttempt(trial.header, decodeTrial(trial), recordedRules(rules, trial.header));
+      TrialDigest digest = keptDigest(trial, measures, rules, session.now_us());
       ++measured_;
       out.push_back(summaryRow(listing, digest));
       fresh.add(std::move(digest));

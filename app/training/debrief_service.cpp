@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <utility>
 
+#include "app/recording/detorsion_rules.h"
 #include "app/recording/expert_run.h"
 #include "app/recording/kept_digests.h"
 #include "app/training/bookmarks.h"
@@ -96,8 +97,8 @@ Debrief debrief(SessionContext& session, const TrialId& trialId, const std::file
   const Trial trial = trials.load(trialId);
   const TrainingModule* module = record.module(listing.moduleId);
   ExerciseRules exercises(assets);
-  const AttemptRules rules =
-      exercises.of(session.connection(), listing.sceneId, listing.patternId, listing.moduleId);
+  const AttemptRules rules = recordedRules(
+      exercises.of(session.connection(), listing.sceneId, listing.patternId, listing.moduleId), trial.header);
   // Decoded and measured once, for the debrief and for what is kept beside the trial.
   const std::vector<Sample> samples = decodeTrial(trial);
   const MeasuredTrial measured = measureTwists(trial.header, samples, rules);

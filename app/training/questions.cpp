@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/recording/detorsion_rules.h"
 #include "app/recording/kept_digests.h"
 #include "app/training/bookmarks.h"
 #include "app/training/trainee_record.h"
@@ -163,8 +164,10 @@ Debrief questionedRun(SessionContext& session, const RemarkId& questionId) {
   const Trial trial = TrialRepository(session.connection()).load(question.trialId);
   const std::optional<TrialContext> context = TrialRepository(session.connection()).context(question.trialId);
   ExerciseRules exercises;
-  const AttemptRules rules = exercises.of(session.connection(), trial.header.sceneId, trial.header.patternId,
-                                          context ? context->moduleId : ModuleId());
+  const AttemptRules rules =
+      recordedRules(exercises.of(session.connection(), trial.header.sceneId, trial.header.patternId,
+                                 context ? context->moduleId : ModuleId()),
+                    trial.header);
   Debrief run = makeDebrief(trial.header, decodeTrial(trial), rules, nullptr);
   run.moduleTitle = moduleTitle(session, question.trialId);
   run.bookmarks.push_back({question.remarkId, secondsOf(question.time_us), question.text});

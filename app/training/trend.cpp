@@ -89,6 +89,15 @@ void measureDistance(Trend& trend, const TrainingModule& module) {
   trend.distance = trend.lowerIsBetter ? *last->value - *trend.threshold : *trend.threshold - *last->value;
 }
 
+/// What a module without rules is followed by: whether the organ was undone where it came twisted, else the
+/// share of twists on target.
+std::string usualMetric(const std::vector<Attempt>& attempts) {
+  const bool untwisted = std::any_of(attempts.begin(), attempts.end(), [](const Attempt& attempt) {
+    return attempt.values.contains(kDetorsionDoneMetric);
+  });
+  return untwisted ? kDetorsionDoneMetric : kOnTargetMetric;
+}
+
 }  // namespace
 
 LevelCourse levelCourse(const std::vector<bool>& failed) {
@@ -146,12 +155,13 @@ Trend trend(SessionContext& session, const PersonId& personId, const ModuleId& m
   trend.moduleId = moduleId;
   trend.moduleTitle = module->title;
   trend.metric = metric;
+  const std::vector<Attempt> attempts = attemptsOf(session, personId, moduleId);
   if (metric.empty()) {
-    trend.metric = module->mastery.empty() ? std::string(kOnTargetMetric) : module->mastery.front().metric;
+    trend.metric = module->mastery.empty() ? usualMetric(attempts) : module->mastery.front().metric;
   }
   describeMetric(trend);
   std::vector<bool> failed;
-  for (const Attempt& attempt : attemptsOf(session, personId, moduleId)) {
+  for (const Attempt& attempt : attempts) {
     if (!attempt.ended || attempt.interrupted) {
       continue;
     }

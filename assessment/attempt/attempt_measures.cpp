@@ -69,6 +69,9 @@ void addMetrics(const MeasuredTrial& measured, AttemptMeasures& out) {
       out.values[std::string(card.id)] = overTwists(card.id, values);
     }
   }
+  if (measured.detorsion) {
+    return;  // no targets
+  }
   const auto reached = static_cast<double>(out.twistsOnTarget());
   out.values[kTargetsReachedMetric] = reached;
   if (!out.twists.empty()) {

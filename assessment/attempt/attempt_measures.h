@@ -24,14 +24,15 @@ struct JudgedTwist {
 /// trend, mastery, metrics and export read these numbers and compute none of their own.
 struct AttemptMeasures {
   std::int64_t duration_us = 0;
-  std::vector<JudgedTwist> twists{};  ///< completed ones, in their order
+  std::vector<JudgedTwist> twists{};  ///< completed ones, in their order; none of an untwisting
   std::int64_t unfinished = 0;        ///< twists that were not completed, counted apart
   /// The next three: empty without a completed twist.
   std::optional<double> meanAbsoluteError_deg{};
   std::optional<double> peakTorque_Nm{};  ///< largest magnitude of any sample, not filtered
   std::optional<double> peakForce_N{};    ///< largest magnitude sent to the device, not filtered
   /// By metric id, SI. A metric of single twists: over the completed ones, the sum of mishaps, the largest of
-  /// peaks, else the median. What is not defined is missing.
+  /// peaks, else the median. Of an untwisting its own metrics, and loads over its grips in the same way. What
+  /// is not defined is missing.
   std::map<std::string, double> values{};
 
   /// Number of completed twists that were let go on target.

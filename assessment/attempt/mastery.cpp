@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "assessment/metrics/metric_cards.h"
+
 namespace torsio {
 
 namespace {
@@ -38,6 +40,9 @@ bool enoughOnTarget(std::int64_t onTarget, std::int64_t twists) noexcept {
 bool passesAll(std::span<const MasteryRule> rules, const std::map<std::string, double>& values,
                std::int64_t onTarget, std::int64_t twists) {
   if (rules.empty()) {
+    if (const auto done = values.find(kDetorsionDoneMetric); done != values.end()) {
+      return done->second > 0.0;
+    }
     return enoughOnTarget(onTarget, twists);
   }
   return std::all_of(rules.begin(), rules.end(), [&](const MasteryRule& rule) {

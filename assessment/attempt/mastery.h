@@ -42,7 +42,8 @@ struct MasteryProgress {
 [[nodiscard]] bool enoughOnTarget(std::int64_t onTarget, std::int64_t twists) noexcept;
 
 /// Whether one attempt satisfies all mastery rules of its exercise, by the `values` of its measures; without
-/// rules, whether enough of its completed twists were let go on target.
+/// rules, whether enough of its completed twists were let go on target, or the organ of an untwisting was
+/// undone.
 [[nodiscard]] bool passesAll(std::span<const MasteryRule> rules, const std::map<std::string, double>& values,
                              std::int64_t onTarget, std::int64_t twists);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assessment/attempt/recorded_detorsion.h"
 #include "assessment/attempt/recorded_twists.h"
 #include "assessment/metrics/signal.h"
 
@@ -121,6 +122,57 @@ Outcome<TrialMetrics> measured(const TrialTrace& trace, const TrialTargets& targ
   return measureTrial(trace, targets);
 }
 
+/// Leaves out of a trace what only an exercise of twisting has.
+void dropTwists(TrialTrace& trace) {
+  trace.angle_rad.clear();
+  trace.targetAngle_rad.clear();
+}
+
+MeasuredDetorsion measuredDetorsion(const Reading& reading, std::span<const Sample> samples,
+                                    const AttemptRules& rules, const OrganKnowledge& organ) {
+  MeasuredDetorsion out;
+  out.metrics = measureRecordedDetorsion(samples, reading.times.us, rules.detorsion, organ.peakShear_Pa);
+  TrialTrace trace = traceOf(reading, samples, rules.tolerance_rad, organ);
+  dropTwists(trace);
+  const TrialTargets targets = targetsOf(rules, organ);
+  out.whole = measured(trace, targets);
+  for (const RecordedTwist& grip : reading.twists) {
+    out.grips.push_back(measured(cut(trace, grip.first, grip.letGo), targets));
+  }
+  return out;
+}
+
+void addValue(const Outcome<double>& value, std::vector<double>& values) {
+  if (value) {
+    values.push_back(*value);
+  }
+}
+
+/// Whether a metric is read off the whole recording of an untwisting, not grip by grip.
+bool isOfWhole(std::string_view metric) {
+  return metric == "time.total" || metric == "tip.path" || metric == "tip.idle";
+}
+
+std::vector<double> valuesOfDetorsion(const MeasuredDetorsion& detorsion, std::string_view metric) {
+  std::vector<double> values;
+  if (isDetorsionMetric(metric)) {
+    if (detorsion.metrics) {
+      addValue(detorsion.metrics->at(metric), values);
+    }
+  } else if (isOfWhole(metric)) {
+    if (detorsion.whole) {
+      addValue(detorsion.whole->at(metric), values);
+    }
+  } else {
+    for (const Outcome<TrialMetrics>& grip : detorsion.grips) {
+      if (grip) {
+        addValue(grip->at(metric), values);
+      }
+    }
+  }
+  return values;
+}
+
 }  // namespace
 
 double MeasuredTrial::duration_s() const noexcept {
@@ -143,7 +195,13 @@ std::int64_t MeasuredTrial::unfinished() const noexcept {
 }
 
 std::vector<double> MeasuredTrial::valuesOf(std::string_view metric) const {
+  if (detorsion) {
+    return valuesOfDetorsion(*detorsion, metric);
+  }
   std::vector<double> values;
+  if (isDetorsionMetric(metric)) {
+    return values;
+  }
   for (const MeasuredTwist* twist : completed()) {
     if (twist->metrics && twist->metrics->at(metric)) {
       values.push_back(*twist->metrics->at(metric));
@@ -162,6 +220,10 @@ MeasuredTrial measureTwists(const TrialHeader& header, std::span<const Sample> s
   const Reading reading = readingOf(header, samples);
   MeasuredTrial out{.deviceClock = reading.times.deviceClock,
                     .duration_us = recordedDuration_us(header, samples)};
+  if (comesTwisted(samples)) {
+    out.detorsion = measuredDetorsion(reading, samples, rules, organ);
+    return out;
+  }
   if (reading.twists.empty()) {
     return out;
   }
@@ -186,7 +248,11 @@ MeasuredTrial measureTwists(const TrialHeader& header, std::span<const Sample> s
 
 Outcome<TrialMetrics> measureWhole(const TrialHeader& header, std::span<const Sample> samples,
                                    const AttemptRules& rules, const OrganKnowledge& organ) {
-  return measured(trialTrace(header, samples, rules.tolerance_rad, organ), targetsOf(rules, organ));
+  TrialTrace trace = trialTrace(header, samples, rules.tolerance_rad, organ);
+  if (comesTwisted(samples)) {
+    dropTwists(trace);
+  }
+  return measured(trace, targetsOf(rules, organ));
 }
 
 }  // namespace torsio

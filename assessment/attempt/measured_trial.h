@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "assessment/attempt/recorded_twists.h"
+#include "assessment/metrics/detorsion.h"
 #include "assessment/metrics/trial_metrics.h"
 #include "sim/base/live_types.h"
 #include "sim/base/vec3.h"
@@ -22,6 +23,7 @@ struct AttemptRules {
   std::optional<double> forceLimit_N{};
   std::optional<double> torqueLimit_Nm{};
   double hold_s = 0.0;  ///< on target before letting go, asked for to pass; changes no measure
+  std::optional<DetorsionRules> detorsion{};  ///< of a recording that comesTwisted
   friend bool operator==(const AttemptRules&, const AttemptRules&) = default;
 };
 
@@ -51,11 +53,20 @@ struct MeasuredTwist {
   Outcome<TrialMetrics> metrics = Outcome<TrialMetrics>::undefined(Text::tr("not measured"));
 };
 
-/// What one recording comes to, twist by twist.
+/// An untwisting with its metrics, or why it cannot be measured.
+struct MeasuredDetorsion {
+  Outcome<DetorsionMetrics> metrics = Outcome<DetorsionMetrics>::undefined(Text::tr("not measured"));
+  /// Of the whole recording: time, path and rest of the hand.
+  Outcome<TrialMetrics> whole = Outcome<TrialMetrics>::undefined(Text::tr("not measured"));
+  std::vector<Outcome<TrialMetrics>> grips{};  ///< one a grip: forces and torques; no metric of twisting
+};
+
+/// What one recording comes to, twist by twist; or the untwisting of an organ that came twisted.
 struct MeasuredTrial {
-  bool deviceClock = true;              ///< SampleTimes::deviceClock
-  std::int64_t duration_us = 0;         ///< recordedDuration_us
-  std::vector<MeasuredTwist> twists{};  ///< all of them, in their order
+  bool deviceClock = true;                       ///< SampleTimes::deviceClock
+  std::int64_t duration_us = 0;                  ///< recordedDuration_us
+  std::vector<MeasuredTwist> twists{};           ///< all of them, in their order; none of an untwisting
+  std::optional<MeasuredDetorsion> detorsion{};  ///< empty: an exercise of twisting
 
   /// Duration in seconds.
   [[nodiscard]] double duration_s() const noexcept;
@@ -63,7 +74,8 @@ struct MeasuredTrial {
   [[nodiscard]] std::vector<const MeasuredTwist*> completed() const;
   /// Number of twists that were cut off by the end of the recording, a fault or missing samples.
   [[nodiscard]] std::int64_t unfinished() const noexcept;
-  /// Values of one metric over the completed twists in which it is defined.
+  /// Values of one metric over the completed twists in which it is defined. Of an untwisting: its own metrics
+  /// and those of the whole recording have one value or none, loads one a grip, metrics of twisting none.
   [[nodiscard]] std::vector<double> valuesOf(std::string_view metric) const;
 };
 
@@ -73,12 +85,14 @@ struct MeasuredTrial {
 [[nodiscard]] TrialTrace trialTrace(const TrialHeader& header, std::span<const Sample> samples,
                                     double tolerance_rad, const OrganKnowledge& organ = {});
 
-/// Measures every twist of a recording. Fewer than two samples give no twists. A gap of more than 20 ms
-/// leaves the metrics of the twist that holds it undefined. Slow: seconds for an hour.
+/// Measures every twist of a recording; of one that comesTwisted its untwisting instead. Fewer than two
+/// samples give no twists. A gap of more than 20 ms leaves the metrics of the twist that holds it undefined.
+/// Slow: seconds for an hour.
 [[nodiscard]] MeasuredTrial measureTwists(const TrialHeader& header, std::span<const Sample> samples,
                                           const AttemptRules& rules, const OrganKnowledge& organ = {});
 
-/// Measures a recording as one stretch, from its first sample to its last; undefined with fewer than two
+/// Measures a recording as one stretch, from its first sample to its last, without metrics of twisting if it
+/// comesTwisted; undefined with fewer than two
 /// samples or a gap of more than 20 ms.
 [[nodiscard]] Outcome<TrialMetrics> measureWhole(const TrialHeader& header, std::span<const Sample> samples,
                                                  const AttemptRules& rules, const OrganKnowledge& organ = {});

@@ -43,12 +43,22 @@ TargetCheck limitCheck(Kind kind, const std::vector<double>& peaks, double most)
   return check;
 }
 
+TargetCheck undoneCheck(const MeasuredTrial& run) {
+  TargetCheck check{.kind = Kind::kUndone, .metric = kDetorsionDoneMetric, .wanted = 1.0};
+  const std::vector<double> done = run.valuesOf(kDetorsionDoneMetric);
+  if (!done.empty()) {
+    check.value = done.front();
+    check.passed = done.front() >= check.wanted;
+  }
+  return check;
+}
+
 }  // namespace
 
 std::vector<TargetCheck> targetChecks(const MeasuredTrial& run, const AttemptRules& rules) {
   const std::vector<const MeasuredTwist*> twists = run.completed();
-  std::vector<TargetCheck> checks{angleCheck(twists)};
-  if (rules.hold_s > 0.0) {
+  std::vector<TargetCheck> checks{run.detorsion ? undoneCheck(run) : angleCheck(twists)};
+  if (rules.hold_s > 0.0 && !run.detorsion) {
     checks.push_back(holdCheck(twists, rules.hold_s));
   }
   if (rules.forceLimit_N) {

@@ -13,6 +13,7 @@ namespace torsio {
 /// One thing that was asked for.
 struct TargetCheck {
   enum class Kind {
+    kUndone,   ///< an organ that came twisted lies undone, hands off: value 1 or 0 of wanted 1
     kAngle,    ///< twists let go within the tolerance: value of wanted
     kHold,     ///< seconds on target before letting go: the shortest of the twists on target
     kForce,    ///< peak force below the limit
@@ -29,7 +30,8 @@ struct TargetCheck {
   std::int64_t consecutive = 1;  ///< of kMastery: in a row needed
 };
 
-/// Checks a run against the rules of its exercise: the angle always, hold and limits where they are set. Only
+/// Checks a run against the rules of its exercise: the angle always (that the organ
+/// is undone, of an untwisting), hold and limits where they are set. Only
 /// completed twists count.
 [[nodiscard]] std::vector<TargetCheck> targetChecks(const MeasuredTrial& run, const AttemptRules& rules);
 

@@ -38,6 +38,17 @@ inline constexpr const char* kOnTargetMetric = "twist.on_target";
 /// Number of the twists that were let go within the tolerance of the target. Without a card, too.
 inline constexpr const char* kTargetsReachedMetric = "twist.targets_reached";
 
+/// With this the ids of the metrics of an untwisting begin. They exist for recordings of an organ that came
+/// twisted, and there the metrics of twisting do not.
+inline constexpr std::string_view kDetorsionMetrics = "detorse.";
+/// Whether the organ was undone and stayed so hands off: 1 or 0. By it an untwisting passes where no rule
+/// says otherwise.
+inline constexpr const char* kDetorsionDoneMetric = "detorse.done";
+/// Whether an id is that of a metric of an untwisting.
+[[nodiscard]] constexpr bool isDetorsionMetric(std::string_view id) noexcept {
+  return id.substr(0, kDetorsionMetrics.size()) == kDetorsionMetrics;
+}
+
 /// Name of a metric in English: of its card, or of the two above; the id itself when there is none.
 [[nodiscard]] std::string metricTitle(const std::string& metric);
 

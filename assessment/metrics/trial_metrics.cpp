@@ -294,8 +294,10 @@ TrialMetrics measureTrial(const TrialTrace& trace, const TrialTargets& targets) 
   const Prepared signals = prepare(trace);
   TrialMetrics out;
   for (const MetricCard& card : metricCards()) {
-    out.values.emplace_back();
-    out.values.back().id = card.id;
+    if (!isDetorsionMetric(card.id)) {
+      out.values.emplace_back();
+      out.values.back().id = card.id;
+    }
   }
   out.lostSamples = signals.lost;
   out.poseCutoff_Hz = kPoseCutoff_Hz;

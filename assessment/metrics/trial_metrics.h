@@ -52,7 +52,7 @@ struct MetricValue {
 };
 
 struct TrialMetrics {
-  std::vector<MetricValue> values;  ///< one a card, in the order of the cards
+  std::vector<MetricValue> values;  ///< one a card that is not kDetorsionMetrics, in their order
   std::size_t lostSamples = 0;
   double poseCutoff_Hz = 0.0;
   double forceCutoff_Hz = 0.0;

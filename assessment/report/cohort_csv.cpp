@@ -167,6 +167,9 @@ void addTrials(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
       rows.add("twist_error_deg", trial.attempts[i].error_deg, 1);
     }
     rows.place.index.clear();
+    for (const auto& [metric, value] : trial.detorsion) {
+      rows.add(metric, value, trial.samples);
+    }
     rows.addText("trial", trial.trialId, trial.samples);
     rows.addText("content_hash", trial.contentHash, trial.samples);
   }

@@ -314,6 +314,9 @@ ReportSection trialsSection(const CohortInputs& in) {
         Text::tr("Trials with samples that were not recorded are incomplete and marked in the data."));
   }
   section.tables.push_back(trialsByPhase(in));
+  if (std::optional<ReportTable> untwistings = detorsionTable(in)) {
+    section.tables.push_back(std::move(*untwistings));
+  }
   return section;
 }
 

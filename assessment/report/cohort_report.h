@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -103,6 +104,8 @@ struct TrialSummaryRow {
   bool interrupted = false;
   std::string contentHash;
   std::vector<TwistAttempt> attempts;
+  /// Metrics of an untwisting by id, those that are defined; empty: an exercise of twisting.
+  std::map<std::string, double> detorsion{};
 };
 
 /// An evaluation that cannot be computed yet.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "assessment/report/cohort_report.h"
 #include "assessment/report/study_analysis.h"
 
@@ -17,6 +19,9 @@ namespace torsio {
 [[nodiscard]] ReportSection trialsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection methodsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection provenanceSection(const CohortInputs& inputs);
+
+/// Returns the table of the trials in which an organ was undone; empty: there are none.
+[[nodiscard]] std::optional<ReportTable> detorsionTable(const CohortInputs& inputs);
 
 /// Returns the flags that every figure and table of a demonstration carries.
 [[nodiscard]] std::vector<Text> commonFlags(const CohortInputs& inputs);

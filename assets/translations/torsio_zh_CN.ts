@@ -1415,6 +1415,82 @@
         <source>Not ready</source>
         <translation>未就绪</translation>
     </message>
+    <message>
+        <source>Undone</source>
+        <translation>已复位</translation>
+    </message>
+    <message>
+        <source>Time until blood flows</source>
+        <translation>恢复血流的时间</translation>
+    </message>
+    <message>
+        <source>Ischaemic dose</source>
+        <translation>缺血剂量</translation>
+    </message>
+    <message>
+        <source>Ischaemic dose when blood flows</source>
+        <translation>恢复血流时的缺血剂量</translation>
+    </message>
+    <message>
+        <source>Twist that remains</source>
+        <translation>残余扭转</translation>
+    </message>
+    <message>
+        <source>Relapse</source>
+        <translation>复发</translation>
+    </message>
+    <message>
+        <source>First turn the right way</source>
+        <translation>首次转动方向正确</translation>
+    </message>
+    <message>
+        <source>Turned the wrong way</source>
+        <translation>反向转动</translation>
+    </message>
+    <message>
+        <source>Re-grips</source>
+        <translation>重新夹持次数</translation>
+    </message>
+    <message>
+        <source>Least number of re-grips</source>
+        <translation>最少重新夹持次数</translation>
+    </message>
+    <message>
+        <source>Slipped back</source>
+        <translation>回滑</translation>
+    </message>
+    <message>
+        <source>Peak pressure of the jaw</source>
+        <translation>钳口压强峰值</translation>
+    </message>
+    <message>
+        <source>Peak shear of the wall</source>
+        <translation>壁的剪应力峰值</translation>
+    </message>
+    <message>
+        <source>Time of overload</source>
+        <translation>超负荷时间</translation>
+    </message>
+    <message>
+        <source>Least patency</source>
+        <translation>最小通畅度</translation>
+    </message>
+    <message>
+        <source>Let out first</source>
+        <translation>先行减压</translation>
+    </message>
+    <message>
+        <source>Undone, open and supplied with hands off: not measured</source>
+        <translation>松手后已复位、通畅且有血供：未测量</translation>
+    </message>
+    <message>
+        <source>Undone, open and supplied with hands off: yes</source>
+        <translation>松手后已复位、通畅且有血供：是</translation>
+    </message>
+    <message>
+        <source>Undone, open and supplied with hands off: no</source>
+        <translation>松手后已复位、通畅且有血供：否</translation>
+    </message>
 </context>
 <context>
     <name>Study</name>
@@ -1585,6 +1661,54 @@
     <message>
         <source>peak torque</source>
         <translation>最大扭矩</translation>
+    </message>
+    <message>
+        <source>organ undone (1 yes, 0 no)</source>
+        <translation>器官已复位（1 是，0 否）</translation>
+    </message>
+    <message>
+        <source>time until blood flows</source>
+        <translation>恢复血流的时间</translation>
+    </message>
+    <message>
+        <source>ischaemic dose</source>
+        <translation>缺血剂量</translation>
+    </message>
+    <message>
+        <source>twist that remains</source>
+        <translation>残余扭转</translation>
+    </message>
+    <message>
+        <source>relapse (1 yes, 0 no)</source>
+        <translation>复发（1 是，0 否）</translation>
+    </message>
+    <message>
+        <source>first turn the right way (1 yes, 0 no)</source>
+        <translation>首次转动方向正确（1 是，0 否）</translation>
+    </message>
+    <message>
+        <source>turned the wrong way</source>
+        <translation>反向转动</translation>
+    </message>
+    <message>
+        <source>re-grips</source>
+        <translation>重新夹持次数</translation>
+    </message>
+    <message>
+        <source>slipped back</source>
+        <translation>回滑</translation>
+    </message>
+    <message>
+        <source>peak pressure of the jaw</source>
+        <translation>钳口压强峰值</translation>
+    </message>
+    <message>
+        <source>time of overload</source>
+        <translation>超负荷时间</translation>
+    </message>
+    <message>
+        <source>let out first (1 yes, 0 no)</source>
+        <translation>先行减压（1 是，0 否）</translation>
     </message>
 </context>
 <context>
@@ -9964,6 +10088,162 @@
     <message>
         <source>Set the centre up at the first station; this one can join then</source>
         <translation>请先在第一台工作站建立中心；之后本工作站即可加入</translation>
+    </message>
+    <message>
+        <source>the limits of the exercise are not known</source>
+        <translation>不知道该练习的限值</translation>
+    </message>
+    <message>
+        <source>the organ did not come twisted</source>
+        <translation>器官起初并未扭转</translation>
+    </message>
+    <message>
+        <source>the hand never turned the organ by 15 degrees</source>
+        <translation>手从未将器官转动 15 度</translation>
+    </message>
+    <message>
+        <source>nothing can be let out of this organ</source>
+        <translation>该器官无内容物可排出</translation>
+    </message>
+    <message>
+        <source>blood did not come back for 5 s before the recording ended</source>
+        <translation>直到记录结束，血流都未恢复满 5 秒</translation>
+    </message>
+    <message>
+        <source>the hand never held the organ</source>
+        <translation>手从未夹住器官</translation>
+    </message>
+    <message>
+        <source>the stress of the wall needs the scene at hand</source>
+        <translation>壁的应力需要载入场景才能得出</translation>
+    </message>
+    <message>
+        <source>the organ was never undone</source>
+        <translation>器官从未复位</translation>
+    </message>
+    <message>
+        <source>the organ was still held when the recording ended</source>
+        <translation>记录结束时器官仍被夹住</translation>
+    </message>
+    <message>
+        <source>the recording ended too soon after the organ was let go</source>
+        <translation>松开器官后记录结束得太早</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Untwistings by group and phase</source>
+        <translation>按组和阶段列出的扭转复位</translation>
+    </message>
+    <message>
+        <source>Undone</source>
+        <translation>已复位</translation>
+    </message>
+    <message>
+        <source>Relapsed</source>
+        <translation>复发</translation>
+    </message>
+    <message>
+        <source>First turn the right way</source>
+        <translation>首次转动方向正确</translation>
+    </message>
+    <message>
+        <source>Blood came back</source>
+        <translation>血流恢复</translation>
+    </message>
+    <message>
+        <source>Median time until then (s)</source>
+        <translation>至此的时间中位数（秒）</translation>
+    </message>
+    <message>
+        <source>Median ischaemic dose</source>
+        <translation>缺血剂量中位数</translation>
+    </message>
+    <message>
+        <source>Median re-grips beyond the least number</source>
+        <translation>超出最少次数的重新夹持中位数</translation>
+    </message>
+    <message>
+        <source>Median slip back (deg)</source>
+        <translation>回滑中位数（度）</translation>
+    </message>
+    <message>
+        <source>An organ that came twisted is undone; there are no targets and no angle errors. Time is that of the hand; where blood did not come back, it is censored and not in the median. From an ischaemic dose of 1 on the organ is lost.</source>
+        <translation>将起初扭转的器官复位；没有目标角，也没有角度误差。时间为手的时间；血流未恢复者为删失，不计入中位数。缺血剂量达到 1 时器官即丧失。</translation>
+    </message>
+    <message>
+        <source>medians over trials</source>
+        <translation>各次记录的中位数</translation>
+    </message>
+    <message>
+        <source>is neither a number nor a list of pairs</source>
+        <translation>既不是数字，也不是数对列表</translation>
+    </message>
+    <message>
+        <source>Write 3, or [[0, 2], [1, 5]]: shares of the length, ascending, and millimetres.</source>
+        <translation>写作 3，或 [[0, 2], [1, 5]]：递增的长度比例与毫米数。</translation>
+    </message>
+    <message>
+        <source>Write one or two pairs [held, mobile] of shares of the length, such as [[0, 0.4], [1, 0.6]].</source>
+        <translation>写一对或两对长度比例 [固定端, 活动端]，例如 [[0, 0.4], [1, 0.6]]。</translation>
+    </message>
+    <message>
+        <source>must list one or two pairs</source>
+        <translation>必须列出一对或两对</translation>
+    </message>
+    <message>
+        <source>has a stretch that is too short or beyond the organ</source>
+        <translation>有一段过短或超出器官</translation>
+    </message>
+    <message>
+        <source>has two stretches without a mobile part between them</source>
+        <translation>两段之间没有活动部分</translation>
+    </message>
+    <message>
+        <source>and &apos;cord_stiffness_nmm_per_rad&apos; exclude each other, and one is needed</source>
+        <translation>与 &apos;cord_stiffness_nmm_per_rad&apos; 互斥，且必须有其一</translation>
+    </message>
+    <message>
+        <source>Give the wall of a hollow organ, or the stiffness of a solid cord.</source>
+        <translation>请给出空腔器官的壁，或实心索的刚度。</translation>
+    </message>
+    <message>
+        <source>belongs to the goal &apos;detorse&apos;, and that goal needs it</source>
+        <translation>属于目标 &apos;detorse&apos;，且该目标需要它</translation>
+    </message>
+    <message>
+        <source>Give both, or leave out both.</source>
+        <translation>请两者都给出，或都省略。</translation>
+    </message>
+    <message>
+        <source>the pattern grips the organ where it is wrung</source>
+        <translation>该扭转类型夹持在器官被绞扭的部位</translation>
+    </message>
+    <message>
+        <source>field &apos;grasp&apos;</source>
+        <translation>字段 &apos;grasp&apos;</translation>
+    </message>
+    <message>
+        <source>Grip between the mobile ends of the spans.</source>
+        <translation>请夹持在各段活动端之间。</translation>
+    </message>
+    <message>
+        <source>the pattern &apos;%1&apos; is undone, which only the twist model with a wall knows</source>
+        <translation>扭转类型“%1”须复位，只有带壁的扭转模型支持</translation>
+    </message>
+    <message>
+        <source>Choose another pattern, or leave out the other model.</source>
+        <translation>请选择另一扭转类型，或去掉另一模型。</translation>
+    </message>
+    <message>
+        <source>does not belong to an organ that is undone</source>
+        <translation>不适用于须复位的器官</translation>
+    </message>
+    <message>
+        <source>Leave out &apos;task&apos; and give &apos;angle_deg&apos; 0.</source>
+        <translation>请省略 &apos;task&apos;，并将 &apos;angle_deg&apos; 设为 0。</translation>
     </message>
 </context>
 <context>

@@ -5,7 +5,12 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "sim/base/angle.h"
+
 namespace torsio {
+
+/// What one hand turns without letting go: 70 degrees of pronation and 85 of supination.
+inline constexpr double kHandTurn_rad = radians(155.0);
 
 /// Most marks of the jaw that a trial keeps.
 inline constexpr int kMostTissueMarks = 32;

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "sim/base/angle.h"
+#include "sim/base/hollow_pose.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/scene/scene.h"
 
@@ -18,8 +18,6 @@ namespace torsio {
 /// measured angle needs.
 [[nodiscard]] HandTask handTask(const Scene& scene, double angle_rad);
 
-/// What one hand turns without letting go: 70 degrees of pronation and 85 of supination.
-inline constexpr double kHandTurn_rad = radians(155.0);
 /// Makes the task of undoing a hollow organ as it comes in the trial of this seed (detorsionSeed): the least
 /// number of equal turns, each within a hand's reach; the jaw as tight as the wall bears well. Throws as
 /// handTask. `scene.hollow` is set.

@@ -285,6 +285,100 @@ TEST(CohortReport, LeavesOutSectionsWithoutData) {
   EXPECT_EQ(report.sections.size(), 2U);  // methods and provenance
 }
 
+const ReportTable* tableOf(const ReportModel& report, const std::string& id) {
+  for (const ReportSection& section : report.sections) {
+    for (const ReportTable& table : section.tables) {
+      if (table.id == id) {
+        return &table;
+      }
+    }
+  }
+  return nullptr;
+}
+
+/// Three untwistings of the first group in one phase: two undone, one of them after a relapse; in the third
+/// blood never came back.
+CohortInputs withUntwistings() {
+  CohortInputs in = demonstrationCohort();
+  const auto add = [&in](std::map<std::string, double> values) {
+    TrialSummaryRow trial;
+    trial.trialId = "untwisting-" + std::to_string(in.trials.size());
+    trial.trainee = in.trainees.front().code;
+    trial.phase = Text::tr("volvulus");
+    trial.samples = 1000;
+    trial.detorsion = std::move(values);
+    in.trials.push_back(trial);
+  };
+  add({{"detorse.done", 1.0},
+       {"detorse.relapse", 0.0},
+       {"detorse.first_direction", 1.0},
+       {"detorse.time_to_flow", 20.0},
+       {"detorse.dose", 0.2},
+       {"detorse.regrips", 3.0},
+       {"detorse.least_regrips", 2.0},
+       {"detorse.slip_back", 0.0}});
+  add({{"detorse.done", 1.0},
+       {"detorse.relapse", 1.0},
+       {"detorse.first_direction", 0.0},
+       {"detorse.time_to_flow", 40.0},
+       {"detorse.dose", 0.4},
+       {"detorse.regrips", 5.0},
+       {"detorse.least_regrips", 2.0},
+       {"detorse.slip_back", 1.0}});
+  add({{"detorse.done", 0.0},
+       {"detorse.dose", 1.2},
+       {"detorse.regrips", 0.0},
+       {"detorse.least_regrips", 1.0},
+       {"detorse.slip_back", 0.0}});
+  return in;
+}
+
+TEST(CohortReport, UntwistingsHaveATableOfTheirOwn) {
+  const ReportModel report = cohortReport(withUntwistings());
+
+  const ReportTable* table = tableOf(report, "table-untwistings");
+  ASSERT_NE(table, nullptr);
+  ASSERT_EQ(table->rows.size(), 1U);
+  std::vector<std::string> cells;
+  for (const Text& cell : table->rows.front()) {
+    cells.push_back(cell.str());
+  }
+  // Medians: time of 20 and 40; dose of .2, .4, 1.2; beyond the least of 1, 3, -1; slip back of 0, 0, 57.3
+  // degrees.
+  EXPECT_THAT(cells,
+              ::testing::ElementsAre(demonstrationCohort().groups.front().name.str(), "volvulus", "3",
+                                     "2 of 3", "1 of 2", "1 of 2", "2 of 3", "30.0", "0.40", "1.0", "0.0"));
+  EXPECT_EQ(tableOf(cohortReport(demonstrationCohort()), "table-untwistings"), nullptr);
+}
+
+TEST(CohortReport, UntwistingsEnterNeitherTheLearningOfTwistsNorTheirErrorsAndLoads) {
+  const ReportModel with = cohortReport(withUntwistings());
+  const ReportModel without = cohortReport(demonstrationCohort());
+
+  EXPECT_EQ(with.sections.size(), without.sections.size());  // no section about learning because of them
+  const ReportTable* trials = tableOf(with, "table-trials");
+  ASSERT_NE(trials, nullptr);
+  ASSERT_EQ(trials->rows.size(), 2U);
+  std::vector<std::string> cells;
+  for (const Text& cell : trials->rows.at(trials->rows.at(0).at(1).str() == "volvulus" ? 0 : 1)) {
+    cells.push_back(cell.str());
+  }
+  EXPECT_THAT(cells,
+              ::testing::ElementsAre(demonstrationCohort().groups.front().name.str(), "volvulus", "3", "0.00",
+                                     "0", "0", "not recorded", "not recorded", "not recorded"));
+}
+
+TEST(CohortCsv, HasARowForEachMetricOfAnUntwisting) {
+  const std::vector<CohortCsvRow> rows = cohortCsvRows(withUntwistings());
+
+  const auto count = [&rows](const std::string& statistic) {
+    return std::count_if(rows.begin(), rows.end(),
+                         [&](const CohortCsvRow& row) { return row.statistic == statistic; });
+  };
+  EXPECT_EQ(count("detorse.done"), 3);
+  EXPECT_EQ(count("detorse.time_to_flow"), 2);
+}
+
 TEST(CohortCsv, IsTidyCompleteAndTheSameEachTime) {
   const CohortInputs in = demonstrationCohort();
   const std::vector<CohortCsvRow> rows = cohortCsvRows(in);

@@ -24,7 +24,7 @@ struct MetricLabels {
   double scale;      ///< SI to shown
   int decimals;
 };
-constexpr std::array<MetricLabels, 20> kMetrics{{
+constexpr std::array<MetricLabels, 36> kMetrics{{
     {"twist.on_target", QT_TRANSLATE_NOOP("StationLabels", "Twists on target"), "%", 100.0, 0},
     {"twist.targets_reached", QT_TRANSLATE_NOOP("StationLabels", "Targets reached"), "", 1.0, 0},
     {"time.total", QT_TRANSLATE_NOOP("StationLabels", "Time of a twist"), "s", 1.0, 1},
@@ -46,6 +46,25 @@ constexpr std::array<MetricLabels, 20> kMetrics{{
     {"force.violations", QT_TRANSLATE_NOOP("StationLabels", "Force violations"), "", 1.0, 0},
     {"torque.peak", QT_TRANSLATE_NOOP("StationLabels", "Peak torque"), "N m", 1.0, 3},
     {"torque.release_rate", QT_TRANSLATE_NOOP("StationLabels", "Abruptness of release"), "N m/s", 1.0, 2},
+    {"detorse.done", QT_TRANSLATE_NOOP("StationLabels", "Undone"), "", 1.0, 0},
+    {"detorse.time_to_flow", QT_TRANSLATE_NOOP("StationLabels", "Time until blood flows"), "s", 1.0, 1},
+    {"detorse.dose", QT_TRANSLATE_NOOP("StationLabels", "Ischaemic dose"), "", 1.0, 2},
+    {"detorse.dose_at_flow", QT_TRANSLATE_NOOP("StationLabels", "Ischaemic dose when blood flows"), "", 1.0,
+     2},
+    {"detorse.residual", QT_TRANSLATE_NOOP("StationLabels", "Twist that remains"), "\u00b0",
+     kDegreesPerRadian, 0},
+    {"detorse.relapse", QT_TRANSLATE_NOOP("StationLabels", "Relapse"), "", 1.0, 0},
+    {"detorse.first_direction", QT_TRANSLATE_NOOP("StationLabels", "First turn the right way"), "", 1.0, 0},
+    {"detorse.wrong_way", QT_TRANSLATE_NOOP("StationLabels", "Turned the wrong way"), "\u00b0",
+     kDegreesPerRadian, 0},
+    {"detorse.regrips", QT_TRANSLATE_NOOP("StationLabels", "Re-grips"), "", 1.0, 0},
+    {"detorse.least_regrips", QT_TRANSLATE_NOOP("StationLabels", "Least number of re-grips"), "", 1.0, 0},
+    {"detorse.slip_back", QT_TRANSLATE_NOOP("StationLabels", "Slipped back"), "\u00b0", kDegreesPerRadian, 0},
+    {"detorse.peak_jaw", QT_TRANSLATE_NOOP("StationLabels", "Peak pressure of the jaw"), "kPa", 1e-3, 0},
+    {"detorse.peak_shear", QT_TRANSLATE_NOOP("StationLabels", "Peak shear of the wall"), "kPa", 1e-3, 1},
+    {"detorse.overload_time", QT_TRANSLATE_NOOP("StationLabels", "Time of overload"), "s", 1.0, 1},
+    {"detorse.min_patency", QT_TRANSLATE_NOOP("StationLabels", "Least patency"), "%", 100.0, 0},
+    {"detorse.vented_first", QT_TRANSLATE_NOOP("StationLabels", "Let out first"), "", 1.0, 0},
 }};
 
 const MetricLabels* wordsOf(const std::string& id) {
@@ -204,6 +223,10 @@ QString StationLabels::unlocks(const ModuleStep& step) {
 
 QString StationLabels::check(const TargetCheck& check, std::size_t twists) {
   switch (check.kind) {
+    case TargetCheck::Kind::kUndone:
+      return !check.value   ? tr("Undone, open and supplied with hands off: not measured")
+             : check.passed ? tr("Undone, open and supplied with hands off: yes")
+                            : tr("Undone, open and supplied with hands off: no");
     case TargetCheck::Kind::kAngle:
       return tr("Twists let go on target: %1 of %2, wanted %3")
           .arg(check.value.value_or(0.0), 0, 'f', 0)

@@ -137,6 +137,18 @@ std::vector<std::pair<std::string, QString>> masteryMetrics() {
       {"force.peak", QT_TRANSLATE_NOOP("Study", "peak force")},
       {"force.violations", QT_TRANSLATE_NOOP("Study", "force violations")},
       {"torque.peak", QT_TRANSLATE_NOOP("Study", "peak torque")},
+      {"detorse.done", QT_TRANSLATE_NOOP("Study", "organ undone (1 yes, 0 no)")},
+      {"detorse.time_to_flow", QT_TRANSLATE_NOOP("Study", "time until blood flows")},
+      {"detorse.dose", QT_TRANSLATE_NOOP("Study", "ischaemic dose")},
+      {"detorse.residual", QT_TRANSLATE_NOOP("Study", "twist that remains")},
+      {"detorse.relapse", QT_TRANSLATE_NOOP("Study", "relapse (1 yes, 0 no)")},
+      {"detorse.first_direction", QT_TRANSLATE_NOOP("Study", "first turn the right way (1 yes, 0 no)")},
+      {"detorse.wrong_way", QT_TRANSLATE_NOOP("Study", "turned the wrong way")},
+      {"detorse.regrips", QT_TRANSLATE_NOOP("Study", "re-grips")},
+      {"detorse.slip_back", QT_TRANSLATE_NOOP("Study", "slipped back")},
+      {"detorse.peak_jaw", QT_TRANSLATE_NOOP("Study", "peak pressure of the jaw")},
+      {"detorse.overload_time", QT_TRANSLATE_NOOP("Study", "time of overload")},
+      {"detorse.vented_first", QT_TRANSLATE_NOOP("Study", "let out first (1 yes, 0 no)")},
   };
   std::vector<std::pair<std::string, QString>> out;
   for (const auto& [id, name] : kNames) {

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A recorded untwisting: what of its samples is read, and where it goes on from there.
+#include <gtest/gtest.h>
+
+#include "assessment/attempt/attempt_measures.h"
+#include "assessment/attempt/mastery.h"
+#include "assessment/attempt/pass_rule.h"
+#include "assessment/attempt/recorded_detorsion.h"
+
+namespace torsio {
+namespace {
+
+/// Samples of an organ that came 200 degrees twisted, stage by stage, one a millisecond.
+class RecordedUntwisting {
+ public:
+  RecordedUntwisting() {
+    now_.rules = kRulesOfDetorsion;
+    now_.response.angle_rad = radians(200.0);
+    now_.hollow = {.pressure_Pa = 0.0, .patency = 0.4, .flow = 0.3, .dose = 0.1};
+  }
+
+  Sample& now() { return now_; }
+  RecordedUntwisting& stage(ExercisePhase phase, int ticks, double angle_deg) {
+    const double from_rad = now_.response.angle_rad;
+    now_.phase = phase;
+    for (int i = 1; i <= ticks; ++i) {
+      now_.response.angle_rad = from_rad + (radians(angle_deg) - from_rad) * i / ticks;
+      now_.tick = std::ssize(samples);
+      now_.device.time_us = 1000 * now_.tick;
+      samples.push_back(now_);
+      now_.command = {};
+    }
+    return *this;
+  }
+  RecordedUntwisting& command(ServoCommand::Kind kind, double value) {
+    now_.command = {kind, value};
+    return *this;
+  }
+
+  [[nodiscard]] AttemptRules rules() const {
+    return {.tolerance_rad = radians(15.0), .detorsion = DetorsionRules{.jaw_Pa = 400e3, .vent = true}};
+  }
+  [[nodiscard]] MeasuredTrial trial() const { return measureTwists({}, samples, rules()); }
+  [[nodiscard]] AttemptMeasures measured() const { return measureAttempt({}, samples, rules()); }
+
+  std::vector<Sample> samples;
+
+ private:
+  Sample now_;
+};
+
+/// Gripped at 1 s, turned back to 0 in 2 s with a pull of 3 N, let go with the clip on, the clip taken off.
+RecordedUntwisting undone() {
+  RecordedUntwisting run;
+  run.stage(ExercisePhase::kTracking, 1000, 200.0);
+  run.now().device.grip = 1 << 15;  // half closed
+  run.now().force_N = {0.0, 3.0, 0.0};
+  run.now().response.force_N = {0.0, 3.0, 0.0};
+  run.now().response.torque_Nm = 0.05;
+  run.stage(ExercisePhase::kTwisting, 2000, 0.0).command(ServoCommand::Kind::kHoldOrgan, 1.0);
+  run.stage(ExercisePhase::kTwisting, 100, 0.0);
+  run.now().force_N = run.now().response.force_N = {};
+  run.now().response.torque_Nm = 0.0;
+  run.now().device.grip = 0;
+  run.now().hollow = {.pressure_Pa = 0.0, .patency = 1.0, .flow = 0.9, .dose = 0.2};
+  run.stage(ExercisePhase::kTracking, 900, 0.0).command(ServoCommand::Kind::kHoldOrgan, 0.0);
+  return run;
+}
+
+TEST(RecordedDetorsion, IsMeasuredInPlaceOfTwists) {
+  RecordedUntwisting run = undone();
+  run.stage(ExercisePhase::kTracking, 10'000, 0.0);
+
+  const AttemptMeasures got = run.measured();
+
+  EXPECT_EQ(got.duration_us, 14'000'000);
+  EXPECT_TRUE(got.twists.empty());
+  EXPECT_EQ(got.unfinished, 0);
+  EXPECT_FALSE(got.meanAbsoluteError_deg);
+  EXPECT_FALSE(got.peakTorque_Nm);  // of twists alone
+  EXPECT_EQ(got.values.at("detorse.done"), 1.0);
+  EXPECT_EQ(got.values.at("detorse.first_direction"), 1.0);
+  EXPECT_EQ(got.values.at("detorse.regrips"), 0.0);
+  EXPECT_EQ(got.values.at("detorse.least_regrips"), 1.0);
+  EXPECT_EQ(got.values.at("detorse.dose"), 0.2);
+  EXPECT_EQ(got.values.at("detorse.min_patency"), 0.4);
+  EXPECT_EQ(got.values.at("detorse.peak_jaw"), 200e3);  // half of 400 kPa
+  EXPECT_EQ(got.values.at("detorse.vented_first"), 0.0);
+  EXPECT_EQ(got.values.at("detorse.time_to_flow"), 3.1);
+  EXPECT_NEAR(got.values.at("force.peak"), 3.0, 0.01);
+  EXPECT_NEAR(got.values.at("torque.peak"), 0.05, 1e-3);
+  EXPECT_NEAR(got.values.at("time.total"), 13.999, 1e-9);
+  for (const auto& [id, value] : got.values) {
+    EXPECT_NE(id.substr(0, 6), "twist.") << value;
+    EXPECT_NE(id.substr(0, 5), "work.") << value;
+  }
+}
+
+TEST(RecordedDetorsion, TheClipIsNotHandsOffUntilItIsTakenAway) {
+  // The clip goes off 10 s before the end, at 4.0 s: a millisecond less is not enough.
+  RecordedUntwisting enough = undone();
+  RecordedUntwisting tooFew = undone();
+  enough.stage(ExercisePhase::kTracking, 10'000, 0.0);
+  tooFew.stage(ExercisePhase::kTracking, 9'999, 0.0);
+
+  EXPECT_EQ(enough.measured().values.at("detorse.done"), 1.0);
+  EXPECT_EQ(tooFew.measured().values.at("detorse.done"), 0.0);
+  EXPECT_FALSE(tooFew.measured().values.contains("detorse.residual"));
+}
+
+TEST(RecordedDetorsion, TheSecondButtonTogglesTheClipEachTimeThatItIsPressedAtTheOrgan) {
+  // Pressed at the organ at 5 s, held for a second, pressed again at 17 s: clipped from 5 to 17 s.
+  RecordedUntwisting run = undone();
+  run.stage(ExercisePhase::kContact, 1000, 0.0);
+  run.now().device.buttons = kButtonSecond;
+  run.stage(ExercisePhase::kContact, 1000, 0.0);
+  run.now().device.buttons = 0;
+  run.stage(ExercisePhase::kContact, 11'000, 0.0);
+  const double clipped = run.measured().values.at("detorse.done");
+  run.now().device.buttons = kButtonSecond;
+  run.stage(ExercisePhase::kContact, 10'000, 0.0);
+
+  EXPECT_EQ(clipped, 0.0);
+  EXPECT_EQ(run.measured().values.at("detorse.done"), 1.0);
+}
+
+TEST(RecordedDetorsion, TheSecondButtonInTheAirClipsNothing) {
+  RecordedUntwisting run = undone();
+  run.stage(ExercisePhase::kTracking, 1000, 0.0);
+  run.now().device.buttons = kButtonSecond;
+  run.stage(ExercisePhase::kTracking, 9'000, 0.0);
+
+  EXPECT_EQ(run.measured().values.at("detorse.done"), 1.0);
+}
+
+TEST(RecordedDetorsion, TheButtonThatGripsClosesTheJawFully) {
+  RecordedUntwisting run;
+  run.now().device.buttons = kButtonGrip;
+  run.stage(ExercisePhase::kTwisting, 100, 200.0);
+
+  EXPECT_EQ(run.measured().values.at("detorse.peak_jaw"), 400e3);
+}
+
+TEST(RecordedDetorsion, TheWayOutThatIsOpenedBeforeTheTurnCounts) {
+  RecordedUntwisting run;
+  run.stage(ExercisePhase::kTracking, 100, 200.0).command(ServoCommand::Kind::kVent, 1.0);
+  run.stage(ExercisePhase::kTracking, 100, 200.0).stage(ExercisePhase::kTwisting, 500, 100.0);
+
+  EXPECT_EQ(run.measured().values.at("detorse.vented_first"), 1.0);
+}
+
+TEST(RecordedDetorsion, PassesWhenItIsUndoneUnlessARuleSaysMore) {
+  RecordedUntwisting run = undone();
+  run.stage(ExercisePhase::kTracking, 10'000, 0.0);
+  RecordedUntwisting notYet = undone();
+  const MasteryRule quick{.metric = "detorse.time_to_flow", .atMost = true, .threshold = 3.0};
+  const MasteryRule calm{.metric = "detorse.dose", .atMost = true, .threshold = 0.2};
+
+  const auto passes = [](const RecordedUntwisting& made, std::vector<MasteryRule> rules) {
+    const AttemptMeasures got = made.measured();
+    return passesAll(rules, got.values, got.twistsOnTarget(), std::ssize(got.twists));
+  };
+
+  EXPECT_TRUE(passes(run, {}));
+  EXPECT_FALSE(passes(notYet, {}));
+  EXPECT_TRUE(passes(run, {calm}));
+  EXPECT_FALSE(passes(run, {calm, quick}));  // 3.1 s
+}
+
+TEST(RecordedDetorsion, IsCheckedForBeingUndoneAndForItsLoads) {
+  RecordedUntwisting run = undone();
+  run.stage(ExercisePhase::kTracking, 10'000, 0.0);
+  AttemptRules rules = run.rules();
+  rules.forceLimit_N = 2.0;
+  rules.hold_s = 5.0;  // of twists alone
+
+  const std::vector<TargetCheck> checks = targetChecks(run.trial(), rules);
+
+  ASSERT_EQ(checks.size(), 2U);
+  EXPECT_EQ(checks[0].kind, TargetCheck::Kind::kUndone);
+  EXPECT_TRUE(checks[0].passed);
+  EXPECT_EQ(checks[0].value, 1.0);
+  EXPECT_EQ(checks[1].kind, TargetCheck::Kind::kForce);
+  EXPECT_FALSE(checks[1].passed);  // 3 N
+}
+
+TEST(RecordedDetorsion, MissingSamplesOrUnknownLimitsLeaveItUndefined) {
+  RecordedUntwisting run = undone();
+  run.stage(ExercisePhase::kTracking, 10'000, 0.0);
+  RecordedUntwisting torn = run;
+  torn.samples.erase(torn.samples.begin() + 5000, torn.samples.begin() + 5050);
+
+  const AttemptMeasures gap = torn.measured();
+  const AttemptMeasures unknown = measureAttempt({}, run.samples, {});
+
+  EXPECT_FALSE(gap.values.contains("detorse.done"));
+  EXPECT_FALSE(unknown.values.contains("detorse.done"));
+  EXPECT_TRUE(unknown.twists.empty());
+  EXPECT_FALSE(passesAll({}, unknown.values, 0, 0));
+}
+
+TEST(RecordedDetorsion, AnOrdinaryTwistKnowsNoneOfItsMetrics) {
+  RecordedUntwisting run = undone();
+  for (Sample& sample : run.samples) {
+    sample.rules = 1;
+  }
+
+  const AttemptMeasures got = measureAttempt({}, run.samples, {});
+
+  EXPECT_FALSE(got.values.contains("detorse.done"));
+  EXPECT_TRUE(got.values.contains("twist.on_target"));
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An untwisting written down tick by tick, and what it comes to, worked out by hand.
+#include "assessment/metrics/detorsion.h"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+
+namespace torsio {
+namespace {
+
+/// Ticks written down stage by stage, one a millisecond; angles in degrees.
+class Untwisting {
+ public:
+  explicit Untwisting(double start_deg) {
+    now_.angle_rad = radians(start_deg);
+    now_.flow = 0.2;
+    now_.patency = 0.3;
+  }
+
+  /// What holds from here on.
+  DetorsionTick& now() { return now_; }
+  Untwisting& hand(bool holds) {
+    now_.held = holds;
+    return *this;
+  }
+  Untwisting& clip(bool holds) {
+    now_.clipped = holds;
+    return *this;
+  }
+  Untwisting& blood(double flow, double patency) {
+    now_.flow = flow;
+    now_.patency = patency;
+    return *this;
+  }
+  /// Lets `count` ticks pass and turns evenly to an angle, reached with the last of them.
+  Untwisting& turnTo(double angle_deg, int count) {
+    const double from_rad = now_.angle_rad;
+    for (int i = 1; i <= count; ++i) {
+      now_.angle_rad =
+          i == count ? radians(angle_deg) : from_rad + (radians(angle_deg) - from_rad) * i / count;
+      add();
+    }
+    return *this;
+  }
+  Untwisting& pass(int count) {
+    for (int i = 0; i < count; ++i) {
+      add();
+    }
+    return *this;
+  }
+
+  [[nodiscard]] DetorsionMetrics measured(const DetorsionRules& rules = {}) const {
+    return measureDetorsion(ticks, rules);
+  }
+
+  std::vector<DetorsionTick> ticks;
+
+ private:
+  void add() {
+    now_.time_us = 1000 * std::ssize(ticks);
+    ticks.push_back(now_);
+  }
+
+  DetorsionTick now_;
+};
+
+/// Comes 200 degrees to the left or right, is turned to 40 in one grip of 2 s, clipped, gripped again, turned
+/// to 10 and let go; blood comes back 1 s before the end of the first turn.
+Untwisting rightWay(double sign) {
+  Untwisting run(sign * 200.0);
+  run.pass(1000).hand(true).turnTo(sign * 120.0, 1000).blood(0.6, 0.9).turnTo(sign * 40.0, 1000);
+  run.clip(true).hand(false).pass(500).hand(true).pass(500).clip(false).turnTo(sign * 10.0, 1000);
+  run.blood(0.95, 1.0).hand(false);
+  return run;
+}
+
+TEST(Detorsion, DoneByTheBookCountsTheSameOnBothSides) {
+  for (const double sign : {1.0, -1.0}) {
+    Untwisting run = rightWay(sign);
+    run.pass(10'000);
+
+    const DetorsionMetrics got = run.measured();
+
+    EXPECT_EQ(got.start_rad, radians(sign * 200.0));
+    EXPECT_EQ(*got.at("detorse.first_direction"), 1.0);
+    EXPECT_EQ(*got.at("detorse.wrong_way"), 0.0);
+    EXPECT_EQ(*got.at("detorse.time_to_flow"), 2.0);   // 1 s of looking, 1 s of turning
+    EXPECT_EQ(*got.at("detorse.regrips"), 1.0);        // at 40 degrees; the last release, at 10, is none
+    EXPECT_EQ(*got.at("detorse.least_regrips"), 1.0);  // ceil(200 / 155) - 1
+    EXPECT_EQ(*got.at("detorse.slip_back"), 0.0);      // clipped
+    EXPECT_EQ(*got.at("detorse.min_patency"), 0.3);
+    EXPECT_EQ(*got.at("detorse.residual"), radians(10.0));
+    EXPECT_EQ(*got.at("detorse.done"), 1.0);
+    EXPECT_EQ(*got.at("detorse.relapse"), 0.0);
+    EXPECT_DOUBLE_EQ(got.done_s.value(), 15.0);  // let go at 5 s
+  }
+}
+
+TEST(Detorsion, AFirstTurnTheWrongWayIsSeenAndMeasured) {
+  // 200 degrees are turned on to 260, by 20 in a first grip and 40 in a second: the first 15 decide.
+  Untwisting run(200.0);
+  run.pass(10).hand(true).turnTo(220.0, 100).hand(false).pass(100).hand(true).turnTo(260.0, 100);
+  run.turnTo(0.0, 500);
+
+  const DetorsionMetrics got = run.measured();
+
+  EXPECT_EQ(*got.at("detorse.first_direction"), 0.0);
+  EXPECT_NEAR(*got.at("detorse.wrong_way"), radians(60.0), 1e-12);
+}
+
+TEST(Detorsion, SeveralSmallTurnsChooseADirectionTogetherAndWhatTurnsByItselfDoesNot) {
+  // Held turns of 10 degrees each towards 0; between them the organ slips back by 12 unheld.
+  Untwisting run(200.0);
+  run.pass(10).hand(true).pass(1).turnTo(190.0, 100).hand(false).turnTo(202.0, 100);
+  const Untwisting once = run;
+  run.hand(true).pass(1).turnTo(192.0, 100);
+
+  EXPECT_FALSE(once.measured().at("detorse.first_direction"));
+  EXPECT_EQ(*run.measured().at("detorse.first_direction"), 1.0);
+}
+
+TEST(Detorsion, WhatSlipsBackBetweenTwoGripsAddsUp) {
+  // From 200 to 150, back to 165 before the next grip (15); to 100, 95 at the next (0); to 80, back to 100,
+  // not gripped again. Releases at 150, 100 and 80, all above 30 degrees.
+  Untwisting run(200.0);
+  run.pass(10).hand(true).turnTo(150.0, 100).hand(false).turnTo(165.0, 100);
+  run.hand(true).pass(1).turnTo(100.0, 100).hand(false).turnTo(95.0, 100);
+  run.hand(true).pass(1).turnTo(80.0, 100).hand(false).turnTo(100.0, 100);
+
+  const DetorsionMetrics got = run.measured();
+
+  EXPECT_NEAR(*got.at("detorse.slip_back"), radians(15.0), 1e-12);
+  EXPECT_EQ(*got.at("detorse.regrips"), 3.0);
+}
+
+TEST(Detorsion, WhatALostDeviceLetsGoOfIsNoRegrip) {
+  Untwisting run(200.0);
+  run.pass(10).hand(true).turnTo(150.0, 100);
+  run.now().handGone = true;
+  run.hand(false).pass(100);
+
+  EXPECT_EQ(*run.measured().at("detorse.regrips"), 0.0);
+}
+
+TEST(Detorsion, BloodThatNeverComesBackLeavesItsTimesUndefined) {
+  // .5 for 4.999 s is not 5 s.
+  Untwisting run(200.0);
+  run.pass(2000).blood(0.5, 0.5).pass(4999).blood(0.49, 0.5);
+  run.now().dose = 0.4;
+  run.pass(1000);
+  const DetorsionMetrics never = run.measured();
+  run.blood(0.5, 0.5).pass(5000);
+  const DetorsionMetrics atLast = run.measured();
+
+  EXPECT_FALSE(never.at("detorse.time_to_flow"));
+  EXPECT_FALSE(never.at("detorse.time_to_flow").reason().str().empty());
+  EXPECT_FALSE(never.at("detorse.dose_at_flow"));
+  EXPECT_EQ(*never.at("detorse.dose"), 0.4);
+  EXPECT_EQ(*atLast.at("detorse.time_to_flow"), 7.999);
+  EXPECT_EQ(*atLast.at("detorse.dose_at_flow"), 0.4);
+}
+
+TEST(Detorsion, WhatNeverLackedBloodHadItFromTheStart) {
+  Untwisting run(90.0);
+  run.blood(0.99, 0.9).pass(6000);
+
+  EXPECT_EQ(*run.measured().at("detorse.time_to_flow"), 0.0);
+}
+
+TEST(Detorsion, ARelapseAfterSuccessIsBoth) {
+  Untwisting run = rightWay(1.0);
+  run.pass(10'000).turnTo(91.0, 1000);
+  const DetorsionMetrics back = run.measured();
+  Untwisting less = rightWay(1.0);
+  less.pass(10'000).turnTo(89.0, 1000);
+
+  EXPECT_EQ(*back.at("detorse.done"), 1.0);
+  EXPECT_EQ(*back.at("detorse.relapse"), 1.0);
+  EXPECT_EQ(*back.at("detorse.residual"), radians(10.0));  // 10 s after the last release
+  EXPECT_EQ(*less.measured().at("detorse.relapse"), 0.0);
+}
+
+TEST(Detorsion, AClipThatStaysIsNotHandsOff) {
+  Untwisting run(200.0);
+  run.pass(10).hand(true).turnTo(0.0, 1000).clip(true).hand(false).blood(1.0, 1.0).pass(20'000);
+
+  const DetorsionMetrics got = run.measured();
+
+  EXPECT_EQ(*got.at("detorse.done"), 0.0);
+  EXPECT_FALSE(got.at("detorse.residual"));
+  EXPECT_FALSE(got.at("detorse.relapse"));
+  EXPECT_FALSE(got.done_s);
+}
+
+TEST(Detorsion, ARecordingThatEndsTooEarlyIsNotDoneAndKnowsNoResidual) {
+  Untwisting early = rightWay(1.0);
+  early.pass(9'999);
+
+  const DetorsionMetrics got = early.measured();
+
+  EXPECT_EQ(*got.at("detorse.done"), 0.0);
+  EXPECT_FALSE(got.at("detorse.residual"));
+  EXPECT_EQ(*got.at("detorse.dose"), 0.0);  // of the last sample, all the same
+}
+
+TEST(Detorsion, AngleLumenAndBloodMustAllBeRight) {
+  const auto done = [](double angle_deg, double flow, double patency) {
+    Untwisting run(200.0);
+    run.pass(10).hand(true).turnTo(angle_deg, 1000).hand(false).blood(flow, patency).pass(10'000);
+    return *run.measured().at("detorse.done");
+  };
+
+  EXPECT_EQ(done(15.0, 0.8, 0.8), 1.0);
+  EXPECT_EQ(done(-15.0, 0.8, 0.8), 1.0);
+  EXPECT_EQ(done(15.1, 0.8, 0.8), 0.0);
+  EXPECT_EQ(done(15.0, 0.79, 0.8), 0.0);
+  EXPECT_EQ(done(15.0, 0.8, 0.79), 0.0);
+}
+
+TEST(Detorsion, JawAndPullOverloadByTheTissueAsItFares) {
+  // Sound tissue bears 330 kPa and 10 N; at a dose of .5 three quarters of it, 247.5 kPa and 7.5 N.
+  Untwisting run(200.0);
+  run.now().jaw_Pa = 400e3;
+  run.pass(100).hand(true).pass(20);  // only the second counts: 20 ms
+  run.now().jaw_Pa = 300e3;
+  run.pass(30);  // less than 330
+  run.now().dose = 0.5;
+  run.pass(40);  // more than 247.5: 40 ms
+  run.now().jaw_Pa = 0.0;
+  run.now().force_N = 7.4;
+  run.pass(50);
+  run.now().force_N = 7.6;
+  run.pass(60);  // 60 ms
+  run.now().force_N = 0.0;
+  run.pass(10);
+
+  const DetorsionMetrics got = run.measured();
+
+  EXPECT_NEAR(*got.at("detorse.overload_time"), 0.120, 1e-12);
+  EXPECT_EQ(*got.at("detorse.peak_jaw"), 400e3);
+  EXPECT_FALSE(got.at("detorse.peak_shear"));
+}
+
+TEST(Detorsion, TheWallsStressIsKnownWithTheSceneAlone) {
+  Untwisting run(200.0);
+  run.now().shear_Pa = 4e3;
+  run.pass(10);
+  run.now().shear_Pa = 9e3;
+  run.pass(10);
+  run.now().shear_Pa = 1e3;
+  run.pass(10);
+
+  EXPECT_EQ(*run.measured().at("detorse.peak_shear"), 9e3);
+  EXPECT_FALSE(run.measured().at("detorse.peak_jaw"));  // never held
+}
+
+TEST(Detorsion, LettingOutCountsOnlyBeforeTheTurn) {
+  Untwisting before(200.0);
+  before.pass(10).hand(true).turnTo(190.0, 100);
+  Untwisting after = before;
+  before.now().venting = true;
+  before.turnTo(100.0, 100);
+  after.turnTo(100.0, 100);
+  const Untwisting never = after;
+  after.now().venting = true;
+  after.pass(10);
+  const DetorsionRules vented{.vent = true};
+
+  EXPECT_EQ(*before.measured(vented).at("detorse.vented_first"), 1.0);
+  EXPECT_EQ(*after.measured(vented).at("detorse.vented_first"), 0.0);
+  EXPECT_EQ(*never.measured(vented).at("detorse.vented_first"), 0.0);
+  EXPECT_FALSE(before.measured().at("detorse.vented_first"));
+}
+
+TEST(Detorsion, AHandThatTurns155DegreesMustGripSoOftenAgain) {
+  EXPECT_EQ(leastRegrips(radians(90.0)), 0.0);
+  EXPECT_EQ(leastRegrips(radians(155.0)), 0.0);
+  EXPECT_EQ(leastRegrips(radians(180.0)), 1.0);
+  EXPECT_EQ(leastRegrips(radians(310.0)), 1.0);
+  EXPECT_EQ(leastRegrips(radians(-360.0)), 2.0);
+  EXPECT_EQ(leastRegrips(radians(540.0)), 3.0);
+  EXPECT_EQ(leastRegrips(radians(720.0)), 4.0);
+  EXPECT_EQ(leastRegrips(0.0), 0.0);
+}
+
+TEST(Detorsion, HasAValueOrAReasonForEachOfItsCards) {
+  Untwisting run(0.0);
+  run.pass(2);
+
+  const DetorsionMetrics got = run.measured();
+
+  for (const MetricCard& card : metricCards()) {
+    if (isDetorsionMetric(card.id)) {
+      EXPECT_TRUE(got.at(card.id) || !got.at(card.id).reason().str().empty()) << card.id;
+    }
+  }
+  EXPECT_EQ(got.values.size(), 16U);
+  EXPECT_FALSE(got.at("detorse.first_direction"));  // it did not come twisted
+}
+
+TEST(Detorsion, GapsAndStandingTimesAreRefused) {
+  Untwisting run(200.0);
+  run.pass(100);
+  std::vector<DetorsionTick> gap = run.ticks;
+  for (std::size_t i = 50; i < gap.size(); ++i) {
+    gap[i].time_us += 20'001;
+  }
+  std::vector<DetorsionTick> standing = run.ticks;
+  standing[50].time_us = standing[49].time_us;
+
+  EXPECT_THROW(static_cast<void>(measureDetorsion(gap, {})), Error);
+  EXPECT_THROW(static_cast<void>(measureDetorsion(standing, {})), Error);
+  EXPECT_THROW(static_cast<void>(measureDetorsion({run.ticks.data(), 1}, {})), Error);
+}
+
+}  // namespace
+}  // namespace torsio
