@@ -147,7 +147,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
         "sim/device/virtual"}},
       {"app/gui/scene",
        {"app/gui/widgets", "sim/base", "sim/geometry/lattice", "sim/geometry/mesh", "sim/scene", "sim/servo",
-        "sim/tissue/twist"}},
+        "sim/tissue/perfusion", "sim/tissue/twist"}},
       {"app/gui/shell",
        {"app/access", "app/base", "app/demonstration", "app/gui/base", "app/gui/scene", "app/gui/widgets",
         "app/maintenance", "app/recording", "assessment/people", "sim/base"}},

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kSteps = 128;  // of the table
 constexpr int kSamples = 64;         // of a wave: the sum over a period converges faster than any power
-constexpr int kHalvings = 40;
+constexpr int kAmplitudeHalvings = 40;
 
 /// Amplitudes over v = sqrt(1 / slack^2 - 1), in which they begin as a straight line.
 struct AmplitudeTable {
@@ -34,7 +34,7 @@ AmplitudeTable tableOf(int waves) {
     const double excess = table.most * static_cast<double>(k) / static_cast<double>(kSteps);
     double low = 0.0;
     double high = kDeepestFold;
-    for (int i = 0; i < kHalvings; ++i) {
+    for (int i = 0; i < kAmplitudeHalvings; ++i) {
       const double middle = 0.5 * (low + high);
       (excessOf(foldedPerimeter(waves, middle)) < excess ? low : high) = middle;
     }
