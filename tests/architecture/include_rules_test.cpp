@@ -157,7 +157,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"app/gui/trainee",
        {"app/base", "app/demonstration", "app/devices", "app/gui/base", "app/gui/scene", "app/gui/simulator",
         "app/gui/widgets", "app/people", "app/recording", "app/training", "assessment/study", "sim/base",
-        "sim/device", "sim/device/virtual", "sim/servo"}},
+        "sim/device", "sim/device/virtual", "sim/scene", "sim/servo"}},
       {"app/gui/widgets", {"app/report", "sim/base"}},
       {"app/maintenance",
        {"app/access", "app/base", "app/recording", "assessment/people", "assessment/study", "db/connection",
