@@ -69,6 +69,10 @@ std::vector<Attempt> attemptsOf(SessionContext& session, const PersonId& personI
   return attempts;
 }
 
+bool isUntwisting(const Attempt& attempt) {
+  return attempt.values.contains(kDetorsionDoneMetric);
+}
+
 bool counts(const Attempt& attempt, const TrainingModule& module) {
   return attempt.ended && !attempt.interrupted && attempt.moduleId == module.id &&
          (attempt.mode == AttemptMode::kGraded || module.mode == AttemptMode::kPractice);

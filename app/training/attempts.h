@@ -42,6 +42,9 @@ Attempt attemptOf(SessionContext& session, const TrialId& trialId);
 [[nodiscard]] std::vector<Attempt> attemptsOf(SessionContext& session, const PersonId& personId,
                                               const ModuleId& moduleId = {});
 
+/// Whether an attempt was the untwisting of an organ, which has no targets, and could be measured.
+[[nodiscard]] bool isUntwisting(const Attempt& attempt);
+
 /// Whether an attempt counts for mastery and for the limit: ended in good order, and graded unless the module
 /// is there for practice.
 [[nodiscard]] bool counts(const Attempt& attempt, const TrainingModule& module);

@@ -92,9 +92,7 @@ void measureDistance(Trend& trend, const TrainingModule& module) {
 /// What a module without rules is followed by: whether the organ was undone where it came twisted, else the
 /// share of twists on target.
 std::string usualMetric(const std::vector<Attempt>& attempts) {
-  const bool untwisted = std::any_of(attempts.begin(), attempts.end(), [](const Attempt& attempt) {
-    return attempt.values.contains(kDetorsionDoneMetric);
-  });
+  const bool untwisted = std::any_of(attempts.begin(), attempts.end(), isUntwisting);
   return untwisted ? kDetorsionDoneMetric : kOnTargetMetric;
 }
 

@@ -1567,6 +1567,26 @@
         <source>Undone, open and supplied with hands off: no</source>
         <translation>松手后已复位、通畅且有血供：否</translation>
     </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>not undone, ischaemic dose %1</source>
+        <translation>未复位，缺血剂量 %1</translation>
+    </message>
+    <message>
+        <source>undone, blood after %1, ischaemic dose %2</source>
+        <translation>已复位，%1 后恢复血流，缺血剂量 %2</translation>
+    </message>
+    <message>
+        <source>undone, ischaemic dose %1</source>
+        <translation>已复位，缺血剂量 %1</translation>
+    </message>
+    <message>
+        <source>Last time: %1</source>
+        <translation>上次：%1</translation>
+    </message>
 </context>
 <context>
     <name>Study</name>
@@ -17533,10 +17553,6 @@ Leave it empty to remove it.</source>
         <translation>%1 秒</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 / %2</translation>
-    </message>
-    <message>
         <source>interrupted</source>
         <translation>已中断</translation>
     </message>
@@ -17567,6 +17583,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Saved to %1</source>
         <translation>已保存到 %1</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
     </message>
 </context>
 <context>

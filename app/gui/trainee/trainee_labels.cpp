@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <QDateTime>
 #include <QLocale>
@@ -199,6 +200,25 @@ QString StationLabels::rule(const RuleProgress& progress) {
       .arg(progress.streak);
 }
 
+QString StationLabels::result(const Attempt& attempt) {
+  const auto value = [&attempt](const char* metric) {
+    const auto found = attempt.values.find(metric);
+    return found == attempt.values.end() ? std::optional<double>() : found->second;
+  };
+  const std::optional<double> done = value(kDetorsionDoneMetric);
+  if (!done) {
+    return tr("%1 of %2").arg(attempt.onTarget).arg(attempt.twists);
+  }
+  const QString dose = quantity("detorse.dose", value("detorse.dose").value_or(0.0));
+  if (*done == 0.0) {
+    return tr("not undone, ischaemic dose %1").arg(dose);
+  }
+  const std::optional<double> flow_s = value("detorse.time_to_flow");
+  return flow_s ? tr("undone, blood after %1, ischaemic dose %2")
+                      .arg(quantity("detorse.time_to_flow", *flow_s), dose)
+                : tr("undone, ischaemic dose %1").arg(dose);
+}
+
 QString StationLabels::lastResult(const ModuleStep& step) {
   if (!step.last) {
     return tr("Not tried yet");
@@ -206,6 +226,9 @@ QString StationLabels::lastResult(const ModuleStep& step) {
   const Attempt& last = *step.last;
   if (last.interrupted) {
     return tr("Last time: interrupted after %1 s").arg(last.duration_s, 0, 'f', 0);
+  }
+  if (isUntwisting(last)) {
+    return tr("Last time: %1").arg(result(last));
   }
   return tr("Last time: %1 of %2 twists on target").arg(last.onTarget).arg(last.twists);
 }

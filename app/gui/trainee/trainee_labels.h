@@ -36,6 +36,8 @@ class StationLabels {
   /// Why it is locked, or what is missing for mastery.
   [[nodiscard]] static QString why(const ModuleStep& step);
   [[nodiscard]] static QString rule(const RuleProgress& progress);
+  /// What an attempt came to: "3 of 4" twists on target, or how an organ was undone.
+  [[nodiscard]] static QString result(const Attempt& attempt);
   [[nodiscard]] static QString lastResult(const ModuleStep& step);
   [[nodiscard]] static QString unlocks(const ModuleStep& step);
 

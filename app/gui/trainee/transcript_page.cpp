@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/trainee/transcript_page.h"
 
+#include <algorithm>
 #include <system_error>
 
 #include <QPageLayout>
@@ -97,21 +98,23 @@ QString TranscriptPage::html(bool paper) const {
     if (module.attempts.empty()) {
       continue;
     }
+    const bool untwisted = std::any_of(module.attempts.begin(), module.attempts.end(), isUntwisting);
+    const QString judged = untwisted ? tr("Result") : tr("Twists on target");
     page += QStringLiteral("<table><tr>");
-    for (const QString& head : {tr("When"), tr("Mode"), tr("Length"), tr("Twists on target"), tr("Note")}) {
+    for (const QString& head : {tr("When"), tr("Mode"), tr("Length"), judged, tr("Note")}) {
       page += QStringLiteral("<th align='left' style='padding: 3px 14px 3px 0'>%1</th>")
                   .arg(head.toHtmlEscaped());
     }
     page += QStringLiteral("</tr>");
     for (const Attempt& attempt : module.attempts) {
-      page += QStringLiteral("<tr>%1%2%3%4%5</tr>")
-                  .arg(cell(StationLabels::when(attempt.startedUtc_us)),
-                       cell(attempt.mode == AttemptMode::kGraded ? tr("Graded") : tr("Practice")),
-                       cell(tr("%1 s").arg(attempt.duration_s, 0, 'f', 0)),
-                       cell(tr("%1 of %2").arg(attempt.onTarget).arg(attempt.twists)),
-                       cell(attempt.interrupted ? tr("interrupted")
-                            : !attempt.ended    ? tr("running")
-                                                : QString()));
+      page +=
+          QStringLiteral("<tr>%1%2%3%4%5</tr>")
+              .arg(cell(StationLabels::when(attempt.startedUtc_us)),
+                   cell(attempt.mode == AttemptMode::kGraded ? tr("Graded") : tr("Practice")),
+                   cell(tr("%1 s").arg(attempt.duration_s, 0, 'f', 0)), cell(StationLabels::result(attempt)),
+                   cell(attempt.interrupted ? tr("interrupted")
+                        : !attempt.ended    ? tr("running")
+                                            : QString()));
     }
     page += QStringLiteral("</table>");
   }
