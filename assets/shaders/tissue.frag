@@ -2,6 +2,7 @@
 // Living tissue: a painted skin, fine relief, light that wanders through it, and a film of moisture on top.
 VARYING vec3 rest;
 VARYING float arc;
+VARYING vec3 tint;
 
 const float PI = 3.14159265;
 
@@ -66,7 +67,7 @@ vec3 linearOf(vec3 c)
 
 void MAIN()
 {
-    vec3 skin = linearOf(texture(skinMap, UV0).rgb);
+    vec3 skin = linearOf(texture(skinMap, UV0).rgb) * tint;
     float pixel = max(length(dFdx(rest)), length(dFdy(rest)));
     vec4 broad = relief(rest / 7.3);
     vec4 middle = relief(rest / 2.6 + 31.0) * seen(2.6, pixel);

@@ -149,6 +149,82 @@
         <source>Combined, 120 degrees</source>
         <translation>混合型 120 度</translation>
     </message>
+    <message>
+        <source>Small-bowel loop</source>
+        <translation>小肠袢</translation>
+    </message>
+    <message>
+        <source>Gastric organo-axial</source>
+        <translation>胃器官轴型扭转</translation>
+    </message>
+    <message>
+        <source>Gastric mesentero-axial</source>
+        <translation>胃系膜轴型扭转</translation>
+    </message>
+    <message>
+        <source>Testis</source>
+        <translation>睾丸</translation>
+    </message>
+    <message>
+        <source>Sigmoid</source>
+        <translation>乙状结肠</translation>
+    </message>
+    <message>
+        <source>Midgut</source>
+        <translation>中肠</translation>
+    </message>
+    <message>
+        <source>Detorse</source>
+        <translation>复位</translation>
+    </message>
+    <message>
+        <source>Small-bowel loop, twisted</source>
+        <translation>小肠袢扭转</translation>
+    </message>
+    <message>
+        <source>Stomach, organo-axial volvulus</source>
+        <translation>胃器官轴型扭转</translation>
+    </message>
+    <message>
+        <source>Stomach, mesentero-axial volvulus</source>
+        <translation>胃系膜轴型扭转</translation>
+    </message>
+    <message>
+        <source>Testis on its cord, torsion</source>
+        <translation>睾丸扭转</translation>
+    </message>
+    <message>
+        <source>Sigmoid volvulus</source>
+        <translation>乙状结肠扭转</translation>
+    </message>
+    <message>
+        <source>Midgut volvulus</source>
+        <translation>中肠扭转</translation>
+    </message>
+    <message>
+        <source>Undo a twisted small-bowel loop</source>
+        <translation>复位扭转的小肠袢</translation>
+    </message>
+    <message>
+        <source>Undo an organo-axial volvulus</source>
+        <translation>复位胃器官轴型扭转</translation>
+    </message>
+    <message>
+        <source>Undo a mesentero-axial volvulus</source>
+        <translation>复位胃系膜轴型扭转</translation>
+    </message>
+    <message>
+        <source>Undo a torsion of the left testis</source>
+        <translation>复位左侧睾丸扭转</translation>
+    </message>
+    <message>
+        <source>Undo a sigmoid volvulus</source>
+        <translation>复位乙状结肠扭转</translation>
+    </message>
+    <message>
+        <source>Undo a midgut volvulus</source>
+        <translation>复位中肠扭转</translation>
+    </message>
 </context>
 <context>
     <name>CurriculumState</name>
@@ -10265,6 +10341,110 @@
         <source>Leave out &apos;task&apos; and give &apos;angle_deg&apos; 0.</source>
         <translation>请省略 &apos;task&apos;，并将 &apos;angle_deg&apos; 设为 0。</translation>
     </message>
+    <message>
+        <source>Small-bowel loop, twisted</source>
+        <translation>小肠袢扭转</translation>
+    </message>
+    <message>
+        <source>Stomach, organo-axial volvulus</source>
+        <translation>胃器官轴型扭转</translation>
+    </message>
+    <message>
+        <source>Stomach, mesentero-axial volvulus</source>
+        <translation>胃系膜轴型扭转</translation>
+    </message>
+    <message>
+        <source>Testis on its cord, torsion</source>
+        <translation>睾丸扭转</translation>
+    </message>
+    <message>
+        <source>Sigmoid volvulus</source>
+        <translation>乙状结肠扭转</translation>
+    </message>
+    <message>
+        <source>Midgut volvulus</source>
+        <translation>中肠扭转</translation>
+    </message>
+    <message>
+        <source>Midgut: undo it</source>
+        <translation>中肠：复位</translation>
+    </message>
+    <message>
+        <source>Midgut: undo it, graded</source>
+        <translation>中肠：复位，计分</translation>
+    </message>
+    <message>
+        <source>Sigmoid: undo it</source>
+        <translation>乙状结肠：复位</translation>
+    </message>
+    <message>
+        <source>Sigmoid: undo it, graded</source>
+        <translation>乙状结肠：复位，计分</translation>
+    </message>
+    <message>
+        <source>Six organs that come twisted: small-bowel loop, stomach about its long axis, testis, sigmoid, stomach about its short axis, midgut. First find out which way it is twisted: the torque rises and the colour darkens when you turn the wrong way. Let gas out where you can, hold the organ while you grip anew, and turn on until it stays open and supplied with your hands off. The clock of the tissue runs sixty times faster than yours.</source>
+        <translation>六个送来时已扭转的器官：小肠袢、绕长轴扭转的胃、睾丸、乙状结肠、绕短轴扭转的胃、中肠。先弄清扭转方向：方向转错时力矩增大、颜色变深。能排气的先排气；换手时固定器官；一直复位到松手后管腔仍通畅、血流仍恢复为止。组织的时钟比您的快六十倍。</translation>
+    </message>
+    <message>
+        <source>Small-bowel loop: undo it</source>
+        <translation>小肠袢：复位</translation>
+    </message>
+    <message>
+        <source>Small-bowel loop: undo it, graded</source>
+        <translation>小肠袢：复位，计分</translation>
+    </message>
+    <message>
+        <source>Stomach, mesentero-axial: undo it</source>
+        <translation>胃系膜轴型扭转：复位</translation>
+    </message>
+    <message>
+        <source>Stomach, mesentero-axial: undo it, graded</source>
+        <translation>胃系膜轴型扭转：复位，计分</translation>
+    </message>
+    <message>
+        <source>Stomach, organo-axial: undo it</source>
+        <translation>胃器官轴型扭转：复位</translation>
+    </message>
+    <message>
+        <source>Stomach, organo-axial: undo it, graded</source>
+        <translation>胃器官轴型扭转：复位，计分</translation>
+    </message>
+    <message>
+        <source>Testis: undo it</source>
+        <translation>睾丸：复位</translation>
+    </message>
+    <message>
+        <source>Testis: undo it, graded</source>
+        <translation>睾丸：复位，计分</translation>
+    </message>
+    <message>
+        <source>Volvulus and torsion: undo it</source>
+        <translation>肠胃扭转与睾丸扭转：复位</translation>
+    </message>
+    <message>
+        <source>A left testis is twisted by one to two turns, mostly inwards; one in five turned outwards. Open it like a book: turn the left one clockwise as seen from below, and back at once if the torque rises. Pain goes before the twist has gone: turn until nothing is left and check the flow. Eight hours cost the testis.</source>
+        <translation>左侧睾丸扭转一到两圈，多向内侧，五分之一向外侧。像翻书一样打开：从下方看，左侧顺时针转；力矩增大就立即反向。疼痛会先于扭转消失：要转到完全复位，并检查血流。八小时可失去睾丸。</translation>
+    </message>
+    <message>
+        <source>A loop of small bowel is twisted by half a turn to a whole one, either way. Find out which: turned the wrong way, the torque rises and the bowel darkens. Surgeons turn the loop back gently, let it rest under warm cloths and look for colour, pulse and movement before they judge it. Hard jaws bruise ischaemic bowel at half the pressure.</source>
+        <translation>一段小肠袢扭转半圈至一整圈，方向不定。先查明方向：转错时力矩增大、肠管变暗。外科医生轻柔地把肠袢转回，用温盐水纱布敷一会儿，看颜色、搏动和蠕动后再判断。缺血的肠管只要一半的压力就会被钳伤。</translation>
+    </message>
+    <message>
+        <source>The antrum lies twisted above the cardia by a quarter to half a turn, mostly not shut. Surgeons let the gas out, draw the antrum down and turn it back, usually in one grip. Watch the passage: it must stay open with your hands off. Pulling at the antrum tears it.</source>
+        <translation>胃窦扭转四分之一到半圈，位于贲门上方，多未完全闭塞。外科医生先排气，把胃窦拉下并转回，通常一次握持即可。注意通道：松手后必须保持通畅。牵拉胃窦会使其撕裂。</translation>
+    </message>
+    <message>
+        <source>The sigmoid loop is twisted by half a turn to a whole one on its narrow root and blown up. Let the gas out through the scope first: it takes most of the torque away. Turn the top back, clip it when you grip anew, and stay: it comes back in nearly half of the patients. Black mucosa or a tear means resection, not turning.</source>
+        <translation>乙状结肠袢在狭窄的根部扭转半圈至一整圈，并且胀气。先经肠镜排气，可去掉大部分力矩。把肠袢顶部转回，换手时夹住，并守住：近一半患者会复发。黏膜发黑或破裂时应切除，而不是复位。</translation>
+    </message>
+    <message>
+        <source>The stomach is turned over by half a turn or more and shut at both ends. Surgeons first let the gas out through a tube, then turn the greater curvature back down; a full stomach resists with more than twice the torque. Hold it with the clip while you grip anew: let go beyond a quarter turn, it rolls back. Pulling tears the wall.</source>
+        <translation>胃翻转半圈以上，两端闭塞。外科医生先经胃管排气，再把胃大弯转回原位；胀满的胃阻力大一倍以上。换手时用夹固定：在四分之一圈以外松手，胃会转回去。牵拉会撕裂胃壁。</translation>
+    </message>
+    <message>
+        <source>The whole small bowel is twisted clockwise by one to two turns on the stalk of its vessels. Turn back the hands of time: counter-clockwise, often by more than one turn. Take the whole pack, clip it between the grips, and turn until the bowel is pink and its vessels beat. Every minute counts: it is starved from one turn on.</source>
+        <translation>全部小肠绕血管蒂顺时针扭转一到两圈。把时钟拨回去：逆时针转，常要超过一圈。握住整团肠管，换手之间用夹固定，直到肠管转红、血管搏动。分秒必争：扭转一圈起就已缺血。</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -10899,6 +11079,24 @@ Mouse: left button grips, dragging turns, the wheel moves nearer.</source>
     <message>
         <source>&amp;Back</source>
         <translation>返回(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Undo it to within %1°, open and supplied with your hands off for %2 s.</source>
+        <translation>复位至 %1° 以内，松手 %2 秒后仍通畅且有血供。</translation>
+    </message>
+    <message>
+        <source>The tissue&apos;s time runs %1 times as fast as yours.</source>
+        <translation>组织时间的流速是您的 %1 倍。</translation>
+    </message>
+    <message>
+        <source>Bring the jaw to the marked band, close it gently, turn, set the clip, open the jaw, turn your hand back and grip anew.
+Mouse: left button grips, dragging turns, the wheel moves nearer.</source>
+        <translation>将钳口移到标记带，轻轻夹住，转动，上夹，松开钳口，手转回原位后重新夹持。
+鼠标：左键夹持，拖动转动，滚轮移近。</translation>
+    </message>
+    <message>
+        <source>An expert undoes the same organ</source>
+        <translation>专家复位同一器官</translation>
     </message>
 </context>
 <context>

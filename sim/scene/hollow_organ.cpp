@@ -201,8 +201,13 @@ HollowOrgan::Place HollowOrgan::placeOf(double arc_m) const noexcept {
 }
 
 HollowOrgan::Section HollowOrgan::sectionIn(int span, double share, const OrganState& state) const noexcept {
-  static_cast<void>(span);
-  return {state.twist.graspAngle_rad * share, 1.0};
+  const double angle_rad = state.twist.graspAngle_rad;
+  const WrungOrgan* wrung = tube(span);
+  if (wrung == nullptr) {
+    return {angle_rad * share, 1.0};
+  }
+  const WrungPlace place = wrung->placeAt(share, angle_rad, state.hollow.reading.pressure_Pa);
+  return {angle_rad * place.turn, place.radius};
 }
 
 HollowOrgan::Section HollowOrgan::sectionAt(double arc_m, const OrganState& state) const noexcept {

@@ -5,6 +5,7 @@
 
 #include "sim/base/angle.h"
 #include "sim/scene/hollow_map.h"
+#include "sim/scene/hollow_skin.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/scene/scene.h"
 #include "sim/tissue/twist/twist_model_tables.h"
@@ -23,10 +24,12 @@ Vec3 Scene::toDeformed_m(const Vec3& rest_m, const OrganState& state) const noex
 
 void Scene::deform(const OrganState& state, std::span<Vec3> out_m) const noexcept {
   if (hollow) {
-    const HollowMap map(model, *hollow, state);
+    const HollowSkin skin(*hollow, state);
     const std::vector<TwistVertex>& vertices = model.tables().vertices;
-    std::transform(vertices.begin(), vertices.begin() + std::min(std::ssize(vertices), std::ssize(out_m)),
-                   out_m.begin(), [&map](const TwistVertex& vertex) { return map.vertex(vertex); });
+    const auto places = lattice().vertexCoordinates();
+    for (std::size_t i = 0; i < out_m.size() && i < vertices.size(); ++i) {
+      out_m[i] = skin.vertex(vertices[i], places[i].angle_rad);
+    }
   } else if (!rod) {
     model.deform(state.twist, out_m);
   } else if (state.pose.count == 0) {

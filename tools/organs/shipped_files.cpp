@@ -10,6 +10,7 @@
 #include "tools/organs/forearm.h"
 #include "tools/organs/grasper.h"
 #include "tools/organs/stomach.h"
+#include "tools/organs/volvulus_organs.h"
 
 namespace torsio {
 
@@ -123,6 +124,12 @@ std::vector<ShippedFile> shippedFiles() {
            "fed adults")},
       {"organs/intestine.ply",
        ply(makeIntestine().surface, "loop of small intestine", "200 mm long, 26 mm wide, typical of adults")},
+      {"organs/testis.ply", ply(makeTestis().surface, "left testis on its cord",
+                                "testis 50 x 30 x 20 mm, cord 60 mm long, 12 mm wide")},
+      {"organs/sigmoid.ply", ply(makeSigmoid().surface, "omega loop of sigmoid colon, dilated",
+                                 "limbs 200 mm long on a root of 40 mm, 60 to 80 mm wide; assumed")},
+      {"organs/midgut.ply", ply(makeMidgut().surface, "pack of small-bowel coils on its stalk",
+                                "pack 124 x 70 x 104 mm, stalk 60 mm long, 16 mm wide; assumed")},
       {"instruments/grasper.json", grasperJson(grasper)},
       {"instruments/grasper_shaft.ply", ply(grasper.shaft, "shaft of a grasper", grasperSize)},
       {"instruments/grasper_jaw_upper.ply", ply(grasper.upperJaw, "upper jaw of a grasper", grasperSize)},

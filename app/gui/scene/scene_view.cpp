@@ -99,6 +99,7 @@ ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene, const std::st
   }
   view.lines = latticeLines(*scene);
   view.shear = ShearMap(scene);
+  view.blood = BloodMap(scene);
   view.deform = [scene](const OrganState& state, std::span<Vec3> out_m) { scene->deform(state, out_m); };
   return view;
 }
@@ -239,7 +240,7 @@ void SceneView::setScene(const ViewScene& view) {
   setForce({}, {});
   legend_->setTop(view_.shear.top_Pa());
   shearShare_.assign(view_.surface.vertices().size(), 0.0F);
-  shearColours_.resize(view_.surface.vertices().size());
+  colours_.resize(view_.surface.vertices().size());
   dented_ = false;
   showLook(view_.look);
   setShearVisible(shearVisible_);
@@ -301,19 +302,26 @@ void SceneView::deformSkin(const OrganState& state) {
   }
 }
 
-void SceneView::showSkin() {
-  view_.surface.update(deformed_m_);
+void SceneView::paintSkin() {
   if (shearVisible_ && !view_.shear.empty()) {
     view_.shear.evaluate(*shown_, shearShare_);
-    for (std::size_t i = 0; i < shearColours_.size(); ++i) {
-      shearColours_[i] = shearColour(shearShare_[i]);
+    for (std::size_t i = 0; i < colours_.size(); ++i) {
+      colours_[i] = shearColour(shearShare_[i]);
       const float form = formShade(view_.surface.vertices()[i].normal);
-      for (float& channel : shearColours_[i]) {
+      for (float& channel : colours_[i]) {
         channel *= form;
       }
     }
-    view_.surface.paint(shearColours_);
+    view_.surface.paint(colours_);
+  } else if (!view_.blood.empty()) {
+    view_.blood.evaluate(*shown_, colours_);
+    view_.surface.paint(colours_);
   }
+}
+
+void SceneView::showSkin() {
+  view_.surface.update(deformed_m_);
+  paintSkin();
   if (root_ == nullptr) {
     return;
   }
@@ -359,7 +367,7 @@ void SceneView::setShearVisible(bool visible) {
   if (!shown_.has_value()) {
     shown_ = OrganState{};
   }
-  if (visible) {
+  if (visible || !view_.blood.empty()) {
     view_.deform(*shown_, deformed_m_);
     showSkin();
   } else if (organ_ != nullptr) {

@@ -15,6 +15,7 @@
 #include <QImage>
 #include <QWidget>
 
+#include "app/gui/scene/blood_map.h"
 #include "app/gui/scene/lattice_overlay.h"
 #include "app/gui/scene/markers.h"
 #include "app/gui/scene/orbit_camera.h"
@@ -46,6 +47,7 @@ struct ViewScene {
   LatticeLines lines;
   TissueLook look;
   ShearMap shear;                   ///< empty: no map can be shown
+  BloodMap blood;                   ///< empty: the tissue keeps its colour
   std::vector<SkinAnchor> markers;  ///< empty: the organ has none
   /// The vertices for a state of twist, one a vertex of the surface, metres. GUI thread.
   std::function<void(const OrganState&, std::span<Vec3>)> deform;
@@ -150,6 +152,7 @@ class SceneView : public QWidget {
   [[nodiscard]] bool moves(const OrganState& state) const;
   /// Computes the vertices: of the state, or of the shape that a model beside the servo has delivered.
   void deformSkin(const OrganState& state);
+  void paintSkin();
   void showLook(const TissueLook& look);
   void placeMarkers();
   void placeLegend();
@@ -174,7 +177,7 @@ class SceneView : public QWidget {
   bool shearVisible_ = false;
   bool markersVisible_ = false;
   std::vector<float> shearShare_;
-  std::vector<std::array<float, 3>> shearColours_;
+  std::vector<std::array<float, 3>> colours_;  // one a vertex
   OrbitCamera camera_;
   QVector3D organCentre_;
   float organRadius_ = 100.0F;

@@ -8,10 +8,13 @@
 
 #include "sim/base/angle.h"
 #include "sim/base/contracts.h"
+#include "sim/scene/hollow_organ.h"
 
 namespace torsio::gui {
 
 namespace {
+
+constexpr int kWaySteps = 36;
 
 /// Nunez, Anderton, Renslow: Optimizing colormaps (PLOS ONE 2018), every sixth part of cividis.
 constexpr std::array<std::array<float, 3>, 7> kCividis{{{0.000F, 0.135F, 0.305F},
@@ -51,6 +54,12 @@ ShearMap::ShearMap(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)
   }
   patch_Pa_.resize(static_cast<std::size_t>(lattice.patches()));
   top_Pa_ = scene_->peakShear_Pa(scene_->stateAt(scene_->pattern.targetAngle_rad));
+  if (scene_->hollow) {  // comes twisted; its shear is largest on the way, before it closes
+    const double most_rad = scene_->hollow->detorsion().start.most_rad;
+    for (int k = 1; k <= kWaySteps; ++k) {
+      top_Pa_ = std::max(top_Pa_, scene_->peakShear_Pa(scene_->stateAt(most_rad * k / kWaySteps)));
+    }
+  }
 }
 
 void ShearMap::evaluate(const OrganState& state, std::span<float> share) {

@@ -18,7 +18,7 @@ class ShearMap {
   explicit ShearMap(std::shared_ptr<const Scene> scene);
 
   /// Where the scale ends: the largest shear of the exercise at its target angle, Pa. Fixed, so that a colour
-  /// means the same all the time.
+  /// means the same all the time. Of an organ that came twisted the largest on the way to its largest twist.
   [[nodiscard]] double top_Pa() const noexcept { return top_Pa_; }
   /// Share of the scale at each vertex of the mesh, 0..1 (above the scale: 1).
   void evaluate(const OrganState& state, std::span<float> share);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/trainee/briefing_page.h"
 
+#include <filesystem>
+#include <memory>
 #include <numbers>
 
 #include <QHBoxLayout>
@@ -20,8 +22,55 @@
 #include "app/gui/widgets/form.h"
 #include "app/recording/expert_run.h"
 #include "sim/base/angle.h"
+#include "sim/base/error.h"
+#include "sim/scene/hollow_organ.h"
+#include "sim/scene/scene_file.h"
 
 namespace torsio::gui {
+
+namespace {
+
+/// The untwisting that a module asks for; null: a twist to a target.
+std::shared_ptr<const Detorsion> untwistingOf(const std::filesystem::path& assets,
+                                              const TrainingModule& module) {
+  try {
+    for (const PatternDescription& one : readSceneFile(assets, module.sceneId).patterns) {
+      if (one.pattern.id == module.patternId) {
+        return one.pattern.detorsion;
+      }
+    }
+  } catch (const Error&) {
+    // Another installation's scene: the view beside the text says what is wrong with it.
+  }
+  return nullptr;
+}
+
+QStringList untwisting(const Detorsion& organ) {
+  QStringList task;
+  if (!organ.briefing.empty()) {
+    task << toQString(Text(organ.briefing));
+  }
+  task << BriefingPage::tr("Undo it to within %1\u00b0, open and supplied with your hands off for %2 s.")
+              .arg(degrees(organ.limits.residual_rad), 0, 'f', 0)
+              .arg(organ.limits.handsOff_s, 0, 'f', 0);
+  task << BriefingPage::tr("The tissue's time runs %1 times as fast as yours.")
+              .arg(organ.timeScale, 0, 'f', 0);
+  return task;
+}
+
+QStringList twist(const TrainingModule& module) {
+  QStringList task{BriefingPage::tr("Twist to %1\u00b0 and let go within %2\u00b0.")
+                       .arg(degrees(module.targetAngle_rad), 0, 'f', 0)
+                       .arg(degrees(module.tolerance_rad), 0, 'f', 0)
+                       .replace(QLatin1Char('-'), QChar(0x2212))};
+  if (module.hold_us > 0) {
+    task << BriefingPage::tr("Hold for %1 s before you let go.")
+                .arg(static_cast<double>(module.hold_us) * 1e-6, 0, 'f', 1);
+  }
+  return task;
+}
+
+}  // namespace
 
 namespace {
 
@@ -146,14 +195,8 @@ void BriefingPage::fill() {
   mode_->setText(graded ? tr("Graded run: it counts as an attempt.") : tr("Practice: nothing is graded."));
   what_->setTitle(tr("What is asked for"));
   how_->setTitle(tr("How to do it"));
-  QStringList task{tr("Twist to %1\u00b0 and let go within %2\u00b0.")
-                       .arg(degrees(step_.module.targetAngle_rad), 0, 'f', 0)
-                       .arg(degrees(step_.module.tolerance_rad), 0, 'f', 0)
-                       .replace(QLatin1Char('-'), QChar(0x2212))};
-  if (step_.module.hold_us > 0) {
-    task << tr("Hold for %1 s before you let go.")
-                .arg(static_cast<double>(step_.module.hold_us) * 1e-6, 0, 'f', 1);
-  }
+  const std::shared_ptr<const Detorsion> undone = untwistingOf(shell().assets(), step_.module);
+  QStringList task = undone ? untwisting(*undone) : twist(step_.module);
   if (step_.module.maxForce_N) {
     task << tr("Keep the force below %1 N.").arg(*step_.module.maxForce_N, 0, 'f', 1);
   }
@@ -168,9 +211,13 @@ void BriefingPage::fill() {
   goals_->setText(goals.isEmpty() ? QString() : tr("Mastered when:\n%1").arg(goals.join(QLatin1Char('\n'))));
   goals_->setVisible(!goals.isEmpty());
   hints_->setText(
-      tr("Bring the jaw to the marked band, close it, turn in one even movement, hold, and open the jaw "
-         "gently.\nMouse: left button grips, dragging turns, the wheel moves nearer."));
-  caption_->setText(tr("An expert's run of the same twist"));
+      undone ? tr("Bring the jaw to the marked band, close it gently, turn, set the clip, open the jaw, "
+                  "turn your hand back and grip anew.\nMouse: left button grips, dragging turns, the "
+                  "wheel moves nearer.")
+             : tr("Bring the jaw to the marked band, close it, turn in one even movement, hold, and "
+                  "open the jaw gently.\nMouse: left button grips, dragging turns, the wheel moves "
+                  "nearer."));
+  caption_->setText(undone ? tr("An expert undoes the same organ") : tr("An expert's run of the same twist"));
   again_->setText(tr("&Watch again"));
   start_->setText(graded ? tr("&Start the graded run") : tr("&Start"));
   back_->setText(tr("&Back"));

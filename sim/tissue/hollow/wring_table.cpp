@@ -56,6 +56,54 @@ WrungState between(const WrungState& a, const WrungState& b, double share) noexc
           mix(a.patency, b.patency), mix(a.volume, b.volume), mix(a.length, b.length)};
 }
 
+WrungPlace between(const WrungPlace& a, const WrungPlace& b, double share) noexcept {
+  const auto mix = [share](double from, double to) { return from + share * (to - from); };
+  return {mix(a.radius, b.radius), mix(a.turn, b.turn), mix(a.shift, b.shift), mix(a.slack, b.slack),
+          mix(a.foldTurn, b.foldTurn)};
+}
+
+// Tangent of the angle from the axis, in the unloaded wall, of the larger stretch of an element: folds run
+// along it.
+double foldSlope(const TubeWall& wall, const WrungShape& shape, std::size_t element) noexcept {
+  const WrungShape::Node& from = shape.nodes[element];
+  const WrungShape::Node& to = shape.nodes[element + 1];
+  const double h = wall.length / static_cast<double>(shape.nodes.size() - 1);
+  const double full = 0.5 * (wall.radius[element] + wall.radius[element + 1]);
+  const double r = 0.5 * (from.r + to.r);
+  const double along = (to.r - from.r) / h;
+  const double forth = (to.z - from.z) / h;
+  const double round = r * (to.turn_rad - from.turn_rad) / h;
+  const double a = along * along + round * round + forth * forth;
+  const double b = round * r / full;
+  const double c = r * r / (full * full);
+  const double root = std::sqrt((a - c) * (a - c) + 4.0 * b * b);
+  return root + a - c > 1e-9 ? 2.0 * b / (root + a - c) : 0.0;
+}
+
+// The places of a solved tube. `fullest`: radius at the onset of the folds, empty before it.
+std::vector<WrungPlace> placesOf(const TubeWall& wall, const WrungShape& shape,
+                                 const std::vector<double>& fullest) {
+  const std::size_t count = shape.nodes.size();
+  const double angle = shape.nodes.back().turn_rad;
+  std::vector<WrungPlace> places(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double even = static_cast<double>(i) / static_cast<double>(count - 1);
+    WrungPlace& place = places[i];
+    place.radius = shape.nodes[i].r;
+    place.turn = angle > 0.0 ? shape.nodes[i].turn_rad / angle : even;
+    place.shift = shape.nodes[i].z;
+    if (!fullest.empty()) {
+      place.slack = std::min(place.radius / std::min(fullest[i], wall.radius[i]), 1.0);
+    }
+    if (i > 0) {
+      const double full = 0.5 * (wall.radius[i - 1] + wall.radius[i]);
+      place.foldTurn = places[i - 1].foldTurn +
+                       foldSlope(wall, shape, i - 1) * wall.length / static_cast<double>(count - 1) / full;
+    }
+  }
+  return places;
+}
+
 }  // namespace
 
 WrungState wrungState(const TubeWall& wall, const WrungShape& shape, int waves) noexcept {
@@ -171,6 +219,7 @@ WringTable::Row WringTable::solvedRow(const TubeWall& wall, double pressure) {
   Row row;
   row.onset = path.onset;
   row.closing = path.closing;
+  std::vector<double> fullest;
   for (int k = 0; k < kAngles; ++k) {
     double angle = path.onset * k / kBeforeFolds;
     if (k > kBeforeFolds) {
@@ -179,7 +228,19 @@ WringTable::Row WringTable::solvedRow(const TubeWall& wall, double pressure) {
                                              : 1.0 + kBeyondClosing * (folded - kFolded) / kClosed;
       angle = path.onset + share * (path.closing - path.onset);
     }
-    row.states[static_cast<std::size_t>(k)] = wrungState(wall, path.at(angle), waves);
+    const WrungShape shape = path.at(angle);
+    row.states[static_cast<std::size_t>(k)] = wrungState(wall, shape, waves);
+    std::vector<WrungPlace> places = placesOf(wall, shape, fullest);
+    if (k == kBeforeFolds) {
+      for (const WrungPlace& place : places) {
+        fullest.push_back(place.radius);
+      }
+    }
+    row.places.insert(row.places.end(), places.begin(), places.end());
+  }
+  const std::size_t nodes = wall.radius.size();
+  for (std::size_t i = 0; i < nodes; ++i) {  // at rest the turn is that of a small angle
+    row.places[i].turn = row.places[nodes + i].turn;
   }
   for (std::size_t k = 1; k < row.states.size(); ++k) {  // a neck never opens on the way
     row.states[k].patency = std::min(row.states[k].patency, row.states[k - 1].patency);
@@ -208,7 +269,7 @@ WringTable::Between WringTable::rowsAt(double pressure) const noexcept {
   return {&rows_[at], &rows_[at + 1], std::clamp((share - low * low) / (high * high - low * low), 0.0, 1.0)};
 }
 
-WrungState WringTable::at(double angle_rad, double pressure) const noexcept {
+WringTable::Cell WringTable::cellAt(double angle_rad, double pressure) const noexcept {
   const Between rows = rowsAt(pressure);
   const double onset = rows.low->onset + rows.share * (rows.high->onset - rows.low->onset);
   const double closing = rows.low->closing + rows.share * (rows.high->closing - rows.low->closing);
@@ -220,12 +281,32 @@ WrungState WringTable::at(double angle_rad, double pressure) const noexcept {
   }
   u = std::min(u, static_cast<double>(kAngles - 1));
   const int k = std::min(static_cast<int>(u), kAngles - 2);
-  const std::size_t at = static_cast<std::size_t>(k);
-  const double share = u - k;
+  return {rows, static_cast<std::size_t>(k), u - k};
+}
+
+WrungState WringTable::at(double angle_rad, double pressure) const noexcept {
+  const auto [rows, at, share] = cellAt(angle_rad, pressure);
   WrungState state = between(between(rows.low->states[at], rows.low->states[at + 1], share),
                              between(rows.high->states[at], rows.high->states[at + 1], share), rows.share);
   state.torque = angle_rad < 0.0 ? -state.torque : state.torque;
   return state;
+}
+
+WrungPlace WringTable::placeAt(double share, double angle_rad, double pressure) const noexcept {
+  const Cell cell = cellAt(angle_rad, pressure);
+  const std::size_t nodes = cell.rows.low->places.size() / kAngles;
+  const double along = std::clamp(share, 0.0, 1.0) * static_cast<double>(nodes - 1);
+  const std::size_t node = std::min(static_cast<std::size_t>(along), nodes - 2);
+  const auto in = [&](const Row& row, std::size_t angle) {
+    const WrungPlace* place = row.places.data() + angle * nodes + node;
+    return between(place[0], place[1], along - static_cast<double>(node));
+  };
+  WrungPlace place =
+      between(between(in(*cell.rows.low, cell.angle), in(*cell.rows.low, cell.angle + 1), cell.share),
+              between(in(*cell.rows.high, cell.angle), in(*cell.rows.high, cell.angle + 1), cell.share),
+              cell.rows.share);
+  place.foldTurn = angle_rad < 0.0 ? -place.foldTurn : place.foldTurn;
+  return place;
 }
 
 double WringTable::closing_rad(double pressure) const noexcept {

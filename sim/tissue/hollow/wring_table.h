@@ -19,6 +19,15 @@ struct WrungState {
   double length = 0.0;  ///< between the ends
 };
 
+/// How a wrung tube lies at one place along it. Units of TubeWall, or SI where a WrungOrgan says so.
+struct WrungPlace {
+  double radius = 0.0;    ///< mean, of the middle line; of a WrungOrgan: against the organ as drawn
+  double turn = 0.0;      ///< share of the angle between the ends by which this place is turned: 0 .. 1
+  double shift = 0.0;     ///< from the fixed end; of a WrungOrgan: against the organ as drawn
+  double slack = 1.0;     ///< mean radius against the one that the perimeter would fill round: below 1 folded
+  double foldTurn = 0.0;  ///< chi, rad: about so much the crest of a fold has gone round since the fixed end
+};
+
 /// A tube solved over pressure and angle for queries in the tick. The angle's axis is normalised at each
 /// pressure by the angles at which the tube begins to fold and closes, so that rows of neighbouring pressures
 /// agree. Immutable.
@@ -33,6 +42,8 @@ class WringTable {
   /// Returns the tube at an angle of either sign and a pressure, brought into the table's range. In the tick:
   /// no more than + - * / and a root, no allocation, same bits everywhere.
   [[nodiscard]] WrungState at(double angle_rad, double pressure) const noexcept;
+  /// Returns how the tube lies at a share of its length, 0 at the fixed end. In the tick, as at().
+  [[nodiscard]] WrungPlace placeAt(double share, double angle_rad, double pressure) const noexcept;
   /// Returns the angle at which the narrowest place is packed with wall.
   [[nodiscard]] double closing_rad(double pressure) const noexcept;
   /// Returns the largest torque on the way to closing.
@@ -49,6 +60,7 @@ class WringTable {
     double onset = 0.0;
     double closing = 0.0;
     std::array<WrungState, kAngles> states;
+    std::vector<WrungPlace> places;  // of each angle one a node
   };
   struct Path;
   struct Between {
@@ -56,6 +68,13 @@ class WringTable {
     const Row* high = nullptr;
     double share = 0.0;
   };
+  // A cell of the table, and where in it.
+  struct Cell {
+    Between rows;
+    std::size_t angle = 0;
+    double share = 0.0;
+  };
+  [[nodiscard]] Cell cellAt(double angle_rad, double pressure) const noexcept;
   [[nodiscard]] static Row solvedRow(const TubeWall& wall, double pressure);
   [[nodiscard]] Between rowsAt(double pressure) const noexcept;
 

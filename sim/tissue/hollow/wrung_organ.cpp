@@ -90,6 +90,7 @@ WrungOrgan::WrungOrgan(std::span<const WallPlace> places, double length_m, const
 
 WrungOrgan::WrungOrgan(Unloaded tube, const HollowContent& content)
     : shear_Pa_(content.shearModulus_Pa),
+      rest_Pa_(content.restPressure_Pa),
       unit_m_(tube.radius_m),
       plainStiffness_Nm_per_rad_(tube.plainStiffness_Nm_per_rad),
       wall_(std::move(tube.wall)),
@@ -102,6 +103,14 @@ WrungState WrungOrgan::at(double angle_rad, double pressure_Pa) const noexcept {
   state.length *= unit_m_;
   state.volume *= unit_m_ * unit_m_ * unit_m_;
   return state;
+}
+
+WrungPlace WrungOrgan::placeAt(double share, double angle_rad, double pressure_Pa) const noexcept {
+  const WrungPlace drawn = table_.placeAt(share, 0.0, rest_Pa_ / shear_Pa_);
+  WrungPlace place = table_.placeAt(share, angle_rad, pressure_Pa / shear_Pa_);
+  place.radius /= drawn.radius;
+  place.shift = unit_m_ * (place.shift - drawn.shift);
+  return place;
 }
 
 double WrungOrgan::sealedPressure_Pa(double angle_rad, double filled_Pa) const noexcept {
@@ -117,7 +126,7 @@ double WrungOrgan::sealedPressure_Pa(double angle_rad, double filled_Pa) const n
   return 0.5 * (low + high);
 }
 
-TubePlace WrungOrgan::placeAt(double radius, double thickness, double pressure_Pa) const {
+TubePlace WrungOrgan::tubeAt(double radius, double thickness, double pressure_Pa) const {
   return {thickness / radius, wall_.length / radius, pressure_Pa / shear_Pa_ * radius / thickness,
           wall_.gentLimit};
 }
@@ -130,7 +139,7 @@ double WrungOrgan::onset_rad(double pressure_Pa) const {
   for (std::size_t i = 0; i < wall_.radius.size(); ++i) {
     const double radius = wall_.radius[i];
     const double thickness = wall_.thickness[i];
-    const TubePlace place = placeAt(radius, thickness, pressure_Pa);
+    const TubePlace place = tubeAt(radius, thickness, pressure_Pa);
     onsets.push_back(foldOnset(place) / radius);
     torques.push_back(kTurn * thickness * radius * radius *
                       tautTube(place.pressure, place.gentLimit, onsets.back() * radius).torque);
@@ -159,7 +168,7 @@ int WrungOrgan::waves(double pressure_Pa) const {
     radius += wall_.radius[i] / static_cast<double>(wall_.radius.size());
     thickness += wall_.thickness[i] / static_cast<double>(wall_.radius.size());
   }
-  return foldWaves(placeAt(radius, thickness, pressure_Pa));
+  return foldWaves(tubeAt(radius, thickness, pressure_Pa));
 }
 
 }  // namespace torsio

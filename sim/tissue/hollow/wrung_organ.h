@@ -37,6 +37,10 @@ class WrungOrgan {
   /// Returns the organ at an angle and a pressure: torque in N m, lengths in m, volume in m^3. In the tick,
   /// as WringTable::at.
   [[nodiscard]] WrungState at(double angle_rad, double pressure_Pa) const noexcept;
+  /// Returns how the wall lies at a share of the length from the fixed end: its radius against the organ as
+  /// drawn, exactly 1 at rest pressure without an angle; its shift along the axis against that, m. In the
+  /// tick, as at().
+  [[nodiscard]] WrungPlace placeAt(double share, double angle_rad, double pressure_Pa) const noexcept;
   /// Returns the pressure at an angle when the gas cannot leave: (p_atm + p) V stays what it was at
   /// `filled_Pa` and angle 0. 30 queries.
   [[nodiscard]] double sealedPressure_Pa(double angle_rad, double filled_Pa) const noexcept;
@@ -61,9 +65,10 @@ class WrungOrgan {
   };
   static Unloaded unloaded(std::span<const WallPlace> places, double length_m, const HollowContent& content);
   WrungOrgan(Unloaded tube, const HollowContent& content);
-  [[nodiscard]] TubePlace placeAt(double radius, double thickness, double pressure_Pa) const;
+  [[nodiscard]] TubePlace tubeAt(double radius, double thickness, double pressure_Pa) const;
 
   double shear_Pa_ = 0.0;
+  double rest_Pa_ = 0.0;
   double unit_m_ = 0.0;
   double plainStiffness_Nm_per_rad_ = 0.0;
   TubeWall wall_;

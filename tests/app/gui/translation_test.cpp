@@ -158,31 +158,35 @@ TEST(ChineseTranslation, KnowsTheClassOfEachText) {
   EXPECT_GT(texts, 1500U);
 }
 
-void addAssetTexts(const QJsonValue& value, std::set<std::string>& texts) {
-  static const std::array<QString, 4> kSaid{QStringLiteral("title"), QStringLiteral("label"),
-                                            QStringLiteral("meaning"), QStringLiteral("description")};
+/// Adds what the fields `said` of an asset say.
+void addAssetTexts(const QJsonValue& value, const QStringList& said, std::set<std::string>& texts) {
   for (const QJsonValue& item : value.toArray()) {
-    addAssetTexts(item, texts);
+    addAssetTexts(item, said, texts);
   }
   const QJsonObject object = value.toObject();
   for (auto member = object.begin(); member != object.end(); ++member) {
-    if (member.value().isString() && std::find(kSaid.begin(), kSaid.end(), member.key()) != kSaid.end()) {
+    if (member.value().isString() && said.contains(member.key())) {
       texts.insert(member.value().toString().toStdString());
     }
-    addAssetTexts(member.value(), texts);
+    addAssetTexts(member.value(), said, texts);
   }
 }
 
-TEST(ChineseTranslation, HasTheTextsOfTheShippedCurriculaAndRubrics) {
+TEST(ChineseTranslation, HasTheTextsOfTheShippedCurriculaRubricsAndBriefings) {
+  const QStringList titles{QStringLiteral("title"), QStringLiteral("label"), QStringLiteral("meaning"),
+                           QStringLiteral("description")};
+  const QStringList briefings{QStringLiteral("briefing")};
   std::set<std::string> texts;
-  for (const QString& kind : {QStringLiteral("curricula"), QStringLiteral("rubrics")}) {
+  for (const QString& kind :
+       {QStringLiteral("curricula"), QStringLiteral("rubrics"), QStringLiteral("scenes")}) {
     QDirIterator files(QStringLiteral(TORSIO_SOURCE_DIR "/assets/") + kind, {QStringLiteral("*.json")},
                        QDir::Files, QDirIterator::Subdirectories);
     while (files.hasNext()) {
       QFile file(files.next());
       ASSERT_TRUE(file.open(QIODevice::ReadOnly));
       const QJsonDocument document = QJsonDocument::fromJson(file.readAll());
-      addAssetTexts(document.isArray() ? QJsonValue(document.array()) : QJsonValue(document.object()), texts);
+      addAssetTexts(document.isArray() ? QJsonValue(document.array()) : QJsonValue(document.object()),
+                    kind == QLatin1String("scenes") ? briefings : titles, texts);
     }
   }
 

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/scene/blood_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "sim/base/angle.h"
+#include "sim/base/contracts.h"
+#include "sim/scene/hollow_organ.h"
+#include "sim/tissue/perfusion/tissue_colour.h"
+#include "sim/tissue/twist/twist_model_tables.h"
+
+namespace torsio::gui {
+
+namespace {
+
+using Factor = std::array<float, 3>;
+
+constexpr double kDemarcation = 0.25;  // of a span: over so much sound tissue fades into twisted
+constexpr double kBruiseRadius_m = 0.006;
+constexpr double kTearRadius_m = 0.005;
+constexpr double kClipWidth_m = 0.004;
+constexpr Factor kBruise{0.50F, 0.28F, 0.45F};
+constexpr Factor kTear{0.55F, 0.06F, 0.08F};
+constexpr Factor kClip{0.42F, 0.75F, 0.95F};
+
+float smooth(double share) {
+  const double u = std::clamp(share, 0.0, 1.0);
+  return static_cast<float>(u * u * (3.0 - 2.0 * u));
+}
+
+void blend(Factor& factor, const Factor& towards, float share) {
+  for (std::size_t k = 0; k < factor.size(); ++k) {
+    factor[k] += share * (towards[k] - factor[k]);
+  }
+}
+
+}  // namespace
+
+BloodMap::BloodMap(std::shared_ptr<const Scene> scene) {
+  if (!scene->hollow) {
+    return;
+  }
+  scene_ = std::move(scene);
+  const auto coordinates = scene_->lattice().vertexCoordinates();
+  const std::vector<TwistVertex>& vertices = scene_->model.tables().vertices;
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const TwistVertex& vertex = vertices[v];
+    const HollowOrgan::Place place = scene_->hollow->placeOf(vertex.arc_m);
+    places_.push_back({vertex.arc_m, coordinates[v].angle_rad,
+                       norm(cross(vertex.line.direction, vertex.rest_m - vertex.line.point_m)),
+                       place.span < 0 ? 1.0F : smooth(place.share / kDemarcation)});
+  }
+}
+
+void BloodMap::evaluate(const OrganState& state, std::span<Factor> factors) const {
+  TORSIO_EXPECTS(factors.size() == places_.size());
+  const HollowPose& pose = state.hollow;
+  const PerfusionState blood{.flow = pose.reading.flow,
+                             .congestion = pose.congestion,
+                             .dose = pose.reading.dose,
+                             .saturation = pose.saturation};
+  const TissueColour colour = pose.present ? colourOf(blood) : kSerosaPink;
+  const Factor twisted{static_cast<float>(colour.red / kSerosaPink.red),
+                       static_cast<float>(colour.green / kSerosaPink.green),
+                       static_cast<float>(colour.blue / kSerosaPink.blue)};
+  for (std::size_t v = 0; v < factors.size(); ++v) {
+    factors[v] = {1.0F, 1.0F, 1.0F};
+    blend(factors[v], twisted, places_[v].fed);
+  }
+  for (int i = 0; i < pose.markCount; ++i) {
+    paintMark(pose.marks[static_cast<std::size_t>(i)], factors);
+  }
+  if (pose.clipped) {
+    paintClip(state.twist.graspArc_m, factors);
+  }
+}
+
+void BloodMap::paintMark(const TissueMark& mark, std::span<Factor> factors) const {
+  const double reach_m = mark.torn ? kTearRadius_m : kBruiseRadius_m;
+  for (std::size_t v = 0; v < factors.size(); ++v) {
+    const Place& place = places_[v];
+    const double along_m = place.arc_m - mark.arc_m;
+    if (std::abs(along_m) < reach_m) {
+      const double round_m = place.radius_m * std::remainder(place.round_rad - mark.round_rad, kTurn);
+      const double share = 1.0 - std::hypot(along_m, round_m) / reach_m;
+      blend(factors[v], mark.torn ? kTear : kBruise, smooth(2.0 * share));
+    }
+  }
+}
+
+void BloodMap::paintClip(double arc_m, std::span<Factor> factors) const {
+  for (std::size_t v = 0; v < factors.size(); ++v) {
+    const double share = 1.0 - std::abs(places_[v].arc_m - arc_m) / kClipWidth_m;
+    blend(factors[v], kClip, smooth(2.0 * share));
+  }
+}
+
+}  // namespace torsio::gui

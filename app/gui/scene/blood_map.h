@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sim/scene/scene.h"
+
+namespace torsio::gui {
+
+/// How a hollow organ that came twisted looks: colour by its blood (sim/tissue/perfusion), beyond the held
+/// sections as sound tissue; bruises, tears, and the clip. GUI thread; holds the scene.
+class BloodMap {
+ public:
+  BloodMap() = default;
+  explicit BloodMap(std::shared_ptr<const Scene> scene);
+
+  /// Tells that the organ shows nothing of its blood.
+  [[nodiscard]] bool empty() const noexcept { return scene_ == nullptr; }
+  /// Computes the factor on the tissue's own colour, sRGB, one a vertex of the mesh.
+  void evaluate(const OrganState& state, std::span<std::array<float, 3>> factors) const;
+
+ private:
+  struct Place {
+    double arc_m = 0.0;
+    double round_rad = 0.0;
+    double radius_m = 0.0;
+    float fed = 0.0F;  ///< share of the twisted vessels in the blood here
+  };
+  void paintMark(const TissueMark& mark, std::span<std::array<float, 3>> factors) const;
+  void paintClip(double arc_m, std::span<std::array<float, 3>> factors) const;
+
+  std::shared_ptr<const Scene> scene_;  // null: not hollow
+  std::vector<Place> places_;           // one a vertex
+};
+
+}  // namespace torsio::gui

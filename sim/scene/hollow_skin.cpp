@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/scene/hollow_skin.h"
+
+#include <algorithm>
+
+#include "sim/base/portable_math.h"
+#include "sim/tissue/hollow/fold_field.h"
+
+namespace torsio {
+
+HollowSkin::HollowSkin(const HollowOrgan& organ, const OrganState& state) noexcept
+    : organ_(organ), angle_rad_(state.twist.graspAngle_rad) {
+  for (int span = 0; span < organ.spans(); ++span) {
+    fill(span, state, limbs_[static_cast<std::size_t>(span)]);
+  }
+}
+
+void HollowSkin::fill(int span, const OrganState& state, Limb& limb) const noexcept {
+  const WrungOrgan* tube = organ_.tube(span);
+  const double pressure_Pa = state.hollow.reading.pressure_Pa;
+  limb.waves = tube != nullptr ? drawnWaves(tube->waves(pressure_Pa)) : kFewestDrawnWaves;
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(kPlaces - 1);
+    const HollowOrgan::Section section = organ_.sectionIn(span, share, state);
+    Place& place = limb.places[i];
+    place.turn_rad = section.turn_rad;
+    place.radius = section.radius;
+    if (tube != nullptr) {
+      const WrungPlace wrung = tube->placeAt(share, angle_rad_, pressure_Pa);
+      place.amplitude = foldAmplitude(limb.waves, wrung.slack);
+      place.crest_rad = wrung.foldTurn;
+    }
+  }
+  limb.places.front() = {};
+  limb.places.back().turn_rad = angle_rad_;
+}
+
+HollowSkin::Place HollowSkin::placeAt(const Limb& limb, double share) const noexcept {
+  const double at = share * static_cast<double>(kPlaces - 1);
+  const std::size_t cell = std::min(static_cast<std::size_t>(at), kPlaces - 2);
+  const double rest = at - static_cast<double>(cell);
+  const Place& low = limb.places[cell];
+  const Place& high = limb.places[cell + 1];
+  const auto mix = [rest](double from, double to) { return from + rest * (to - from); };
+  return {mix(low.turn_rad, high.turn_rad), mix(low.radius, high.radius), mix(low.amplitude, high.amplitude),
+          mix(low.crest_rad, high.crest_rad)};
+}
+
+Vec3 HollowSkin::vertex(const TwistVertex& vertex, double round_rad) const noexcept {
+  const HollowOrgan::Place where = organ_.placeOf(vertex.arc_m);
+  Place place{angle_rad_, 1.0, 0.0, 0.0};
+  FoldedPoint fold;
+  if (where.span >= 0) {
+    const Limb& limb = limbs_[static_cast<std::size_t>(where.span)];
+    place = placeAt(limb, where.share);
+    fold = foldedPoint({limb.waves, place.amplitude, place.crest_rad}, round_rad);
+  }
+  const double radius = place.radius * fold.radius;
+  const double turn_rad = place.turn_rad + fold.turn_rad;
+  if (radius == 1.0 && turn_rad == 0.0) {
+    return vertex.rest_m;
+  }
+  const Vec3 u = vertex.rest_m - vertex.line.point_m;
+  const SinCos a = portableSinCos(turn_rad);
+  const Vec3 across = u - dot(vertex.line.direction, u) * vertex.line.direction;
+  return vertex.rest_m + (radius * a.cos - 1.0) * across + (radius * a.sin) * cross(vertex.line.direction, u);
+}
+
+}  // namespace torsio

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/tissue/hollow/fold_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "sim/base/angle.h"
+#include "sim/base/portable_math.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::size_t kSteps = 128;  // of the table
+constexpr int kSamples = 64;         // of a wave: the sum over a period converges faster than any power
+constexpr int kAmplitudeHalvings = 40;
+
+/// Amplitudes over v = sqrt(1 / slack^2 - 1), in which they begin as a straight line.
+struct AmplitudeTable {
+  double most = 0.0;
+  std::array<double, kSteps + 1> amplitudes{};
+};
+
+double excessOf(double perimeter) {
+  return std::sqrt(std::max(perimeter * perimeter - 1.0, 0.0));
+}
+
+AmplitudeTable tableOf(int waves) {
+  AmplitudeTable table;
+  table.most = excessOf(foldedPerimeter(waves, kDeepestFold));
+  for (std::size_t k = 1; k <= kSteps; ++k) {
+    const double excess = table.most * static_cast<double>(k) / static_cast<double>(kSteps);
+    double low = 0.0;
+    double high = kDeepestFold;
+    for (int i = 0; i < kAmplitudeHalvings; ++i) {
+      const double middle = 0.5 * (low + high);
+      (excessOf(foldedPerimeter(waves, middle)) < excess ? low : high) = middle;
+    }
+    table.amplitudes[k] = 0.5 * (low + high);
+  }
+  return table;
+}
+
+using Tables = std::array<AmplitudeTable, kMostDrawnWaves - kFewestDrawnWaves + 1>;
+
+const AmplitudeTable& tableFor(int waves) {
+  static const Tables kTables = [] {
+    Tables tables;
+    for (int n = kFewestDrawnWaves; n <= kMostDrawnWaves; ++n) {
+      tables[static_cast<std::size_t>(n - kFewestDrawnWaves)] = tableOf(n);
+    }
+    return tables;
+  }();
+  return kTables[static_cast<std::size_t>(drawnWaves(waves) - kFewestDrawnWaves)];
+}
+
+double secondOrder(double waves) {
+  return 0.5 + 0.25 * waves * waves;
+}
+
+}  // namespace
+
+int drawnWaves(int waves) noexcept {
+  return std::clamp(waves, kFewestDrawnWaves, kMostDrawnWaves);
+}
+
+double foldedPerimeter(int waves, double amplitude) noexcept {
+  const double n = waves;
+  double sum = 0.0;
+  for (int k = 0; k < kSamples; ++k) {
+    const SinCos a = portableSinCos(kTurn * (k + 0.5) / kSamples);
+    const double rise = -n * amplitude * a.sin;
+    const double round =
+        1.0 - amplitude * a.cos + amplitude * amplitude * secondOrder(n) * (a.cos * a.cos - a.sin * a.sin);
+    const double across = (1.0 + amplitude * a.cos) * round;
+    sum += std::sqrt(rise * rise + across * across);
+  }
+  return sum / kSamples;
+}
+
+double foldAmplitude(int waves, double slack) noexcept {
+  if (slack >= 1.0) {
+    return 0.0;
+  }
+  const AmplitudeTable& table = tableFor(waves);
+  const double excess = slack > 0.0 ? std::sqrt(1.0 / (slack * slack) - 1.0) : table.most;
+  if (excess >= table.most) {
+    return kDeepestFold;
+  }
+  const double at = excess / table.most * static_cast<double>(kSteps);
+  const std::size_t cell = std::min(static_cast<std::size_t>(at), kSteps - 1);
+  const double share = at - static_cast<double>(cell);
+  return table.amplitudes[cell] + share * (table.amplitudes[cell + 1] - table.amplitudes[cell]);
+}
+
+FoldedPoint foldedPoint(const FoldWaves& folds, double round_rad) noexcept {
+  if (folds.amplitude == 0.0) {
+    return {};
+  }
+  const double n = folds.waves;
+  const SinCos a = portableSinCos(n * (round_rad - folds.crest_rad));
+  const double eps = folds.amplitude;
+  return {1.0 + eps * a.cos, -eps / n * a.sin + eps * eps * secondOrder(n) / n * a.sin * a.cos};
+}
+
+}  // namespace torsio

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace torsio {
+
+/// Folds round a wrung tube at one place along it: waves that run up the tube as a helix and keep the length
+/// of the perimeter (docs/model.md H.7).
+struct FoldWaves {
+  int waves = 3;           ///< round the tube, at least 3
+  double amplitude = 0.0;  ///< eps, against the mean radius there: 0 .. kDeepestFold
+  double crest_rad = 0.0;  ///< chi: where the first crest has gone round to
+};
+
+/// Beyond so deep a fold its sides would touch.
+inline constexpr double kDeepestFold = 0.5;
+inline constexpr int kFewestDrawnWaves = 3;
+inline constexpr int kMostDrawnWaves = 9;
+
+/// Returns how many waves are drawn for so many folds: two are drawn as three, because two reach the deepest
+/// fold before the tube is a tenth narrower.
+[[nodiscard]] int drawnWaves(int waves) noexcept;
+
+/// Returns how deep so many waves must be for the perimeter to stay what it was unfolded, where the mean
+/// radius is `slack` of the one that the perimeter would fill round: from a table made by bisection. 0 at
+/// slack 1, kDeepestFold where the folds cannot take up more. Any thread.
+[[nodiscard]] double foldAmplitude(int waves, double slack) noexcept;
+
+/// Returns the length of a folded perimeter against that of a circle of its mean radius.
+[[nodiscard]] double foldedPerimeter(int waves, double amplitude) noexcept;
+
+/// Where a point of the wall lies on its fold.
+struct FoldedPoint {
+  double radius = 1.0;  ///< against the mean radius
+  double turn_rad = 0.0;
+};
+
+/// Computes where the point at an angle round the section lies; without an amplitude exactly where it was.
+/// Inextensible to first order in the amplitude, evenly stretched to second.
+[[nodiscard]] FoldedPoint foldedPoint(const FoldWaves& folds, double round_rad) noexcept;
+
+}  // namespace torsio
