@@ -11,6 +11,7 @@
 #include "assessment/study/curriculum.h"
 #include "sim/base/error.h"
 #include "sim/scene/scene.h"
+#include "sim/scene/scene_file.h"
 
 namespace torsio {
 
@@ -67,7 +68,9 @@ class Examination {
     }
     for (const std::string& scene : sceneIds(assets_)) {
       try {
-        patterns_[scene] = patternIds(assets_, scene);
+        for (const PatternDescription& one : readSceneFile(assets_, scene).patterns) {
+          patterns_[scene][one.pattern.id] = one.pattern.detorsion != nullptr;
+        }
       } catch (const Error& problem) {
         add(Text::tr("scene %1", scene), problem.happenedText(), problem.remedyText());
       }
@@ -104,7 +107,7 @@ class Examination {
       add(where, Text::tr("has no title"), Text::tr("Say in a few words what is practised"));
     }
     checkScene(module, where);
-    if (module.targetAngle_rad == 0.0) {
+    if (module.targetAngle_rad == 0.0 && !undoes(module)) {
       add(where, Text::tr("has a target of 0 degrees"), Text::tr("Enter how far to twist"));
     }
     if (module.tolerance_rad <= 0.0) {
@@ -137,10 +140,20 @@ class Examination {
           Text::tr("Choose one from the list"));
       return;
     }
-    if (std::find(scene->second.begin(), scene->second.end(), module.patternId) == scene->second.end()) {
+    if (!scene->second.contains(module.patternId)) {
       add(where, Text::tr("has a pattern \"%1\" that the scene %2 lacks", module.patternId, module.sceneId),
           Text::tr("Choose one from the list"));
     }
+  }
+
+  /// Whether the organ of the module comes twisted, so that 0 degrees is its target.
+  [[nodiscard]] bool undoes(const TrainingModule& module) const {
+    const auto scene = patterns_.find(module.sceneId);
+    if (scene == patterns_.end()) {
+      return false;
+    }
+    const auto pattern = scene->second.find(module.patternId);
+    return pattern != scene->second.end() && pattern->second;
   }
 
   void checkMastery(const TrainingModule& module, const Text& where) {
@@ -264,7 +277,7 @@ class Examination {
   const std::filesystem::path& assets_;
   const Occasions& known_;
   std::set<std::string> modules_;
-  std::map<std::string, std::vector<std::string>> patterns_;
+  std::map<std::string, std::map<std::string, bool>> patterns_;  // of each scene; whether it comes twisted
   std::vector<CurriculumProblem> problems_;
 };
 

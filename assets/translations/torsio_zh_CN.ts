@@ -149,6 +149,82 @@
         <source>Combined, 120 degrees</source>
         <translation>混合型 120 度</translation>
     </message>
+    <message>
+        <source>Small-bowel loop</source>
+        <translation>小肠袢</translation>
+    </message>
+    <message>
+        <source>Gastric organo-axial</source>
+        <translation>胃器官轴型扭转</translation>
+    </message>
+    <message>
+        <source>Gastric mesentero-axial</source>
+        <translation>胃系膜轴型扭转</translation>
+    </message>
+    <message>
+        <source>Testis</source>
+        <translation>睾丸</translation>
+    </message>
+    <message>
+        <source>Sigmoid</source>
+        <translation>乙状结肠</translation>
+    </message>
+    <message>
+        <source>Midgut</source>
+        <translation>中肠</translation>
+    </message>
+    <message>
+        <source>Detorse</source>
+        <translation>复位</translation>
+    </message>
+    <message>
+        <source>Small-bowel loop, twisted</source>
+        <translation>小肠袢扭转</translation>
+    </message>
+    <message>
+        <source>Stomach, organo-axial volvulus</source>
+        <translation>胃器官轴型扭转</translation>
+    </message>
+    <message>
+        <source>Stomach, mesentero-axial volvulus</source>
+        <translation>胃系膜轴型扭转</translation>
+    </message>
+    <message>
+        <source>Testis on its cord, torsion</source>
+        <translation>睾丸扭转</translation>
+    </message>
+    <message>
+        <source>Sigmoid volvulus</source>
+        <translation>乙状结肠扭转</translation>
+    </message>
+    <message>
+        <source>Midgut volvulus</source>
+        <translation>中肠扭转</translation>
+    </message>
+    <message>
+        <source>Undo a twisted small-bowel loop</source>
+        <translation>复位扭转的小肠袢</translation>
+    </message>
+    <message>
+        <source>Undo an organo-axial volvulus</source>
+        <translation>复位胃器官轴型扭转</translation>
+    </message>
+    <message>
+        <source>Undo a mesentero-axial volvulus</source>
+        <translation>复位胃系膜轴型扭转</translation>
+    </message>
+    <message>
+        <source>Undo a torsion of the left testis</source>
+        <translation>复位左侧睾丸扭转</translation>
+    </message>
+    <message>
+        <source>Undo a sigmoid volvulus</source>
+        <translation>复位乙状结肠扭转</translation>
+    </message>
+    <message>
+        <source>Undo a midgut volvulus</source>
+        <translation>复位中肠扭转</translation>
+    </message>
 </context>
 <context>
     <name>CurriculumState</name>
@@ -10244,6 +10320,86 @@
     <message>
         <source>Leave out &apos;task&apos; and give &apos;angle_deg&apos; 0.</source>
         <translation>请省略 &apos;task&apos;，并将 &apos;angle_deg&apos; 设为 0。</translation>
+    </message>
+    <message>
+        <source>Small-bowel loop, twisted</source>
+        <translation>小肠袢扭转</translation>
+    </message>
+    <message>
+        <source>Stomach, organo-axial volvulus</source>
+        <translation>胃器官轴型扭转</translation>
+    </message>
+    <message>
+        <source>Stomach, mesentero-axial volvulus</source>
+        <translation>胃系膜轴型扭转</translation>
+    </message>
+    <message>
+        <source>Testis on its cord, torsion</source>
+        <translation>睾丸扭转</translation>
+    </message>
+    <message>
+        <source>Sigmoid volvulus</source>
+        <translation>乙状结肠扭转</translation>
+    </message>
+    <message>
+        <source>Midgut volvulus</source>
+        <translation>中肠扭转</translation>
+    </message>
+    <message>
+        <source>Midgut: undo it</source>
+        <translation>中肠：复位</translation>
+    </message>
+    <message>
+        <source>Midgut: undo it, graded</source>
+        <translation>中肠：复位，计分</translation>
+    </message>
+    <message>
+        <source>Sigmoid: undo it</source>
+        <translation>乙状结肠：复位</translation>
+    </message>
+    <message>
+        <source>Sigmoid: undo it, graded</source>
+        <translation>乙状结肠：复位，计分</translation>
+    </message>
+    <message>
+        <source>Six organs that come twisted: small-bowel loop, stomach about its long axis, testis, sigmoid, stomach about its short axis, midgut. First find out which way it is twisted: the torque rises and the colour darkens when you turn the wrong way. Let gas out where you can, hold the organ while you grip anew, and turn on until it stays open and supplied with your hands off. The clock of the tissue runs sixty times faster than yours.</source>
+        <translation>六个送来时已扭转的器官：小肠袢、绕长轴扭转的胃、睾丸、乙状结肠、绕短轴扭转的胃、中肠。先弄清扭转方向：方向转错时力矩增大、颜色变深。能排气的先排气；换手时固定器官；一直复位到松手后管腔仍通畅、血流仍恢复为止。组织的时钟比您的快六十倍。</translation>
+    </message>
+    <message>
+        <source>Small-bowel loop: undo it</source>
+        <translation>小肠袢：复位</translation>
+    </message>
+    <message>
+        <source>Small-bowel loop: undo it, graded</source>
+        <translation>小肠袢：复位，计分</translation>
+    </message>
+    <message>
+        <source>Stomach, mesentero-axial: undo it</source>
+        <translation>胃系膜轴型扭转：复位</translation>
+    </message>
+    <message>
+        <source>Stomach, mesentero-axial: undo it, graded</source>
+        <translation>胃系膜轴型扭转：复位，计分</translation>
+    </message>
+    <message>
+        <source>Stomach, organo-axial: undo it</source>
+        <translation>胃器官轴型扭转：复位</translation>
+    </message>
+    <message>
+        <source>Stomach, organo-axial: undo it, graded</source>
+        <translation>胃器官轴型扭转：复位，计分</translation>
+    </message>
+    <message>
+        <source>Testis: undo it</source>
+        <translation>睾丸：复位</translation>
+    </message>
+    <message>
+        <source>Testis: undo it, graded</source>
+        <translation>睾丸：复位，计分</translation>
+    </message>
+    <message>
+        <source>Volvulus and torsion: undo it</source>
+        <translation>肠胃扭转与睾丸扭转：复位</translation>
     </message>
 </context>
 <context>

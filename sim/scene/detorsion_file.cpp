@@ -204,6 +204,7 @@ Detorsion readDetorsion(JsonFields& pattern) {
   detorsion.limits = readLimits(fields);
   detorsion.timeScale = fields.number("time_scale", 1.0, 3600.0, detorsion.timeScale);
   detorsion.pause_s = fields.number("pause_s", 0.0, 36'000.0, detorsion.pause_s);
+  detorsion.briefing = fields.text("briefing", "");
   detorsion.validity = fields.text("validity");
   fields.finish();
   return detorsion;

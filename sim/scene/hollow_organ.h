@@ -77,6 +77,7 @@ struct Detorsion {
   DetorsionLimits limits;
   double timeScale = 60.0;  ///< seconds of the tissue for a second of the hand
   double pause_s = 0.0;     ///< of the tissue, after each turn, where the goal is a gradual one; 0: none
+  std::string briefing;     ///< what is twisted, what surgeons do, what harms; empty: nothing is said
   std::string validity;     ///< in plain words: what of this is measured, sourced, assumed
 };
 

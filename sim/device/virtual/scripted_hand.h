@@ -102,6 +102,8 @@ class ScriptedHand final : public HapticDevice {
     double reached_rad = 0.0;                  // after the main twist
     double held_rad = 0.0;                     // after the correction
     double skill = 0.0;
+    bool unclips = false;     // the clip of the turn before, once the jaw has closed
+    bool clipsAfter = false;  // before the jaw opens
     HandMotion motion;
   };
   /// Sums of sines with unit root mean square: x y z of the position, x y z of the orientation.

@@ -309,7 +309,7 @@ TEST(Scene, NamesTheScenesThereAreWhenAskedForAnother) {
 
   EXPECT_EQ(error.code(), ErrorCode::kFileMissing);
   EXPECT_THAT(error.what(), HasSubstr("'liver'"));
-  EXPECT_THAT(error.what(), HasSubstr("arm, intestine, stomach"));
+  EXPECT_THAT(error.what(), HasSubstr("forearm, gastric-mesentero-axial, gastric-organo-axial, intestine"));
 }
 
 TEST(Scene, NamesThePatternsThereAreWhenAskedForAnother) {

@@ -12,6 +12,8 @@
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/recorder.h"
+#include "sim/scene/hollow_organ.h"
+#include "sim/servo/detorsion.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/replay_trial.h"
 #include "sim/servo/servo_loop.h"
@@ -42,6 +44,9 @@ TEST(ShippedScenes, LetASkilledHandDoEveryPattern) {
     for (const TwistPattern& pattern : first.patterns) {
       SCOPED_TRACE(id + ", " + pattern.id);
       const Scene scene = shipped(id, pattern.id);
+      if (scene.hollow) {
+        continue;  // came twisted: the next test
+      }
       ScriptedHandOptions options = skilledHand(scene);
       options.duration_s = ScriptedHand(options).span_s(0)[1];
       ScriptedHand hand(options);
@@ -72,6 +77,42 @@ TEST(ShippedScenes, LetASkilledHandDoEveryPattern) {
       EXPECT_EQ(loop.lastSample().phase, ExercisePhase::kTracking);
     }
   }
+}
+
+TEST(ShippedScenes, LetASkilledHandUndoEveryOrganThatCameTwisted) {
+  std::size_t undone = 0;
+  for (const std::string& id : sceneIds(kAssets)) {
+    for (const std::string& pattern : patternIds(kAssets, id)) {
+      SCOPED_TRACE(id + ", " + pattern);
+      const Scene scene = shipped(id, pattern);
+      if (!scene.hollow) {
+        continue;
+      }
+      const DetorsionLimits& limits = scene.hollow->detorsion().limits;
+      ScriptedHandOptions options = skilledHand(scene);
+      const double ends_s = undone_s(*scene.hollow, ScriptedHand(options));
+      options.duration_s = ends_s;
+      ScriptedHand hand(options);
+      ServoLoop loop({.device = &hand, .scene = &scene}, {.seed = detorsionSeed({})});
+
+      std::uint32_t events = 0;
+      for (std::int64_t time_us = 0; time_us < static_cast<std::int64_t>(ends_s * 1e6); time_us += 1000) {
+        loop.tick(time_us);
+        events |= loop.lastEvents();
+      }
+
+      const HollowReading& reading = loop.lastSample().hollow;
+      EXPECT_TRUE(events & kEventGripped);
+      EXPECT_TRUE(events & kEventReleased);
+      EXPECT_FALSE(events & (kEventBruised | kEventTorn));
+      EXPECT_LE(std::abs(loop.lastSample().response.angle_rad), limits.residual_rad);
+      EXPECT_GE(reading.patency, limits.patency);
+      EXPECT_GE(reading.flow, limits.flow);
+      EXPECT_LT(reading.dose, 1.0);
+      ++undone;
+    }
+  }
+  EXPECT_EQ(undone, 6U);
 }
 
 TEST(ShippedScenes, ReplayBitForBitWithAModelThatWasBuiltAnew) {
