@@ -23,7 +23,6 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/angle.h"
-#include "sim/scene/hollow_organ.h"
 #include "sim/servo/detorsion.h"
 
 namespace torsio::gui {

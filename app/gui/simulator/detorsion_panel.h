@@ -11,6 +11,7 @@
 #include <QWidget>
 
 #include "sim/base/live_types.h"
+#include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene.h"
 
 class QLabel;

@@ -5,6 +5,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStringList>
@@ -20,12 +21,38 @@
 #include "app/gui/widgets/form.h"
 #include "app/recording/expert_run.h"
 #include "sim/base/angle.h"
+#include "sim/scene/hollow_organ.h"
 
 namespace torsio::gui {
 
 namespace {
 
 constexpr int kBriefingWidth = 340;
+
+/// Says what an untwisting begins with and when it is done. The angle of the start is drawn at its beginning.
+QStringList untwistingTask(const Detorsion& detorsion) {
+  const DetorsionLimits& limits = detorsion.limits;
+  const QLocale locale;
+  const auto figure = [&locale](double value) { return locale.toString(value, 'f', 0); };
+  const double least_deg = degrees(detorsion.start.least_rad);
+  const double most_deg = degrees(detorsion.start.most_rad);
+  QStringList task{
+      most_deg > least_deg
+          ? BriefingPage::tr("The organ came twisted by %1\u00b0 to %2\u00b0. Undo it.")
+                .arg(figure(least_deg), figure(most_deg))
+          : BriefingPage::tr("The organ came twisted by %1\u00b0. Undo it.").arg(figure(most_deg))};
+  const QString flow = figure(100.0 * limits.flow);
+  task << BriefingPage::tr(
+              "Done: at most %1\u00b0 left and blood flow of %2 % or more, for %3 s with hands off.")
+              .arg(figure(degrees(limits.residual_rad)), flow, figure(limits.handsOff_s));
+  if (!detorsion.wall.thickness_m.empty()) {
+    task << BriefingPage::tr("The lumen must be open to %1 %.").arg(figure(100.0 * limits.patency));
+  }
+  task << BriefingPage::tr("The jaw bruises the wall from %1 kPa; tissue without blood bears less.")
+              .arg(figure(limits.bruise_Pa * 1e-3));
+  task << BriefingPage::tr("Meanwhile %1 s of the tissue pass each second.").arg(figure(detorsion.timeScale));
+  return task;
+}
 
 }  // namespace
 
@@ -89,6 +116,7 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
   connect(back_, &QPushButton::clicked, this, [this] { shell().open(PageId::kNextStep); });
   connect(again_, &QPushButton::clicked, this, &BriefingPage::showExpert);
   connect(&scene_->controller(), &SimulationController::sceneChanged, this, [this] {
+    fill();
     if (!asked_) {
       showExpert();
     }
@@ -160,6 +188,11 @@ void BriefingPage::fill() {
   if (step_.module.maxTorque_Nm) {
     task << tr("Keep the torque below %1 N m.").arg(*step_.module.maxTorque_Nm, 0, 'f', 2);
   }
+  const Scene* scene = scene_->controller().scene();
+  const bool undone = scene != nullptr && scene->hollow != nullptr;
+  if (undone) {
+    task = untwistingTask(scene->hollow->detorsion());
+  }
   task_->setText(task.join(QLatin1Char('\n')));
   QStringList goals;
   for (const RuleProgress& progress : step_.rules) {
@@ -170,7 +203,13 @@ void BriefingPage::fill() {
   hints_->setText(
       tr("Bring the jaw to the marked band, close it, turn in one even movement, hold, and open the jaw "
          "gently.\nMouse: left button grips, dragging turns, the wheel moves nearer."));
-  caption_->setText(tr("An expert's run of the same twist"));
+  if (undone) {
+    hints_->setText(
+        tr("Grip the turned part and turn it back. Before you let go to grip anew set the clip, or it turns "
+           "back. Let gas out first where it resists.\nC: clip. V: gas out. 1, 2, 3: look, feel the pulse, "
+           "Doppler.\nMouse: left button grips, dragging turns, the wheel moves nearer."));
+  }
+  caption_->setText(undone ? tr("An expert undoes the same organ") : tr("An expert's run of the same twist"));
   again_->setText(tr("&Watch again"));
   start_->setText(graded ? tr("&Start the graded run") : tr("&Start"));
   back_->setText(tr("&Back"));

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include <QHBoxLayout>
 #include <QLabel>
