@@ -146,7 +146,9 @@ Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples, 
   }
   out.unfinishedTwists = measured.unfinished();
   out.checks = targetChecks(measured, rules);
-  if (expert != nullptr) {
+  if (measured.detorsion && rules.detorsion) {
+    out.detorsion = detorsionStory(samples, line.times_us, *rules.detorsion, measured.detorsion->metrics);
+  } else if (expert != nullptr) {
     addExpert(*expert, rules, line, measured, out);
   }
   out.passed =

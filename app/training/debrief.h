@@ -10,6 +10,7 @@
 
 #include "app/access/session_context.h"
 #include "app/training/attempts.h"
+#include "app/training/detorsion_story.h"
 #include "assessment/attempt/pass_rule.h"
 #include "assessment/study/protocol_terms.h"
 #include "sim/base/ids.h"
@@ -82,6 +83,7 @@ struct Debrief {
   DebriefTrace expert{};
   std::vector<double> grips_s{};  ///< when each twist of the run began: where the expert's curve is laid
   std::vector<DebriefBookmark> bookmarks{};
+  std::optional<DetorsionStory> detorsion{};  ///< of an organ that came twisted; else empty
 };
 
 /// The part that needs no database. `expert` may be null: then strengths and weaknesses are missing, too.

@@ -10445,6 +10445,46 @@
         <source>The whole small bowel is twisted clockwise by one to two turns on the stalk of its vessels. Turn back the hands of time: counter-clockwise, often by more than one turn. Take the whole pack, clip it between the grips, and turn until the bowel is pink and its vessels beat. Every minute counts: it is starved from one turn on.</source>
         <translation>全部小肠绕血管蒂顺时针扭转一到两圈。把时钟拨回去：逆时针转，常要超过一圈。握住整团肠管，换手之间用夹固定，直到肠管转红、血管搏动。分秒必争：扭转一圈起就已缺血。</translation>
     </message>
+    <message>
+        <source>Scheduling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the servo goes before other work and stays in memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the system refuses real-time priority</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the system refuses to keep the servo in memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the system refuses real-time priority and to keep the servo in memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; the servo kept its time all the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy assets/system/torsio-limits.conf to /etc/security/limits.d and log in again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tick period %1 us, latency %2 ticks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stored energy of the force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The period lies above zero, the latency in 0..16 ticks</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -11081,22 +11121,40 @@ Mouse: left button grips, dragging turns, the wheel moves nearer.</source>
         <translation>返回(&amp;B)</translation>
     </message>
     <message>
-        <source>Undo it to within %1°, open and supplied with your hands off for %2 s.</source>
-        <translation>复位至 %1° 以内，松手 %2 秒后仍通畅且有血供。</translation>
+        <source>The organ came twisted by %1° to %2°. Undo it.</source>
+        <translation>器官已扭转 %1° 至 %2°。请复位。</translation>
     </message>
     <message>
-        <source>The tissue&apos;s time runs %1 times as fast as yours.</source>
-        <translation>组织时间的流速是您的 %1 倍。</translation>
+        <source>The organ came twisted by %1°. Undo it.</source>
+        <translation>器官已扭转 %1°。请复位。</translation>
     </message>
     <message>
-        <source>Bring the jaw to the marked band, close it gently, turn, set the clip, open the jaw, turn your hand back and grip anew.
+        <source>Done: at most %1° left and blood flow of %2 % or more, for %3 s with hands off.</source>
+        <translation>完成标准：剩余不超过 %1°，血流不低于 %2 %，并在松手后保持 %3 秒。</translation>
+    </message>
+    <message>
+        <source>The lumen must be open to %1 %.</source>
+        <translation>管腔须通畅至 %1 %。</translation>
+    </message>
+    <message>
+        <source>The jaw bruises the wall from %1 kPa; tissue without blood bears less.</source>
+        <translation>钳口压力达到 %1 kPa 即挫伤管壁；缺血组织承受力更低。</translation>
+    </message>
+    <message>
+        <source>Meanwhile %1 s of the tissue pass each second.</source>
+        <translation>其间每 1 秒相当于组织 %1 秒。</translation>
+    </message>
+    <message>
+        <source>Grip the turned part and turn it back. Before you let go to grip anew set the clip, or it turns back. Let gas out first where it resists.
+C: clip. V: gas out. 1, 2, 3: look, feel the pulse, Doppler.
 Mouse: left button grips, dragging turns, the wheel moves nearer.</source>
-        <translation>将钳口移到标记带，轻轻夹住，转动，上夹，松开钳口，手转回原位后重新夹持。
-鼠标：左键夹持，拖动转动，滚轮移近。</translation>
+        <translation>抓住扭转的部分并转回。松手重新抓持之前请先上夹子，否则会回转。遇到阻力时先排气。
+C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
+鼠标：左键抓持，拖动转动，滚轮靠近。</translation>
     </message>
     <message>
         <source>An expert undoes the same organ</source>
-        <translation>专家复位同一器官</translation>
+        <translation>专家为同一器官复位</translation>
     </message>
 </context>
 <context>
@@ -12373,6 +12431,319 @@ MSM = 质点弹簧</translation>
     <message>
         <source>About Torsio</source>
         <translation>关于 Torsio</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::DetorsionCard</name>
+    <message>
+        <source>Over the time of the tissue</source>
+        <translation>随组织时间的变化</translation>
+    </message>
+    <message>
+        <source>Where the seconds went</source>
+        <translation>时间用在哪里</translation>
+    </message>
+    <message>
+        <source>What the numbers say</source>
+        <translation>数据说明</translation>
+    </message>
+    <message>
+        <source>Searching, nothing held</source>
+        <translation>寻找，无任何固定</translation>
+    </message>
+    <message>
+        <source>Turning in the jaw</source>
+        <translation>钳口内转动</translation>
+    </message>
+    <message>
+        <source>Held by the clip alone</source>
+        <translation>仅由夹子固定</translation>
+    </message>
+    <message>
+        <source>Checking the blood flow</source>
+        <translation>检查血流</translation>
+    </message>
+    <message>
+        <source>Waiting with hands off</source>
+        <translation>松手等待</translation>
+    </message>
+    <message>
+        <source>%1: %2 s (%3 %)</source>
+        <translation>%1：%2 秒 (%3 %)</translation>
+    </message>
+    <message>
+        <source>The first turn went the right way.</source>
+        <translation>第一次转动方向正确。</translation>
+    </message>
+    <message>
+        <source>The first turn went the wrong way.</source>
+        <translation>第一次转动方向错误。</translation>
+    </message>
+    <message>
+        <source>The organ was turned %1 further in than it came.</source>
+        <translation>器官比开始时多扭了 %1。</translation>
+    </message>
+    <message>
+        <source>Blood flowed again after %1, which is %2 of the tissue.</source>
+        <translation>%1 后血流恢复，相当于组织时间 %2。</translation>
+    </message>
+    <message>
+        <source>Blood did not come back in this run.</source>
+        <translation>本次训练中血流未恢复。</translation>
+    </message>
+    <message>
+        <source>The ischaemic dose came to %1: from 1 on the tissue is lost.</source>
+        <translation>缺血剂量达到 %1：达到 1 则组织坏死。</translation>
+    </message>
+    <message>
+        <source>The ischaemic dose came to %1: the tissue lives, 1 would be its loss.</source>
+        <translation>缺血剂量为 %1：组织存活，达到 1 则坏死。</translation>
+    </message>
+    <message>
+        <source>Re-grips: %1; a hand of usual reach needs at least %2.</source>
+        <translation>重新抓持：%1 次；一般手的转动范围至少需要 %2 次。</translation>
+    </message>
+    <message>
+        <source>Between grips %1 were lost again: set the clip before you let go.</source>
+        <translation>两次抓持之间又回转了 %1：松手前请先上夹子。</translation>
+    </message>
+    <message>
+        <source>The tissue was loaded beyond what it bears for %1.</source>
+        <translation>组织超负荷 %1。</translation>
+    </message>
+    <message>
+        <source>It turned back after it had been undone.</source>
+        <translation>复位后又回转。</translation>
+    </message>
+    <message>
+        <source>Twist that remains: %1.</source>
+        <translation>剩余扭转：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::DetorsionPanel</name>
+    <message>
+        <source>Untwisting</source>
+        <translation>复位</translation>
+    </message>
+    <message>
+        <source>Twist left</source>
+        <translation>剩余扭转</translation>
+    </message>
+    <message>
+        <source>Lumen</source>
+        <translation>管腔</translation>
+    </message>
+    <message>
+        <source>Gas pressure</source>
+        <translation>气体压力</translation>
+    </message>
+    <message>
+        <source>Tissue time</source>
+        <translation>组织时间</translation>
+    </message>
+    <message>
+        <source>Blood flow, as told</source>
+        <translation>所测血流</translation>
+    </message>
+    <message>
+        <source>1 s here = %1 s of the tissue</source>
+        <translation>此处 1 秒 = 组织 %1 秒</translation>
+    </message>
+    <message>
+        <source>1 s here = 1 min of the tissue</source>
+        <translation>此处 1 秒 = 组织 1 分钟</translation>
+    </message>
+    <message>
+        <source>Clip (C)</source>
+        <translation>夹子 (C)</translation>
+    </message>
+    <message>
+        <source>A clip or an assistant holds the organ while you grip anew</source>
+        <translation>您重新抓持时，由夹子或助手固定器官</translation>
+    </message>
+    <message>
+        <source>Gas out (V)</source>
+        <translation>排气 (V)</translation>
+    </message>
+    <message>
+        <source>Let gas out: the organ turns more easily and its lumen closes sooner</source>
+        <translation>排气：器官更易转动，但管腔更早闭合</translation>
+    </message>
+    <message>
+        <source>Check the blood flow</source>
+        <translation>检查血流</translation>
+    </message>
+    <message>
+        <source>%1 (%2): %3 s, ± %4 %</source>
+        <translation>%1 (%2)：%3 秒，± %4 %</translation>
+    </message>
+    <message>
+        <source>Progress of the check</source>
+        <translation>检查进度</translation>
+    </message>
+    <message>
+        <source>Time with hands off</source>
+        <translation>松手时间</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Untwisting: clip</source>
+        <translation>复位：夹子</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>Untwisting: let gas out</source>
+        <translation>复位：排气</translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation>V</translation>
+    </message>
+    <message>
+        <source>Untwisting: look, feel the pulse, Doppler</source>
+        <translation>复位：观察、触摸搏动、多普勒</translation>
+    </message>
+    <message>
+        <source>1, 2, 3</source>
+        <translation>1、2、3</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>观察</translation>
+    </message>
+    <message>
+        <source>Feel the pulse</source>
+        <translation>触摸搏动</translation>
+    </message>
+    <message>
+        <source>Doppler</source>
+        <translation>多普勒</translation>
+    </message>
+    <message>
+        <source>%1° · %2 turns</source>
+        <translation>%1° · %2 圈</translation>
+    </message>
+    <message>
+        <source>%1 clockwise</source>
+        <translation>%1，顺时针</translation>
+    </message>
+    <message>
+        <source>%1 counterclockwise</source>
+        <translation>%1，逆时针</translation>
+    </message>
+    <message>
+        <source>%1:%2 h</source>
+        <translation>%1:%2 小时</translation>
+    </message>
+    <message>
+        <source>open, %1 %</source>
+        <translation>通畅，%1 %</translation>
+    </message>
+    <message>
+        <source>closed, %1 %</source>
+        <translation>闭合，%1 %</translation>
+    </message>
+    <message>
+        <source>narrow, %1 %</source>
+        <translation>狭窄，%1 %</translation>
+    </message>
+    <message>
+        <source>%1 mmHg</source>
+        <translation>%1 mmHg</translation>
+    </message>
+    <message>
+        <source>%1…</source>
+        <translation>%1…</translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation>未检查</translation>
+    </message>
+    <message>
+        <source>%1: %2 % ± %3 %</source>
+        <translation>%1：%2 % ± %3 %</translation>
+    </message>
+    <message>
+        <source>Within the limits. Take the hand and the clip off.</source>
+        <translation>已在限度内。请松手并取下夹子。</translation>
+    </message>
+    <message>
+        <source>Hands off: %1 of %2 s</source>
+        <translation>松手：%1 / %2 秒</translation>
+    </message>
+    <message>
+        <source>It stays. Check the blood flow before you end.</source>
+        <translation>位置稳定。结束前请检查血流。</translation>
+    </message>
+    <message>
+        <source>The wall is torn: the content leaks.</source>
+        <translation>管壁撕裂：内容物外漏。</translation>
+    </message>
+    <message>
+        <source>The jaw presses too hard: %1 kPa.</source>
+        <translation>钳口压力过大：%1 kPa。</translation>
+    </message>
+    <message>
+        <source>Bruises of the wall: %1</source>
+        <translation>管壁挫伤：%1 处</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::DetorsionPlot</name>
+    <message>
+        <source>Angle, blood flow and dose over the time of the tissue</source>
+        <translation>角度、血流和缺血剂量随组织时间的变化</translation>
+    </message>
+    <message>
+        <source>Angle from %1 to %2, blood flow from %3 to %4 %, dose from %5 to %6, in %7 of the tissue.</source>
+        <translation>角度从 %1 到 %2，血流从 %3 到 %4 %，剂量从 %5 到 %6，历时组织时间 %7。</translation>
+    </message>
+    <message>
+        <source>grip</source>
+        <translation>抓持</translation>
+    </message>
+    <message>
+        <source>let go</source>
+        <translation>松开</translation>
+    </message>
+    <message>
+        <source>clip on</source>
+        <translation>上夹</translation>
+    </message>
+    <message>
+        <source>clip off</source>
+        <translation>取夹</translation>
+    </message>
+    <message>
+        <source>gas out</source>
+        <translation>排气</translation>
+    </message>
+    <message>
+        <source>way out closed</source>
+        <translation>停止排气</translation>
+    </message>
+    <message>
+        <source>check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>Angle in degrees</source>
+        <translation>角度（度）</translation>
+    </message>
+    <message>
+        <source>Blood flow in % of the untwisted organ</source>
+        <translation>血流（占未扭转器官的 %）</translation>
+    </message>
+    <message>
+        <source>Ischaemic dose: from 1 on the tissue is lost</source>
+        <translation>缺血剂量：达到 1 则组织坏死</translation>
     </message>
 </context>
 <context>
@@ -16434,6 +16805,10 @@ Leave it empty to remove it.</source>
         <source>&amp;Cancel</source>
         <translation>取消(&amp;C)</translation>
     </message>
+    <message>
+        <source>Holding. Turn, set the clip (C), then grip anew.</source>
+        <translation>已抓住。转动，上夹子 (C)，再重新抓持。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::SceneView</name>
@@ -17879,6 +18254,17 @@ Leave it empty to remove it.</source>
     <message>
         <source>Cancelled; the accounts that were shown stay</source>
         <translation>已取消；已显示的账户仍然有效</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ValidityButton</name>
+    <message>
+        <source>What of this scene is measured, sourced and assumed</source>
+        <translation>本场景中哪些是实测、引自文献和假设</translation>
+    </message>
+    <message>
+        <source>How far this scene holds</source>
+        <translation>本场景的有效范围</translation>
     </message>
 </context>
 </TS>

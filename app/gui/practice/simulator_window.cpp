@@ -18,6 +18,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/practice/engineer_panel.h"
 #include "app/gui/scene/instrument_geometry.h"
+#include "app/gui/simulator/detorsion_panel.h"
 #include "app/gui/simulator/exercise_panel.h"
 #include "app/gui/simulator/pointer_controls.h"
 #include "app/gui/simulator/readout_panel.h"
@@ -98,7 +99,10 @@ void SimulatorWindow::createLayout() {
   column->setSpacing(kSpace + 2);
   exercise_ = new ExercisePanel(panel);
   readout_ = new ReadoutPanel(panel);
+  detorsion_ = new DetorsionPanel(panel);
+  detorsion_->steer(*controller_);
   column->addWidget(exercise_);
+  column->addWidget(detorsion_);
   column->addWidget(readout_);
   engineer_ = new EngineerPanel(panel);
   column->addWidget(engineer_);
@@ -122,6 +126,8 @@ void SimulatorWindow::createLayout() {
   device_->setObjectName(QStringLiteral("deviceName"));
   statusBar()->addPermanentWidget(device_);
   statusBar()->addPermanentWidget(source_);
+  validity_ = new ValidityButton(this);
+  statusBar()->addPermanentWidget(validity_);
   statusBar()->setSizeGripEnabled(false);
 }
 
@@ -225,6 +231,8 @@ void SimulatorWindow::retranslate() {
   exercise_->retranslate();
   engineer_->retranslate();
   readout_->retranslate();
+  detorsion_->retranslate();
+  validity_->retranslate();
   replayBar_->retranslate();
   hint_->setAccessibleName(tr("Hint"));
   recordingTime_->setAccessibleName(tr("Recording"));
@@ -295,6 +303,7 @@ void SimulatorWindow::frame(double elapsed_s) {
   readoutDue_s_ = kReadoutEvery_s;
   measureRate();
   readout_->show(state, controller_->frozen() ? 0.0 : framesPerSecond_);  // a picture has no rate
+  detorsion_->show(state);
   exercise_->showBeside(controller_->besideRate_per_s(), (state.limits & kForceModelLate) != 0);
   showHint(state);
   replayBar_->show(controller_->playback());
@@ -371,6 +380,8 @@ void SimulatorWindow::showHint(const LiveState& state) {
 void SimulatorWindow::showScene() {
   const Scene& scene = *controller_->scene();
   view_->setScene(controller_->viewScene());
+  detorsion_->setScene(&scene);
+  validity_->setScene(&scene);
   showGhost();
   actions_.markers->setEnabled(!controller_->viewScene().markers.empty());
   exercise_->showScene(scene, controller_->target_rad(), controller_->request().organFile.has_value());
@@ -418,6 +429,7 @@ void SimulatorWindow::showMode() {
   recordingTime_->setVisible(recording);
   replayBar_->setVisible(mode == Mode::kReplay);
   exercise_->setChangeable(practice && !controller_->loading());
+  detorsion_->setUsable(practice || recording);
   engineer_->setChangeable(practice && !controller_->loading());
   applyIcons();
 }

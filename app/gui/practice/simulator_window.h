@@ -26,6 +26,8 @@ class EngineerPanel;
 class ExercisePanel;
 class PointerControls;
 class ReadoutPanel;
+class DetorsionPanel;
+class ValidityButton;
 class ReplayBar;
 
 /// What the window needs from outside.
@@ -159,6 +161,8 @@ class SimulatorWindow : public QMainWindow {
   PointerControls* pointer_ = nullptr;
   ExercisePanel* exercise_ = nullptr;
   ReadoutPanel* readout_ = nullptr;
+  DetorsionPanel* detorsion_ = nullptr;
+  ValidityButton* validity_ = nullptr;
   EngineerPanel* engineer_ = nullptr;
   QScrollArea* side_ = nullptr;
   ReplayBar* replayBar_ = nullptr;

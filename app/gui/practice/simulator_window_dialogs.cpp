@@ -10,6 +10,7 @@
 #include "app/base/build_info.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/practice/simulator_window.h"
+#include "app/gui/simulator/detorsion_panel.h"
 #include "app/gui/simulator/exercise_panel.h"
 #include "app/gui/simulator/pointer_controls.h"
 #include "app/gui/widgets/file_choice.h"
@@ -80,7 +81,7 @@ void SimulatorWindow::showProblem(const QString& happened, const QString& remedy
 }
 
 std::vector<std::pair<QString, QString>> SimulatorWindow::pointerKeys() {
-  return {
+  std::vector<std::pair<QString, QString>> all{
       {tr("Move the instrument"), tr("Mouse, or arrow keys")},
       {tr("Depth"), tr("Wheel, or Page Up and Page Down")},
       {tr("Grip"), tr("Left button or Space (hold), G (keep)")},
@@ -92,6 +93,10 @@ std::vector<std::pair<QString, QString>> SimulatorWindow::pointerKeys() {
       {tr("Move the view"), tr("Middle drag")},
       {tr("Zoom"), tr("Ctrl + wheel, or + and \u2212")},
   };
+  for (auto& key : DetorsionPanel::keys()) {
+    all.push_back(std::move(key));
+  }
+  return all;
 }
 
 void SimulatorWindow::chooseKeys() {

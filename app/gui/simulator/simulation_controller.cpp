@@ -334,7 +334,11 @@ void SimulationController::steer(const PointerInput& input) {
 }
 
 void SimulationController::releaseTissue() {
-  if (run() != nullptr && !run()->command({.kind = ServoCommand::Kind::kReleaseTissue})) {
+  command({.kind = ServoCommand::Kind::kReleaseTissue});
+}
+
+void SimulationController::command(const ServoCommand& command) {
+  if (run() != nullptr && !run()->command(command)) {
     Q_EMIT noticed(tr("The simulation is busy; please try again."));
   }
 }

@@ -94,6 +94,9 @@ class SimulationController : public QObject {
 
   void steer(const PointerInput& input);
   void releaseTissue();
+  /// Asks the servo for something at its next tick; noticed() says so when it cannot take it. Nothing runs:
+  /// nothing happens.
+  void command(const ServoCommand& command);
   void setTarget(double target_rad);
   [[nodiscard]] double target_rad() const noexcept { return target_rad_; }
 

@@ -7,6 +7,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStringList>
@@ -45,19 +46,6 @@ std::shared_ptr<const Detorsion> untwistingOf(const std::filesystem::path& asset
   return nullptr;
 }
 
-QStringList untwisting(const Detorsion& organ) {
-  QStringList task;
-  if (!organ.briefing.empty()) {
-    task << toQString(Text(organ.briefing));
-  }
-  task << BriefingPage::tr("Undo it to within %1\u00b0, open and supplied with your hands off for %2 s.")
-              .arg(degrees(organ.limits.residual_rad), 0, 'f', 0)
-              .arg(organ.limits.handsOff_s, 0, 'f', 0);
-  task << BriefingPage::tr("The tissue's time runs %1 times as fast as yours.")
-              .arg(organ.timeScale, 0, 'f', 0);
-  return task;
-}
-
 QStringList twist(const TrainingModule& module) {
   QStringList task{BriefingPage::tr("Twist to %1\u00b0 and let go within %2\u00b0.")
                        .arg(degrees(module.targetAngle_rad), 0, 'f', 0)
@@ -70,11 +58,35 @@ QStringList twist(const TrainingModule& module) {
   return task;
 }
 
-}  // namespace
-
-namespace {
-
 constexpr int kBriefingWidth = 340;
+
+/// Says what an untwisting begins with and when it is done. The angle of the start is drawn at its beginning.
+QStringList untwistingTask(const Detorsion& detorsion) {
+  const DetorsionLimits& limits = detorsion.limits;
+  const QLocale locale;
+  const auto figure = [&locale](double value) { return locale.toString(value, 'f', 0); };
+  const double least_deg = degrees(detorsion.start.least_rad);
+  const double most_deg = degrees(detorsion.start.most_rad);
+  QStringList task;
+  if (!detorsion.briefing.empty()) {
+    task << toQString(Text(detorsion.briefing));
+  }
+  task << (most_deg > least_deg
+               ? BriefingPage::tr("The organ came twisted by %1\u00b0 to %2\u00b0. Undo it.")
+                     .arg(figure(least_deg), figure(most_deg))
+               : BriefingPage::tr("The organ came twisted by %1\u00b0. Undo it.").arg(figure(most_deg)));
+  const QString flow = figure(100.0 * limits.flow);
+  task << BriefingPage::tr(
+              "Done: at most %1\u00b0 left and blood flow of %2 % or more, for %3 s with hands off.")
+              .arg(figure(degrees(limits.residual_rad)), flow, figure(limits.handsOff_s));
+  if (!detorsion.wall.thickness_m.empty()) {
+    task << BriefingPage::tr("The lumen must be open to %1 %.").arg(figure(100.0 * limits.patency));
+  }
+  task << BriefingPage::tr("The jaw bruises the wall from %1 kPa; tissue without blood bears less.")
+              .arg(figure(limits.bruise_Pa * 1e-3));
+  task << BriefingPage::tr("Meanwhile %1 s of the tissue pass each second.").arg(figure(detorsion.timeScale));
+  return task;
+}
 
 }  // namespace
 
@@ -138,6 +150,7 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
   connect(back_, &QPushButton::clicked, this, [this] { shell().open(PageId::kNextStep); });
   connect(again_, &QPushButton::clicked, this, &BriefingPage::showExpert);
   connect(&scene_->controller(), &SimulationController::sceneChanged, this, [this] {
+    fill();
     if (!asked_) {
       showExpert();
     }
@@ -196,7 +209,7 @@ void BriefingPage::fill() {
   what_->setTitle(tr("What is asked for"));
   how_->setTitle(tr("How to do it"));
   const std::shared_ptr<const Detorsion> undone = untwistingOf(shell().assets(), step_.module);
-  QStringList task = undone ? untwisting(*undone) : twist(step_.module);
+  QStringList task = undone ? untwistingTask(*undone) : twist(step_.module);
   if (step_.module.maxForce_N) {
     task << tr("Keep the force below %1 N.").arg(*step_.module.maxForce_N, 0, 'f', 1);
   }
@@ -211,12 +224,14 @@ void BriefingPage::fill() {
   goals_->setText(goals.isEmpty() ? QString() : tr("Mastered when:\n%1").arg(goals.join(QLatin1Char('\n'))));
   goals_->setVisible(!goals.isEmpty());
   hints_->setText(
-      undone ? tr("Bring the jaw to the marked band, close it gently, turn, set the clip, open the jaw, "
-                  "turn your hand back and grip anew.\nMouse: left button grips, dragging turns, the "
-                  "wheel moves nearer.")
-             : tr("Bring the jaw to the marked band, close it, turn in one even movement, hold, and "
-                  "open the jaw gently.\nMouse: left button grips, dragging turns, the wheel moves "
-                  "nearer."));
+      tr("Bring the jaw to the marked band, close it, turn in one even movement, hold, and open the jaw "
+         "gently.\nMouse: left button grips, dragging turns, the wheel moves nearer."));
+  if (undone) {
+    hints_->setText(
+        tr("Grip the turned part and turn it back. Before you let go to grip anew set the clip, or it turns "
+           "back. Let gas out first where it resists.\nC: clip. V: gas out. 1, 2, 3: look, feel the pulse, "
+           "Doppler.\nMouse: left button grips, dragging turns, the wheel moves nearer."));
+  }
   caption_->setText(undone ? tr("An expert undoes the same organ") : tr("An expert's run of the same twist"));
   again_->setText(tr("&Watch again"));
   start_->setText(graded ? tr("&Start the graded run") : tr("&Start"));

@@ -13,6 +13,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/ask_card.h"
 #include "app/gui/trainee/debrief_plot.h"
+#include "app/gui/trainee/detorsion_card.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
@@ -64,6 +65,8 @@ DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* pare
   plot_->setObjectName(QStringLiteral("plot"));
   trace_->content()->addWidget(plot_, 1);
   page.column->addWidget(trace_, 1);
+  untwisting_ = new DetorsionCard(this);
+  page.column->addWidget(untwisting_, 1);
   ask_ = new AskCard(context, this);
   page.column->addWidget(ask_);
   page.column->addStretch(0);
@@ -134,6 +137,7 @@ void DebriefPage::compute(const TrialId& trialId) {
         debrief_ = std::move(*result);
         computing_ = false;
         plot_->setDebrief(debrief_);
+        untwisting_->setStory(debrief_.detorsion.value_or(DetorsionStory{}));
         fill();
         readQuestions();
         next_->setFocus();
@@ -183,12 +187,14 @@ void DebriefPage::readQuestions() {
 void DebriefPage::retranslate() {
   ask_->retranslate();
   plot_->retranslate();
+  untwisting_->retranslate();
   fill();
 }
 
 void DebriefPage::applyTheme(const Theme& theme) {
   theme_ = &theme;
   plot_->setTheme(theme);
+  untwisting_->setTheme(theme);
   fill();
 }
 
@@ -217,6 +223,11 @@ void DebriefPage::fill() {
                    : tr("After your first run you see here what was good and what to work on."));
   for (QWidget* widget : std::initializer_list<QWidget*>{targets_, good_, better_, trace_, verdict_}) {
     widget->setVisible(any);
+  }
+  const bool undone = debrief_.detorsion.has_value();
+  untwisting_->setVisible(any && undone);
+  for (QWidget* ofTwists : std::initializer_list<QWidget*>{good_, better_, trace_}) {
+    ofTwists->setVisible(any && !undone);
   }
   emptyLayout(checks_);
   emptyLayout(strengths_);

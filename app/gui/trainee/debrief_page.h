@@ -17,6 +17,7 @@ class StationDesk;
 class AskCard;
 class Card;
 class DebriefPlot;
+class DetorsionCard;
 class PageHeading;
 
 /// What a trainee is told right after a run: every target, two strengths, two weaknesses with the seconds to
@@ -56,6 +57,7 @@ class DebriefPage : public Page {
   Card* better_;
   QVBoxLayout* weaknesses_;
   Card* trace_;
+  DetorsionCard* untwisting_;
   DebriefPlot* plot_;
   AskCard* ask_;
   QCheckBox* expert_;

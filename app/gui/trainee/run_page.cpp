@@ -16,6 +16,7 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/simulator/detorsion_panel.h"
 #include "app/gui/trainee/live_scene.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_parts.h"
@@ -59,6 +60,8 @@ RunPage::RunPage(ShellContext& context, StationDesk& desk, QWidget* parent)
   scene_->controller().setRealTime(desk.realTime);
   connect(scene_, &LiveScene::shown, this, &RunPage::showLive);
   connect(&scene_->controller(), &SimulationController::sceneChanged, this, [this] {
+    detorsion_->setScene(scene_->controller().scene());
+    validity_->setScene(scene_->controller().scene());
     if (waiting_ && !opening_.going()) {
       begin();
     }
@@ -128,7 +131,11 @@ QWidget* RunPage::createPanel() {
   column->setSpacing(kSpace);
   title_ = plainLabel(panel, "subheading");
   mode_ = plainLabel(panel, "quiet");
-  column->addWidget(title_);
+  validity_ = new ValidityButton(panel);
+  auto* heading = new QHBoxLayout;
+  heading->addWidget(title_, 1);
+  heading->addWidget(validity_, 0, Qt::AlignTop);
+  column->addLayout(heading);
   column->addWidget(mode_);
   time_ = new Card(QString(), panel);
   countdown_ = plainLabel(time_);
@@ -146,6 +153,9 @@ QWidget* RunPage::createPanel() {
   dial_ = new AngleDial(angle_);
   angle_->content()->addWidget(dial_, 0, Qt::AlignHCenter);
   column->addWidget(angle_);
+  detorsion_ = new DetorsionPanel(panel);
+  detorsion_->steer(scene_->controller());
+  column->addWidget(detorsion_);
   load_ = new Card(QString(), panel);
   torque_ = new LevelBar(QString(), QString(), 3, load_);
   force_ = new LevelBar(QString(), QString(), 2, load_);

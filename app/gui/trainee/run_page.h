@@ -23,8 +23,10 @@ class StationDesk;
 
 class AngleDial;
 class Card;
+class DetorsionPanel;
 class LevelBar;
 class LiveScene;
+class ValidityButton;
 
 /// The run itself: big countdown, phase, rest with its allowance, gauges, quiet cues in practice only, hard
 /// stop at the end, and the timer of the real arm. The clock and what is kept are RunSession's; while the
@@ -98,6 +100,8 @@ class RunPage : public Page {
   QLabel* phase_ = nullptr;
   Card* angle_ = nullptr;
   AngleDial* dial_ = nullptr;
+  DetorsionPanel* detorsion_ = nullptr;
+  ValidityButton* validity_ = nullptr;
   Card* load_ = nullptr;
   LevelBar* torque_ = nullptr;
   LevelBar* force_ = nullptr;

@@ -9,6 +9,7 @@
 #include <QStackedWidget>
 
 #include "app/gui/base/translated_text.h"
+#include "app/gui/simulator/detorsion_panel.h"
 #include "app/gui/simulator/readout_panel.h"
 #include "app/gui/trainee/live_scene.h"
 #include "app/gui/trainee/run_page.h"
@@ -37,6 +38,8 @@ void RunPage::retranslate() {
   force_->setName(tr("Force"), tr("N"));
   stop_->setText(tr("&End the run"));
   dial_->retranslate();
+  detorsion_->retranslate();
+  validity_->retranslate();
   if (runSession_) {
     title_->setText(toQString(Text(runSession_->step().module.title)));
     mode_->setText(runSession_->graded() ? tr("Graded run") : tr("Practice"));
@@ -85,7 +88,11 @@ void RunPage::showState() {
   rest_->setText(run.state() == RunState::kResting || run.restLeft_us() > 0
                      ? tr("&Rest (%1 left)").arg(StationLabels::clock(run.restLeft_us()))
                      : tr("&Rest (used up)"));
-  angle_->setVisible(!real);
+  const Scene* scene = scene_->controller().scene();
+  const bool undone = scene != nullptr && scene->hollow != nullptr;
+  angle_->setVisible(!real && !undone);
+  detorsion_->setVisible(!real && undone);
+  detorsion_->setUsable(runs && run.state() == RunState::kRunning);
   load_->setVisible(!real);
   cue_->setVisible(!real && !runSession_->graded());
   stage_->setCurrentIndex(showNotice() ? 1 : 0);
@@ -140,6 +147,9 @@ QString RunPage::cue(const LiveState& state) const {
       return haptic_ ? tr("Touching. Close the jaw.")
                      : tr("Touching. Close the jaw: hold the left button or Space.");
     case ExercisePhase::kTwisting: {
+      if (state.hollow.present) {
+        return tr("Holding. Turn, set the clip (C), then grip anew.");
+      }
       const double way = target == 0.0 ? 0.0 : state.response.angle_rad / target;
       if (std::abs(state.response.angle_rad - target) <= module.tolerance_rad) {
         return module.hold_us > 0 ? tr("On target. Hold, then let go gently.")
@@ -166,6 +176,7 @@ void RunPage::showLive(const LiveState& state) {
   if (!runSession_) {
     return;
   }
+  detorsion_->show(state);
   dial_->setAngle(state.response.angle_rad);
   torque_->setValue(std::abs(state.response.torque_Nm));
   force_->setValue(norm(state.force_N));

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The panel of an untwisting, driven by snapshots made by hand.
+#include "app/gui/simulator/detorsion_panel.h"
+
+#include <numbers>
+#include <vector>
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include "sim/scene/hollow_organ.h"
+#include "tests/sim/servo/hollow_bar.h"
+
+namespace torsio::gui {
+namespace {
+
+LiveState lying(double angle_rad) {
+  LiveState state;
+  state.response.angle_rad = angle_rad;
+  state.hollow.present = true;
+  return state;
+}
+
+QString said(const DetorsionPanel& panel, const char* name) {
+  const auto* label = panel.findChild<QLabel*>(QLatin1String(name));
+  return label == nullptr ? QString() : label->text();
+}
+
+class UntwistingPanel : public ::testing::Test {
+ protected:
+  Scene scene_ = hollowScene(twistedTube());
+  DetorsionPanel panel_;
+  std::vector<ServoCommand> asked_;
+
+  void SetUp() override {
+    panel_.setScene(&scene_);
+    QObject::connect(&panel_, &DetorsionPanel::asked,
+                     [this](const ServoCommand& command) { asked_.push_back(command); });
+  }
+};
+
+TEST_F(UntwistingPanel, TellsAnAngleInDegreesTurnsAndDirection) {
+  const LiveState state = lying(-3.0 * std::numbers::pi);  // 540 degrees: one and a half turns
+
+  panel_.show(state);
+
+  EXPECT_EQ(said(panel_, "angleLeft"), QStringLiteral("540° · 1.50 turns clockwise"));
+}
+
+TEST_F(UntwistingPanel, ShowsOfTheFlowOnlyWhatACheckHasTold) {
+  LiveState state = lying(1.0);
+  state.hollow.reading.flow = 0.31;
+  panel_.show(state);
+  const QString before = said(panel_, "flowTold");
+  state.hollow.check.done = FlowCheck::kDoppler;
+  state.hollow.check.flow = 0.62;
+
+  panel_.show(state);
+
+  EXPECT_EQ(before, QStringLiteral("not checked"));
+  EXPECT_EQ(said(panel_, "flowTold"), QStringLiteral("Doppler: 62 % ± 8 %"));
+}
+
+TEST_F(UntwistingPanel, ShowsHowFarACheckHasCome) {
+  LiveState state = lying(1.0);
+  state.time_us = 3'000'000;
+  state.hollow.check.running = FlowCheck::kDoppler;  // takes 5 s
+  state.hollow.check.ready_us = 4'000'000;           // 4 of 5 s are over
+
+  panel_.show(state);
+
+  const auto* bar = panel_.findChild<QProgressBar*>(QStringLiteral("checking"));
+  ASSERT_NE(bar, nullptr);
+  EXPECT_FALSE(bar->isHidden());
+  EXPECT_EQ(bar->value(), 800);
+  EXPECT_FALSE(panel_.findChild<QPushButton*>(QStringLiteral("check"))->isEnabled());
+}
+
+TEST_F(UntwistingPanel, CountsTheTimeWithHandsOffOnlyWhileNothingHolds) {
+  LiveState state = lying(0.0);
+  panel_.show(state);
+  state.time_us = 2'000'000;
+  panel_.show(state);
+  const QString counted = said(panel_, "handsOffText");
+  state.hollow.clipped = true;
+
+  panel_.show(state);
+
+  EXPECT_TRUE(counted.startsWith(QStringLiteral("Hands off: 2 of"))) << counted.toStdString();
+  EXPECT_TRUE(panel_.findChild<QProgressBar*>(QStringLiteral("handsOff"))->isHidden());
+}
+
+TEST_F(UntwistingPanel, WarnsOfAJawThatPressesTooHardAndOfATear) {
+  LiveState state = lying(1.0);
+  state.hollow.jaw_Pa = 2.0 * scene_.hollow->detorsion().limits.bruise_Pa;
+  panel_.show(state);
+  const QString pressed = said(panel_, "tissueWarning");
+  state.hollow.leaking = true;
+
+  panel_.show(state);
+
+  EXPECT_TRUE(pressed.startsWith(QStringLiteral("The jaw presses too hard"))) << pressed.toStdString();
+  EXPECT_EQ(said(panel_, "tissueWarning"), QStringLiteral("The wall is torn: the content leaks."));
+}
+
+TEST_F(UntwistingPanel, ItsKeysAskForClipAndChecks) {
+  panel_.showNormal();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&panel_));
+
+  QTest::keyClick(&panel_, Qt::Key_C);
+  QTest::keyClick(&panel_, Qt::Key_3);
+
+  ASSERT_EQ(asked_.size(), 2U);
+  EXPECT_EQ(asked_[0], (ServoCommand{.kind = ServoCommand::Kind::kHoldOrgan, .value = 1.0}));
+  EXPECT_EQ(asked_[1], (ServoCommand{.kind = ServoCommand::Kind::kCheckFlow, .value = 3.0}));
+}
+
+TEST_F(UntwistingPanel, IsHiddenForASceneThatIsNotUndone) {
+  scene_.hollow = nullptr;
+
+  panel_.setScene(&scene_);
+
+  EXPECT_TRUE(panel_.isHidden());
+}
+
+}  // namespace
+}  // namespace torsio::gui
