@@ -202,19 +202,19 @@
         <translation>中肠扭转</translation>
     </message>
     <message>
-        <source>Undo a twisted small-bowel loop</source>
+        <source>Undo a small-bowel loop</source>
         <translation>复位扭转的小肠袢</translation>
     </message>
     <message>
-        <source>Undo an organo-axial volvulus</source>
+        <source>Undo organo-axial</source>
         <translation>复位胃器官轴型扭转</translation>
     </message>
     <message>
-        <source>Undo a mesentero-axial volvulus</source>
+        <source>Undo mesentero-axial</source>
         <translation>复位胃系膜轴型扭转</translation>
     </message>
     <message>
-        <source>Undo a torsion of the left testis</source>
+        <source>Undo testicular torsion</source>
         <translation>复位左侧睾丸扭转</translation>
     </message>
     <message>
