@@ -10447,43 +10447,43 @@
     </message>
     <message>
         <source>Scheduling</source>
-        <translation type="unfinished"></translation>
+        <translation>调度</translation>
     </message>
     <message>
         <source>the servo goes before other work and stays in memory</source>
-        <translation type="unfinished"></translation>
+        <translation>伺服优先于其他工作并常驻内存</translation>
     </message>
     <message>
         <source>the system refuses real-time priority</source>
-        <translation type="unfinished"></translation>
+        <translation>系统拒绝实时优先级</translation>
     </message>
     <message>
         <source>the system refuses to keep the servo in memory</source>
-        <translation type="unfinished"></translation>
+        <translation>系统拒绝让伺服常驻内存</translation>
     </message>
     <message>
         <source>the system refuses real-time priority and to keep the servo in memory</source>
-        <translation type="unfinished"></translation>
+        <translation>系统拒绝实时优先级，也拒绝让伺服常驻内存</translation>
     </message>
     <message>
         <source>%1; the servo kept its time all the same</source>
-        <translation type="unfinished"></translation>
+        <translation>%1；伺服仍然准时</translation>
     </message>
     <message>
         <source>Copy assets/system/torsio-limits.conf to /etc/security/limits.d and log in again</source>
-        <translation type="unfinished"></translation>
+        <translation>将 assets/system/torsio-limits.conf 复制到 /etc/security/limits.d 并重新登录</translation>
     </message>
     <message>
         <source>tick period %1 us, latency %2 ticks</source>
-        <translation type="unfinished"></translation>
+        <translation>节拍周期 %1 微秒，延迟 %2 个节拍</translation>
     </message>
     <message>
         <source>stored energy of the force</source>
-        <translation type="unfinished"></translation>
+        <translation>力的储能</translation>
     </message>
     <message>
         <source>The period lies above zero, the latency in 0..16 ticks</source>
-        <translation type="unfinished"></translation>
+        <translation>周期须大于零，延迟须在 0 至 16 个节拍之间</translation>
     </message>
 </context>
 <context>
