@@ -9,7 +9,7 @@
 
 namespace torsio {
 
-/// A hollow organ as it is drawn (docs/model.md H.7): as HollowMap has it, with the folds of the wrung wall.
+/// A hollow organ as it is drawn (docs/model.md H.8): as HollowMap has it, with the folds of the wrung wall.
 /// What is common to all vertices is computed on construction. For views; lives on the stack.
 class HollowSkin {
  public:

@@ -4,7 +4,7 @@
 namespace torsio {
 
 /// Folds round a wrung tube at one place along it: waves that run up the tube as a helix and keep the length
-/// of the perimeter (docs/model.md H.7).
+/// of the perimeter (docs/model.md H.8).
 struct FoldWaves {
   int waves = 3;           ///< round the tube, at least 3
   double amplitude = 0.0;  ///< eps, against the mean radius there: 0 .. kDeepestFold

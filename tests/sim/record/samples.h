@@ -65,14 +65,29 @@ inline Sample noiseSample(std::int64_t tick, Random& random) {
   s.device.grip = any32();
   s.device.buttons = static_cast<std::uint32_t>(random.next());
   s.device.status = static_cast<std::uint32_t>(random.next());
-  s.command = {static_cast<ServoCommand::Kind>(random.bounded(5)), random.normal() * 1e100};
+  s.command = {static_cast<ServoCommand::Kind>(random.bounded(8)), random.normal() * 1e100};
   s.phase = static_cast<ExercisePhase>(random.bounded(4));
   s.limits = static_cast<std::uint32_t>(random.next());
   s.response = {random.normal(), random.normal(), {random.normal(), 1e30, -1e-30}, 0.1, random.uniform()};
   s.force_N = {random.normal(), random.normal(), random.normal()};
   s.contact = static_cast<std::uint32_t>(random.next());
   s.rules = 1 + static_cast<std::uint32_t>(random.bounded(kServoRules));
+  if (s.rules >= kRulesOfDetorsion) {
+    s.hollow = {1e5 * random.uniform(), random.uniform(), random.uniform(), 3.0 * random.uniform()};
+  }
   return s;
+}
+
+/// Samples of an untwisting: the organ opens, blood returns, a dose has gathered.
+inline std::vector<Sample> detorsionSamples(std::int64_t count) {
+  std::vector<Sample> samples = twistSamples(count);
+  for (Sample& s : samples) {
+    const double share = static_cast<double>(s.tick) / static_cast<double>(count);
+    s.rules = kRulesOfDetorsion;
+    s.hollow = {2000.0 - 1500.0 * share, share, 0.3 + 0.7 * share, 0.4 + 0.01 * share};
+  }
+  samples.back().command = {ServoCommand::Kind::kCheckFlow, 3.0};
+  return samples;
 }
 
 }  // namespace torsio

@@ -212,8 +212,12 @@ TEST(Detorsion, SetsNoClipFromAfar) {
 
 TEST(Detorsion, GripsTheMobilePartOnly) {
   Detorser hand(tube());
+  constexpr double kWrung_m = 0.100;  // of 140 mm
+  const OrganState start = tube().hollow->start(1);
+  const double neck_m = kBarRadius_m * (1.0 - tube().hollow->sectionAt(kWrung_m, start).radius);
 
-  hand.grip(0.100);  // wrung up to 140 mm
+  hand.step(0.0, 0.0, kWrung_m, neck_m + 0.001);
+  hand.step(0.0, 1.0, kWrung_m, neck_m + 0.001);
 
   EXPECT_EQ(hand.exercise.phase(), ExercisePhase::kContact);
 }

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Patterns that are undone, as scene files state them: what is read, and what each refusal names.
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/base/angle.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+#include "sim/scene/hollow_organ.h"
+#include "sim/scene/scene_file.h"
+#include "sim/scene/scene_parameters.h"
+
+namespace torsio {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+const fs::path kShipped = fs::path(TORSIO_SOURCE_DIR) / "assets";
+
+/// A copy of the sigmoid's scene file in which one thing can be changed.
+class DetorsionFile : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    assets_ = fs::path(::testing::TempDir()) / (std::string("detorsion_file_") + test->name());
+    fs::remove_all(assets_);
+    fs::create_directories(assets_ / "scenes");
+    fs::create_directories(assets_ / "instruments");
+    for (const char* name : {"scenes/sigmoid.json", "scenes/testis.json", "scenes/forearm.json",
+                             "scenes/materials.json", "instruments/grasper.json"}) {
+      fs::copy_file(kShipped / name, assets_ / name);
+    }
+    whole_ = Json::parse(readFile(assets_ / "scenes/sigmoid.json"));
+  }
+  void TearDown() override { fs::remove_all(assets_); }
+
+  SceneDescription changed(const std::function<void(Json& pattern)>& edit) {
+    Json json = whole_;
+    edit(json["patterns"][0]);
+    writeFileAtomically(assets_ / "scenes/sigmoid.json", json.dump());
+    return readSceneFile(assets_, "sigmoid");
+  }
+
+  void expectRefusal(const std::string& field, const std::function<void(Json& pattern)>& edit) {
+    try {
+      static_cast<void>(changed(edit));
+      ADD_FAILURE() << field << " was not refused";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kBadData) << field;
+      EXPECT_THAT(error.what(), AllOf(HasSubstr("sigmoid.json"), HasSubstr("'" + field + "'"))) << field;
+      EXPECT_FALSE(error.remedy().empty()) << field;
+    }
+  }
+
+  std::string parameters(const std::function<void(Json& pattern)>& edit) {
+    const SceneDescription scene = changed(edit);
+    return parametersText(scene, scene.patterns[0].pattern, false, TissueModel::kTwist);
+  }
+
+  fs::path assets_;
+  Json whole_;
+};
+
+TEST_F(DetorsionFile, IsReadInFullAndInSi) {
+  const SceneDescription scene = changed([](Json&) {});
+
+  ASSERT_TRUE(scene.patterns[0].pattern.detorsion);
+  const Detorsion& read = *scene.patterns[0].pattern.detorsion;
+  ASSERT_EQ(read.wall.thickness_m.size(), 1U);
+  EXPECT_NEAR(read.wall.thickness_m[0][1], 0.002, 1e-12);
+  EXPECT_NEAR(read.wall.pressure_Pa, 15.0 * 133.322387415, 1e-6);
+  EXPECT_NEAR(read.wall.ventedPressure_Pa, 133.322387415, 1e-6);
+  EXPECT_TRUE(read.wall.vent);
+  ASSERT_EQ(read.spans.size(), 2U);
+  EXPECT_EQ(read.spans[1].held, 0.94);
+  EXPECT_EQ(read.spans[1].mobile, 0.63);
+  EXPECT_NEAR(read.start.most_rad, kTurn, 1e-12);
+  EXPECT_EQ(read.start.sign, 1);
+  EXPECT_NEAR(read.start.since_s, 3.0 * 3600.0, 1e-9);
+  EXPECT_NEAR(read.vessels.pedicle_m, 0.040, 1e-12);
+  EXPECT_NEAR(read.vessels.lossTime_s, 6.0 * 3600.0, 1e-9);
+  EXPECT_NEAR(read.base.relapseFrom_rad, radians(90.0), 1e-12);
+  EXPECT_NEAR(read.limits.jawArea_m2, 20e-6, 1e-18);
+  EXPECT_NEAR(read.limits.bruise_Pa, 330e3, 1e-6);
+  EXPECT_NEAR(read.limits.residual_rad, radians(15.0), 1e-12);
+  EXPECT_EQ(read.timeScale, 60.0);
+  EXPECT_FALSE(read.validity.empty());
+}
+
+TEST_F(DetorsionFile, ReadsAWallAsAMapAndASolidCord) {
+  const SceneDescription mapped = changed([](Json& p) {
+    p["detorsion"]["wall"]["thickness_mm"] = Json::array({Json::array({0, 2}), Json::array({1, 5})});
+  });
+  const SceneDescription cord = readSceneFile(assets_, "testis");
+
+  EXPECT_EQ(mapped.patterns[0].pattern.detorsion->wall.thickness_m.size(), 2U);
+  EXPECT_NEAR(mapped.patterns[0].pattern.detorsion->wall.thickness_m[1][1], 0.005, 1e-12);
+  EXPECT_TRUE(cord.patterns[0].pattern.detorsion->wall.thickness_m.empty());
+  EXPECT_GT(cord.patterns[0].pattern.detorsion->cordStiffness_Nm_per_rad, 0.0);
+}
+
+TEST_F(DetorsionFile, RefusesAGoalWithoutItsNumbersAndNumbersWithoutAGoal) {
+  expectRefusal("detorsion", [](Json& p) { p.erase("detorsion"); });
+  expectRefusal("detorsion", [](Json& p) { p.erase("goal"); });
+  expectRefusal("goal", [](Json& p) { p["goal"] = "untwist"; });
+  expectRefusal("angle_deg", [](Json& p) { p["angle_deg"] = 90; });
+  expectRefusal("task", [](Json& p) { p["task"] = {{"axis", "own"}}; });
+}
+
+TEST_F(DetorsionFile, RefusesWhatNoOrganHasNamingTheField) {
+  const auto in = [](const char* part, const char* field, const Json& value) {
+    return [=](Json& p) { p["detorsion"][part][field] = value; };
+  };
+  expectRefusal("thickness_mm", in("wall", "thickness_mm", 0));
+  expectRefusal("thickness_mm", in("wall", "thickness_mm", "thin"));
+  expectRefusal("thickness_mm", in("wall", "thickness_mm", Json::parse("[[0.5, 2], [0.5, 3]]")));
+  expectRefusal("thickness_mm", in("wall", "thickness_mm", Json::parse("[[0, -2]]")));
+  expectRefusal("gent_limit", in("wall", "gent_limit", 0));
+  expectRefusal("pressure_mmhg", in("wall", "pressure_mmhg", -1));
+  expectRefusal("vented_pressure_mmhg", in("wall", "vented_pressure_mmhg", 20));
+  expectRefusal("vent", in("wall", "vent", 1));
+  expectRefusal("most_deg", in("initial_twist", "most_deg", 90));
+  expectRefusal("direction", in("initial_twist", "direction", "left"));
+  expectRefusal("opposite_share", in("initial_twist", "opposite_share", 1.5));
+  expectRefusal("venous_mmhg", in("pedicle", "venous_mmhg", 90));
+  expectRefusal("loss_time_h", in("pedicle", "loss_time_h", 0));
+  expectRefusal("relapse_time_s", in("base", "relapse_time_s", 0));
+  expectRefusal("tear_kpa", in("limits", "tear_kpa", 100));
+  expectRefusal("jaw_area_mm2", in("limits", "jaw_area_mm2", 0));
+  expectRefusal("source", [](Json& p) { p["detorsion"]["limits"].erase("source"); });
+  expectRefusal("viscosity", in("wall", "viscosity", 1));
+  expectRefusal("time_scale", [](Json& p) { p["detorsion"]["time_scale"] = 0; });
+  expectRefusal("validity", [](Json& p) { p["detorsion"].erase("validity"); });
+  expectRefusal("wall", [](Json& p) { p["detorsion"]["cord_stiffness_nmm_per_rad"] = 3; });
+  expectRefusal("wall", [](Json& p) { p["detorsion"].erase("wall"); });
+}
+
+TEST_F(DetorsionFile, RefusesSpansThatLeaveNoMobilePart) {
+  for (const char* spans :
+       {"[]", "[[0.2, 0.21]]", "[[0, 1.2]]", "[[0, 0.6], [1, 0.5]]", "[[0, 0.3], [0.4, 0.7]]",
+        "[[0, 0.1], [0.3, 0.2], [1, 0.9]]", "[0, 0.4]", "[[0]]"}) {
+    expectRefusal("spans", [&](Json& p) { p["detorsion"]["spans"] = Json::parse(spans); });
+  }
+}
+
+TEST_F(DetorsionFile, PutsEveryNumberIntoTheParametersAndNoneIntoThoseOfOthers) {
+  const std::string before = parameters([](Json&) {});
+  const auto number = [](const char* part, const char* field, double value) {
+    return [=](Json& p) { p["detorsion"][part][field] = value; };
+  };
+
+  for (const auto& [part, field] : {std::pair{"wall", "thickness_mm"},
+                                    {"wall", "gent_limit"},
+                                    {"wall", "rest_pressure_mmhg"},
+                                    {"wall", "pressure_mmhg"},
+                                    {"wall", "vented_pressure_mmhg"},
+                                    {"initial_twist", "least_deg"},
+                                    {"initial_twist", "most_deg"},
+                                    {"initial_twist", "step_deg"},
+                                    {"initial_twist", "opposite_share"},
+                                    {"initial_twist", "since_h"},
+                                    {"pedicle", "arterial_mmhg"},
+                                    {"pedicle", "venous_mmhg"},
+                                    {"pedicle", "shut_at_turn_mmhg"},
+                                    {"pedicle", "shut_power"},
+                                    {"pedicle", "pedicle_mm"},
+                                    {"pedicle", "pedicle_reference_mm"},
+                                    {"pedicle", "pedicle_share"},
+                                    {"pedicle", "lumen_threshold_mmhg"},
+                                    {"pedicle", "lumen_floor"},
+                                    {"pedicle", "flow_time_s"},
+                                    {"pedicle", "loss_time_h"},
+                                    {"pedicle", "enough_flow"},
+                                    {"base", "stick_share"},
+                                    {"base", "relapse_share"},
+                                    {"base", "relapse_from_deg"},
+                                    {"base", "relapse_time_s"},
+                                    {"limits", "jaw_area_mm2"},
+                                    {"limits", "jaw_force_n"},
+                                    {"limits", "bruise_kpa"},
+                                    {"limits", "bruise_s"},
+                                    {"limits", "tear_kpa"},
+                                    {"limits", "pull_n"},
+                                    {"limits", "residual_deg"},
+                                    {"limits", "patency"},
+                                    {"limits", "flow"},
+                                    {"limits", "hands_off_s"}}) {
+    const double was = whole_["patterns"][0]["detorsion"][part][field].get<double>();
+    EXPECT_NE(parameters(number(part, field, 0.99 * was + (was == 0.0 ? 0.1 : 0.0))), before)
+        << part << " " << field;
+  }
+  EXPECT_NE(parameters([](Json& p) { p["detorsion"]["spans"][0][1] = 0.36; }), before);
+  EXPECT_NE(parameters([](Json& p) { p["detorsion"]["time_scale"] = 59; }), before);
+  EXPECT_NE(parameters([](Json& p) { p["detorsion"]["pause_s"] = 1; }), before);
+  EXPECT_NE(parameters([](Json& p) { p["detorsion"]["wall"]["vent"] = false; }), before);
+  EXPECT_NE(parameters([](Json& p) { p["detorsion"]["initial_twist"]["direction"] = "clockwise"; }), before);
+  EXPECT_EQ(parameters([](Json& p) { p["detorsion"]["validity"] = "other words"; }), before);
+  const SceneDescription forearm = readSceneFile(assets_, "forearm");
+  const std::string plain = parametersText(forearm, forearm.patterns[0].pattern, false, TissueModel::kTwist);
+  EXPECT_EQ(plain.find("goal"), std::string::npos);
+  EXPECT_EQ(plain.find("detorsion"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/scene/hollow_organ.h"
+
+#include <cmath>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+#include "sim/scene/hollow_map.h"
+#include "tests/sim/servo/hollow_bar.h"
+
+namespace torsio {
+namespace {
+
+/// A tube of two limbs that are held at the bar's ends, 90 mm each; 70 mm between them are mobile.
+const Scene& twoLimbs() {
+  static const Scene kScene = [] {
+    Detorsion limbs = twistedTube();
+    limbs.spans = {{0.0, 0.36}, {1.0, 0.64}};
+    Scene scene = barScene();
+    scene.pattern.graspArc = 0.5;
+    scene.pattern.detorsion = std::make_shared<const Detorsion>(limbs);
+    scene.hollow = std::make_shared<const HollowOrgan>(HollowOrgan::Parts{
+        .lattice = &scene.lattice(), .shearModulus_Pa = kBarShear_Pa, .graspArc = 0.5, .detorsion = limbs});
+    return scene;
+  }();
+  return kScene;
+}
+
+TEST(HollowOrgan, AddsTheTorquesOfItsLimbs) {
+  const HollowOrgan& organ = *twoLimbs().hollow;
+  const double pressure_Pa = organ.detorsion().wall.pressure_Pa;
+
+  for (const double angle_rad : {-2.0, 0.4, 1.0, 3.0}) {
+    const double both_Nm =
+        organ.tube(0)->at(angle_rad, pressure_Pa).torque + organ.tube(1)->at(angle_rad, pressure_Pa).torque;
+
+    EXPECT_DOUBLE_EQ(organ.torque_Nm(angle_rad, pressure_Pa), both_Nm);
+    EXPECT_DOUBLE_EQ(organ.torque_Nm(-angle_rad, pressure_Pa), -both_Nm);
+  }
+  EXPECT_NEAR(organ.closing_rad(pressure_Pa),
+              std::min(organ.tube(0)->closing_rad(pressure_Pa), organ.tube(1)->closing_rad(pressure_Pa)),
+              0.0);
+}
+
+TEST(HollowOrgan, KnowsWhichSectionsAreWrungAndWhichTurnAsAWhole) {
+  const HollowOrgan& organ = *twoLimbs().hollow;
+  const OrganState state = organ.stateAt(radians(200.0));
+  const double length_m = organ.length_m();
+
+  EXPECT_EQ(organ.placeOf(0.18 * length_m).span, 0);
+  EXPECT_NEAR(organ.placeOf(0.18 * length_m).share, 0.5, 1e-12);
+  EXPECT_EQ(organ.placeOf(0.82 * length_m).span, 1);
+  EXPECT_NEAR(organ.placeOf(0.82 * length_m).share, 0.5, 1e-12);
+  EXPECT_EQ(organ.placeOf(0.5 * length_m).span, -1);
+  EXPECT_EQ(organ.sectionAt(0.0, state).turn_rad, 0.0);
+  EXPECT_EQ(organ.sectionAt(length_m, state).turn_rad, 0.0);
+  EXPECT_EQ(organ.sectionAt(0.5 * length_m, state).turn_rad, radians(200.0));
+  EXPECT_EQ(organ.sectionAt(0.5 * length_m, state).radius, 1.0);
+}
+
+TEST(HollowOrgan, TurnsTheSectionsOfALimbMoreAndMoreTowardsTheMobilePart) {
+  const HollowOrgan& organ = *twoLimbs().hollow;
+  const OrganState state = organ.stateAt(radians(120.0));
+
+  double before_rad = 0.0;
+  for (int i = 0; i <= 100; ++i) {
+    const HollowOrgan::Section section = organ.sectionAt(0.0036 * i * organ.length_m(), state);
+    EXPECT_GE(section.turn_rad, before_rad - 1e-9) << i;
+    EXPECT_LE(section.turn_rad, radians(120.0) + 1e-9) << i;
+    EXPECT_GT(section.radius, 0.0) << i;
+    EXPECT_LT(section.radius, 1.2) << i;
+    before_rad = section.turn_rad;
+  }
+}
+
+TEST(HollowOrgan, RefusesAGraspThatIsNotOnTheMobilePart) {
+  EXPECT_THROW(HollowOrgan({.lattice = &twoLimbs().lattice(),
+                            .shearModulus_Pa = kBarShear_Pa,
+                            .graspArc = 0.2,
+                            .detorsion = twistedTube()}),
+               Error);
+}
+
+TEST(HollowOrgan, ShearsItsWallByTorqueOverTwicePiRadiusSquaredThickness) {
+  const HollowOrgan& organ = *twoLimbs().hollow;
+  const double angle_rad = radians(5.0);  // before any fold: the radius is that of rest
+  const OrganState state = organ.stateAt(angle_rad);
+  const double arc_m = 0.18 * organ.length_m();
+
+  const double shear_Pa = organ.wallShear_Pa(arc_m, state);
+
+  const double radius_m = (kBarRadius_m - 0.0015) * organ.sectionAt(arc_m, state).radius;
+  const double torque_Nm = organ.tube(0)->at(angle_rad, state.hollow.reading.pressure_Pa).torque;
+  EXPECT_NEAR(shear_Pa, torque_Nm / (kTurn * radius_m * radius_m * 0.003), 0.01 * shear_Pa);
+  EXPECT_EQ(organ.wallShear_Pa(0.5 * organ.length_m(), state), 0.0);
+}
+
+TEST(HollowMap, MapsBackWhatItMapsForward) {
+  const Scene& scene = twoLimbs();
+  for (const double angle_deg : {-300.0, 40.0, 120.0, 360.0}) {
+    const OrganState state = scene.stateAt(radians(angle_deg));
+    const HollowMap map(scene.model, *scene.hollow, state);
+    for (const double height_m : {0.01, 0.045, 0.08, 0.12, 0.2}) {
+      const Vec3 rest_m{0.03, 0.02, height_m};
+
+      EXPECT_LT(norm(map.backward(map.forward(rest_m)) - rest_m), 1e-9) << angle_deg << " " << height_m;
+      EXPECT_LT(norm(scene.toDeformed_m(rest_m, state) - map.forward(rest_m)), 1e-12);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace torsio
