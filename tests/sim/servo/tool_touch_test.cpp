@@ -65,8 +65,9 @@ double deepestWithin_m(const CollisionMesh& surface, const Segment& axis, const 
   return deepest_m;
 }
 
-// A view of a wrung wall reads its tables at 257 places (HollowSkin), the tick reads them where it is.
-constexpr double kWrungView_m = 1e-6;
+// A view of a wrung wall reads its tables at 257 places (HollowSkin), the tick reads them where it is: less
+// than a Touch resolves (55 um).
+constexpr double kWrungView_m = 2e-5;
 
 void agreesWithTheMovedMesh(const Scene& scene, const OrganState& organ, int count) {
   const double rounding_m = scene.hollow ? kWrungView_m : kRounding_m;
