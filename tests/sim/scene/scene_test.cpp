@@ -79,6 +79,9 @@ TEST(Scene, TwistsEveryPatternToItsTargetWithinItsTorque) {
   for (const std::string& id : sceneIds(kAssets)) {
     for (const std::string& pattern : patternIds(kAssets, id)) {
       const Scene scene = loadScene(shipped(id, pattern));
+      if (scene.hollow) {
+        continue;  // comes twisted, and its content widens it: hollow_skin_test.cpp
+      }
       const OrganState target = scene.stateAt(scene.pattern.targetAngle_rad);
 
       std::vector<Vec3> twisted(scene.mesh.vertices_m.size());

@@ -219,7 +219,7 @@ TEST(Detorsion, GripsTheMobilePartOnly) {
   hand.step(0.0, 0.0, kWrung_m, neck_m + 0.001);
   hand.step(0.0, 1.0, kWrung_m, neck_m + 0.001);
 
-  EXPECT_EQ(hand.exercise.phase(), ExercisePhase::kContact);
+  EXPECT_NE(hand.exercise.phase(), ExercisePhase::kTwisting);
 }
 
 TEST(Detorsion, LetsTheHandFeelTheWallAndWhatRelapses) {
