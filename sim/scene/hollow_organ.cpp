@@ -226,7 +226,7 @@ double HollowOrgan::wallShear_Pa(double arc_m, const OrganState& state) const no
   const Limb& limb = limbs_[static_cast<std::size_t>(place.span)];
   const double angle_rad = state.twist.graspAngle_rad;
   const double torque_Nm = limb.tube->at(angle_rad, state.hollow.reading.pressure_Pa).torque;
-  const auto at = static_cast<std::size_t>(place.share * static_cast<double>(kWallPlaces - 1) + 0.5);
+  const auto at = static_cast<std::size_t>(std::lround(place.share * static_cast<double>(kWallPlaces - 1)));
   const double radius_m = limb.wall[at].radius_m * sectionIn(place.span, place.share, state).radius;
   return std::abs(torque_Nm) / (kTurn * radius_m * radius_m * limb.wall[at].thickness_m);
 }

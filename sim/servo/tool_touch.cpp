@@ -20,6 +20,9 @@ constexpr double kOnSurface_m = 1e-6;
 constexpr std::array kWithin_m{0.016, 0.008, 0.004};
 // Farther than this from the surface of a deformed organ the tip is just outside or deep inside.
 constexpr double kTipReach_m = 0.010;
+// A bent part that turns frame by frame lies over itself at the inner side of its bends: there the map back
+// to rest is in doubt by so much.
+constexpr double kWrungDoubt_m = 0.020;
 // Share of the jaw's length that the mouth reaches back.
 constexpr double kMouthShare = 0.5;
 
@@ -106,7 +109,7 @@ PartTouch touchTip(DeformedSurface& surface, const ToolShape& shape, const Scene
     return fromSurface(shape.tip_m, hit.surface, shape.tipRadius_m);
   }
   const Vec3 rest_m = toRest_m(shape.tip_m);
-  if (scene.collision.closest(rest_m).distance_m > 0.0) {
+  if (scene.collision.closest(rest_m).distance_m > (scene.hollow ? kWrungDoubt_m : 0.0)) {
     return {};
   }
   return fromSurface(shape.tip_m, surface.closest(shape.tip_m), shape.tipRadius_m);

@@ -8,7 +8,7 @@
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/servo_loop.h"
-#include "tests/sim/servo/bar_scene.h"
+#include "tests/sim/servo/hollow_bar.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/lock_count.h"
 
@@ -45,6 +45,34 @@ TEST(TickCost, TakesNoMemoryAndNoLockThroughAWholeExercise) {
 
   EXPECT_EQ(taken, 0);
   EXPECT_EQ(locked, 0);
+  EXPECT_EQ(phases.size(), 4U);
+}
+
+TEST(TickCost, TakesNoMemoryAndNoLockWhileAnOrganIsUndone) {
+  const Scene scene = hollowScene(twistedTube());
+  ScriptedHandOptions options{
+      .seed = 3, .task = handTask(scene), .profile = {.initialSkill = 0.9, .finalSkill = 0.9}};
+  options.duration_s = undone_s(*scene.hollow, ScriptedHand(options));
+  ScriptedHand hand(options);
+  SpscRing<Sample> ring(100'000);
+  SpscRing<ServoCommand> wishes(4);
+  LatestValue<LiveState> live;
+  ServoLoop loop({.device = &hand, .scene = &scene, .recording = &ring, .live = &live, .commands = &wishes},
+                 {});
+  ASSERT_TRUE(wishes.push({ServoCommand::Kind::kVent, 1.0}));
+  ASSERT_TRUE(wishes.push({ServoCommand::Kind::kCheckFlow, 3.0}));
+  std::set<ExercisePhase> phases;
+
+  const std::int64_t allocations = testing::allocationCount();
+  const std::int64_t locks = testing::lockCount();
+  for (int i = 0; i < static_cast<int>(options.duration_s * 1000.0); ++i) {
+    loop.tick(1000LL * i);
+    phases.insert(loop.lastSample().phase);
+  }
+  const std::int64_t ofTheSet = static_cast<std::int64_t>(phases.size());
+
+  EXPECT_EQ(testing::allocationCount() - allocations, ofTheSet);  // a node for each phase
+  EXPECT_EQ(testing::lockCount() - locks, 0);
   EXPECT_EQ(phases.size(), 4U);
 }
 
