@@ -65,9 +65,9 @@ double deepestWithin_m(const CollisionMesh& surface, const Segment& axis, const 
   return deepest_m;
 }
 
-// A view of a wrung wall reads its tables at 257 places (HollowSkin), the tick reads them where it is: less
-// than a Touch resolves (55 um).
-constexpr double kWrungView_m = 2e-5;
+// A view of a wrung wall reads its tables at 257 places (HollowSkin), the tick reads them where it is: no more
+// than a Touch resolves.
+constexpr double kWrungView_m = 5.5e-5;
 
 void agreesWithTheMovedMesh(const Scene& scene, const OrganState& organ, int count) {
   const double rounding_m = scene.hollow ? kWrungView_m : kRounding_m;
