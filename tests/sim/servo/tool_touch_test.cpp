@@ -83,7 +83,9 @@ void agreesWithTheMovedMesh(const Scene& scene, const OrganState& organ, int cou
     const SurfacePoint tip = surface.closest(shape.tip_m);
     if (std::isfinite(touch.tip.gap_m)) {
       ASSERT_NEAR(touch.tip.gap_m, tip.distance_m - shape.tipRadius_m, rounding_m);
-      ASSERT_NEAR(norm(touch.tip.point_m - tip.position_m), 0.0, std::max(1e-6, rounding_m));
+      if (!scene.hollow) {
+        ASSERT_NEAR(norm(touch.tip.point_m - tip.position_m), 0.0, 1e-6);
+      }
     } else {
       ASSERT_GT(tip.distance_m, 0.009);
     }
