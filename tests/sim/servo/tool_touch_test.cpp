@@ -65,8 +65,8 @@ double deepestWithin_m(const CollisionMesh& surface, const Segment& axis, const 
   return deepest_m;
 }
 
-// A view of a wrung wall reads its tables at 257 places (HollowSkin), the tick reads them where it is: no more
-// than a Touch resolves.
+// A view of a wrung wall reads its tables at 257 places (HollowSkin), the tick reads them where it is: no
+// more than a Touch resolves.
 constexpr double kWrungView_m = 5.5e-5;
 
 void agreesWithTheMovedMesh(const Scene& scene, const OrganState& organ, int count) {
