@@ -14,7 +14,7 @@ struct ScriptedTrial {
   RecordingSpec recording{};
   std::uint64_t personSeed = 1;  ///< decides how this person learns and trembles
   std::uint64_t trialSeed = 1;   ///< decides every deviation of this trial
-  double duration_s = 20.0;  ///< of an organ that is undone at least until it has been left alone
+  double duration_s = 20.0;      ///< of an organ that is undone at least until it has been left alone
   double practisedBefore_min = 0.0;
   double practiceScale = 1.0;  ///< minutes of practice that one minute of the trial stands for
 };

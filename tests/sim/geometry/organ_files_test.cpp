@@ -107,7 +107,8 @@ INSTANTIATE_TEST_SUITE_P(
         OrganCase{"forearm.ply", 1300, 2000, 446, 15000, 20000},
         OrganCase{"stomach.ply", 690, 730, 189, 9000, 11000},
         OrganCase{"intestine.ply", 90, 115, 190, 5000, 9000},
-        // Testis: an ellipsoid of 50 x 30 x 20 mm (15.7 ml), a cord of 60 mm and radius 6 (6.8 ml), epididymis.
+        // Testis: an ellipsoid of 50 x 30 x 20 mm (15.7 ml), a cord of 60 mm and radius 6 (6.8 ml),
+        // epididymis.
         OrganCase{"testis.ply", 20, 27, 113, 15000, 25000},
         // Sigmoid: 619 mm with a mean radius of 33 mm: 2.1 l.
         OrganCase{"sigmoid.ply", 1900, 2400, 309, 15000, 25000},
