@@ -8,6 +8,7 @@
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
 #include "sim/record/content_hash.h"
+#include "sim/record/trial_seed.h"
 
 namespace torsio {
 
@@ -84,7 +85,9 @@ BlindedRecording blindedRecordingOf(Connection& connection, const TrialId& trial
     BlindedRecording recording;
     recording.label = label;
     recording.digest = blindedDigest(trial.summary.contentHash, salt);
+    const std::uint64_t seed = detorsionSeed(trial.header.trialId);  // an organ that came twisted lies by it
     trial.header = blinded(trial.header, label);
+    trial.header.seed = seed;
     trial.summary.contentHash.clear();  // would tell which trial it is
     recording.trial = std::move(trial);
     return recording;

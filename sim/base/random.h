@@ -8,6 +8,14 @@
 
 namespace torsio {
 
+/// Mixes the bits of any counter or hash well (splitmix64, Vigna). Any thread; the same everywhere.
+[[nodiscard]] constexpr std::uint64_t mixedBits(std::uint64_t x) noexcept {
+  x += 0x9E3779B97F4A7C15ULL;
+  x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+  x = (x ^ (x >> 27U)) * 0x94D049BB133111EBULL;
+  return x ^ (x >> 31U);
+}
+
 /// Random numbers that are the same on every platform: the engine is fixed by the C++ standard, the
 /// distributions are our own (those of the standard library differ between vendors). One thread.
 class Random {

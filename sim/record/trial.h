@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,9 @@ struct TrialHeader {
   std::int64_t startedUtc_us = 0;
   bool demonstration = false;               ///< simulated people: shown as such everywhere
   TissueModel model = TissueModel::kTwist;  ///< that answered the hand; physicians never learn it
+  /// Seed of the trial where trialId was taken out (blinding); else it follows from trialId. In memory only:
+  /// no part of what is stored or hashed.
+  std::optional<std::uint64_t> seed{};
   friend bool operator==(const TrialHeader&, const TrialHeader&) = default;
 };
 

@@ -120,7 +120,7 @@ OrganState HollowOrgan::stateAt(double angle_rad) const noexcept {
   const PerfusionState blood = vessels_.after(angle_rad, pressure_Pa / kPascalsPerMmHg, settled_s);
   pose.reading.pressure_Pa = pressure_Pa;
   pose.reading.patency = patency(angle_rad, pressure_Pa);
-  pose.reading.flow = blood.flow;
+  pose.reading.flow = vessels_.steadyFlow(angle_rad, pressure_Pa / kPascalsPerMmHg);
   pose.congestion = blood.congestion;
   pose.saturation = blood.saturation;
   return state;

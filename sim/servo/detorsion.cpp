@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "sim/base/random.h"
 #include "sim/servo/exercise.h"
 
 namespace torsio {
@@ -13,19 +14,11 @@ namespace {
 
 constexpr std::array<FlowCheckCost, 4> kCosts{{{}, {1'000'000, 0.25}, {2'000'000, 0.2}, {5'000'000, 0.08}}};
 
-/// Vigna's splitmix64: well mixed bits of any counter.
-std::uint64_t mixed(std::uint64_t x) noexcept {
-  x += 0x9E3779B97F4A7C15ULL;
-  x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-  x = (x ^ (x >> 27U)) * 0x94D049BB133111EBULL;
-  return x ^ (x >> 31U);
-}
-
 /// A deviate of mean 0 and variance 1 that is nearly normal: twelve uniform ones less 6.
 double deviate(std::uint64_t seed) noexcept {
   double sum = -6.0;
   for (std::uint64_t i = 0; i < 12; ++i) {
-    sum += static_cast<double>(mixed(seed + i) >> 11U) * 0x1p-53;
+    sum += static_cast<double>(mixedBits(seed + i) >> 11U) * 0x1p-53;
   }
   return sum;
 }
@@ -34,14 +27,6 @@ double deviate(std::uint64_t seed) noexcept {
 
 FlowCheckCost flowCheckCost(FlowCheck check) noexcept {
   return kCosts[static_cast<std::size_t>(check)];
-}
-
-std::uint64_t detorsionSeed(const TrialId& trialId) noexcept {
-  std::uint64_t hash = 0xCBF29CE484222325ULL;  // FNV-1a
-  for (const char c : trialId.text()) {
-    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3ULL;
-  }
-  return mixed(hash);
 }
 
 double DetorsionStep::relapse_Nm(const HollowOrgan& hollow, const OrganState& organ) noexcept {
@@ -200,7 +185,7 @@ void DetorsionStep::look(const DetorsionHand& hand, const OrganState& organ, Hol
 }
 
 double DetorsionStep::told(double flow, FlowCheck check, std::int32_t count) const noexcept {
-  const std::uint64_t seed = mixed(seed_ + static_cast<std::uint64_t>(count));
+  const std::uint64_t seed = mixedBits(seed_ + static_cast<std::uint64_t>(count));
   return std::clamp(flow + flowCheckCost(check).deviation * deviate(seed), 0.0, 1.0);
 }
 

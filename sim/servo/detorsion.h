@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "sim/base/ids.h"
+#include "sim/record/trial_seed.h"
 #include "sim/scene/hollow_organ.h"
 
 namespace torsio {
@@ -26,10 +26,6 @@ struct FlowCheckCost {
   double deviation = 0.0;  ///< standard deviation of the answer
 };
 [[nodiscard]] FlowCheckCost flowCheckCost(FlowCheck check) noexcept;
-
-/// Returns the seed of a trial: the twist that it begins with and the errors of its checks hang on it. Of no
-/// id the same one always.
-[[nodiscard]] std::uint64_t detorsionSeed(const TrialId& trialId) noexcept;
 
 /// What the instrument does to a hollow organ in one tick.
 struct DetorsionHand {

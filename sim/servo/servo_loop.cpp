@@ -62,7 +62,7 @@ ServoOptions servoOptions(const TrialHeader& header) noexcept {
           .targetAngle_rad = header.targetAngle_rad,
           .forceScale = header.forceScale,
           .tickPeriod_us = header.tickPeriod_us,
-          .seed = detorsionSeed(header.trialId)};
+          .seed = header.seed.value_or(detorsionSeed(header.trialId))};
 }
 
 DeviceLimits deviceLimits(const DeviceCapabilities& capabilities) noexcept {

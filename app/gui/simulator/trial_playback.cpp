@@ -112,6 +112,10 @@ LiveState TrialPlayback::state() const {
   LiveState state = liveStateOf(*at);
   state.targetAngle_rad = target_rad;
   state.pose = poses_.at(at->device.time_us);
+  if (const HollowPose hollow = poses_.hollowAt(at->device.time_us); hollow.present) {
+    state.hollow = hollow;
+    state.hollow.reading = at->hollow;
+  }
   return state;
 }
 

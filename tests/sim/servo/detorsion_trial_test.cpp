@@ -153,6 +153,18 @@ TEST(DetorsionTrial, BeginsOtherwiseUnderAnotherIdSoThatAForeignIdIsSeen) {
   EXPECT_FALSE(replayTrial(scene, trial).identical());
 }
 
+TEST(DetorsionTrial, LiesAsItDidWhereItsIdWasTakenOutButItsSeedKept) {
+  TrialHeader blinded = done().trial.header;
+  blinded.seed = detorsionSeed(blinded.trialId);
+  blinded.trialId = "case A";
+
+  const PoseTrack track(tubeOfTrial(), blinded, done().trial.chunks);
+
+  const std::int64_t end_us = done().samples.back().device.time_us;
+  EXPECT_EQ(track.hollowAt(end_us).check, done().pose.check);
+  EXPECT_EQ(contentHash(done().trial), done().trial.summary.contentHash);
+}
+
 TEST(DetorsionTrial, SeesAChangedReadingInItsReplay) {
   Trial changed = done().trial;
   std::vector<Sample> samples = decodeChunk(changed.chunks[1]);
