@@ -71,12 +71,15 @@ TEST_P(HollowViewOf, EverySetDrawsItWhereTheDoublePathPutsItToAMicrometre) {
   }
 }
 
-TEST_P(HollowViewOf, ZeroAngleIsTheRestShapeRoundedOnce) {
+TEST_P(HollowViewOf, ZeroAngleAtRestPressureIsTheRestShapeRoundedOnce) {
   const std::shared_ptr<const Scene> scene = shippedHollow(GetParam());
   std::vector<Vec3> drawn_m(scene->mesh.vertices_m.size());
+  OrganState state = scene->stateAt(0.0);
+  // Three organs begin with more gas than they were drawn with: wider than the mesh, in the double path too.
+  state.hollow.reading.pressure_Pa = scene->hollow->detorsion().wall.restPressure_Pa;
 
   for (const Isa isa : usableIsas()) {
-    HollowView(scene, isa).deform(scene->stateAt(0.0), drawn_m);
+    HollowView(scene, isa).deform(state, drawn_m);
 
     for (std::size_t i = 0; i < drawn_m.size(); ++i) {
       const Vec3& rest_m = scene->mesh.vertices_m[i];
