@@ -10,9 +10,6 @@
 
 namespace torsio {
 
-<<<<<<< HEAD
-/// A hollow organ as it is drawn (docs/model.md H.8): as HollowMap has it, with the folds of the wrung wall.
-=======
 /// What is common to all vertices of a frame, as the kernels read it (HollowFrame).
 struct HollowRows {
   static constexpr std::size_t kCount = 2 * static_cast<std::size_t>(HollowFrame::kRows) + 2;
@@ -23,8 +20,7 @@ struct HollowRows {
   std::array<float, 2> waves{3.0F, 3.0F};
 };
 
-/// A hollow organ as it is drawn (docs/model.md H.7): as HollowMap has it, with the folds of the wrung wall.
->>>>>>> hollow-kernel
+/// A hollow organ as it is drawn (docs/model.md H.8): as HollowMap has it, with the folds of the wrung wall.
 /// What is common to all vertices is computed on construction. For views; lives on the stack.
 class HollowSkin {
  public:
