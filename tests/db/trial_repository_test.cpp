@@ -24,7 +24,7 @@ namespace {
 /// too.
 void expectSameHeader(const TrialHeader& a, const TrialHeader& b) {
   const auto& [id, code, scene, pattern, organ, parameterHash, parameters, device, limits, software, phase,
-               drive, target, scale, period, started, demonstration, model] = a;
+               drive, target, scale, period, started, demonstration, model, seed] = a;
   EXPECT_EQ(id, b.trialId);
   EXPECT_EQ(code, b.traineeCode);
   EXPECT_EQ(scene, b.sceneId);
@@ -43,6 +43,7 @@ void expectSameHeader(const TrialHeader& a, const TrialHeader& b) {
   EXPECT_EQ(started, b.startedUtc_us);
   EXPECT_EQ(demonstration, b.demonstration);
   EXPECT_EQ(model, b.model);
+  EXPECT_EQ(seed, b.seed);  // of a blinded copy only: never stored
 }
 
 void expectSameChunk(const TrialChunk& a, const TrialChunk& b) {
