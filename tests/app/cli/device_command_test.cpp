@@ -7,6 +7,7 @@
 #include <unistd.h>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -205,7 +206,9 @@ TEST_F(DeviceCommand, MonitorPrintsOneJsonDocumentWhateverEndsIt) {
   EXPECT_EQ(complete["readings"].back()["state"], "ready, force off");
   EXPECT_EQ(lost.code, kDevice);
   const nlohmann::json ended = nlohmann::json::parse(lost.out);
-  EXPECT_EQ(ended["ended"], "the connection to the device broke off");
+  // The fake's servo runs in real time: on a busy machine it may be given up before it tells of the loss.
+  EXPECT_THAT(ended["ended"].get<std::string>(),
+              testing::AnyOf("the connection to the device broke off", "the device does not answer"));
   EXPECT_EQ(ended["readings"].back()["state"], "connection lost");
 }
 
