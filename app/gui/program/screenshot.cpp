@@ -95,7 +95,7 @@ void settle(SimulatorWindow& window) {
 
 double angleOf(const ScreenshotRequest& request, SimulatorWindow& window) {
   const Scene& scene = *window.controller().scene();
-  const double target_rad = scene.pattern.targetAngle_rad;
+  const double target_rad = usualAngle_rad(scene);
   const double angle_rad = request.angle_rad.value_or(target_rad);
   if (scene.rod && angle_rad * target_rad < 0.0) {
     throw Error(ErrorCode::kBadParameter, Text::tr("this task turns the other way"),

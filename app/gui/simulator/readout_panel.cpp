@@ -158,6 +158,7 @@ void ReadoutPanel::showTiming(const LiveState& state, double framesPerSecond) {
 void ReadoutPanel::show(const LiveState& state, double framesPerSecond) {
   shown_ = state;
   rate_ = framesPerSecond;
+  dial_->setVisible(!state.hollow.present);  // an organ that came twisted has no target but to lie at rest
   dial_->setTarget(state.targetAngle_rad, limits_.tolerance_rad);
   dial_->setAngle(state.response.angle_rad);
   torque_->setValue(std::abs(state.response.torque_Nm));

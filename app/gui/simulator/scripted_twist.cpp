@@ -8,6 +8,7 @@
 #include "app/recording/recorded_run.h"
 #include "sim/base/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"
+#include "sim/scene/hollow_organ.h"
 #include "sim/servo/hand_task.h"
 
 namespace torsio::gui {
@@ -31,6 +32,15 @@ LiveState scriptedTwist(const Scene& scene, double target_rad) {
   const double ends_s = hand->cycles() > 0 ? hand->span_s(0)[1] : kLongestTrial_s;
   RecordedRun run(borrowed(scene), std::move(hand), {.targetAngle_rad = target_rad}, nullptr);
 
+  if (scene.hollow) {  // came twisted: as it lies at this angle, the hand not yet there
+    run.step();
+    LiveState state = run.latest();
+    const OrganState organ = scene.stateAt(target_rad);
+    state.response.angle_rad = organ.twist.graspAngle_rad;
+    state.response.graspArc_m = organ.twist.graspArc_m;
+    state.hollow = organ.hollow;
+    return state;
+  }
   LiveState best;
   double nearest_rad = std::abs(target_rad) + 1.0;
   for (std::int64_t tick = 0; tick < ticksIn(kLongestTrial_s); ++tick) {
@@ -47,6 +57,10 @@ LiveState scriptedTwist(const Scene& scene, double target_rad) {
     }
   }
   return best;
+}
+
+double usualAngle_rad(const Scene& scene) {
+  return scene.hollow ? scene.hollow->start(0).twist.graspAngle_rad : scene.pattern.targetAngle_rad;
 }
 
 }  // namespace torsio::gui
