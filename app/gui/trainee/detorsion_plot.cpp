@@ -147,7 +147,7 @@ void DetorsionPlot::drawTime(QPainter& painter, double bottom) const {
     const double at_s = story_.time_s.back() * i / kTimeMarks;
     const Qt::Alignment side = i == 0 ? Qt::AlignLeft : i == kTimeMarks ? Qt::AlignRight : Qt::AlignHCenter;
     const double left = i == 0 ? 0.0 : i == kTimeMarks ? 80.0 : 40.0;
-    painter.drawText(QRectF(xOf(at_s) - left, bottom + 2.0, 80.0, 16.0), side,
+    painter.drawText(QRectF(xOf(at_s) - left, bottom + 2.0, 80.0, 16.0), static_cast<int>(side.toInt()),
                      DetorsionPanel::clockText(at_s * story_.timeScale));
   }
 }
