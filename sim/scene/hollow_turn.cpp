@@ -73,8 +73,9 @@ TwistLine HollowOrgan::lineOf(const TwistLine& own, const Place& place) const no
   if (wound_ || place.span < 0) {
     return line_;
   }
-  const double u = place.share;
-  const double towards = u * u * (3.0 - 2.0 * u);
+  // Late, so that the narrow places, where most of the turn is, keep their own axis.
+  const double square = place.share * place.share;
+  const double towards = square * square;
   return {own.point_m, normalized(own.direction + towards * (line_.direction - own.direction))};
 }
 
