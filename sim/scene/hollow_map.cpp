@@ -93,7 +93,8 @@ HollowMap::Found HollowMap::solve(const Vec3& deformed_m, double from_m) const n
 }
 
 // From where the point lies and from where it would lie if it belonged to the mobile part; of two answers the
-// one nearer to the organ's axis. Of wound limbs the height says it all. Where neither converges, from the best of places along the organ.
+// one nearer to the organ's axis. Of wound limbs the height says it all. Where neither converges, from the
+// best of places along the organ.
 Vec3 HollowMap::backward(const Vec3& deformed_m) const noexcept {
   if (organ_.wound()) {
     return unwound(deformed_m, 0.0);

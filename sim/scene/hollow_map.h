@@ -10,8 +10,8 @@
 namespace torsio {
 
 /// How a hollow organ lies as a map of space (docs/model.md H.8): each section turns by its share of
-/// the angle and shrinks to the mean radius of the wrung wall there, as HollowOrgan::moved says; folds are left
-/// out, so that a tool meets a smooth surface. What is common to all points is computed on construction.
+/// the angle and shrinks to the mean radius of the wrung wall there, as HollowOrgan::moved says; folds are
+/// left out, so that a tool meets a smooth surface. What is common to all points is computed on construction.
 /// Lives on the stack of a query; noexcept, allocation-free, portable arithmetic only.
 class HollowMap {
  public:

@@ -56,7 +56,8 @@ Vec3 HollowSkin::vertex(const TwistVertex& vertex, double round_rad) const noexc
   }
   const HollowOrgan::Place turning = organ_.turningPlace(vertex.arc_m, vertex.rest_m);
   if (organ_.wound()) {
-    const Place drawn = turning.span < 0 ? Place{angle_rad_, 1.0, 0.0, 0.0} : placeAt(limbs_[0], turning.share);
+    const Place drawn =
+        turning.span < 0 ? Place{angle_rad_, 1.0, 0.0, 0.0} : placeAt(limbs_[0], turning.share);
     place.turn_rad = drawn.turn_rad;
     place.radius = drawn.radius;
   }

@@ -89,8 +89,7 @@ Vec3 HollowOrgan::moved(const Vec3& rest_m, const TwistLine& own, const Place& p
 Vec3 HollowOrgan::movedBack(const Vec3& deformed_m, const TwistLine& own, const Place& place,
                             const Section& section) const noexcept {
   const double back = 1.0 / section.radius;
-  const Vec3 shaped_m =
-      turnedAbout(deformed_m, lineOf(own, place), -section.turn_rad, wound_ ? back : 1.0);
+  const Vec3 shaped_m = turnedAbout(deformed_m, lineOf(own, place), -section.turn_rad, wound_ ? back : 1.0);
   return turnedAbout(shaped_m, own, 0.0, wound_ ? 1.0 : back);
 }
 

@@ -64,7 +64,7 @@ DeviceSample PointerDevice::read(std::int64_t time_us) noexcept {
     target_.yaw_rad = input.yaw_rad;
     target_.pitch_rad = input.pitch_rad;
     target_.roll_rad = input.roll_rad;
-    target_.grip = std::clamp(input.grip, 0.0, 1.0);
+    target_.grip = kPointerClosure * std::clamp(input.grip, 0.0, 1.0);
     reading.buttons = input.buttons;
   } else {
     target_.grip = 0.0;

@@ -9,6 +9,10 @@
 
 namespace torsio {
 
+/// How far a pressed mouse button closes the jaw: a button knows no force, so that it holds with care. Closed
+/// fully it would bruise a thin wall in every grip.
+inline constexpr double kPointerClosure = 0.6;
+
 /// State of mouse and keyboard as a view knows it. Views send it whenever something changed; the newest
 /// counts.
 struct PointerInput {
@@ -39,7 +43,7 @@ inline constexpr double kPointerSpeedLimit_m_per_s = 1.5;
 /// | position z  | given     | m    | wheel, along the view direction                    |
 /// | yaw, pitch  | given     | rad  | keys                                               |
 /// | roll        | given     | rad  | keys or wheel, unwrapped; also in the orientation  |
-/// | grip        | given     | 1    | mouse button, smoothed to 0..1                     |
+/// | grip        | given     | 1    | mouse button, smoothed, 0..kPointerClosure         |
 /// | buttons     | given     |      | kButtonSecond, kButtonBookmark                     |
 /// | status      | given     |      | kDeviceOk; kDeviceInvalid for a non-finite input   |
 /// | force       | taken     | N    | not rendered (shown by the views)                  |

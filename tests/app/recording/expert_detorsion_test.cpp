@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The expert to whom trainees are compared undoes every shipped organ and hurts none.
-#include "app/recording/expert_run.h"
-
 #include <cmath>
 #include <filesystem>
 #include <limits>
 
 #include <gtest/gtest.h>
 
+#include "app/recording/expert_run.h"
 #include "sim/record/sample_codec.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene_file.h"

@@ -128,7 +128,7 @@ TEST_F(PointerDeviceTest, ClosesAndOpensTheJawWithTheButton) {
   device.publish(input);
   const ToolState gone = settle();
 
-  EXPECT_NEAR(closed.grip, 1.0, 1e-4);
+  EXPECT_NEAR(closed.grip, kPointerClosure, 1e-4);
   EXPECT_EQ(closed.buttons, static_cast<std::uint32_t>(kButtonBookmark));
   EXPECT_NEAR(gone.grip, 0.0, 1e-4);  // a pointer that left the view lets go
 }

@@ -100,8 +100,8 @@ TEST_P(HollowTurn, AtRestNoVertexMovesByABit) {
 INSTANTIATE_TEST_SUITE_P(Shipped, HollowTurn,
                          ::testing::Values("small-bowel-loop", "gastric-organo-axial",
                                            "gastric-mesentero-axial", "sigmoid", "midgut", "testis"),
-                         [](const auto& info) {
-                           std::string name = info.param;
+                         [](const auto& instance) {
+                           std::string name = instance.param;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
