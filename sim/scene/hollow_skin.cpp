@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "sim/base/portable_math.h"
 #include "sim/tissue/hollow/fold_field.h"
 
 namespace torsio {
@@ -76,15 +75,15 @@ Vec3 HollowSkin::vertex(const TwistVertex& vertex, double round_rad) const noexc
     place = placeAt(limb, where.share);
     fold = foldedPoint({limb.waves, place.amplitude, place.crest_rad}, round_rad);
   }
-  const double radius = place.radius * fold.radius;
-  const double turn_rad = place.turn_rad + fold.turn_rad;
-  if (radius == 1.0 && turn_rad == 0.0) {
-    return vertex.rest_m;
+  const HollowOrgan::Place turning = organ_.turningPlace(vertex.arc_m, vertex.rest_m);
+  if (organ_.wound()) {
+    const Place drawn =
+        turning.span < 0 ? Place{angle_rad_, 1.0, 0.0, 0.0} : placeAt(limbs_[0], turning.share);
+    place.turn_rad = drawn.turn_rad;
+    place.radius = drawn.radius;
   }
-  const Vec3 u = vertex.rest_m - vertex.line.point_m;
-  const SinCos a = portableSinCos(turn_rad);
-  const Vec3 across = u - dot(vertex.line.direction, u) * vertex.line.direction;
-  return vertex.rest_m + (radius * a.cos - 1.0) * across + (radius * a.sin) * cross(vertex.line.direction, u);
+  return organ_.moved(vertex.rest_m, vertex.line, turning, {place.turn_rad, place.radius},
+                      {fold.turn_rad, fold.radius});
 }
 
 }  // namespace torsio
