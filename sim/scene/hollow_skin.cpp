@@ -45,27 +45,6 @@ HollowSkin::Place HollowSkin::placeAt(const Limb& limb, double share) const noex
           mix(low.crest_rad, high.crest_rad)};
 }
 
-void HollowSkin::write(HollowRows& rows) const noexcept {
-  for (std::size_t span = 0; span < limbs_.size(); ++span) {
-    const Limb& limb = limbs_[span];
-    rows.waves[span] = static_cast<float>(limb.waves);
-    for (std::size_t i = 0; i < kPlaces; ++i) {
-      const Place& place = limb.places[i];
-      const std::size_t row = span * kPlaces + i;
-      rows.turn[row] = static_cast<float>(place.turn_rad);
-      rows.radius[row] = static_cast<float>(place.radius);
-      rows.amplitude[row] = static_cast<float>(place.amplitude);
-      rows.crest[row] = static_cast<float>(limb.waves * place.crest_rad);
-    }
-  }
-  for (std::size_t row = 2 * kPlaces; row < HollowRows::kCount; ++row) {
-    rows.turn[row] = static_cast<float>(angle_rad_);
-    rows.radius[row] = 1.0F;
-    rows.amplitude[row] = 0.0F;
-    rows.crest[row] = 0.0F;
-  }
-}
-
 Vec3 HollowSkin::vertex(const TwistVertex& vertex, double round_rad) const noexcept {
   const HollowOrgan::Place where = organ_.placeOf(vertex.arc_m);
   Place place{angle_rad_, 1.0, 0.0, 0.0};
