@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/portable_math.h"
-
 namespace torsio {
 
 namespace {
@@ -13,14 +11,8 @@ namespace {
 constexpr int kInverseSteps = 12;
 constexpr double kInverseTolerance = 1e-14;  // of the organ's length
 constexpr double kLargestStep = 0.1;         // of the organ's length
-
-Vec3 turnedAbout(const Vec3& x, const Vec3& centre, const Vec3& axis, double angle_rad,
-                 double radius) noexcept {
-  const Vec3 u = x - centre;
-  const SinCos a = portableSinCos(angle_rad);
-  const Vec3 across = u - dot(axis, u) * axis;
-  return x + (radius * a.cos - 1.0) * across + (radius * a.sin) * cross(axis, u);
-}
+constexpr double kGoodInverse = 1e-9;        // of the organ's length
+constexpr int kPlacesTried = 32;
 
 }  // namespace
 
@@ -36,8 +28,7 @@ HollowMap::HollowMap(const TwistModel& model, const HollowOrgan& organ, const Or
   }
 }
 
-HollowOrgan::Section HollowMap::section(double arc_m) const noexcept {
-  const HollowOrgan::Place place = organ_.placeOf(arc_m);
+HollowOrgan::Section HollowMap::section(const HollowOrgan::Place& place) const noexcept {
   if (place.span < 0) {
     return {angle_rad_, 1.0};
   }
@@ -52,21 +43,24 @@ HollowOrgan::Section HollowMap::section(double arc_m) const noexcept {
 }
 
 Vec3 HollowMap::vertex(const TwistVertex& vertex) const noexcept {
-  const HollowOrgan::Section here = section(vertex.arc_m);
-  return turnedAbout(vertex.rest_m, vertex.line.point_m, vertex.line.direction, here.turn_rad, here.radius);
+  const HollowOrgan::Place place = organ_.turningPlace(vertex.arc_m, vertex.rest_m);
+  return organ_.moved(vertex.rest_m, vertex.line, place, section(place), {});
+}
+
+TwistLine HollowMap::ownAxis(double arc_m) const noexcept {
+  const AxisFrame frame = model_.graspFrame(arc_m);
+  return {frame.centre_m, frame.tangent};
 }
 
 Vec3 HollowMap::forward(const Vec3& rest_m) const noexcept {
   const double arc_m = model_.tables().arcs.arcAt(model_.lattice(), rest_m);
-  const AxisFrame frame = model_.graspFrame(arc_m);
-  const HollowOrgan::Section here = section(arc_m);
-  return turnedAbout(rest_m, frame.centre_m, frame.tangent, here.turn_rad, here.radius);
+  const HollowOrgan::Place place = organ_.turningPlace(arc_m, rest_m);
+  return organ_.moved(rest_m, ownAxis(arc_m), place, section(place), {});
 }
 
 Vec3 HollowMap::unwound(const Vec3& deformed_m, double arc_m) const noexcept {
-  const AxisFrame frame = model_.graspFrame(arc_m);
-  const HollowOrgan::Section here = section(arc_m);
-  return turnedAbout(deformed_m, frame.centre_m, frame.tangent, -here.turn_rad, 1.0 / here.radius);
+  const HollowOrgan::Place place = organ_.turningPlace(arc_m, deformed_m);
+  return organ_.movedBack(deformed_m, ownAxis(arc_m), place, section(place));
 }
 
 // Zero when the point, turned back as one of this arc length, has this arc length.
@@ -74,19 +68,17 @@ double HollowMap::miss(const Vec3& deformed_m, double arc_m) const noexcept {
   return model_.tables().arcs.arcAt(model_.lattice(), unwound(deformed_m, arc_m)) - arc_m;
 }
 
-// Secant steps from the nearest point of the axis, as TwistMap::backward; the best arc length met counts.
-Vec3 HollowMap::backward(const Vec3& deformed_m) const noexcept {
+// Secant steps from an arc length, as TwistMap::backward; the best arc length met counts.
+HollowMap::Found HollowMap::solve(const Vec3& deformed_m, double from_m) const noexcept {
   const double length_m = organ_.length_m();
-  double before_m = model_.lattice().nearestArc_m(deformed_m);
+  double before_m = from_m;
   double missBefore_m = miss(deformed_m, before_m);
-  double best_m = before_m;
-  double least_m = std::abs(missBefore_m);
+  Found best{before_m, std::abs(missBefore_m)};
   double arc_m = std::clamp(before_m + missBefore_m, 0.0, length_m);
-  for (int i = 0; i < kInverseSteps && least_m > kInverseTolerance * length_m; ++i) {
+  for (int i = 0; i < kInverseSteps && best.miss_m > kInverseTolerance * length_m; ++i) {
     const double here_m = miss(deformed_m, arc_m);
-    if (std::abs(here_m) < least_m) {
-      best_m = arc_m;
-      least_m = std::abs(here_m);
+    if (std::abs(here_m) < best.miss_m) {
+      best = {arc_m, std::abs(here_m)};
     }
     const double change_m = here_m - missBefore_m;
     double next_m = change_m != 0.0 ? arc_m - here_m * (arc_m - before_m) / change_m : arc_m + here_m;
@@ -97,7 +89,39 @@ Vec3 HollowMap::backward(const Vec3& deformed_m) const noexcept {
     missBefore_m = here_m;
     arc_m = std::clamp(next_m, 0.0, length_m);
   }
-  return unwound(deformed_m, best_m);
+  return best;
+}
+
+// From where the point lies and from where it would lie if it belonged to the mobile part; of two answers the
+// one nearer to the organ's axis. Of wound limbs the height says it all. Where neither converges, from the
+// best of places along the organ.
+Vec3 HollowMap::backward(const Vec3& deformed_m) const noexcept {
+  if (organ_.wound()) {
+    return unwound(deformed_m, 0.0);
+  }
+  const double length_m = organ_.length_m();
+  const double good_m = kGoodInverse * length_m;
+  const Vec3 asMobile_m = organ_.movedBack(deformed_m, {}, {}, {angle_rad_, 1.0});
+  Found best = solve(deformed_m, model_.lattice().nearestArc_m(asMobile_m));
+  const Found other = solve(deformed_m, model_.lattice().nearestArc_m(deformed_m));
+  const auto away_m = [&](const Found& found) {
+    return norm(unwound(deformed_m, found.arc_m) - ownAxis(found.arc_m).point_m);
+  };
+  const bool bothGood = best.miss_m <= good_m && other.miss_m <= good_m;
+  if (bothGood ? away_m(other) < away_m(best) : other.miss_m < best.miss_m) {
+    best = other;
+  }
+  if (best.miss_m > good_m) {
+    Found start{0.0, std::abs(miss(deformed_m, 0.0))};
+    for (int i = 1; i <= kPlacesTried; ++i) {
+      const double arc_m = length_m * i / kPlacesTried;
+      const double here_m = std::abs(miss(deformed_m, arc_m));
+      start = here_m < start.miss_m ? Found{arc_m, here_m} : start;
+    }
+    const Found last = solve(deformed_m, start.arc_m);
+    best = last.miss_m < best.miss_m ? last : best;
+  }
+  return unwound(deformed_m, best.arc_m);
 }
 
 }  // namespace torsio

@@ -9,16 +9,16 @@
 
 namespace torsio {
 
-/// How a hollow organ lies as a map of space (docs/model.md U.1): each section turns about the organ's own
-/// axis by its share of the angle and shrinks to the mean radius of the wrung wall there; folds are left
-/// out, so that a tool meets a smooth surface. What is common to all points is computed on construction.
+/// How a hollow organ lies as a map of space (docs/model.md H.8): each section turns by its share of
+/// the angle and shrinks to the mean radius of the wrung wall there, as HollowOrgan::moved says; folds are
+/// left out, so that a tool meets a smooth surface. What is common to all points is computed on construction.
 /// Lives on the stack of a query; noexcept, allocation-free, portable arithmetic only.
 class HollowMap {
  public:
   HollowMap(const TwistModel& model, const HollowOrgan& organ, const OrganState& state) noexcept;
 
-  /// Returns how the section at an arc length is turned.
-  [[nodiscard]] HollowOrgan::Section section(double arc_m) const noexcept;
+  /// Returns how a section at a place is turned.
+  [[nodiscard]] HollowOrgan::Section section(const HollowOrgan::Place& place) const noexcept;
   /// Returns where a point of the organ at rest goes.
   [[nodiscard]] Vec3 forward(const Vec3& rest_m) const noexcept;
   /// Returns where a point near the organ would be at rest: the inverse of forward() up to rounding, as long
@@ -30,6 +30,13 @@ class HollowMap {
  private:
   static constexpr std::size_t kPlaces = 65;  // of a span, at equal shares
   using Profile = std::array<HollowOrgan::Section, kPlaces>;
+  /// An arc length, and by how much it misses.
+  struct Found {
+    double arc_m = 0.0;
+    double miss_m = 0.0;
+  };
+  [[nodiscard]] TwistLine ownAxis(double arc_m) const noexcept;
+  [[nodiscard]] Found solve(const Vec3& deformed_m, double from_m) const noexcept;
   [[nodiscard]] Vec3 unwound(const Vec3& deformed_m, double arc_m) const noexcept;
   [[nodiscard]] double miss(const Vec3& deformed_m, double arc_m) const noexcept;
 

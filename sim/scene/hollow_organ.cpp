@@ -55,6 +55,7 @@ HollowOrgan::HollowOrgan(const Parts& parts)
     solveLimbs(parts);
   }
   basePeak_Nm_ = peakTorque_Nm(detorsion_.wall.pressure_Pa);
+  drawLine(*parts.lattice);
 }
 
 void HollowOrgan::solveLimbs(const Parts& parts) {

@@ -11,6 +11,7 @@
 #include "sim/scene/organ_state.h"
 #include "sim/tissue/hollow/wrung_organ.h"
 #include "sim/tissue/perfusion/perfusion.h"
+#include "sim/tissue/twist/twist_model_tables.h"
 
 namespace torsio {
 
@@ -138,6 +139,33 @@ class HollowOrgan {
   [[nodiscard]] Section sectionIn(int span, double share, const OrganState& state) const noexcept;
   /// Returns how the section at an arc length lies. In the tick.
   [[nodiscard]] Section sectionAt(double arc_m, const OrganState& state) const noexcept;
+  /// Returns the place whose turn and shrinking a point has, at rest or as it lies: that of its arc length;
+  /// of limbs that are wound round each other that of its height along the line, which winding keeps. So no
+  /// two of its points meet. In the tick.
+  [[nodiscard]] Place turningPlace(double arc_m, const Vec3& point_m) const noexcept;
+  /// What a fold adds to a point of a section, about the section's own axis.
+  struct Fold {
+    double turn_rad = 0.0;
+    double radius = 1.0;
+  };
+  /// Returns where a point of a section goes (docs/model.md H.8). The mobile part turns rigidly about
+  /// line(). A section of a span shrinks and turns about its own axis, whose direction goes over into that of
+  /// the line towards the mobile end; where the organ is a loop whose limbs stand side by side, both shrink
+  /// and turn about the line, wound round each other. `own`: the section's own axis; `place`, `section`: of
+  /// turningPlace(). In the tick.
+  [[nodiscard]] Vec3 moved(const Vec3& rest_m, const TwistLine& own, const Place& place,
+                           const Section& section, const Fold& fold) const noexcept;
+  /// Returns the point that moved() without a fold takes to this one. In the tick.
+  [[nodiscard]] Vec3 movedBack(const Vec3& deformed_m, const TwistLine& own, const Place& place,
+                               const Section& section) const noexcept;
+  /// Returns the line that the mobile part turns about: of two spans of a tube that runs on through it the
+  /// chord between their mobile ends; of a loop's limbs that stand side by side from between their held to
+  /// between their mobile ends; of one span its axis at its mobile end.
+  [[nodiscard]] const TwistLine& line() const noexcept { return line_; }
+  /// Returns that line as the axis of a grip: its centre beside a point, e1 towards it.
+  [[nodiscard]] AxisFrame graspFrame(const Vec3& held_m) const noexcept;
+  /// Tells whether the two limbs are wound round each other.
+  [[nodiscard]] bool wound() const noexcept { return wound_; }
   /// Returns the shear stress of the wall at an arc length, Pa: torque of its span over 2 pi r^2 t; 0 in the
   /// mobile part, beyond the held sections and of a cord.
   [[nodiscard]] double wallShear_Pa(double arc_m, const OrganState& state) const noexcept;
@@ -156,6 +184,8 @@ class HollowOrgan {
     std::array<WallPlace, kWallPlaces> wall{};
   };
   void solveLimbs(const Parts& parts);
+  void drawLine(const SectionLattice& lattice);
+  [[nodiscard]] TwistLine lineOf(const TwistLine& own, const Place& place) const noexcept;
 
   Detorsion detorsion_;
   Perfusion vessels_;
@@ -163,6 +193,9 @@ class HollowOrgan {
   double length_m_ = 0.0;
   double graspArc_m_ = 0.0;
   double basePeak_Nm_ = 0.0;
+  TwistLine line_;
+  bool wound_ = false;
+  std::array<double, kWallPlaces> heights_m_{};  // along the line, of limbs wound round each other
 };
 
 }  // namespace torsio

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "sim/base/portable_math.h"
 #include "sim/tissue/hollow/fold_field.h"
 
 namespace torsio {
@@ -46,27 +45,6 @@ HollowSkin::Place HollowSkin::placeAt(const Limb& limb, double share) const noex
           mix(low.crest_rad, high.crest_rad)};
 }
 
-void HollowSkin::write(HollowRows& rows) const noexcept {
-  for (std::size_t span = 0; span < limbs_.size(); ++span) {
-    const Limb& limb = limbs_[span];
-    rows.waves[span] = static_cast<float>(limb.waves);
-    for (std::size_t i = 0; i < kPlaces; ++i) {
-      const Place& place = limb.places[i];
-      const std::size_t row = span * kPlaces + i;
-      rows.turn[row] = static_cast<float>(place.turn_rad);
-      rows.radius[row] = static_cast<float>(place.radius);
-      rows.amplitude[row] = static_cast<float>(place.amplitude);
-      rows.crest[row] = static_cast<float>(limb.waves * place.crest_rad);
-    }
-  }
-  for (std::size_t row = 2 * kPlaces; row < HollowRows::kCount; ++row) {
-    rows.turn[row] = static_cast<float>(angle_rad_);
-    rows.radius[row] = 1.0F;
-    rows.amplitude[row] = 0.0F;
-    rows.crest[row] = 0.0F;
-  }
-}
-
 Vec3 HollowSkin::vertex(const TwistVertex& vertex, double round_rad) const noexcept {
   const HollowOrgan::Place where = organ_.placeOf(vertex.arc_m);
   Place place{angle_rad_, 1.0, 0.0, 0.0};
@@ -76,15 +54,15 @@ Vec3 HollowSkin::vertex(const TwistVertex& vertex, double round_rad) const noexc
     place = placeAt(limb, where.share);
     fold = foldedPoint({limb.waves, place.amplitude, place.crest_rad}, round_rad);
   }
-  const double radius = place.radius * fold.radius;
-  const double turn_rad = place.turn_rad + fold.turn_rad;
-  if (radius == 1.0 && turn_rad == 0.0) {
-    return vertex.rest_m;
+  const HollowOrgan::Place turning = organ_.turningPlace(vertex.arc_m, vertex.rest_m);
+  if (organ_.wound()) {
+    const Place drawn =
+        turning.span < 0 ? Place{angle_rad_, 1.0, 0.0, 0.0} : placeAt(limbs_[0], turning.share);
+    place.turn_rad = drawn.turn_rad;
+    place.radius = drawn.radius;
   }
-  const Vec3 u = vertex.rest_m - vertex.line.point_m;
-  const SinCos a = portableSinCos(turn_rad);
-  const Vec3 across = u - dot(vertex.line.direction, u) * vertex.line.direction;
-  return vertex.rest_m + (radius * a.cos - 1.0) * across + (radius * a.sin) * cross(vertex.line.direction, u);
+  return organ_.moved(vertex.rest_m, vertex.line, turning, {place.turn_rad, place.radius},
+                      {fold.turn_rad, fold.radius});
 }
 
 }  // namespace torsio

@@ -6,19 +6,8 @@
 
 #include "sim/scene/hollow_organ.h"
 #include "sim/tissue/twist/twist_model_tables.h"
-#include "sim/tissue/view/twist_kernels.h"
 
 namespace torsio {
-
-/// What is common to all vertices of a frame, as the kernels read it (HollowFrame).
-struct HollowRows {
-  static constexpr std::size_t kCount = 2 * static_cast<std::size_t>(HollowFrame::kRows) + 2;
-  std::array<float, kCount> turn{};
-  std::array<float, kCount> radius{};
-  std::array<float, kCount> amplitude{};
-  std::array<float, kCount> crest{};
-  std::array<float, 2> waves{3.0F, 3.0F};
-};
 
 /// A hollow organ as it is drawn (docs/model.md H.8): as HollowMap has it, with the folds of the wrung wall.
 /// What is common to all vertices is computed on construction. For views; lives on the stack.
@@ -28,12 +17,9 @@ class HollowSkin {
 
   /// Returns where a vertex goes; `round_rad`: its ridge angle.
   [[nodiscard]] Vec3 vertex(const TwistVertex& vertex, double round_rad) const noexcept;
-  /// Writes the rows that vertex() reads, in single precision.
-  void write(HollowRows& rows) const noexcept;
 
  private:
-  static constexpr std::size_t kPlaces =
-      static_cast<std::size_t>(HollowFrame::kRows);  // of a span, at equal shares
+  static constexpr std::size_t kPlaces = 257;  // of a span, at equal shares
   struct Place {
     double turn_rad = 0.0;
     double radius = 1.0;

@@ -112,7 +112,7 @@ struct Scene {
   /// Returns the largest shear stress of the organ's surface, Pa.
   [[nodiscard]] double peakShear_Pa(const OrganState& state) const noexcept;
   /// Returns the axis that a hand at the pattern's grasp turns about, the organ at rest; e1 towards
-  /// `hand_m`.
+  /// `hand_m`. Of a hollow organ the line that its mobile part turns about, wherever it is gripped.
   [[nodiscard]] AxisFrame graspFrame(double arc_m, const Vec3& hand_m) const noexcept;
 
   /// Returns where the pattern grips: arc length from the fixed end, m.

@@ -77,6 +77,9 @@ double Scene::peakShear_Pa(const OrganState& state) const noexcept {
 }
 
 AxisFrame Scene::graspFrame(double arc_m, const Vec3& hand_m) const noexcept {
+  if (hollow) {
+    return hollow->graspFrame(hand_m);
+  }
   return rod ? rod->grip(rod->rod().rest(), arc_m, {hand_m, {}}).axis : model.graspFrame(arc_m);
 }
 

@@ -86,7 +86,7 @@ bool Exercise::grip(const Vec3& held_m, const ToolState& tool, const Scene& scen
     rodGrasp_.close(*scene.rod, arc_m, tool.pose, organ_);
     axis_ = rodGrasp_.axis();
   } else {
-    axis_ = scene.model.graspFrame(arc_m);
+    axis_ = scene.hollow ? scene.hollow->graspFrame(held_m) : scene.model.graspFrame(arc_m);
     const bool follows = scene.hollow ? scene.hollow->placeOf(arc_m).span < 0
                                       : scene.model.angleAt(arc_m, {arc_m, 1.0}) > kLeastShare;
     if (!follows || !(about(axis_, held_m).radius_m > kNearAxis_m)) {
@@ -94,8 +94,9 @@ bool Exercise::grip(const Vec3& held_m, const ToolState& tool, const Scene& scen
     }
     organ_.twist = {arc_m, scene.hollow ? organ_.twist.graspAngle_rad : 0.0};
   }
-  const Vec3 fromAxis_m = held_m - axis_.centre_m;
-  gripRound_rad_ = portableAtan2(dot(fromAxis_m, axis_.e2), dot(fromAxis_m, axis_.e1));
+  const AxisFrame section = scene.hollow ? scene.lattice().frameAt(arc_m) : axis_;
+  const Vec3 fromAxis_m = held_m - section.centre_m;
+  gripRound_rad_ = portableAtan2(dot(fromAxis_m, section.e2), dot(fromAxis_m, section.e1));
   gripAngle_rad_ = organ_.twist.graspAngle_rad;
   grippedAt_ = tool.pose.orientation;
   const Cylindrical at = about(axis_, tip_m);

@@ -84,27 +84,41 @@ HandTask taskAt(const Scene& scene, double arc_m, const Candidate& best) {
   return task;
 }
 
-/// The grasped section round its outline, at rest.
+/// The grasped section round its outline, at rest; of limbs that are wound round each other the whole mobile
+/// part, of which another place lies outwards after each turn.
 std::vector<Vec3> outlineAt(const Scene& scene, double arc_m) {
   constexpr int kPoints = 144;
+  constexpr int kSections = 9;
+  std::vector<double> arcs_m{arc_m};
+  if (scene.hollow->wound()) {
+    const std::vector<WrungSpan>& spans = scene.hollow->detorsion().spans;
+    const double from = spans.front().mobile;
+    arcs_m.clear();
+    for (int i = 1; i <= kSections; ++i) {
+      const double share = from + (spans.back().mobile - from) * i / (kSections + 1);
+      arcs_m.push_back(share * scene.lattice().length_m());
+    }
+  }
   std::vector<Vec3> points_m;
-  for (int i = 0; i < kPoints; ++i) {
-    points_m.push_back(scene.lattice().surfacePoint({arc_m, 2.0 * kPi * i / kPoints}).position_m);
+  for (const double each_m : arcs_m) {
+    for (int i = 0; i < kPoints; ++i) {
+      points_m.push_back(scene.lattice().surfacePoint({each_m, 2.0 * kPi * i / kPoints}).position_m);
+    }
   }
   return points_m;
 }
 
-/// The point of the grasped section that lies outwards when the mobile part is turned by an angle.
+/// The point of an outline that lies farthest outwards when the mobile part is turned by an angle.
 Vec3 outwardPoint(const Scene& scene, const HandTask& task, const std::vector<Vec3>& outline_m,
                   const Vec3& outwards, double angle_rad) {
   const OrganState lies = scene.hollow->stateAt(angle_rad);
   Vec3 found_m = task.graspPoint_m;
-  double best = -1.0;
+  double farthest_m = 0.0;
   for (const Vec3& rest_m : outline_m) {
     const Vec3 point_m = scene.toDeformed_m(rest_m, lies);
-    const double facing = dot(normalized(point_m - task.axisCentre_m), outwards);
-    if (facing > best) {
-      best = facing;
+    const double out_m = dot(point_m - task.axisCentre_m, outwards);
+    if (out_m > farthest_m) {
+      farthest_m = out_m;
       found_m = point_m;
     }
   }

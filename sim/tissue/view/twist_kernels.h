@@ -31,18 +31,6 @@ struct PaperFrame {
   float graspAngle = 0.0F;  ///< rad per N m at the grasp; sections beyond it follow rigidly
 };
 
-/// Rows of the tables of one frame of a wrung hollow organ: HollowFrame::kRows of each of two spans at equal
-/// shares, then two of the mobile part. Of any alignment.
-struct HollowFrame {
-  static constexpr int kRows = 257;
-  const float* turn = nullptr;       ///< rad
-  const float* radius = nullptr;     ///< mean, against rest
-  const float* amplitude = nullptr;  ///< of the folds, against the mean radius
-  const float* crest = nullptr;      ///< waves times the angle to which the first crest has gone, rad
-  float firstWaves = 3.0F;           ///< round the tube in the first span
-  float secondWaves = 3.0F;          ///< and in the second
-};
-
 /// Component kriging of a set of key points as the paper prints it (Eq. 15): for each vertex eight weights
 /// along the ridge and a share of the next ridge.
 struct KrigedComponents {
@@ -71,10 +59,6 @@ struct TwistKernels {
   /// Moves vertices by the paper's linear rotation. in: rest[3] tangentCrossRadius[3] unitAngle arc lift[3]
   /// = 11 x 16 a block; out: 3 x 16.
   void (*paperLinear)(const float* in, int blocks, const PaperFrame& frame, float* out);
-  /// Moves vertices by the tables of a wrung organ, with its folds (docs/model.md H.7). in: rest[3] radius[3]
-  /// tangent[3] row angle = 11 x 16 a block, `row` a place in the tables between 0 and 2 kRows, `angle` round
-  /// the section, rad; out: 3 x 16. A vertex that is neither turned nor narrowed stays to the last bit.
-  void (*hollow)(const float* in, int blocks, const HollowFrame& frame, float* out);
   /// Moves a lattice section by section, each section padded to whole blocks of 3 x 16; motions: 12 numbers
   /// a section, rows of the matrix, then the translation.
   void (*lattice)(const float* in, int sections, int blocksPerSection, const float* motions, float* out);

@@ -178,41 +178,6 @@ void paperLinear(const float* __restrict in, int blocks, const PaperFrame& frame
   }
 }
 
-void hollow(const float* __restrict in, int blocks, const HollowFrame& frame, float* __restrict out) {
-  const float* __restrict turns = frame.turn;
-  const float* __restrict radii = frame.radius;
-  const float* __restrict amplitudes = frame.amplitude;
-  const float* __restrict crests = frame.crest;
-  const float first = frame.firstWaves;
-  const float second = frame.secondWaves;
-  for (int block = 0; block < blocks; ++block) {
-    const float* __restrict v = in + static_cast<long long>(block) * (11 * 16);
-    float* __restrict o = out + static_cast<long long>(block) * (3 * 16);
-    TORSIO_VECTOR_LOOP
-    for (int i = 0; i < 16; ++i) {
-      const float row = v[144 + i];
-      const int low = static_cast<int>(row);
-      const float share = row - static_cast<float>(low);
-      const float waves = row < static_cast<float>(HollowFrame::kRows) ? first : second;
-      const float amplitude = amplitudes[low] + share * (amplitudes[low + 1] - amplitudes[low]);
-      const float crest = crests[low] + share * (crests[low + 1] - crests[low]);
-      const SineCosine fold = sineCosine(waves * v[160 + i] - crest);
-      const float radius =
-          (radii[low] + share * (radii[low + 1] - radii[low])) * (1.0F + amplitude * fold.cosine);
-      const float sway = amplitude * (0.5F + 0.25F * waves * waves) * fold.cosine - 1.0F;
-      const float turn =
-          turns[low] + share * (turns[low + 1] - turns[low]) + amplitude / waves * fold.sine * sway;
-      const SineCosine r = sineCosine(turn);
-      const float along = radius * r.cosine - 1.0F;
-      const float aside = radius * r.sine;
-      const Across a = tangentCrossRadius(v, i);
-      o[i] = v[i] + (along * v[48 + i] + aside * a.x);
-      o[16 + i] = v[16 + i] + (along * v[64 + i] + aside * a.y);
-      o[32 + i] = v[32 + i] + (along * v[80 + i] + aside * a.z);
-    }
-  }
-}
-
 void lattice(const float* __restrict in, int sections, int blocksPerSection, const float* __restrict motions,
              float* __restrict out) {
   for (int j = 0; j < sections; ++j) {
@@ -286,5 +251,5 @@ void triad(const float* __restrict a, const float* __restrict b, float factor, i
   }
 }
 
-const TwistKernels kKernels{curvedWarp, curved,        givenAngles,      paperLinear, hollow,
-                            lattice,    latticeDouble, componentKriging, interleave,  triad};
+const TwistKernels kKernels{curvedWarp,    curved,           givenAngles, paperLinear, lattice,
+                            latticeDouble, componentKriging, interleave,  triad};
