@@ -11,8 +11,9 @@ torsio_packages=(
   qml6-module-qtquick qml6-module-qtqml qml6-module-qtqml-workerscript qml6-module-qtquick-window qml6-module-quick3d
   libqt6sql6-sqlite libqt6sql6-psql libgl1-mesa-dri libglx-mesa0 fonts-dejavu-core fonts-noto-cjk
   libeigen3-dev libfcl-dev libassimp-dev zlib1g-dev libboost-dev
+  libsdl2-dev libspnav-dev
   libsodium-dev libzstd-dev nlohmann-json3-dev libcli11-dev
-  libgtest-dev libgmock-dev libbenchmark-dev
+  qt6-websockets-dev libgtest-dev libgmock-dev libbenchmark-dev
 )
 
 say() { printf 'torsio: %s\n' "$*" >&2; }

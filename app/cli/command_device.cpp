@@ -14,6 +14,7 @@
 #include "app/devices/device_monitor.h"
 #include "assessment/report/number_format.h"
 #include "sim/base/error.h"
+#include "sim/device/drivers/device_list.h"
 
 namespace torsio::cli {
 
@@ -55,28 +56,53 @@ const char* gradeWord(FindingGrade grade) {
   return "";
 }
 
+const char* useWord(DriverUse use) {
+  switch (use) {
+    case DriverUse::kStation:
+      return "station";
+    case DriverUse::kPointer:
+      return "pointer";
+    case DriverUse::kNoHand:
+      return "no hand";
+  }
+  return "";
+}
+
 void runList(const DeviceArguments& arguments) {
-  const std::vector<DeviceDriver> drivers = deviceDrivers(arguments.choice.library);
+  const DeviceRequest request = deviceRequest(arguments.choice);
+  nlohmann::ordered_json out = nlohmann::ordered_json::array();
+  const std::string remembered = rememberedDevice().driver;
+  for (const DeviceDriver& driver : deviceDrivers()) {
+    const DriverFinding found = driver.look(request);
+    out.push_back({{"id", driver.id},
+                   {"name", driver.name},
+                   {"needs", driver.needs.str()},
+                   {"use", useWord(driver.use)},
+                   {"renders_force", driver.rendersForce},
+                   {"chosen", driver.id == remembered},
+                   {"available", found.available},
+                   {"finding", found.sentence.str()},
+                   {"remedy", found.remedy.str()}});
+    if (arguments.json) {
+      continue;
+    }
+    std::cout << std::left << std::setw(10) << driver.id << " " << std::setw(22) << driver.name
+              << (found.available ? " available      " : " not available  ") << found.sentence
+              << (driver.id == remembered ? " (chosen for this station)" : "") << "\n";
+    if (!found.remedy.empty()) {
+      std::cout << std::string(11, ' ') << "What to do: " << found.remedy << "\n";
+    }
+  }
   if (arguments.json) {
-    nlohmann::ordered_json out = nlohmann::ordered_json::array();
-    for (const DeviceDriver& driver : drivers) {
-      out.push_back({{"id", driver.id},
-                     {"name", driver.name},
-                     {"needs", driver.needs},
-                     {"available", driver.available},
-                     {"finding", driver.finding.str()},
-                     {"remedy", driver.remedy.str()}});
-    }
     std::cout << out.dump(2) << '\n';
-    return;
   }
-  for (const DeviceDriver& driver : drivers) {
-    std::cout << std::left << std::setw(9) << driver.id << " " << std::setw(22) << driver.name
-              << (driver.available ? " available      " : " not available  ") << driver.finding << "\n";
-    if (!driver.remedy.empty()) {
-      std::cout << std::string(10, ' ') << "What to do: " << driver.remedy << "\n";
-    }
-  }
+}
+
+void runChoose(const DeviceArguments& arguments) {
+  rememberDevice(arguments.choice);
+  std::cout << (arguments.choice.driver.empty()
+                    ? "This station takes the first device that is there.\n"
+                    : "This station works with: " + chosenDriver(arguments.choice).name + ".\n");
 }
 
 void printCheck(const DeviceCheckResult& result, bool json) {
@@ -144,6 +170,9 @@ std::string readoutLine(const DeviceReadout& r) {
        << (r.rollAtStop ? " (stop)" : "") << "  buttons " << (r.firstButton ? "1" : "-")
        << (r.secondButton ? "2" : "-") << "  motors " << formatFixed(100.0 * r.warmest, 0) << " %  "
        << formatFixed(r.rate_Hz, 0) << " Hz  " << (r.docked ? "docked, " : "") << r.state;
+  for (const std::string& event : r.events) {
+    line << "; " << event;
+  }
   return line.str();
 }
 
@@ -159,7 +188,8 @@ nlohmann::ordered_json readoutJson(const DeviceReadout& r) {
           {"docked", r.docked},
           {"warmest_motor", r.warmest},
           {"rate_hz", r.rate_Hz},
-          {"late_ticks", r.lateTicks}};
+          {"late_ticks", r.lateTicks},
+          {"events", r.events}};
 }
 
 /// One document, a reading a line as it comes: `readings`, then how it ended.
@@ -214,13 +244,20 @@ void addDevice(CLI::App& program) {
     sub->add_option("--library", arguments->choice.library, "The vendor's library, path or name");
   };
   const auto addName = [arguments](CLI::App* sub) {
-    sub->add_option("--name", arguments->choice.name, "Name that the vendor's set-up tool gave the device");
+    sub->add_option("--device", arguments->choice.driver,
+                    "Its driver, as `torsio device list` calls it; else the one that is chosen or there");
+    sub->add_option("--name", arguments->choice.name, "Name of one of several devices of a driver");
   };
 
   CLI::App* list = command->add_subcommand("list", "All drivers and whether they can be used now");
   addChoice(list);
   list->add_flag("--json", arguments->json, "Print JSON");
   list->callback([arguments] { runList(*arguments); });
+
+  CLI::App* choose = command->add_subcommand("choose", "Remembers which device this station works with");
+  choose->add_option("device", arguments->choice.driver, "Its driver; left out: the first that is there");
+  choose->add_option("--name", arguments->choice.name, "Name of one of several devices of a driver");
+  choose->callback([arguments] { runChoose(*arguments); });
 
   CLI::App* check =
       command->add_subcommand("check", "Tests the haptic device; exit code 12 unless it is ready");

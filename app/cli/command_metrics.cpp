@@ -14,6 +14,7 @@
 #include "app/recording/kept_digests.h"
 #include "app/recording/replay_service.h"
 #include "assessment/attempt/attempt_measures.h"
+#include "assessment/attempt/force_felt.h"
 #include "assessment/metrics/metric_cards.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
@@ -202,6 +203,8 @@ void runMetrics(const MetricsArguments& arguments) {
   out["pattern"] = trial.header.patternId;
   out["phase"] = trial.header.phaseLabel;
   out["demonstration"] = trial.header.demonstration;
+  out["device"] = trial.header.deviceModel;
+  out["force_felt"] = forceFelt(trial.header.drive);
   out["interrupted"] = trial.summary.outcome == TrialOutcome::kInterrupted;
   out["content_hash"] = trial.summary.contentHash;
   out["version"] = kMetricsVersion;

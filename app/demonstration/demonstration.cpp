@@ -3,12 +3,14 @@
 
 #include <array>
 #include <chrono>
+#include <map>
 #include <system_error>
 #include <utility>
 
 #include "app/base/build_info.h"
 #include "app/demonstration/demonstration_curriculum.h"
 #include "app/demonstration/demonstration_people.h"
+#include "app/demonstration/demonstration_untwisting.h"
 #include "app/recording/detorsion_rules.h"
 #include "app/recording/expert_run.h"
 #include "app/recording/kept_digests.h"
@@ -40,6 +42,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kPhaseLength_min = 20.0;
+constexpr double kUntwistingsFrom = 0.68;  // of the whole work
+constexpr double kUntwistingsShare = 0.2;
 
 /// Phases on the simulator, by group; the other phases happen on a real arm and leave marks only.
 struct VirtualPhase {
@@ -88,6 +92,7 @@ class Demonstration {
     curriculum_ = storeDemonstrationCurriculum(connection_, study_, training, options_.training.assets,
                                                options_.seed, options_.simulatedUtc_us);
     recordAll(training, example);
+    recordUntwistings();
     storeDemonstrationExposures(connection_, study_, curriculum_, options_.seed, options_.simulatedUtc_us);
     meter_.show("Submitting simulated marks", 0.88);
     submitDemonstrationMarks(connection_, study_, ids_, options_.seed, options_.simulatedUtc_us);
@@ -125,9 +130,35 @@ class Demonstration {
         trial.practisedBefore_min = phase.practisedBefore_min;
         trial.practiceScale = static_cast<double>(options_.shortening);
         trial.recording.phaseLabel = phase.label;
-        const double fraction = 0.05 + 0.83 * static_cast<double>(done++) / static_cast<double>(total);
+        const double fraction =
+            0.05 + (kUntwistingsFrom - 0.05) * static_cast<double>(done++) / static_cast<double>(total);
         record(training, trial, &trainee, fraction);
       }
+    }
+  }
+
+  /// Organs that come twisted take the time that they take: nothing is shortened.
+  void recordUntwistings() {
+    std::map<std::string, Scene> scenes;
+    const std::vector<DemonstrationUntwisting> all = storeDemonstrationUntwisting(
+        connection_, study_, options_.training.assets, options_.seed, options_.simulatedUtc_us);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const DemonstrationUntwisting& one = all[i];
+      meter_.show(
+          "Recording " + one.trial.recording.traineeCode + ", " + one.trial.recording.phaseLabel,
+          kUntwistingsFrom + kUntwistingsShare * static_cast<double>(i) / static_cast<double>(all.size()));
+      auto scene = scenes.find(one.sceneId);
+      if (scene == scenes.end()) {
+        SceneRequest request;
+        request.assets = options_.training.assets;
+        request.id = one.sceneId;
+        request.pattern = one.patternId;
+        Scene loaded = loadScene(request);
+        organs_.emplace_back(Text::tr("organ %1", loaded.id), loaded.organHash);
+        organs_.emplace_back(Text::tr("model parameters %1", loaded.id), loaded.parameterHash);
+        scene = scenes.emplace(one.sceneId, std::move(loaded)).first;
+      }
+      keep(store(scene->second, one.trial), one.group);
     }
   }
 
@@ -149,11 +180,28 @@ class Demonstration {
       context.phaseId = place.phaseId;
       context.attemptMode = AttemptMode::kPractice;
     }
-    TrialRepository repository(connection_, context);
-    recordScriptedTrial(scene, trial, repository);
+    const Measured measured = store(scene, trial);
+    if (trainee == nullptr) {
+      return;
+    }
+    if (summary_.firstTrialId.empty()) {
+      summary_.firstTrialId = recording.trialId;
+    }
+    keep(measured, trainee->group);
+  }
 
+  /// What a recording came to.
+  struct Measured {
+    TrialSummaryRow row;
+    TrialDigest digest;
+  };
+
+  Measured store(const Scene& scene, const ScriptedTrial& trial) {
+    const RecordingSpec& recording = trial.recording;
+    TrialRepository repository(connection_, recording.context);
+    recordScriptedTrial(scene, trial, repository);
     const Trial stored = repository.load(recording.trialId);
-    const AttemptRules rules = rules_.of(connection_, scene.id, scene.pattern.id, context.moduleId);
+    const AttemptRules rules = rules_.of(connection_, scene.id, scene.pattern.id, recording.context.moduleId);
     const AttemptMeasures measures =
         measureAttempt(stored.header, decodeTrial(stored), recordedRules(rules, stored.header));
     const TrialDigest digest = keptDigest(stored, measures, rules, options_.simulatedUtc_us);
@@ -165,16 +213,15 @@ class Demonstration {
     summary_.samples += row.samples;
     summary_.recorded_min += row.minutes;
     ++summary_.trials;
-    if (trainee == nullptr) {
-      return;
-    }
-    if (summary_.firstTrialId.empty()) {
-      summary_.firstTrialId = recording.trialId;
-    }
-    row.group = trainee->group;
-    summary_.twists += row.twists;
-    DigestRepository(connection_).add({&digest, 1});
-    digests_.push_back(std::move(row));
+    return {std::move(row), digest};
+  }
+
+  /// Keeps what was measured of a trainee's recording, for the record and for the report.
+  void keep(Measured measured, std::size_t group) {
+    measured.row.group = group;
+    summary_.twists += measured.row.twists;
+    DigestRepository(connection_).add({&measured.digest, 1});
+    digests_.push_back(std::move(measured.row));
   }
 
   CohortInputs assess(const Scene& training, const Scene& example) {
@@ -190,7 +237,8 @@ class Demonstration {
         Text::tr(
             "The trainees' movements come from a scripted hand with a seed; the simulator, the recorder and "
             "every computation are the real ones."),
-        demonstrationTimeRule(), demonstrationTrainingRule(), demonstrationEvaluationRule()};
+        demonstrationTimeRule(), demonstrationTrainingRule(), demonstrationEvaluationRule(),
+        demonstrationUntwistingRule()};
     inputs.facts = {
         {Text::tr("Organ of the training"),
          Text::tr("%1 (%2)", Text(training.title), Text(training.provenance))},
@@ -203,6 +251,7 @@ class Demonstration {
       inputs.provenance.emplace_back(Text::tr("organ %1", scene->id), scene->organHash);
       inputs.provenance.emplace_back(Text::tr("model parameters %1", scene->id), scene->parameterHash);
     }
+    inputs.provenance.insert(inputs.provenance.end(), organs_.begin(), organs_.end());
     return inputs;
   }
 
@@ -214,6 +263,7 @@ class Demonstration {
   DemonstrationStudy study_;
   CurriculumVersion curriculum_;
   std::vector<TrialSummaryRow> digests_;
+  Facts organs_;  // those that come twisted
   DemonstrationSummary summary_;
 };
 

@@ -23,13 +23,13 @@ constexpr const char* kTemplate = "paper-three-arms";
 constexpr std::uint64_t kCurriculumStream = 0x63'7572'7269'6375ULL;
 constexpr std::uint64_t kExposureStream = 0x65'7870'6f73'75ULL;
 
-CurriculumTemplate paperTemplate(const std::filesystem::path& assets) {
+CurriculumTemplate templateOf(const std::filesystem::path& assets, const std::string& templateId) {
   for (CurriculumTemplate& found : curriculumTemplates(assets)) {
-    if (found.id == kTemplate) {
+    if (found.id == templateId) {
       return std::move(found);
     }
   }
-  throw Error(ErrorCode::kFileMissing, Text::tr("there is no such curriculum"), std::string(kTemplate),
+  throw Error(ErrorCode::kFileMissing, Text::tr("there is no such curriculum"), templateId,
               Text::tr("Repair the installation"));
 }
 
@@ -50,7 +50,7 @@ CurriculumVersion storeDemonstrationCurriculum(Connection& connection, const Dem
                                                const Scene& training, const std::filesystem::path& assets,
                                                std::uint64_t seed, std::int64_t utc_us) {
   SeededIdSource ids(seed ^ kCurriculumStream);
-  const CurriculumTemplate paper = paperTemplate(assets);
+  const CurriculumTemplate paper = templateOf(assets, kTemplate);
   const CurriculumId id = ids.newUuid();
   CurriculumRepository curricula(connection);
   curricula.addCurriculum({id, paper.title + " (demonstration)", paper.description, utc_us, true});
@@ -64,6 +64,26 @@ CurriculumVersion storeDemonstrationCurriculum(Connection& connection, const Dem
   curricula.addVersion(version, kDemonstrationName);
   curricula.moveTo(version.id, CurriculumState::kRunning, kDemonstrationName, utc_us);
   curricula.assign(study.cohortId, version.id);
+  return version;
+}
+
+CurriculumVersion storeDemonstrationTemplate(Connection& connection, IdSource& ids,
+                                             const std::filesystem::path& assets,
+                                             const std::string& templateId, std::vector<StudyArm> arms,
+                                             std::int64_t utc_us) {
+  const CurriculumTemplate found = templateOf(assets, templateId);
+  CurriculumRepository curricula(connection);
+  const CurriculumId id = ids.newUuid();
+  curricula.addCurriculum({id, found.title + " (demonstration)", found.description, utc_us, true});
+  CurriculumVersion version = found.content;
+  version.id = ids.newUuid();
+  version.curriculumId = id;
+  version.createdUtc_us = utc_us;
+  version.arms = std::move(arms);
+  version.plannedOccasions.clear();
+  version = withIds(std::move(version), ids);
+  curricula.addVersion(version, kDemonstrationName);
+  curricula.moveTo(version.id, CurriculumState::kRunning, kDemonstrationName, utc_us);
   return version;
 }
 

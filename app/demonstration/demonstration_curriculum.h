@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/demonstration/demonstration_people.h"
 #include "assessment/study/curriculum.h"
@@ -15,6 +16,7 @@ namespace torsio {
 inline constexpr const char* kDemonstrationName = "demonstration";  ///< who made what the demonstration makes
 
 class Connection;
+class IdSource;
 
 /// Where a simulated trial belongs in the curriculum; empty ids: nowhere.
 struct DemonstrationPlace {
@@ -30,6 +32,13 @@ struct DemonstrationPlace {
                                                              const Scene& training,
                                                              const std::filesystem::path& assets,
                                                              std::uint64_t seed, std::int64_t utc_us);
+
+/// Stores a shipped curriculum as one of the demonstration's that runs: its modules, with these arms in place
+/// of its own and without scoring points. Throws Error{kFileMissing} when it is not among the assets.
+[[nodiscard]] CurriculumVersion storeDemonstrationTemplate(Connection& connection, IdSource& ids,
+                                                           const std::filesystem::path& assets,
+                                                           const std::string& templateId,
+                                                           std::vector<StudyArm> arms, std::int64_t utc_us);
 
 /// The phase with this label in the arm of a group, and its exercise.
 [[nodiscard]] DemonstrationPlace demonstrationPlace(const CurriculumVersion& curriculum, std::size_t group,

@@ -7,8 +7,6 @@
 
 #include "app/demonstration/demonstration_curriculum.h"
 #include "app/recording/pipeline.h"
-#include "app/study/curriculum_content.h"
-#include "app/study/curriculum_ids.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/people/person.h"
 #include "assessment/study/cohort.h"
@@ -35,36 +33,6 @@ constexpr std::size_t kFirstAttempts = 10;
 constexpr std::size_t kSecondAttempts = 4;
 constexpr double kPractisedPerAttempt_min = 2.0;
 constexpr std::uint64_t kPersonSeed = 4;
-
-/// The modules of a template as a version of this curriculum, without groups and occasions.
-CurriculumVersion versionFrom(const CurriculumVersion& content, IdSource& ids,
-                              const CurriculumId& curriculumId, std::int64_t utc_us) {
-  CurriculumVersion version = content;
-  version.id = ids.newUuid();
-  version.curriculumId = curriculumId;
-  version.createdUtc_us = utc_us;
-  version.arms.clear();
-  version.plannedOccasions.clear();
-  return withIds(std::move(version), ids);
-}
-
-CurriculumVersion storeCurriculum(Connection& connection, IdSource& ids, const std::filesystem::path& assets,
-                                  std::int64_t utc_us) {
-  for (const CurriculumTemplate& found : curriculumTemplates(assets)) {
-    if (found.id != kStationTemplate) {
-      continue;
-    }
-    CurriculumRepository curricula(connection);
-    const CurriculumId id = ids.newUuid();
-    curricula.addCurriculum({id, found.title + " (demonstration)", found.description, utc_us, true});
-    const CurriculumVersion version = versionFrom(found.content, ids, id, utc_us);
-    curricula.addVersion(version, kDemonstrationName);
-    curricula.moveTo(version.id, CurriculumState::kRunning, kDemonstrationName, utc_us);
-    return version;
-  }
-  throw Error(ErrorCode::kFileMissing, Text::tr("there is no such curriculum"), std::string(kStationTemplate),
-              Text::tr("Repair the installation"));
-}
 
 /// Simulated attempts at one module; returns the last trial.
 std::string recordAttempts(Connection& connection, IdSource& ids, const std::filesystem::path& assets,
@@ -162,7 +130,8 @@ DemonstrationStation storeDemonstrationStation(Connection& connection, IdSource&
     return station;
   }
   Transaction transaction(connection);
-  const CurriculumVersion version = storeCurriculum(connection, ids, assets, utc_us);
+  const CurriculumVersion version =
+      storeDemonstrationTemplate(connection, ids, assets, kStationTemplate, {}, utc_us);
   station.cohortId = ids.newUuid();
   station.firstModuleId = version.modules.front().id;
   // After the other cohorts of the demonstration, whatever time they carry.

@@ -9,6 +9,7 @@
 
 #include "assessment/report/number_format.h"
 #include "sim/base/angle.h"
+#include "sim/base/clock.h"
 #include "sim/base/error.h"
 #include "sim/base/text_list.h"
 #include "sim/servo/servo_thread.h"
@@ -22,6 +23,8 @@ constexpr double kWriteEvery_s = 0.001;
 // The vendor asks for 1000 Hz and discourages 500 Hz.
 constexpr double kGoodRate_Hz = 950.0;
 constexpr double kGoodRegularShare = 0.95;
+// A hand moves with less than 10 Hz; slower readings than these are seen as steps.
+constexpr double kGoodReadings_Hz = 60.0;
 constexpr double kGeometryTolerance_m = 0.005;
 constexpr double kRollNoise_deg = 2.0;
 // Share of the frames that may come without a position: the device skips one now and then.
@@ -30,14 +33,6 @@ constexpr double kPosesForgiven = 0.01;
 constexpr std::int64_t kForcesSeen = 100;
 // For taking the stylus out of the inkwell before the force test.
 constexpr double kUndockWait_s = 15.0;
-
-std::string joined(const std::vector<std::string>& parts) {
-  std::string text;
-  for (const std::string& part : parts) {
-    text.append(text.empty() ? "" : ", ").append(part);
-  }
-  return text;
-}
 
 Text orNotReported(const std::string& value) {
   return value.empty() ? Text::tr("not reported") : Text(value);
@@ -52,7 +47,7 @@ class Check {
     if (openDevice() && startServo()) {
       if (waitForCalibration() && measure()) {
         judgeServo();
-        if (judgePosition() && request_.forceTest) {
+        if (judgePosition() && request_.forceTest && rendersForce()) {
           testForce();
         }
       }
@@ -76,25 +71,20 @@ class Check {
   }
 
   bool openDevice() {
-    HdapiLibrary library;
-    try {
-      StylusOpening opening = openStylus(stylusRequest(request_.choice, request_.cancelled, true));
-      library = opening.library;
-    } catch (const Error& error) {
-      add(FindingGrade::kBad, Text::tr("Library"), error.happenedText(), error.remedyText());
+    const DeviceRequest request = deviceRequest(request_.choice, request_.cancelled);
+    const DeviceDriver& driver = chosenDriver(request_.choice);
+    const Phrase subject = driver.takesLibrary ? Text::tr("Library") : Text::tr("Driver");
+    vendorLibrary_ = driver.takesLibrary;
+    const DriverFinding found = driver.look(request);
+    add(found.available ? FindingGrade::kGood : FindingGrade::kBad, subject, found.sentence, found.remedy);
+    for (const Text& note : found.notes) {
+      add(FindingGrade::kNote, subject, note);
+    }
+    if (!found.available) {
       return false;
     }
-    if (library.status != HdapiLoadStatus::kLoaded) {
-      add(FindingGrade::kBad, Text::tr("Library"), library.sentence, library.remedy);
-      return false;
-    }
-    add(FindingGrade::kGood, Text::tr("Library"), library.sentence);
-    if (!library.absentOptionals.empty()) {
-      add(FindingGrade::kNote, Text::tr("Library"),
-          Text::tr("it lacks %1, which Torsio can do without", joined(library.absentOptionals)));
-    }
     try {
-      device_ = openStylus(stylusRequest(request_.choice, request_.cancelled)).driver;
+      device_ = driver.open(request);
     } catch (const Error& error) {
       add(FindingGrade::kBad, Text::tr("Device"), error.happenedText(), error.remedyText());
       return false;
@@ -106,12 +96,11 @@ class Check {
   void describeDevice() {
     result_.capabilities = device_->capabilities();
     result_.identity = device_->identity();
-    const HdapiIdentity& id = result_.identity;
+    const DeviceIdentity& id = result_.identity;
     add(FindingGrade::kGood, Text::tr("Device"),
         Text::tr("%1, serial number %2, driver %3, library %4, opened as %5", result_.capabilities.model,
                  orNotReported(id.serial), orNotReported(id.driverVersion), orNotReported(id.libraryVersion),
                  id.openedAs));
-    add(FindingGrade::kGood, Text::tr("Licence"), Text::tr("the library works on this computer"));
     for (const Text& note : id.notes) {
       add(FindingGrade::kNote, Text::tr("Device"), note);
     }
@@ -120,12 +109,21 @@ class Check {
           Text::tr("not reported in a form that makes sense, so a cautious value is assumed: %1",
                    listed(id.assumed)));
     }
+    if (!rendersForce()) {
+      add(FindingGrade::kNote, Text::tr("Force"),
+          Text::tr("this device gives no force: it is shown, not felt"),
+          Text::tr("Measures of force are marked in every run with it"));
+      return;
+    }
+    if (vendorLibrary_) {
+      add(FindingGrade::kGood, Text::tr("Licence"), Text::tr("the library works on this computer"));
+    }
     add(FindingGrade::kGood, Text::tr("Limits"),
         Text::tr("force up to %1 N, sustained %2 N, three axes, no torque about the stylus",
                  formatFixed(result_.capabilities.maxForce_N, 2),
                  formatFixed(result_.capabilities.continuousForce_N, 2)));
   }
-
+  [[nodiscard]] bool rendersForce() const { return result_.capabilities.rendersForce; }
   bool startServo() {
     try {
       device_->serve();
@@ -139,16 +137,16 @@ class Check {
   }
 
   /// False, with a finding, when the device was lost or the user gave up.
-  bool stillThere(const HdapiSnapshot& now) {
-    if (now.state == HdapiState::kSilent && now.timing.ticks > 0) {
+  bool stillThere(const DeviceSnapshot& now) {
+    if (now.state == DeviceState::kSilent && now.timing.ticks > 0) {
       add(FindingGrade::kBad, Text::tr("Connection"),
           Text::tr("the library's servo stopped calling after %1 s", formatFixed(elapsed_s(begun_us_), 1)),
           Text::tr("Check cable and power, then plug the device in again and repeat the check"));
       return false;
     }
-    if (now.state == HdapiState::kLost) {
+    if (now.state == DeviceState::kLost) {
       add(FindingGrade::kBad, Text::tr("Connection"),
-          Text::tr("%1 after %2 s", hdapiErrorText(now.lostBecause), formatFixed(elapsed_s(begun_us_), 1)),
+          Text::tr("%1 after %2 s", device_->lossText(now.lostBecause), formatFixed(elapsed_s(begun_us_), 1)),
           Text::tr("Check cable and power, then plug the device in again and repeat the check"));
       return false;
     }
@@ -164,7 +162,7 @@ class Check {
     const std::int64_t from_us = clock_.now_us();
     bool asked = false;
     for (;;) {
-      const HdapiSnapshot now = device_->snapshot();
+      const DeviceSnapshot now = device_->snapshot();
       if (!stillThere(now)) {
         return false;
       }
@@ -189,11 +187,13 @@ class Check {
     }
     result_.calibrated = true;
     add(FindingGrade::kGood, Text::tr("Calibration"),
-        asked ? Text::tr("done in the inkwell") : Text::tr("the device is calibrated"));
+        asked            ? Text::tr("done in the inkwell")
+        : rendersForce() ? Text::tr("the device is calibrated")
+                         : Text::tr("the device needs none"));
     return true;
   }
 
-  void noteNoCalibration(const HdapiSnapshot& now) {
+  void noteNoCalibration(const DeviceSnapshot& now) {
     if (now.timing.ticks == 0) {
       add(FindingGrade::kBad, Text::tr("Servo"), Text::tr("the library's servo loop never called"),
           Text::tr("Close every other program that uses the device; restart the computer"));
@@ -206,12 +206,12 @@ class Check {
 
   bool measure() {
     say(Text::tr("Measuring the servo for %1 s", formatFixed(request_.seconds, 1)));
-    const HdapiSnapshot first = device_->snapshot();
+    const DeviceSnapshot first = device_->snapshot();
     const std::int64_t from_us = clock_.now_us();
     bool docked = true;
     double lowest_rad = 1e9;
     double highest_rad = -1e9;
-    HdapiSnapshot now = first;
+    DeviceSnapshot now = first;
     while (elapsed_s(from_us) < request_.seconds) {
       pause_s(kPollEvery_s);
       now = device_->snapshot();
@@ -246,6 +246,12 @@ class Check {
 
   void judgeServo() {
     const std::string rate = formatFixed(result_.rate_Hz, 0) + " Hz";
+    if (!rendersForce()) {
+      const bool quick = result_.rate_Hz >= kGoodReadings_Hz;
+      add(quick ? FindingGrade::kGood : FindingGrade::kNote, Text::tr("Rate"), rate,
+          quick ? Text() : Text::tr("Close other programs"));
+      return;
+    }
     const Text slowRemedy =
         Text::tr("Close other programs; on Linux allow real-time scheduling for this user (docs/devices.md)");
     if (result_.rate_Hz < kLowestRate_Hz) {
@@ -302,7 +308,9 @@ class Check {
           Text::tr("Calibrate the device again; if it stays so, have it serviced"));
       return false;
     }
-    judgeStylus();
+    if (rendersForce()) {
+      judgeStylus();
+    }
     return true;
   }
 
@@ -340,9 +348,9 @@ class Check {
     say(Text::tr("Hold the stylus: it will push upwards with %1 N for %2 s", formatFixed(kSelfTestForce_N, 1),
                  formatFixed(kSelfTestTime_s, 0)));
     device_->enableForce(true);
-    const HdapiSnapshot before = device_->snapshot();
+    const DeviceSnapshot before = device_->snapshot();
     const std::int64_t from_us = clock_.now_us();
-    HdapiSnapshot now = before;
+    DeviceSnapshot now = before;
     bool everOn = false;
     for (double t_s = 0.0; t_s < kSelfTestTime_s; t_s = elapsed_s(from_us)) {
       const double swell = std::sin(kPi * t_s / kSelfTestTime_s);
@@ -356,7 +364,7 @@ class Check {
     }
     device_->write({});
     device_->enableForce(false);
-    if (now.state == HdapiState::kLost || cancelled()) {
+    if (now.state == DeviceState::kLost || cancelled()) {
       return;
     }
     if (!everOn) {
@@ -386,7 +394,7 @@ class Check {
     say(Text::tr("Take the stylus out of the inkwell and hold it in the middle of the workspace"));
     const std::int64_t from_us = clock_.now_us();
     while (elapsed_s(from_us) < std::min(kUndockWait_s, request_.calibrationWait_s)) {
-      const HdapiSnapshot now = device_->snapshot();
+      const DeviceSnapshot now = device_->snapshot();
       if (!stillThere(now)) {
         return false;
       }
@@ -411,8 +419,9 @@ class Check {
   const DeviceCheckRequest& request_;
   MonotonicClock clock_;
   DeviceCheckResult result_;
-  std::unique_ptr<StylusDriver> device_;
-  HdapiSnapshot last_;
+  std::unique_ptr<HapticDevice> device_;
+  DeviceSnapshot last_;
+  bool vendorLibrary_ = false;
   std::int64_t begun_us_ = 0;
   std::int64_t lateTicks_ = 0;
   std::int64_t gaps_ = 0;

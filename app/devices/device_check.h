@@ -7,7 +7,7 @@
 
 #include "app/devices/device_choice.h"
 #include "sim/base/text.h"
-#include "sim/device/drivers/device_driver.h"
+#include "sim/device/haptic_device.h"
 
 namespace torsio {
 
@@ -42,7 +42,7 @@ inline constexpr double kSelfTestTime_s = 2.0;
 struct DeviceCheckResult {
   std::vector<DeviceFinding> findings;  ///< in the order in which things were looked at
   DeviceCapabilities capabilities;      ///< of the device, once it was found
-  HdapiIdentity identity;               ///< the same
+  DeviceIdentity identity;              ///< the same
   TickStatistics timing;                ///< of the whole check
   double rate_Hz = 0.0;                 ///< over the measurement
   double regularShare = 0.0;  ///< of the ticks of the measurement: 0.9 to 1.1 ms after the one before

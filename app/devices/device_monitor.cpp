@@ -12,11 +12,11 @@ namespace torsio {
 namespace {
 
 /// The state of the device in plain words.
-std::string deviceStateText(const HdapiSnapshot& snapshot) {
+std::string deviceStateText(const DeviceSnapshot& snapshot) {
   switch (snapshot.state) {
-    case HdapiState::kOpened:
+    case DeviceState::kOpened:
       return "starting";
-    case HdapiState::kNeedsCalibration:
+    case DeviceState::kNeedsCalibration:
       if (snapshot.calibration == CalibrationState::kFailed) {
         return "calibration failed";
       }
@@ -24,24 +24,47 @@ std::string deviceStateText(const HdapiSnapshot& snapshot) {
         return "being calibrated";
       }
       return "put the stylus into the inkwell";
-    case HdapiState::kReady:
+    case DeviceState::kReady:
       return "ready, force off";
-    case HdapiState::kRunning:
+    case DeviceState::kRunning:
       return "ready, force on";
-    case HdapiState::kDegraded:
+    case DeviceState::kDegraded:
       return (snapshot.sample.status & kDeviceWarm) != 0 ? "motors warm, force off"
                                                          : "servo too slow, force off";
-    case HdapiState::kSilent:
+    case DeviceState::kSilent:
       return "the servo does not call";
-    case HdapiState::kLost:
+    case DeviceState::kLost:
       return "connection lost";
-    case HdapiState::kClosed:
+    case DeviceState::kClosed:
       return "closed";
   }
   return "";
 }
 
-DeviceReadout readout(const HdapiSnapshot& now, double time_s) {
+/// What happened, in a word or two.
+std::string eventText(const DeviceEvent& event) {
+  switch (event.kind) {
+    case DeviceEvent::Kind::kButtons:
+      return event.value == 0 ? "buttons released" : "buttons pressed: " + std::to_string(event.value);
+    case DeviceEvent::Kind::kError:
+      return "error " + std::to_string(event.code);
+    case DeviceEvent::Kind::kCalibration:
+      return "calibration changed";
+    case DeviceEvent::Kind::kRollStop:
+      return "stylus at its stop";
+    case DeviceEvent::Kind::kJump:
+      return "position leapt";
+    case DeviceEvent::Kind::kGap:
+      return "servo paused";
+    case DeviceEvent::Kind::kLost:
+      return "lost";
+    case DeviceEvent::Kind::kFrozen:
+      return "position stands still";
+  }
+  return "";
+}
+
+DeviceReadout readout(const DeviceSnapshot& now, double time_s) {
   const ToolState tool = toolState(now.sample);
   DeviceReadout shown;
   shown.time_s = time_s;
@@ -59,8 +82,8 @@ DeviceReadout readout(const HdapiSnapshot& now, double time_s) {
   return shown;
 }
 
-void requireServo(const HdapiSnapshot& now, const std::string& model) {
-  if (now.state != HdapiState::kSilent) {
+void requireServo(const DeviceSnapshot& now, const std::string& model) {
+  if (now.state != DeviceState::kSilent) {
     return;
   }
   throw Error(ErrorCode::kDevice,
@@ -74,16 +97,13 @@ void requireServo(const HdapiSnapshot& now, const std::string& model) {
 void monitorDevice(const DeviceMonitorRequest& request) {
   requireTime(request.seconds, 86'400.0, Text::tr("the time to watch"));
   requireTime(request.interval_s, 60.0, Text::tr("the interval"));
-  StylusOpening opening = openStylus(stylusRequest(request.choice, request.cancelled));
-  if (opening.driver == nullptr) {
-    throw Error(ErrorCode::kDevice, opening.library.sentence, Text::tr("haptic device"),
-                opening.library.remedy);
-  }
-  StylusDriver& device = *opening.driver;
+  const std::unique_ptr<HapticDevice> opened =
+      chosenDriver(request.choice).open(deviceRequest(request.choice, request.cancelled));
+  HapticDevice& device = *opened;
   device.serve();
   const MonotonicClock clock;
   const std::int64_t begun_us = clock.now_us();
-  HdapiSnapshot now;
+  DeviceSnapshot now;
   for (double time_s = 0.0; time_s < request.seconds;
        time_s = 1e-6 * static_cast<double>(clock.now_us() - begun_us)) {
     pause_s(request.interval_s);
@@ -91,15 +111,19 @@ void monitorDevice(const DeviceMonitorRequest& request) {
       return;
     }
     now = device.snapshot();
-    request.show(readout(now, 1e-6 * static_cast<double>(clock.now_us() - begun_us)));
-    if (now.state == HdapiState::kLost) {
-      throw Error(ErrorCode::kDevice, hdapiErrorText(now.lostBecause), device.capabilities().model,
+    DeviceReadout shown = readout(now, 1e-6 * static_cast<double>(clock.now_us() - begun_us));
+    for (DeviceEvent event; device.nextEvent(event);) {
+      shown.events.push_back(eventText(event));
+    }
+    request.show(shown);
+    if (now.state == DeviceState::kLost) {
+      throw Error(ErrorCode::kDevice, device.lossText(now.lostBecause), device.capabilities().model,
                   Text::tr("Check cable and power, plug the device in again and start anew"));
     }
     requireServo(now, device.capabilities().model);
   }
   if (now.timing.ticks == 0) {
-    now.state = HdapiState::kSilent;  // watched for less than the patience
+    now.state = DeviceState::kSilent;  // watched for less than the patience
   }
   requireServo(now, device.capabilities().model);
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "app/devices/device_choice.h"
 #include "sim/base/vec3.h"
@@ -24,6 +25,7 @@ struct DeviceReadout {
   double warmest = 0.0;
   double rate_Hz = 0.0;
   std::int64_t lateTicks = 0;
+  std::vector<std::string> events;  ///< since the reading before
 };
 
 struct DeviceMonitorRequest {

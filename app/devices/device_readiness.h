@@ -36,7 +36,9 @@ struct DeviceReadiness {
 /// Looks at the device now. May take seconds; any thread.
 using DeviceProbe = std::function<DeviceReadiness()>;
 
-/// Mouse and keyboard: no force is felt, so that runs are practice unless the centre grades with them.
-[[nodiscard]] DeviceReadiness pointerReadiness(bool gradedWithMouse);
+/// Mouse and keyboard: no force is felt, so that runs are practice unless the centre grades without force.
+[[nodiscard]] DeviceReadiness pointerReadiness(bool gradedWithoutForce);
+/// The same rule for a device that was checked: one that renders force is returned as it is.
+[[nodiscard]] DeviceReadiness judgedByForce(DeviceReadiness readiness, bool gradedWithoutForce);
 
 }  // namespace torsio

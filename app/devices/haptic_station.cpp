@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "sim/base/error.h"
-#include "sim/device/process/device_process.h"
 #include "sim/servo/hand_task.h"
 
 namespace torsio {
@@ -36,19 +35,21 @@ Light lightOf(FindingGrade grade) {
 
 }  // namespace
 
-bool hapticLibraryInstalled(const DeviceChoice& choice) {
-  try {
-    return openStylus(stylusRequest(choice, {}, true)).library.status == HdapiLoadStatus::kLoaded;
-  } catch (const Error&) {
-    return false;  // `torsio device check` says why
-  }
+DeviceChoice stationChoice() {
+  DeviceChoice choice = rememberedDevice();
+  choice.driver = chosenDriver(choice).id;
+  return choice;
+}
+
+bool deviceInstalled(const DeviceChoice& choice) {
+  return chosenDriver(choice).look(deviceRequest(choice)).available;
 }
 
 DeviceReadiness hapticReadiness(const DeviceCheckResult& check) {
   DeviceReadiness readiness;
   readiness.device =
       check.capabilities.model.empty() ? Text::tr("Haptic device") : Text(check.capabilities.model);
-  readiness.haptic = true;
+  readiness.haptic = check.capabilities.rendersForce;
   for (const DeviceFinding& finding : check.findings) {
     const char* line = lineOf(finding.subject);
     const auto present = std::find_if(readiness.findings.begin(), readiness.findings.end(),
@@ -70,16 +71,14 @@ DeviceProbe hapticProbe(const DeviceChoice& choice) {
 }
 
 std::unique_ptr<HapticDevice> openHapticDevice(const Scene& scene, const DeviceChoice& choice) {
-  StylusRequest request = stylusRequest(choice, {});
-  request.options.workspaceCentre_m = handTask(scene).graspPoint_m;
-  StylusOpening opening = openStylus(request);
-  if (opening.driver == nullptr) {
-    throw Error(ErrorCode::kDevice, opening.library.sentence, Text::tr("haptic device"),
-                opening.library.remedy);
-  }
-  opening.driver->serve();
-  opening.driver->enableForce(true);
-  return std::move(opening.driver);
+  DeviceRequest request = deviceRequest(choice);
+  const HandTask task = handTask(scene);
+  request.workspaceCentre_m = task.graspPoint_m;
+  request.start.position_m = task.start_m;
+  std::unique_ptr<HapticDevice> device = chosenDriver(choice).open(request);
+  device->serve();
+  device->enableForce(true);
+  return device;
 }
 
 }  // namespace torsio

@@ -10,8 +10,11 @@
 
 namespace torsio {
 
-/// Whether this station has the vendor's library, so that a haptic device may be asked for. Opens no device.
-[[nodiscard]] bool hapticLibraryInstalled(const DeviceChoice& choice = {});
+/// What this station works with: what it remembers, else the first device that is there. May take seconds.
+[[nodiscard]] DeviceChoice stationChoice();
+/// Whether this station has the chosen device, or the library of one, so that it may be asked for. Opens
+/// none.
+[[nodiscard]] bool deviceInstalled(const DeviceChoice& choice = {});
 
 /// The device check as a trainee reads it: the findings of each subject as one light, the worst one counts.
 [[nodiscard]] DeviceReadiness hapticReadiness(const DeviceCheckResult& check);

@@ -66,8 +66,8 @@ StationDevice stationDevice(const DeviceReadiness& readiness, std::int64_t check
   return device;
 }
 
-StationDevice uncheckedDevice(bool haptic) {
-  return {.device = haptic ? Text::tr("Haptic device") : Text::tr("Mouse and keyboard"), .haptic = haptic};
+StationDevice uncheckedDevice(const Text& device, bool haptic) {
+  return {.device = device.empty() ? Text::tr("Mouse and keyboard") : device, .haptic = haptic};
 }
 
 void storeDevice(const StationDevice& device, StationState& state) {

@@ -22,8 +22,8 @@ struct StationDevice {
 
 /// As a check at `checkedUtc_us` found it; the problem is the first of the worst findings.
 [[nodiscard]] StationDevice stationDevice(const DeviceReadiness& readiness, std::int64_t checkedUtc_us);
-/// A device that was not checked yet.
-[[nodiscard]] StationDevice uncheckedDevice(bool haptic);
+/// A device that was not checked yet; an empty name: mouse and keyboard.
+[[nodiscard]] StationDevice uncheckedDevice(const Text& device, bool haptic);
 
 /// Between what is shown and what is stored beside the sign of life. A problem that cannot be read is empty.
 void storeDevice(const StationDevice& device, StationState& state);

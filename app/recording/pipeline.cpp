@@ -15,10 +15,19 @@ namespace torsio {
 
 namespace {
 
+/// The task of undoing the organ as it comes in this trial, as this hand goes about it.
+HandTask untwistingOf(const Scene& scene, const ScriptedTrial& trial) {
+  HandTask task = detorseTask(scene, detorsionSeed(trial.recording.trialId));
+  const std::size_t leftOut = std::min(trial.turnsLeftOut, task.turns.size() - 1);
+  task.turns.resize(task.turns.size() - leftOut);
+  task.closure = trial.closure.value_or(task.closure);
+  return task;
+}
+
 ScriptedHandOptions handOf(const Scene& scene, const ScriptedTrial& trial) {
   ScriptedHandOptions hand;
   hand.seed = trial.trialSeed;
-  hand.task = scene.hollow ? detorseTask(scene, detorsionSeed(trial.recording.trialId)) : handTask(scene);
+  hand.task = scene.hollow ? untwistingOf(scene, trial) : handTask(scene);
   hand.profile = handProfile(trial.personSeed);
   hand.practisedBefore_min = trial.practisedBefore_min;
   hand.practiceScale = trial.practiceScale;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "app/recording/recording_spec.h"
 #include "sim/record/trial.h"
@@ -17,6 +19,10 @@ struct ScriptedTrial {
   double duration_s = 20.0;      ///< of an organ that is undone at least until it has been left alone
   double practisedBefore_min = 0.0;
   double practiceScale = 1.0;  ///< minutes of practice that one minute of the trial stands for
+  /// Turns that the hand leaves out at the end of an untwisting; the first one is always made.
+  std::size_t turnsLeftOut = 0;
+  /// How far the jaw closes on an organ that is undone, 0 .. 1; none: as its wall bears well.
+  std::optional<double> closure{};
 };
 
 /// Records a scripted hand (RecordedRun) as fast as the machine can; the sink sees exactly what a real-time

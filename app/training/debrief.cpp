@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "assessment/attempt/force_felt.h"
 #include "assessment/attempt/merit.h"
 #include "sim/record/sample_codec.h"
 
@@ -132,6 +133,7 @@ Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples, 
   out.phaseLabel = header.phaseLabel;
   out.startedUtc_us = header.startedUtc_us;
   out.demonstration = header.demonstration;
+  out.forceFelt = forceFelt(header.drive);
   out.target_rad = header.targetAngle_rad;
   out.tolerance_rad = rules.tolerance_rad;
   out.forceLimit_N = rules.forceLimit_N.value_or(0.0);

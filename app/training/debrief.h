@@ -69,7 +69,8 @@ struct Debrief {
   double duration_s = 0.0;
   bool interrupted = false;
   bool demonstration = false;
-  bool passed = false;  ///< every check
+  bool forceFelt = true;  ///< false: computed and shown; its measures are marked
+  bool passed = false;    ///< every check
   double target_rad = 0.0;
   double tolerance_rad = 0.0;
   double forceLimit_N = 0.0;
@@ -95,7 +96,8 @@ struct Debrief {
                                   const Trial* expert);
 
 /// The debrief of a stored trial. kTrialViewOwn, own trials only. `scene`: that of the trial when it is
-/// loaded already; else it is loaded from `assets` for the expert run. Seconds: call it off the GUI thread.
+/// loaded already; else it is loaded from `assets` for the expert run or, of an untwisting, for its mishaps.
+/// Seconds: call it off the GUI thread.
 [[nodiscard]] Debrief debrief(SessionContext& session, const TrialId& trialId,
                               const std::filesystem::path& assets, const Scene* scene = nullptr);
 

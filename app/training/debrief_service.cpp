@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <span>
 #include <utility>
 
 #include "app/recording/detorsion_rules.h"
@@ -7,6 +8,7 @@
 #include "app/training/bookmarks.h"
 #include "app/training/debrief.h"
 #include "app/training/trainee_record.h"
+#include "assessment/attempt/recorded_twists.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/rating/remark.h"
 #include "assessment/study/curriculum.h"
@@ -42,23 +44,52 @@ std::optional<Trial> storedExpert(TrialRepository& trials, const TrialHeader& he
   return std::nullopt;
 }
 
-/// Empty when the organ is not there any more (a user's own mesh): the debrief then goes without.
+/// The scene of a trial: the one that is loaded already, if it is that, else from the assets. Throws Error
+/// when the organ is not there any more (a user's own mesh).
+class SceneOfTrial {
+ public:
+  SceneOfTrial(const TrialHeader& header, const std::filesystem::path& assets, const Scene* scene) {
+    if (scene != nullptr && scene->parameterHash == header.parameterHash) {
+      scene_ = scene;
+      return;
+    }
+    SceneRequest request = sceneRequestFor(header.parametersJson);
+    request.assets = assets;
+    request.id = header.sceneId;
+    scene_ = &loaded_.emplace(loadScene(request));
+  }
+  SceneOfTrial(const SceneOfTrial&) = delete;
+  SceneOfTrial& operator=(const SceneOfTrial&) = delete;
+  [[nodiscard]] const Scene& get() const noexcept { return *scene_; }
+
+ private:
+  std::optional<Scene> loaded_;
+  const Scene* scene_ = nullptr;
+};
+
+/// Empty when the organ is not there any more: the debrief then goes without.
 std::optional<Trial> expertFor(TrialRepository& trials, const TrialHeader& header,
                                const std::filesystem::path& assets, const Scene* scene) {
   if (std::optional<Trial> stored = storedExpert(trials, header)) {
     return stored;
   }
   try {
-    if (scene != nullptr && scene->parameterHash == header.parameterHash) {
-      return expertRun(*scene, header.targetAngle_rad);
-    }
-    SceneRequest request = sceneRequestFor(header.parametersJson);
-    request.assets = assets;
-    request.id = header.sceneId;
-    const Scene loaded = loadScene(request);
-    return expertRun(loaded, header.targetAngle_rad);
+    return expertRun(SceneOfTrial(header, assets, scene).get(), header.targetAngle_rad);
   } catch (const Error&) {
     return std::nullopt;
+  }
+}
+
+/// Without the organ that was recorded the story goes without its mishaps.
+void tellMishaps(const TrialHeader& header, std::span<const Sample> samples,
+                 const std::filesystem::path& assets, const Scene* scene, DetorsionStory& story) {
+  try {
+    const SceneOfTrial found(header, assets, scene);
+    if (found.get().organHash == header.organHash && found.get().parameterHash == header.parameterHash) {
+      addMishaps(found.get(), header, samples, sampleTimes(header, samples).us, story);
+    }
+  } catch (const Error&) {
+    story.mishapsKnown = false;
   }
 }
 
@@ -105,8 +136,13 @@ Debrief debrief(SessionContext& session, const TrialId& trialId, const std::file
   if (listing.summary) {
     keepDigest(session.connection(), trial, measureAttempt(samples, measured), rules, session.now_us());
   }
-  const std::optional<Trial> expert = expertFor(trials, trial.header, assets, scene);
+  // An untwisting is judged by itself.
+  const std::optional<Trial> expert =
+      measured.detorsion ? std::nullopt : expertFor(trials, trial.header, assets, scene);
   Debrief out = makeDebrief(trial.header, samples, measured, rules, expert ? &*expert : nullptr);
+  if (out.detorsion) {
+    tellMishaps(trial.header, samples, assets, scene, *out.detorsion);
+  }
   out.moduleId = listing.moduleId;
   out.mode = listing.attemptMode;
   out.interrupted = trial.summary.outcome == TrialOutcome::kInterrupted;

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "assessment/attempt/recorded_detorsion.h"
 #include "sim/base/contracts.h"
-#include "sim/base/device_sample.h"
 #include "sim/servo/detorsion.h"
+#include "sim/servo/exercise.h"
+#include "sim/servo/trial_rerun.h"
 
 namespace torsio {
 
@@ -17,16 +20,15 @@ constexpr std::size_t kStoryPoints = 4000;
 /// Follows what holds the organ and whether a check runs, tick by tick, as the servo decides it.
 class StoryTeller {
  public:
-  StoryTeller(DetorsionStory& story, double residual_rad) : story_(story), residual_rad_(residual_rad) {}
+  StoryTeller(DetorsionStory& story, const DetorsionRules& rules) : story_(story), rules_(rules) {}
 
   void take(const Sample& sample, std::int64_t at_us, double at_s) {
-    setClip(sample, at_s);
+    switches_.obey(sample);
+    mark(clipped_, switches_.clipped(), at_s, DetorsionMoment::kClipOn, DetorsionMoment::kClipOff);
     const bool holds = sample.phase == ExercisePhase::kTwisting;
     mark(holds_, holds, at_s, DetorsionMoment::kGrip, DetorsionMoment::kLetGo);
-    if (sample.command.kind == ServoCommand::Kind::kVent) {
-      mark(venting_, sample.command.value != 0.0, at_s, DetorsionMoment::kVentOpen,
-           DetorsionMoment::kVentShut);
-    }
+    mark(venting_, switches_.venting() && rules_.vent, at_s, DetorsionMoment::kVentOpen,
+         DetorsionMoment::kVentShut);
     setCheck(sample, at_us, at_s);
     angle_rad_ = sample.response.angle_rad;
   }
@@ -41,7 +43,8 @@ class StoryTeller {
     if (clipped_) {
       return DetorsionDoing::kClipped;
     }
-    return std::abs(angle_rad_) <= residual_rad_ ? DetorsionDoing::kWaiting : DetorsionDoing::kSearching;
+    return std::abs(angle_rad_) <= rules_.residual_rad ? DetorsionDoing::kWaiting
+                                                       : DetorsionDoing::kSearching;
   }
 
  private:
@@ -50,19 +53,6 @@ class StoryTeller {
       story_.events.push_back({at_s, now ? on : off});
       state = now;
     }
-  }
-
-  void setClip(const Sample& sample, double at_s) {
-    const bool pressed = (sample.device.buttons & kButtonSecond) != 0;
-    bool now = clipped_;
-    if (sample.command.kind == ServoCommand::Kind::kHoldOrgan) {
-      now = sample.command.value != 0.0;
-    } else if (pressed && !pressed_ && atOrgan_) {
-      now = !now;
-    }
-    mark(clipped_, now, at_s, DetorsionMoment::kClipOn, DetorsionMoment::kClipOff);
-    pressed_ = pressed;
-    atOrgan_ = sample.phase == ExercisePhase::kContact || sample.phase == ExercisePhase::kTwisting;
   }
 
   void setCheck(const Sample& sample, std::int64_t at_us, double at_s) {
@@ -79,15 +69,14 @@ class StoryTeller {
   }
 
   DetorsionStory& story_;
-  double residual_rad_;
+  const DetorsionRules& rules_;
+  RecordedSwitches switches_;
   double angle_rad_ = 0.0;
   double checkedAt_rad_ = 0.0;
   std::int64_t ready_us_ = -1;
   bool holds_ = false;
   bool clipped_ = false;
   bool venting_ = false;
-  bool pressed_ = true;  // one that is held down at the start sets no clip
-  bool atOrgan_ = false;
 };
 
 }  // namespace
@@ -102,7 +91,7 @@ DetorsionStory detorsionStory(std::span<const Sample> samples, std::span<const s
   if (metrics) {
     story.metrics = metrics.value().values;
   }
-  StoryTeller teller(story, rules.residual_rad);
+  StoryTeller teller(story, rules);
   const std::size_t stride = std::max<std::size_t>(1, (samples.size() + kStoryPoints - 1) / kStoryPoints);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Sample& sample = samples[i];
@@ -121,6 +110,34 @@ DetorsionStory detorsionStory(std::span<const Sample> samples, std::span<const s
     }
   }
   return story;
+}
+
+void addMishaps(const Scene& scene, const TrialHeader& header, std::span<const Sample> samples,
+                std::span<const std::int64_t> times_us, DetorsionStory& story) {
+  TORSIO_EXPECTS(times_us.size() == samples.size());
+  constexpr std::pair<ExerciseEvent, DetorsionMoment> kMishaps[] = {
+      {kEventBruised, DetorsionMoment::kBruise},
+      {kEventTorn, DetorsionMoment::kTear},
+      {kEventSlipped, DetorsionMoment::kSlip},
+      {kEventRelapsing, DetorsionMoment::kRelapse}};
+  std::uint32_t wanted = kEventNone;
+  for (const auto& [event, mishap] : kMishaps) {
+    wanted |= event;
+  }
+  for (const ExerciseMoment& moment : rerunMoments(scene, header, samples, wanted)) {
+    const auto at =
+        std::lower_bound(samples.begin(), samples.end(), moment.tick,
+                         [](const Sample& sample, std::int64_t tick) { return sample.tick < tick; });
+    const std::int64_t at_us = times_us[static_cast<std::size_t>(at - samples.begin())];
+    for (const auto& [event, mishap] : kMishaps) {
+      if ((moment.events & event) != 0) {
+        story.events.push_back({static_cast<double>(at_us - times_us.front()) * 1e-6, mishap});
+      }
+    }
+  }
+  std::stable_sort(story.events.begin(), story.events.end(),
+                   [](const auto& a, const auto& b) { return a.at_s < b.at_s; });
+  story.mishapsKnown = true;
 }
 
 }  // namespace torsio

@@ -10,6 +10,8 @@
 #include "assessment/metrics/detorsion.h"
 #include "assessment/metrics/trial_metrics.h"
 #include "sim/base/live_types.h"
+#include "sim/record/trial.h"
+#include "sim/scene/scene.h"
 
 namespace torsio {
 
@@ -24,7 +26,23 @@ enum class DetorsionDoing : std::uint8_t {
 inline constexpr std::size_t kDetorsionDoings = 5;
 
 /// What happened at an instant of an untwisting.
-enum class DetorsionMoment : std::uint8_t { kGrip, kLetGo, kClipOn, kClipOff, kVentOpen, kVentShut, kCheck };
+enum class DetorsionMoment : std::uint8_t {
+  kGrip,
+  kLetGo,
+  kClipOn,
+  kClipOff,
+  kVentOpen,
+  kVentShut,
+  kCheck,
+  kBruise,   ///< the jaw has pressed too hard for too long
+  kTear,     ///< through the wall: the content leaks
+  kSlip,     ///< the instrument pulled itself free of what it held
+  kRelapse,  ///< the organ begins to turn back by itself
+};
+/// Whether an instant is one at which something went wrong, not one that the hand chose.
+[[nodiscard]] constexpr bool isMishap(DetorsionMoment moment) noexcept {
+  return moment >= DetorsionMoment::kBruise;
+}
 
 /// How an untwisting went, for the debrief: curves thinned for drawing, instants, where the seconds went and
 /// the measures. Times are those of the hand, since the first sample.
@@ -42,7 +60,8 @@ struct DetorsionStory {
   std::vector<double> flow{};
   std::vector<double> dose{};
   std::vector<double> pressure_Pa{};
-  std::vector<Event> events{};
+  std::vector<Event> events{};                     ///< by time
+  bool mishapsKnown = false;                       ///< whether the events hold the mishaps, too (addMishaps)
   std::array<double, kDetorsionDoings> spent_s{};  ///< by DetorsionDoing; their sum is the duration
   std::vector<MetricValue> metrics{};              ///< of DetorsionMetrics; empty where they are undefined
 };
@@ -52,5 +71,10 @@ struct DetorsionStory {
                                             std::span<const std::int64_t> times_us,
                                             const DetorsionRules& rules,
                                             const Outcome<DetorsionMetrics>& metrics);
+
+/// Adds bruises, tears, slips and relapses of the same recording to its story: no recording holds them, so
+/// that they are found by running it again in its `scene`.
+void addMishaps(const Scene& scene, const TrialHeader& header, std::span<const Sample> samples,
+                std::span<const std::int64_t> times_us, DetorsionStory& story);
 
 }  // namespace torsio

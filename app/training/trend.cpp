@@ -46,6 +46,10 @@ void describeMetric(Trend& trend) {
 }
 
 void fitCurve(Trend& trend) {
+  if (isAnswerMetric(trend.metric)) {
+    trend.noCurveReason = "a yes or no has no learning curve";
+    return;
+  }
   std::vector<double> attempt;
   std::vector<double> value;
   for (const TrendPoint& point : trend.points) {
@@ -89,11 +93,26 @@ void measureDistance(Trend& trend, const TrainingModule& module) {
   trend.distance = trend.lowerIsBetter ? *last->value - *trend.threshold : *trend.threshold - *last->value;
 }
 
-/// What a module without rules is followed by: whether the organ was undone where it came twisted, else the
-/// share of twists on target.
-std::string usualMetric(const std::vector<Attempt>& attempts) {
-  const bool untwisted = std::any_of(attempts.begin(), attempts.end(), isUntwisting);
-  return untwisted ? kDetorsionDoneMetric : kOnTargetMetric;
+/// Whether the organ of a module comes twisted, as far as its rules and its attempts tell.
+bool isUndone(const TrainingModule& module, const std::vector<Attempt>& attempts) {
+  return std::any_of(attempts.begin(), attempts.end(), isUntwisting) ||
+         std::any_of(module.mastery.begin(), module.mastery.end(),
+                     [](const MasteryCriterion& rule) { return isDetorsionMetric(rule.metric); });
+}
+
+/// What a module is followed by unless somebody chooses: what its rules ask for, how much before whether.
+/// Without rules it is whether the organ was undone where it came twisted, else the share of twists on
+/// target.
+std::string usualMetric(const TrainingModule& module, bool untwisting) {
+  for (const MasteryCriterion& rule : module.mastery) {
+    if (!isAnswerMetric(rule.metric)) {
+      return rule.metric;
+    }
+  }
+  if (!module.mastery.empty()) {
+    return module.mastery.front().metric;
+  }
+  return untwisting ? kDetorsionDoneMetric : kOnTargetMetric;
 }
 
 }  // namespace
@@ -154,8 +173,9 @@ Trend trend(SessionContext& session, const PersonId& personId, const ModuleId& m
   trend.moduleTitle = module->title;
   trend.metric = metric;
   const std::vector<Attempt> attempts = attemptsOf(session, personId, moduleId);
+  trend.untwisting = isUndone(*module, attempts);
   if (metric.empty()) {
-    trend.metric = module->mastery.empty() ? usualMetric(attempts) : module->mastery.front().metric;
+    trend.metric = usualMetric(*module, trend.untwisting);
   }
   describeMetric(trend);
   std::vector<bool> failed;

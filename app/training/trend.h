@@ -46,8 +46,9 @@ struct TrendCurvePoint {
 struct Trend {
   ModuleId moduleId{};
   std::string moduleTitle{};
-  std::string metric{};  ///< of the first mastery rule, or the chosen one
-  std::string unit{};    ///< "s", "rad", "N", "1"
+  std::string metric{};     ///< the chosen one, or the first with a scale among those of the mastery rules
+  bool untwisting = false;  ///< organs are undone: there are metrics of untwisting and none of twists
+  std::string unit{};       ///< "s", "rad", "N", "1"
   bool lowerIsBetter = true;
   std::vector<TrendPoint> points{};
   std::optional<double> threshold{};
@@ -73,8 +74,9 @@ struct LevelCourse {
 };
 [[nodiscard]] LevelCourse levelCourse(const std::vector<bool>& failed);
 
-/// kTrialViewOwn, own attempts only. `metric`: empty: that of the module's first mastery rule. Throws
-/// Error{kBadParameter} for a module that is not in the trainee's curriculum.
+/// kTrialViewOwn, own attempts only. `metric`: empty: the first of the module's mastery rules that has
+/// a scale, not only yes and no. Throws Error{kBadParameter} for a module that is not in the trainee's
+/// curriculum.
 [[nodiscard]] Trend trend(SessionContext& session, const PersonId& personId, const ModuleId& moduleId,
                           const std::string& metric = {});
 

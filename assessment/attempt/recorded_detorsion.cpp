@@ -15,33 +15,6 @@ namespace {
 
 constexpr std::uint32_t kHandLost = kDeviceLost | kDeviceUncalibrated;
 
-/// Follows the clip and the way out through the recording, as the servo does: by command, the clip also by
-/// the second button, each time that it is pressed by an instrument that touches or holds the organ.
-class Switches {
- public:
-  void obey(const Sample& sample) noexcept {
-    const bool pressed = (sample.device.buttons & kButtonSecond) != 0;
-    if (sample.command.kind == ServoCommand::Kind::kHoldOrgan) {
-      clipped_ = sample.command.value != 0.0;
-    } else if (pressed && !pressed_ && atOrgan_) {
-      clipped_ = !clipped_;
-    }
-    if (sample.command.kind == ServoCommand::Kind::kVent) {
-      venting_ = sample.command.value != 0.0;
-    }
-    pressed_ = pressed;
-    atOrgan_ = sample.phase == ExercisePhase::kContact || sample.phase == ExercisePhase::kTwisting;
-  }
-  [[nodiscard]] bool clipped() const noexcept { return clipped_; }
-  [[nodiscard]] bool venting() const noexcept { return venting_; }
-
- private:
-  bool clipped_ = false;
-  bool venting_ = false;
-  bool pressed_ = false;
-  bool atOrgan_ = false;  // in the tick before
-};
-
 /// How far the jaw is closed: a button closes it fully.
 double closure(const DeviceSample& device) noexcept {
   const bool grips = (device.buttons & kButtonGrip) != 0;
@@ -53,7 +26,7 @@ std::vector<DetorsionTick> ticksOf(std::span<const Sample> samples, std::span<co
                                    const std::function<double(const Sample&)>& peakShear_Pa) {
   std::vector<DetorsionTick> ticks;
   ticks.reserve(samples.size());
-  Switches switches;
+  RecordedSwitches switches;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Sample& sample = samples[i];
     switches.obey(sample);
@@ -77,6 +50,20 @@ std::vector<DetorsionTick> ticksOf(std::span<const Sample> samples, std::span<co
 }
 
 }  // namespace
+
+void RecordedSwitches::obey(const Sample& sample) noexcept {
+  const bool pressed = (sample.device.buttons & kButtonSecond) != 0;
+  if (sample.command.kind == ServoCommand::Kind::kHoldOrgan) {
+    clipped_ = sample.command.value != 0.0;
+  } else if (pressed && !pressed_ && atOrgan_) {
+    clipped_ = !clipped_;
+  }
+  if (sample.command.kind == ServoCommand::Kind::kVent) {
+    venting_ = sample.command.value != 0.0;
+  }
+  pressed_ = pressed;
+  atOrgan_ = sample.phase == ExercisePhase::kContact || sample.phase == ExercisePhase::kTwisting;
+}
 
 bool comesTwisted(std::span<const Sample> samples) noexcept {
   return !samples.empty() && samples.front().rules == kRulesOfDetorsion;

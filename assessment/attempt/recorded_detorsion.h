@@ -12,6 +12,25 @@
 
 namespace torsio {
 
+/// Follows the clip and the way out for the content through a recording, sample by sample, as the servo
+/// decides them: by command, the clip also by the second button, each time that it is pressed by an
+/// instrument that touched or held the organ in the tick before. A plain value; any one thread.
+class RecordedSwitches {
+ public:
+  /// Takes the next sample.
+  void obey(const Sample& sample) noexcept;
+  /// Whether a clip or an assistant holds the organ in this tick.
+  [[nodiscard]] bool clipped() const noexcept { return clipped_; }
+  /// Whether the way out has been opened; whether anything leaves by it is the scene's to say.
+  [[nodiscard]] bool venting() const noexcept { return venting_; }
+
+ private:
+  bool clipped_ = false;
+  bool venting_ = false;
+  bool pressed_ = true;   // one that is held down at the start sets no clip
+  bool atOrgan_ = false;  // in the tick before
+};
+
 /// Whether a recording is that of an organ which came twisted and is to be undone.
 [[nodiscard]] bool comesTwisted(std::span<const Sample> samples) noexcept;
 

@@ -48,6 +48,11 @@ inline constexpr const char* kDetorsionDoneMetric = "detorse.done";
 [[nodiscard]] constexpr bool isDetorsionMetric(std::string_view id) noexcept {
   return id.substr(0, kDetorsionMetrics.size()) == kDetorsionMetrics;
 }
+/// Whether a metric answers a question: 1 is yes, 0 is no. It has neither scale nor learning curve.
+[[nodiscard]] constexpr bool isAnswerMetric(std::string_view id) noexcept {
+  return id == kDetorsionDoneMetric || id == "detorse.relapse" || id == "detorse.first_direction" ||
+         id == "detorse.vented_first";
+}
 
 /// Name of a metric in English: of its card, or of the two above; the id itself when there is none.
 [[nodiscard]] std::string metricTitle(const std::string& metric);

@@ -155,12 +155,14 @@ void addTrials(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
     rows.place.flags = joinFlags(commonFlags(in), trial.interrupted ? std::vector<std::string>{"interrupted"}
                                                                     : std::vector<std::string>{});
     rows.add("minutes", trial.minutes, trial.samples);
-    rows.add("twists", static_cast<double>(trial.twists), trial.samples);
-    rows.add("twists_not_completed", static_cast<double>(trial.unfinishedTwists), trial.samples);
-    rows.add("twists_on_target", static_cast<double>(trial.twistsOnTarget), trial.twists);
-    rows.add("mean_absolute_error_deg", trial.meanAbsoluteError_deg, trial.twists);
-    rows.add("peak_torque_Nm", trial.peakTorque_Nm, trial.samples);
-    rows.add("peak_force_N", trial.peakForce_N, trial.samples);
+    if (trial.detorsion.empty()) {
+      rows.add("twists", static_cast<double>(trial.twists), trial.samples);
+      rows.add("twists_not_completed", static_cast<double>(trial.unfinishedTwists), trial.samples);
+      rows.add("twists_on_target", static_cast<double>(trial.twistsOnTarget), trial.twists);
+      rows.add("mean_absolute_error_deg", trial.meanAbsoluteError_deg, trial.twists);
+      rows.add("peak_torque_Nm", trial.peakTorque_Nm, trial.samples);
+      rows.add("peak_force_N", trial.peakForce_N, trial.samples);
+    }
     rows.add("refused_samples", static_cast<double>(trial.refusedSamples), trial.samples);
     for (std::size_t i = 0; i < trial.attempts.size(); ++i) {
       rows.place.index = std::to_string(i + 1);

@@ -156,10 +156,15 @@ ReportTable trialsByPhase(const CohortInputs& in) {
     std::vector<double> torques;
     std::vector<double> forces;
   };
+  std::int64_t n = 0;
   std::map<std::pair<std::size_t, std::string>, Sums> cells;
   for (const TrialSummaryRow& trial : in.trials) {
+    if (!trial.detorsion.empty()) {
+      continue;  // a table of their own: there are no twists
+    }
     Sums& sums = cells[{trial.group, trial.phase.str()}];
     sums.phase = trial.phase;
+    ++n;
     ++sums.trials;
     sums.minutes += trial.minutes;
     sums.twists += trial.twists;
@@ -195,7 +200,7 @@ ReportTable trialsByPhase(const CohortInputs& in) {
   table.notes = {Text::tr(
       "Means are taken over trials. Measured by the simulator; the marks of the physicians are separate.")};
   table.provenance.formula = Text::tr("means over trials");
-  table.provenance.n = std::ssize(in.trials);
+  table.provenance.n = n;
   table.provenance.flags = commonFlags(in);
   return table;
 }
@@ -313,7 +318,9 @@ ReportSection trialsSection(const CohortInputs& in) {
     section.paragraphs.push_back(
         Text::tr("Trials with samples that were not recorded are incomplete and marked in the data."));
   }
-  section.tables.push_back(trialsByPhase(in));
+  if (ReportTable twists = trialsByPhase(in); !twists.rows.empty()) {
+    section.tables.push_back(std::move(twists));
+  }
   if (std::optional<ReportTable> untwistings = detorsionTable(in)) {
     section.tables.push_back(std::move(*untwistings));
   }

@@ -76,6 +76,7 @@ std::optional<ReportTable> detorsionTable(const CohortInputs& in) {
                    Text::tr("Undone"),
                    Text::tr("Relapsed"),
                    Text::tr("First turn the right way"),
+                   Text::tr("Tissue hurt"),
                    Text::tr("Blood came back"),
                    Text::tr("Median time until then (s)"),
                    Text::tr("Median ischaemic dose"),
@@ -84,15 +85,17 @@ std::optional<ReportTable> detorsionTable(const CohortInputs& in) {
   for (const auto& [key, cell] : cells) {
     table.rows.push_back(
         {in.groups[key.first].name, cell.phase, std::to_string(cell.trials), cell.yes("detorse.done"),
-         cell.yes("detorse.relapse"), cell.yes("detorse.first_direction"),
+         cell.yes("detorse.relapse"), cell.yes("detorse.first_direction"), cell.yes("detorse.overload_time"),
          Text::tr("%1 of %2", cell.bloodBack, cell.trials), cell.median("detorse.time_to_flow", 1.0, 1),
          cell.median("detorse.dose", 1.0, 2), cell.median("beyond the least", 1.0, 1),
          cell.median("detorse.slip_back", kDegreesPerRadian, 1)});
   }
-  table.notes = {Text::tr(
-      "An organ that came twisted is undone; there are no targets and no angle errors. Time is that of "
-      "the hand; where blood did not come back, it is censored and not in the median. From an ischaemic "
-      "dose of 1 on the organ is lost.")};
+  table.notes = {
+      Text::tr(
+          "An organ that came twisted is undone; there are no targets and no angle errors. Time is that of "
+          "the hand; where blood did not come back, it is censored and not in the median. From an ischaemic "
+          "dose of 1 on the organ is lost."),
+      Text::tr("Tissue was hurt where jaw or pull went beyond what it then bore.")};
   table.provenance.formula = Text::tr("medians over trials");
   table.provenance.n = trials;
   table.provenance.flags = commonFlags(in);

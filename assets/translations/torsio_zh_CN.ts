@@ -32,201 +32,6 @@
     </message>
 </context>
 <context>
-    <name>Assets</name>
-    <message>
-        <source>Forearm</source>
-        <translation>前臂</translation>
-    </message>
-    <message>
-        <source>Intestine</source>
-        <translation>肠</translation>
-    </message>
-    <message>
-        <source>Stomach</source>
-        <translation>胃</translation>
-    </message>
-    <message>
-        <source>Right forearm</source>
-        <translation>右前臂</translation>
-    </message>
-    <message>
-        <source>Pronation</source>
-        <translation>旋前</translation>
-    </message>
-    <message>
-        <source>Supination</source>
-        <translation>旋后</translation>
-    </message>
-    <message>
-        <source>Loop</source>
-        <translation>肠袢</translation>
-    </message>
-    <message>
-        <source>Organo-axial</source>
-        <translation>器官轴型</translation>
-    </message>
-    <message>
-        <source>Mesentero-axial</source>
-        <translation>系膜轴型</translation>
-    </message>
-    <message>
-        <source>Combined</source>
-        <translation>复合型</translation>
-    </message>
-    <message>
-        <source>Partial</source>
-        <translation>部分型</translation>
-    </message>
-    <message>
-        <source>Small intestine, loop</source>
-        <translation>小肠袢</translation>
-    </message>
-    <message>
-        <source>Pronation, 60 degrees</source>
-        <translation>旋前 60 度</translation>
-    </message>
-    <message>
-        <source>Supination, 60 degrees</source>
-        <translation>旋后 60 度</translation>
-    </message>
-    <message>
-        <source>Loop, 180 degrees</source>
-        <translation>肠袢 180 度</translation>
-    </message>
-    <message>
-        <source>Organo-axial, 180 degrees</source>
-        <translation>器官轴型 180 度</translation>
-    </message>
-    <message>
-        <source>Partial, antrum only, 90 degrees</source>
-        <translation>部分扭转，仅胃窦，90 度</translation>
-    </message>
-    <message>
-        <source>Mesentero-axial, 45 degrees</source>
-        <translation>系膜轴型 45 度</translation>
-    </message>
-    <message>
-        <source>dorsal forearm, 60 mm from the wrist crease</source>
-        <translation>前臂背侧，距腕横纹 60 mm</translation>
-    </message>
-    <message>
-        <source>palmar forearm, 60 mm from the wrist crease</source>
-        <translation>前臂掌侧，距腕横纹 60 mm</translation>
-    </message>
-    <message>
-        <source>radial styloid</source>
-        <translation>桡骨茎突</translation>
-    </message>
-    <message>
-        <source>ulnar head</source>
-        <translation>尺骨头</translation>
-    </message>
-    <message>
-        <source>dorsal wrist centre</source>
-        <translation>腕背中点</translation>
-    </message>
-    <message>
-        <source>palmar wrist crease centre</source>
-        <translation>掌侧腕横纹中点</translation>
-    </message>
-    <message>
-        <source>thumb base (first carpometacarpal joint)</source>
-        <translation>拇指根部（第一腕掌关节）</translation>
-    </message>
-    <message>
-        <source>second knuckle (index metacarpal head)</source>
-        <translation>第二掌指关节（示指掌骨头）</translation>
-    </message>
-    <message>
-        <source>fifth knuckle (ulnar border)</source>
-        <translation>第五掌指关节（尺侧缘）</translation>
-    </message>
-    <message>
-        <source>tip of the middle finger</source>
-        <translation>中指尖</translation>
-    </message>
-    <message>
-        <source>Combined, 120 degrees</source>
-        <translation>混合型 120 度</translation>
-    </message>
-    <message>
-        <source>Small-bowel loop</source>
-        <translation>小肠袢</translation>
-    </message>
-    <message>
-        <source>Gastric organo-axial</source>
-        <translation>胃器官轴型扭转</translation>
-    </message>
-    <message>
-        <source>Gastric mesentero-axial</source>
-        <translation>胃系膜轴型扭转</translation>
-    </message>
-    <message>
-        <source>Testis</source>
-        <translation>睾丸</translation>
-    </message>
-    <message>
-        <source>Sigmoid</source>
-        <translation>乙状结肠</translation>
-    </message>
-    <message>
-        <source>Midgut</source>
-        <translation>中肠</translation>
-    </message>
-    <message>
-        <source>Detorse</source>
-        <translation>复位</translation>
-    </message>
-    <message>
-        <source>Small-bowel loop, twisted</source>
-        <translation>小肠袢扭转</translation>
-    </message>
-    <message>
-        <source>Stomach, organo-axial volvulus</source>
-        <translation>胃器官轴型扭转</translation>
-    </message>
-    <message>
-        <source>Stomach, mesentero-axial volvulus</source>
-        <translation>胃系膜轴型扭转</translation>
-    </message>
-    <message>
-        <source>Testis on its cord, torsion</source>
-        <translation>睾丸扭转</translation>
-    </message>
-    <message>
-        <source>Sigmoid volvulus</source>
-        <translation>乙状结肠扭转</translation>
-    </message>
-    <message>
-        <source>Midgut volvulus</source>
-        <translation>中肠扭转</translation>
-    </message>
-    <message>
-        <source>Undo a small-bowel loop</source>
-        <translation>复位扭转的小肠袢</translation>
-    </message>
-    <message>
-        <source>Undo organo-axial</source>
-        <translation>复位胃器官轴型扭转</translation>
-    </message>
-    <message>
-        <source>Undo mesentero-axial</source>
-        <translation>复位胃系膜轴型扭转</translation>
-    </message>
-    <message>
-        <source>Undo testicular torsion</source>
-        <translation>复位左侧睾丸扭转</translation>
-    </message>
-    <message>
-        <source>Undo a sigmoid volvulus</source>
-        <translation>复位乙状结肠扭转</translation>
-    </message>
-    <message>
-        <source>Undo a midgut volvulus</source>
-        <translation>复位中肠扭转</translation>
-    </message>
-</context>
-<context>
     <name>CurriculumState</name>
     <message>
         <source>%1: changed, not saved. The draft is also saved when you leave.</source>
@@ -1586,6 +1391,31 @@
     <message>
         <source>Last time: %1</source>
         <translation>上次：%1</translation>
+    </message>
+    <message>
+        <source>blood did not come back</source>
+        <translation>血流未恢复</translation>
+    </message>
+    <message>
+        <source>not defined</source>
+        <translation>无定义</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>quantity and value</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2, wanted %3</source>
+        <translation>%1：%2，要求 %3</translation>
     </message>
 </context>
 <context>
@@ -8067,7 +7897,7 @@
     </message>
     <message>
         <source>Small intestine, loop</source>
-        <translation>小肠肠袢</translation>
+        <translation>小肠袢</translation>
     </message>
     <message>
         <source>synthetic, drawn by torsio_make_organs from ANSUR II means</source>
@@ -10266,10 +10096,6 @@
         <translation>回滑中位数（度）</translation>
     </message>
     <message>
-        <source>An organ that came twisted is undone; there are no targets and no angle errors. Time is that of the hand; where blood did not come back, it is censored and not in the median. From an ischaemic dose of 1 on the organ is lost.</source>
-        <translation>将起初扭转的器官复位；没有目标角，也没有角度误差。时间为手的时间；血流未恢复者为删失，不计入中位数。缺血剂量达到 1 时器官即丧失。</translation>
-    </message>
-    <message>
         <source>medians over trials</source>
         <translation>各次记录的中位数</translation>
     </message>
@@ -10484,6 +10310,286 @@
     <message>
         <source>The period lies above zero, the latency in 0..16 ticks</source>
         <translation>周期须大于零，延迟须在 0 至 16 个节拍之间</translation>
+    </message>
+    <message>
+        <source>Driver</source>
+        <translation>驱动程序</translation>
+    </message>
+    <message>
+        <source>this device gives no force: it is shown, not felt</source>
+        <translation>此设备不提供力：力只显示，感觉不到</translation>
+    </message>
+    <message>
+        <source>Measures of force are marked in every run with it</source>
+        <translation>用它进行的每次操作中，力的测量值都会加以标注</translation>
+    </message>
+    <message>
+        <source>the device needs none</source>
+        <translation>此设备无需校准</translation>
+    </message>
+    <message>
+        <source>Close other programs</source>
+        <translation>请关闭其他程序</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no device that is plugged in</source>
+        <translation>“%1”不是可插接的设备</translation>
+    </message>
+    <message>
+        <source>`torsio device list` shows the others</source>
+        <translation>`torsio device list` 会列出其他设备</translation>
+    </message>
+    <message>
+        <source>no game controller could be opened</source>
+        <translation>无法打开任何游戏手柄</translation>
+    </message>
+    <message>
+        <source>game controller</source>
+        <translation>游戏手柄</translation>
+    </message>
+    <message>
+        <source>Plug it in or pair it, and give the user access to /dev/input (docs/devices.md)</source>
+        <translation>请插上或配对手柄，并授予用户访问 /dev/input 的权限（docs/devices.md）</translation>
+    </message>
+    <message>
+        <source>this kind of device was not confirmed on hardware yet</source>
+        <translation>此类设备尚未在真实硬件上确认</translation>
+    </message>
+    <message>
+        <source>found: %1</source>
+        <translation>已找到：%1</translation>
+    </message>
+    <message>
+        <source>no game controller is connected</source>
+        <translation>未连接游戏手柄</translation>
+    </message>
+    <message>
+        <source>no game controller is called &quot;%1&quot;</source>
+        <translation>没有名为“%1”的游戏手柄</translation>
+    </message>
+    <message>
+        <source>Choose one of: %1</source>
+        <translation>请从以下选项中选择：%1</translation>
+    </message>
+    <message>
+        <source>a controller that SDL knows; not confirmed on hardware</source>
+        <translation>SDL 认识的手柄；尚未在硬件上确认</translation>
+    </message>
+    <message>
+        <source>there is no device driver &quot;%1&quot;</source>
+        <translation>没有名为“%1”的设备驱动程序</translation>
+    </message>
+    <message>
+        <source>the vendor&apos;s driver and OpenHaptics</source>
+        <translation>厂商的驱动程序和 OpenHaptics</translation>
+    </message>
+    <message>
+        <source>the daemon spacenavd does not answer</source>
+        <translation>守护进程 spacenavd 没有应答</translation>
+    </message>
+    <message>
+        <source>Install spacenavd, start it and plug the device in (docs/devices.md)</source>
+        <translation>请安装并启动 spacenavd，然后插上设备（docs/devices.md）</translation>
+    </message>
+    <message>
+        <source>spacenavd runs, but has no device</source>
+        <translation>spacenavd 正在运行，但没有设备</translation>
+    </message>
+    <message>
+        <source>in use by this program</source>
+        <translation>本程序正在使用</translation>
+    </message>
+    <message>
+        <source>the daemon spacenavd; not confirmed on hardware</source>
+        <translation>守护进程 spacenavd；尚未在硬件上确认</translation>
+    </message>
+    <message>
+        <source>the daemon spacenavd does not exist on this system</source>
+        <translation>此系统上没有守护进程 spacenavd</translation>
+    </message>
+    <message>
+        <source>Use another device</source>
+        <translation>请使用其他设备</translation>
+    </message>
+    <message>
+        <source>a recorded trial</source>
+        <translation>一次已记录的操作</translation>
+    </message>
+    <message>
+        <source>no handle is connected: the jaw cannot be turned or closed</source>
+        <translation>未连接手柄：钳口无法转动或闭合</translation>
+    </message>
+    <message>
+        <source>Install the device&apos;s service and start it (docs/devices.md)</source>
+        <translation>请安装并启动设备的服务（docs/devices.md）</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not of the form HOST:PORT</source>
+        <translation>“%1”不是“主机:端口”的形式</translation>
+    </message>
+    <message>
+        <source>Correct the variable, or unset it</source>
+        <translation>请更正或清除该变量</translation>
+    </message>
+    <message>
+        <source>the service runs, but has no such device</source>
+        <translation>服务正在运行，但没有这样的设备</translation>
+    </message>
+    <message>
+        <source>the device&apos;s service on this computer; not confirmed on hardware</source>
+        <translation>本机上的设备服务；尚未在硬件上确认</translation>
+    </message>
+    <message>
+        <source>no service answers at %1</source>
+        <translation>%1 上没有服务应答</translation>
+    </message>
+    <message>
+        <source>A loop of small bowel of 27 mm width, wrung between its two feet and the part in the hand. The mobile part turns as a whole about the organ&apos;s own axis and the spans beside it are wrung; limbs do not wind round each other, the mesentery is not drawn. The law of the wall was checked for length over radius 3 to 12 and wall over radius 0.03 to 0.1. The limbs are 82 mm long on a mean radius of 12 mm (6.8) with a wall over radius of 0.085 to 0.105: inside, the narrowest places 5 % beyond. Pressure times radius over stiffness times wall is 0.9, held against a second computation up to 0.5 only. The lumen shuts near 200 degrees. Wall, pressure, stiffness of the wall, friction and the length of the vessels are assumed; the limits of the jaw and the time to loss are sourced (pig jejunum). Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
+        <translation>一段宽 27 mm 的小肠袢，在两个肠脚与手中部分之间被拧转。活动部分作为整体绕器官自身的轴线转动，两侧的肠段被拧转；各肢不会相互缠绕，系膜未画出。管壁定律在长度与半径之比 3 至 12、壁厚与半径之比 0.03 至 0.1 的范围内验证过。两肢长 82 mm，平均半径 12 mm（比值 6.8），壁厚与半径之比为 0.085 至 0.105：在范围之内，最窄处超出 5%。压力乘半径除以刚度与壁厚之积为 0.9，而与另一种计算的对照只做到 0.5。肠腔在约 200 度时闭合。壁厚、压力、管壁刚度、摩擦和血管长度为假设值；器械钳口的限值和坏死时间有文献来源（猪空肠）。血流与扭转角的关系只在睾丸上测量过，此处借用。颜色不能证明组织存活。仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
+    </message>
+    <message>
+        <source>A stomach that is held at pylorus and cardia; the body between is in the hand. The mobile part turns as a whole about the organ&apos;s own axis and the spans beside it are wrung; limbs do not wind round each other, the mesentery is not drawn. In a patient the greater curvature swings about the straight line between cardia and pylorus; here the body turns about the stomach&apos;s own curved axis, and antrum and upper body are wrung. The law of the wall was checked for length over radius 3 to 12 and wall over radius 0.03 to 0.1. The antrum is 92 mm long on a mean radius of 24 mm (3.9) with a wall over radius of 0.06 to 0.35, the upper body 92 mm on 35 mm (2.6) with 0.05 to 0.07: the thick antrum and the short body lie outside. Pressure times radius over stiffness times wall is 2.5 and 3.8 at 8 mmHg, held against a second computation up to 0.5 only. The lumen shuts between 85 and 110 degrees, earlier than the 180 of surgeons, because two short stretches take the whole turn. Thickness and the pressure of a fasted stomach are sourced; the pressure of the volvulus, the stiffness of the wall, friction and vessels are assumed. Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
+        <translation>胃固定在幽门和贲门，中间的胃体握在手中。活动部分作为整体绕器官自身的轴线转动，两侧的胃段被拧转；各肢不会相互缠绕，系膜未画出。在患者体内，胃大弯绕贲门与幽门之间的直线翻转；此处胃体绕胃自身弯曲的轴线转动，胃窦和胃体上部被拧转。管壁定律在长度与半径之比 3 至 12、壁厚与半径之比 0.03 至 0.1 的范围内验证过。胃窦长 92 mm，平均半径 24 mm（比值 3.9），壁厚与半径之比为 0.06 至 0.35；胃体上部长 92 mm，半径 35 mm（比值 2.6），壁厚与半径之比为 0.05 至 0.07：较厚的胃窦和较短的胃体在范围之外。8 mmHg 时压力乘半径除以刚度与壁厚之积为 2.5 和 3.8，而与另一种计算的对照只做到 0.5。胃腔在 85 至 110 度之间闭合，早于外科医生所说的 180 度，因为全部转角由两段较短的胃承担。壁厚和空腹时的胃内压有文献来源；扭转时的压力、管壁刚度、摩擦和血管为假设值。血流与扭转角的关系只在睾丸上测量过，此处借用。颜色不能证明组织存活。仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
+    </message>
+    <message>
+        <source>A stomach that is held at the cardia; antrum and pylorus are in the hand and turn on the body. In a patient the antrum swings up about the short axis through the middle of both curvatures and the body kinks; the model has no such hinge: it turns the antrum about the stomach&apos;s own axis and wrings the body between cardia and antrum, with the same order of steps and the same blood. The law of the wall was checked for length over radius 3 to 12 and wall over radius 0.03 to 0.1. The body is 124 mm long on a mean radius of 34 mm (3.6) with a wall over radius of 0.05 to 0.07: inside. Pressure times radius over stiffness times wall is 2.8 at 6 mmHg, held against a second computation up to 0.5 only. The lumen shuts near 150 degrees. Thickness and the pressure of a fasted stomach are sourced; the pressure of the volvulus, the stiffness of the wall, friction and vessels are assumed. Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
+        <translation>胃固定在贲门；胃窦和幽门握在手中，相对胃体转动。在患者体内，胃窦绕穿过大小弯中点的短轴向上翻起，胃体折叠；模型没有这样的铰链：它让胃窦绕胃自身的轴线转动，拧转贲门与胃窦之间的胃体，步骤顺序和血流变化相同。管壁定律在长度与半径之比 3 至 12、壁厚与半径之比 0.03 至 0.1 的范围内验证过。胃体长 124 mm，平均半径 34 mm（比值 3.6），壁厚与半径之比为 0.05 至 0.07：在范围之内。6 mmHg 时压力乘半径除以刚度与壁厚之积为 2.8，而与另一种计算的对照只做到 0.5。胃腔在约 150 度时闭合。壁厚和空腹时的胃内压有文献来源；扭转时的压力、管壁刚度、摩擦和血管为假设值。血流与扭转角的关系只在睾丸上测量过，此处借用。颜色不能证明组织存活。仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
+    </message>
+    <message>
+        <source>A testis turns on its cord as it does in a patient. The cord is solid, of radius 6 mm and 60 mm long with an assumed shear modulus of 10 kPa (0.34 N mm a radian), without wall, lumen or folds: patency stays 1. Vessels: the only organ whose flow against the angle was measured, on rats and rams. 27.5 % keep a rest of torsion where pain goes at 360 degrees: check the flow. Colour is no proof of life. Stiffness, adhesion and fingers are assumed; for training the hand and the order of steps, nothing about one patient.</source>
+        <translation>睾丸在精索上转动，与患者体内一样。精索为实心，半径 6 mm，长 60 mm，剪切模量假设为 10 kPa（每弧度 0.34 N mm），没有管壁、管腔和皱褶：通畅度始终为 1。血管：这是唯一测量过血流与扭转角关系的器官，数据来自大鼠和公羊。疼痛在 360 度时即可消失，而 27.5% 的患者仍有残余扭转：应检查血流。颜色不能证明组织存活。刚度、粘连和手指为假设值；仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
+    </message>
+    <message>
+        <source>An omega loop of sigmoid whose two limbs are wrung between the feet on the root and the top in the hand. The mobile part turns as a whole about the organ&apos;s own axis and the spans beside it are wrung; limbs do not wind round each other, the mesentery is not drawn. In a patient the limbs also cross. The law of the wall was checked for length over radius 3 to 12 and wall over radius 0.03 to 0.1. The limbs are 198 mm long on a mean radius of 32 mm (6.3) with a wall over radius of 0.055 to 0.099: inside. Pressure times radius over stiffness times wall is 3.1 at 15 mmHg, held against a second computation up to 0.5 only. The lumen shuts near 140 degrees; letting gas out takes the peak torque from 131 to 27 N mm. Wall, pressure, stiffness, friction and vessels are assumed; pull and jaw are sourced. Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
+        <translation>一段 Ω 形的乙状结肠袢，两肢在系膜根部的肠脚与手中的袢顶之间被拧转。活动部分作为整体绕器官自身的轴线转动，两侧的肠段被拧转；各肢不会相互缠绕，系膜未画出。在患者体内，两肢还会交叉。管壁定律在长度与半径之比 3 至 12、壁厚与半径之比 0.03 至 0.1 的范围内验证过。两肢长 198 mm，平均半径 32 mm（比值 6.3），壁厚与半径之比为 0.055 至 0.099：在范围之内。15 mmHg 时压力乘半径除以刚度与壁厚之积为 3.1，而与另一种计算的对照只做到 0.5。肠腔在约 140 度时闭合；排气使最大力矩从 131 降到 27 N mm。壁厚、压力、刚度、摩擦和血管为假设值；牵拉和钳口的限值有文献来源。血流与扭转角的关系只在睾丸上测量过，此处借用。颜色不能证明组织存活。仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
+    </message>
+    <message>
+        <source>Combined, 120 degrees</source>
+        <translation>复合型 120 度</translation>
+    </message>
+    <message>
+        <source>Loop, 180 degrees</source>
+        <translation>肠袢 180 度</translation>
+    </message>
+    <message>
+        <source>Mesentero-axial, 45 degrees</source>
+        <translation>系膜轴型 45 度</translation>
+    </message>
+    <message>
+        <source>Organo-axial, 180 degrees</source>
+        <translation>器官轴型 180 度</translation>
+    </message>
+    <message>
+        <source>Partial, antrum only, 90 degrees</source>
+        <translation>部分扭转，仅胃窦，90 度</translation>
+    </message>
+    <message>
+        <source>Pronation, 60 degrees</source>
+        <translation>旋前 60 度</translation>
+    </message>
+    <message>
+        <source>Supination, 60 degrees</source>
+        <translation>旋后 60 度</translation>
+    </message>
+    <message>
+        <source>The whole pack of small bowel turns on the stalk of its vessels, as in a patient. The stalk is solid, of radius 8 mm and 60 mm long with an assumed shear modulus of 10 kPa (1.1 N mm a radian): patency stays 1, the shut duodenum is not modelled, and the coils are relief on one body that turns as a whole. Stalk, friction and vessels are assumed; limits of the jaw and the time to loss are sourced (pig jejunum). Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
+        <translation>整团小肠在其血管蒂上转动，与患者体内一样。血管蒂为实心，半径 8 mm，长 60 mm，剪切模量假设为 10 kPa（每弧度 1.1 N mm）：通畅度始终为 1，未模拟闭塞的十二指肠；肠袢只是一个整体表面上的起伏，整体转动。血管蒂、摩擦和血管为假设值；钳口的限值和坏死时间有文献来源（猪空肠）。血流与扭转角的关系只在睾丸上测量过，此处借用。颜色不能证明组织存活。仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
+    </message>
+    <message>
+        <source>Undo a midgut volvulus</source>
+        <translation>复位中肠扭转</translation>
+    </message>
+    <message>
+        <source>Undo a sigmoid volvulus</source>
+        <translation>复位乙状结肠扭转</translation>
+    </message>
+    <message>
+        <source>Undo a small-bowel loop</source>
+        <translation>复位扭转的小肠袢</translation>
+    </message>
+    <message>
+        <source>Undo mesentero-axial</source>
+        <translation>复位胃系膜轴型扭转</translation>
+    </message>
+    <message>
+        <source>Undo organo-axial</source>
+        <translation>复位胃器官轴型扭转</translation>
+    </message>
+    <message>
+        <source>Undo testicular torsion</source>
+        <translation>复位睾丸扭转</translation>
+    </message>
+    <message>
+        <source>dorsal forearm, 60 mm from the wrist crease</source>
+        <translation>前臂背侧，距腕横纹 60 mm</translation>
+    </message>
+    <message>
+        <source>dorsal wrist centre</source>
+        <translation>腕背中点</translation>
+    </message>
+    <message>
+        <source>fifth knuckle (ulnar border)</source>
+        <translation>第五掌指关节（尺侧缘）</translation>
+    </message>
+    <message>
+        <source>palmar forearm, 60 mm from the wrist crease</source>
+        <translation>前臂掌侧，距腕横纹 60 mm</translation>
+    </message>
+    <message>
+        <source>palmar wrist crease centre</source>
+        <translation>掌侧腕横纹中点</translation>
+    </message>
+    <message>
+        <source>radial styloid</source>
+        <translation>桡骨茎突</translation>
+    </message>
+    <message>
+        <source>second knuckle (index metacarpal head)</source>
+        <translation>第二掌指关节（示指掌骨头）</translation>
+    </message>
+    <message>
+        <source>thumb base (first carpometacarpal joint)</source>
+        <translation>拇指根部（第一腕掌关节）</translation>
+    </message>
+    <message>
+        <source>tip of the middle finger</source>
+        <translation>中指尖</translation>
+    </message>
+    <message>
+        <source>ulnar head</source>
+        <translation>尺骨头</translation>
+    </message>
+    <message>
+        <source>Four trainees also undo organs that come twisted, as a cohort of their own that follows the curriculum &quot;Volvulus and torsion: undo it&quot;. Two of these hands stop a turn too early and one closes the jaw too tightly, by design.</source>
+        <translation>四名学员还练习复位扭转的器官，单独成为一个队列，按照课程《肠胃扭转与睾丸扭转：复位》进行。其中有意让两次操作省去最后一转，让一次操作钳夹过紧。</translation>
+    </message>
+    <message>
+        <source>Tissue hurt</source>
+        <translation>组织损伤</translation>
+    </message>
+    <message>
+        <source>An organ that came twisted is undone; there are no targets and no angle errors. Time is that of the hand; where blood did not come back, it is censored and not in the median. From an ischaemic dose of 1 on the organ is lost.</source>
+        <translation>将起初扭转的器官复位；没有目标角，也没有角度误差。时间为手的时间；血流未恢复者为删失，不计入中位数。缺血剂量达到 1 时器官即丧失。</translation>
+    </message>
+    <message>
+        <source>Tissue was hurt where jaw or pull went beyond what it then bore.</source>
+        <translation>钳夹或牵拉超过组织当时的承受力时即为组织损伤。</translation>
+    </message>
+    <message>
+        <source>Simulated trainees who undo organs that come twisted</source>
+        <translation>复位扭转器官的模拟学员</translation>
+    </message>
+    <message>
+        <source>untwisting</source>
+        <translation>扭转复位</translation>
+    </message>
+    <message>
+        <source>found: %1; this kind of device was not confirmed on hardware yet</source>
+        <translation>已找到：%1；此类设备尚未在真实硬件上确认</translation>
+    </message>
+    <message>
+        <source>this device is not supported on this system yet</source>
+        <translation>此系统尚不支持该设备</translation>
     </message>
 </context>
 <context>
@@ -11791,7 +11897,7 @@ MSM = 质点弹簧</translation>
         <translation>最大剪应力  %1 kPa</translation>
     </message>
     <message>
-        <source>Computed in  %1 µs</source>
+        <source>Computed in %1 µs</source>
         <translation>计算用时  %1 µs</translation>
     </message>
     <message>
@@ -12338,6 +12444,10 @@ MSM = 质点弹簧</translation>
         <source>%1 twists were not completed and are not counted.</source>
         <translation>有 %1 次扭转未完成，不计入。</translation>
     </message>
+    <message>
+        <source>Force was shown, not felt: the device of this run gives none. Its measures are computed.</source>
+        <translation>力只显示、感觉不到：本次操作的设备不提供力。力的测量值由模型计算。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::DebriefPlot</name>
@@ -12519,6 +12629,26 @@ MSM = 质点弹簧</translation>
         <source>Twist that remains: %1.</source>
         <translation>剩余扭转：%1。</translation>
     </message>
+    <message>
+        <source>Tears of the wall: %1. Its content leaks.</source>
+        <translation>壁撕裂：%1 处。内容物外漏。</translation>
+    </message>
+    <message>
+        <source>Bruises by the jaw: %1. Grip with less force, ischaemic tissue bears half.</source>
+        <translation>钳伤：%1 处。夹持要轻，缺血组织只能承受一半的压力。</translation>
+    </message>
+    <message>
+        <source>The instrument slipped off: %1 times.</source>
+        <translation>器械滑脱：%1 次。</translation>
+    </message>
+    <message>
+        <source>Bruises, tears, slips and relapses are not marked: the organ of this run is not on this machine.</source>
+        <translation>未标出钳伤、撕裂、滑脱和回转：本机没有此次训练的器官。</translation>
+    </message>
+    <message>
+        <source>Enough blood flowed from the beginning on.</source>
+        <translation>血流从一开始就足够。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::DetorsionPanel</name>
@@ -12694,6 +12824,38 @@ MSM = 质点弹簧</translation>
         <source>Bruises of the wall: %1</source>
         <translation>管壁挫伤：%1 处</translation>
     </message>
+    <message>
+        <source>Clip off (C)</source>
+        <translation>取下夹子 (C)</translation>
+    </message>
+    <message>
+        <source>Gas stop (V)</source>
+        <translation>停止排气 (V)</translation>
+    </message>
+    <message>
+        <source>The clip holds it. Take the clip off (C), then turn on.</source>
+        <translation>夹子固定着器官。先取下夹子 (C)，再继续转动。</translation>
+    </message>
+    <message>
+        <source>The clip holds it. Grip anew, then take the clip off (C).</source>
+        <translation>夹子固定着器官。重新抓持，再取下夹子 (C)。</translation>
+    </message>
+    <message>
+        <source>It lies within the limits. Keep your hands off, check the blood flow.</source>
+        <translation>已在限度之内。请松手，并检查血流。</translation>
+    </message>
+    <message>
+        <source>It lies within the limits. Let go.</source>
+        <translation>已在限度之内。请松开。</translation>
+    </message>
+    <message>
+        <source>The twist grows. Turn the other way round.</source>
+        <translation>扭转正在加重。请朝相反方向转动。</translation>
+    </message>
+    <message>
+        <source>Holding. Turn, set the clip (C), then grip anew.</source>
+        <translation>已抓住。转动，上夹子 (C)，再重新抓持。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::DetorsionPlot</name>
@@ -12744,6 +12906,38 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Ischaemic dose: from 1 on the tissue is lost</source>
         <translation>缺血剂量：达到 1 则组织坏死</translation>
+    </message>
+    <message>
+        <source>Angle, blood flow, dose and pressure over the time of the tissue</source>
+        <translation>角度、血流、缺血剂量和压力随组织时间的变化</translation>
+    </message>
+    <message>
+        <source>Pressure from %1 to %2 mmHg.</source>
+        <translation>压力从 %1 到 %2 mmHg。</translation>
+    </message>
+    <message>
+        <source>bruise</source>
+        <translation>钳伤</translation>
+    </message>
+    <message>
+        <source>tear</source>
+        <translation>撕裂</translation>
+    </message>
+    <message>
+        <source>slipped off</source>
+        <translation>滑脱</translation>
+    </message>
+    <message>
+        <source>turns back</source>
+        <translation>回转</translation>
+    </message>
+    <message>
+        <source>%1 at %2 s (%3 of the tissue)</source>
+        <translation>%1：%2 s（组织时间 %3）</translation>
+    </message>
+    <message>
+        <source>Pressure of the content in mmHg</source>
+        <translation>内容物压力（mmHg）</translation>
     </message>
 </context>
 <context>
@@ -12811,6 +13005,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Sit down and take the device into your hand.</source>
+        <translation>请坐好，把设备拿在手中。</translation>
     </message>
 </context>
 <context>
@@ -12886,6 +13084,22 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Press Check the device.</source>
         <translation>请按“检查设备”。</translation>
+    </message>
+    <message>
+        <source>Kept. It holds at this station from the next sign-in on</source>
+        <translation>已保存。自下次登录起在本工作站生效</translation>
+    </message>
+    <message>
+        <source>The device works. It gives no force: runs with it are graded only where the centre grades with the mouse.</source>
+        <translation>设备工作正常。它不提供力：仅当中心允许用鼠标评分时，才会对用它进行的操作评分。</translation>
+    </message>
+    <message>
+        <source>the first device that is there</source>
+        <translation>第一个可用的设备</translation>
+    </message>
+    <message>
+        <source>This &amp;station works with</source>
+        <translation>本工作站使用(&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -16805,10 +17019,6 @@ Leave it empty to remove it.</source>
         <source>&amp;Cancel</source>
         <translation>取消(&amp;C)</translation>
     </message>
-    <message>
-        <source>Holding. Turn, set the clip (C), then grip anew.</source>
-        <translation>已抓住。转动，上夹子 (C)，再重新抓持。</translation>
-    </message>
 </context>
 <context>
     <name>torsio::gui::SceneView</name>
@@ -17273,8 +17483,12 @@ Leave it empty to remove it.</source>
         <translation>力反馈设备已断开。此前的记录已保留；您可用鼠标继续</translation>
     </message>
     <message>
-        <source>The haptic device was lost. Let go of the stylus; you go on with the mouse</source>
-        <translation>力反馈设备已断开。请松开手柄笔；您可用鼠标继续</translation>
+        <source>You practise with %1. The force is shown, not felt</source>
+        <translation>您正在使用 %1 练习。力只显示，感觉不到</translation>
+    </message>
+    <message>
+        <source>The haptic device was lost. Let go of it; you go on with the mouse</source>
+        <translation>力反馈设备已断开。请松开它；您将继续使用鼠标</translation>
     </message>
 </context>
 <context>
@@ -17759,6 +17973,14 @@ Leave it empty to remove it.</source>
         <source>Twist this organ by the twist model, finite elements and springs under one torque</source>
         <translation>在同一扭矩下用扭转模型、有限元和弹簧扭转该器官</translation>
     </message>
+    <message>
+        <source>Touching. Close the jaw to grip</source>
+        <translation>已接触。闭合钳口以夹持</translation>
+    </message>
+    <message>
+        <source>Holding. Turn the jaw to twist; open it to release</source>
+        <translation>已夹持。转动钳口以扭转；张开即释放</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::StationSettingsCard</name>
@@ -17843,6 +18065,42 @@ Leave it empty to remove it.</source>
     <message>
         <source>%1 long; greatest angle %2 degrees, torque %3 newton metres, force %4 newtons; bookmarks: %5</source>
         <translation>时长 %1；最大角度 %2 度，扭矩 %3 牛·米，力 %4 牛；书签：%5</translation>
+    </message>
+    <message>
+        <source>Blood flow</source>
+        <translation>血流</translation>
+    </message>
+    <message>
+        <source>Ischaemic dose</source>
+        <translation>缺血剂量</translation>
+    </message>
+    <message>
+        <source>Black share</source>
+        <translation>变黑比例</translation>
+    </message>
+    <message>
+        <source>Lumen</source>
+        <translation>管腔</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>压力</translation>
+    </message>
+    <message>
+        <source>Dashed: from an ischaemic dose of 1 on the tissue is lost. The black share tells how much of the outside has turned black from loss</source>
+        <translation>虚线：缺血剂量达到 1 则组织坏死。变黑比例表示外表面因坏死而变黑的部分</translation>
+    </message>
+    <message>
+        <source>Traces of an untwisting</source>
+        <translation>复位过程的曲线</translation>
+    </message>
+    <message>
+        <source>%1 long; scales: %2; bookmarks: %3</source>
+        <translation>时长 %1；刻度：%2；书签：%3</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
     </message>
 </context>
 <context>
@@ -18071,16 +18329,24 @@ Leave it empty to remove it.</source>
         <translation>练习</translation>
     </message>
     <message>
-        <source>not defined</source>
-        <translation>无定义</translation>
-    </message>
-    <message>
         <source>Passed</source>
         <translation>通过</translation>
     </message>
     <message>
         <source>Not passed</source>
         <translation>未通过</translation>
+    </message>
+    <message>
+        <source>Not reached</source>
+        <translation>未达到</translation>
+    </message>
+    <message>
+        <source>in the last run; wanted: %1</source>
+        <translation>最近一次；要求：%1</translation>
+    </message>
+    <message>
+        <source>%1 A yes or no has no learning curve.</source>
+        <translation>%1 是或否的指标没有学习曲线。</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sim/base/live_types.h"
+#include "sim/device/device_state.h"
 
 namespace torsio {
 
@@ -27,6 +28,10 @@ struct DeviceCapabilities {
 /// honour any force they cannot render by ignoring it.
 ///
 /// The stylus points along the -z axis of its pose; the position is that of its tip.
+///
+/// Life: opened by a DeviceDriver with its force off, served, closed. serve, close and destruction belong to
+/// one thread; enableForce, snapshot and nextEvent to one (the same or another); read and write to the servo.
+/// What needs no hardware is always ready: it overrides the readings only.
 class HapticDevice {
  public:
   virtual ~HapticDevice() = default;
@@ -41,6 +46,32 @@ class HapticDevice {
   /// thread of its own while read or write may hang. Never waits. A device whose force ends by itself when
   /// nobody writes, or that renders none, has nothing to do.
   virtual void dropForce() noexcept {}
+
+  /// Starts the driver's thread; readings and forces go over mailboxes. Once. Throws Error{kDevice}.
+  virtual void serve() {}
+  /// Lets go of the hand and ends the driver. False when the device did not let go by itself.
+  virtual bool close() { return true; }
+  /// Asks for force output. Force is granted while the device is calibrated, quick and cool, and always
+  /// ramped; a device that renders none stays without.
+  virtual void enableForce(bool) noexcept {}
+  /// Returns the newest state that the device confirmed.
+  [[nodiscard]] virtual DeviceSnapshot snapshot() noexcept {
+    DeviceSnapshot ready;
+    ready.state = DeviceState::kReady;
+    ready.calibration = CalibrationState::kCalibrated;
+    return ready;
+  }
+  /// Takes the oldest event not yet taken; false when there is none.
+  [[nodiscard]] virtual bool nextEvent(DeviceEvent&) noexcept { return false; }
+  /// Says why the device was lost (DeviceSnapshot::lostBecause), without a full stop.
+  [[nodiscard]] virtual Text lossText(std::uint32_t) const {
+    return Text::tr("the connection to the device broke off");
+  }
+  /// Returns what the device says about itself; empty of one without hardware.
+  [[nodiscard]] virtual const DeviceIdentity& identity() const noexcept {
+    static const DeviceIdentity kNothing;
+    return kNothing;
+  }
 };
 
 }  // namespace torsio

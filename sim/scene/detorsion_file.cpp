@@ -67,6 +67,7 @@ HollowWall readWall(JsonFields& parent) {
   if (wall.vent || fields.has("vented_pressure_mmhg")) {
     wall.ventedPressure_Pa = pressure_Pa("vented_pressure_mmhg", wall.pressure_Pa / kPascalsPerMmHg);
   }
+  wall.sealed = fields.flag("sealed", false);
   wall.source = fields.text("source");
   fields.finish();
   return wall;
@@ -203,7 +204,6 @@ Detorsion readDetorsion(JsonFields& pattern) {
   detorsion.base = readBase(fields);
   detorsion.limits = readLimits(fields);
   detorsion.timeScale = fields.number("time_scale", 1.0, 3600.0, detorsion.timeScale);
-  detorsion.pause_s = fields.number("pause_s", 0.0, 36'000.0, detorsion.pause_s);
   detorsion.briefing = fields.text("briefing", "");
   detorsion.validity = fields.text("validity");
   fields.finish();

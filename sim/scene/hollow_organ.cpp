@@ -18,6 +18,15 @@ namespace {
 
 constexpr std::uint64_t kStartStream = 41;
 constexpr double kSlopeStep_rad = radians(0.5);
+// Share of a span, from its ends, along which a wall goes over into its neighbour, which keeps its radius.
+constexpr double kClampedShare = 0.08;
+constexpr double kWoundShare = 0.35;  // of two limbs, which draw nearer to each other as a whole
+
+/// How free a wall is to change its radius: 0 at the ends of a span, 1 away from them, smooth between.
+double freeShare(double share, double mobileShare) noexcept {
+  const double way = std::clamp(std::min(share / kClampedShare, (1.0 - share) / mobileShare), 0.0, 1.0);
+  return way * way * (3.0 - 2.0 * way);
+}
 
 bool alike(const std::vector<WallPlace>& a, const std::vector<WallPlace>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const WallPlace& x, const WallPlace& y) {
@@ -53,6 +62,9 @@ HollowOrgan::HollowOrgan(const Parts& parts)
   }
   if (!detorsion_.wall.thickness_m.empty()) {
     solveLimbs(parts);
+  }
+  if (detorsion_.wall.sealed) {
+    fillMobilePart(parts);
   }
   basePeak_Nm_ = peakTorque_Nm(detorsion_.wall.pressure_Pa);
   drawLine(*parts.lattice);
@@ -208,7 +220,8 @@ HollowOrgan::Section HollowOrgan::sectionIn(int span, double share, const OrganS
     return {angle_rad * share, 1.0};
   }
   const WrungPlace place = wrung->placeAt(share, angle_rad, state.hollow.reading.pressure_Pa);
-  return {angle_rad * place.turn, place.radius};
+  const double free = freeShare(share, wound_ ? kWoundShare : kClampedShare);
+  return {angle_rad * place.turn, 1.0 + (place.radius - 1.0) * free};
 }
 
 HollowOrgan::Section HollowOrgan::sectionAt(double arc_m, const OrganState& state) const noexcept {

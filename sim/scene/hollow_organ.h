@@ -23,6 +23,8 @@ struct HollowWall {
   double pressure_Pa = 0.0;      ///< with which the trial begins
   bool vent = false;             ///< whether the content can be let out
   double ventedPressure_Pa = 0.0;
+  bool sealed =
+      false;  ///< whether it is a gas that keeps to p V = const until it is let out; else p is given
   std::string source;
 };
 
@@ -77,7 +79,6 @@ struct Detorsion {
   BaseFriction base;
   DetorsionLimits limits;
   double timeScale = 60.0;  ///< seconds of the tissue for a second of the hand
-  double pause_s = 0.0;     ///< of the tissue, after each turn, where the goal is a gradual one; 0: none
   std::string briefing;     ///< what is twisted, what surgeons do, what harms; empty: nothing is said
   std::string validity;     ///< in plain words: what of this is measured, sourced, assumed
 };
@@ -116,6 +117,12 @@ class HollowOrgan {
   /// Returns the peak torque at the pressure with which a trial begins, N m: what the friction of the base
   /// and the torque of relapse are shares of. In the tick.
   [[nodiscard]] double basePeak_Nm() const noexcept { return basePeak_Nm_; }
+  /// Returns pressure times volume, J, of a gas at a pressure over outside inside the spans and the mobile
+  /// part, outside's pressure counted; 0 where the content is no sealed gas. In the tick.
+  [[nodiscard]] double gas_J(double angle_rad, double pressure_Pa) const noexcept;
+  /// Returns the pressure over outside, Pa, at which so much gas fills the organ at an angle: between 0 and
+  /// the highest of the table, within 1e-6 of that. 20 queries; in the tick.
+  [[nodiscard]] double sealedPressure_Pa(double angle_rad, double gas_J) const noexcept;
   /// Returns the free cross-section of the narrowest place. In the tick.
   [[nodiscard]] double patency(double angle_rad, double pressure_Pa) const noexcept;
   /// Returns the mean radius of the wall at the narrowest place, m; 0 of a cord.
@@ -155,6 +162,8 @@ class HollowOrgan {
   /// turningPlace(). In the tick.
   [[nodiscard]] Vec3 moved(const Vec3& rest_m, const TwistLine& own, const Place& place,
                            const Section& section, const Fold& fold) const noexcept;
+  /// Returns the line that a section at a place turns about; `own`: its own axis. In the tick.
+  [[nodiscard]] TwistLine lineOf(const TwistLine& own, const Place& place) const noexcept;
   /// Returns the point that moved() without a fold takes to this one. In the tick.
   [[nodiscard]] Vec3 movedBack(const Vec3& deformed_m, const TwistLine& own, const Place& place,
                                const Section& section) const noexcept;
@@ -184,8 +193,9 @@ class HollowOrgan {
     std::array<WallPlace, kWallPlaces> wall{};
   };
   void solveLimbs(const Parts& parts);
+  void fillMobilePart(const Parts& parts);
+  [[nodiscard]] double volume_m3(double angle_rad, double pressure_Pa) const noexcept;
   void drawLine(const SectionLattice& lattice);
-  [[nodiscard]] TwistLine lineOf(const TwistLine& own, const Place& place) const noexcept;
 
   Detorsion detorsion_;
   Perfusion vessels_;
@@ -193,6 +203,10 @@ class HollowOrgan {
   double length_m_ = 0.0;
   double graspArc_m_ = 0.0;
   double basePeak_Nm_ = 0.0;
+  // Of the mobile part, m^3: at equal steps of the pressure, from 0 to the highest of the table.
+  static constexpr std::size_t kGasPressures = 33;
+  std::array<double, kGasPressures> mobileVolume_m3_{};
+  double highestPressure_Pa_ = 0.0;
   TwistLine line_;
   bool wound_ = false;
   std::array<double, kWallPlaces> heights_m_{};  // along the line, of limbs wound round each other

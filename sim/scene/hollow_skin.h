@@ -6,6 +6,7 @@
 
 #include "sim/scene/hollow_organ.h"
 #include "sim/tissue/twist/twist_model_tables.h"
+#include "sim/tissue/view/twist_kernels.h"
 
 namespace torsio {
 
@@ -18,8 +19,16 @@ class HollowSkin {
   /// Returns where a vertex goes; `round_rad`: its ridge angle.
   [[nodiscard]] Vec3 vertex(const TwistVertex& vertex, double round_rad) const noexcept;
 
+  static constexpr std::size_t kPlaces = 65;  ///< of a span, at equal shares, as HollowMap
+  using Cells = std::array<HollowCells, kPlaces - 2>;
+  /// Writes the places of a span as the kernels read them: each two neighbouring cells.
+  void write(int span, Cells& cells) const noexcept;
+  /// Returns how many folds go round a span.
+  [[nodiscard]] int waves(int span) const noexcept { return limbs_[static_cast<std::size_t>(span)].waves; }
+  /// Tells whether no vertex moves.
+  [[nodiscard]] bool rests() const noexcept;
+
  private:
-  static constexpr std::size_t kPlaces = 257;  // of a span, at equal shares
   struct Place {
     double turn_rad = 0.0;
     double radius = 1.0;

@@ -129,12 +129,16 @@ Json toJson(const HollowWall& wall) {
   for (const auto& [share, thickness_m] : wall.thickness_m) {
     thickness.push_back({share, thickness_m});
   }
-  return {{"thickness_m", thickness},
-          {"gent_limit", wall.gentLimit},
-          {"rest_pressure_pa", wall.restPressure_Pa},
-          {"pressure_pa", wall.pressure_Pa},
-          {"vent", wall.vent},
-          {"vented_pressure_pa", wall.ventedPressure_Pa}};
+  Json json = {{"thickness_m", thickness},
+               {"gent_limit", wall.gentLimit},
+               {"rest_pressure_pa", wall.restPressure_Pa},
+               {"pressure_pa", wall.pressure_Pa},
+               {"vent", wall.vent},
+               {"vented_pressure_pa", wall.ventedPressure_Pa}};
+  if (wall.sealed) {  // else as in recordings from before there was a choice
+    json["sealed"] = true;
+  }
+  return json;
 }
 
 Json toJson(const InitialTwist& start) {
@@ -193,7 +197,6 @@ Json toJson(const Detorsion& detorsion) {
                   {"relapse_time_s", detorsion.base.relapseTime_s}};
   json["limits"] = toJson(detorsion.limits);
   json["time_scale"] = detorsion.timeScale;
-  json["pause_s"] = detorsion.pause_s;
   return json;
 }
 

@@ -58,6 +58,10 @@ class ContactCoupling {
     return surface_m_;
   }
 
+  /// Tells whether nothing of the steps before bears on the next one.
+  [[nodiscard]] constexpr bool untouched() const noexcept {
+    return depth_m_ == 0.0 && surface_m_ == 0.0 && anchor_m_ == 0.0;
+  }
   /// Returns the force of the last step, N.
   [[nodiscard]] constexpr double force_N() const noexcept { return surface_N_per_m_ * surface_m_; }
   [[nodiscard]] constexpr double indentation_m() const noexcept { return surface_m_; }

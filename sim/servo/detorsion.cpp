@@ -67,8 +67,8 @@ void DetorsionStep::step(const HollowOrgan& hollow, const DetorsionHand& hand, O
   } else {
     slip(hollow, organ, events);
   }
-  moveContent(hollow, pose);
   const double angle_rad = organ.twist.graspAngle_rad;
+  moveContent(hollow, angle_rad, pose);
   pose.reading.patency = hollow.patency(angle_rad, pose.reading.pressure_Pa);
   const double duration_s = tick_s_ * hollow.detorsion().timeScale;
   PerfusionState blood{pose.reading.flow, pose.congestion, pose.reading.dose, pose.saturation};
@@ -111,17 +111,24 @@ void DetorsionStep::slip(const HollowOrgan& hollow, OrganState& organ, std::uint
   organ.twist.graspAngle_rad = angle_rad < 0.0 ? -size_rad : size_rad;
 }
 
-void DetorsionStep::moveContent(const HollowOrgan& hollow, HollowPose& pose) noexcept {
+void DetorsionStep::moveContent(const HollowOrgan& hollow, double angle_rad, HollowPose& pose) noexcept {
   const HollowWall& wall = hollow.detorsion().wall;
   if (ventAsked_ != Ask::kNothing) {
     pose.venting = ventAsked_ == Ask::kOn && wall.vent;
   }
   ventAsked_ = Ask::kNothing;
   double& pressure_Pa = pose.reading.pressure_Pa;
+  if (wall.sealed && filled_) {
+    pressure_Pa = hollow.sealedPressure_Pa(angle_rad, gas_J_);
+  }
   if (pose.leaking) {
     pressure_Pa -= pressure_Pa * std::min(tick_s_ / kLeakTime_s, 1.0);
   } else if (pose.venting && pressure_Pa > wall.ventedPressure_Pa) {
     pressure_Pa -= (pressure_Pa - wall.ventedPressure_Pa) * std::min(tick_s_ / kVentTime_s, 1.0);
+  }
+  if (wall.sealed && (!filled_ || pose.leaking || pose.venting)) {
+    gas_J_ = hollow.gas_J(angle_rad, pressure_Pa);
+    filled_ = true;
   }
 }
 

@@ -49,7 +49,10 @@ class DetorsionStep {
       : tick_s_(static_cast<double>(tickPeriod_us) * 1e-6) {}
 
   /// Takes the seed of the trial, for the errors of the checks.
-  void begin(std::uint64_t seed) noexcept { seed_ = seed; }
+  void begin(std::uint64_t seed) noexcept {
+    seed_ = seed;
+    filled_ = false;
+  }
 
   /// Asks a clip or an assistant to hold the mobile part where it is, or to let go, in the next step.
   void hold(bool held) noexcept { holdAsked_ = held ? Ask::kOn : Ask::kOff; }
@@ -73,7 +76,7 @@ class DetorsionStep {
   enum class Ask : std::uint8_t { kNothing, kOn, kOff };
 
   void slip(const HollowOrgan& hollow, OrganState& organ, std::uint32_t& events) noexcept;
-  void moveContent(const HollowOrgan& hollow, HollowPose& pose) noexcept;
+  void moveContent(const HollowOrgan& hollow, double angle_rad, HollowPose& pose) noexcept;
   void press(const HollowOrgan& hollow, const DetorsionHand& hand, HollowPose& pose,
              std::uint32_t& events) noexcept;
   void mark(const DetorsionHand& hand, bool torn, HollowPose& pose) const noexcept;
@@ -89,6 +92,8 @@ class DetorsionStep {
   FlowCheck checkAsked_ = FlowCheck::kNone;
   bool buttonDown_ = true;  // one that is held down at the start sets no clip
   bool relapsing_ = false;
+  bool filled_ = false;     // gas_J_ is known: since the first tick
+  double gas_J_ = 0.0;      // of a sealed gas
   double pressed_s_ = 0.0;  // so long the jaw has pressed too hard
   bool bruised_ = false;    // in this grip
   bool torn_ = false;

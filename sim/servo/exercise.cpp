@@ -72,10 +72,19 @@ void Exercise::begin(const Scene& scene, std::uint64_t seed) {
   }
 }
 
+bool Exercise::settled() const noexcept {
+  return phase_ == ExercisePhase::kTracking && organ_ == OrganState{} && jaw_.untouched() &&
+         shaft_.untouched() && !shaftTouched_ && !jawOpens_ && !gripPending_ && !releaseAsked_;
+}
+
+bool Exercise::jawCloses(bool wasClosed, const ToolState& tool) noexcept {
+  const bool button = (tool.buttons & kButtonGrip) != 0;
+  return button || tool.grip > (wasClosed ? kJawOpens : kJawCloses);
+}
+
 bool Exercise::updateJaw(const ToolState& tool) noexcept {
   const bool wasClosed = jawClosed_;
-  const bool button = (tool.buttons & kButtonGrip) != 0;
-  jawClosed_ = button || tool.grip > (wasClosed ? kJawOpens : kJawCloses);
+  jawClosed_ = jawCloses(wasClosed, tool);
   return jawClosed_ && !wasClosed;
 }
 
@@ -98,6 +107,8 @@ bool Exercise::grip(const Vec3& held_m, const ToolState& tool, const Scene& scen
   const Vec3 fromAxis_m = held_m - section.centre_m;
   gripRound_rad_ = portableAtan2(dot(fromAxis_m, section.e2), dot(fromAxis_m, section.e1));
   gripAngle_rad_ = organ_.twist.graspAngle_rad;
+  heldFrom_rad_ = gripAngle_rad_;
+  tipFrom_rad_ = tipAngle(tool);
   grippedAt_ = tool.pose.orientation;
   const Cylindrical at = about(axis_, tip_m);
   gripRadius_m_ = at.radius_m;
@@ -110,6 +121,11 @@ bool Exercise::grip(const Vec3& held_m, const ToolState& tool, const Scene& scen
   return true;
 }
 
+double Exercise::tipAngle(const ToolState& tool) const noexcept {
+  const Vec3 way = tool.pose.position_m - axis_.centre_m;
+  return portableAtan2(dot(way, axis_.e2), dot(way, axis_.e1));
+}
+
 double Exercise::driveAngle(const ToolState& tool) const noexcept {
   if (options_.drive == TwistDrive::kRoll) {
     return unwrapNear(turnAbout(axis_.tangent, grippedAt_, tool.pose.orientation), angle_rad_);
@@ -120,7 +136,19 @@ double Exercise::driveAngle(const ToolState& tool) const noexcept {
   if (!(x * x + y * y >= kNearAxis_m * kNearAxis_m)) {
     return angle_rad_;  // also of a place that is not finite
   }
-  return unwrapNear(portableAtan2(y, x), angle_rad_);
+  return unwrapNear(tipAngle(tool), angle_rad_);
+}
+
+ToolState Exercise::onTissue(const ToolState& tool, const Scene& scene) const noexcept {
+  ToolState carried = tool;
+  if (phase_ == ExercisePhase::kTwisting && options_.drive == TwistDrive::kRoll && !scene.rod &&
+      options_.rules >= kRulesOfStoredEnergy) {
+    const double alone_rad = tipAngle(tool) - tipFrom_rad_;
+    const double turn_rad = organ_.twist.graspAngle_rad - heldFrom_rad_ - alone_rad;
+    carried.pose.position_m =
+        axis_.centre_m + rotateAbout(tool.pose.position_m - axis_.centre_m, axis_.tangent, turn_rad);
+  }
+  return carried;
 }
 
 Vec3 Exercise::gripOffset(const ToolState& tool, const Scene& scene) const noexcept {
@@ -346,8 +374,8 @@ ExerciseStep Exercise::step(const ToolState& tool, const Scene& scene) noexcept 
       letGo(kEventReleased | end, answer.events);
     }
   }
-  const ToolShape shape = toolShape(tool, scene.instrument);
-  const ToolTouch at = touchTool(shape, scene, organ_, phase_ == ExercisePhase::kTwisting);
+  const ToolShape shape = toolShape(onTissue(tool, scene), scene.instrument);
+  const ToolTouch at = touchTool(shape, scene, organ_, phase_ == ExercisePhase::kTwisting, memory_);
   const bool closes = (closing || gripPending_) && !letGoNow &&
                       (phase_ == ExercisePhase::kTracking || phase_ == ExercisePhase::kContact);
   const std::optional<SurfacePoint> held = closes ? tissueInMouth(shape, tool, scene, organ_) : std::nullopt;

@@ -123,6 +123,15 @@ class Exercise {
   /// Returns how often the jaw has gripped the organ.
   [[nodiscard]] std::int64_t grips() const noexcept { return grips_; }
 
+  /// Tells whether nothing of the steps before bears on the next ones but whether the jaw is closed: nothing
+  /// is touched, and the organ lies at rest. Of a scene without a wall or a model beside the servo.
+  [[nodiscard]] bool settled() const noexcept;
+  [[nodiscard]] bool jawClosed() const noexcept { return jawClosed_; }
+  /// Closes or opens the jaw of an exercise that is settled(), without a step.
+  void setJaw(bool closed) noexcept { jawClosed_ = closed; }
+  /// Tells whether a jaw is closed by `tool`, by whether it was before.
+  [[nodiscard]] static bool jawCloses(bool wasClosed, const ToolState& tool) noexcept;
+
   /// Lets go in the next step, as if the jaw had opened; the jaw must open and close to grip again.
   void releaseTissue() noexcept { releaseAsked_ = true; }
 
@@ -133,9 +142,14 @@ class Exercise {
  private:
   [[nodiscard]] bool updateJaw(const ToolState& tool) noexcept;
   [[nodiscard]] bool grip(const Vec3& held_m, const ToolState& tool, const Scene& scene) noexcept;
+  /// Returns where the tip is about the axis, rad.
+  [[nodiscard]] double tipAngle(const ToolState& tool) const noexcept;
   [[nodiscard]] double driveAngle(const ToolState& tool) const noexcept;
   /// Turns the organ with the tool. Returns the event that ends the grip, kEventNone while it holds.
   [[nodiscard]] std::uint32_t follow(const ToolState& tool, const Scene& scene) noexcept;
+  /// Returns the tool as it lies against the tissue: a hand that twists by turning may stay in place, and
+  /// what it holds carries its tool round.
+  [[nodiscard]] ToolState onTissue(const ToolState& tool, const Scene& scene) const noexcept;
   /// Returns the way of the tip along and across the axis since the grip.
   [[nodiscard]] Vec3 gripOffset(const ToolState& tool, const Scene& scene) const noexcept;
   /// Turns the mobile part of a hollow organ with the hand, which slides on while a clip holds it.
@@ -159,6 +173,7 @@ class Exercise {
                                          ExerciseStep& answer) noexcept;
 
   ExerciseOptions options_;
+  TouchMemory memory_;
   ContactCoupling jaw_;
   ContactCoupling shaft_;
   bool shaftTouched_ = false;
@@ -182,8 +197,10 @@ class Exercise {
   RodGrasp rodGrasp_;  // of an organ that is a rod
   AxisFrame axis_;     // that the grasped section turns about
   double firstAngle_rad_ = 0.0;
-  double angle_rad_ = 0.0;  // of the tool about the axis, unwrapped
-  Quat grippedAt_;          // orientation of the tool
+  double angle_rad_ = 0.0;     // of the tool about the axis, unwrapped
+  double heldFrom_rad_ = 0.0;  // angle of the organ when the jaw closed
+  double tipFrom_rad_ = 0.0;   // of the tip about the axis, then
+  Quat grippedAt_;             // orientation of the tool
   double gripRadius_m_ = 0.0;
   double gripHeight_m_ = 0.0;
 };

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "sim/base/error.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
+#include "sim/servo/exercise_ahead.h"
 #include "sim/servo/trial_rerun.h"
 
 namespace torsio {
@@ -36,6 +39,15 @@ void requireKnownRules(const std::vector<Sample>& recorded, const TrialHeader& h
               Text::verbatim("the trial was recorded by rules that this version does not know"),
               Text::tr("trial %1", header.trialId),
               Text::verbatim("Replay it with the version that recorded it, or a newer one"));
+}
+
+/// The samples before the first gap.
+std::span<const Sample> withoutGap(const std::vector<Sample>& recorded) {
+  std::size_t count = 0;
+  while (count < recorded.size() && recorded[count].tick == static_cast<std::int64_t>(count)) {
+    ++count;
+  }
+  return std::span(recorded).first(count);
 }
 
 /// The first field in which the two differ, if any.
@@ -74,7 +86,7 @@ std::optional<ReplayDifference> difference(const Sample& recorded, const Sample&
 
 }  // namespace
 
-ReplayReport replayTrial(const Scene& scene, const Trial& trial) {
+ReplayReport replayTrial(const Scene& scene, const Trial& trial, unsigned threads) {
   requireSameScene(scene, trial.header);
   const std::vector<Sample> recorded = decodeTrial(trial);
   requireKnownRules(recorded, trial.header);
@@ -82,7 +94,13 @@ ReplayReport replayTrial(const Scene& scene, const Trial& trial) {
   report.chunks = static_cast<std::int64_t>(trial.chunks.size());
   report.contentIntact = contentHash(trial) == trial.summary.contentHash;
 
-  TrialRerun rerun(scene, trial.header, recorded.empty() ? kServoRules : recorded.front().rules);
+  const std::uint32_t rules = recorded.empty() ? kServoRules : recorded.front().rules;
+  TrialRerun rerun(scene, trial.header, rules);
+  threads = threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+  std::optional<ExerciseAhead> ahead;
+  if (threads > 1 && ExerciseAhead::suits(scene)) {
+    ahead.emplace(scene, TrialRerun::exerciseOptions(trial.header, rules), withoutGap(recorded), threads);
+  }
   std::size_t at = 0;
   std::int64_t expectedTick = 0;
   for (const TrialChunk& chunk : trial.chunks) {
@@ -94,7 +112,7 @@ ReplayReport replayTrial(const Scene& scene, const Trial& trial) {
         return report;
       }
       ++expectedTick;
-      replayed.push_back(rerun.next(recorded[at]));
+      replayed.push_back(rerun.next(recorded[at], ahead ? &ahead->next() : nullptr));
       ++report.samples;
       const auto differs = difference(recorded[at], inStoredSteps(replayed.back()));
       if (!differs) {

@@ -38,7 +38,8 @@ struct ReplayReport {
 /// answers in stored steps, and the digest over the exact bits of all answers, chunk by chunk. The loop
 /// follows the rules that are stamped on the samples (kServoRules). Throws Error{kVerifyFailed} when `scene`
 /// is not the one that was recorded (organ or parameters) or the rules are newer than this version, and
-/// Error{kBadData} when the record cannot be decoded. Any one thread; much faster than real time.
-[[nodiscard]] ReplayReport replayTrial(const Scene& scene, const Trial& trial);
+/// Error{kBadData} when the record cannot be decoded. `threads`: that may compute at the same time
+/// (ExerciseAhead); 0: as many as the machine has. The report does not depend on it.
+[[nodiscard]] ReplayReport replayTrial(const Scene& scene, const Trial& trial, unsigned threads = 0);
 
 }  // namespace torsio

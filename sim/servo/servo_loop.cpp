@@ -21,13 +21,6 @@ const HapticDevice& deviceOf(const ServoLoop::Links& links) {
   return *links.device;
 }
 
-ExerciseOptions exerciseOptions(const ServoLoop::Links& links, const ServoOptions& options) {
-  return {.drive = options.drive,
-          .maxStiffness_N_per_m = deviceOf(links).capabilities().maxStiffness_N_per_m,
-          .tickPeriod_us = options.tickPeriod_us,
-          .rules = options.rules};
-}
-
 GovernorLimits governorLimits(const ServoLoop::Links& links, const ServoOptions& options) {
   const DeviceCapabilities& device = deviceOf(links).capabilities();
   return {.maxForce_N = device.maxForce_N,
@@ -73,10 +66,21 @@ DeviceLimits deviceLimits(const DeviceCapabilities& capabilities) noexcept {
           .workspaceMax_m = capabilities.workspaceMax_m};
 }
 
+ExerciseOptions ServoLoop::exerciseOptions(const DeviceCapabilities& device,
+                                           const ServoOptions& options) noexcept {
+  return {.drive = options.drive,
+          .maxStiffness_N_per_m = device.maxStiffness_N_per_m,
+          .tickPeriod_us = options.tickPeriod_us,
+          .rules = options.rules};
+}
+
 ServoLoop::ServoLoop(const Links& links, const ServoOptions& options)
+    : ServoLoop(links, options, PinnedFloatMode()) {}
+
+ServoLoop::ServoLoop(const Links& links, const ServoOptions& options, const PinnedFloatMode& /*defaults*/)
     : links_(links),
       options_(options),
-      exercise_(exerciseOptions(links, options)),
+      exercise_(exerciseOptions(deviceOf(links).capabilities(), options)),
       passivity_({.tickPeriod_us = options.tickPeriod_us}),
       governor_(governorLimits(links, options)),
       storedEnergy_({.tickPeriod_us = options.tickPeriod_us}) {
@@ -90,7 +94,7 @@ ServoLoop::ServoLoop(const Links& links, const ServoOptions& options)
   exercise_.begin(*links.scene, options.seed);
 }
 
-void ServoLoop::tick(std::int64_t time_us) noexcept {
+void ServoLoop::tick(std::int64_t time_us, const ExerciseStep* known) noexcept {
   const auto begun = std::chrono::steady_clock::now();
   const PinnedFloatMode defaults;
   countLate(time_us);
@@ -103,7 +107,7 @@ void ServoLoop::tick(std::int64_t time_us) noexcept {
   sample_.device = links_.device->read(time_us);
   sample_.device.time_us = time_us;
   const ToolState tool = toolState(sample_.device);
-  const ExerciseStep step = exercise_.step(tool, *links_.scene);
+  const ExerciseStep step = known != nullptr ? *known : exercise_.step(tool, *links_.scene);
   ask();
   noteEvents(step);
   std::uint32_t damped = kForceFull;

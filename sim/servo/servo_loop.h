@@ -19,6 +19,8 @@
 
 namespace torsio {
 
+class PinnedFloatMode;
+
 struct ServoOptions {
   TwistDrive drive = TwistDrive::kTangential;
   double targetAngle_rad = 0.0;
@@ -50,16 +52,21 @@ class ServoLoop {
     BesideLink* beside = nullptr;
   };
 
-  /// Wires the loop. Throws Error{kBadParameter} for options out of range or a device whose limits make no
-  /// sense.
+  /// Returns the options of the exercise of such a loop.
+  [[nodiscard]] static ExerciseOptions exerciseOptions(const DeviceCapabilities& device,
+                                                       const ServoOptions& options) noexcept;
+
+  /// Wires the loop; what it computes once is computed as in tick(). Throws Error{kBadParameter} for options
+  /// out of range or a device whose limits make no sense.
   ServoLoop(const Links& links, const ServoOptions& options);
 
   /// Runs one tick: drain one command, read, collide, step the tissue, govern, keep the force to the energy
   /// that the hand has put in, write, record, publish. Rounding and the like are the processor's defaults
   /// while it runs, whatever its thread has set. `time_us` never decreases; it is the time of the sample,
   /// whatever the device reports. Allocates nothing, locks nothing, logs nothing; on any doubt the force is
-  /// zero.
-  void tick(std::int64_t time_us) noexcept;
+  /// zero. `known`: what the exercise answers in this tick, where that is known (ExerciseAhead); null: it is
+  /// stepped.
+  void tick(std::int64_t time_us, const ExerciseStep* known = nullptr) noexcept;
 
   [[nodiscard]] const Sample& lastSample() const noexcept { return sample_; }
   /// Returns the ExerciseEvent bits of the last tick.
@@ -83,6 +90,7 @@ class ServoLoop {
   [[nodiscard]] std::int64_t ticks() const noexcept { return nextTick_; }
 
  private:
+  ServoLoop(const Links& links, const ServoOptions& options, const PinnedFloatMode& defaults);
   [[nodiscard]] bool energyLast() const noexcept { return options_.rules >= kRulesOfStoredEnergy; }
   [[nodiscard]] ServoCommand nextCommand() noexcept;
   void obey(const ServoCommand& command) noexcept;

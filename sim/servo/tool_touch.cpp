@@ -23,6 +23,13 @@ constexpr double kTipReach_m = 0.010;
 // A bent part that turns frame by frame lies over itself at the inner side of its bends: there the map back
 // to rest is in doubt by so much.
 constexpr double kWrungDoubt_m = 0.020;
+// How far from a part the surface is looked for, beyond what is needed, to know for how long none is near.
+constexpr double kProbe_m = 0.020;
+// How much farther than the nearest triangle those are that are remembered of the tip.
+constexpr double kNeighbours_m = 0.003;
+// Rounding of coordinates, and of the way between two of them.
+constexpr double kFreeMargin_m = 1e-9;
+constexpr double kFreeShare = 1.0 + 1e-9;
 // Share of the jaw's length that the mouth reaches back.
 constexpr double kMouthShare = 0.5;
 
@@ -58,10 +65,42 @@ void lookWithin(Surface& surface, const Segment& axis, const SegmentHit& hit, do
   }
 }
 
+/// Tells whether a bound is known for the way of the surface to and from this state.
+bool bounded(const Scene& scene, const OrganState& organ) noexcept {
+  return organ.pose.count == 0 && !organ.hollow.present && (organ.atRest() || scene.model.knowsWays());
+}
+
+/// Remembers that the surface is `free_m` from a part.
+void remember(PartMemory& part, const Segment& axis, const Scene& scene, const OrganState& organ,
+              double free_m) noexcept {
+  part.axis = axis;
+  part.twist = organ.twist;
+  part.free_m = bounded(scene, organ) ? free_m : -1.0;
+}
+
+/// Tells whether the surface cannot have come within kLookAhead_m of a part.
+bool stillFree(const PartMemory& part, const Segment& axis, const Scene& scene,
+               const OrganState& organ) noexcept {
+  if (!(part.free_m > kLookAhead_m) || !bounded(scene, organ)) {
+    return false;
+  }
+  const double tool_m = std::max(norm(axis.from_m - part.axis.from_m), norm(axis.to_m - part.axis.to_m));
+  const double left_m = part.free_m - kLookAhead_m - kFreeMargin_m - kFreeShare * tool_m;
+  return left_m > 0.0 && left_m > kFreeShare * scene.model.farthestWay_m(part.twist, organ.twist);
+}
+
 template <typename Surface>
-PartTouch touchCapsule(Surface& surface, const Segment& axis, double radius_m) noexcept {
-  const SegmentHit hit = surface.nearest(axis, radius_m + kLookAhead_m);
+PartTouch touchCapsule(Surface& surface, const Scene& scene, const OrganState& organ, const Segment& axis,
+                       double radius_m, PartMemory& part) noexcept {
+  const double reach_m = radius_m + kLookAhead_m;
+  const double probe_m = bounded(scene, organ) ? reach_m + kProbe_m : reach_m;
+  const SegmentHit hit = surface.nearest(axis, probe_m, part.triangle);
+  remember(part, axis, scene, organ, (hit.found ? hit.surface.distance_m : probe_m) - radius_m);
   if (!hit.found) {
+    return {};
+  }
+  part.triangle = hit.surface.triangle;
+  if (!(std::abs(hit.surface.distance_m) < reach_m)) {
     return {};
   }
   PartTouch touch = fromSurface(axis.at(hit.along), hit.surface, radius_m);
@@ -85,34 +124,92 @@ PartTouch touchCapsule(Surface& surface, const Segment& axis, double radius_m) n
   return touch;
 }
 
-template <typename Surface>
-ToolTouch touchAll(Surface& surface, const PartTouch& tip, const ToolShape& shape, bool holding) noexcept {
+/// The parts that may touch.
+struct NearParts {
+  bool tip = false;
+  std::array<bool, 2> blades{};
+  bool shaft = false;
+  [[nodiscard]] bool any() const noexcept { return tip || blades[0] || blades[1] || shaft; }
+};
+
+NearParts nearParts(const ToolShape& shape, const Scene& scene, const OrganState& organ, bool holding,
+                    const TouchMemory& memory) noexcept {
+  NearParts near;
+  near.tip = !stillFree(memory.tip, {shape.tip_m, shape.tip_m}, scene, organ);
+  for (std::size_t i = 0; i < near.blades.size(); ++i) {
+    near.blades[i] = !holding && !stillFree(memory.blades[i], shape.blades[i], scene, organ);
+  }
+  near.shaft = !stillFree(memory.shaft, shape.shaft, scene, organ);
+  return near;
+}
+
+/// `touchTip`: asks for the tip alone.
+template <typename Surface, typename TouchTip>
+ToolTouch touchAll(Surface& surface, const ToolShape& shape, const Scene& scene, const OrganState& organ,
+                   const NearParts& near, TouchMemory& memory, const TouchTip& touchTip) noexcept {
   ToolTouch touch;
-  touch.tip = tip;
-  touch.jaw = tip;
-  if (!holding) {
-    for (const Segment& blade : shape.blades) {
-      touch.jaw = deeper(touch.jaw, touchCapsule(surface, blade, shape.bladeRadius_m));
+  if (near.tip) {
+    touch.tip = touchTip(memory.tip);
+    // Of a deformed organ none is told beyond kTipReach_m.
+    remember(memory.tip, {shape.tip_m, shape.tip_m}, scene, organ,
+             std::min(touch.tip.gap_m, kTipReach_m - shape.tipRadius_m));
+  }
+  touch.jaw = touch.tip;
+  for (std::size_t i = 0; i < near.blades.size(); ++i) {
+    if (near.blades[i]) {
+      touch.jaw = deeper(touch.jaw, touchCapsule(surface, scene, organ, shape.blades[i], shape.bladeRadius_m,
+                                                 memory.blades[i]));
     }
   }
-  touch.shaft = touchCapsule(surface, shape.shaft, shape.tipRadius_m);
+  if (near.shaft) {
+    touch.shaft = touchCapsule(surface, scene, organ, shape.shaft, shape.tipRadius_m, memory.shaft);
+  }
   return touch;
+}
+
+/// The nearest of the remembered triangles, when every other one must be farther: tip and surface have not
+/// gone as far since as that one was beyond reach.
+SegmentHit amongNeighbours(const DeformedSurface& surface, const Segment& axis, const Scene& scene,
+                           const OrganState& organ, const TipPlace& place) noexcept {
+  if (!(place.reach_m > 0.0) || !bounded(scene, organ)) {
+    return {};
+  }
+  const double way_m = norm(axis.from_m - place.tip_m) + scene.model.farthestWay_m(place.twist, organ.twist);
+  const double left_m = place.reach_m - kFreeMargin_m - kFreeShare * way_m;
+  if (!(left_m > 0.0)) {
+    return {};
+  }
+  const SegmentHit hit = surface.nearestAmong(axis, place.near);
+  return std::abs(hit.surface.distance_m) < left_m ? hit : SegmentHit{};
 }
 
 /// The tip of a deformed organ. Far from the surface the map back to rest tells inside from outside; only
 /// deep inside the exact distance is worth its time.
 template <typename ToRest>
-PartTouch touchTip(DeformedSurface& surface, const ToolShape& shape, const Scene& scene,
-                   const ToRest& toRest_m) noexcept {
-  const SegmentHit hit = surface.nearest({shape.tip_m, shape.tip_m}, kTipReach_m);
+PartTouch touchTipOf(DeformedSurface& surface, const ToolShape& shape, const Scene& scene,
+                     const OrganState& organ, const ToRest& toRest_m, PartMemory& tip,
+                     TipPlace& place) noexcept {
+  const Segment axis{shape.tip_m, shape.tip_m};
+  if (const SegmentHit known = amongNeighbours(surface, axis, scene, organ, place); known.found) {
+    tip.triangle = known.surface.triangle;
+    return fromSurface(shape.tip_m, known.surface, shape.tipRadius_m);
+  }
+  const SegmentHit hit = surface.nearest(axis, kTipReach_m, tip.triangle);
   if (hit.found) {
+    tip.triangle = hit.surface.triangle;
+    if (bounded(scene, organ)) {
+      const double reach_m = std::abs(hit.surface.distance_m) + kNeighbours_m;
+      place.reach_m = surface.gather(axis, reach_m, place.near) ? reach_m : -1.0;
+      place.tip_m = shape.tip_m;
+      place.twist = organ.twist;
+    }
     return fromSurface(shape.tip_m, hit.surface, shape.tipRadius_m);
   }
   const Vec3 rest_m = toRest_m(shape.tip_m);
   if (scene.collision.closest(rest_m).distance_m > (scene.hollow ? kWrungDoubt_m : 0.0)) {
     return {};
   }
-  return fromSurface(shape.tip_m, surface.closest(shape.tip_m), shape.tipRadius_m);
+  return fromSurface(shape.tip_m, surface.closest(shape.tip_m, tip.triangle), shape.tipRadius_m);
 }
 
 /// The vertices as the model moves them.
@@ -210,15 +307,32 @@ ToolShape toolShape(const ToolState& tool, const Instrument& instrument) noexcep
   return shape;
 }
 
-ToolTouch touchTool(const ToolShape& shape, const Scene& scene, const OrganState& organ,
-                    bool holding) noexcept {
+ToolTouch touchTool(const ToolShape& shape, const Scene& scene, const OrganState& organ, bool holding,
+                    TouchMemory& memory) noexcept {
+  const NearParts near = nearParts(shape, scene, organ, holding, memory);
+  if (!near.any()) {
+    return {};
+  }
   if (organ.atRest()) {
-    const PartTouch tip = fromSurface(shape.tip_m, scene.collision.closest(shape.tip_m), shape.tipRadius_m);
-    return touchAll(scene.collision, tip, shape, holding);
+    return touchAll(scene.collision, shape, scene, organ, near, memory, [&](PartMemory& tip) {
+      const SurfacePoint surface = scene.collision.closest(shape.tip_m, tip.triangle);
+      tip.triangle = surface.triangle;
+      return fromSurface(shape.tip_m, surface, shape.tipRadius_m);
+    });
   }
   return askDeformed(scene, organ, [&](DeformedSurface& surface, const auto& toRest_m) {
-    return touchAll(surface, touchTip(surface, shape, scene, toRest_m), shape, holding);
+    return touchAll(surface, shape, scene, organ, near, memory, [&](PartMemory& tip) {
+      return touchTipOf(surface, shape, scene, organ, toRest_m, tip, memory.place);
+    });
   });
+}
+
+SurfacePoint nearestSurface(const Vec3& point_m, const Scene& scene, const OrganState& organ) noexcept {
+  if (organ.atRest()) {
+    return scene.collision.closest(point_m);
+  }
+  return askDeformed(scene, organ,
+                     [&](DeformedSurface& surface, const auto&) { return surface.closest(point_m); });
 }
 
 std::optional<SurfacePoint> tissueInMouth(const ToolShape& shape, const ToolState& tool, const Scene& scene,

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
 #include "sim/base/angle.h"
 #include "sim/base/device_sample.h"
 #include "sim/geometry/mesh/segment.h"
+#include "sim/geometry/query/deformed_surface.h"
 #include "sim/geometry/query/surface_point.h"
 #include "sim/scene/organ_state.h"
 #include "sim/scene/scene.h"
@@ -48,6 +50,32 @@ struct PartTouch {
   double radius_m = 0.0;                                   ///< of the part
 };
 
+/// What is remembered of one part of the instrument from the ticks before.
+struct PartMemory {
+  std::uint32_t triangle = kNoTriangle;  ///< nearest when it was last looked for
+  Segment axis;                          ///< of the part then
+  TwistState twist;                      ///< of the organ then
+  double free_m = -1.0;  ///< the surface was that far from the part at least; below 0: unknown
+};
+
+/// Triangles near the tip, of the organ as it lay at one time: no other one came nearer than `reach_m`.
+struct TipPlace {
+  double reach_m = -1.0;  ///< below 0: unknown
+  Vec3 tip_m;
+  TwistState twist;
+  FacetList near;
+};
+
+/// What is remembered of the instrument, so that the next tick need not look where it cannot touch: a part
+/// that was so far from the surface, and with it the surface, has not gone that far since. Changes no answer
+/// but a gap beyond kLookAhead_m, which may be told as infinite. Trivially copyable; of one scene.
+struct TouchMemory {
+  PartMemory tip;
+  std::array<PartMemory, 2> blades;
+  PartMemory shaft;
+  TipPlace place;  ///< of the tip, where it may touch
+};
+
 /// What each part of the instrument touches.
 struct ToolTouch {
   PartTouch tip;    ///< the sphere at the tip; of a deformed organ infinite gap beyond a centimetre
@@ -60,10 +88,15 @@ struct ToolTouch {
 /// axis near the place of entry. `holding`: the blades are in the tissue and do not collide.
 ///
 /// At rest the rest hierarchy answers (CollisionMesh::nearest), else DeformedSurface over the vertices as the
-/// model moves them: the surface that is drawn. noexcept, allocation-free; runs in the servo tick, 3 to 10 us
-/// at rest.
+/// model moves them: the surface that is drawn. Parts that cannot have come near since the ticks that
+/// `memory` tells of are not asked for; it is brought up to date, and a fresh one remembers nothing.
+/// noexcept, allocation-free; runs in the servo tick.
 [[nodiscard]] ToolTouch touchTool(const ToolShape& shape, const Scene& scene, const OrganState& organ,
-                                  bool holding) noexcept;
+                                  bool holding, TouchMemory& memory) noexcept;
+
+/// Finds the point of the surface that is nearest to `point_m` on the organ as it lies. Any thread.
+[[nodiscard]] SurfacePoint nearestSurface(const Vec3& point_m, const Scene& scene,
+                                          const OrganState& organ) noexcept;
 
 /// Finds what closing the jaw would take hold of: the surface point nearest to the mouth within `gripReach_m`
 /// of the tip's radius, if it lies between the open blades; nothing else can be held. The point is given on

@@ -23,12 +23,16 @@ TrialRerun::HandedSample::HandedSample(const TrialHeader& header) {
   capabilities_.realTime = false;
 }
 
+ExerciseOptions TrialRerun::exerciseOptions(const TrialHeader& header, std::uint32_t rules) {
+  return ServoLoop::exerciseOptions(HandedSample(header).capabilities(), optionsOf(header, rules));
+}
+
 TrialRerun::TrialRerun(const Scene& scene, const TrialHeader& header, std::uint32_t rules)
     : device_(header),
       loop_({.device = &device_, .scene = &scene, .commands = &commands_, .beside = &beside_},
             optionsOf(header, rules)) {}
 
-const Sample& TrialRerun::next(const Sample& recorded) {
+const Sample& TrialRerun::next(const Sample& recorded, const ExerciseStep* known) {
   if (recorded.command.kind != ServoCommand::Kind::kNone) {
     (void)commands_.push(recorded.command);
   }
@@ -36,8 +40,24 @@ const Sample& TrialRerun::next(const Sample& recorded) {
     beside_.deliveries.publish({++deliveries_, loop_.grips(), recorded.beside});
   }
   device_.hand(recorded.device);
-  loop_.tick(recorded.device.time_us);
+  loop_.tick(recorded.device.time_us, known);
   return loop_.lastSample();
+}
+
+std::vector<ExerciseMoment> rerunMoments(const Scene& scene, const TrialHeader& header,
+                                         std::span<const Sample> samples, std::uint32_t wanted) {
+  std::vector<ExerciseMoment> moments;
+  if (samples.empty()) {
+    return moments;
+  }
+  TrialRerun rerun(scene, header, samples.front().rules);
+  for (const Sample& recorded : samples) {
+    const Sample& answer = rerun.next(recorded);
+    if (const std::uint32_t events = rerun.lastEvents() & wanted; events != kEventNone) {
+      moments.push_back({recorded.tick, recorded.device.time_us, events, answer.phase});
+    }
+  }
+  return moments;
 }
 
 }  // namespace torsio

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "sim/base/spsc_ring.h"
 #include "sim/device/haptic_device.h"
@@ -15,13 +17,19 @@ namespace torsio {
 /// bit. `scene` outlives it. One thread.
 class TrialRerun {
  public:
+  /// Returns the options of the exercise of a trial that follows `rules`.
+  [[nodiscard]] static ExerciseOptions exerciseOptions(const TrialHeader& header, std::uint32_t rules);
+
   /// Prepares a loop that follows the `rules` stamped on the samples.
   TrialRerun(const Scene& scene, const TrialHeader& header, std::uint32_t rules);
 
-  /// Runs the tick of `recorded`, the next sample of the trial; returns its answer.
-  const Sample& next(const Sample& recorded);
+  /// Runs the tick of `recorded`, the next sample of the trial; returns its answer. `known`: that of the
+  /// exercise, where it is known already (ExerciseAhead); organ() then stays as it was.
+  const Sample& next(const Sample& recorded, const ExerciseStep* known = nullptr);
   /// Returns how the organ lies after the last tick.
   [[nodiscard]] const OrganState& organ() const noexcept { return loop_.organ(); }
+  /// Returns the ExerciseEvent bits of the last tick.
+  [[nodiscard]] std::uint32_t lastEvents() const noexcept { return loop_.lastEvents(); }
 
  private:
   /// Gives the sample that it was handed.
@@ -44,5 +52,11 @@ class TrialRerun {
   HandedSample device_;
   ServoLoop loop_;
 };
+
+/// Runs a recorded trial again, `samples` from its first tick on, and returns each tick in which one of
+/// `wanted` (ExerciseEvent bits) happened, with these alone: a recording holds what the hand did, not what
+/// came of it. About 10 us a tick of a hollow organ. Any one thread.
+[[nodiscard]] std::vector<ExerciseMoment> rerunMoments(const Scene& scene, const TrialHeader& header,
+                                                       std::span<const Sample> samples, std::uint32_t wanted);
 
 }  // namespace torsio

@@ -79,6 +79,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
         "assessment/study",
         "sim/base",
         "sim/baseline",
+        "sim/device/drivers",
         "sim/geometry/mesh",
         "sim/record",
         "sim/scene",
@@ -103,7 +104,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
                              "sim/record",           "sim/scene"}},
       {"app/devices",
        {"assessment/report", "assessment/study", "sim/base", "sim/device", "sim/device/drivers",
-        "sim/device/process", "sim/scene", "sim/servo"}},
+        "sim/device/safety", "sim/device/virtual", "sim/scene", "sim/servo"}},
       {"app/gui/administrator",
        {"app/gui/administrator/curriculum", "app/gui/administrator/people", "app/gui/administrator/reporting",
         "app/gui/administrator/scoring", "app/gui/administrator/station", "app/gui/administrator/study",
@@ -113,8 +114,8 @@ const std::map<std::string, std::set<std::string>>& allowed() {
         "app/study", "app/training", "assessment/metrics", "assessment/people", "assessment/rating",
         "assessment/study", "sim/base"}},
       {"app/gui/administrator/curriculum",
-       {"app/gui/administrator/base", "app/gui/base", "app/gui/simulator", "app/gui/widgets", "app/study",
-        "assessment/study", "sim/base", "sim/scene"}},
+       {"app/gui/administrator/base", "app/gui/base", "app/gui/widgets", "app/study", "assessment/study",
+        "sim/base", "sim/scene"}},
       {"app/gui/administrator/people",
        {"app/access", "app/gui/administrator/base", "app/gui/base", "app/gui/widgets", "app/maintenance",
         "app/people", "assessment/people", "sim/base"}},
@@ -126,16 +127,17 @@ const std::map<std::string, std::set<std::string>>& allowed() {
         "app/study", "assessment/people", "assessment/rating", "sim/base"}},
       {"app/gui/administrator/station",
        {"app/access", "app/devices", "app/gui/administrator/base", "app/gui/base", "app/gui/widgets",
-        "app/maintenance", "app/recording", "app/training", "assessment/people"}},
+        "app/maintenance", "app/recording", "app/training", "assessment/people", "sim/device/drivers"}},
       {"app/gui/administrator/study",
        {"app/devices", "app/gui/administrator/base", "app/gui/base", "app/gui/widgets", "app/study",
         "assessment/study", "sim/base"}},
       {"app/gui/base",
        {"app/access", "app/base", "app/gui/widgets", "app/recording", "app/report", "assessment/report",
-        "sim/base"}},
+        "sim/base", "sim/scene"}},
       {"app/gui/physician",
        {"app/gui/base", "app/gui/scene", "app/gui/simulator", "app/gui/trainee", "app/gui/widgets",
-        "app/review", "app/training", "assessment/rating", "sim/base"}},
+        "app/review", "app/training", "assessment/rating", "sim/base", "sim/tissue/hollow",
+        "sim/tissue/perfusion"}},
       {"app/gui/practice",
        {"app/base", "app/comparison", "app/gui/base", "app/gui/scene", "app/gui/simulator", "app/gui/trainee",
         "app/gui/widgets", "app/recording", "app/report", "assessment/attempt", "sim/base", "sim/baseline",
@@ -242,11 +244,16 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"sim/baseline",
        {"sim/base", "sim/geometry/lattice", "sim/geometry/mesh", "sim/tissue/rod", "sim/tissue/twist",
         "sim/tissue/view"}},
-      {"sim/device", {"sim/base"}},
+      {"sim/device", {"sim/base", "sim/device/safety"}},
       {"sim/device/drivers",
-       {"sim/base", "sim/device", "sim/device/hdapi", "sim/device/process", "sim/device/virtual"}},
+       {"sim/base", "sim/device", "sim/device/controller", "sim/device/inverse3", "sim/device/process",
+        "sim/device/spacemouse", "sim/device/virtual"}},
+      {"sim/device/controller", {"sim/base", "sim/device", "sim/device/steering"}},
+      {"sim/device/spacemouse", {"sim/base", "sim/device", "sim/device/steering", "sim/device/virtual"}},
+      {"sim/device/inverse3", {"sim/base", "sim/device", "sim/device/safety"}},
+      {"sim/device/steering", {"sim/base", "sim/device"}},
       {"sim/device/hdapi", {"sim/base", "sim/device", "sim/device/safety"}},
-      {"sim/device/process", {"sim/base", "sim/device/hdapi"}},
+      {"sim/device/process", {"sim/base", "sim/device", "sim/device/hdapi"}},
       {"sim/device/process/host", {"sim/base", "sim/device/process"}},
       {"sim/device/safety", {"sim/base"}},
       {"sim/device/virtual", {"sim/base", "sim/device"}},
@@ -256,7 +263,8 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"sim/record", {"sim/base"}},
       {"sim/scene",
        {"sim/base", "sim/geometry/lattice", "sim/geometry/mesh", "sim/geometry/query", "sim/tissue/hollow",
-        "sim/tissue/perfusion", "sim/tissue/rod", "sim/tissue/section", "sim/tissue/twist"}},
+        "sim/tissue/perfusion", "sim/tissue/rod", "sim/tissue/section", "sim/tissue/twist",
+        "sim/tissue/view"}},
       {"sim/servo",
        {"sim/base", "sim/device", "sim/device/safety", "sim/device/virtual", "sim/geometry/mesh",
         "sim/geometry/query", "sim/record", "sim/scene", "sim/tissue/hollow", "sim/tissue/perfusion",
@@ -288,6 +296,8 @@ const std::map<std::string, std::set<std::string>>& privateLibraries() {
       {"QtCharts", {"app/report", "app/gui"}},
       {"sodium", {"sim/base", "db/repository/base", "db/repository/people", "app/access", "app/maintenance"}},
       {"CLI/", {"app/cli"}},
+      {"SDL", {"sim/device/controller"}},
+      {"spnav", {"sim/device/spacemouse"}},
   };
   return kPrivate;
 }
@@ -309,6 +319,39 @@ TEST(IncludeRules, EveryFolderIncludesOnlyWhatItMay) {
     ASSERT_TRUE(allowed().contains(include.folder)) << include.file << ": folder without a row in the table";
     EXPECT_TRUE(to == include.folder || allowed().at(include.folder).contains(to))
         << include.file << " may not include " << include.target;
+  }
+}
+
+TEST(IncludeRules, NothingOutsideItsFolderKnowsTheVendorOfADevice) {
+  // Words of vendors and of their interfaces. What a person reads about a device comes from its driver.
+  static const std::regex kVendor(
+      R"(hdapi|openhaptics|libHD|phantom omni|3d systems|sdl|spnav|spacenav|spacemouse|3dconnexion|haply|inverse3)",
+      std::regex::icase);
+  for (const char* const top : {"app", "assessment", "db", "sim"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(kRoot / top)) {
+      const std::string file = fs::relative(entry.path(), kRoot).generic_string();
+      const std::string extension = entry.path().extension().string();
+      if ((extension != ".h" && extension != ".cpp") || startsWith(file, "sim/device/")) {
+        continue;
+      }
+      std::ifstream in(entry.path());
+      for (std::string line; std::getline(in, line);) {
+        EXPECT_FALSE(std::regex_search(line, kVendor)) << file << ": " << line;
+      }
+    }
+  }
+}
+
+TEST(IncludeRules, ADeviceIsOneFolderAndOneLineInTheList) {
+  for (const Include& include : allIncludes()) {
+    if (!include.quoted || !startsWith(include.target, "sim/device/")) {
+      continue;
+    }
+    const std::string to = folderOf(include.target);
+    // The servo borrows the safety and the simulated hands; the window feeds the pointer.
+    const bool open = to == "sim/device" || to == "sim/device/drivers" || to == "sim/device/safety" ||
+                      to == "sim/device/virtual";
+    EXPECT_TRUE(open || startsWith(include.folder, "sim/device/")) << include.file << ": " << include.target;
   }
 }
 

@@ -133,6 +133,38 @@ TEST(RecordedDetorsion, TheSecondButtonInTheAirClipsNothing) {
   EXPECT_EQ(run.measured().values.at("detorse.done"), 1.0);
 }
 
+TEST(RecordedSwitches, HeedAButtonOnlyWhenItIsPressedAnewAtTheOrgan) {
+  RecordedSwitches switches;
+  Sample sample;
+  sample.phase = ExercisePhase::kContact;
+  sample.device.buttons = kButtonSecond;
+  switches.obey(sample);
+  switches.obey(sample);
+  const bool heldFromTheStart = switches.clipped();
+  sample.device.buttons = 0;
+  switches.obey(sample);
+  sample.device.buttons = kButtonSecond;
+
+  switches.obey(sample);
+
+  EXPECT_FALSE(heldFromTheStart);
+  EXPECT_TRUE(switches.clipped());
+}
+
+TEST(RecordedSwitches, ACommandWinsOverTheButtonOfItsTick) {
+  RecordedSwitches switches;
+  Sample sample;
+  sample.phase = ExercisePhase::kTwisting;
+  switches.obey(sample);
+  sample.device.buttons = kButtonSecond;
+  sample.command = {.kind = ServoCommand::Kind::kHoldOrgan, .value = 0.0};
+
+  switches.obey(sample);
+
+  EXPECT_FALSE(switches.clipped());  // the button alone would have set it
+  EXPECT_FALSE(switches.venting());
+}
+
 TEST(RecordedDetorsion, TheButtonThatGripsClosesTheJawFully) {
   RecordedUntwisting run;
   run.now().device.buttons = kButtonGrip;

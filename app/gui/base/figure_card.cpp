@@ -54,8 +54,6 @@ FigureCard::FigureCard(QWidget* parent)
   notes_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   for (QPushButton* button : {picture_, values_}) {
     button->setCheckable(true);
-    button->setStyleSheet(
-        QStringLiteral("QPushButton:checked { border: 2px solid palette(highlight); padding: 6px 15px; }"));
   }
   picture_->setChecked(true);
   auto* both = new QButtonGroup(this);

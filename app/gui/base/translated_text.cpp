@@ -59,18 +59,11 @@ namespace {
     QT_TRANSLATE_NOOP("Text", "few raters"),
     QT_TRANSLATE_NOOP("Text", "Demonstration centre (simulated)"),
     QT_TRANSLATE_NOOP("Text", "paper"),
-    QT_TRANSLATE_NOOP("Text", "Right forearm"),
-    QT_TRANSLATE_NOOP("Text", "Stomach"),
-    QT_TRANSLATE_NOOP("Text", "Small intestine, loop"),
-    QT_TRANSLATE_NOOP("Text", "Small-bowel loop, twisted"),
-    QT_TRANSLATE_NOOP("Text", "Stomach, organo-axial volvulus"),
-    QT_TRANSLATE_NOOP("Text", "Stomach, mesentero-axial volvulus"),
-    QT_TRANSLATE_NOOP("Text", "Testis on its cord, torsion"),
-    QT_TRANSLATE_NOOP("Text", "Sigmoid volvulus"),
-    QT_TRANSLATE_NOOP("Text", "Midgut volvulus"),
     QT_TRANSLATE_NOOP("Text", "synthetic, drawn by torsio_make_organs from ANSUR II means"),
     QT_TRANSLATE_NOOP("Text", "synthetic, drawn by torsio_make_organs from published dimensions"),
     QT_TRANSLATE_NOOP("Text", "Simulated trainees after section 6 of the paper"),
+    QT_TRANSLATE_NOOP("Text", "Simulated trainees who undo organs that come twisted"),
+    QT_TRANSLATE_NOOP("Text", "untwisting"),
 };
 
 QString patternInLanguage(const std::string& pattern) {

@@ -55,7 +55,7 @@ void QuestionsCard::fill() {
     auto* words = sentence(this, false);
     const QString waits = StationLabels::waited(shell_.session().now_us() - question.askedUtc_us);
     words->setText(tr("%1, %2, at %3: waiting for %4")
-                       .arg(toQString(question.trainee), toQString(question.moduleTitle),
+                       .arg(toQString(question.trainee), toQString(Text(question.moduleTitle)),
                             StationLabels::seconds(question.at_s), waits));
     auto* look = new QPushButton(tr("Answer\u2026"), this);
     look->setObjectName(QStringLiteral("answerQuestion"));
@@ -89,9 +89,10 @@ void QuestionsCard::show(const PhysicianQuestion& question, const Debrief& run) 
   auto* column = new QVBoxLayout(&dialog);
   column->setSpacing(kSpace);
   auto* head = sentence(&dialog, false);
-  head->setText(question.text.empty() ? tr("%1 asks about this moment of \u201c%2\u201d.")
-                                            .arg(toQString(question.trainee), toQString(question.moduleTitle))
-                                      : toQString(question.text));
+  head->setText(question.text.empty()
+                    ? tr("%1 asks about this moment of \u201c%2\u201d.")
+                          .arg(toQString(question.trainee), toQString(Text(question.moduleTitle)))
+                    : toQString(question.text));
   column->addWidget(head);
   auto* plot = new DebriefPlot(&dialog);
   plot->setTheme(theme(shell_.themeKind()));

@@ -10,7 +10,6 @@
 #include <QPainter>
 
 #include "app/gui/physician/review_labels.h"
-#include "sim/base/angle.h"
 
 namespace torsio::gui {
 
@@ -18,50 +17,28 @@ namespace {
 
 constexpr int kLaneGap = 6;
 constexpr int kWatchedHeight = 4;
-constexpr std::size_t kMostStretches = 65'536;  // a dozen for each pixel of the widest screen
+constexpr int kLaneGapOfMany = 3;
+constexpr float kWholeScale = 100.0F;  // percent
+constexpr float kLostDose = 1.0F;
+constexpr float kSmallTorque_Nm = 0.1F;  // below it an untwisting is told in mN m
+constexpr float kThousand = 1e3F;
 constexpr std::int64_t kTickSteps_us[] = {1'000'000,  2'000'000,   5'000'000,   10'000'000,  30'000'000,
                                           60'000'000, 120'000'000, 300'000'000, 600'000'000, 1'800'000'000};
 
+QString figure(float value, int decimals) {
+  const float step = std::pow(10.0F, static_cast<float>(-decimals));
+  const float shown = std::abs(value) < 0.5F * step ? 0.0F : value;  // no minus before a zero
+  return QLocale()
+      .toString(static_cast<double>(shown), 'f', decimals)
+      .replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+QString withUnit(const QString& size, const QString& unit) {
+  const bool close = unit.isEmpty() || unit == QStringLiteral("\u00b0");
+  return close ? size + unit : QStringLiteral("%1 %2").arg(size, unit);
+}
+
 }  // namespace
-
-TraceCollector::TraceCollector(std::int64_t samples)
-    : perStretch_((static_cast<std::size_t>(std::max<std::int64_t>(samples, 0)) + kMostStretches - 1) /
-                  kMostStretches) {
-  perStretch_ = std::max<std::size_t>(perStretch_, 1);
-}
-
-void TraceCollector::add(std::span<const Sample> samples) {
-  for (const Sample& sample : samples) {
-    if (!begun_) {
-      begin_us_ = sample.device.time_us;
-    }
-    begun_ = true;
-    const std::array<float, 3> now{static_cast<float>(degrees(sample.response.angle_rad)),
-                                   static_cast<float>(sample.response.torque_Nm),
-                                   static_cast<float>(norm(sample.force_N))};
-    data_.duration_us = sample.device.time_us - begin_us_;
-    if (inStretch_ == 0) {
-      data_.times_us.push_back(data_.duration_us);
-    }
-    for (std::size_t lane = 0; lane < now.size(); ++lane) {
-      std::vector<float>& values = values_[lane];
-      if (inStretch_ == 0) {
-        values.insert(values.end(), 2, now[lane]);
-      } else {
-        values[values.size() - 2] = std::min(values[values.size() - 2], now[lane]);
-        values.back() = std::max(values.back(), now[lane]);
-      }
-    }
-    inStretch_ = (inStretch_ + 1) % perStretch_;
-  }
-}
-
-TraceData TraceCollector::finish() {
-  data_.angle_deg = RangePyramid(std::move(values_[0]));
-  data_.torque_Nm = RangePyramid(std::move(values_[1]));
-  data_.force_N = RangePyramid(std::move(values_[2]));
-  return std::move(data_);
-}
 
 TraceView::TraceView(QWidget* parent) : QWidget(parent), theme_(&theme(ThemeKind::kLight)) {
   setCursor(Qt::PointingHandCursor);
@@ -76,6 +53,7 @@ void TraceView::setData(const TraceData* traces) {
   watched_us_.clear();
   traces_ = QPixmap();
   describe();
+  updateGeometry();
   update();
 }
 
@@ -86,7 +64,6 @@ void TraceView::setTheme(const Theme& theme) {
 }
 
 void TraceView::retranslate() {
-  setAccessibleName(tr("Traces of angle, torque and force"));
   traces_ = QPixmap();
   describe();
   update();
@@ -98,7 +75,7 @@ void TraceView::setPosition_us(std::int64_t position_us) {
   }
   const int before = xOf(position_us_);
   position_us_ = position_us;
-  if (xOf(position_us_) != before) {
+  if (xOf(position_us_) != before || untwisting()) {
     update();
   }
 }
@@ -114,12 +91,16 @@ void TraceView::setWatched(std::vector<std::pair<std::int64_t, std::int64_t>> sp
   update(0, height() - fontMetrics().height() - 3 * kWatchedHeight, width(), height());
 }
 
+int TraceView::lineHeights(int ofATwist, int ofALane) const {
+  return untwisting() ? 2 + ofALane * static_cast<int>(data_->values.size()) / 4 : ofATwist;
+}
+
 QSize TraceView::sizeHint() const {
-  return {480, 12 * fontMetrics().height()};
+  return {480, lineHeights(12, 9) * fontMetrics().height()};
 }
 
 QSize TraceView::minimumSizeHint() const {
-  return {240, 9 * fontMetrics().height()};
+  return {240, lineHeights(9, 7) * fontMetrics().height()};
 }
 
 std::int64_t TraceView::duration_us() const noexcept {
@@ -129,7 +110,7 @@ std::int64_t TraceView::duration_us() const noexcept {
 QRect TraceView::plot() const {
   const int labels = fontMetrics().horizontalAdvance(QStringLiteral("-0.000 N m ")) + kSpace;
   const int axis = fontMetrics().height() + kWatchedHeight + kSpace;
-  return rect().adjusted(labels, kSpace / 2, -kSpace, -axis);
+  return rect().adjusted(std::max(labels, labels_), kSpace / 2, -std::max(kSpace, readings_), -axis);
 }
 
 int TraceView::xOf(std::int64_t time_us) const {
@@ -144,44 +125,159 @@ std::size_t TraceView::indexAt(std::int64_t time_us) const {
 }
 
 std::vector<TraceView::Lane> TraceView::lanes() const {
-  return {{tr("Angle"), QStringLiteral("\u00b0"), &data_->angle_deg, theme_->accent},
-          {tr("Torque"), QStringLiteral("N m"), &data_->torque_Nm, theme_->good},
-          {tr("Force"), QStringLiteral("N"), &data_->force_N, theme_->caution}};
+  std::vector<Lane> all;
+  for (std::size_t i = 0; data_ != nullptr && i < data_->values.size(); ++i) {
+    all.push_back(lane(static_cast<TraceKind>(i)));
+  }
+  return all;
+}
+
+TraceView::Lane TraceView::lane(TraceKind kind) const {
+  const RangePyramid& values = data_->values[static_cast<std::size_t>(kind)];
+  const RangePyramid::Range whole = values.whole();
+  Lane made;
+  made.values = &values;
+  made.low = std::min(whole.low, 0.0F);
+  made.high = std::max(whole.high, made.low + 1e-3F);
+  const auto call = [&made](const QString& name, const QString& unit, const QColor& colour) {
+    made.name = name;
+    made.unit = unit;
+    made.colour = colour;
+  };
+  const auto share = [&](const QString& name, const QColor& colour) {
+    call(name, QStringLiteral("%"), colour);
+    made.low = 0.0F;
+    made.high = kWholeScale;
+  };
+  switch (kind) {
+    case TraceKind::kAngle:
+      call(tr("Angle"), QStringLiteral("\u00b0"), theme_->accent);
+      break;
+    case TraceKind::kTorque:
+      call(tr("Torque"), QStringLiteral("N m"), theme_->good);
+      break;
+    case TraceKind::kForce:
+      call(tr("Force"), QStringLiteral("N"), theme_->caution);
+      break;
+    case TraceKind::kFlow:
+      share(tr("Blood flow"), theme_->accent);
+      break;
+    case TraceKind::kDose:
+      call(tr("Ischaemic dose"), QString(), theme_->caution);
+      made.high = std::max(made.high, kLostDose);
+      made.limit = kLostDose;
+      break;
+    case TraceKind::kBlack:
+      share(tr("Black share"), theme_->text);
+      break;
+    case TraceKind::kPatency:
+      share(tr("Lumen"), theme_->good);
+      break;
+    case TraceKind::kPressure:
+      call(tr("Pressure"), QStringLiteral("mmHg"), theme_->accent);
+      break;
+  }
+  tellScale(kind, made);
+  return made;
+}
+
+void TraceView::tellScale(TraceKind kind, Lane& made) const {
+  // The direction of a twist is a sign: what is named is the end that lies farther from zero.
+  const float peak = -made.low > made.high ? made.low : made.high;
+  if (untwisting() && kind == TraceKind::kTorque && std::abs(peak) < kSmallTorque_Nm) {
+    made.unit = QStringLiteral("mN m");
+    made.factor = kThousand;
+  }
+  const float size = std::abs(peak) * made.factor;
+  made.decimals = kind == TraceKind::kDose ? 2 : size >= 10.0F ? 0 : size >= 1.0F ? 1 : 2;
+  if (untwisting()) {
+    const QString low =
+        made.low == 0.0F ? QStringLiteral("0") : figure(made.low * made.factor, made.decimals);
+    made.scale = withUnit(
+        QStringLiteral("%1\u2026%2").arg(low, figure(made.high * made.factor, made.decimals)), made.unit);
+  } else {
+    made.scale = QStringLiteral("%1 %2").arg(
+        QLocale().toString(static_cast<double>(peak), 'f', made.decimals), made.unit);
+  }
+}
+
+QStringList TraceView::laneTexts() const {
+  QStringList texts;
+  for (const Lane& one : lanes()) {
+    texts << QStringLiteral("%1 %2").arg(one.name, one.scale);
+  }
+  return texts;
+}
+
+QStringList TraceView::readings() const {
+  QStringList texts;
+  if (!untwisting() || data_->times_us.empty()) {
+    return texts;
+  }
+  // The stretch that the cursor is in: the last that begins no later than it.
+  const auto after = std::upper_bound(data_->times_us.begin(), data_->times_us.end(), position_us_);
+  const auto index =
+      static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - data_->times_us.begin() - 1, 0));
+  for (const Lane& one : lanes()) {
+    texts << withUnit(figure(one.values->at(2 * index + 1) * one.factor, one.decimals), one.unit);
+  }
+  return texts;
+}
+
+void TraceView::layOut() {
+  labels_ = 0;
+  readings_ = 0;
+  for (const Lane& one : lanes()) {
+    if (untwisting()) {
+      const auto width = [this](const QString& text) {
+        return fontMetrics().horizontalAdvance(text) + 2 * kSpace;
+      };
+      labels_ = std::max({labels_, width(one.name), width(one.scale)});
+      for (const float end : {one.low, one.high}) {
+        readings_ = std::max(readings_, width(withUnit(figure(end * one.factor, one.decimals), one.unit)));
+      }
+    }
+  }
+}
+
+QRect TraceView::laneArea(std::size_t number) const {
+  const QRect area = plot();
+  const int count = static_cast<int>(std::max<std::size_t>(data_->values.size(), 1));
+  const int gap = untwisting() ? kLaneGapOfMany : kLaneGap;
+  const int height = (area.height() - gap * (count - 1)) / count;
+  return {area.left(), area.top() + static_cast<int>(number) * (height + gap), area.width(), height};
 }
 
 void TraceView::drawTraces() {
+  layOut();
   const qreal ratio = devicePixelRatioF();
   traces_ = QPixmap((QSizeF(size()) * ratio).toSize());
   traces_.setDevicePixelRatio(ratio);
   traces_.fill(theme_->window);
   QPainter painter(&traces_);
   painter.setFont(font());
-  const QRect area = plot();
   if (data_ == nullptr || data_->times_us.empty()) {
     return;
   }
   const std::vector<Lane> all = lanes();
-  const int height =
-      (area.height() - kLaneGap * (static_cast<int>(all.size()) - 1)) / static_cast<int>(all.size());
-  int top = area.top();
-  for (const Lane& lane : all) {
-    drawLane(painter, lane, {area.left(), top, area.width(), height});
-    top += height + kLaneGap;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    drawLane(painter, all[i], laneArea(i));
   }
   drawAxis(painter);
 }
 
 void TraceView::drawLane(QPainter& painter, const Lane& lane, const QRect& area) const {
-  RangePyramid::Range whole = lane.values->whole();
-  whole.low = std::min(whole.low, 0.0F);
-  whole.high = std::max(whole.high, whole.low + 1e-3F);
   const auto yOf = [&](float value) {
-    const float share = (value - whole.low) / (whole.high - whole.low);
+    const float share = (value - lane.low) / (lane.high - lane.low);
     return area.bottom() - static_cast<int>(std::lround(share * static_cast<float>(area.height() - 3))) - 1;
   };
   painter.fillRect(area, theme_->surface);
   painter.setPen(theme_->line);
   painter.drawLine(area.left(), yOf(0.0F), area.right(), yOf(0.0F));
+  if (lane.limit) {
+    painter.setPen(QPen(theme_->quietText, 1.0, Qt::DashLine));
+    painter.drawLine(area.left(), yOf(*lane.limit), area.right(), yOf(*lane.limit));
+  }
   painter.setPen(lane.colour);
   std::size_t first = 0;
   for (int x = 0; x < area.width(); ++x) {
@@ -200,12 +296,18 @@ void TraceView::drawLane(QPainter& painter, const Lane& lane, const QRect& area)
   painter.drawText(QRect(0, area.top(), labelWidth, area.height() / 2), Qt::AlignLeft | Qt::AlignBottom,
                    lane.name);
   painter.setPen(theme_->quietText);
-  // The direction of a twist is a sign: what is named is the end that lies farther from zero.
-  const double peak = static_cast<double>(-whole.low > whole.high ? whole.low : whole.high);
-  const int decimals = std::abs(peak) >= 10.0 ? 0 : std::abs(peak) >= 1.0 ? 1 : 2;
   painter.drawText(QRect(0, area.center().y(), labelWidth + kSpace, area.height() / 2),
-                   Qt::AlignLeft | Qt::AlignTop,
-                   QStringLiteral("%1 %2").arg(QLocale().toString(peak, 'f', decimals), lane.unit));
+                   Qt::AlignLeft | Qt::AlignTop, lane.scale);
+}
+
+void TraceView::drawReadings(QPainter& painter) const {
+  const QStringList texts = readings();
+  painter.setPen(theme_->text);
+  for (int i = 0; i < texts.size(); ++i) {
+    const QRect area = laneArea(static_cast<std::size_t>(i));
+    painter.drawText(QRect(area.right() + 1, area.top(), readings_ - kSpace, area.height()),
+                     Qt::AlignRight | Qt::AlignVCenter, texts[i]);
+  }
 }
 
 void TraceView::drawAxis(QPainter& painter) const {
@@ -259,6 +361,7 @@ void TraceView::paintEvent(QPaintEvent*) {
   const double x = xOf(position_us_) + 0.5;
   painter.setPen(QPen(theme_->text, 2.0));
   painter.drawLine(QPointF(x, area.top() - 2), QPointF(x, area.bottom() + kWatchedHeight + 2));
+  drawReadings(painter);
 }
 
 void TraceView::resizeEvent(QResizeEvent* event) {
@@ -288,19 +391,31 @@ void TraceView::seek(int x) {
 }
 
 void TraceView::describe() {
+  layOut();
+  setToolTip(untwisting()
+                 ? tr("Dashed: from an ischaemic dose of 1 on the tissue is lost. The black share tells "
+                      "how much of the outside has turned black from loss")
+                 : QString());
+  setAccessibleName(untwisting() ? tr("Traces of an untwisting") : tr("Traces of angle, torque and force"));
   if (data_ == nullptr || data_->times_us.empty()) {
     setAccessibleDescription(tr("Nothing is loaded"));
     return;
   }
   const QLocale locale;
-  const auto largest = [&locale](const RangePyramid& values, int decimals) {
-    const RangePyramid::Range whole = values.whole();
+  const QString bookmarks = locale.toString(static_cast<qlonglong>(bookmarks_us_.size()));
+  if (untwisting()) {
+    setAccessibleDescription(tr("%1 long; scales: %2; bookmarks: %3")
+                                 .arg(clockTime(duration_us()), laneTexts().join(tr(", ")), bookmarks));
+    return;
+  }
+  const auto largest = [this, &locale](TraceKind kind, int decimals) {
+    const RangePyramid::Range whole = data_->values[static_cast<std::size_t>(kind)].whole();
     return locale.toString(static_cast<double>(std::max(-whole.low, whole.high)), 'f', decimals);
   };
   setAccessibleDescription(
       tr("%1 long; greatest angle %2 degrees, torque %3 newton metres, force %4 newtons; bookmarks: %5")
-          .arg(clockTime(duration_us()), largest(data_->angle_deg, 0), largest(data_->torque_Nm, 2),
-               largest(data_->force_N, 1), locale.toString(static_cast<qlonglong>(bookmarks_us_.size()))));
+          .arg(clockTime(duration_us()), largest(TraceKind::kAngle, 0), largest(TraceKind::kTorque, 2),
+               largest(TraceKind::kForce, 1), bookmarks));
 }
 
 }  // namespace torsio::gui

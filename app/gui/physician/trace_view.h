@@ -1,53 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <span>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <QPixmap>
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 
+#include "app/gui/physician/trace_data.h"
 #include "app/gui/widgets/theme.h"
-#include "app/review/range_pyramid.h"
-#include "sim/base/live_types.h"
 
 namespace torsio::gui {
 
-/// Angle, torque and force of a recording, ready to be drawn at any width: for each stretch of time, lowest
-/// and highest value one after the other. A short recording has one stretch a sample; a long one no more
-/// stretches than any screen can show, so that forty minutes take as little room as one.
-struct TraceData {
-  RangePyramid angle_deg;
-  RangePyramid torque_Nm;
-  RangePyramid force_N;
-  std::vector<std::int64_t> times_us;  ///< where each stretch begins, since the first sample
-  std::int64_t duration_us = 0;
-};
-
-/// Makes traces while the samples go by. Any one thread.
-class TraceCollector {
- public:
-  /// `samples`: as many as will come, about.
-  explicit TraceCollector(std::int64_t samples);
-  /// The next ones, in order.
-  void add(std::span<const Sample> samples);
-  [[nodiscard]] TraceData finish();
-
- private:
-  std::size_t perStretch_;
-  std::size_t inStretch_ = 0;
-  std::int64_t begin_us_ = 0;
-  bool begun_ = false;
-  std::array<std::vector<float>, 3> values_;  // angle, torque, force; low, high, low, high ...
-  TraceData data_;
-};
-
-/// Three linked traces over one time axis with cursor, bookmarks and the stretches that have been watched. A
-/// click or drag moves the cursor. The traces are drawn once a size and theme; moving the cursor costs the
-/// same for seconds and for hours. Says the same in words to screen readers.
+/// The linked traces over one time axis with cursor, bookmarks and the stretches that have been watched: of a
+/// twist angle, torque and force; of an untwisting also how the organ fares, each trace with its scale and
+/// its value at the cursor. A click or drag moves the cursor. The traces are drawn once a size and theme;
+/// moving the cursor costs the same for seconds and for hours. Says the same in words to screen readers.
 class TraceView : public QWidget {
   Q_OBJECT
 
@@ -62,6 +34,11 @@ class TraceView : public QWidget {
   void setBookmarks(std::vector<std::int64_t> times_us);
   /// Stretches that count as watched, microseconds.
   void setWatched(std::vector<std::pair<std::int64_t, std::int64_t>> spans_us);
+
+  /// Returns name and scale of each trace, from top to bottom, as they are written beside it.
+  [[nodiscard]] QStringList laneTexts() const;
+  /// Returns the value of each trace at the cursor, with its unit; of a twist none is written.
+  [[nodiscard]] QStringList readings() const;
 
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;
@@ -81,12 +58,26 @@ class TraceView : public QWidget {
     QString unit;
     const RangePyramid* values = nullptr;
     QColor colour;
+    float low = 0.0F;  // ends of the scale
+    float high = 1.0F;
+    float factor = 1.0F;  // of the values, for the unit in which they are told
+    int decimals = 0;
+    QString scale;                 // in words
+    std::optional<float> limit{};  // a line across
   };
   [[nodiscard]] std::int64_t duration_us() const noexcept;
   [[nodiscard]] QRect plot() const;
   [[nodiscard]] int xOf(std::int64_t time_us) const;
   [[nodiscard]] std::size_t indexAt(std::int64_t time_us) const;
+  [[nodiscard]] bool untwisting() const noexcept { return data_ != nullptr && data_->untwisting(); }
+  [[nodiscard]] int lineHeights(int ofATwist, int ofALane) const;
+  /// Makes room beside the traces for what is written there.
+  void layOut();
+  [[nodiscard]] QRect laneArea(std::size_t number) const;
   [[nodiscard]] std::vector<Lane> lanes() const;
+  [[nodiscard]] Lane lane(TraceKind kind) const;
+  void tellScale(TraceKind kind, Lane& made) const;
+  void drawReadings(QPainter& painter) const;
   void drawTraces();
   void drawLane(QPainter& painter, const Lane& lane, const QRect& area) const;
   void drawAxis(QPainter& painter) const;
@@ -99,6 +90,8 @@ class TraceView : public QWidget {
   std::vector<std::int64_t> bookmarks_us_;
   std::vector<std::pair<std::int64_t, std::int64_t>> watched_us_;
   QPixmap traces_;
+  int labels_ = 0;    // width of what stands left of the traces
+  int readings_ = 0;  // and right of them
 };
 
 }  // namespace torsio::gui

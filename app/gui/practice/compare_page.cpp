@@ -18,12 +18,11 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include "app/gui/base/asset_names.h"
+#include "app/gui/base/scene_titles.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/practice/marker_editor.h"
 #include "app/gui/practice/model_comparison.h"
-#include "app/gui/simulator/exercise_panel.h"
 #include "app/gui/simulator/film_strip.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/file_choice.h"
@@ -274,7 +273,7 @@ void ComparePage::show(Side& side) {
       tr("Angle  %1\u00b0").arg(locale.toString(degrees(state.twist.graspAngle_rad), 'f', 1)));
   side.shear->setText(
       tr("Largest shear  %1 kPa").arg(locale.toString(scene.peakShear_Pa(state) / 1000.0, 'f', 2)));
-  side.time->setText(tr("Computed in  %1 \u00b5s").arg(locale.toString(median(side.times_us), 'f', 0)));
+  side.time->setText(tr("Computed in %1 \u00b5s").arg(locale.toString(median(side.times_us), 'f', 0)));
 }
 
 void ComparePage::captureFilmStrip() {
@@ -324,8 +323,9 @@ void ComparePage::retranslate() {
   strip_->setToolTip(tr("Saves both models at five steps of the torque as one picture"));
   sides_[0].card->setTitle(tr("As in the paper"));
   sides_[1].card->setTitle(tr("Saint-Venant"));
+  SceneTitles titles(shell().assets());
   for (int i = 0; i < organ_->count(); ++i) {
-    organ_->setItemText(i, assetName(ExercisePanel::readable(organ_->itemData(i).toString().toStdString())));
+    organ_->setItemText(i, titles.scene(organ_->itemData(i).toString().toStdString()));
   }
   if (loaded()) {
     setTorque(torque_Nm_);

@@ -14,7 +14,6 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "app/gui/base/asset_names.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/practice/marker_labels.h"
@@ -157,7 +156,7 @@ void MarkerEditor::fill(int chosen) {
     const QSignalBlocker quiet(list_);
     list_->clear();
     for (const OrganMarker& marker : markers_) {
-      list_->addItem(tr("%1  %2").arg(marker.number).arg(assetName(toQString(marker.name))));
+      list_->addItem(tr("%1  %2").arg(marker.number).arg(toQString(Text(marker.name))));
     }
     list_->setCurrentRow(std::min(chosen, list_->count() - 1));
   }
@@ -172,7 +171,7 @@ void MarkerEditor::choose(int row) {
   remove_->setEnabled(any && markers_.size() > 1);
   add_->setEnabled(scene_ != nullptr && markers_.size() < kMostMarkers);
   if (any) {
-    name_->setText(assetName(toQString(markers_[static_cast<std::size_t>(row)].name)));
+    name_->setText(toQString(Text(markers_[static_cast<std::size_t>(row)].name)));
     name_->setCursorPosition(0);
     showPlace();
   }

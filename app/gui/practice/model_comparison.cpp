@@ -18,12 +18,11 @@
 #include "app/base/build_info.h"
 #include "app/comparison/comparison_files.h"
 #include "app/comparison/comparison_report.h"
-#include "app/gui/base/asset_names.h"
 #include "app/gui/base/figure_card.h"
+#include "app/gui/base/scene_titles.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/practice/view_turn.h"
-#include "app/gui/simulator/exercise_panel.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
@@ -394,10 +393,11 @@ void ModelComparison::turnOthers(const SceneView& turned) {
 }
 
 void ModelComparison::nameOrgans() {
+  SceneTitles titles(shell_.assets());
   for (int i = 0; i < organChoice_->count(); ++i) {
     const QString id = organChoice_->itemData(i).toString();
-    organChoice_->setItemText(i, id.isEmpty() ? toQString(ownOrgan_->organFile->filename())
-                                              : assetName(ExercisePanel::readable(id.toStdString())));
+    organChoice_->setItemText(
+        i, id.isEmpty() ? toQString(ownOrgan_->organFile->filename()) : titles.scene(id.toStdString()));
   }
 }
 

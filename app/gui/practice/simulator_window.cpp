@@ -14,7 +14,6 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
-#include "app/gui/base/asset_names.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/practice/engineer_panel.h"
 #include "app/gui/scene/instrument_geometry.h"
@@ -23,6 +22,7 @@
 #include "app/gui/simulator/pointer_controls.h"
 #include "app/gui/simulator/readout_panel.h"
 #include "app/gui/simulator/replay_bar.h"
+#include "app/gui/simulator/shown_tool.h"
 
 namespace torsio::gui {
 
@@ -35,7 +35,6 @@ constexpr double kNoticeFor_s = 6.0;
 constexpr double kLongestFrame_s = 0.25;  // after a pause nothing jumps
 constexpr int kPanelWidth = 316;
 constexpr double kNear_m = 0.050;
-constexpr double kLeanWithin_m = 0.040;
 
 }  // namespace
 
@@ -48,7 +47,7 @@ SimulatorWindow::SimulatorWindow(const WindowSetup& setup) : setup_(setup), them
   createMenus();
   createToolBar();
   connectController();
-  exercise_->setOrgans(sceneIds(setup_.assets));
+  exercise_->setOrgans(setup_.assets);
   view_->setInstrument(loadInstrument(setup_.assets, "grasper"));
   if (setup_.embedded) {
     applyColours(themeKind_);
@@ -87,6 +86,7 @@ void SimulatorWindow::createLayout() {
   view_->setObjectName(QStringLiteral("view"));
   pointer_ = new PointerControls(*view_);
   pointer_->setKeys(PointerKeys::stored());
+  tool_ = std::make_unique<ShownTool>(*controller_, *pointer_, *view_);
   replayBar_ = new ReplayBar(centre);
   replayBar_->hide();
   left->addWidget(view_, 1);
@@ -274,13 +274,16 @@ void SimulatorWindow::showDevice() {
 }
 
 QString SimulatorWindow::hapticHint(const LiveState& state) const {
+  const bool led = !controller_->toolRidesOnTissue();  // a stylus; else it turns on the spot
   switch (state.phase) {
     case ExercisePhase::kTracking:
       return tr("Bring the jaw to the marked band");
     case ExercisePhase::kContact:
-      return tr("Touching. Hold the first button of the stylus to grip");
+      return led ? tr("Touching. Hold the first button of the stylus to grip")
+                 : tr("Touching. Close the jaw to grip");
     case ExercisePhase::kTwisting:
-      return tr("Holding. Lead the stylus round to twist; let the button go to release");
+      return led ? tr("Holding. Lead the stylus round to twist; let the button go to release")
+                 : tr("Holding. Turn the jaw to twist; open it to release");
     case ExercisePhase::kReleased:
       break;
   }
@@ -292,8 +295,7 @@ void SimulatorWindow::frame(double elapsed_s) {
   controller_->advance(elapsed_s);
   const LiveState state = controller_->state();
   if (controller_->scene() != nullptr) {
-    view_->setTissue(state);
-    showTool(state);
+    view_->setTissue(tool_->show(state));
   }
   readoutDue_s_ -= elapsed_s;
   noticeLeft_s_ -= elapsed_s;
@@ -307,26 +309,6 @@ void SimulatorWindow::frame(double elapsed_s) {
   exercise_->showBeside(controller_->besideRate_per_s(), (state.limits & kForceModelLate) != 0);
   showHint(state);
   replayBar_->show(controller_->playback());
-}
-
-void SimulatorWindow::showTool(const LiveState& state) {
-  const Scene& scene = *controller_->scene();
-  const bool holds = state.phase == ExercisePhase::kTwisting;
-  const bool live = controller_->playback() == nullptr;
-  std::optional<Vec3> axis;
-  if (holds && live && controller_->toolRidesOnTissue()) {
-    axis = scene.graspFrame(state.response.graspArc_m, state.tool.position_m).tangent;
-  }
-  pointer_->setHeldAxis(axis);
-  const std::optional<SurfacePoint> near = controller_->nearby(state);
-  const bool close = near && near->distance_m < kLeanWithin_m;
-  pointer_->leanAwayFrom(close ? std::optional<Vec3>(near->normal) : std::nullopt);
-  Pose pose = state.tool;
-  // A hand that twists by turning stays in place; what is drawn goes round with the tissue that it holds.
-  if (controller_->toolRidesOnTissue() && (holds || state.phase == ExercisePhase::kReleased)) {
-    pose.position_m = scene.toDeformed_m(pose.position_m, organStateOf(state));
-  }
-  view_->setTool(pose, state.grip);
 }
 
 void SimulatorWindow::measureRate() {
@@ -346,6 +328,8 @@ void SimulatorWindow::showHint(const LiveState& state) {
     text = notice_;
   } else if (mode == SimulationController::Mode::kReplay) {
     text = tr("Replay of a recorded trial");
+  } else if (const QString untwisting = detorsion_->cue(); !untwisting.isEmpty()) {
+    text = untwisting;
   } else if (mode != SimulationController::Mode::kEmpty && !controller_->hapticModel().isEmpty()) {
     text = hapticHint(state);
   } else if (mode != SimulationController::Mode::kEmpty) {
@@ -406,7 +390,7 @@ void SimulatorWindow::showGhost() {
 
 void SimulatorWindow::showTitle() {
   const Scene& scene = *controller_->scene();
-  const QString title = assetName(toQString(scene.title));
+  const QString title = toQString(Text(scene.title));
   setWindowTitle(tr("%1 \u2013 Torsio").arg(title));
   source_->setText(title);
   source_->setToolTip(toQString(scene.provenance));

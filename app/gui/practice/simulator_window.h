@@ -29,6 +29,7 @@ class ReadoutPanel;
 class DetorsionPanel;
 class ValidityButton;
 class ReplayBar;
+class ShownTool;
 
 /// What the window needs from outside.
 struct WindowSetup {
@@ -138,7 +139,6 @@ class SimulatorWindow : public QMainWindow {
   void showHint(const LiveState& state);
   [[nodiscard]] QString hapticHint(const LiveState& state) const;
   void showDevice();
-  void showTool(const LiveState& state);
   void measureRate();
   void restoreChoices();
   void saveChoices() const;
@@ -159,6 +159,7 @@ class SimulatorWindow : public QMainWindow {
   std::unique_ptr<SimulationController> controller_;
   SceneView* view_ = nullptr;
   PointerControls* pointer_ = nullptr;
+  std::unique_ptr<ShownTool> tool_;
   ExercisePanel* exercise_ = nullptr;
   ReadoutPanel* readout_ = nullptr;
   DetorsionPanel* detorsion_ = nullptr;

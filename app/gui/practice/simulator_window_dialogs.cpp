@@ -8,10 +8,10 @@
 #include <QMessageBox>
 
 #include "app/base/build_info.h"
+#include "app/gui/base/scene_titles.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/practice/simulator_window.h"
 #include "app/gui/simulator/detorsion_panel.h"
-#include "app/gui/simulator/exercise_panel.h"
 #include "app/gui/simulator/pointer_controls.h"
 #include "app/gui/widgets/file_choice.h"
 #include "sim/base/error.h"
@@ -53,11 +53,12 @@ void SimulatorWindow::chooseReplay() {
       Q_EMIT controller_->noticed(tr("Nothing has been recorded yet."));
       return;
     }
+    SceneTitles titles(setup_.assets);
     QStringList lines;
     for (const RecordedTrial& trial : trials) {
       lines << tr("%1   %2, %3   %4 s")
-                   .arg(localTime(trial.startedUtc_us), ExercisePanel::readable(trial.sceneId),
-                        ExercisePanel::readable(trial.patternId),
+                   .arg(localTime(trial.startedUtc_us), titles.scene(trial.sceneId),
+                        titles.pattern(trial.sceneId, trial.patternId),
                         QLocale().toString(trial.duration_s, 'f', 1));
     }
     bool chosen = false;

@@ -4,6 +4,7 @@
 
 #include "app/gui/base/translated_text.h"
 #include "app/gui/practice/simulator_window.h"
+#include "app/gui/simulator/shown_tool.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/picture.h"
 #include "sim/base/error.h"
@@ -56,8 +57,7 @@ std::vector<StripFrame> SimulatorWindow::replayFrames() {
   for (const StripMoment& moment : stripMoments(playback)) {
     playback.seek_us(moment.position_us);
     const LiveState state = playback.state();
-    view_->setTissue(state);
-    showTool(state);
+    view_->setTissue(tool_->show(state));
     const QString time = QLocale().toString(static_cast<double>(moment.position_us) * 1e-6, 'f', 1);
     frames.push_back({tr("%1 after %2 s").arg(angleCaption(moment.angle_rad), time), view_->picture()});
   }

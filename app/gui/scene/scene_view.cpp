@@ -21,6 +21,7 @@
 #include "app/gui/scene/stress_legend.h"
 #include "app/gui/scene/view_frame.h"
 #include "app/gui/widgets/theme.h"
+#include "sim/scene/hollow_view.h"
 #include "sim/servo/indentation.h"
 
 /// The linker drops resources of a static library that nothing names.
@@ -101,6 +102,10 @@ ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene, const std::st
   view.shear = ShearMap(scene);
   view.blood = BloodMap(scene);
   view.deform = [scene](const OrganState& state, std::span<Vec3> out_m) { scene->deform(state, out_m); };
+  if (scene->hollow) {
+    view.deform = [drawn = std::make_shared<HollowView>(scene)](
+                      const OrganState& state, std::span<Vec3> out_m) { drawn->deform(state, out_m); };
+  }
   return view;
 }
 

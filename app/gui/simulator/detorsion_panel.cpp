@@ -17,7 +17,6 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
-#include "app/gui/base/asset_names.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/simulation_controller.h"
 #include "app/gui/widgets/card.h"
@@ -33,6 +32,7 @@ constexpr double kDegreesPerTurn = 360.0;
 constexpr double kOpenFrom = 0.8;
 constexpr double kClosedTo = 0.02;
 constexpr int kBar = 1000;
+constexpr double kWrongWay_rad = radians(10.0);  // beyond what a hand drifts while it holds
 constexpr FlowCheck kChecks[] = {FlowCheck::kLook, FlowCheck::kTouch, FlowCheck::kDoppler};
 
 QString percent(double share) {
@@ -208,13 +208,10 @@ void DetorsionPanel::retranslate() {
   if (detorsion_.timeScale == 60.0) {
     compression_->setText(tr("1 s here = 1 min of the tissue"));
   }
-  clip_->setText(tr("Clip (C)"));
   clip_->setToolTip(tr("A clip or an assistant holds the organ while you grip anew"));
-  vent_->setText(tr("Gas out (V)"));
   vent_->setToolTip(tr("Let gas out: the organ turns more easily and its lumen closes sooner"));
   check_->setText(tr("Check the blood flow"));
   for (QPushButton* button : {clip_, vent_, check_}) {
-    button->setAccessibleName(button->text());
     button->setAccessibleDescription(button->toolTip());
   }
   int key = 1;
@@ -271,6 +268,9 @@ QString DetorsionPanel::clockText(double scaled_s) {
 
 void DetorsionPanel::show(const LiveState& state) {
   shown_ = state;
+  if (state.phase != ExercisePhase::kTwisting) {
+    heldFrom_rad_ = state.response.angle_rad;
+  }
   if (!present_) {
     return;
   }
@@ -292,7 +292,9 @@ void DetorsionPanel::showRows() {
           tr("%1 mmHg").arg(QLocale().toString(pose.reading.pressure_Pa / kPascalsPerMmHg, 'f', 1)));
   setText(time_.value, clockText(pose.scaled_s));
   clip_->setChecked(pose.clipped);
+  clip_->setText(pose.clipped ? tr("Clip off (C)") : tr("Clip (C)"));
   vent_->setChecked(pose.venting);
+  vent_->setText(pose.venting ? tr("Gas stop (V)") : tr("Gas out (V)"));
 }
 
 void DetorsionPanel::showCheck() {
@@ -313,12 +315,39 @@ void DetorsionPanel::showCheck() {
   }
 }
 
+/// The flow is no condition of it: it would tell what only a check may tell.
+bool DetorsionPanel::liesWithinLimits() const {
+  const HollowPose& pose = shown_.hollow;
+  return pose.present && std::abs(shown_.response.angle_rad) <= detorsion_.limits.residual_rad &&
+         pose.reading.patency >= detorsion_.limits.patency;
+}
+
+QString DetorsionPanel::cue() const {
+  const bool holds = shown_.phase == ExercisePhase::kTwisting;
+  if (!shown_.hollow.present || shown_.phase == ExercisePhase::kReleased) {
+    return {};
+  }
+  if (shown_.hollow.clipped) {
+    return holds ? tr("The clip holds it. Take the clip off (C), then turn on.")
+                 : tr("The clip holds it. Grip anew, then take the clip off (C).");
+  }
+  if (!holds) {
+    return liesWithinLimits() ? tr("It lies within the limits. Keep your hands off, check the blood flow.")
+                              : QString();
+  }
+  if (liesWithinLimits()) {
+    return tr("It lies within the limits. Let go.");
+  }
+  if (std::abs(shown_.response.angle_rad) > std::abs(heldFrom_rad_) + kWrongWay_rad) {
+    return tr("The twist grows. Turn the other way round.");
+  }
+  return tr("Holding. Turn, set the clip (C), then grip anew.");
+}
+
 void DetorsionPanel::showHandsOff() {
   const DetorsionLimits& limits = detorsion_.limits;
   const HollowPose& pose = shown_.hollow;
-  // The flow is no condition of the count: it would tell what only a check may tell.
-  const bool lies = pose.present && std::abs(shown_.response.angle_rad) <= limits.residual_rad &&
-                    pose.reading.patency >= limits.patency;
+  const bool lies = liesWithinLimits();
   const bool off = shown_.phase != ExercisePhase::kTwisting && !pose.clipped;
   if (!lies || !off) {
     handsOffSince_us_ = -1;
@@ -374,9 +403,9 @@ ValidityButton::ValidityButton(QWidget* parent) : QToolButton(parent) {
 void ValidityButton::setScene(const Scene* scene) {
   words_.clear();
   if (scene != nullptr && scene->hollow != nullptr) {
-    words_ = assetName(toQString(scene->hollow->detorsion().validity));
+    words_ = scene->hollow->detorsion().validity;
   }
-  setVisible(!words_.isEmpty());
+  setVisible(!words_.empty());
 }
 
 void ValidityButton::retranslate() {
@@ -385,7 +414,8 @@ void ValidityButton::retranslate() {
 }
 
 void ValidityButton::tell() {
-  QMessageBox box(QMessageBox::NoIcon, tr("How far this scene holds"), words_, QMessageBox::Close, this);
+  QMessageBox box(QMessageBox::NoIcon, tr("How far this scene holds"), toQString(Text(words_)),
+                  QMessageBox::Close, this);
   box.exec();
 }
 

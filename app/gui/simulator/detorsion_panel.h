@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,9 @@ class DetorsionPanel : public QWidget {
   void show(const LiveState& state);
   void retranslate();
 
+  /// Returns what to do next by what is shown; empty where any exercise says the same, and without an
+  /// untwisting.
+  [[nodiscard]] QString cue() const;
   /// Returns the keys of an untwisting, what and how.
   [[nodiscard]] static std::vector<std::pair<QString, QString>> keys();
   /// Names a check in the user's language.
@@ -64,6 +68,7 @@ class DetorsionPanel : public QWidget {
   void showCheck();
   void showHandsOff();
   void showWarning();
+  [[nodiscard]] bool liesWithinLimits() const;
   void enable();
 
   Detorsion detorsion_;
@@ -71,6 +76,7 @@ class DetorsionPanel : public QWidget {
   bool usable_ = true;
   LiveState shown_;
   std::int64_t handsOffSince_us_ = -1;
+  double heldFrom_rad_ = 0.0;  // how far the organ was turned when the jaw took hold of it
   Card* card_;
   Row angle_;
   Row lumen_;
@@ -103,7 +109,7 @@ class ValidityButton : public QToolButton {
  private:
   void tell();
 
-  QString words_;
+  std::string words_;  // as the scene file has them
 };
 
 }  // namespace torsio::gui

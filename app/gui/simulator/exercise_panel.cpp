@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
@@ -12,7 +13,6 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "app/gui/base/asset_names.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/theme.h"
@@ -54,6 +54,12 @@ void rename(QComboBox* box, int index, const QString& text) {
   if (index >= 0) {
     box->setItemText(index, text);
   }
+}
+
+/// The open list is as wide as its longest line, though the closed field is narrower.
+void showLinesWhole(QComboBox* box) {
+  constexpr int kRoundLine = 28;  // padding of a line and of the list
+  box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0) + kRoundLine);
 }
 
 QComboBox* makeBox() {
@@ -140,28 +146,29 @@ void ExercisePanel::retranslate() {
   for (int i = 0; i < organ_->count(); ++i) {
     const QString id = organ_->itemData(i).toString();
     if (!id.isEmpty()) {
-      rename(organ_, i, assetName(readable(id.toStdString())));
+      rename(organ_, i, titles_.scene(id.toStdString()));
     }
   }
   for (int i = 0; i < pattern_->count(); ++i) {
-    rename(pattern_, i, assetName(pattern_->itemData(i, kEnglishRole).toString()));
+    rename(pattern_, i, toQString(Text(pattern_->itemData(i, kEnglishRole).toString().toStdString())));
   }
+  nameChosen();
 }
 
-QString ExercisePanel::readable(const std::string& id) {
-  QString text = toQString(id).replace(QLatin1Char('_'), QLatin1Char(' '));
-  if (!text.isEmpty()) {
-    text[0] = text[0].toUpper();
-  }
-  return text;
-}
-
-void ExercisePanel::setOrgans(const std::vector<std::string>& ids) {
+void ExercisePanel::setOrgans(const std::filesystem::path& assets) {
   const QSignalBlocker quiet(organ_);
+  titles_ = SceneTitles(assets);
   organ_->clear();
-  for (const std::string& id : ids) {
-    organ_->addItem(assetName(readable(id)), toQString(id));
+  for (const std::string& id : sceneIds(assets)) {
+    organ_->addItem(titles_.scene(id), toQString(id));
   }
+  nameChosen();
+}
+
+void ExercisePanel::nameChosen() {
+  organ_->setToolTip(organ_->currentText());
+  showLinesWhole(organ_);
+  showLinesWhole(pattern_);
 }
 
 void ExercisePanel::showScene(const Scene& scene, double target_rad, bool ownOrgan) {
@@ -179,12 +186,12 @@ void ExercisePanel::showScene(const Scene& scene, double target_rad, bool ownOrg
   organ_->setCurrentIndex(organ_->findData(ownOrgan ? QString() : toQString(scene.id)));
   pattern_->clear();
   for (const TwistPattern& pattern : scene.patterns) {
-    const QString title = pattern.title.empty() ? readable(pattern.id) : toQString(pattern.title);
-    pattern_->addItem(assetName(title), toQString(pattern.id));
-    pattern_->setItemData(pattern_->count() - 1, title, kEnglishRole);
+    pattern_->addItem(toQString(Text(pattern.title)), toQString(pattern.id));
+    pattern_->setItemData(pattern_->count() - 1, toQString(pattern.title), kEnglishRole);
   }
   pattern_->setCurrentIndex(pattern_->findData(toQString(scene.pattern.id)));
   pattern_->setToolTip(toQString(scene.pattern.source));
+  nameChosen();
   const int item =
       runsBeside(scene.tissue) ? itemOf(scene.tissue) : static_cast<int>(scene.model.options().formulation);
   formulation_->setCurrentIndex(formulation_->findData(item));

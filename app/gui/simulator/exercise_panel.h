@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include <QWidget>
 
+#include "app/gui/base/scene_titles.h"
 #include "sim/scene/scene.h"
 
 class QComboBox;
@@ -24,8 +24,8 @@ class ExercisePanel : public QWidget {
  public:
   explicit ExercisePanel(QWidget* parent = nullptr);
 
-  /// Scene ids of the assets folder.
-  void setOrgans(const std::vector<std::string>& ids);
+  /// Offers the scenes of this folder of assets.
+  void setOrgans(const std::filesystem::path& assets);
   /// What is loaded now; emits nothing. `ownOrgan`: a mesh of the user's stands in for the shipped one.
   void showScene(const Scene& scene, double target_rad, bool ownOrgan);
   /// Says at which rate a model beside the servo answers, or that it does not (`late`). `rate_per_s`: 0
@@ -36,9 +36,6 @@ class ExercisePanel : public QWidget {
 
   void retranslate();
 
-  /// "small_intestine" as people read it.
-  [[nodiscard]] static QString readable(const std::string& id);
-
  Q_SIGNALS:
   void organChosen(const QString& id);
   void patternChosen(const QString& id);
@@ -48,8 +45,10 @@ class ExercisePanel : public QWidget {
   void targetChosen(double target_rad);
 
  private:
-  void nameItems();
+  /// Says the whole title of the chosen organ, and shows those of the lists.
+  void nameChosen();
 
+  SceneTitles titles_{std::filesystem::path()};
   Card* card_;
   QLabel* organLabel_;
   QLabel* patternLabel_;

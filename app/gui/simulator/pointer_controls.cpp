@@ -146,6 +146,7 @@ void PointerControls::setHeldAxis(const std::optional<Vec3>& axis) {
   gripped_ = orientation(heldView_);
   if (!axis) {
     rolledByHand_ = false;
+    mouseKnown_ = false;  // it has led the turn: where it is now the tip comes next
   }
 }
 

@@ -2,6 +2,7 @@
 #include "app/gui/simulator/simulation_controller.h"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include <QUuid>
@@ -12,6 +13,7 @@
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
 #include "sim/base/tick_period.h"
+#include "sim/servo/tool_touch.h"
 
 namespace torsio::gui {
 
@@ -20,6 +22,7 @@ namespace {
 constexpr double kParkingWay_m = 0.020;
 constexpr double kParkingStep_m = 0.002;
 constexpr double kFarthestParking_m = 0.300;
+constexpr int kParkingTurns = 12;
 constexpr double kInsideEnd = 0.04;  // a section at the very end is too small to be pointed at
 const Vec3 kTowardsViewer{0.0, -1.0, 0.0};
 
@@ -257,14 +260,33 @@ std::optional<RecordingResult> SimulationController::finishRun(TrialOutcome outc
   return result;
 }
 
+namespace {
+
+/// How an organ may lie before anybody has touched it: an organ that came twisted by any angle.
+std::vector<OrganState> waysItMayLie(const Scene& scene) {
+  std::vector<OrganState> ways{OrganState{}};
+  if (scene.hollow) {
+    for (int i = 1; i < kParkingTurns; ++i) {
+      ways.push_back(scene.stateAt(2.0 * std::numbers::pi * i / kParkingTurns));
+    }
+  }
+  return ways;
+}
+
+}  // namespace
+
 Vec3 SimulationController::parkingPoint_m() const {
   TORSIO_EXPECTS(scene() != nullptr);
   const Scene& shown = *scene();
   const double share = std::clamp(shown.pattern.graspArc, kInsideEnd, 1.0 - kInsideEnd);
   const Vec3 centre_m = shown.lattice().frameAt(share * shown.lattice().length_m()).centre_m;
+  const std::vector<OrganState> lies = waysItMayLie(shown);
   for (double way_m = 0.0; way_m < kFarthestParking_m; way_m += kParkingStep_m) {
     const Vec3 point_m = centre_m + kTowardsViewer * way_m;
-    if (shown.collision.closest(point_m).distance_m >= kParkingWay_m) {
+    const bool clear = std::ranges::all_of(lies, [&](const OrganState& organ) {
+      return nearestSurface(point_m, shown, organ).distance_m >= kParkingWay_m;
+    });
+    if (clear) {
       return point_m;
     }
   }
@@ -317,11 +339,11 @@ bool SimulationController::toolRidesOnTissue() const noexcept {
 }
 
 std::optional<SurfacePoint> SimulationController::nearby(const LiveState& state) const {
-  const bool atRest = state.phase == ExercisePhase::kTracking || state.phase == ExercisePhase::kContact;
-  if (scene() == nullptr || !atRest) {
+  const bool free = state.phase == ExercisePhase::kTracking || state.phase == ExercisePhase::kContact;
+  if (scene() == nullptr || !free) {
     return std::nullopt;
   }
-  SurfacePoint point = scene()->collision.closest(state.tool.position_m);
+  SurfacePoint point = nearestSurface(state.tool.position_m, *scene(), organStateOf(state));
   point.distance_m -= scene()->instrument.tipRadius_m;
   return point;
 }

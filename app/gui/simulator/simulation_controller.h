@@ -79,8 +79,7 @@ class SimulationController : public QObject {
   [[nodiscard]] std::optional<double> besideRate_per_s() const;
   /// True while the pointer turns what it holds instead of carrying it round (TwistDrive::kRoll).
   [[nodiscard]] bool toolRidesOnTissue() const noexcept;
-  /// The organ's surface next to the tip while the organ is at rest; `distance_m` counts from the tip's
-  /// sphere.
+  /// The organ's surface next to the tip while nothing holds it; `distance_m` counts from the tip's sphere.
   [[nodiscard]] std::optional<SurfacePoint> nearby(const LiveState& state) const;
   /// Where the instrument waits: in front of the section to grasp, on the side of the viewer.
   [[nodiscard]] Vec3 parkingPoint_m() const;

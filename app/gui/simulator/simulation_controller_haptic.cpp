@@ -54,11 +54,13 @@ void SimulationController::tookHaptic(std::unique_ptr<HapticDevice> device, cons
     return;
   }
   const QString model = toQString(device->capabilities().model);
+  const bool felt = device->capabilities().rendersForce;
   if (stage() != StageKind::kPractising) {
     return;  // it is given back, and asked for again with the next scene
   }
   practise(std::move(device));
-  Q_EMIT noticed(tr("You practise with %1. The force is felt").arg(model));
+  Q_EMIT noticed(felt ? tr("You practise with %1. The force is felt").arg(model)
+                      : tr("You practise with %1. The force is shown, not felt").arg(model));
 }
 
 /// Stops a run of free practice that goes on with the haptic device, and hands that out: it outlives the
@@ -109,7 +111,7 @@ void SimulationController::loseHaptic() {
   practise(nullptr);
   Q_EMIT noticed(recorded ? tr("The haptic device was lost. The recording until then is kept; you go on with "
                                "the mouse")
-                          : tr("The haptic device was lost. Let go of the stylus; you go on with the mouse"));
+                          : tr("The haptic device was lost. Let go of it; you go on with the mouse"));
 }
 
 QString SimulationController::hapticModel() const {

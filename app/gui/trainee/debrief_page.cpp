@@ -198,8 +198,7 @@ void DebriefPage::applyTheme(const Theme& theme) {
   fill();
 }
 
-void DebriefPage::fill() {
-  const bool any = !debrief_.trialId.empty();
+void DebriefPage::fillTexts(bool any) {
   targets_->setTitle(tr("Targets"));
   good_->setTitle(tr("What went well"));
   better_->setTitle(tr("What to work on"));
@@ -221,6 +220,11 @@ void DebriefPage::fill() {
                 .arg(debrief_.duration_s, 0, 'f', 0)
       : computing_ ? tr("One moment: your run is compared with what was asked for and with an expert's.")
                    : tr("After your first run you see here what was good and what to work on."));
+}
+
+void DebriefPage::fill() {
+  const bool any = !debrief_.trialId.empty();
+  fillTexts(any);
   for (QWidget* widget : std::initializer_list<QWidget*>{targets_, good_, better_, trace_, verdict_}) {
     widget->setVisible(any);
   }
@@ -259,6 +263,13 @@ void DebriefPage::fill() {
         debrief_.unfinishedTwists == 1
             ? tr("One twist was not completed and is not counted.")
             : tr("%1 twists were not completed and are not counted.").arg(debrief_.unfinishedTwists));
+    checks_->addWidget(words);
+  }
+  if (!debrief_.forceFelt) {
+    auto* words = plainLabel(targets_, "quiet");
+    words->setObjectName(QStringLiteral("forceNotFelt"));
+    words->setText(
+        tr("Force was shown, not felt: the device of this run gives none. Its measures are computed."));
     checks_->addWidget(words);
   }
   for (const DebriefFinding& finding : debrief_.strengths) {

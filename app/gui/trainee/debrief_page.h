@@ -42,6 +42,7 @@ class DebriefPage : public Page {
   void showBookmark(double at_s);
   void compute(const TrialId& trialId);
   void fill();
+  void fillTexts(bool any);
   void addFinding(QVBoxLayout* column, const DebriefFinding& finding, bool strength);
   void addBookmarkAt(double at_s);
 

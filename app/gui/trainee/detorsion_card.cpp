@@ -116,7 +116,9 @@ QStringList DetorsionCard::verdicts(const DetorsionStory& story) {
   if (const auto wrong = measureOf(story, "detorse.wrong_way"); wrong && *wrong > 0.02) {
     out << tr("The organ was turned %1 further in than it came.").arg(shown("detorse.wrong_way", *wrong));
   }
-  if (const auto back_s = measureOf(story, "detorse.time_to_flow")) {
+  if (const auto back_s = measureOf(story, "detorse.time_to_flow"); back_s && *back_s <= 0.0) {
+    out << tr("Enough blood flowed from the beginning on.");
+  } else if (back_s) {
     out << tr("Blood flowed again after %1, which is %2 of the tissue.")
                .arg(shown("detorse.time_to_flow", *back_s),
                     DetorsionPanel::clockText(*back_s * story.timeScale));
@@ -144,11 +146,28 @@ QStringList DetorsionCard::verdicts(const DetorsionStory& story) {
     out << tr("The tissue was loaded beyond what it bears for %1.")
                .arg(shown("detorse.overload_time", *over_s));
   }
+  const auto count = [&story](DetorsionMoment what) {
+    return std::count_if(story.events.begin(), story.events.end(),
+                         [what](const DetorsionStory::Event& event) { return event.what == what; });
+  };
+  if (const auto tears = count(DetorsionMoment::kTear); tears > 0) {
+    out << tr("Tears of the wall: %1. Its content leaks.").arg(tears);
+  }
+  if (const auto bruises = count(DetorsionMoment::kBruise); bruises > 0) {
+    out << tr("Bruises by the jaw: %1. Grip with less force, ischaemic tissue bears half.").arg(bruises);
+  }
+  if (const auto slips = count(DetorsionMoment::kSlip); slips > 0) {
+    out << tr("The instrument slipped off: %1 times.").arg(slips);
+  }
   if (const auto relapse = measureOf(story, "detorse.relapse"); relapse && *relapse != 0.0) {
     out << tr("It turned back after it had been undone.");
   }
   if (const auto residual = measureOf(story, "detorse.residual")) {
     out << tr("Twist that remains: %1.").arg(shown("detorse.residual", *residual));
+  }
+  if (!story.mishapsKnown) {
+    out << tr(
+        "Bruises, tears, slips and relapses are not marked: the organ of this run is not on this machine.");
   }
   return out;
 }

@@ -4,25 +4,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QHelpEvent>
 #include <QLocale>
 #include <QPainter>
+#include <QToolTip>
 
 #include "app/gui/simulator/detorsion_panel.h"
 #include "sim/base/angle.h"
+#include "sim/scene/hollow_organ.h"
 
 namespace torsio::gui {
 
 namespace {
 
-constexpr int kLanes = 3;
 constexpr double kLaneLeft = 52.0;
 constexpr double kLaneRight = 16.0;
-constexpr double kEventsAbove = 22.0;
+constexpr double kSignRow = 18.0;
+constexpr double kQuarterTurn_deg = 90.0;
 constexpr double kNameAbove = 18.0;
-constexpr double kTimeBelow = 40.0;
+constexpr double kTimeBelow = 56.0;
 constexpr double kLegendBelow = 20.0;
+constexpr double kLegendHeight = 34.0;  // two lines
 constexpr double kSignRoom = 13.0;
+constexpr double kTipWithin = 6.0;
 constexpr int kTimeMarks = 6;
+constexpr double kPressureStep_mmHg = 5.0;
 
 }  // namespace
 
@@ -42,17 +48,28 @@ void DetorsionPlot::setTheme(const Theme& theme) {
 }
 
 void DetorsionPlot::retranslate() {
-  setAccessibleName(tr("Angle, blood flow and dose over the time of the tissue"));
+  setAccessibleName(presses() ? tr("Angle, blood flow, dose and pressure over the time of the tissue")
+                              : tr("Angle, blood flow and dose over the time of the tissue"));
   if (!story_.time_s.empty()) {
     const QLocale locale;
-    setAccessibleDescription(
-        tr("Angle from %1 to %2, blood flow from %3 to %4 %, dose from %5 to %6, in %7 of the tissue.")
-            .arg(DetorsionPanel::angleText(story_.angle_rad.front()),
-                 DetorsionPanel::angleText(story_.angle_rad.back()),
-                 locale.toString(100.0 * story_.flow.front(), 'f', 0),
-                 locale.toString(100.0 * story_.flow.back(), 'f', 0),
-                 locale.toString(story_.dose.front(), 'f', 2), locale.toString(story_.dose.back(), 'f', 2),
-                 DetorsionPanel::clockText(story_.time_s.back() * story_.timeScale)));
+    QStringList told;
+    told << tr("Angle from %1 to %2, blood flow from %3 to %4 %, dose from %5 to %6, in %7 of the tissue.")
+                .arg(DetorsionPanel::angleText(story_.angle_rad.front()),
+                     DetorsionPanel::angleText(story_.angle_rad.back()),
+                     locale.toString(100.0 * story_.flow.front(), 'f', 0),
+                     locale.toString(100.0 * story_.flow.back(), 'f', 0),
+                     locale.toString(story_.dose.front(), 'f', 2),
+                     locale.toString(story_.dose.back(), 'f', 2),
+                     DetorsionPanel::clockText(story_.time_s.back() * story_.timeScale));
+    if (presses()) {
+      told << tr("Pressure from %1 to %2 mmHg.")
+                  .arg(locale.toString(story_.pressure_Pa.front() / kPascalsPerMmHg, 'f', 1),
+                       locale.toString(story_.pressure_Pa.back() / kPascalsPerMmHg, 'f', 1));
+    }
+    for (const DetorsionStory::Event& event : story_.events) {
+      told << momentText(event);
+    }
+    setAccessibleDescription(told.join(QLatin1Char('\n')));
   }
   update();
 }
@@ -73,6 +90,14 @@ QString DetorsionPlot::momentName(DetorsionMoment moment) {
       return tr("way out closed");
     case DetorsionMoment::kCheck:
       return tr("check");
+    case DetorsionMoment::kBruise:
+      return tr("bruise");
+    case DetorsionMoment::kTear:
+      return tr("tear");
+    case DetorsionMoment::kSlip:
+      return tr("slipped off");
+    case DetorsionMoment::kRelapse:
+      return tr("turns back");
   }
   return {};
 }
@@ -93,15 +118,70 @@ QString DetorsionPlot::momentSign(DetorsionMoment moment) {
       return QStringLiteral("v");
     case DetorsionMoment::kCheck:
       return QStringLiteral("?");
+    case DetorsionMoment::kBruise:
+      return QStringLiteral("\u25cf");
+    case DetorsionMoment::kTear:
+      return QStringLiteral("\u00d7");
+    case DetorsionMoment::kSlip:
+      return QStringLiteral("\u25c6");
+    case DetorsionMoment::kRelapse:
+      return QStringLiteral("\u21ba");
   }
   return {};
 }
 
+QString DetorsionPlot::momentText(const DetorsionStory::Event& event) const {
+  return tr("%1 at %2 s (%3 of the tissue)")
+      .arg(momentName(event.what), QLocale().toString(event.at_s, 'f', 1),
+           DetorsionPanel::clockText(event.at_s * story_.timeScale));
+}
+
+QString DetorsionPlot::tipAt(double x) const {
+  QStringList lines;
+  for (const DetorsionStory::Event& event : story_.events) {
+    if (std::abs(xOf(event.at_s) - x) <= kTipWithin) {
+      lines << momentText(event);
+    }
+  }
+  return lines.join(QLatin1Char('\n'));
+}
+
+bool DetorsionPlot::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) {
+    return QWidget::event(event);
+  }
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const QString tip = tipAt(help->pos().x());
+  if (tip.isEmpty()) {
+    QToolTip::hideText();
+    event->ignore();
+  } else {
+    QToolTip::showText(help->globalPos(), tip, this);
+  }
+  return true;
+}
+
+bool DetorsionPlot::presses() const {
+  return std::any_of(story_.pressure_Pa.begin(), story_.pressure_Pa.end(), [](double p) { return p != 0.0; });
+}
+
+double DetorsionPlot::signsBottom() const {
+  // What was done, below it what went wrong.
+  const bool mishaps = std::any_of(story_.events.begin(), story_.events.end(),
+                                   [](const DetorsionStory::Event& event) { return isMishap(event.what); });
+  return (mishaps ? 2.0 : 1.0) * kSignRow + 2.0;
+}
+
+int DetorsionPlot::lanes() const {
+  return presses() ? 4 : 3;
+}
+
 DetorsionPlot::Lane DetorsionPlot::lane(int number, double low, double high) const {
-  const double each = (height() - kEventsAbove - kTimeBelow) / kLanes;
-  return {QRectF(kLaneLeft, kEventsAbove + number * each + kNameAbove, width() - kLaneLeft - kLaneRight,
+  const double top = signsBottom();
+  const double each = (height() - top - kTimeBelow) / lanes();
+  return {QRectF(kLaneLeft, top + number * each + kNameAbove, width() - kLaneLeft - kLaneRight,
                  each - kNameAbove - 4.0),
-          low, high};
+          low, 0.5 * (low + high), high};
 }
 
 double DetorsionPlot::xOf(double time_s) const {
@@ -117,10 +197,11 @@ void DetorsionPlot::drawLane(QPainter& painter, const Lane& lane, const QString&
   };
   const QLocale locale;
   painter.setPen(theme_->quietText);
-  painter.drawText(QRectF(0.0, lane.area.top() - kNameAbove, lane.area.right(), kNameAbove - 2.0),
-                   Qt::AlignLeft | Qt::AlignVCenter, name);
-  const int decimals = lane.high - lane.low < 5.0 ? 1 : 0;
-  for (const double value : {lane.low, 0.5 * (lane.low + lane.high), lane.high}) {
+  painter.drawText(
+      QRectF(lane.area.left(), lane.area.top() - kNameAbove, lane.area.width(), kNameAbove - 2.0),
+      Qt::AlignLeft | Qt::AlignVCenter, name);
+  const int decimals = lane.high - lane.low <= 5.0 ? 1 : 0;
+  for (const double value : {lane.low, lane.middle, lane.high}) {
     painter.setPen(theme_->line);
     painter.drawLine(QPointF(lane.area.left(), yOf(value)), QPointF(lane.area.right(), yOf(value)));
     painter.setPen(theme_->quietText);
@@ -154,28 +235,45 @@ void DetorsionPlot::drawTime(QPainter& painter, double bottom) const {
 
 void DetorsionPlot::drawEvents(QPainter& painter, double bottom) const {
   QStringList legend;
-  double free = -1e9;
   for (const DetorsionStory::Event& event : story_.events) {
     const double x = xOf(event.at_s);
-    QColor faint = theme_->quietText;
-    faint.setAlphaF(0.35F);
+    QColor faint = isMishap(event.what) ? theme_->caution : theme_->quietText;
+    faint.setAlphaF(isMishap(event.what) ? 0.8F : 0.35F);
     painter.setPen(QPen(faint, 1.0));
-    painter.drawLine(QPointF(x, kEventsAbove), QPointF(x, bottom));
-    const QString entry = QStringLiteral("%1 %2").arg(momentSign(event.what), momentName(event.what));
+    for (int i = 0; i < lanes(); ++i) {  // not through the names between the lanes
+      const QRectF area = lane(i, 0.0, 1.0).area;
+      painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    }
+    const QString entry = QStringLiteral("%1\u00a0%2").arg(momentSign(event.what), momentName(event.what));
     if (!legend.contains(entry)) {
       legend << entry;
     }
+  }
+  drawSigns(painter, false);
+  drawSigns(painter, true);
+  painter.setPen(theme_->quietText);
+  painter.drawText(QRectF(kLaneLeft, bottom + kLegendBelow, width() - kLaneLeft - kLaneRight, kLegendHeight),
+                   Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, legend.join(QStringLiteral("    ")));
+}
+
+void DetorsionPlot::drawSigns(QPainter& painter, bool mishaps) const {
+  double free = -1e9;
+  for (const DetorsionStory::Event& event : story_.events) {
+    if (isMishap(event.what) != mishaps) {
+      continue;
+    }
+    double x = xOf(event.at_s);
     if (x < free) {
-      continue;  // signs would lie over each other; the line remains
+      if (!mishaps) {
+        continue;  // signs would lie over each other; the line remains
+      }
+      x = free;  // what went wrong is never left out
     }
     free = x + kSignRoom;
-    painter.setPen(theme_->text);
-    painter.drawText(QRectF(x - 10.0, 2.0, 20.0, kEventsAbove - 4.0), Qt::AlignCenter,
+    painter.setPen(mishaps ? theme_->caution : theme_->text);
+    painter.drawText(QRectF(x - 10.0, mishaps ? kSignRow : 0.0, 20.0, kSignRow), Qt::AlignCenter,
                      momentSign(event.what));
   }
-  painter.setPen(theme_->quietText);
-  painter.drawText(QRectF(kLaneLeft, bottom + kLegendBelow, width() - kLaneLeft - kLaneRight, 18.0),
-                   Qt::AlignLeft | Qt::AlignVCenter, legend.join(QStringLiteral("    ")));
 }
 
 void DetorsionPlot::paintEvent(QPaintEvent*) {
@@ -194,15 +292,28 @@ void DetorsionPlot::paintEvent(QPaintEvent*) {
     high = std::max(high, degrees(angle));
   }
   const double dose = *std::max_element(story_.dose.begin(), story_.dose.end());
-  low = 90.0 * std::floor(low / 90.0);
-  high = std::max(low + 90.0, 90.0 * std::ceil(high / 90.0));
-  const Lane last = lane(2, 0.0, std::max(1.0, 1.1 * dose));
-  drawLane(painter, lane(0, low, high), tr("Angle in degrees"), story_.angle_rad, kDegreesPerRadian, 0.0);
+  low = kQuarterTurn_deg * std::floor(low / kQuarterTurn_deg);
+  high = std::max(low + kQuarterTurn_deg, kQuarterTurn_deg * std::ceil(high / kQuarterTurn_deg));
+  Lane angles = lane(0, low, high);
+  if (high - low > 2.0 * kQuarterTurn_deg) {
+    angles.middle = kQuarterTurn_deg * std::round(angles.middle / kQuarterTurn_deg);
+  }
+  const Lane doses = lane(2, 0.0, std::max(1.0, 1.1 * dose));
+  drawLane(painter, angles, tr("Angle in degrees"), story_.angle_rad, kDegreesPerRadian, 0.0);
   drawLane(painter, lane(1, 0.0, 100.0), tr("Blood flow in % of the untwisted organ"), story_.flow, 100.0,
            100.0 * story_.enoughFlow);
-  drawLane(painter, last, tr("Ischaemic dose: from 1 on the tissue is lost"), story_.dose, 1.0, 1.0);
-  drawTime(painter, last.area.bottom());
-  drawEvents(painter, last.area.bottom());
+  drawLane(painter, doses, tr("Ischaemic dose: from 1 on the tissue is lost"), story_.dose, 1.0, 1.0);
+  double bottom = doses.area.bottom();
+  if (presses()) {
+    const double most_Pa = *std::max_element(story_.pressure_Pa.begin(), story_.pressure_Pa.end());
+    const double steps = std::ceil(most_Pa / kPascalsPerMmHg / kPressureStep_mmHg);
+    const Lane pressures = lane(3, 0.0, kPressureStep_mmHg * std::max(1.0, steps));
+    drawLane(painter, pressures, tr("Pressure of the content in mmHg"), story_.pressure_Pa,
+             1.0 / kPascalsPerMmHg, std::nullopt);
+    bottom = pressures.area.bottom();
+  }
+  drawTime(painter, bottom);
+  drawEvents(painter, bottom);
 }
 
 }  // namespace torsio::gui

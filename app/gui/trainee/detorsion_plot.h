@@ -12,8 +12,10 @@
 
 namespace torsio::gui {
 
-/// Angle, blood flow and ischaemic dose of an untwisting over the tissue's time, with what was done as marks
-/// above. Says the same in its accessible description.
+/// Angle, blood flow, ischaemic dose and, where the content presses, the pressure of an untwisting over the
+/// tissue's time. Above them a row of signs for what was done and one for what went wrong, told apart by
+/// shape and place, with a legend below; a tip tells the instants under the pointer. Says the same in its
+/// accessible description.
 class DetorsionPlot : public QWidget {
   Q_OBJECT
 
@@ -23,29 +25,39 @@ class DetorsionPlot : public QWidget {
   void setStory(const DetorsionStory& story);
   void setTheme(const Theme& theme);
   void retranslate();
-  [[nodiscard]] QSize sizeHint() const override { return {640, 380}; }
-  [[nodiscard]] QSize minimumSizeHint() const override { return {320, 300}; }
+  [[nodiscard]] QSize sizeHint() const override { return {640, 400}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {320, 330}; }
 
   /// Names an instant in the user's language.
   [[nodiscard]] static QString momentName(DetorsionMoment moment);
   /// Returns one letter or sign that stands for an instant in the picture.
   [[nodiscard]] static QString momentSign(DetorsionMoment moment);
+  /// Returns what the tip says at `x`: the instants within a few pixels, a line each; empty: none.
+  [[nodiscard]] QString tipAt(double x) const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  bool event(QEvent* event) override;
 
  private:
   struct Lane {
     QRectF area;
     double low = 0.0;
+    double middle = 0.5;
     double high = 1.0;
   };
+  [[nodiscard]] bool presses() const;
+  [[nodiscard]] int lanes() const;
+  [[nodiscard]] double signsBottom() const;
   [[nodiscard]] Lane lane(int number, double low, double high) const;
+  /// "gas out at 12.3 s (0:12 h of the tissue)".
+  [[nodiscard]] QString momentText(const DetorsionStory::Event& event) const;
   [[nodiscard]] double xOf(double time_s) const;
   void drawLane(QPainter& painter, const Lane& lane, const QString& name, const std::vector<double>& values,
                 double scale, std::optional<double> limit) const;
   void drawTime(QPainter& painter, double bottom) const;
   void drawEvents(QPainter& painter, double bottom) const;
+  void drawSigns(QPainter& painter, bool mishaps) const;
 
   const Theme* theme_;
   DetorsionStory story_;

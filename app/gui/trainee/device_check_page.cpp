@@ -94,7 +94,7 @@ void DeviceCheckPage::check() {
       [readiness, probe = desk_.probe](SessionContext&, const ProgressCallback&) { *readiness = probe(); },
       [this, readiness] {
         checking_ = false;
-        found(*readiness);
+        attempt(shell(), [&] { found(judgedByForce(*readiness, gradesWithMouse(shell().session()))); });
         fill();
       });
 }
@@ -129,6 +129,8 @@ void DeviceCheckPage::fill() {
   heading_->setTexts(tr("Is everything ready?"),
                      known && !desk_.readiness->haptic && !desk_.probe
                          ? tr("This station has no haptic device: you work with mouse and keyboard.")
+                     : known && !desk_.readiness->haptic
+                         ? tr("Sit down and take the device into your hand.")
                          : tr("Sit down, put the stylus into its dock, and rest your forearm."));
   again_->setText(tr("&Check again"));
   mouse_->setText(tr("Practise with the &mouse"));

@@ -16,7 +16,6 @@ namespace {
 
 constexpr int kFrame_ms = 16;
 constexpr double kLongestFrame_s = 0.25;
-constexpr double kLeanWithin_m = 0.040;
 
 }  // namespace
 
@@ -24,7 +23,8 @@ LiveScene::LiveScene(SceneLoader loader, std::filesystem::path assets, QWidget* 
     : QWidget(parent),
       controller_(std::make_unique<SimulationController>(std::move(loader), TrialRecording{})),
       view_(new SceneView(this)),
-      pointer_(new PointerControls(*view_)) {
+      pointer_(new PointerControls(*view_)),
+      tool_(*controller_, *pointer_, *view_) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(view_);
@@ -63,7 +63,7 @@ void LiveScene::frame(double elapsed_s) {
   }
   const LiveState state = controller_->state();
   view_->setOrgan(organStateOf(state));
-  showTool(state);
+  tool_.show(state);
   tell();  // of the round before, when nothing moved and nothing was drawn
   untold_ = state;
   if (!view_->draws()) {
@@ -75,26 +75,6 @@ void LiveScene::tell() {
   if (const std::optional<LiveState> state = std::exchange(untold_, std::nullopt)) {
     Q_EMIT shown(*state);
   }
-}
-
-void LiveScene::showTool(const LiveState& state) {
-  const Scene& scene = *controller_->scene();
-  const bool holds = state.phase == ExercisePhase::kTwisting;
-  const bool rides = controller_->toolRidesOnTissue();
-  std::optional<Vec3> axis;
-  if (holds && rides && controller_->playback() == nullptr) {
-    axis = scene.graspFrame(state.response.graspArc_m, state.tool.position_m).tangent;
-  }
-  pointer_->setHeldAxis(axis);
-  const std::optional<SurfacePoint> near = controller_->nearby(state);
-  const bool close = near && near->distance_m < kLeanWithin_m;
-  pointer_->leanAwayFrom(close ? std::optional<Vec3>(near->normal) : std::nullopt);
-  Pose pose = state.tool;
-  // A hand that twists by turning stays in place; what is drawn goes round with the tissue that it holds.
-  if (rides && (holds || state.phase == ExercisePhase::kReleased)) {
-    pose.position_m = scene.toDeformed_m(pose.position_m, organStateOf(state));
-  }
-  view_->setTool(pose, state.grip);
 }
 
 void LiveScene::showEvent(QShowEvent* event) {

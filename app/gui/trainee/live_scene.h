@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "app/gui/simulator/shown_tool.h"
 #include "app/gui/simulator/simulation_controller.h"
 
 namespace torsio::gui {
@@ -40,12 +41,12 @@ class LiveScene : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
-  void showTool(const LiveState& state);
   void tell();
 
   std::unique_ptr<SimulationController> controller_;
   SceneView* view_;
   PointerControls* pointer_;
+  ShownTool tool_;
   std::optional<LiveState> untold_;  // waits for its frame
   QTimer timer_;
   QElapsedTimer since_;

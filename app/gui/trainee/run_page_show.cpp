@@ -137,6 +137,9 @@ bool RunPage::showNotice() {
 }
 
 QString RunPage::cue(const LiveState& state) const {
+  if (const QString untwisting = detorsion_->cue(); !untwisting.isEmpty()) {
+    return untwisting;
+  }
   const TrainingModule& module = runSession_->step().module;
   const double target = module.targetAngle_rad;
   switch (state.phase) {
@@ -147,9 +150,6 @@ QString RunPage::cue(const LiveState& state) const {
       return haptic_ ? tr("Touching. Close the jaw.")
                      : tr("Touching. Close the jaw: hold the left button or Space.");
     case ExercisePhase::kTwisting: {
-      if (state.hollow.present) {
-        return tr("Holding. Turn, set the clip (C), then grip anew.");
-      }
       const double way = target == 0.0 ? 0.0 : state.response.angle_rad / target;
       if (std::abs(state.response.angle_rad - target) <= module.tolerance_rad) {
         return module.hold_us > 0 ? tr("On target. Hold, then let go gently.")

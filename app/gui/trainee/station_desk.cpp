@@ -12,14 +12,18 @@ void StationDesk::announce(StationWriter* line) {
   if (line == nullptr || std::exchange(announced_, true)) {
     return;
   }
-  line->showDevice(uncheckedDevice(probe != nullptr));
+  line->showDevice(uncheckedDevice(device, rendersForce));
 }
 
 std::shared_ptr<StationDesk> deskOfThisStation() {
   auto desk = std::make_shared<StationDesk>();
-  if (hapticLibraryInstalled()) {
-    desk->probe = hapticProbe();
-    desk->openDevice = [](const Scene& scene, double) { return openHapticDevice(scene); };
+  const DeviceChoice choice = stationChoice();
+  if (deviceInstalled(choice)) {
+    const DeviceDriver& driver = chosenDriver(choice);
+    desk->device = Text(driver.name);
+    desk->rendersForce = driver.rendersForce;
+    desk->probe = hapticProbe(choice);
+    desk->openDevice = [choice](const Scene& scene, double) { return openHapticDevice(scene, choice); };
   }
   return desk;
 }

@@ -31,7 +31,9 @@ class StationDesk {
   SceneLoader loader = loadSceneForView;
   bool realTime = true;
   std::shared_ptr<const Clock> clock = std::make_shared<MonotonicClock>();
-  DeviceProbe probe;  ///< empty: mouse and keyboard
+  Text device;                ///< the station's device; empty: mouse and keyboard
+  bool rendersForce = false;  ///< that device does
+  DeviceProbe probe;          ///< empty: mouse and keyboard
   DeviceOpener openDevice;
 
   /// Of the run that has just ended: the debrief need not load it again.
@@ -50,7 +52,7 @@ class StationDesk {
   bool announced_ = false;
 };
 
-/// Makes the desk of this machine: with the haptic device where its library is installed.
+/// Makes the desk of this machine: with the device that it remembers or has, where there is one.
 [[nodiscard]] std::shared_ptr<StationDesk> deskOfThisStation();
 
 }  // namespace torsio::gui

@@ -99,7 +99,15 @@ QString StationLabels::unitOf(const std::string& metric) {
   return words != nullptr ? QString::fromUtf8(words->unit) : QString();
 }
 
+QString StationLabels::without(const std::string& metric) {
+  return metric == "detorse.time_to_flow" || metric == "detorse.dose_at_flow" ? tr("blood did not come back")
+                                                                              : tr("not defined");
+}
+
 QString StationLabels::quantity(const std::string& metric, double value) {
+  if (isAnswerMetric(metric)) {
+    return value > 0.5 ? tr("yes") : tr("no");
+  }
   const MetricLabels* words = wordsOf(metric);
   if (words == nullptr) {
     return number(value, 2);
@@ -167,7 +175,7 @@ QString StationLabels::why(const ModuleStep& step) {
   if (step.state == StepState::kLocked) {
     QStringList titles;
     for (const std::string& title : step.missing) {
-      titles << toQString(title);
+      titles << toQString(Text(title));
     }
     return tr("First master: %1").arg(titles.join(tr(", ", "between titles")));
   }
@@ -185,9 +193,11 @@ QString StationLabels::rule(const RuleProgress& progress) {
   const QString threshold = quantity(progress.rule.metric, progress.rule.threshold);
   const QString name = metric(progress.rule.metric);
   const bool atMost = progress.rule.comparison == "at_most";
-  const QString goal = atMost && progress.rule.threshold == 0.0 ? tr("%1: none").arg(name)
-                       : atMost                                 ? tr("%1: at most %2").arg(name, threshold)
-                                                                : tr("%1: at least %2").arg(name, threshold);
+  const QString goal = isAnswerMetric(progress.rule.metric)
+                           ? tr("%1: %2", "quantity and value").arg(name, threshold)
+                       : atMost && progress.rule.threshold == 0.0 ? tr("%1: none").arg(name)
+                       : atMost                                   ? tr("%1: at most %2").arg(name, threshold)
+                                : tr("%1: at least %2").arg(name, threshold);
   if (progress.rule.consecutive <= 1) {
     return goal;
   }
@@ -207,16 +217,18 @@ QString StationLabels::result(const Attempt& attempt) {
   };
   const std::optional<double> done = value(kDetorsionDoneMetric);
   if (!done) {
-    return tr("%1 of %2").arg(attempt.onTarget).arg(attempt.twists);
+    return attempt.values.empty() ? tr("not measured")
+                                  : tr("%1 of %2").arg(attempt.onTarget).arg(attempt.twists);
   }
   const QString dose = quantity("detorse.dose", value("detorse.dose").value_or(0.0));
   if (*done == 0.0) {
     return tr("not undone, ischaemic dose %1").arg(dose);
   }
   const std::optional<double> flow_s = value("detorse.time_to_flow");
-  return flow_s ? tr("undone, blood after %1, ischaemic dose %2")
-                      .arg(quantity("detorse.time_to_flow", *flow_s), dose)
-                : tr("undone, ischaemic dose %1").arg(dose);
+  constexpr double kAtOnce_s = 0.05;  // it flowed as the organ came
+  return flow_s && *flow_s >= kAtOnce_s ? tr("undone, blood after %1, ischaemic dose %2")
+                                              .arg(quantity("detorse.time_to_flow", *flow_s), dose)
+                                        : tr("undone, ischaemic dose %1").arg(dose);
 }
 
 QString StationLabels::lastResult(const ModuleStep& step) {
@@ -239,7 +251,7 @@ QString StationLabels::unlocks(const ModuleStep& step) {
   }
   QStringList titles;
   for (const std::string& title : step.unlocks) {
-    titles << toQString(title);
+    titles << toQString(Text(title));
   }
   return tr("Unlocks: %1").arg(titles.join(tr(", ", "between titles")));
 }
@@ -276,8 +288,9 @@ QString StationLabels::check(const TargetCheck& check, std::size_t twists) {
   const QString name = metric(check.metric);
   const QString wanted = quantity(check.metric, check.wanted);
   const QString value = check.value ? quantity(check.metric, *check.value) : tr("not measured");
-  const QString sentence = check.atLeast ? tr("%1: %2, at least %3").arg(name, value, wanted)
-                                         : tr("%1: %2, at most %3").arg(name, value, wanted);
+  const QString sentence = isAnswerMetric(check.metric) ? tr("%1: %2, wanted %3").arg(name, value, wanted)
+                           : check.atLeast              ? tr("%1: %2, at least %3").arg(name, value, wanted)
+                                                        : tr("%1: %2, at most %3").arg(name, value, wanted);
   if (check.consecutive <= 1) {
     return sentence;
   }

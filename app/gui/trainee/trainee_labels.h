@@ -16,8 +16,10 @@ class StationLabels {
   Q_DECLARE_TR_FUNCTIONS(StationLabels)
 
  public:
-  /// "12.4 s", "3.1°", "62 %".
+  /// "12.4 s", "3.1°", "62 %"; "yes" and "no" of a metric that answers a question.
   [[nodiscard]] static QString quantity(const std::string& metric, double value);
+  /// What stands in place of a value that an attempt does not have.
+  [[nodiscard]] static QString without(const std::string& metric);
   /// Value of a metric without its unit, for an axis; unitOf() gives the unit.
   [[nodiscard]] static double inDisplayUnit(const std::string& metric, double value);
   [[nodiscard]] static QString unitOf(const std::string& metric);

@@ -26,6 +26,9 @@ namespace {
 
 constexpr const char* kUsualMetrics[] = {"twist.on_target", "twist.settling", "twist.overshoot",
                                          "twist.sparc",     "force.peak",     "time.total"};
+constexpr const char* kUsualOfUntwisting[] = {
+    "detorse.done",    "detorse.time_to_flow", "detorse.dose",          "detorse.residual",
+    "detorse.regrips", "detorse.slip_back",    "detorse.overload_time", "detorse.peak_jaw"};
 constexpr int kTableHeight = 260;
 constexpr std::size_t kFewest = 8;
 
@@ -137,7 +140,12 @@ void TrendPage::fillChoices() {
     modules_->addItem(toQString(Text(step.module.title)), toQString(step.module.id));
   }
   modules_->setCurrentIndex(modules_->findData(toQString(module_)));
-  std::vector<std::string> metrics(std::begin(kUsualMetrics), std::end(kUsualMetrics));
+  std::vector<std::string> metrics;
+  if (trend_.untwisting) {
+    metrics.assign(std::begin(kUsualOfUntwisting), std::end(kUsualOfUntwisting));
+  } else {
+    metrics.assign(std::begin(kUsualMetrics), std::end(kUsualMetrics));
+  }
   for (const ModuleStep& step : steps_.modules) {
     if (step.module.id != module_) {
       continue;
@@ -180,13 +188,18 @@ void TrendPage::fill() {
   setLook(levelName_, "caution", trend_.level == SkillLevel::kWatch || trend_.level == SkillLevel::kRelapsed);
   levelMeaning_->setText(StationLabels::levelMeaning(trend_.level));
   distance_->setTitle(tr("Distance to the threshold"));
-  if (trend_.distance && *trend_.distance > 0.0) {
+  if (trend_.distance && *trend_.distance > 0.0 && isAnswerMetric(trend_.metric)) {
+    distanceFigure_->setText(tr("Not reached"));
+    distanceText_->setText(tr("in the last run; wanted: %1")
+                               .arg(StationLabels::quantity(trend_.metric, trend_.threshold.value_or(0.0))));
+  } else if (trend_.distance && *trend_.distance > 0.0) {
     distanceFigure_->setText(StationLabels::quantity(trend_.metric, *trend_.distance));
     distanceText_->setText(tr("missing in the last run; threshold %1")
                                .arg(StationLabels::quantity(trend_.metric, trend_.threshold.value_or(0.0))));
   } else if (trend_.distance) {
     distanceFigure_->setText(tr("Reached"));
-    distanceText_->setText(tr("in the last run; threshold %1")
+    distanceText_->setText((isAnswerMetric(trend_.metric) ? tr("in the last run; wanted: %1")
+                                                          : tr("in the last run; threshold %1"))
                                .arg(StationLabels::quantity(trend_.metric, trend_.threshold.value_or(0.0))));
   } else {
     distanceFigure_->setText(tr("None"));
@@ -201,8 +214,9 @@ void TrendPage::fill() {
   const QString marks = tr("Filled circle: passed. Triangle: not passed.");
   const bool few = trend_.points.size() < kFewest;
   note_->setText(trend_.curve.empty()
-                     ? (few ? tr("%1 A learning curve is drawn from eight attempts on.")
-                            : tr("%1 No learning curve fits these values."))
+                     ? (isAnswerMetric(trend_.metric) ? tr("%1 A yes or no has no learning curve.")
+                        : few ? tr("%1 A learning curve is drawn from eight attempts on.")
+                              : tr("%1 No learning curve fits these values."))
                            .arg(marks)
                      : tr("%1 Line and band: learning curve with its 95 % band.").arg(marks));
   table_->setColumns({{tr("Attempt"), true},
@@ -219,9 +233,9 @@ void TrendPage::fill() {
     row.cells.push_back(
         {StationLabels::when(point.startedUtc_us), QVariant::fromValue<qlonglong>(point.startedUtc_us)});
     row.cells.push_back({point.mode == AttemptMode::kGraded ? tr("Graded") : tr("Practice")});
-    row.cells.push_back(
-        {point.value ? StationLabels::quantity(trend_.metric, *point.value) : tr("not defined"),
-         point.value ? QVariant(*point.value) : QVariant()});
+    row.cells.push_back({point.value ? StationLabels::quantity(trend_.metric, *point.value)
+                                     : StationLabels::without(trend_.metric),
+                         point.value ? QVariant(*point.value) : QVariant()});
     row.cells.push_back({point.passed ? tr("Passed") : tr("Not passed")});
     rows.push_back(std::move(row));
   }

@@ -69,6 +69,11 @@ void TrendPlot::findRange() {
   // Values that are all the same (no violation in any attempt) still get an axis that says something.
   const double flat = *high == 0.0 ? 1.0 : 0.05 * std::abs(*high);
   const double room = *high > *low ? std::max(0.12 * (*high - *low), 0.05 * std::abs(*high)) : flat;
+  if (isAnswerMetric(trend_.metric)) {
+    low_ = -0.25;
+    high_ = 1.25;
+    return;
+  }
   low_ = *low >= 0.0 ? std::max(0.0, *low - room) : *low - room;
   high_ = *high + room;
 }
@@ -86,6 +91,7 @@ void TrendPlot::drawGrid(QPainter& painter) const {
   QFont small = font();
   small.setPointSizeF(kSmallText_pt);
   painter.setFont(small);
+  const bool answer = isAnswerMetric(trend_.metric);
   const double power = std::pow(10.0, std::floor(std::log10((high_ - low_) / 4.0)));
   double step = power;
   for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
@@ -94,18 +100,20 @@ void TrendPlot::drawGrid(QPainter& painter) const {
       break;
     }
   }
+  step = answer ? 1.0 : step;
   const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
   for (double v = std::ceil(low_ / step) * step; v <= high_; v += step) {
     painter.setPen(theme_->line);
     painter.drawLine(QPointF(kTrendLeft, yOf(v)), QPointF(width() - kTrendRight, yOf(v)));
     painter.setPen(theme_->quietText);
     painter.drawText(QRectF(0.0, yOf(v) - 9.0, kTrendLeft - 8.0, 18.0), Qt::AlignRight | Qt::AlignVCenter,
-                     QLocale().toString(v, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212)));
+                     answer ? StationLabels::quantity(trend_.metric, v)
+                            : QLocale().toString(v, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212)));
   }
   const std::size_t last = std::max<std::size_t>(4, trend_.points.size());
   const std::size_t every = last > 20 ? last / 10 : 1;
   for (std::size_t a = 1; a <= last; a += every) {
-    painter.drawText(QRectF(xOf(static_cast<double>(a)) - 20.0, height() - kTrendBottom + 4.0, 40.0, 16.0),
+    painter.drawText(QRectF(xOf(static_cast<double>(a)) - 20.0, height() - kTrendBottom + 8.0, 40.0, 16.0),
                      Qt::AlignHCenter, QString::number(a));
   }
   painter.drawText(QRectF(kTrendLeft, height() - 20.0, width() - kTrendLeft - kTrendRight, 18.0),
@@ -169,8 +177,10 @@ void TrendPlot::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(theme_->text, 1.4, Qt::DashLine));
     painter.drawLine(QPointF(kTrendLeft, y), QPointF(width() - kTrendRight, y));
     painter.setPen(theme_->text);
-    painter.drawText(QRectF(kTrendLeft, y - 18.0, width() - kTrendLeft - kTrendRight - 6.0, 16.0),
-                     Qt::AlignRight, tr("threshold"));
+    const bool answer = isAnswerMetric(trend_.metric);  // its points lie on the line
+    painter.drawText(
+        QRectF(kTrendLeft, y - (answer ? 26.0 : 18.0), width() - kTrendLeft - kTrendRight - 6.0, 16.0),
+        Qt::AlignRight, tr("threshold"));
   }
   drawCurve(painter);
   drawPoints(painter);

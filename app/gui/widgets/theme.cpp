@@ -137,6 +137,7 @@ QAbstractSpinBox::up-button:hover, QAbstractSpinBox::down-button:hover { backgro
 QAbstractSpinBox::up-arrow { image: url(%upChevron); width: 10px; height: 10px; }
 QAbstractSpinBox::down-arrow { image: url(%chevron); width: 10px; height: 10px; }
 QComboBox QAbstractItemView::item { min-height: 28px; padding: 0 6px; border-radius: 4px; }
+QComboBox QAbstractItemView::item:selected { background: %accent; color: %onAccent; }
 QComboBox QAbstractItemView { background: %surface; color: %text; border: 1px solid %line; padding: 4px;
   selection-background-color: %accent; selection-color: %onAccent; outline: none; }
 QLineEdit, QPlainTextEdit, QTextEdit, QDateEdit, QDateTimeEdit, QTimeEdit { background: %surface; color: %text;
@@ -186,6 +187,7 @@ QLabel[caution="true"] { color: %caution; }
 QPushButton { background: %raised; color: %text; border: 1px solid %border; border-radius: 6px;
   padding: 7px 16px; min-height: 20px; }
 QPushButton:hover { background: %track; }
+QPushButton:checked { background: %accent; color: %onAccent; border-color: %accent; }
 QPushButton:default { background: %accent; color: %onAccent; border-color: %accent; }
 QPushButton:focus { border: 2px solid %accent; padding: 6px 15px; outline: none; }
 QPushButton:disabled, QPushButton:default:disabled { background: %raised; color: %border; border-color: %line; }

@@ -3,17 +3,10 @@
 
 #include <cstdint>
 
+#include "sim/device/device_state.h"
 #include "sim/device/hdapi/hdapi_abi.h"
 
 namespace torsio {
-
-enum class CalibrationState : std::uint8_t {
-  kUnknown,     ///< not asked yet
-  kDockStylus,  ///< the user has to put the stylus into the inkwell
-  kUpdating,    ///< the stylus is docked, the device is being calibrated
-  kCalibrated,
-  kFailed,  ///< the device refused several times; waits until the user asks for another try
-};
 
 /// Time between two questions for the state of calibration; the device calibrates itself whenever the
 /// stylus sits in the inkwell.

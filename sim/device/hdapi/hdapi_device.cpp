@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/base/contracts.h"
+#include "sim/device/hdapi/hdapi_errors.h"
 
 namespace torsio {
 
@@ -51,20 +52,24 @@ bool HdapiDevice::released() const {
   return released_->load(std::memory_order_acquire);
 }
 
-HdapiSnapshot HdapiDevice::snapshot() noexcept {
-  HdapiSnapshot snapshot = session_->servo().newestSnapshot();
+DeviceSnapshot HdapiDevice::snapshot() noexcept {
+  DeviceSnapshot snapshot = session_->servo().newestSnapshot();
   const auto now = std::chrono::steady_clock::now();
   if (snapshot.timing.ticks != lastTicks_) {
     lastTicks_ = snapshot.timing.ticks;
     lastTick_ = now;
   }
   if (closed_.valid()) {
-    snapshot.state = HdapiState::kClosed;
-  } else if (started_ && snapshot.state != HdapiState::kLost &&
+    snapshot.state = DeviceState::kClosed;
+  } else if (started_ && snapshot.state != DeviceState::kLost &&
              now - lastTick_ > std::chrono::microseconds(kServoSilent_us)) {
-    snapshot.state = HdapiState::kSilent;
+    snapshot.state = DeviceState::kSilent;
   }
   return snapshot;
+}
+
+Text HdapiDevice::lossText(std::uint32_t code) const {
+  return hdapiErrorText(code);
 }
 
 DeviceSample HdapiDevice::read(std::int64_t time_us) noexcept {

@@ -7,8 +7,8 @@
 #include <future>
 #include <memory>
 
+#include "sim/device/haptic_device.h"
 #include "sim/device/hdapi/hdapi_session.h"
-#include "sim/device/hdapi/stylus_driver.h"
 
 namespace torsio {
 
@@ -52,7 +52,7 @@ inline constexpr std::int64_t kServoSilent_us = 500'000;
 ///
 /// start, close and destruction belong to one thread; enableForce, retryCalibration, snapshot and nextEvent
 /// to one (the same or another); read and write to the servo.
-class HdapiDevice final : public StylusDriver {
+class HdapiDevice final : public HapticDevice {
  public:
   /// Opens the device, force off. `api`: complete (HdapiLibrary). Throws Error{kDevice}.
   HdapiDevice(const hd::Api& api, const HdapiOptions& options);
@@ -76,10 +76,13 @@ class HdapiDevice final : public StylusDriver {
   void enableForce(bool on) noexcept override { session_->servo().wishForce(on); }
   /// Begins another round of calibration attempts after CalibrationState::kFailed.
   void retryCalibration() noexcept { session_->servo().wishCalibration(); }
-  [[nodiscard]] HdapiSnapshot snapshot() noexcept override;
+  [[nodiscard]] DeviceSnapshot snapshot() noexcept override;
   /// Takes the oldest event not yet taken; false when there is none.
-  [[nodiscard]] bool nextEvent(HdapiEvent& event) noexcept { return session_->servo().nextEvent(event); }
-  [[nodiscard]] const HdapiIdentity& identity() const noexcept override { return session_->identity(); }
+  [[nodiscard]] bool nextEvent(DeviceEvent& event) noexcept override {
+    return session_->servo().nextEvent(event);
+  }
+  [[nodiscard]] Text lossText(std::uint32_t code) const override;
+  [[nodiscard]] const DeviceIdentity& identity() const noexcept override { return session_->identity(); }
 
   [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override {
     return session_->capabilities();

@@ -37,7 +37,7 @@ hd::CallbackCode HdapiServo::frame() noexcept {
   interval_us_ = meter_.begin(now_us);
   if (interval_us_ > kServoGap_us) {
     gate_.close();
-    note(HdapiEvent::Kind::kGap, now_us, static_cast<std::uint32_t>(interval_us_));
+    note(DeviceEvent::Kind::kGap, now_us, static_cast<std::uint32_t>(interval_us_));
   }
   takeWishes();
   frameOpen_ = beginFrame(now_us);
@@ -133,7 +133,7 @@ void HdapiServo::readDevice(std::int64_t now_us) noexcept {
   const bool wasFrozen = snapshot_.frozen;
   snapshot_.frozen = liveness_.frozen(frame, snapshot_.docked);
   if (snapshot_.frozen && !wasFrozen) {
-    note(HdapiEvent::Kind::kFrozen, now_us);
+    note(DeviceEvent::Kind::kFrozen, now_us);
   }
   const bool wasAtStop = snapshot_.rollAtStop;
   roll_.follow(gimbalRoll_rad);
@@ -144,7 +144,7 @@ void HdapiServo::readDevice(std::int64_t now_us) noexcept {
   snapshot_.rollReferenced = roll_.referenced();
   snapshot_.rollAtStop = roll_.atStop();
   if (snapshot_.rollAtStop && !wasAtStop) {
-    note(HdapiEvent::Kind::kRollStop, now_us);
+    note(DeviceEvent::Kind::kRollStop, now_us);
   }
   const std::array<double, 16> computed_mm = touchTransform_mm(frame.joints_rad, {});
   snapshot_.geometryError_m =
@@ -158,7 +158,7 @@ void HdapiServo::readSwitches(std::int64_t now_us) noexcept {
   const std::uint32_t before = reading_.buttons;
   reading_.buttons = buttons_.filter(static_cast<std::uint32_t>(raw), now_us);
   if (reading_.buttons != before) {
-    note(HdapiEvent::Kind::kButtons, now_us, reading_.buttons);
+    note(DeviceEvent::Kind::kButtons, now_us, reading_.buttons);
   }
   followGrip(now_us);
   if (!setup_.hasInkwellSwitch) {
@@ -202,7 +202,7 @@ void HdapiServo::checkCalibration(std::int64_t now_us) noexcept {
   const CalibrationState before = calibration_.state();
   updateNeeded_ = calibration_.answered(api_.hdCheckCalibration(), now_us);
   if (calibration_.state() != before) {
-    note(HdapiEvent::Kind::kCalibration, now_us, static_cast<std::uint32_t>(calibration_.state()));
+    note(DeviceEvent::Kind::kCalibration, now_us, static_cast<std::uint32_t>(calibration_.state()));
   }
 }
 
@@ -211,7 +211,7 @@ void HdapiServo::updateCalibration(std::int64_t now_us) noexcept {
   api_.hdUpdateCalibration(setup_.calibrationStyle);
   const HdapiErrors errors = drainHdapiErrors(api_);
   for (std::size_t i = 0; i < errors.count; ++i) {
-    note(HdapiEvent::Kind::kError, now_us, 0, errors.entries[i]);
+    note(DeviceEvent::Kind::kError, now_us, 0, errors.entries[i]);
     // Here a device fault only says that the calibration did not succeed.
     const hd::ErrorCode code = errors.entries[i].error;
     if (hdapiErrorClass(code) == HdapiErrorClass::kFatal && code != hd::kDeviceFault) {
@@ -220,7 +220,7 @@ void HdapiServo::updateCalibration(std::int64_t now_us) noexcept {
   }
   calibration_.updated(errors.count > 0);
   if (calibration_.state() == CalibrationState::kFailed) {
-    note(HdapiEvent::Kind::kCalibration, now_us, static_cast<std::uint32_t>(CalibrationState::kFailed));
+    note(DeviceEvent::Kind::kCalibration, now_us, static_cast<std::uint32_t>(CalibrationState::kFailed));
   }
 }
 
@@ -231,7 +231,7 @@ void HdapiServo::noteJump(const Pose& pose, std::int64_t now_us) noexcept {
     if (norm(pose.position_m - lastPose_->position_m) > reach_m) {
       ++snapshot_.jumps;
       distrustUntil_us_ = now_us + kJumpSettles_us;
-      note(HdapiEvent::Kind::kJump, now_us);
+      note(DeviceEvent::Kind::kJump, now_us);
     }
   }
   lastPose_ = pose;
@@ -278,13 +278,13 @@ void HdapiServo::judge(std::int64_t now_us) noexcept {
 
 void HdapiServo::chooseState(bool slowOrWarm) noexcept {
   if (lost()) {
-    snapshot_.state = HdapiState::kLost;
+    snapshot_.state = DeviceState::kLost;
   } else if (!calibration_.calibrated()) {
-    snapshot_.state = HdapiState::kNeedsCalibration;
+    snapshot_.state = DeviceState::kNeedsCalibration;
   } else if (slowOrWarm) {
-    snapshot_.state = HdapiState::kDegraded;
+    snapshot_.state = DeviceState::kDegraded;
   } else {
-    snapshot_.state = snapshot_.forceOn ? HdapiState::kRunning : HdapiState::kReady;
+    snapshot_.state = snapshot_.forceOn ? DeviceState::kRunning : DeviceState::kReady;
   }
 }
 
@@ -375,7 +375,7 @@ HdapiErrors HdapiServo::drain(std::int64_t now_us) noexcept {
   const HdapiErrors errors = drainHdapiErrors(api_);
   for (std::size_t i = 0; i < errors.count; ++i) {
     const hd::ErrorInfo& error = errors.entries[i];
-    note(HdapiEvent::Kind::kError, now_us, 0, error);
+    note(DeviceEvent::Kind::kError, now_us, 0, error);
     switch (hdapiErrorClass(error.error)) {
       case HdapiErrorClass::kForce:
         ++snapshot_.forceTrips;
@@ -403,9 +403,9 @@ HdapiErrors HdapiServo::drain(std::int64_t now_us) noexcept {
 void HdapiServo::lose(const hd::ErrorInfo& error, std::int64_t now_us) noexcept {
   if (!lost()) {
     snapshot_.lostBecause = error.error;
-    note(HdapiEvent::Kind::kLost, now_us, 0, error);
+    note(DeviceEvent::Kind::kLost, now_us, 0, error);
   }
-  snapshot_.state = HdapiState::kLost;
+  snapshot_.state = DeviceState::kLost;
   lost_.store(true, std::memory_order_release);
 }
 
@@ -416,9 +416,9 @@ void HdapiServo::publish() noexcept {
   snapshots_.publish(snapshot_);
 }
 
-void HdapiServo::note(HdapiEvent::Kind kind, std::int64_t now_us, std::uint32_t value,
+void HdapiServo::note(DeviceEvent::Kind kind, std::int64_t now_us, std::uint32_t value,
                       const hd::ErrorInfo& error) noexcept {
-  (void)events_.push({kind, now_us - begun_us_, value, error});
+  (void)events_.push({kind, now_us - begun_us_, value, error.error, error.internalError});
 }
 
 }  // namespace torsio

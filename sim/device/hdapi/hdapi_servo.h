@@ -10,10 +10,12 @@
 #include "sim/base/latest_value.h"
 #include "sim/base/live_types.h"
 #include "sim/base/spsc_ring.h"
+#include "sim/device/device_state.h"
 #include "sim/device/hdapi/button_filter.h"
+#include "sim/device/hdapi/hdapi_abi.h"
 #include "sim/device/hdapi/hdapi_border.h"
+#include "sim/device/hdapi/hdapi_calibration.h"
 #include "sim/device/hdapi/hdapi_errors.h"
-#include "sim/device/hdapi/hdapi_state.h"
 #include "sim/device/hdapi/position_liveness.h"
 #include "sim/device/safety/force_gate.h"
 #include "sim/device/safety/force_rise.h"
@@ -49,10 +51,6 @@ struct HdapiForce {
 inline constexpr std::int64_t kForceExpires_us = 20'000;
 /// Time after which a device that refuses every frame counts as lost.
 inline constexpr std::int64_t kFramesRefused_us = 100'000;
-/// Temperature of a motor above which the force is folded back (rule of the vendor's own sample).
-inline constexpr double kWarmAbove = 0.7;
-/// Temperature below which all motors must be before the full force returns.
-inline constexpr double kWarmUntilBelow = 0.5;
 /// Speed that no hand exceeds; a faster step is a jump of the calibration.
 inline constexpr double kFastestHand_m_per_s = 10.0;
 /// Time for which the pose is not trusted after a jump.
@@ -95,8 +93,8 @@ class HdapiServo {
   void publishForce(const HdapiForce& force) noexcept { forces_.publish(force); }
 
   // --- another thread outside ---
-  [[nodiscard]] HdapiSnapshot newestSnapshot() noexcept { return snapshots_.latest(); }
-  [[nodiscard]] bool nextEvent(HdapiEvent& event) noexcept { return events_.pop(event); }
+  [[nodiscard]] DeviceSnapshot newestSnapshot() noexcept { return snapshots_.latest(); }
+  [[nodiscard]] bool nextEvent(DeviceEvent& event) noexcept { return events_.pop(event); }
   void wishForce(bool on) noexcept { forceWished_.store(on, std::memory_order_relaxed); }
   void wishCalibration() noexcept { calibrationWished_.store(true, std::memory_order_relaxed); }
   /// Ends the frames: zero force from the next one on. After the return the tick function is never called
@@ -127,7 +125,7 @@ class HdapiServo {
   void lose(const hd::ErrorInfo& error, std::int64_t now_us) noexcept;
   HdapiErrors drain(std::int64_t now_us) noexcept;
   void publish() noexcept;
-  void note(HdapiEvent::Kind kind, std::int64_t now_us, std::uint32_t value = 0,
+  void note(DeviceEvent::Kind kind, std::int64_t now_us, std::uint32_t value = 0,
             const hd::ErrorInfo& error = {}) noexcept;
 
   const hd::Api& api_;
@@ -142,7 +140,7 @@ class HdapiServo {
   PositionLiveness liveness_;
   ButtonFilter buttons_;
   ForceGate gate_;
-  HdapiSnapshot snapshot_;
+  DeviceSnapshot snapshot_;
   HdapiForce command_;
   Vec3 rendered_N_;  // by the last frame, over mailboxes
   DeviceReading reading_;
@@ -166,8 +164,8 @@ class HdapiServo {
   // Between threads.
   LatestValue<Reading> readings_;
   LatestValue<HdapiForce> forces_;
-  LatestValue<HdapiSnapshot> snapshots_;
-  SpscRing<HdapiEvent> events_;
+  LatestValue<DeviceSnapshot> snapshots_;
+  SpscRing<DeviceEvent> events_;
   std::atomic<bool> forceWished_{false};
   std::atomic<bool> calibrationWished_{false};
   std::atomic<bool> dropAsked_{false};

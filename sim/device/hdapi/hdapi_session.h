@@ -25,20 +25,6 @@ struct HdapiOptions {
   std::shared_ptr<const Clock> clock;    ///< null: the machine's monotonic clock
 };
 
-/// What the device reports about itself, and what had to be assumed because its report made no sense.
-struct HdapiIdentity {
-  std::string model;
-  std::string vendor;
-  std::string serial;
-  std::string driverVersion;
-  std::string libraryVersion;
-  std::string openedAs;  ///< the name that worked; "default device" for none
-  int inputDof = 0;
-  int outputDof = 0;
-  std::vector<Text> assumed;  ///< "maximum force", "usable workspace" ...
-  std::vector<Text> notes;    ///< sentences for the user
-};
-
 struct ServoEntry;
 
 /// One connection to one device, from hdInitDevice to hdDisableDevice, and the order of everything between:
@@ -62,7 +48,7 @@ class HdapiSession {
 
   [[nodiscard]] HdapiServo& servo() noexcept { return *servo_; }
   [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept { return capabilities_; }
-  [[nodiscard]] const HdapiIdentity& identity() const noexcept { return identity_; }
+  [[nodiscard]] const DeviceIdentity& identity() const noexcept { return identity_; }
 
  private:
   void open(const std::string& deviceName);
@@ -85,7 +71,7 @@ class HdapiSession {
   bool served_ = false;   // ... and did not fail
   DevicePlacement placement_;
   DeviceCapabilities capabilities_;
-  HdapiIdentity identity_;
+  DeviceIdentity identity_;
   std::unique_ptr<HdapiServo> servo_;
   ServoEntry* entry_ = nullptr;  // never freed: the library may call after hdUnschedule
   bool claimed_ = false;         // the process's one session

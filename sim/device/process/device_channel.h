@@ -10,13 +10,14 @@
 #include "sim/base/text.h"
 #include "sim/device/hdapi/hdapi_device.h"
 #include "sim/device/hdapi/hdapi_library.h"
+#include "sim/device/process/shared_events.h"
 #include "sim/device/process/shared_value.h"
 
 namespace torsio {
 
 /// Version of the memory that the program and its device process share: both are installed together, and a
 /// device process of another build refuses to work.
-inline constexpr std::uint32_t kChannelVersion = 1;
+inline constexpr std::uint32_t kChannelVersion = 2;
 /// File number under which the device process finds the shared memory.
 inline constexpr int kChannelFile = 3;
 /// File number of the pipe whose other end the program holds: when it is closed, the program is gone.
@@ -56,7 +57,8 @@ struct DeviceChannel {
   std::atomic<std::uint64_t> frames{0};  ///< counts calls of the library's servo
   SharedValue<HdapiServo::Reading> reading;
   SharedValue<HdapiForce> force;
-  SharedValue<HdapiSnapshot> snapshot;
+  SharedValue<DeviceSnapshot> snapshot;
+  SharedEvents<DeviceEvent, 256> events;
 };
 
 /// What the device process found, in words.
@@ -66,7 +68,7 @@ struct ChannelReport {
   Text where;
   Text remedy;
   DeviceCapabilities capabilities;
-  HdapiIdentity identity;
+  DeviceIdentity identity;
 };
 
 /// Writes and reads a report as bytes. A report that cannot be read is empty; sizes are checked.

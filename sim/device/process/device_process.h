@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
+#include "sim/device/haptic_device.h"
 #include "sim/device/hdapi/hdapi_library.h"
 #include "sim/device/hdapi/hdapi_session.h"
-#include "sim/device/hdapi/stylus_driver.h"
 
 namespace torsio {
 
@@ -23,7 +23,7 @@ struct StylusRequest {
 /// What came of it: a library that is not there is no error here.
 struct StylusOpening {
   HdapiLibrary library;                  ///< without the functions when the driver runs elsewhere
-  std::unique_ptr<StylusDriver> driver;  ///< null unless the library was loaded
+  std::unique_ptr<HapticDevice> driver;  ///< null unless the library was loaded
 };
 
 /// Starts the device process (`torsio-device`, beside the running program, or the one that

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "sim/base/error.h"
+#include "sim/device/hdapi/hdapi_errors.h"
 #include "sim/device/process/device_channel.h"
 #include "sim/device/process/device_process.h"
 
@@ -153,7 +154,7 @@ class Child {
 };
 
 /// A stylus whose driver runs in the device process.
-class ProcessDevice final : public StylusDriver {
+class ProcessDevice final : public HapticDevice {
  public:
   ProcessDevice(std::unique_ptr<Child> child, const ChannelReport& report, std::int64_t patience_us,
                 std::function<bool()> cancelled)
@@ -161,15 +162,19 @@ class ProcessDevice final : public StylusDriver {
         report_(report),
         patience_us_(patience_us),
         cancelled_(std::move(cancelled)) {
-    snapshot_.state = HdapiState::kOpened;
+    snapshot_.state = DeviceState::kOpened;
   }
   ~ProcessDevice() override { (void)close(); }
 
   void serve() override;
   bool close() override;
   void enableForce(bool on) noexcept override { child_->channel().forceWished.store(on); }
-  [[nodiscard]] HdapiSnapshot snapshot() noexcept override;
-  [[nodiscard]] const HdapiIdentity& identity() const noexcept override { return report_.identity; }
+  [[nodiscard]] DeviceSnapshot snapshot() noexcept override;
+  [[nodiscard]] bool nextEvent(DeviceEvent& event) noexcept override {
+    return child_->channel().events.next(taken_, event);
+  }
+  [[nodiscard]] Text lossText(std::uint32_t code) const override { return hdapiErrorText(code); }
+  [[nodiscard]] const DeviceIdentity& identity() const noexcept override { return report_.identity; }
   [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override {
     return report_.capabilities;
   }
@@ -192,7 +197,8 @@ class ProcessDevice final : public StylusDriver {
   std::atomic<bool> ending_{false};
   bool closed_ = false;
   bool released_ = false;
-  HdapiSnapshot snapshot_;
+  DeviceSnapshot snapshot_;
+  std::uint64_t taken_ = 0;  // events
   HdapiForce force_;
   HdapiServo::Reading reading_;
   std::int64_t lastNew_us_ = 0;
@@ -247,8 +253,8 @@ void ProcessDevice::watch() noexcept {
     const std::uint64_t seen = channel.frames.load(std::memory_order_acquire);
     still = seen != frames || seen == 0 ? 0 : still + 1;
     frames = seen;
-    const std::optional<HdapiSnapshot> snapshot = channel.snapshot.latest();
-    const bool over = snapshot && snapshot->state == HdapiState::kLost;  // said by the driver itself
+    const std::optional<DeviceSnapshot> snapshot = channel.snapshot.latest();
+    const bool over = snapshot && snapshot->state == DeviceState::kLost;  // said by the driver itself
     if (child_->gone() || (still >= kLooksForgiven && !over)) {
       lost_.store(true);
       child_->end();
@@ -257,17 +263,17 @@ void ProcessDevice::watch() noexcept {
   }
 }
 
-HdapiSnapshot ProcessDevice::snapshot() noexcept {
-  if (const std::optional<HdapiSnapshot> newest = child_->channel().snapshot.latest()) {
+DeviceSnapshot ProcessDevice::snapshot() noexcept {
+  if (const std::optional<DeviceSnapshot> newest = child_->channel().snapshot.latest()) {
     snapshot_ = *newest;
   }
   if (lost_.load()) {
-    snapshot_.state = HdapiState::kLost;
+    snapshot_.state = DeviceState::kLost;
     snapshot_.lostBecause = snapshot_.lostBecause == hd::kSuccess ? hd::kDeviceFault : snapshot_.lostBecause;
     snapshot_.forceOn = false;  // its process is gone
   }
   if (closed_) {
-    snapshot_.state = HdapiState::kClosed;
+    snapshot_.state = DeviceState::kClosed;
   }
   return snapshot_;
 }

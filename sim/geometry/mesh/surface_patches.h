@@ -63,6 +63,8 @@ class SurfacePatches {
   [[nodiscard]] const TriangleMesh::Triangle& corners(std::uint32_t triangle) const noexcept {
     return triangles_[triangle];
   }
+  /// Returns the number of triangles.
+  [[nodiscard]] std::size_t triangles() const noexcept { return triangles_.size(); }
   /// Returns the triangles round a vertex.
   [[nodiscard]] std::span<const std::uint32_t> ring(std::uint32_t vertex) const noexcept {
     return std::span(ring_).subspan(ringBegins_[vertex], ringBegins_[vertex + 1] - ringBegins_[vertex]);

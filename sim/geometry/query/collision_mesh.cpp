@@ -88,6 +88,9 @@ struct CollisionMesh::Hierarchy {
   /// `look`: a triangle's own.
   template <typename Nearest, typename Bound, typename Look>
   void search(Nearest& best, std::uint32_t& triangle, const Bound& bound2, const Look& look) const noexcept;
+  /// Begins a search with the triangle `hint`, if there is one.
+  template <typename Nearest, typename Look>
+  void begin(Nearest& best, std::uint32_t& triangle, std::uint32_t hint, const Look& look) const noexcept;
 };
 
 namespace {
@@ -185,6 +188,20 @@ void CollisionMesh::Hierarchy::search(Nearest& best, std::uint32_t& triangle, co
   }
 }
 
+// What is found first does not count: of equally near ones the lowest index is taken whenever it is met.
+template <typename Nearest, typename Look>
+void CollisionMesh::Hierarchy::begin(Nearest& best, std::uint32_t& triangle, std::uint32_t hint,
+                                     const Look& look) const noexcept {
+  if (hint >= corners.size()) {
+    return;
+  }
+  const Nearest n = look(corners[hint]);
+  if (squaredDistance(n) < squaredDistance(best)) {
+    best = n;
+    triangle = hint;
+  }
+}
+
 namespace {
 
 const TriangleMesh& solid(const TriangleMesh& mesh) {
@@ -209,13 +226,16 @@ CollisionMesh::~CollisionMesh() = default;
 CollisionMesh::CollisionMesh(CollisionMesh&&) noexcept = default;
 CollisionMesh& CollisionMesh::operator=(CollisionMesh&&) noexcept = default;
 
-SurfacePoint CollisionMesh::closest(const Vec3& point_m) const noexcept {
+SurfacePoint CollisionMesh::closest(const Vec3& point_m, std::uint32_t hint) const noexcept {
   SurfacePoint surface;
   std::uint32_t triangle = 0;
   NearestOnTriangle best;
+  const auto look = [&point_m](const TriangleCorners& corners) {
+    return nearestOnTriangle(point_m, corners);
+  };
+  hierarchy_->begin(best, triangle, hint, look);
   hierarchy_->search(
-      best, triangle, [&point_m](const fcl::AABBd& box) { return boxDistance2(box, point_m); },
-      [&point_m](const TriangleCorners& corners) { return nearestOnTriangle(point_m, corners); });
+      best, triangle, [&point_m](const fcl::AABBd& box) { return boxDistance2(box, point_m); }, look);
   surface.triangle = triangle;
   surface.normal = hierarchy_->normals[triangle][best.feature];
   surface.position_m = hierarchy_->corners[triangle].a;
@@ -232,8 +252,7 @@ SurfacePoint CollisionMesh::closest(const Vec3& point_m) const noexcept {
   return surface;
 }
 
-SegmentHit CollisionMesh::nearest(const Segment& segment, double reach_m) const noexcept {
-  constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
+SegmentHit CollisionMesh::nearest(const Segment& segment, double reach_m, std::uint32_t hint) const noexcept {
   SegmentHit hit;
   if (!isFinite(segment.from_m) || !isFinite(segment.to_m)) {
     return hit;
@@ -241,11 +260,12 @@ SegmentHit CollisionMesh::nearest(const Segment& segment, double reach_m) const 
   const Reaching reaching(segment);
   NearestToSegment best;
   best.on.distance2 = reach_m * reach_m;
-  std::uint32_t triangle = kNone;
+  std::uint32_t triangle = kNoTriangle;
+  const auto look = [&segment](const TriangleCorners& corners) { return nearestToSegment(segment, corners); };
+  hierarchy_->begin(best, triangle, hint, look);
   hierarchy_->search(
-      best, triangle, [&reaching](const fcl::AABBd& box) { return reaching.distance2(box); },
-      [&segment](const TriangleCorners& corners) { return nearestToSegment(segment, corners); });
-  if (triangle == kNone) {
+      best, triangle, [&reaching](const fcl::AABBd& box) { return reaching.distance2(box); }, look);
+  if (triangle == kNoTriangle) {
     return hit;
   }
   hit.found = true;

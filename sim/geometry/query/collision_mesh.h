@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "sim/base/vec3.h"
@@ -27,13 +28,15 @@ class CollisionMesh {
   /// Returns the nearest surface point. The sign of the distance comes from the pseudonormal of the face,
   /// edge or vertex on which the point lies (Baerentzen and Aanaes 2005), which is exact for a closed
   /// surface; on the surface itself the distance is zero. A point that is not finite gets an infinite
-  /// distance.
-  [[nodiscard]] SurfacePoint closest(const Vec3& point_m) const noexcept;
+  /// distance. `hint`: a triangle that may be near, which makes the query quick and changes no answer.
+  [[nodiscard]] SurfacePoint closest(const Vec3& point_m, std::uint32_t hint = kNoTriangle) const noexcept;
 
   /// Returns the closest pair of surface and segment when it is nearer than `reach_m`; a small reach makes
   /// the query quick. The sign of the distance belongs to the segment's point. A segment that pierces the
   /// surface has distance 0 there; a surface that is merely touched by a segment inside has a negative one.
-  [[nodiscard]] SegmentHit nearest(const Segment& segment, double reach_m) const noexcept;
+  /// `hint` as for closest().
+  [[nodiscard]] SegmentHit nearest(const Segment& segment, double reach_m,
+                                   std::uint32_t hint = kNoTriangle) const noexcept;
 
   /// Returns the patches for queries of the surface in a deformed state (deformed_surface.h).
   [[nodiscard]] const SurfacePatches& patches() const noexcept { return patches_; }

@@ -25,17 +25,21 @@ struct Best {
   std::uint32_t triangle = 0;
 };
 
-/// `moved`: the patch's vertex k.
-template <typename Moved>
-void look(const Segment& segment, std::span<const SurfacePatches::Facet> facets, const Moved& moved,
-          Best& best) noexcept {
-  for (const SurfacePatches::Facet& facet : facets) {
+/// Distance of a segment from a triangle, from below.
+double nearerThan_m(const Segment& segment, const TriangleCorners& corners) noexcept {
+  const Vec3 toA = segment.at(nearestAlong(segment, corners.a)) - corners.a;
+  const Vec3 ab = corners.b - corners.a;
+  const Vec3 ac = corners.c - corners.a;
+  return std::sqrt(dot(toA, toA)) - std::sqrt(std::max(dot(ab, ab), dot(ac, ac)));
+}
+
+/// `moved`: vertex k of those that the facets name.
+template <typename Facet, typename Moved>
+void look(const Segment& segment, std::span<const Facet> facets, const Moved& moved, Best& best) noexcept {
+  for (const Facet& facet : facets) {
     const TriangleCorners corners{moved(facet.corner[0]), moved(facet.corner[1]), moved(facet.corner[2])};
     // Most triangles of a patch are farther than their own size.
-    const Vec3 toA = segment.at(nearestAlong(segment, corners.a)) - corners.a;
-    const Vec3 ab = corners.b - corners.a;
-    const Vec3 ac = corners.c - corners.a;
-    const double near_m = std::sqrt(dot(toA, toA)) - std::sqrt(std::max(dot(ab, ab), dot(ac, ac)));
+    const double near_m = nearerThan_m(segment, corners);
     if (near_m > 0.0 && near_m * near_m > best.pair.on.distance2) {
       continue;
     }
@@ -84,16 +88,45 @@ class OpenList {
 
 }  // namespace
 
+bool FacetList::add(std::uint32_t triangle, const std::array<std::uint32_t, 3>& corners) noexcept {
+  if (facetCount == kMostFacets) {
+    return false;
+  }
+  Facet& facet = facets[facetCount];
+  facet.triangle = triangle;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto* const end = vertices.data() + vertexCount;
+    const auto* const known = std::find(vertices.data(), vertices.data() + vertexCount, corners[k]);
+    if (known == end) {
+      if (vertexCount == kMostVertices) {
+        return false;
+      }
+      vertices[vertexCount++] = corners[k];
+    }
+    facet.corner[k] = static_cast<std::uint8_t>(known - vertices.data());
+  }
+  ++facetCount;
+  return true;
+}
+
 DeformedSurface::DeformedSurface(const SurfacePatches& patches, const VertexPlaces& places) noexcept
-    : patches_(patches), places_(places) {
-  const auto groups = patches.groups();
+    : patches_(patches), places_(places) {}
+
+void DeformedSurface::moveSeeds() noexcept {
+  if (seeded_) {
+    return;
+  }
+  seeded_ = true;
+  const auto groups = patches_.groups();
   for (std::size_t g = 0; g < groups.size(); ++g) {
     groups_m_[g] = kept(place(groups[g].seed));
   }
-  for (const SurfacePatches::Neighbours& pair : patches.neighbours()) {
-    const double apart_m = norm(at(groups_m_[pair.one]) - at(groups_m_[pair.other]));
-    stretch_ = std::max(stretch_, apart_m / pair.apart_m);
+  double stretch2 = 1.0;
+  for (const SurfacePatches::Neighbours& pair : patches_.neighbours()) {
+    const Vec3 way = at(groups_m_[pair.one]) - at(groups_m_[pair.other]);
+    stretch2 = std::max(stretch2, dot(way, way) / (pair.apart_m * pair.apart_m));
   }
+  stretch_ = std::sqrt(stretch2);
 }
 
 // Moves the seeds of its patches, which also tell how the surface is stretched here.
@@ -136,10 +169,20 @@ std::uint32_t DeformedSurface::movePatch(std::size_t patch) noexcept {
   return movedAt_[patch] = first;
 }
 
-SegmentHit DeformedSurface::nearest(const Segment& segment, double reach_m) noexcept {
+SegmentHit DeformedSurface::nearest(const Segment& segment, double reach_m, std::uint32_t hint) noexcept {
+  moveSeeds();
   OpenList open;
   Best best;
   best.pair.on.distance2 = reach_m * reach_m;
+  bool found = false;
+  if (hint < patches_.triangles()) {
+    const TriangleMesh::Triangle& t = patches_.corners(hint);
+    const NearestToSegment pair = nearestToSegment(segment, {place(t[0]), place(t[1]), place(t[2])});
+    if (pair.on.distance2 < best.pair.on.distance2) {
+      best = {pair, hint};
+      found = true;
+    }
+  }
   const auto within = [&best](double bound_m) {
     return bound_m <= 0.0 || bound_m * bound_m <= best.pair.on.distance2;
   };
@@ -153,7 +196,6 @@ SegmentHit DeformedSurface::nearest(const Segment& segment, double reach_m) noex
   for (std::size_t g = 0; g < groups.size(); ++g) {
     add(groups_m_[g], bounded(stretch_) * groups[g].radius_m, g, true);
   }
-  bool found = false;
   while (!open.empty()) {
     const OpenList::Entry top = open.pop();
     if (!within(top.bound_m)) {
@@ -176,26 +218,73 @@ SegmentHit DeformedSurface::nearest(const Segment& segment, double reach_m) noex
         [this, first](std::size_t vertex) { return at(moved_m_[first + vertex]); }, best);
     found = found || best.pair.on.distance2 < before2;
   }
+  return found ? hitOf(segment, best.pair.along, best.triangle, best.pair.on) : SegmentHit{};
+}
+
+SegmentHit DeformedSurface::hitOf(const Segment& segment, double along, std::uint32_t triangle,
+                                  const NearestOnTriangle& on) const noexcept {
   SegmentHit hit;
-  hit.found = found;
-  if (!found) {
-    return hit;
-  }
-  hit.along = best.pair.along;
-  hit.surface.triangle = best.triangle;
-  hit.surface.position_m = best.pair.on.point;
-  hit.surface.normal = featureNormal(best.triangle, best.pair.on.feature);
-  hit.surface.barycentric[0] = best.pair.on.u;
-  hit.surface.barycentric[1] = best.pair.on.v;
-  hit.surface.barycentric[2] = best.pair.on.w;
-  const double distance_m = std::sqrt(best.pair.on.distance2);
-  const Vec3 way = segment.at(hit.along) - best.pair.on.point;
+  hit.found = true;
+  hit.along = along;
+  hit.surface.triangle = triangle;
+  hit.surface.position_m = on.point;
+  hit.surface.normal = featureNormal(triangle, on.feature);
+  hit.surface.barycentric[0] = on.u;
+  hit.surface.barycentric[1] = on.v;
+  hit.surface.barycentric[2] = on.w;
+  const double distance_m = std::sqrt(on.distance2);
+  const Vec3 way = segment.at(along) - on.point;
   hit.surface.distance_m = dot(way, hit.surface.normal) < 0.0 ? -distance_m : distance_m;
   return hit;
 }
 
-SurfacePoint DeformedSurface::closest(const Vec3& point_m) noexcept {
-  const SegmentHit hit = nearest({point_m, point_m}, kInfinity);
+SegmentHit DeformedSurface::nearestAmong(const Segment& segment, const FacetList& list) const noexcept {
+  std::array<Place, FacetList::kMostVertices> moved_m;
+  for (std::size_t v = 0; v < list.vertexCount; ++v) {
+    moved_m[v] = kept(place(list.vertices[v]));
+  }
+  Best best;
+  best.triangle = kNoTriangle;
+  look(
+      segment, std::span(list.facets).first(list.facetCount),
+      [&moved_m](std::size_t vertex) { return at(moved_m[vertex]); }, best);
+  return best.triangle == kNoTriangle ? SegmentHit{}
+                                      : hitOf(segment, best.pair.along, best.triangle, best.pair.on);
+}
+
+bool DeformedSurface::gather(const Segment& segment, double reach_m, FacetList& out) noexcept {
+  moveSeeds();
+  out.facetCount = 0;
+  out.vertexCount = 0;
+  const auto groups = patches_.groups();
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (distance(segment, at(groups_m_[g])) - bounded(stretch_) * groups[g].radius_m > reach_m) {
+      continue;
+    }
+    if (!opened_[g]) {
+      openGroup(g);
+    }
+    for (std::size_t p = groups[g].firstPatch; p < groups[g].firstPatch + groups[g].patchCount; ++p) {
+      if (distance(segment, at(patches_m_[p])) - radii_m_[p] > reach_m) {
+        continue;
+      }
+      const std::uint32_t first = movePatch(p);
+      for (const SurfacePatches::Facet& facet : patches_.facets(patches_.patches()[p])) {
+        const TriangleCorners corners{at(moved_m_[first + facet.corner[0]]),
+                                      at(moved_m_[first + facet.corner[1]]),
+                                      at(moved_m_[first + facet.corner[2]])};
+        if (!(nearerThan_m(segment, corners) > reach_m) &&
+            !out.add(facet.triangle, patches_.corners(facet.triangle))) {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+SurfacePoint DeformedSurface::closest(const Vec3& point_m, std::uint32_t hint) noexcept {
+  const SegmentHit hit = nearest({point_m, point_m}, kInfinity, hint);
   if (hit.found) {
     return hit.surface;
   }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "sim/geometry/mesh/nearest_on_triangle.h"
 #include "sim/geometry/mesh/segment.h"
 #include "sim/geometry/mesh/surface_patches.h"
 #include "sim/geometry/query/surface_point.h"
@@ -17,9 +18,27 @@ struct VertexPlaces {
   Vec3 (*at)(const void* self, std::uint32_t vertex) noexcept = nullptr;
 };
 
+/// Some triangles that lie together, with the vertices that they share. Fixed size, trivially copyable.
+struct FacetList {
+  static constexpr std::size_t kMostFacets = 128;
+  static constexpr std::size_t kMostVertices = 128;
+
+  struct Facet {
+    std::uint32_t triangle;
+    std::array<std::uint8_t, 3> corner;  ///< in `vertices`
+  };
+  std::array<Facet, kMostFacets> facets;
+  std::array<std::uint32_t, kMostVertices> vertices;
+  std::size_t facetCount = 0;
+  std::size_t vertexCount = 0;
+
+  /// Adds a triangle with these vertices; false when it does not fit.
+  [[nodiscard]] bool add(std::uint32_t triangle, const std::array<std::uint32_t, 3>& corners) noexcept;
+};
+
 /// A surface in one deformed state, for the queries of one tick: exact on the triangles of the moved
-/// vertices, yet only some hundred of them are moved. On construction one seed a group of patches is moved;
-/// a query visits groups and patches nearest first and moves the vertices of those that can hold the
+/// vertices, yet only some hundred of them are moved. For the first query one seed a group of patches is
+/// moved; a query visits groups and patches nearest first and moves the vertices of those that can hold the
 /// answer. Moved patches stay for the next queries, with their exact radius.
 ///
 /// A patch is taken to lie within its rest radius times the stretch about its seed: the largest ratio of
@@ -32,14 +51,20 @@ struct VertexPlaces {
 /// order.
 class DeformedSurface {
  public:
-  /// Moves the seeds of all groups. `patches` and what `places` points to outlive the object.
+  /// Moves nothing yet. `patches` and what `places` points to outlive the object.
   DeformedSurface(const SurfacePatches& patches, const VertexPlaces& places) noexcept;
 
   /// Returns the closest pair of surface and segment when it is nearer than `reach_m`; signs and normals as
-  /// CollisionMesh::nearest.
-  [[nodiscard]] SegmentHit nearest(const Segment& segment, double reach_m) noexcept;
+  /// CollisionMesh::nearest. `hint`: a triangle that may be near, which makes the query quick.
+  [[nodiscard]] SegmentHit nearest(const Segment& segment, double reach_m,
+                                   std::uint32_t hint = kNoTriangle) noexcept;
   /// Returns the nearest point of the deformed surface; signs and normals as CollisionMesh::closest.
-  [[nodiscard]] SurfacePoint closest(const Vec3& point_m) noexcept;
+  [[nodiscard]] SurfacePoint closest(const Vec3& point_m, std::uint32_t hint = kNoTriangle) noexcept;
+  /// Returns the closest pair of a segment and the triangles of a list, as nearest().
+  [[nodiscard]] SegmentHit nearestAmong(const Segment& segment, const FacetList& list) const noexcept;
+  /// Lists every triangle that comes nearer than `reach_m` to a segment, and some that do not. Returns false
+  /// when they do not fit.
+  [[nodiscard]] bool gather(const Segment& segment, double reach_m, FacetList& out) noexcept;
 
  private:
   // Without initial values: most of the arrays is never used, and to fill them takes longer than a query.
@@ -53,14 +78,18 @@ class DeformedSurface {
   static_assert(kMostMoved >= SurfacePatches::kMostVertices);
 
   [[nodiscard]] Vec3 place(std::uint32_t vertex) const noexcept { return places_.at(places_.self, vertex); }
+  void moveSeeds() noexcept;
   void openGroup(std::size_t group) noexcept;
   /// Moves the patch's vertices unless they are moved already; returns where they begin in moved_m_.
   std::uint32_t movePatch(std::size_t patch) noexcept;
+  [[nodiscard]] SegmentHit hitOf(const Segment& segment, double along, std::uint32_t triangle,
+                                 const NearestOnTriangle& on) const noexcept;
   [[nodiscard]] Vec3 faceNormal(std::uint32_t triangle) const noexcept;
   [[nodiscard]] Vec3 featureNormal(std::uint32_t triangle, std::uint8_t feature) const noexcept;
 
   const SurfacePatches& patches_;
   VertexPlaces places_;
+  bool seeded_ = false;   // the seeds of the groups are moved
   double stretch_ = 1.0;  // of the surface on the whole
   std::array<Place, SurfacePatches::kMostGroups> groups_m_;
   std::array<bool, SurfacePatches::kMostGroups> opened_{};

@@ -7,6 +7,9 @@
 
 namespace torsio {
 
+/// In place of the index of a triangle: none is known.
+inline constexpr std::uint32_t kNoTriangle = 0xFFFFFFFFU;
+
 /// Closest point of the organ's surface to a query point. Metres.
 struct SurfacePoint {
   Vec3 position_m;

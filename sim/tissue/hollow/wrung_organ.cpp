@@ -15,7 +15,6 @@ namespace torsio {
 
 namespace {
 
-constexpr double kAtmosphere_Pa = 101'325.0;
 constexpr double kThickest = 0.45;  // t / R
 constexpr int kPressureHalvings = 30;
 constexpr double kPull = 0.02;  // on free ends, over 2 pi R G t: what lies beyond pulls a little; assumed

@@ -11,6 +11,8 @@ namespace torsio {
 
 /// Pascals of a millimetre of mercury.
 inline constexpr double kPascalsPerMmHg = 133.322387415;
+/// Pressure outside an organ, Pa, to which that of a gas inside adds.
+inline constexpr double kAtmosphere_Pa = 101'325.0;
 
 /// The wall of an organ at one place as it is drawn: at its rest pressure.
 struct WallPlace {

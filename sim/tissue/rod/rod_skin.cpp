@@ -80,6 +80,13 @@ void smoothNodes(std::array<Pose, kMostRodNodes>& nodes, int count, int passes) 
   }
 }
 
+Vec3 placeIn_m(const RodCurve& c, std::size_t i, const Hermite& t) noexcept {
+  const double h = c.arcs_m[i + 1] - c.arcs_m[i];
+  const Vec3& a = c.nodes[i].position_m;
+  const Vec3& b = c.nodes[i + 1].position_m;
+  return t.from * a + t.to * b + h * (t.fromSlope * c.slopes[i] + t.toSlope * c.slopes[i + 1]);
+}
+
 // Point of element i, w in 0..1. The turn from its first node is 4 sigma, interpolated so that its rate at
 // both nodes is their bend: 4 d sigma = B(sigma) bend ds.
 CurvePoint pointOf(const RodCurve& c, std::size_t i, double w) noexcept {
@@ -88,9 +95,9 @@ CurvePoint pointOf(const RodCurve& c, std::size_t i, double w) noexcept {
   const Vec3& a = c.nodes[i].position_m;
   const Vec3& b = c.nodes[i + 1].position_m;
   CurvePoint p;
-  p.place_m = t.from * a + t.to * b + h * (t.fromSlope * c.slopes[i] + t.toSlope * c.slopes[i + 1]);
+  p.place_m = placeIn_m(c, i, t);
   p.slope = (t.rise / h) * (b - a) + t.fromSlopeRate * c.slopes[i] + t.toSlopeRate * c.slopes[i + 1];
-  const Vec3 last = turnRate(0.25 * c.turns[i]) * c.bends_per_m[i + 1];
+  const Vec3& last = c.lastRates[i];
   const Vec3 four = t.to * c.turns[i] + h * (t.fromSlope * c.bends_per_m[i] + t.toSlope * last);
   const Vec3 rate = (t.rise / h) * c.turns[i] + t.fromSlopeRate * c.bends_per_m[i] + t.toSlopeRate * last;
   const Vec3 sigma = 0.25 * four;
@@ -103,7 +110,13 @@ CurvePoint pointOf(const RodCurve& c, std::size_t i, double w) noexcept {
   return p;
 }
 
-CurvePoint pointAt(const RodCurve& c, double arc_m) noexcept {
+/// An element, and how far along it.
+struct ElementPlace {
+  std::size_t element = 0;
+  double share = 0.0;
+};
+
+ElementPlace elementAt(const RodCurve& c, double arc_m) noexcept {
   std::size_t low = 0;
   std::size_t high = at(c.count - 1);
   while (high - low > 1) {
@@ -111,7 +124,12 @@ CurvePoint pointAt(const RodCurve& c, double arc_m) noexcept {
     (c.arcs_m[middle] <= arc_m ? low : high) = middle;
   }
   const double w = (arc_m - c.arcs_m[low]) / (c.arcs_m[high] - c.arcs_m[low]);
-  return pointOf(c, low, std::clamp(w, 0.0, 1.0));
+  return {low, std::clamp(w, 0.0, 1.0)};
+}
+
+CurvePoint pointAt(const RodCurve& c, double arc_m) noexcept {
+  const ElementPlace place = elementAt(c, arc_m);
+  return pointOf(c, place.element, place.share);
 }
 
 // Bend over stretch of the axis: the inside of a section lies towards this direction.
@@ -183,12 +201,22 @@ double insideOfBend(const CurvePoint& p, const Vec3& point_m) noexcept {
   return 1.0 - fibre(p, {local.x, local.y}) / p.stretch;
 }
 
+// Place k of the curve that the search for the nearest one begins at.
+Vec3 sampleOf_m(const RodCurve& c, std::size_t k) noexcept {
+  const std::size_t element = k / RodCurve::kSamples;
+  if (element + 1 == at(c.count)) {
+    return c.nodes[element].position_m;
+  }
+  return placeIn_m(c, element, Hermite(static_cast<double>(k % RodCurve::kSamples) / RodCurve::kSamples));
+}
+
 double nearestSample(const RodCurve& c, const Vec3& point_m) noexcept {
   const std::size_t count = at((c.count - 1) * RodCurve::kSamples + 1);
   std::size_t nearest = 0;
-  double least = dot(c.samples_m[0] - point_m, c.samples_m[0] - point_m);
+  const Vec3 first = sampleOf_m(c, 0) - point_m;
+  double least = dot(first, first);
   for (std::size_t i = 1; i < count; ++i) {
-    const Vec3 aside = c.samples_m[i] - point_m;
+    const Vec3 aside = sampleOf_m(c, i) - point_m;
     if (dot(aside, aside) < least) {
       least = dot(aside, aside);
       nearest = i;
@@ -272,21 +300,20 @@ RodCurve RodSkin::curveOf(const RodPose& pose) const noexcept {
     c.slopes[i] = rotate(c.nodes[i].orientation, 0.5 * (stretches[before] + stretches[after]));
   }
   for (std::size_t i = 0; i < elements; ++i) {
-    for (int k = 0; k < RodCurve::kSamples; ++k) {
-      c.samples_m[i * RodCurve::kSamples + at(k)] =
-          pointOf(c, i, static_cast<double>(k) / RodCurve::kSamples).place_m;
-    }
+    c.lastRates[i] = turnRate(0.25 * c.turns[i]) * c.bends_per_m[i + 1];
   }
-  c.samples_m[elements * RodCurve::kSamples] = c.nodes[elements].position_m;
   return c;
 }
 
 RodSkinPlace RodSkin::placeAt(const Vec3& rest_m, double arc_m) const noexcept {
-  const CurvePoint p = pointAt(rest_, arc_m);
+  const ElementPlace along = elementAt(rest_, arc_m);
+  const CurvePoint p = pointOf(rest_, along.element, along.share);
   const Vec3 local = rotate(conjugate(p.turn), rest_m - p.place_m);
   const std::array<double, 2> u{local.x, local.y};
   RodSkinPlace place;
   place.arc_m = arc_m;
+  place.element = along.element;
+  place.share = along.share;
   place.section_m = straightened(u, inwards(p));
   const std::array<double, 2> back = bent(place.section_m, inwards(p));
   place.left_m = {u[0] - back[0], u[1] - back[1]};
@@ -302,7 +329,7 @@ RodSkinPlace RodSkin::placeOf(const Vec3& rest_m) const noexcept {
 }
 
 Vec3 RodSkin::positionOf_m(const RodSkinPlace& place, const RodCurve& curve) const noexcept {
-  const CurvePoint p = pointAt(curve, place.arc_m);
+  const CurvePoint p = pointOf(curve, place.element, place.share);
   const double thin = std::sqrt(place.restStretch / p.stretch);
   const std::array<double, 2> u = bent({thin * place.section_m[0], thin * place.section_m[1]}, inwards(p));
   const double longer = fibre(p, u) / place.restFibre;

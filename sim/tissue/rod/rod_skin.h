@@ -24,7 +24,7 @@ struct RodCurve {
   std::array<Vec3, kMostRodNodes> slopes{};       ///< d place / d arc
   std::array<Vec3, kMostRodNodes> bends_per_m{};  ///< curvature in the axes of the node
   std::array<Vec3, kMostRodNodes> turns{};        ///< 4 sigma from a node to the next
-  std::array<Vec3, kMostRodNodes * kSamples> samples_m{};
+  std::array<Vec3, kMostRodNodes> lastRates{};    ///< d (4 sigma) / d arc at the end of that element
 
   /// Returns the length of the curve at rest.
   [[nodiscard]] double length_m() const noexcept {
@@ -37,6 +37,8 @@ static_assert(std::is_trivially_copyable_v<RodCurve>);
 /// distance from the section beyond an end.
 struct RodSkinPlace {
   double arc_m = 0.0;                 ///< along the rod at rest, from node 0
+  std::size_t element = 0;            ///< that arc_m lies in
+  double share = 0.0;                 ///< of the way along that element, 0..1
   std::array<double, 2> section_m{};  ///< in the section, brought to a straight axis
   double beyond_m = 0.0;              ///< along the tangent, where the point lies in a cap
   double restStretch = 1.0;           ///< Gamma3 of the curve at rest

@@ -235,21 +235,21 @@ ValueSlope TorsionTable::share(double x, double g) const noexcept {
   return {here.value / reference, here.slope / reference};
 }
 
-ValueSlope TorsionTable::blendedShare(double x, double g, double width) const noexcept {
-  const double at = graspAt(g);
-  const ValueSlope risingGrasp = rising_.at(at);
-  const double fallingGrasp = falling_.value(at);
-  const ValueSlope up = rising_.at(x);
-  const ValueSlope down = falling_.at(x);
-  const double nearSlope = up.slope / risingGrasp.value;
-  const double farSlope = down.slope / fallingGrasp;
-  const double value = x <= at ? up.value / risingGrasp.value : down.value / fallingGrasp;
+double TorsionTable::blendedSlopeOf(const Place& x, const Place& grasp, double width) noexcept {
+  const double nearSlope = x.rising.slope / grasp.rising.value;
+  const double farSlope = x.falling.slope / grasp.falling.value;
   // In compliance, not in length: the view kernels know no more of a vertex than its compliance.
-  const double range = width * risingGrasp.slope;
-  const double t = range > 0.0 ? std::clamp(0.5 + (risingGrasp.value - up.value) / range, 0.0, 1.0)
-                               : (x <= at ? 1.0 : 0.0);
+  const double range = width * grasp.rising.slope;
+  const double t = range > 0.0 ? std::clamp(0.5 + (grasp.rising.value - x.rising.value) / range, 0.0, 1.0)
+                               : (x.arc_m <= grasp.arc_m ? 1.0 : 0.0);
   const double blend = t * t * (3.0 - 2.0 * t);
-  return {value, farSlope + (nearSlope - farSlope) * blend};
+  return farSlope + (nearSlope - farSlope) * blend;
+}
+
+ValueSlope TorsionTable::blendedShare(double x, double g, double width) const noexcept {
+  const Place here = placeAt(x);
+  const Place grasp = placeAt(graspAt(g));
+  return {shareOf(here, grasp), blendedSlopeOf(here, grasp, width)};
 }
 
 }  // namespace torsio

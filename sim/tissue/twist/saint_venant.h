@@ -75,6 +75,12 @@ class SectionProfile {
 /// of the tridiagonal system on the nodes, factored once.
 class TorsionTable {
  public:
+  /// An arc length with both factors there.
+  struct Place {
+    double arc_m = 0.0;
+    ValueSlope rising;   ///< A
+    ValueSlope falling;  ///< B
+  };
   struct Foundation {
     double length_m = 0.0;  ///< sqrt(G J / k) with the mean G J; 0: none
   };
@@ -94,6 +100,15 @@ class TorsionTable {
   /// Returns the share phi(x) / phi(g) with its slope blended over `width` about g, so that quantities that
   /// follow the slope do not jump there.
   [[nodiscard]] ValueSlope blendedShare(double x, double g, double width) const noexcept;
+  /// Returns the factors at x.
+  [[nodiscard]] Place placeAt(double x) const noexcept { return {x, rising_.at(x), falling_.at(x)}; }
+  /// Returns the value of share() at a place that is known, for a grasp at graspAt(g).
+  [[nodiscard]] static double shareOf(const Place& x, const Place& grasp) noexcept {
+    return x.arc_m <= grasp.arc_m ? x.rising.value / grasp.rising.value
+                                  : x.falling.value / grasp.falling.value;
+  }
+  /// Returns the slope of blendedShare() at a place that is known, for a grasp at graspAt(g).
+  [[nodiscard]] static double blendedSlopeOf(const Place& x, const Place& grasp, double width) noexcept;
   /// Returns the factor A(x).
   [[nodiscard]] ValueSlope rising(double x) const noexcept { return rising_.at(x); }
   /// Returns the factor B(x).

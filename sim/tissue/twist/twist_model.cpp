@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 
 #include "sim/base/error.h"
@@ -163,6 +164,30 @@ Vec3 TwistModel::toDeformed_m(const Vec3& rest_m, const TwistState& state) const
     return rest_m;
   }
   return map.forward(rest_m, tables_->arcs.arcAt(lattice_, rest_m));
+}
+
+bool TwistModel::knowsWays() const noexcept {
+  return tables_->reach.bounded;
+}
+
+// A vertex turns about its line by at most the grasp's angle: a chord. Warping goes along that line.
+double TwistModel::farthestWay_m(const TwistState& from, const TwistState& to) const noexcept {
+  const Tables::Reach& reach = tables_->reach;
+  const auto perRadian_m = [&](double graspArc_m) {
+    const TorsionTable::Place grasp = tables_->twist.placeAt(tables_->twist.graspAt(graspArc_m));
+    const double slope =
+        std::max(reach.risingSlope / grasp.rising.value, reach.fallingSlope / grasp.falling.value);
+    return reach.radius_m + reach.warp_m2 * slope;
+  };
+  if (from.graspArc_m == to.graspArc_m) {
+    const double turned_rad = std::abs(to.graspAngle_rad - from.graspAngle_rad);
+    return turned_rad == 0.0 ? 0.0
+           : reach.bounded   ? turned_rad * perRadian_m(to.graspArc_m)
+                             : std::numeric_limits<double>::infinity();
+  }
+  const TwistState before{from.graspArc_m, 0.0};
+  const TwistState after{to.graspArc_m, 0.0};
+  return farthestWay_m(from, before) + farthestWay_m(after, to);  // by way of rest
 }
 
 void TwistModel::deform(const TwistState& state, std::span<Vec3> out_m) const noexcept {

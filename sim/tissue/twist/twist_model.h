@@ -130,6 +130,12 @@ class TwistModel {
   [[nodiscard]] Vec3 toRest_m(const Vec3& deformed_m, const TwistState& state) const noexcept;
   /// Maps a rest point of the organ (and directions with it) to its twisted place, without warping.
   [[nodiscard]] Vec3 toDeformed_m(const Vec3& rest_m, const TwistState& state) const noexcept;
+  /// Tells whether farthestWay_m is finite: not for the paper's displacements, stretch, or shares beyond
+  /// that of the grasp.
+  [[nodiscard]] bool knowsWays() const noexcept;
+  /// Returns a length that no point of the surface (vertices and triangles) goes from one state to the
+  /// other, m.
+  [[nodiscard]] double farthestWay_m(const TwistState& from, const TwistState& to) const noexcept;
   /// Computes all mesh vertices, twisted and warped, into `out_m`, one entry a mesh vertex.
   void deform(const TwistState& state, std::span<Vec3> out_m) const noexcept;
 

@@ -24,6 +24,7 @@ TwistMap::TwistMap(const TwistModel::Tables& tables, const SectionLattice& latti
       lattice_(lattice),
       angle_rad_(state.graspAngle_rad),
       graspArc_m_(tables.twist.graspAt(state.graspArc_m)),
+      grasp_(tables.twist.placeAt(graspArc_m_)),
       blend_m_(kBlendPerRadius * tables.radius.value(state.graspArc_m)),
       identity_(state.graspAngle_rad == 0.0) {
   if (tables.linear || tables.poynting) {
@@ -179,13 +180,20 @@ double TwistMap::warpingRate(double arc_m) const noexcept {
   return 0.0 + angle_rad_ * tables_.twist.blendedShare(arc_m, graspArc_m_, blend_m_).slope;
 }
 
+// forward() with what is known of a vertex.
+Vec3 TwistMap::turnedAbout(const Vec3& rest_m, const TwistVertex& vertex) const noexcept {
+  const double turn_rad = angle_rad_ * TorsionTable::shareOf(vertex.torsion, grasp_);
+  const Vec3 x = turned(rest_m, vertex.line, turn_rad);
+  return tables_.poynting ? stretched(x, vertex.line, vertex.arc_m) : x;
+}
+
 Vec3 TwistMap::vertex(const TwistVertex& vertex) const noexcept {
   if (identity_) {
     return vertex.rest_m;
   }
   if (tables_.linear) {
     const TwistLine& line = vertex.line;
-    const Vec3 moved = forward(vertex.rest_m, vertex.arc_m, line);
+    const Vec3 moved = turnedAbout(vertex.rest_m, vertex);
     if (vertex.arc_m > graspArc_m_) {
       return moved;
     }
@@ -196,10 +204,11 @@ Vec3 TwistMap::vertex(const TwistVertex& vertex) const noexcept {
     return moved + lift * line.direction;  // Eq. 23
   }
   if (vertex.warp_m2 == 0.0) {
-    return forward(vertex.rest_m, vertex.arc_m, vertex.line);
+    return turnedAbout(vertex.rest_m, vertex);
   }
-  const double along = vertex.warp_m2 * warpingRate(vertex.arc_m);
-  return forward(vertex.rest_m + along * vertex.line.direction, vertex.arc_m, vertex.line);
+  const double rate = 0.0 + angle_rad_ * TorsionTable::blendedSlopeOf(vertex.torsion, grasp_, blend_m_);
+  const double along = vertex.warp_m2 * rate;
+  return turnedAbout(vertex.rest_m + along * vertex.line.direction, vertex);
 }
 
 }  // namespace torsio

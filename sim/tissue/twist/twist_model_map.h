@@ -38,6 +38,7 @@ class TwistMap {
   [[nodiscard]] Vec3 turned(const Vec3& x, const TwistLine& axis, double angle_rad) const noexcept;
   [[nodiscard]] Vec3 turnedBack(const Vec3& x, const TwistLine& axis, double angle_rad) const noexcept;
   [[nodiscard]] double turnAt(double arc_m) const noexcept;
+  [[nodiscard]] Vec3 turnedAbout(const Vec3& rest_m, const TwistVertex& vertex) const noexcept;
   [[nodiscard]] Vec3 unwound(const Vec3& deformed_m, double arc_m) const noexcept;
   [[nodiscard]] double miss(const Vec3& deformed_m, double arc_m) const noexcept;
   [[nodiscard]] Vec3 stretched(const Vec3& rest_m, const TwistLine& line, double arc_m) const noexcept;
@@ -49,6 +50,7 @@ class TwistMap {
   const SectionLattice& lattice_;
   double angle_rad_ = 0.0;  // at the grasp
   double graspArc_m_ = 0.0;
+  TorsionTable::Place grasp_;
   double blend_m_ = 0.0;
   double torquePerBar_Nm_ = 0.0;  // lift and stretch hang on it
   bool identity_ = false;

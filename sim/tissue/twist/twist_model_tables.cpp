@@ -19,6 +19,7 @@ namespace torsio {
 namespace {
 
 constexpr int kStrainNodes = 65;
+constexpr double kShareRounding = 1e-12;
 constexpr double kHeldFade = 0.5;  // of the radius
 
 void checkNumber(double value, double low, double high, const char* name) {
@@ -73,6 +74,7 @@ class TableMaker {
     makeProfiles();
     tables_.arcs = ArcField(mesh_, lattice_);
     makeVertices();
+    makeReach();
     makePatches();
     if (options_.poynting) {
       makeElongation();
@@ -101,6 +103,7 @@ class TableMaker {
   void makeTwist();
   void makeProfiles();
   void makeVertices();
+  void makeReach();
   void makePatches();
   void makeElongation();
   void makeComponents();
@@ -200,7 +203,7 @@ void TableMaker::makeVertices() {
   const TwistMap map(tables_, lattice_, {});
   for (std::size_t v = 0; v < coordinates.size(); ++v) {
     const double arc = coordinates[v].arc_m;
-    TwistVertex vertex{mesh_.vertices_m[v], map.centreAt(arc), arc, 0.0};
+    TwistVertex vertex{mesh_.vertices_m[v], map.centreAt(arc), arc, 0.0, tables_.twist.placeAt(arc)};
     if (warped) {
       const double place = std::clamp(arc / step(), 0.0, static_cast<double>(intervals()));
       const std::size_t low = std::min(static_cast<std::size_t>(place), at(intervals() - 1));
@@ -211,6 +214,31 @@ void TableMaker::makeVertices() {
     }
     tables_.vertices.push_back(vertex);
   }
+}
+
+// The shares are at most 1 where A rises and B falls along the organ.
+void TableMaker::makeReach() {
+  TwistModel::Tables::Reach& reach = tables_.reach;
+  std::vector<const TwistVertex*> byArc;
+  for (const TwistVertex& vertex : tables_.vertices) {
+    byArc.push_back(&vertex);
+    reach.radius_m =
+        std::max(reach.radius_m, norm(cross(vertex.line.direction, vertex.rest_m - vertex.line.point_m)));
+    reach.warp_m2 = std::max(reach.warp_m2, std::abs(vertex.warp_m2));
+    reach.risingSlope = std::max(reach.risingSlope, std::abs(vertex.torsion.rising.slope));
+    reach.fallingSlope = std::max(reach.fallingSlope, std::abs(vertex.torsion.falling.slope));
+  }
+  std::sort(byArc.begin(), byArc.end(),
+            [](const TwistVertex* a, const TwistVertex* b) { return a->arc_m < b->arc_m; });
+  const double rounding = kShareRounding * std::abs(tables_.twist.rising(length()).value);
+  const auto unordered = [rounding](const TwistVertex* a, const TwistVertex* b) {
+    const TorsionTable::Place& one = a->torsion;
+    const TorsionTable::Place& next = b->torsion;
+    return one.rising.value > next.rising.value + rounding || one.rising.value < -rounding ||
+           one.falling.value < next.falling.value - kShareRounding || next.falling.value < -kShareRounding;
+  };
+  reach.bounded = !tables_.linear && !options_.poynting &&
+                  std::adjacent_find(byArc.begin(), byArc.end(), unordered) == byArc.end();
 }
 
 void TableMaker::makePatches() {

@@ -22,7 +22,8 @@ struct TwistVertex {
   Vec3 rest_m;
   TwistLine line;
   double arc_m = 0.0;
-  double warp_m2 = 0.0;  ///< psi: displacement along the axis for a twist rate of 1 rad/m
+  double warp_m2 = 0.0;           ///< psi: displacement along the axis for a twist rate of 1 rad/m
+  TorsionTable::Place torsion{};  ///< of arc_m: a tick moves some hundred vertices and looks nothing up
 };
 
 /// A vertex between ridge K and the next one, for component kriging (Eq. 15).
@@ -62,6 +63,15 @@ struct TwistModel::Tables {
   std::shared_ptr<const KrigingTable> alongRidge;  ///< one row a vertex
 
   std::vector<TwistVertex> vertices;
+  /// What a vertex goes at most; for TwistModel::farthestWay_m.
+  struct Reach {
+    double radius_m = 0.0;  ///< from its line
+    double warp_m2 = 0.0;
+    double risingSlope = 0.0;
+    double fallingSlope = 0.0;
+    bool bounded = false;  ///< no vertex turns further than the grasp, and none is lifted or stretched
+  };
+  Reach reach;
   std::vector<double> patchArc_m;
   std::vector<double> patchShear_Pa_m;  ///< |tau| for unit twist rate
 };

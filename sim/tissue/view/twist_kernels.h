@@ -31,6 +31,30 @@ struct PaperFrame {
   float graspAngle = 0.0F;  ///< rad per N m at the grasp; sections beyond it follow rigidly
 };
 
+/// One quantity along three rows of a hollow organ, in rows from the middle one: two straight pieces that
+/// meet there, middle + slope place + kink |place|.
+struct KinkedLine {
+  float middle = 0.0F;
+  float slope = 0.0F;
+  float kink = 0.0F;
+};
+
+/// Two neighbouring cells of a span of a wrung hollow organ, as a frame of it is drawn.
+struct HollowCells {
+  KinkedLine turn;       ///< of the section, in half turns
+  KinkedLine radius;     ///< mean, against rest
+  KinkedLine amplitude;  ///< of the folds, against the mean radius
+  KinkedLine crest;      ///< waves times the angle to which the first crest has gone, in half turns
+};
+
+/// One frame of a span of a hollow organ (docs/model.md H.8).
+struct HollowFrame {
+  const HollowCells* cells = nullptr;  ///< that begin at each row of the span
+  float waves = 3.0F;                  ///< folds round the tube
+  float point[3] = {};                 ///< of the line that wound limbs turn about, m
+  float direction[3] = {};             ///< of that line
+};
+
 /// Component kriging of a set of key points as the paper prints it (Eq. 15): for each vertex eight weights
 /// along the ridge and a share of the next ridge.
 struct KrigedComponents {
@@ -59,6 +83,15 @@ struct TwistKernels {
   /// Moves vertices by the paper's linear rotation. in: rest[3] tangentCrossRadius[3] unitAngle arc lift[3]
   /// = 11 x 16 a block; out: 3 x 16.
   void (*paperLinear)(const float* in, int blocks, const PaperFrame& frame, float* out);
+  /// Moves vertices of a span with its folds, each about the axis of its own section. in: centre[3] across[3]
+  /// own[3] axis[3] height round place = 15 x 16 a block; `own`: the section's tangent, `axis`: what it turns
+  /// about; `height` along the tangent from the centre, m; `round`: ridge angle in half turns; `place`: rows
+  /// from the middle of the cells firstRows[block], -1 .. 1. out: 3 x 16.
+  void (*hollowOwn)(const float* in, const int* firstRows, int blocks, const HollowFrame& frame, float* out);
+  /// Moves vertices of limbs that are wound round the line of the frame. in: foot[3] across[3] own[3] round
+  /// place = 11 x 16 a block; `foot`: on the section's axis, against the point of the line. out: 3 x 16.
+  void (*hollowWound)(const float* in, const int* firstRows, int blocks, const HollowFrame& frame,
+                      float* out);
   /// Moves a lattice section by section, each section padded to whole blocks of 3 x 16; motions: 12 numbers
   /// a section, rows of the matrix, then the translation.
   void (*lattice)(const float* in, int sections, int blocksPerSection, const float* motions, float* out);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <atomic>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -127,6 +128,24 @@ TEST_F(Controller, ParksTheTipInFrontOfTheSectionToGrasp) {
   EXPECT_NEAR(controller_.scene()->collision.closest(tip).distance_m, 0.020, 0.003);
   tick(1);
   EXPECT_NEAR(controller_.nearby(controller_.state())->distance_m, 0.020 - 0.0025, 0.003);
+}
+
+TEST(ControllerOfAnUntwisting, ParksTheTipClearOfTheOrganAsItCame) {
+  SimulationController controller(loadSceneForView, {});
+  controller.setRealTime(false);
+  SceneRequest request;
+  request.assets = TORSIO_SOURCE_DIR "/assets";
+  request.id = "gastric-mesentero-axial";  // its free end came turned towards the viewer
+  request.pattern = "detorse";
+  controller.load(request);
+  ASSERT_TRUE(eventually([&] { return !controller.loading(); }));
+
+  controller.run()->step(1);
+
+  const LiveState state = controller.state();
+  EXPECT_EQ(state.phase, ExercisePhase::kTracking);
+  EXPECT_GT(std::abs(state.response.angle_rad), 1.0);
+  EXPECT_GT(controller.nearby(state)->distance_m, 0.015);
 }
 
 TEST_F(Controller, RecordsATrialFromItsFirstTick) {

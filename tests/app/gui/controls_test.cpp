@@ -185,6 +185,19 @@ TEST_F(Controls, DraggingTurnsTheNearSideOfTheTissueWithTheMouse) {
   EXPECT_EQ(controls_.input().onPlane_m, before);
 }
 
+TEST_F(Controls, AfterATurnTheTipComesUnderTheMouseAgain) {
+  press({480, 340}, Qt::LeftButton);
+  controls_.setHeldAxis(Vec3{0.0, 0.0, 1.0});
+  move({580, 340}, Qt::LeftButton);
+  release({580, 340}, Qt::LeftButton);
+  controls_.setHeldAxis(std::nullopt);
+
+  move({560, 350}, Qt::NoButton);
+
+  EXPECT_NEAR(tipPixel().x(), 560, kPixel);
+  EXPECT_NEAR(tipPixel().y(), 350, kPixel);
+}
+
 TEST_F(Controls, LettingGoBringsTheShaftBack) {
   const double yaw = controls_.input().yaw_rad;
   press({480, 340}, Qt::LeftButton);

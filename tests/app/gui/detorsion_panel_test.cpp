@@ -5,10 +5,13 @@
 #include <numbers>
 #include <vector>
 
+#include <QApplication>
 #include <QLabel>
+#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTest>
+#include <QTimer>
 #include <gtest/gtest.h>
 
 #include "sim/scene/hollow_organ.h"
@@ -64,6 +67,50 @@ TEST_F(UntwistingPanel, ShowsOfTheFlowOnlyWhatACheckHasTold) {
   EXPECT_EQ(said(panel_, "flowTold"), QStringLiteral("Doppler: 62 % ± 8 %"));
 }
 
+TEST_F(UntwistingPanel, SaysOnTheButtonsWhatTheNextPressDoes) {
+  LiveState state = lying(1.0);
+  panel_.show(state);
+  const auto* clip = panel_.findChild<QPushButton*>(QStringLiteral("clip"));
+  const auto* vent = panel_.findChild<QPushButton*>(QStringLiteral("vent"));
+  const QStringList before{clip->text(), vent->text()};
+  state.hollow.clipped = true;
+  state.hollow.venting = true;
+
+  panel_.show(state);
+
+  EXPECT_EQ(before, (QStringList{QStringLiteral("Clip (C)"), QStringLiteral("Gas out (V)")}));
+  EXPECT_EQ(clip->text(), QStringLiteral("Clip off (C)"));
+  EXPECT_EQ(vent->text(), QStringLiteral("Gas stop (V)"));
+  EXPECT_TRUE(clip->isChecked() && vent->isChecked());
+}
+
+TEST_F(UntwistingPanel, SaysWhatToDoNextAndWhenTheTwistGrows) {
+  LiveState state = lying(4.0);
+  panel_.show(state);
+  const QString before = panel_.cue();
+  state.phase = ExercisePhase::kTwisting;
+  state.response.angle_rad = 3.0;
+  panel_.show(state);
+  const QString holding = panel_.cue();
+  state.response.angle_rad = 4.2;  // 0.2 rad more than when the jaw closed
+  panel_.show(state);
+  const QString wrong = panel_.cue();
+  state.hollow.clipped = true;
+  panel_.show(state);
+  const QString clipped = panel_.cue();
+  state = lying(0.1);
+  state.hollow.reading.patency = 1.0;
+
+  panel_.show(state);
+
+  EXPECT_EQ(before, QString());
+  EXPECT_EQ(holding, QStringLiteral("Holding. Turn, set the clip (C), then grip anew."));
+  EXPECT_EQ(wrong, QStringLiteral("The twist grows. Turn the other way round."));
+  EXPECT_EQ(clipped, QStringLiteral("The clip holds it. Take the clip off (C), then turn on."));
+  EXPECT_EQ(panel_.cue(),
+            QStringLiteral("It lies within the limits. Keep your hands off, check the blood flow."));
+}
+
 TEST_F(UntwistingPanel, ShowsHowFarACheckHasCome) {
   LiveState state = lying(1.0);
   state.time_us = 3'000'000;
@@ -106,6 +153,27 @@ TEST_F(UntwistingPanel, WarnsOfAJawThatPressesTooHardAndOfATear) {
   EXPECT_EQ(said(panel_, "tissueWarning"), QStringLiteral("The wall is torn: the content leaks."));
 }
 
+TEST_F(UntwistingPanel, TellsNothingOfDoseAndLossDuringTheRun) {
+  const auto texts = [this](double dose) {
+    LiveState state = lying(1.0);
+    state.hollow.reading.dose = dose;
+    panel_.show(state);
+    QStringList found;
+    for (const QWidget* one : panel_.findChildren<QWidget*>()) {
+      const auto* label = qobject_cast<const QLabel*>(one);
+      found << (label == nullptr ? QString() : label->text()) << one->toolTip() << one->accessibleName()
+            << one->accessibleDescription();
+    }
+    return found;
+  };
+
+  const QStringList alive = texts(0.0);
+  const QStringList lost = texts(1.3);
+
+  EXPECT_EQ(alive, lost);
+  EXPECT_FALSE(lost.join(QLatin1Char(' ')).contains(QStringLiteral("black"), Qt::CaseInsensitive));
+}
+
 TEST_F(UntwistingPanel, ItsKeysAskForClipAndChecks) {
   panel_.showNormal();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&panel_));
@@ -118,12 +186,75 @@ TEST_F(UntwistingPanel, ItsKeysAskForClipAndChecks) {
   EXPECT_EQ(asked_[1], (ServoCommand{.kind = ServoCommand::Kind::kCheckFlow, .value = 3.0}));
 }
 
+TEST_F(UntwistingPanel, ItsKeyLetsGasOutAndClosesTheWayAgain) {
+  panel_.showNormal();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&panel_));
+  LiveState venting = lying(1.0);
+  venting.hollow.venting = true;
+
+  QTest::keyClick(&panel_, Qt::Key_V);
+  panel_.show(venting);
+  QTest::keyClick(&panel_, Qt::Key_V);
+
+  ASSERT_EQ(asked_.size(), 2U);
+  EXPECT_EQ(asked_[0], (ServoCommand{.kind = ServoCommand::Kind::kVent, .value = 1.0}));
+  EXPECT_EQ(asked_[1], (ServoCommand{.kind = ServoCommand::Kind::kVent, .value = 0.0}));
+}
+
+TEST_F(UntwistingPanel, ItsKeyAsksForNoGasOfAnOrganThatLetsNoneOut) {
+  Detorsion closed = twistedTube();
+  closed.wall.vent = false;
+  const Scene scene = hollowScene(closed);
+  panel_.setScene(&scene);
+  panel_.showNormal();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&panel_));
+
+  QTest::keyClick(&panel_, Qt::Key_V);
+
+  EXPECT_TRUE(asked_.empty());
+  EXPECT_TRUE(panel_.findChild<QPushButton*>(QStringLiteral("vent"))->isHidden());
+}
+
 TEST_F(UntwistingPanel, IsHiddenForASceneThatIsNotUndone) {
   scene_.hollow = nullptr;
 
   panel_.setScene(&scene_);
 
   EXPECT_TRUE(panel_.isHidden());
+}
+
+TEST(ValidityBox, OpensTheWordsOfItsScene) {
+  Detorsion stated = twistedTube();
+  stated.validity = "The torque is measured. The blood flow is assumed.";
+  const Scene scene = hollowScene(stated);
+  ValidityButton button;
+  button.setScene(&scene);
+  const bool shown = !button.isHidden();
+  QString told;
+  QTimer::singleShot(0, &button, [&told] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    ASSERT_NE(box, nullptr);
+    told = box->text();
+    box->reject();
+  });
+
+  button.click();
+
+  EXPECT_TRUE(shown);
+  EXPECT_EQ(told, QStringLiteral("The torque is measured. The blood flow is assumed."));
+}
+
+TEST(ValidityBox, IsHiddenForASceneThatStatesNone) {
+  const Scene silent = hollowScene(twistedTube());
+  const Scene bar = barScene();
+  ValidityButton button;
+
+  button.setScene(&silent);
+  const bool ofSilent = button.isHidden();
+  button.setScene(&bar);
+
+  EXPECT_TRUE(ofSilent);
+  EXPECT_TRUE(button.isHidden());
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ struct Hand {
   std::atomic<bool> unplugged{false};
   std::atomic<int> opened{0};
   std::atomic<int> closed{0};
+  bool rendersForce = true;
   Vec3 lastForce_N;
 };
 
@@ -34,7 +35,7 @@ class Stylus final : public HapticDevice {
  public:
   explicit Stylus(std::shared_ptr<Hand> hand) : hand_(std::move(hand)) {
     capabilities_.model = "Test stylus";
-    capabilities_.rendersForce = true;
+    capabilities_.rendersForce = hand_->rendersForce;
     ++hand_->opened;
   }
   ~Stylus() override { ++hand_->closed; }
@@ -105,6 +106,18 @@ TEST_F(HapticPractice, UsesTheDeviceOnceItIsOpen) {
   EXPECT_FALSE(controller_.toolRidesOnTissue());                    // led round, as in a run
   EXPECT_TRUE(said_.contains(QStringLiteral("Test stylus")));
   EXPECT_EQ(controller_.mode(), Mode::kPractice);
+}
+
+TEST_F(HapticPractice, SaysWhetherTheForceOfTheDeviceIsFelt) {
+  practiseWithStylus();
+  const QString felt = said_;
+  controller_.useHapticDevice({});
+  hand_->rendersForce = false;
+  controller_.useHapticDevice(opener());
+  ASSERT_TRUE(eventually([this] { return !controller_.hapticModel().isEmpty(); }));
+
+  EXPECT_TRUE(felt.contains(QStringLiteral("The force is felt")));
+  EXPECT_TRUE(said_.contains(QStringLiteral("shown, not felt")));
 }
 
 TEST_F(HapticPractice, GoesOnWithTheMouseWhenThereIsNoDeviceAndSaysSo) {
@@ -201,7 +214,7 @@ TEST_F(HapticPractice, TheVendorsLibraryIsOpenedAndItsLossNoticed) {
   FakeHd fake(TORSIO_FAKEHD);
   fake.reset();
   controller_.useHapticDevice([](const Scene& scene) {
-    return openHapticDevice(scene, {.library = TORSIO_FAKEHD, .name = "", .inThisProcess = true});
+    return openHapticDevice(scene, {.library = TORSIO_FAKEHD, .inThisProcess = true});
   });
   load("bar");
   ASSERT_TRUE(eventually([this] { return !controller_.hapticModel().isEmpty(); })) << said_.toStdString();

@@ -188,7 +188,7 @@ QStringList cutTexts(QWidget& window) {
 
 /// Times and sizes go on while a screen stands.
 QStringList withoutNumbers(QStringList texts) {
-  static const QRegularExpression kNumber(QStringLiteral("[0-9]+"));
+  static const QRegularExpression kNumber(QStringLiteral("[0-9]+([.,][0-9]+)*"));
   return texts.replaceInStrings(kNumber, QString());
 }
 

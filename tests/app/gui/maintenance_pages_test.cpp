@@ -2,6 +2,10 @@
 // Restoring a backup through the program's window, as an administrator does it.
 #include <fstream>
 
+#include <QComboBox>
+#include <QSettings>
+
+#include "app/gui/administrator/station/devices_page.h"
 #include "app/gui/administrator/station/move_page.h"
 #include "app/gui/administrator/station/restore_page.h"
 #include "app/gui/base/translated_text.h"
@@ -94,6 +98,25 @@ TEST_F(CarePages, ABackupThatIsNoneIsRefusedInPlainWords) {
 
   EXPECT_EQ(failures_.size(), 1);
   EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isVisible());
+}
+
+TEST_F(CarePages, TheDeviceOfTheStationIsChosenByNameAndRemembered) {
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
+  window_->desk()->open(PageId::kDevices);
+  auto& driver = child<QComboBox>(*window_->desk()->page(), "driver");
+  EXPECT_EQ(driver.currentIndex(), 0) << "the first device that is there";
+  const int puck = driver.findText(QStringLiteral("SpaceMouse"));
+  ASSERT_GT(puck, 0);
+
+  driver.setCurrentIndex(puck);
+  Q_EMIT driver.activated(puck);
+
+  EXPECT_EQ(rememberedDevice().driver, "spacemouse");
+  EXPECT_TRUE(says(QStringLiteral("holds at this station")));
+  window_->desk()->open(PageId::kCare);
+  driver.setCurrentIndex(0);
+  window_->desk()->open(PageId::kDevices);
+  EXPECT_EQ(driver.currentIndex(), puck) << "it is read whenever the page is opened";
 }
 
 TEST_F(CarePages, AServerThatDoesNotAnswerIsSaidAndNothingIsOffered) {

@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QStringList>
@@ -68,7 +69,12 @@ class Station {
     QObject::connect(&shell_, &ShellContext::noticed, &shell_,
                      [this](const QString& sentence) { notices << sentence; });
   }
-  ~Station() { shell_.waitForJobs(); }
+  /// Pages go before their shell, those too that were left and whose scene is still on its way.
+  ~Station() {
+    page.reset();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    shell_.waitForJobs();
+  }
 
   void open(PageId id, const QVariant& argument = {}) {
     if (page && !page->leave()) {

@@ -104,8 +104,8 @@ TEST(StationWriter, ShowsTheDeviceAndKeepsItsCheckWhenTheNextOneSignsIn) {
     return storedDevice(lineOnTheBoard(centre).value());
   };
   EXPECT_TRUE(shown().device.empty());  // no training station yet
-  line.showDevice(uncheckedDevice(false));
-  EXPECT_EQ(shown(), uncheckedDevice(false));
+  line.showDevice(uncheckedDevice({}, false));
+  EXPECT_EQ(shown(), uncheckedDevice({}, false));
   DeviceReadiness readiness = deviceWith(Light::kAmber);
   readiness.haptic = true;
   readiness.findings.push_back(
@@ -115,7 +115,7 @@ TEST(StationWriter, ShowsTheDeviceAndKeepsItsCheckWhenTheNextOneSignsIn) {
   EXPECT_EQ(checked.problem.str(), "950 Hz; 1000 Hz are wanted");
 
   line.showDevice(checked);
-  line.showDevice(uncheckedDevice(true));  // the next trainee opens the desk
+  line.showDevice(uncheckedDevice(Text::verbatim("Touch"), true));  // the next trainee opens the desk
 
   EXPECT_EQ(shown(), checked);
   line.signIn({});

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/base/build_info.h"
+#include "app/recording/pipeline.h"
 #include "app/recording/recorded_run.h"
 #include "assessment/people/account.h"
 #include "assessment/people/person.h"
@@ -36,8 +37,11 @@ TrainingModule moduleOf(const std::string& id, const std::string& code, const st
   module.targetAngle_rad = trainingBar().pattern.targetAngle_rad;
   module.tolerance_rad = radians(5.0);
   module.maxForce_N = 4.0;  // the scripted hand presses until the device saturates at 3.3 N
-  module.mastery.push_back(
-      {.metric = "twist.on_target", .threshold = 0.5, .unit = "1", .consecutive = inARow});
+  module.mastery = setup.mastery;
+  if (module.mastery.empty()) {
+    module.mastery.push_back(
+        {.metric = "twist.on_target", .threshold = 0.5, .unit = "1", .consecutive = inARow});
+  }
   return module;
 }
 
@@ -51,6 +55,7 @@ const Scene& trainingBar() {
 DeviceReadiness deviceWith(Light light) {
   DeviceReadiness readiness;
   readiness.device = Text::verbatim("Scripted hand");
+  readiness.haptic = true;  // in place of a device with motors
   readiness.findings.push_back({"connected", light, Text::verbatim("scripted"), ""});
   return readiness;
 }
@@ -213,20 +218,41 @@ std::string TrainingCentre::attempt(const std::string& moduleCode, const std::st
   hand.profile = {.initialSkill = skill, .finalSkill = skill, .learningTime_min = 1.0};
   hand.duration_s = planned_s > 0.0 ? planned_s : duration_s;
   hand.seed = static_cast<std::uint64_t>(now_us_);
-  const RecordingSpec recording{.trialId = ids_->newUuid(),
-                                .traineeCode = session_->actor().login,
-                                .startedUtc_us = now_us_,
-                                .context = {.station = "station 1",
-                                            .enrolmentId = enrolment(session_->actor().login),
-                                            .moduleId = module(moduleCode),
-                                            .phaseId = phaseId,
-                                            .attemptMode = fromStoredText<AttemptMode>(mode)}};
-  RecordedRun run(borrowed(scene), std::make_unique<ScriptedHand>(hand), recording,
-                  std::make_shared<TrialRepository>(*connection_, recording.context));
+  const RecordingSpec spec = recording(moduleCode, mode, phaseId);
+  RecordedRun run(borrowed(scene), std::make_unique<ScriptedHand>(hand), spec,
+                  std::make_shared<TrialRepository>(*connection_, spec.context));
   run.step(ticksIn(duration_s));
   static_cast<void>(run.finish(TrialOutcome::kCompleted));
   now_us_ += ticksIn(duration_s) * kTickPeriod_us + kMinute_us;
-  return recording.trialId;
+  return spec.trialId;
+}
+
+RecordingSpec TrainingCentre::recording(const std::string& moduleCode, const std::string& mode,
+                                        const PhaseId& phaseId) {
+  return {.trialId = ids_->newUuid(),
+          .traineeCode = session_->actor().login,
+          .startedUtc_us = now_us_,
+          .context = {.station = "station 1",
+                      .enrolmentId = enrolment(session_->actor().login),
+                      .moduleId = module(moduleCode),
+                      .phaseId = phaseId,
+                      .attemptMode = fromStoredText<AttemptMode>(mode)}};
+}
+
+std::string TrainingCentre::untwist(const std::string& moduleCode, const std::string& mode,
+                                    std::size_t turnsLeftOut) {
+  static const Scene kTestis = [] {
+    SceneRequest request;
+    request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+    request.id = "testis";
+    return loadScene(request);
+  }();
+  ScriptedTrial trial{.recording = recording(moduleCode, mode), .practisedBefore_min = 600.0};
+  trial.turnsLeftOut = turnsLeftOut;
+  TrialRepository sink(*connection_, trial.recording.context);
+  recordScriptedTrial(kTestis, trial, sink);
+  now_us_ += kMinute_us;
+  return trial.recording.trialId;
 }
 
 }  // namespace torsio::testing

@@ -9,6 +9,7 @@
 
 #include "app/access/session_context.h"
 #include "app/devices/device_readiness.h"
+#include "app/recording/recording_spec.h"
 #include "assessment/study/cohort.h"
 #include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
@@ -42,6 +43,8 @@ class TrainingCentre {
     bool consent = true;
     SceneId sceneId = "bar";
     PatternId patternId = "quarter";
+    /// Rules of every module in place of those of the table.
+    std::vector<MasteryCriterion> mastery{};
   };
   TrainingCentre() : TrainingCentre(Setup{}) {}
   explicit TrainingCentre(const Setup& setup);
@@ -71,8 +74,13 @@ class TrainingCentre {
   /// plans for a longer time (planned_s) may be cut off in the middle of a twist.
   std::string attempt(const std::string& moduleCode, const std::string& mode, double skill,
                       double duration_s = 12.0, const PhaseId& phaseId = {}, double planned_s = 0.0);
+  /// A finished attempt of the signed-in trainee at undoing the shipped testis, which comes twisted by two to
+  /// four turns of a hand; the hand is practised and leaves out the last turns.
+  std::string untwist(const std::string& moduleCode, const std::string& mode, std::size_t turnsLeftOut = 0);
 
  private:
+  [[nodiscard]] RecordingSpec recording(const std::string& moduleCode, const std::string& mode,
+                                        const PhaseId& phaseId = {});
   void open();
   void fill(const Setup& setup);
   std::filesystem::path folder_;

@@ -63,6 +63,16 @@ TEST(Debrief, TellsWhatWasReachedAndWhereToLook) {
   EXPECT_LT(told.weaknesses[0].merit, 0.0);  // a beginner is worse than the expert in something
 }
 
+TEST(Debrief, SaysWhetherTheForceWasFelt) {
+  const Trial led = expertRun(trainingBar(), trainingBar().pattern.targetAngle_rad);
+  TrialHeader turned = led.header;
+  turned.drive = TwistDrive::kRoll;  // mouse, game controller, puck: they turn on the spot and give no force
+  const std::vector<Sample> samples = decodeTrial(led);
+
+  EXPECT_TRUE(makeDebrief(led.header, samples, {}, nullptr).forceFelt);
+  EXPECT_FALSE(makeDebrief(turned, samples, {}, nullptr).forceFelt);
+}
+
 TEST(Debrief, ShowsTheExpertsCurveAtEachGrip) {
   TrainingCentre centre;
   const std::string trial = centre.attempt("first", "practice", kBeginner, 30.0);

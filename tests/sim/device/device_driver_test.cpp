@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/device/drivers/device_driver.h"
-
 #include <cstdlib>
 
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
+#include "sim/device/drivers/device_list.h"
 
 namespace torsio {
 namespace {
 
-DeviceRequest anyRequest() {
+DeviceRequest anyRequest(const std::string& library) {
   DeviceRequest request;
-  request.start.position_m = {0.0, 0.0, 0.2};
-  request.hand.task.graspPoint_m = {0.04, 0.0, 0.2};
-  request.hand.task.start_m = {0.14, 0.0, 0.2};
+  request.start.position_m = {0.14, 0.0, 0.2};
+  request.workspaceCentre_m = {0.04, 0.0, 0.2};
+  request.library = library;
   request.recorded.resize(1);
   return request;
 }
@@ -25,22 +24,40 @@ class DeviceDrivers : public testing::Test {
   DeviceDrivers() { setenv("TORSIO_DEVICE_PROGRAM", TORSIO_DEVICE_PROGRAM, 1); }
 };
 
-TEST_F(DeviceDrivers, L1_OffersEveryDriverButTheHapticOneWithoutTheVendorsLibrary) {
-  const std::vector<DeviceDriver> drivers = deviceDrivers("/nowhere/libHD.so");
+TEST_F(DeviceDrivers, L1_WhatNeedsNothingIsThereWithoutAnyHardware) {
+  const DeviceRequest request = anyRequest("/nowhere/libHD.so");
 
-  ASSERT_EQ(drivers.size(), 5U);
-  for (const DeviceDriver& driver : drivers) {
-    EXPECT_EQ(driver.available, driver.id != "hdapi") << driver.id;
-    EXPECT_FALSE(driver.name.empty() || driver.finding.empty());
-    if (!driver.available) {
+  for (const DeviceDriver& driver : deviceDrivers()) {
+    const DriverFinding found = driver.look(request);
+
+    EXPECT_FALSE(driver.name.empty() || found.sentence.empty()) << driver.id;
+    if (driver.use == DriverUse::kStation) {
+      EXPECT_EQ(found.available, found.remedy.empty()) << driver.id;
       continue;
     }
-    const auto device = driver.open(anyRequest());
+    EXPECT_TRUE(found.available) << driver.id;
+    const auto device = driver.open(request);
+    device->serve();
     EXPECT_EQ(device->read(0).status & ~static_cast<std::uint32_t>(kDeviceEnded), 0U) << driver.id;
+    if (driver.use == DriverUse::kPointer) {
+      // Recordings know by the drive whether the force was felt (assessment/attempt/force_felt.h).
+      EXPECT_EQ(device->capabilities().drive, TwistDrive::kRoll);
+    }
+    EXPECT_EQ(device->snapshot().state, DeviceState::kReady) << driver.id;
+    EXPECT_TRUE(device->close()) << driver.id;
   }
-  EXPECT_NE(drivers[0].finding.str().find("/nowhere/libHD.so"), std::string::npos);
+}
+
+TEST_F(DeviceDrivers, L1_TheStylusIsMissedByTheNameOfItsLibrary) {
+  const DeviceRequest request = anyRequest("/nowhere/libHD.so");
+  const DeviceDriver& stylus = deviceDriver("hdapi");
+
+  const DriverFinding found = stylus.look(request);
+
+  EXPECT_FALSE(found.available);
+  EXPECT_NE(found.sentence.str().find("/nowhere/libHD.so"), std::string::npos);
   try {
-    (void)drivers[0].open(anyRequest());
+    (void)stylus.open(request);
     FAIL() << "opened";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::kDevice);
@@ -48,13 +65,25 @@ TEST_F(DeviceDrivers, L1_OffersEveryDriverButTheHapticOneWithoutTheVendorsLibrar
   }
 }
 
-TEST_F(DeviceDrivers, OpensTheHapticDeviceOnTheLibraryThatIsNamed) {
-  const std::vector<DeviceDriver> drivers = deviceDrivers(TORSIO_FAKEHD);
-  const auto device = drivers[0].open(anyRequest());
+TEST_F(DeviceDrivers, OpensTheStylusOnTheLibraryThatIsNamed) {
+  const DeviceRequest request = anyRequest(TORSIO_FAKEHD);
+  const DeviceDriver& stylus = deviceDriver("hdapi");
 
-  EXPECT_TRUE(drivers[0].available);
+  const auto device = stylus.open(request);
+
+  EXPECT_TRUE(stylus.look(request).available);
   EXPECT_EQ(device->capabilities().model, "Touch");
-  EXPECT_TRUE(device->capabilities().rendersForce);
+  EXPECT_TRUE(device->capabilities().rendersForce && stylus.rendersForce);
+}
+
+TEST_F(DeviceDrivers, AnUnknownNameIsRefusedWithThoseThatThereAre) {
+  try {
+    (void)deviceDriver("hand");
+    FAIL() << "found";
+  } catch (const Error& error) {
+    EXPECT_NE(error.remedy().find("hdapi, "), std::string::npos);
+    EXPECT_NE(error.remedy().find("pointer"), std::string::npos);
+  }
 }
 
 }  // namespace

@@ -202,11 +202,11 @@ TEST_F(DeviceProcess, EndsALibraryThatHangsInAFrameAndReportsTheDeviceLost) {
   const StylusOpening opening = openStylus(request());
   opening.driver->serve();
   const auto begun = Clock::now();
-  while (opening.driver->snapshot().state != HdapiState::kLost && Clock::now() - begun < 5s) {
+  while (opening.driver->snapshot().state != DeviceState::kLost && Clock::now() - begun < 5s) {
     std::this_thread::sleep_for(1ms);
   }
 
-  EXPECT_EQ(opening.driver->snapshot().state, HdapiState::kLost);
+  EXPECT_EQ(opening.driver->snapshot().state, DeviceState::kLost);
   EXPECT_FALSE(opening.driver->snapshot().forceOn);
   EXPECT_NE(opening.driver->read(0).status & kDeviceLost, 0U);
   EXPECT_FALSE(opening.driver->close());

@@ -92,9 +92,9 @@ class HdapiBench : public ::testing::Test {
     fake.force(force.data());
     return {force[0], force[1], force[2]};
   }
-  std::vector<HdapiEvent> events(HdapiEvent::Kind kind) {
-    std::vector<HdapiEvent> found;
-    for (HdapiEvent event; device->nextEvent(event);) {
+  std::vector<DeviceEvent> events(DeviceEvent::Kind kind) {
+    std::vector<DeviceEvent> found;
+    for (DeviceEvent event; device->nextEvent(event);) {
       if (event.kind == kind) {
         found.push_back(event);
       }

@@ -35,7 +35,7 @@ TEST_F(HdapiGives, B1_DeliversPressAndReleaseWithinOneFrameOfAViewInOrderWithThe
   fake.set_buttons(0);
   fake.run(10);  // 16 ms: one frame of a view
 
-  const std::vector<HdapiEvent> edges = events(HdapiEvent::Kind::kButtons);
+  const std::vector<DeviceEvent> edges = events(DeviceEvent::Kind::kButtons);
   ASSERT_EQ(edges.size(), 2U);
   EXPECT_EQ(edges[0].value, static_cast<std::uint32_t>(kButtonGrip));
   EXPECT_EQ(edges[1].value, 0U);
@@ -64,7 +64,7 @@ TEST_F(HdapiGives, B2_CountsABouncingContactOnceAndNeverDelaysThePress) {
   fake.run(1);
   EXPECT_EQ(loop.sample.buttons, 0U);
 
-  EXPECT_EQ(events(HdapiEvent::Kind::kButtons).size(), 2U);
+  EXPECT_EQ(events(DeviceEvent::Kind::kButtons).size(), 2U);
 }
 
 TEST_F(HdapiGives, B2_ReleasesAButtonThatWasLetGoWhileItsBounceWasIgnored) {
@@ -175,7 +175,7 @@ TEST_F(HdapiGives, K2_FollowsTheRollToBothStopsAndReportsThem) {
   }
 
   EXPECT_TRUE(device->snapshot().rollAtStop);
-  EXPECT_EQ(events(HdapiEvent::Kind::kRollStop).size(), 2U);
+  EXPECT_EQ(events(DeviceEvent::Kind::kRollStop).size(), 2U);
 }
 
 TEST_F(HdapiGives, K2_CountsNoFalseTurnUnderNoise) {

@@ -19,7 +19,7 @@ TEST_F(HdapiCalibrates, C1_IsReadyAtOnceWhenTheDeviceIsCalibrated) {
   device->start({&testing::FakeLoop::tick, &loop});
   fake.run(2);
 
-  EXPECT_EQ(device->snapshot().state, HdapiState::kReady);
+  EXPECT_EQ(device->snapshot().state, DeviceState::kReady);
   EXPECT_EQ(device->snapshot().calibration, CalibrationState::kCalibrated);
   EXPECT_EQ(loop.sample.status, static_cast<std::uint32_t>(kDeviceOk));
   EXPECT_EQ(fake.calls("hdUpdateCalibration"), 0);
@@ -33,7 +33,7 @@ TEST_F(HdapiCalibrates, C2_AsksForTheInkwellCalibratesOnceAndKeepsTheForceOffUnt
   start();
   fake.run(2'500);
 
-  EXPECT_EQ(device->snapshot().state, HdapiState::kNeedsCalibration);
+  EXPECT_EQ(device->snapshot().state, DeviceState::kNeedsCalibration);
   EXPECT_EQ(device->snapshot().calibration, CalibrationState::kDockStylus);
   EXPECT_TRUE(loop.sample.status & kDeviceUncalibrated);
   EXPECT_EQ(fake.calls("hdUpdateCalibration"), 0);
@@ -51,7 +51,7 @@ TEST_F(HdapiCalibrates, C2_AsksForTheInkwellCalibratesOnceAndKeepsTheForceOffUnt
   fake.run(200);
   EXPECT_EQ(fake.force_enabled(), 1);
   EXPECT_EQ(fake.rule_breaks(), 0);
-  const std::vector<HdapiEvent> steps = events(HdapiEvent::Kind::kCalibration);
+  const std::vector<DeviceEvent> steps = events(DeviceEvent::Kind::kCalibration);
   ASSERT_EQ(steps.size(), 3U);
   EXPECT_EQ(steps[0].value, static_cast<std::uint32_t>(CalibrationState::kDockStylus));
   EXPECT_EQ(steps[1].value, static_cast<std::uint32_t>(CalibrationState::kUpdating));
@@ -66,7 +66,7 @@ TEST_F(HdapiCalibrates, C3_StopsTryingAfterRefusedUpdatesAndTriesAgainOnTheUsers
 
   EXPECT_EQ(fake.calls("hdUpdateCalibration"), kCalibrationTries);
   EXPECT_EQ(device->snapshot().calibration, CalibrationState::kFailed);
-  EXPECT_EQ(device->snapshot().state, HdapiState::kNeedsCalibration);  // not lost: a fault here is a refusal
+  EXPECT_EQ(device->snapshot().state, DeviceState::kNeedsCalibration);  // not lost: a fault here is a refusal
   EXPECT_TRUE(loop.sample.status & kDeviceUncalibrated);
 
   device->retryCalibration();
@@ -113,7 +113,7 @@ TEST_F(HdapiCalibrates, C5_SwitchesTheForceOffWhenCalibrationIsLostInMidSession)
 
   EXPECT_EQ(rendered_N(), Vec3{});
   EXPECT_EQ(fake.force_enabled(), 0);
-  EXPECT_EQ(device->snapshot().state, HdapiState::kNeedsCalibration);
+  EXPECT_EQ(device->snapshot().state, DeviceState::kNeedsCalibration);
   // The loop's samples say so: nothing of this time can be scored.
   EXPECT_TRUE(loop.sample.status & kDeviceUncalibrated);
 }

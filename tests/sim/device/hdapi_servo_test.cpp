@@ -115,7 +115,7 @@ TEST_F(HdapiServes, S4_SwitchesTheForceOffWhileTheServoIsSlowAndOnAgainWhenItIsN
   fake.set_tick_us(2'500);  // 400 Hz
   fake.run(450);
 
-  EXPECT_EQ(device->snapshot().state, HdapiState::kDegraded);
+  EXPECT_EQ(device->snapshot().state, DeviceState::kDegraded);
   EXPECT_NEAR(device->snapshot().timing.rate_Hz, 400.0, 1.0);
   EXPECT_EQ(rendered_N(), Vec3{});
   EXPECT_EQ(fake.force_enabled(), 0);
@@ -123,7 +123,7 @@ TEST_F(HdapiServes, S4_SwitchesTheForceOffWhileTheServoIsSlowAndOnAgainWhenItIsN
 
   fake.set_tick_us(1'000);
   fake.run(1'100);
-  EXPECT_EQ(device->snapshot().state, HdapiState::kRunning);
+  EXPECT_EQ(device->snapshot().state, DeviceState::kRunning);
   expectRampedReturn();
 }
 
@@ -154,7 +154,7 @@ TEST_F(HdapiServes, E1_EndsTheServoAtACommunicationErrorAndCallsNothingMoreButTh
   const int afterLoss = fake.log_count();
   fake.run(50);
 
-  EXPECT_EQ(device->snapshot().state, HdapiState::kLost);
+  EXPECT_EQ(device->snapshot().state, DeviceState::kLost);
   EXPECT_EQ(device->snapshot().lostBecause, hd::kCommError);
   EXPECT_TRUE(loop.sample.status & kDeviceLost);  // the loop was told
   EXPECT_EQ(loop.sent.force_N, Vec3{});
@@ -179,7 +179,7 @@ TEST_F(HdapiServes, E1_TellsTheLoopOfALossThatShowsOnlyWhenTheFrameEnds) {
 
   EXPECT_TRUE(loop.sample.status & kDeviceLost);
   EXPECT_EQ(loop.sent.force_N, Vec3{});
-  EXPECT_EQ(device->snapshot().state, HdapiState::kLost);
+  EXPECT_EQ(device->snapshot().state, DeviceState::kLost);
 }
 
 TEST_F(HdapiServes, E2_NeverBlocksTheCallerWhenAnUnpluggedDeviceBlocksTheLibrary) {
@@ -196,7 +196,7 @@ TEST_F(HdapiServes, E2_NeverBlocksTheCallerWhenAnUnpluggedDeviceBlocksTheLibrary
   EXPECT_TRUE(frozen.status & kDeviceLost);
   EXPECT_TRUE(frozen.status & kDeviceStale);
   EXPECT_EQ(loop.sent.force_N, Vec3{});
-  EXPECT_EQ(device->snapshot().state, HdapiState::kClosed);
+  EXPECT_EQ(device->snapshot().state, DeviceState::kClosed);
   fake.replug();
   while (!device->close()) {
   }
@@ -247,18 +247,18 @@ TEST_F(HdapiServes, E3_StaysLostAfterReplugUntilTheUserOpensItAgain) {
   fake.run(5);
   fake.replug();
   fake.run(100);
-  ASSERT_EQ(device->snapshot().state, HdapiState::kLost);
+  ASSERT_EQ(device->snapshot().state, DeviceState::kLost);
   EXPECT_EQ(fake.calls("hdInitDevice"), 1);
 
   device.reset();
   fake.set_calibration(hd::kCalibrationNeedsManualInput);  // lost by unplugging
   start();
   fake.run(1'500);
-  EXPECT_EQ(device->snapshot().state, HdapiState::kNeedsCalibration);
+  EXPECT_EQ(device->snapshot().state, DeviceState::kNeedsCalibration);
   EXPECT_EQ(rendered_N(), Vec3{});
   fake.dock(1);
   fake.run(2'200);
-  EXPECT_EQ(device->snapshot().state, HdapiState::kRunning);
+  EXPECT_EQ(device->snapshot().state, DeviceState::kRunning);
   EXPECT_EQ(rendered_N(), Vec3{});  // the inkwell lies outside the workspace
   const FakePose out{{0, 0, 0}, {0, 0, 0}, 1, {0, 0, 0}};
   fake.set_pose(&out);
@@ -312,7 +312,7 @@ TEST_F(HdapiServes, E4_SwitchesTheForceOffWhenTheLibrarySaysThatTheMotorsAreWarm
   fake.run(1);
 
   EXPECT_EQ(rendered_N(), Vec3{});
-  EXPECT_EQ(device->snapshot().state, HdapiState::kDegraded);
+  EXPECT_EQ(device->snapshot().state, DeviceState::kDegraded);
   fake.run(3'000);
   EXPECT_EQ(rendered_N(), Vec3{});  // not below the lower threshold yet
 
@@ -357,27 +357,27 @@ TEST_F(HdapiServes, E6_LosesTheDeviceAtADeviceFault) {
   fake.push_error(hd::kDeviceFault, 0);
   fake.run(1);
 
-  EXPECT_EQ(device->snapshot().state, HdapiState::kLost);
+  EXPECT_EQ(device->snapshot().state, DeviceState::kLost);
   EXPECT_EQ(device->snapshot().lostBecause, hd::kDeviceFault);
   EXPECT_EQ(fake.callbacks(), 0);
 }
 
 TEST_F(HdapiServes, E7_TakesAllErrorsOfATickInTheirOrderAndObeysTheWorst) {
   engageAtOneNewton();
-  (void)events(HdapiEvent::Kind::kError);
+  (void)events(DeviceEvent::Kind::kError);
 
   fake.push_error(hd::kExceededMaxForce, 1);
   fake.push_error(hd::kCommError, 2);
   fake.push_error(hd::kInvalidEnum, 3);
   fake.run(1);
 
-  const std::vector<HdapiEvent> errors = events(HdapiEvent::Kind::kError);
+  const std::vector<DeviceEvent> errors = events(DeviceEvent::Kind::kError);
   ASSERT_EQ(errors.size(), 3U);
-  EXPECT_EQ(errors[0].error.error, hd::kExceededMaxForce);
-  EXPECT_EQ(errors[1].error.error, hd::kCommError);
-  EXPECT_EQ(errors[2].error.error, hd::kInvalidEnum);
-  EXPECT_EQ(errors[1].error.internalError, 2);
-  EXPECT_EQ(device->snapshot().state, HdapiState::kLost);
+  EXPECT_EQ(errors[0].code, hd::kExceededMaxForce);
+  EXPECT_EQ(errors[1].code, hd::kCommError);
+  EXPECT_EQ(errors[2].code, hd::kInvalidEnum);
+  EXPECT_EQ(errors[1].detail, 2);
+  EXPECT_EQ(device->snapshot().state, DeviceState::kLost);
   EXPECT_EQ(fake.errors_pending(), 0);
 }
 
@@ -388,7 +388,7 @@ TEST_F(HdapiServes, E7_IsNotHeldUpByAnEndlessStreamOfErrors) {
   fake.run(40);
 
   EXPECT_EQ(loop.ticks, 40);
-  EXPECT_NE(device->snapshot().state, HdapiState::kLost);
+  EXPECT_NE(device->snapshot().state, DeviceState::kLost);
 }
 
 TEST_F(HdapiServes, E8_EndsNoFrameThatCouldNotBeginAndSendsNothingInTheNextTick) {

@@ -84,6 +84,36 @@ TEST(DeformedSurface, AnswersLikeAMeshThatWasBuiltFromTheMovedVertices) {
   }
 }
 
+TEST(DeformedSurface, AnswersTheSameWhateverTriangleASearchBeginsWith) {
+  const TriangleMesh mesh = testing::ellipsoid({0.03, 0.04, 0.1}, 64, 48);
+  const SurfacePatches patches(mesh);
+  const Bent rest{mesh.vertices_m};
+  const CollisionMesh built(mesh);
+  DeformedSurface deformed(patches, {&rest, &Bent::at});
+  Random random(10);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 from{0.05 * random.normal(), 0.05 * random.normal(), 0.1 * random.normal()};
+    const Vec3 to = from + Vec3{random.normal(), random.normal(), random.normal()} * 0.05;
+    const auto hint = static_cast<std::uint32_t>(random.bounded(mesh.triangles.size() + 2));
+    const auto compare = [&](auto& surface) {
+      const SurfacePoint point = surface.closest(from, hint);
+      const SegmentHit hit = surface.nearest({from, to}, 0.02, hint);
+
+      const SurfacePoint expected = surface.closest(from);
+      const SegmentHit expectedHit = surface.nearest({from, to}, 0.02);
+      ASSERT_EQ(point.triangle, expected.triangle);
+      ASSERT_EQ(point.distance_m, expected.distance_m);
+      ASSERT_EQ(point.position_m, expected.position_m);
+      ASSERT_EQ(hit.found, expectedHit.found);
+      ASSERT_EQ(hit.along, expectedHit.along);
+      ASSERT_EQ(hit.surface.triangle, expectedHit.surface.triangle);
+      ASSERT_EQ(hit.surface.distance_m, expectedHit.surface.distance_m);
+    };
+    compare(built);
+    compare(deformed);
+  }
+}
+
 TEST(DeformedSurface, AnswersTheSameHoweverManyQueriesWereAskedBefore) {
   const TriangleMesh mesh = testing::ellipsoid({0.03, 0.04, 0.1}, 96, 64);  // more vertices than are kept
   const SurfacePatches patches(mesh);

@@ -199,7 +199,8 @@ TEST_F(DetorsionFile, PutsEveryNumberIntoTheParametersAndNoneIntoThoseOfOthers) 
   }
   EXPECT_NE(parameters([](Json& p) { p["detorsion"]["spans"][0][1] = 0.36; }), before);
   EXPECT_NE(parameters([](Json& p) { p["detorsion"]["time_scale"] = 59; }), before);
-  EXPECT_NE(parameters([](Json& p) { p["detorsion"]["pause_s"] = 1; }), before);
+  EXPECT_NE(parameters([](Json& p) { p["detorsion"]["wall"]["sealed"] = true; }),
+            parameters([](Json& p) { p["detorsion"]["wall"]["sealed"] = false; }));
   EXPECT_NE(parameters([](Json& p) { p["detorsion"]["wall"]["vent"] = false; }), before);
   EXPECT_NE(parameters([](Json& p) { p["detorsion"]["initial_twist"]["direction"] = "clockwise"; }), before);
   EXPECT_EQ(parameters([](Json& p) { p["detorsion"]["validity"] = "other words"; }), before);

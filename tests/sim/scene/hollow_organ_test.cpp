@@ -6,8 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/scene/hollow_map.h"
+#include "sim/scene/wall_places.h"
+#include "sim/tissue/hollow/tube_onset.h"
+#include "sim/tissue/hollow/wrung_tube.h"
 #include "tests/sim/servo/hollow_bar.h"
 
 namespace torsio {
@@ -44,6 +48,68 @@ TEST(HollowOrgan, AddsTheTorquesOfItsLimbs) {
               0.0);
 }
 
+/// The tube of twistedTube() with its content as a gas that stays in.
+Detorsion sealedTube() {
+  Detorsion sealed = twistedTube();
+  sealed.wall.restPressure_Pa = 4.0 * kPascalsPerMmHg;
+  sealed.wall.pressure_Pa = 4.0 * kPascalsPerMmHg;
+  sealed.wall.sealed = true;
+  return sealed;
+}
+
+/// Volume of a sealed organ of one span at an angle and a pressure, m^3, without a table: the span by
+/// Newton's method, the mobile part by the balance of its hoops.
+double solvedVolume_m3(const Scene& scene, double angle_rad, double pressure_Pa) {
+  const HollowWall& wall = scene.hollow->detorsion().wall;
+  const double span_m = scene.hollow->detorsion().spans[0].mobile * scene.hollow->length_m();
+  const double mobile_m = scene.hollow->length_m() - span_m;
+  const auto [radius_m, thickness_m] =
+      wallPlaces(scene.lattice(), WallMap(wall.thickness_m), 0.0, span_m)[20];
+  const double rest = restStretch(wall.restPressure_Pa * radius_m / (kBarShear_Pa * thickness_m), 1.0);
+  const double unit_m = radius_m / rest;
+  const double thinness = thickness_m * rest / unit_m;
+  const TubePlace place{thinness, span_m / unit_m, pressure_Pa / (kBarShear_Pa * thinness), 1.0};
+  TubeWall tubeWall;
+  tubeWall.radius.assign(41, 1.0);
+  tubeWall.thickness.assign(41, thinness);
+  tubeWall.length = span_m / unit_m;
+  tubeWall.ends = {rest, rest};
+  const WrungTube tube(tubeWall, foldWaves(place));
+  WrungShape shape = tube.start();
+  constexpr int kSteps = 60;
+  for (int k = 0; k <= kSteps; ++k) {
+    tube.solve(angle_rad * k / kSteps, pressure_Pa / kBarShear_Pa, shape);
+  }
+  const double widened_m = unit_m * tautTube(place.pressure, 1.0, 0.0).stretch;
+  return unit_m * unit_m * unit_m * shape.volume + kPi * widened_m * widened_m * mobile_m;
+}
+
+TEST(HollowOrgan, KeepsPressureTimesVolumeOfAGasThatStaysIn) {
+  const Scene scene = hollowScene(sealedTube());
+  const HollowOrgan& organ = *scene.hollow;
+  const double start_Pa = organ.detorsion().wall.pressure_Pa;
+  const double gas_J = organ.gas_J(radians(120.0), start_Pa);
+
+  EXPECT_NEAR(organ.sealedPressure_Pa(radians(120.0), gas_J), start_Pa, 1e-5 * start_Pa);
+  double before_Pa = start_Pa + 1.0;
+  for (const double angle_deg : {120.0, 105.0, 90.0, 60.0, 0.0}) {
+    const double pressure_Pa = organ.sealedPressure_Pa(radians(angle_deg), gas_J);
+
+    EXPECT_LT(pressure_Pa, before_Pa) << angle_deg;
+    const double solved_m3 = solvedVolume_m3(scene, radians(angle_deg), pressure_Pa);
+    EXPECT_NEAR((101'325.0 + pressure_Pa) * solved_m3, gas_J, 2e-3 * gas_J) << angle_deg;
+    before_Pa = pressure_Pa;
+  }
+  EXPECT_LT(before_Pa, 0.95 * start_Pa);
+  EXPECT_NEAR(organ.sealedPressure_Pa(radians(500.0), gas_J), start_Pa, 1e-5 * start_Pa);  // the table's end
+}
+
+TEST(HollowOrgan, KnowsNoGasWhereThePressureIsGiven) {
+  const Scene scene = hollowScene(twistedTube());
+
+  EXPECT_EQ(scene.hollow->gas_J(1.0, 300.0), 0.0);
+}
+
 TEST(HollowOrgan, KnowsWhichSectionsAreWrungAndWhichTurnAsAWhole) {
   const HollowOrgan& organ = *twoLimbs().hollow;
   const OrganState state = organ.stateAt(radians(200.0));
@@ -73,6 +139,19 @@ TEST(HollowOrgan, TurnsTheSectionsOfALimbMoreAndMoreTowardsTheMobilePart) {
     EXPECT_LT(section.radius, 1.2) << i;
     before_rad = section.turn_rad;
   }
+}
+
+TEST(HollowOrgan, GoesOverIntoItsMobilePartWithoutAStep) {
+  // Gas out: the wall between its ends draws in; what it ends at keeps its radius.
+  const HollowOrgan& organ = *twoLimbs().hollow;
+  OrganState state = organ.stateAt(0.2);
+  state.hollow.reading.pressure_Pa = organ.detorsion().wall.ventedPressure_Pa;
+  constexpr double kCell = 1.0 / 64.0;
+
+  for (const double share : {kCell, 1.0 - kCell}) {
+    EXPECT_NEAR(organ.sectionIn(0, share, state).radius, 1.0, 0.02) << share;
+  }
+  EXPECT_LT(organ.sectionIn(0, 0.5, state).radius, 0.95);
 }
 
 TEST(HollowOrgan, RefusesAGraspThatIsNotOnTheMobilePart) {

@@ -325,6 +325,39 @@ TEST(Detorsion, LetsContentOutByAFirstOrderLagAndOpensTheWayForBlood) {
   EXPECT_FALSE(hand.pose().venting);
 }
 
+TEST(Detorsion, FollowsTheGasLawUntilTheContentIsLetOut) {
+  Detorsion wall = twistedTube();
+  wall.wall.sealed = true;
+  const Scene scene = hollowScene(wall);
+  const double start_Pa = wall.wall.pressure_Pa;
+  const double gas_J = scene.hollow->gas_J(radians(270.0), start_Pa);
+  Detorser hand(scene);
+  Detorser given(tube());
+
+  hand.grip();
+  hand.turn(-radians(150.0));
+  given.grip();
+  given.turn(-radians(150.0));
+  const double half_Pa = hand.pose().reading.pressure_Pa;
+  hand.turn(radians(150.0));
+  const double back_Pa = hand.pose().reading.pressure_Pa;
+  hand.exercise.vent(true);
+  hand.wait(20.0);
+  hand.exercise.vent(false);
+  hand.wait(0.1);
+  const double vented_Pa = hand.pose().reading.pressure_Pa;
+  hand.grip();
+  hand.turn(-radians(150.0));
+
+  // Undone the organ holds more: the pressure falls, and is there again when the turn is back.
+  EXPECT_LT(half_Pa, 0.98 * start_Pa);
+  EXPECT_NEAR(half_Pa, scene.hollow->sealedPressure_Pa(radians(120.0), gas_J), 1e-9);
+  EXPECT_NEAR(back_Pa, start_Pa, 0.01);
+  EXPECT_EQ(given.pose().reading.pressure_Pa, start_Pa);
+  EXPECT_NEAR(vented_Pa, wall.wall.ventedPressure_Pa, 0.02 * start_Pa);
+  EXPECT_LT(hand.pose().reading.pressure_Pa, vented_Pa);
+}
+
 TEST(Detorsion, VentsNothingWhereTheSceneLetsNothingOut) {
   Detorsion shut = twistedTube();
   shut.wall.vent = false;

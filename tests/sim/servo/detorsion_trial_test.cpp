@@ -14,6 +14,7 @@
 #include "sim/servo/pose_track.h"
 #include "sim/servo/replay_trial.h"
 #include "sim/servo/servo_loop.h"
+#include "sim/servo/trial_rerun.h"
 #include "tests/sim/servo/hollow_bar.h"
 
 namespace torsio {
@@ -25,6 +26,7 @@ struct Untwisting {
   Trial trial;
   std::vector<Sample> samples;
   std::uint32_t events = kEventNone;
+  std::vector<ExerciseMoment> moments;  // each tick in which something happened
   HollowPose pose;
 };
 
@@ -57,6 +59,9 @@ Untwisting untwisting(const Scene& scene, const TrialId& trialId) {
     loop.tick(tick * 1000);
     result.events |= loop.lastEvents();
     result.samples.push_back(loop.lastSample());
+    if (loop.lastEvents() != kEventNone) {
+      result.moments.push_back({tick, tick * 1000, loop.lastEvents(), loop.lastSample().phase});
+    }
   }
   result.pose = loop.organ().hollow;
   for (std::int64_t second = 0; second < seconds; ++second) {
@@ -204,6 +209,21 @@ TEST(DetorsionTrial, TakesNoWishThatMakesNoSense) {
   }
 
   EXPECT_EQ(loop.organ().hollow.check.running, FlowCheck::kNone);
+}
+
+TEST(DetorsionTrial, RunAgainGivesItsMomentsAsTheyWere) {
+  const std::vector<Sample> kept = decodeTrial(done().trial);
+
+  const auto all = rerunMoments(tubeOfTrial(), done().trial.header, kept, ~0U);
+  const auto clips = rerunMoments(tubeOfTrial(), done().trial.header, kept, kEventClipped);
+
+  EXPECT_EQ(all, done().moments);
+  ASSERT_FALSE(clips.empty());
+  EXPECT_LT(clips.size(), all.size());
+  for (const ExerciseMoment& moment : clips) {
+    EXPECT_EQ(moment.events, static_cast<std::uint32_t>(kEventClipped));
+  }
+  EXPECT_TRUE(rerunMoments(tubeOfTrial(), done().trial.header, {}, ~0U).empty());
 }
 
 }  // namespace

@@ -279,6 +279,27 @@ TEST_F(ExerciseTest, HoldsTheOrganByRollWhetherTheTipStaysOrGoesRound) {
   EXPECT_NEAR(answer.response.angle_rad, radians(90.0), 1e-9);
 }
 
+TEST_F(ExerciseTest, ATurnByRollDoesNotPushTheShaftIntoWhatItHolds) {
+  // The tip stays where it gripped while the stylus turns about the bar's axis: against the bar it is carried
+  // round, and its shaft points outwards at any angle.
+  gripAt(0.0, TwistDrive::kRoll);
+  ToolState tool = onSurface(0.0, 0.001, 1.0);
+  std::uint32_t contact = kContactNone;
+  std::uint32_t events = kEventNone;
+  double across_N = 0.0;
+  for (int degrees = 1; degrees <= 180; ++degrees) {
+    tool.pose.orientation = axisAngle({0.0, 0.0, 1.0}, radians(degrees)) * inwards(0.0);
+    const ExerciseStep answer = step(tool);
+    contact |= answer.contact;
+    events |= answer.events;
+    across_N = std::max(across_N, std::abs(answer.response.force_N.x));
+  }
+
+  EXPECT_EQ(contact, static_cast<std::uint32_t>(kContactHeld));
+  EXPECT_EQ(events, static_cast<std::uint32_t>(kEventNone));
+  EXPECT_LT(across_N, 1e-9);
+}
+
 TEST_F(ExerciseTest, MeasuresThePureRollExactly) {
   gripAt(0.0, TwistDrive::kRoll);
   ToolState tool = onSurface(0.0, 0.001, 1.0);

@@ -44,6 +44,12 @@ TriangleMesh moved(const Scene& scene, const OrganState& organ) {
   return mesh;
 }
 
+/// What is touched, with nothing remembered.
+ToolTouch touchFresh(const ToolShape& shape, const Scene& scene, const OrganState& organ, bool holding) {
+  TouchMemory nothing;
+  return touchTool(shape, scene, organ, holding, nothing);
+}
+
 Quat anyTurn(Random& random) {
   return normalized(Quat{random.normal(), random.normal(), random.normal(), random.normal()});
 }
@@ -82,7 +88,7 @@ void agreesWithTheMovedMesh(const Scene& scene, const OrganState& organ, int cou
   for (const ToolState& tool : toolsNear(mesh, surface, count)) {
     const ToolShape shape = toolShape(tool, scene.instrument);
 
-    const ToolTouch touch = touchTool(shape, scene, organ, false);
+    const ToolTouch touch = touchFresh(shape, scene, organ, false);
 
     const SurfacePoint tip = surface.closest(shape.tip_m);
     if (std::isfinite(touch.tip.gap_m)) {
@@ -155,7 +161,7 @@ TEST(ToolTouch, AgreesWithFclOnATwistedBar) {
   int compared = 0;
   for (const ToolState& tool : toolsNear(mesh, surface, 400)) {
     const ToolShape shape = toolShape(tool, scene.instrument);
-    const ToolTouch touch = touchTool(shape, scene, organ, false);
+    const ToolTouch touch = touchFresh(shape, scene, organ, false);
     if (!(touch.shaft.gap_m > 0.0) || !std::isfinite(touch.shaft.gap_m)) {
       continue;  // FCL has no depth
     }
@@ -175,6 +181,67 @@ TEST(ToolTouch, AgreesWithFclOnATwistedBar) {
   EXPECT_GT(compared, 5);
 }
 
+/// A part as the memory of earlier ticks tells it, against a fresh query.
+void sameWhereItMatters(const PartTouch& remembered, const PartTouch& fresh) {
+  if (fresh.gap_m <= kLookAhead_m) {
+    ASSERT_EQ(remembered.gap_m, fresh.gap_m);
+    ASSERT_EQ(remembered.point_m, fresh.point_m);
+    ASSERT_EQ(remembered.normal, fresh.normal);
+  } else {
+    ASSERT_GT(remembered.gap_m, kLookAhead_m);
+  }
+}
+
+/// Wanders about the organ as it turns there and back, and compares every tick.
+void remembersNothingWrong(const Scene& scene, std::uint64_t seed) {
+  constexpr int kTicks = 3'000;
+  Random random(seed);
+  TouchMemory memory;
+  int spared = 0;
+  int touching = 0;
+  ToolState tool;
+  Vec3 aim_m;
+  OrganState organ;
+  for (int i = 0; i < kTicks; ++i) {
+    if (i % 250 == 0) {
+      aim_m = scene.mesh.vertices_m[random.bounded(scene.mesh.vertices_m.size())];
+      aim_m += Vec3{random.normal(), random.normal(), random.normal()} * 0.02;
+      tool.pose.orientation = anyTurn(random);
+    }
+    if (i % 1'000 == 500) {
+      organ.twist.graspArc_m = random.uniform() * scene.lattice().length_m();
+    }
+    tool.pose.position_m += (aim_m - tool.pose.position_m) * 0.01;
+    const double phase = static_cast<double>(i % 1'000 - 500) / 500.0;
+    organ.twist.graspAngle_rad = phase > 0.0 ? 4.0 * phase * (1.0 - phase) : 0.0;  // rad
+    tool.grip = i % 500 < 250 ? 0.0 : 1.0;
+    const ToolShape shape = toolShape(tool, scene.instrument);
+    const bool holding = i % 1'000 > 600;
+
+    const ToolTouch remembered = touchTool(shape, scene, organ, holding, memory);
+
+    const ToolTouch fresh = touchFresh(shape, scene, organ, holding);
+    sameWhereItMatters(remembered.tip, fresh.tip);
+    sameWhereItMatters(remembered.jaw, fresh.jaw);
+    sameWhereItMatters(remembered.shaft, fresh.shaft);
+    spared += std::isfinite(fresh.tip.gap_m) && !std::isfinite(remembered.tip.gap_m) ? 1 : 0;
+    touching += fresh.jaw.gap_m <= kLookAhead_m || fresh.shaft.gap_m <= kLookAhead_m ? 1 : 0;
+  }
+  EXPECT_GT(spared, kTicks / 20);
+  EXPECT_GT(touching, kTicks / 20);
+}
+
+TEST(ToolTouch, WhatIsRememberedOfTheTicksBeforeChangesNoAnswer) {
+  const Scene bar = barScene();
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+    SCOPED_TRACE(seed);
+    remembersNothingWrong(bar, seed);
+  }
+  SceneRequest request;
+  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+  remembersNothingWrong(loadScene(request), 5);
+}
+
 TEST(ToolTouch, MeasuresTheDepthOfAShaftThatHasEntered) {
   const Scene scene = barScene();
   ToolState tool;
@@ -182,7 +249,7 @@ TEST(ToolTouch, MeasuresTheDepthOfAShaftThatHasEntered) {
   for (const double depth_m : {0.001, 0.002, 0.004, 0.008}) {
     tool.pose.position_m = {kBarRadius_m + 0.0025 - depth_m, -0.060, 0.125};
 
-    const ToolTouch touch = touchTool(toolShape(tool, scene.instrument), scene, {}, false);
+    const ToolTouch touch = touchFresh(toolShape(tool, scene.instrument), scene, {}, false);
 
     // Beyond the shaft's radius the deepest of some points counts: a chord of the circle, 72 sides.
     EXPECT_NEAR(-touch.shaft.gap_m, depth_m, depth_m < 0.0025 ? 4e-5 : 0.15 * depth_m);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -49,6 +50,33 @@ TEST(TwistModel, ZeroAngleIsTheIdentityBitwise) {
     EXPECT_EQ(bar.model.torque_Nm(rest), 0.0);
     EXPECT_EQ(bar.model.graspForce_N(rest, {0.03, 0.0, 0.1}), Vec3{});
     EXPECT_EQ(bar.model.peakShear_Pa(rest), 0.0);
+  }
+}
+
+TEST(TwistModel, NoVertexGoesFartherThanIsTold) {
+  const Bar straight = straightBar(testing::prism(irregularOutline(), kBarLength_m, 20));
+  const Bar bent = bentBar();
+  for (const Bar* bar : {&straight, &bent}) {
+    const double length_m = bar->length_m();
+    for (const auto& [from, to] :
+         {std::pair<TwistState, TwistState>{{0.8 * length_m, 0.0}, {0.8 * length_m, 1e-3}},
+          {{0.8 * length_m, 1.0}, {0.8 * length_m, 1.3}},
+          {{0.3 * length_m, -2.0}, {0.3 * length_m, 0.5}},
+          {{0.3 * length_m, 0.2}, {0.6 * length_m, 0.3}},
+          {{0.0, 0.0}, {0.0, 0.1}}}) {
+      const std::vector<Vec3> before = deformed(*bar, from);
+      const std::vector<Vec3> after = deformed(*bar, to);
+      double farthest_m = 0.0;
+      for (std::size_t v = 0; v < before.size(); ++v) {
+        farthest_m = std::max(farthest_m, norm(after[v] - before[v]));
+      }
+
+      const double told_m = bar->model.farthestWay_m(from, to);
+
+      EXPECT_GE(told_m, farthest_m);
+      EXPECT_LE(told_m, 8.0 * farthest_m);  // loose where it goes by way of rest
+    }
+    EXPECT_EQ(bar->model.farthestWay_m({0.1, 0.7}, {0.1, 0.7}), 0.0);
   }
 }
 

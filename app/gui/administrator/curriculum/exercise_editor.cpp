@@ -19,9 +19,8 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/curriculum/mastery_table.h"
-#include "app/gui/base/asset_names.h"
+#include "app/gui/base/scene_titles.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/simulator/exercise_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/angle.h"
@@ -46,11 +45,6 @@ std::vector<std::string> codesOf(const CurriculumVersion& content) {
 
 QString lineOf(const TrainingModule& module) {
   return QStringLiteral("%1  %2").arg(toQString(module.code), toQString(Text(module.title)));
-}
-
-/// A scene or a pattern as people call it: "small_bowel" is "small bowel".
-QString placeName(const std::string& id) {
-  return assetName(ExercisePanel::readable(id));
 }
 
 }  // namespace
@@ -216,15 +210,16 @@ void ExerciseEditor::showContent() {
 }
 
 void ExerciseEditor::showPlaces(const TrainingModule& module) {
+  SceneTitles titles(assets_);
   scene_->clear();
   for (const std::string& id : sceneIds(assets_)) {
-    scene_->addItem(placeName(id), toQString(id));
+    scene_->addItem(titles.scene(id), toQString(id));
   }
   chooseOrAdd(scene_, module.sceneId);
   pattern_->clear();
   try {
     for (const std::string& id : patternIds(assets_, module.sceneId)) {
-      pattern_->addItem(placeName(id), toQString(id));
+      pattern_->addItem(titles.pattern(module.sceneId, id), toQString(id));
     }
   } catch (const Error&) {
     // The scene belongs to another installation: its own pattern is offered alone, the check says the rest.

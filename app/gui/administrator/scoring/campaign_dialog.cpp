@@ -17,6 +17,7 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/base/scene_titles.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/theme.h"
@@ -65,7 +66,8 @@ QString codeOf(TissueModel model) {
 }  // namespace
 
 CampaignDialog::CampaignDialog(const std::vector<PersonRow>& raters,
-                               std::vector<EvaluationRecording> recordings, QWidget* parent)
+                               std::vector<EvaluationRecording> recordings,
+                               const std::filesystem::path& assets, QWidget* parent)
     : QDialog(parent),
       instrument_(paperEvaluationInstrument()),
       name_(new QLineEdit(this)),
@@ -89,10 +91,11 @@ CampaignDialog::CampaignDialog(const std::vector<PersonRow>& raters,
   recordings_->setColumns({{tr("Recording")}, {tr("Pattern")}, {tr("Model")}, {tr("Since")}});
   recordings_->setEmptyText(tr("No recordings of free practice yet."));
   std::vector<Row> recorded;
+  SceneTitles titles(assets);
   for (const EvaluationRecording& one : choice_) {
     recorded.push_back({toQString(one.trialId),
-                        {{toQString(one.sceneId)},
-                         {toQString(one.patternId)},
+                        {{titles.scene(one.sceneId)},
+                         {titles.pattern(one.sceneId, one.patternId)},
                          {codeOf(one.model)},
                          timeCell(one.startedUtc_us)}});
   }

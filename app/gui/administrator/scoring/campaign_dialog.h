@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -26,9 +27,9 @@ class CampaignDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `recordings`: those that may be shown to the raters.
+  /// `recordings`: those that may be shown to the raters. `assets`: folder of the scenes, for their titles.
   CampaignDialog(const std::vector<PersonRow>& raters, std::vector<EvaluationRecording> recordings,
-                 QWidget* parent);
+                 const std::filesystem::path& assets, QWidget* parent);
 
   [[nodiscard]] CampaignPlan plan() const;
 

@@ -112,7 +112,7 @@ void CampaignsPage::askNew() {
         raters.push_back(std::move(person));
       }
     }
-    CampaignDialog dialog(raters, evaluationRecordings(shell().session()), this);
+    CampaignDialog dialog(raters, evaluationRecordings(shell().session()), shell().assets(), this);
     if (dialog.exec() == QDialog::Accepted) {
       add(dialog.plan());
     }

@@ -20,6 +20,7 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/base/scene_titles.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/theme.h"
@@ -139,6 +140,7 @@ void RaterCalibrationDialog::read() {
                                       "from the panel's."));
   std::vector<Row> present;
   withdrawn_.clear();
+  SceneTitles titles(shell_.assets());
   for (const ReferenceRow& run : runs) {
     const bool out = !run.withdrawnBecause.empty();
     if (out) {
@@ -148,7 +150,7 @@ void RaterCalibrationDialog::read() {
         {toQString(run.trialId),
          {{out ? QStringLiteral("\u2013") : tr("Reference %1").arg(run.number), static_cast<int>(run.number)},
           {orDash(run.traineeCode)},
-          {toQString(run.sceneId)},
+          {titles.scene(run.sceneId)},
           {shownSpan(run.length_us.value_or(0)), static_cast<qlonglong>(run.length_us.value_or(0))},
           {locale.toString(run.panel_points, 'f', 1), run.panel_points},
           {locale.toString(static_cast<qlonglong>(run.panelRaters))},
@@ -160,8 +162,8 @@ void RaterCalibrationDialog::read() {
   for (const ReferenceCandidate& one : referenceCandidates(shell_.session())) {
     rows.push_back({toQString(one.trialId),
                     {{orDash(one.traineeCode)},
-                     {toQString(one.sceneId)},
-                     {orDash(one.phaseLabel)},
+                     {titles.scene(one.sceneId)},
+                     {orDash(toQString(Text(one.phaseLabel)).toStdString())},
                      {shownSpan(one.length_us), static_cast<qlonglong>(one.length_us)},
                      timeCell(one.startedUtc_us)}});
   }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/administrator/station/devices_page.h"
 
+#include <algorithm>
+
 #include <QCheckBox>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -17,6 +20,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/recording/station_writer.h"
+#include "sim/device/drivers/device_list.h"
 
 namespace torsio::gui {
 
@@ -24,6 +28,8 @@ DevicesPage::DevicesPage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
       check_(new QPushButton(this)),
+      driverLabel_(nullptr),
+      driver_(new QComboBox(this)),
       nameLabel_(nullptr),
       name_(new QLineEdit(this)),
       force_(new QCheckBox(this)),
@@ -35,6 +41,9 @@ DevicesPage::DevicesPage(ShellContext& shell)
   heading_->addAction(check_);
   auto* choices = new QHBoxLayout;
   choices->setSpacing(kSpace);
+  driver_->setObjectName(QStringLiteral("driver"));
+  driverLabel_ = addField(choices, driver_);
+  choices->addSpacing(2 * kSpace);
   nameLabel_ = addField(choices, name_);
   name_->setMaximumWidth(280);
   choices->addSpacing(2 * kSpace);
@@ -46,18 +55,46 @@ DevicesPage::DevicesPage(ShellContext& shell)
   column->addWidget(verdict_);
   column->addWidget(table_, 1);
   column->addWidget(settings_);
+  driver_->addItem(QString(), QString());
+  for (const DeviceDriver& driver : deviceDrivers()) {
+    if (driver.use == DriverUse::kStation) {
+      driver_->addItem(toQString(driver.name), toQString(driver.id));
+    }
+  }
+  connect(driver_, &QComboBox::activated, this, &DevicesPage::remember);
+  connect(name_, &QLineEdit::editingFinished, this, &DevicesPage::remember);
   connect(check_, &QPushButton::clicked, this, &DevicesPage::check);
   retranslate();
 }
 
 void DevicesPage::enter(const QVariant&) {
   settings_->read();
+  const DeviceChoice kept = rememberedDevice();
+  driver_->setCurrentIndex(std::max(0, driver_->findData(toQString(kept.driver))));
+  name_->setText(toQString(kept.name));
   showContent();
+}
+
+DeviceChoice DevicesPage::choice() const {
+  return {.driver = driver_->currentData().toString().toStdString(),
+          .name = name_->text().trimmed().toStdString()};
+}
+
+void DevicesPage::remember() {
+  const DeviceChoice now = choice();
+  const DeviceChoice kept = rememberedDevice();
+  if (now.driver == kept.driver && now.name == kept.name) {
+    return;
+  }
+  attempt(shell(), [&] {
+    rememberDevice(now);
+    shell().notify(tr("Kept. It holds at this station from the next sign-in on"));
+  });
 }
 
 void DevicesPage::check() {
   DeviceCheckRequest request;
-  request.choice.name = name_->text().trimmed().toStdString();
+  request.choice = choice();
   request.forceTest = force_->isChecked();
   auto result = std::make_shared<DeviceCheckResult>();
   check_->setEnabled(false);
@@ -99,8 +136,11 @@ void DevicesPage::showContent() {
         tr("Not checked yet in this session. The check takes a few seconds; put the stylus into the inkwell "
            "first."));
   } else if (result_->usable()) {
-    verdict_->setText(tr("This station can do graded runs with the device: %1 servo ticks a second.")
-                          .arg(locale().toString(result_->rate_Hz, 'f', 0)));
+    verdict_->setText(result_->capabilities.rendersForce
+                          ? tr("This station can do graded runs with the device: %1 servo ticks a second.")
+                                .arg(locale().toString(result_->rate_Hz, 'f', 0))
+                          : tr("The device works. It gives no force: runs with it are graded only where the "
+                               "centre grades with the mouse."));
   } else {
     verdict_->setText(tr("No graded run with the device now: %1. Practice with the mouse works meanwhile.")
                           .arg(toQString(result_->worst()->sentence)));
@@ -113,6 +153,8 @@ void DevicesPage::retranslate() {
   settings_->retranslate();
   heading_->setTexts(tr("Devices"), tr("Whether the haptic device of this station is fit for a graded run."));
   check_->setText(tr("&Check the device"));
+  driverLabel_->setText(tr("This &station works with"));
+  driver_->setItemText(0, tr("the first device that is there"));
   nameLabel_->setText(tr("Device &name"));
   name_->setPlaceholderText(tr("the usual one"));
   force_->setText(tr("&Force test: somebody holds the stylus"));

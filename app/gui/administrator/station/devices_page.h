@@ -9,6 +9,7 @@
 #include "app/gui/base/page.h"
 
 class QCheckBox;
+class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -34,10 +35,14 @@ class DevicesPage : public Page {
 
  private:
   void showContent();
+  [[nodiscard]] DeviceChoice choice() const;
+  void remember();
 
   std::optional<DeviceCheckResult> result_;
   PageHeading* heading_;
   QPushButton* check_;
+  QLabel* driverLabel_;
+  QComboBox* driver_;
   QLabel* nameLabel_;
   QLineEdit* name_;
   QCheckBox* force_;

@@ -79,6 +79,9 @@ void watch(DeviceChannel& channel, HdapiDevice& device) {
   bool letGo = false;
   while (!parentGone() && !channel.closeAsked.load()) {
     channel.snapshot.publish(device.snapshot());
+    for (DeviceEvent event; device.nextEvent(event);) {
+      channel.events.publish(event);
+    }
     const auto now = std::chrono::steady_clock::now();
     const std::uint64_t seen = channel.frames.load(std::memory_order_acquire);
     if (seen != frames) {

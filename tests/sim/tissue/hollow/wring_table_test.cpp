@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/angle.h"
+#include "sim/tissue/hollow/tube_onset.h"
 #include "tests/support/allocation_count.h"
 
 namespace torsio {
@@ -54,6 +55,30 @@ TEST(WringTable, BetweenItsPressuresAgreesWithTheTube) {
                         Case{135, .1855}}) {
     EXPECT_NEAR(table().at(radians(c.angle_deg), 0.35 * 0.05).torque / (kTurn * 0.05), c.torque, 0.012 * 0.31)
         << c.angle_deg;
+  }
+}
+
+TEST(WringTable, BetweenItsPressuresIsTheTubeWithinOneInAHundred) {
+  // Midway between rows 0.070 and 0.125 (four folds) and 0.195 and 0.281 (five): torque against the peak,
+  // waist against R.
+  for (const double pressure : {0.0977, 0.2383}) {
+    const int waves = foldWaves({0.05, 6.0, pressure, 1.0});
+    const WrungTube tube(uniform(0.05), waves);
+    WrungShape shape = tube.start();
+    double peak = 0.0;
+    double torque = 0.0;
+    double waist = 0.0;
+    for (int degree = 0; radians(degree) < table().closing_rad(pressure * 0.05); degree += 2) {
+      tube.solve(radians(degree), pressure * 0.05, shape);
+      const WrungState solved = wrungState(tube.wall(), shape, waves);
+      const WrungState tabled = table().at(radians(degree), pressure * 0.05);
+      peak = std::max(peak, solved.torque);
+      torque = std::max(torque, std::abs(tabled.torque - solved.torque));
+      waist = std::max(waist, std::abs(tabled.waist - solved.waist));
+    }
+
+    EXPECT_LT(torque, 0.01 * peak) << pressure;
+    EXPECT_LT(waist, 0.01) << pressure;
   }
 }
 

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "sim/base/latest_value.h"
+#include "sim/base/spsc_ring.h"
+#include "sim/device/device_driver.h"
+#include "sim/device/haptic_device.h"
+#include "sim/device/inverse3/inverse3_messages.h"
+#include "sim/device/inverse3/web_socket.h"
+#include "sim/device/safety/force_gate.h"
+
+namespace torsio {
+
+/// Time after which a force that the servo has not renewed is no longer sent.
+inline constexpr std::int64_t kInverse3Stale_us = 20'000;
+/// Silence of the service after which the device counts as lost.
+inline constexpr std::int64_t kInverse3Lost_us = 250'000;
+
+/// Haply Inverse3 with a VerseGrip, through the WebSocket of its service. A thread of its own answers every
+/// state of the service with the newest force; readings and forces go over mailboxes. Not confirmed on
+/// hardware: limits are the cautious ones of an unknown model.
+///
+/// | channel     | direction | unit | source                                                      |
+/// |-------------|-----------|------|-------------------------------------------------------------|
+/// | position    | given     | m    | cursor_position, moved so that kCentre_m lies at the organ  |
+/// | orientation | given     | 1    | of the VerseGrip; without one it points away from the user  |
+/// | roll        | given     | rad  | the same, about the stylus, unwrapped                       |
+/// | grip        | given     | 1    | button a, 0..1 within 0.1 s                                 |
+/// | buttons     | given     |      | b second, c bookmark                                        |
+/// | status      | given     |      | kDeviceInvalid, kDeviceStale, kDeviceLost, kDeviceUncalibrated |
+/// | force       | taken     | N    | set_cursor_force, three axes                                |
+///
+/// On any doubt - no reading within 5 ms, an invalid one, no force for kInverse3Stale_us, dropForce, force
+/// not asked for - the service gets zero, and force returns by a ramp (ForceGate). Every way out sends zero
+/// first.
+class Inverse3Device final : public HapticDevice {
+ public:
+  /// `first`: the message in which the service named the device.
+  Inverse3Device(std::unique_ptr<WebSocket> service, const Inverse3Message& first,
+                 const DeviceRequest& request);
+  ~Inverse3Device() override;
+
+  void serve() override;
+  bool close() override;
+  void enableForce(bool on) noexcept override { forceWished_.store(on); }
+  void dropForce() noexcept override { drops_.fetch_add(1); }
+  [[nodiscard]] DeviceSnapshot snapshot() noexcept override;
+  [[nodiscard]] bool nextEvent(DeviceEvent& event) noexcept override { return events_.pop(event); }
+  [[nodiscard]] const DeviceIdentity& identity() const noexcept override { return identity_; }
+  [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override { return capabilities_; }
+  [[nodiscard]] DeviceSample read(std::int64_t time_us) noexcept override;
+  void write(const ForceCommand& command) noexcept override;
+
+ private:
+  struct Published {
+    DeviceSample sample;
+    std::uint64_t number = 0;
+  };
+  struct Wanted {
+    Vec3 force_N;
+    std::uint64_t number = 0;
+  };
+  void follow();
+  bool take(const std::string& text, std::int64_t now_us);
+  void keep(const Inverse3Message& message, std::int64_t now_us);
+  void publish(std::uint32_t trouble, std::int64_t now_us);
+  [[nodiscard]] Vec3 allowedForce_N(std::int64_t now_us);
+
+  std::unique_ptr<WebSocket> service_;  // of the thread, once there is one
+  const std::string deviceId_;
+  DeviceIdentity identity_;
+  DeviceCapabilities capabilities_;
+  const Vec3 origin_m_;  // world point of the device's origin
+  std::thread thread_;
+  std::atomic<bool> ending_{false};
+  std::atomic<bool> forceWished_{false};
+  std::atomic<std::uint32_t> drops_{0};
+  LatestValue<Published> readings_;
+  LatestValue<Wanted> forces_;
+  LatestValue<DeviceSnapshot> snapshots_;
+  SpscRing<DeviceEvent> events_;
+  bool closed_ = false;
+  // The device's thread.
+  DeviceReading reading_;
+  Published published_;
+  DeviceSnapshot state_;
+  ForceGate gate_;
+  std::int64_t begun_us_ = 0;
+  std::int64_t taken_us_ = 0;  // last valid reading
+  std::uint64_t forceNumber_ = 0;
+  std::int64_t forceNew_us_ = 0;
+  std::int64_t sent_us_ = 0;
+  std::uint32_t dropsSeen_ = 0;
+  std::uint64_t droppedNumber_ = 0;
+  // The servo's thread.
+  Wanted wanted_;
+  std::uint64_t lastNumber_ = 0;
+  std::int64_t lastNew_us_ = 0;
+  bool read_ = false;
+};
+
+}  // namespace torsio

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "sim/device/device_driver.h"
+
+namespace torsio {
+
+/// SpaceMouse, SpaceNavigator and other pucks with six axes, through the daemon spacenavd and its library
+/// libspnav (protocol 0 or 1). The socket is the one that SPNAV_SOCKET names, else the daemon's usual one.
+/// One at a time in a process: that is the library's rule. Not confirmed on hardware.
+///
+/// | part of the device  | what it does                                              |
+/// |---------------------|-----------------------------------------------------------|
+/// | pushed              | moves the tip the same way                                |
+/// | turned about up     | tilts the stylus to the side                              |
+/// | tipped              | tilts the stylus up and down                              |
+/// | rolled              | turns the stylus about itself                             |
+/// | button 1            | holds the jaw closed, as far as a mouse button does       |
+/// | button 2            | second button                                             |
+[[nodiscard]] DeviceDriver spaceMouseDriver();
+
+}  // namespace torsio

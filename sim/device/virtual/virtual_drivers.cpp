@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/device/virtual/virtual_drivers.h"
+
+#include <utility>
+
+#include "sim/device/virtual/idle_device.h"
+#include "sim/device/virtual/pointer_device.h"
+#include "sim/device/virtual/replay_device.h"
+#include "sim/device/virtual/scripted_hand.h"
+
+namespace torsio {
+
+namespace {
+
+/// A driver that needs nothing.
+DeviceDriver alwaysThere(const char* id, const char* name, DriverUse use, Text sentence) {
+  DeviceDriver driver;
+  driver.id = id;
+  driver.name = name;
+  driver.use = use;
+  driver.look = [sentence = std::move(sentence)](const DeviceRequest&) -> DriverFinding {
+    return {true, sentence, "", {}};
+  };
+  return driver;
+}
+
+}  // namespace
+
+DeviceDriver pointerDriver() {
+  DeviceDriver driver = alwaysThere("pointer", "Mouse and keyboard", DriverUse::kPointer,
+                                    Text::tr("always there; shows forces, does not render them"));
+  driver.open = [](const DeviceRequest& request) { return std::make_unique<PointerDevice>(request.start); };
+  return driver;
+}
+
+DeviceDriver scriptedHandDriver() {
+  DeviceDriver driver = alwaysThere("scripted", "Scripted hand", DriverUse::kNoHand,
+                                    Text::tr("always there; a simulated hand with a seed"));
+  driver.open = [](const DeviceRequest& request) {
+    ScriptedHandOptions hand;
+    hand.task.start_m = request.start.position_m;
+    hand.task.graspPoint_m = request.workspaceCentre_m;
+    return std::make_unique<ScriptedHand>(hand);
+  };
+  return driver;
+}
+
+DeviceDriver replayDriver() {
+  DeviceDriver driver = alwaysThere("replay", "Recorded trial", DriverUse::kNoHand,
+                                    Text::tr("always there; repeats a recording tick by tick"));
+  driver.needs = Text::tr("a recorded trial");
+  driver.open = [](const DeviceRequest& request) {
+    return std::make_unique<ReplayDevice>(request.recorded, request.recordedWith);
+  };
+  return driver;
+}
+
+DeviceDriver idleDriver() {
+  DeviceDriver driver = alwaysThere("idle", "Nobody's hand", DriverUse::kNoHand,
+                                    Text::tr("always there; the instrument stays where it was put"));
+  driver.open = [](const DeviceRequest& request) { return std::make_unique<IdleDevice>(request.start); };
+  return driver;
+}
+
+}  // namespace torsio

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/scene/hollow_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "sim/base/angle.h"
+#include "sim/base/contracts.h"
+#include "sim/base/portable_math.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::size_t kLanes = static_cast<std::size_t>(kKernelBlock);
+constexpr std::size_t kOwnStreams = 15;
+constexpr std::size_t kWoundStreams = 11;
+constexpr std::size_t kLastRows = HollowSkin::kPlaces - 3;  // where the last three begin
+
+void putLane(float* lane, const Vec3& v) {
+  lane[0] = static_cast<float>(v.x);
+  lane[kLanes] = static_cast<float>(v.y);
+  lane[2 * kLanes] = static_cast<float>(v.z);
+}
+
+std::size_t blocksFor(std::size_t vertices) {
+  return (vertices + kLanes - 1) / kLanes;
+}
+
+std::uint32_t slotOf(std::size_t block, std::size_t lane) {
+  return static_cast<std::uint32_t>(block * 3 * kLanes + lane);
+}
+
+}  // namespace
+
+HollowView::HollowView(std::shared_ptr<const Scene> scene, Isa isa)
+    : scene_(std::move(scene)), isa_(isa), slots_(scene_->mesh.vertices_m.size()) {
+  TORSIO_EXPECTS(scene_->hollow != nullptr);
+  const HollowOrgan& organ = *scene_->hollow;
+  spans_.resize(organ.wound() ? 1 : static_cast<std::size_t>(organ.spans()));
+  std::vector<std::size_t> still;
+  std::vector<std::size_t> mobile;
+  std::vector<std::vector<Entry>> wrung(spans_.size());
+  const std::vector<TwistVertex>& vertices = scene_->model.tables().vertices;
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const HollowOrgan::Place place = organ.turningPlace(vertices[v].arc_m, vertices[v].rest_m);
+    if (place.span < 0) {
+      mobile.push_back(v);
+    } else if (place.share > 0.0) {
+      wrung[static_cast<std::size_t>(place.span)].push_back(
+          {v, place.share * static_cast<double>(HollowSkin::kPlaces - 1)});
+    } else {
+      still.push_back(v);
+    }
+  }
+  layMobile(mobile);
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    laySpan(std::move(wrung[i]), spans_[i]);
+  }
+  stillBlocks_ = blocksFor(still.size());
+  out_ = KernelBuffer<float>((blocks_ + stillBlocks_) * 3 * kLanes, 2 * kLanes);
+  layStill(still);
+}
+
+std::size_t HollowView::streams() const noexcept {
+  return scene_->hollow->wound() ? kWoundStreams : kOwnStreams;
+}
+
+void HollowView::layStill(std::span<const std::size_t> vertices) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    slots_[vertices[i]] = slotOf(blocks_ + i / kLanes, i % kLanes);
+    putLane(&out_[slots_[vertices[i]]], scene_->mesh.vertices_m[vertices[i]]);
+  }
+}
+
+void HollowView::layMobile(std::span<const std::size_t> vertices) {
+  const std::size_t blocks = blocksFor(vertices.size());
+  mobile_ = KernelBuffer<float>(blocks * 3 * kLanes);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    slots_[vertices[i]] = slotOf(i / kLanes, i % kLanes);
+    putLane(&mobile_[slots_[vertices[i]]],
+            scene_->mesh.vertices_m[vertices[i]] - scene_->hollow->line().point_m);
+  }
+  mobileBlocks_ = static_cast<int>(blocks);
+  blocks_ += blocks;
+  bytes_ += vertices.size() * 6 * sizeof(float);
+}
+
+// Cell by cell, in the mesh's order within a cell. A block takes sixteen vertices, or fewer where the next
+// lies beyond the three rows that it begins with; its empty lanes repeat the last.
+void HollowView::laySpan(std::vector<Entry> entries, Span& span) {
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const Entry& a, const Entry& b) { return std::floor(a.row) < std::floor(b.row); });
+  std::vector<std::vector<Entry>> blocks;
+  for (const Entry& entry : entries) {
+    if (blocks.empty() || blocks.back().size() == kLanes || entry.row > span.firstRows.back() + 2) {
+      blocks.emplace_back();
+      span.firstRows.push_back(static_cast<int>(std::min(static_cast<std::size_t>(entry.row), kLastRows)));
+    }
+    blocks.back().push_back(entry);
+  }
+  span.firstBlock = blocks_;
+  span.in = KernelBuffer<float>(blocks.size() * streams() * kLanes);
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const Entry& entry = blocks[k][std::min(lane, blocks[k].size() - 1)];
+      putSpanVertex(entry, span.firstRows[k], &span.in[k * streams() * kLanes + lane]);
+    }
+    for (std::size_t lane = 0; lane < blocks[k].size(); ++lane) {
+      slots_[blocks[k][lane].vertex] = slotOf(blocks_ + k, lane);
+    }
+  }
+  blocks_ += blocks.size();
+  bytes_ += entries.size() * (streams() + 3) * sizeof(float);
+}
+
+void HollowView::putSpanVertex(const Entry& entry, int firstRow, float* lane) const {
+  const HollowOrgan& organ = *scene_->hollow;
+  const TwistVertex& vertex = scene_->model.tables().vertices[entry.vertex];
+  const TwistLine& own = vertex.line;
+  const Vec3 u = vertex.rest_m - own.point_m;
+  const double height_m = dot(own.direction, u);
+  const Vec3 across = u - height_m * own.direction;
+  const HollowOrgan::Place place = organ.turningPlace(vertex.arc_m, vertex.rest_m);
+  const TwistLine turning = organ.lineOf(own, place);
+  putLane(lane, organ.wound() ? vertex.rest_m - across - turning.point_m : own.point_m);
+  putLane(lane + 3 * kLanes, across);
+  putLane(lane + 6 * kLanes, own.direction);
+  if (!organ.wound()) {
+    putLane(lane + 9 * kLanes, turning.direction);
+    lane[12 * kLanes] = static_cast<float>(height_m);
+  }
+  const double round_rad = scene_->lattice().vertexCoordinates()[entry.vertex].angle_rad;
+  lane[(streams() - 2) * kLanes] = static_cast<float>(round_rad / kPi);
+  lane[(streams() - 1) * kLanes] = static_cast<float>(entry.row - (firstRow + 1));
+}
+
+void HollowView::moveMobile(double angle_rad) noexcept {
+  const TwistLine& line = scene_->hollow->line();
+  const SinCos a = portableSinCos(angle_rad);
+  const Vec3& d = line.direction;
+  const auto turned = [&](const Vec3& axis) {
+    return a.cos * axis + ((1.0 - a.cos) * dot(d, axis)) * d + a.sin * cross(d, axis);
+  };
+  const Vec3 columns[3] = {turned({1.0, 0.0, 0.0}), turned({0.0, 1.0, 0.0}), turned({0.0, 0.0, 1.0})};
+  float motion[12] = {};
+  for (std::size_t k = 0; k < 3; ++k) {
+    motion[k] = static_cast<float>(columns[k].x);
+    motion[3 + k] = static_cast<float>(columns[k].y);
+    motion[6 + k] = static_cast<float>(columns[k].z);
+  }
+  motion[9] = static_cast<float>(line.point_m.x);
+  motion[10] = static_cast<float>(line.point_m.y);
+  motion[11] = static_cast<float>(line.point_m.z);
+  twistKernels(isa_).lattice(mobile_.data(), 1, mobileBlocks_, motion, out_.data());
+}
+
+void HollowView::moveSpan(const HollowSkin& skin, int index) noexcept {
+  Span& span = spans_[static_cast<std::size_t>(index)];
+  skin.write(index, span.cells);
+  const TwistLine& line = scene_->hollow->line();
+  const HollowFrame frame{span.cells.data(),
+                          static_cast<float>(skin.waves(index)),
+                          {static_cast<float>(line.point_m.x), static_cast<float>(line.point_m.y),
+                           static_cast<float>(line.point_m.z)},
+                          {static_cast<float>(line.direction.x), static_cast<float>(line.direction.y),
+                           static_cast<float>(line.direction.z)}};
+  const TwistKernels& kernels = twistKernels(isa_);
+  (scene_->hollow->wound() ? kernels.hollowWound : kernels.hollowOwn)(
+      span.in.data(), span.firstRows.data(), static_cast<int>(span.firstRows.size()), frame,
+      out_.data() + span.firstBlock * 3 * kLanes);
+}
+
+bool HollowView::updateBlocks(const OrganState& state) noexcept {
+  const HollowSkin skin(*scene_->hollow, state);
+  if (skin.rests()) {
+    return false;
+  }
+  moveMobile(state.twist.graspAngle_rad);
+  for (int i = 0; i < std::ssize(spans_); ++i) {
+    moveSpan(skin, i);
+  }
+  return true;
+}
+
+void HollowView::deform(const OrganState& state, std::span<Vec3> out_m) noexcept {
+  const std::size_t count = std::min(slots_.size(), out_m.size());
+  if (!updateBlocks(state)) {
+    std::copy_n(scene_->mesh.vertices_m.begin(), count, out_m.begin());
+    return;
+  }
+  const float* drawn = out_.data();
+  for (std::size_t v = 0; v < count; ++v) {
+    const float* lane = drawn + slots_[v];
+    out_m[v] = {lane[0], lane[kLanes], lane[2 * kLanes]};
+  }
+}
+
+}  // namespace torsio

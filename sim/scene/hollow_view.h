@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sim/scene/hollow_skin.h"
+#include "sim/scene/scene.h"
+#include "sim/tissue/view/cpu_features.h"
+#include "sim/tissue/view/twist_kernels_buffer.h"
+
+namespace torsio {
+
+/// The mesh of a hollow scene for a view: HollowSkin in single precision by the widest instruction set of the
+/// processor, good to 1e-6 m. Vertices are sorted by their place along the organ, so that a block reads one
+/// place of the frame's table and gathers nothing; those that never move are written once. Never feeds a
+/// recording: the last bit depends on the processor. One thread at a time.
+class HollowView {
+ public:
+  /// `scene` has a hollow organ.
+  explicit HollowView(std::shared_ptr<const Scene> scene, Isa isa = bestIsa());
+
+  /// Computes where each mesh vertex is drawn, m, as Scene::deform does; at rest the same bits. Allocates
+  /// nothing.
+  void deform(const OrganState& state, std::span<Vec3> out_m) noexcept;
+  /// Computes the frame in the kernels' own layout, 3 x 16 a block, in the view's own order of vertices;
+  /// false at rest, where there is nothing to compute.
+  bool updateBlocks(const OrganState& state) noexcept;
+  /// Returns how many bytes of vertices a frame reads and writes; padding is not counted.
+  [[nodiscard]] std::size_t bytesAFrame() const noexcept { return bytes_; }
+
+ private:
+  /// A vertex in a block: of the mesh, and its place in rows of its span.
+  struct Entry {
+    std::size_t vertex = 0;
+    double row = 0.0;
+  };
+  /// Blocks of one span, or of all limbs that are wound round each other.
+  struct Span {
+    KernelBuffer<float> in;
+    std::vector<int> firstRows;
+    std::size_t firstBlock = 0;
+    HollowSkin::Cells cells{};
+  };
+  void layStill(std::span<const std::size_t> vertices);
+  void layMobile(std::span<const std::size_t> vertices);
+  void laySpan(std::vector<Entry> entries, Span& span);
+  void putSpanVertex(const Entry& entry, int firstRow, float* lane) const;
+  void moveSpan(const HollowSkin& skin, int index) noexcept;
+  void moveMobile(double angle_rad) noexcept;
+  [[nodiscard]] std::size_t streams() const noexcept;
+
+  std::shared_ptr<const Scene> scene_;
+  Isa isa_;
+  std::size_t blocks_ = 0;
+  std::size_t bytes_ = 0;
+  std::size_t stillBlocks_ = 0;
+  KernelBuffer<float> mobile_;  // against the point of the organ's line
+  int mobileBlocks_ = 0;
+  std::vector<Span> spans_;
+  std::vector<std::uint32_t> slots_;  // of each mesh vertex: its x in out_
+  KernelBuffer<float> out_;
+};
+
+}  // namespace torsio

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The check of a recorded trial: how many times faster than real time a replay runs, in processor time and in
+// wall time, per scene. Options: seconds of exercise (30), then scenes (forearm stomach intestine).
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "sim/device/virtual/scripted_hand.h"
+#include "sim/record/content_hash.h"
+#include "sim/record/sample_codec.h"
+#include "sim/servo/hand_task.h"
+#include "sim/servo/replay_trial.h"
+#include "sim/servo/servo_loop.h"
+
+namespace torsio {
+namespace {
+
+constexpr std::int64_t kTicksPerSecond = 1000;
+constexpr std::uint64_t kSeed = 3;
+
+Scene shipped(const std::string& id) {
+  SceneRequest request;
+  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+  request.id = id;
+  return loadScene(request);
+}
+
+/// A hand of middling skill for so many seconds.
+Trial recorded(const Scene& scene, std::int64_t seconds) {
+  ScriptedHand hand({.seed = kSeed,
+                     .task = handTask(scene),
+                     .profile = {.initialSkill = 0.6, .finalSkill = 0.6},
+                     .duration_s = static_cast<double>(seconds)});
+  Trial trial;
+  TrialHeader& header = trial.header;
+  header.trialId = "00000000-0000-4000-8000-000000000003";
+  header.sceneId = scene.id;
+  header.patternId = scene.pattern.id;
+  header.organHash = scene.organHash;
+  header.parameterHash = scene.parameterHash;
+  header.parametersJson = scene.parametersJson;
+  header.deviceModel = hand.capabilities().model;
+  header.deviceLimits = deviceLimits(hand.capabilities());
+  header.targetAngle_rad = scene.pattern.targetAngle_rad;
+  ServoLoop loop({.device = &hand, .scene = &scene}, servoOptions(header));
+  std::int64_t tick = 0;
+  for (std::int64_t second = 0; second < seconds; ++second) {
+    std::vector<Sample> samples;
+    for (std::int64_t i = 0; i < kTicksPerSecond; ++i) {
+      loop.tick(tick++ * header.tickPeriod_us);
+      samples.push_back(loop.lastSample());
+    }
+    trial.chunks.push_back(encodeChunk(second, samples));
+  }
+  trial.summary = {tick, 0, loop.lateTicks(), TrialOutcome::kCompleted, {}};
+  trial.summary.contentHash = contentHash(trial);
+  return trial;
+}
+
+double processor_s() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+void measure(const std::string& id, std::int64_t seconds) {
+  const Scene scene = shipped(id);
+  const double begun_s = processor_s();
+  const Trial trial = recorded(scene, seconds);
+  const double live_s = processor_s() - begun_s;
+  const double before_s = processor_s();
+  const ReplayReport report = replayTrial(scene, trial, 1);
+  const double spent_s = processor_s() - before_s;
+  const auto started = std::chrono::steady_clock::now();
+  const ReplayReport parallel = replayTrial(scene, trial);
+  const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  const auto real_s = static_cast<double>(seconds);
+  std::printf("%-10s %5lld s: run %6.1fx, replay %6.1fx a core, %6.1fx by the clock on %u, %s\n", id.c_str(),
+              static_cast<long long>(seconds), real_s / live_s, real_s / spent_s, real_s / wall_s,
+              std::thread::hardware_concurrency(),
+              report.identical() && parallel.identical() ? "identical" : "DIFFERENT");
+}
+
+}  // namespace
+}  // namespace torsio
+
+int main(int argc, char** argv) {
+  const long seconds = argc > 1 ? std::strtol(argv[1], nullptr, 10) : 30;
+  if (seconds < 1 || seconds > 3600) {
+    std::fputs("usage: torsio_bench_replay [SECONDS of exercise, 1 to 3600] [SCENE ...]\n", stderr);
+    return 2;
+  }
+  std::vector<std::string> scenes(argv + std::min(argc, 2), argv + argc);
+  if (scenes.empty()) {
+    scenes = {"forearm", "stomach", "intestine"};
+  }
+  for (const std::string& id : scenes) {
+    torsio::measure(id, seconds);
+  }
+  return 0;
+}
