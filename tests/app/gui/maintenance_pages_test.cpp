@@ -80,9 +80,7 @@ TEST_F(CarePages, ACancelledRestoreLeavesTheRecordAndNoHalfFile) {
   click(child<QPushButton>(page, "checkButton"));
   child<QLineEdit>(page, "word").setText(QStringLiteral("RESTORE"));
 
-  QTest::mouseClick(&child<QPushButton>(page, "restoreButton"), Qt::LeftButton);
-  context().cancelJobs();
-  context().waitForJobs();
+  clickAndCancel(child<QPushButton>(page, "restoreButton"));
 
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
   EXPECT_EQ(filesBeside(), before);

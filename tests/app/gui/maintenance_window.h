@@ -137,6 +137,14 @@ class CarePages : public ::testing::Test {
     context().waitForJobs();
   }
 
+  /// The job of the button is cancelled before its first step: a press on "Cancel" would race with it.
+  void clickAndCancel(QPushButton& button) {
+    QObject::connect(
+        &context(), &ShellContext::jobStarted, &button, [this] { context().cancelJobs(); },
+        Qt::SingleShotConnection);
+    click(button);
+  }
+
   bool says(const QString& part) {
     for (const QLabel* label : window_->findChildren<QLabel*>()) {
       if (label->isVisible() && label->text().contains(part)) {
