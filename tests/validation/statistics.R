@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What the R commands of cases.tsv use: the tables, and the formulas that no package of Debian has to nine digits.
+suppressMessages({library(psych); library(car); library(coin)})
+
+rows <- function(name) read.csv(file.path(folder, "tables", paste0(name, ".csv")))
+# A row for each target, a column for each rater, as in the file; empty marks are NA.
+wide <- function(name) {
+  d <- rows(name)
+  m <- tapply(d$score, list(factor(d$target, unique(d$target)), factor(d$rater, unique(d$rater))), identity)
+  matrix(as.numeric(m), nrow(m))
+}
+of_group <- function(name, group, occasion = NULL) {
+  d <- rows(name)
+  if (!is.null(occasion)) d <- d[d$occasion == occasion, ]
+  d$score[d$group == group]
+}
+last <- function() { d <- rows("study"); d <- d[d$occasion == "after", ]; d$group <- factor(d$group, unique(d$group)); d }
+before_after <- function() {
+  d <- rows("study")
+  w <- reshape(d, idvar = c("subject", "group"), timevar = "occasion", direction = "wide")
+  names(w) <- sub("score.", "", names(w), fixed = TRUE)
+  w$group <- factor(w$group, unique(w$group))
+  w
+}
+
+icc <- function(name, form, what) {
+  r <- psych::ICC(wide(name), lmer = FALSE)$results
+  r[r$type == c("ICC(1,1)" = "ICC1", "ICC(2,1)" = "ICC2", "ICC(3,1)" = "ICC3", "ICC(1,k)" = "ICC1k",
+                "ICC(2,k)" = "ICC2k", "ICC(3,k)" = "ICC3k")[[form]], what]
+}
+squares <- function(name) {
+  d <- rows(name)
+  s <- summary(aov(score ~ factor(target) + factor(rater), d))[[1]]
+  c(targets = s[1, 3], raters = s[2, 3], error = s[3, 3])
+}
+# Krippendorff (2011) by its definition: every pair of marks within a unit against every pair of all.
+krippendorff <- function(name, metric) {
+  d <- rows(name)
+  units <- Filter(function(u) length(u) > 1, split(d$score, d$target))
+  all <- unlist(units)
+  counts <- table(all)
+  values <- as.numeric(names(counts))
+  distance <- function(a, b) switch(metric,
+    nominal = as.numeric(a != b),
+    interval = (a - b)^2,
+    ratio = ifelse(a + b == 0, 0, ((a - b) / (a + b))^2),
+    ordinal = mapply(function(x, y) {
+      lo <- min(x, y); hi <- max(x, y)
+      between <- sum(counts[values >= lo & values <= hi])
+      if (lo == hi) 0 else (between - (counts[values == lo] + counts[values == hi]) / 2)^2
+    }, a, b))
+  pairs <- function(v) { g <- expand.grid(i = seq_along(v), j = seq_along(v)); g <- g[g$i != g$j, ]; sum(distance(v[g$i], v[g$j])) }
+  observed <- sum(sapply(units, function(u) pairs(u) / (length(u) - 1))) / length(all)
+  expected <- pairs(all) / (length(all) * (length(all) - 1))
+  1 - observed / expected
+}
+kendall_w <- function(name) {
+  m <- wide(name); n <- nrow(m); k <- ncol(m)
+  ranks <- apply(m, 2, rank)
+  ties <- sum(apply(m, 2, function(v) sum(table(v)^3 - table(v))))
+  12 * sum((rowSums(ranks) - k * (n + 1) / 2)^2) / (k^2 * (n^3 - n) - k * ties)
+}
+# Fleiss, Cohen & Everitt 1969.
+kappa2 <- function(name, a, b, weights) {
+  m <- wide(name)[, c(a, b)]; v <- sort(unique(as.vector(wide(name)))); q <- length(v)
+  p <- table(factor(m[, 1], v), factor(m[, 2], v)) / nrow(m)
+  distance <- abs(outer(seq_len(q), seq_len(q), "-")) / (q - 1)
+  w <- switch(weights, unweighted = diag(q), linear = 1 - distance, quadratic = 1 - distance^2)
+  r <- rowSums(p); s <- colSums(p)
+  po <- sum(w * p); pe <- sum(w * outer(r, s))
+  bar <- outer(as.vector(w %*% s), as.vector(r %*% w), "+")
+  variance <- (sum(p * (w * (1 - pe) - bar * (1 - po))^2) - (po * pe - 2 * pe + po)^2) / (nrow(m) * (1 - pe)^4)
+  null <- (sum(outer(r, s) * (w - bar)^2) - pe^2) / (nrow(m) * (1 - pe)^2)
+  k <- (po - pe) / (1 - pe)
+  list(kappa = k, error = sqrt(variance), z = k / sqrt(null))
+}
+fleiss <- function(name) {
+  m <- wide(name); v <- sort(unique(as.vector(m)))
+  counts <- t(apply(m, 1, function(row) table(factor(row, v)))); n <- ncol(m); N <- nrow(m)
+  po <- mean((rowSums(counts^2) - n) / (n * (n - 1))); p <- colSums(counts) / (N * n); pe <- sum(p^2)
+  (po - pe) / (1 - pe)
+}
+exact_permutation <- function(x, y) {  # two-sided, of the difference of means, all splits
+  all <- c(x, y); n <- length(x); sums <- combn(length(all), n, function(i) sum(all[i]))
+  expected <- n * mean(all)
+  mean(abs(sums - expected) >= abs(sum(x) - expected) - 1e-9 * max(abs(all)))
+}
+exact_signs <- function(d) {
+  signs <- as.matrix(expand.grid(rep(list(c(-1, 1)), length(d))))
+  sums <- signs %*% abs(d)
+  mean(abs(sums) >= abs(sum(d)) - 1e-9)
+}
+# Hedges & Olkin: exact correction; the interval from the noncentral t distribution.
+hedges <- function(x, y, tail = NULL) {
+  n <- length(x); m <- length(y); df <- n + m - 2
+  s <- sqrt(((n - 1) * var(x) + (m - 1) * var(y)) / df)
+  j <- exp(lgamma(df / 2) - lgamma((df - 1) / 2)) / sqrt(df / 2)
+  scale <- sqrt(1 / n + 1 / m); t <- (mean(x) - mean(y)) / s / scale
+  if (is.null(tail)) return(j * t * scale)
+  # R's pt is exact to 1e-12 here, its own root finder stops earlier.
+  j * scale * uniroot(function(d) pt(t, df, d) - tail, t + c(-8, 8), tol = 1e-14)$root
+}
+# Studentised range by Gauss quadrature in R's own integrate: ptukey stops at some 1e-8.
+range_of_normals <- function(w, k) k * integrate(function(z) dnorm(z) * (pnorm(z) - pnorm(z - w))^(k - 1), -9, w + 9,
+                                                 rel.tol = 1e-13, subdivisions = 2000, stop.on.error = FALSE)$value
+studentised_range <- function(q, k, df) {  # upper tail
+  of <- function(s) sapply(s, function(u) (1 - range_of_normals(q * u, k)) *
+    exp(log(2) + df / 2 * log(df / 2) - lgamma(df / 2) + (df - 1) * log(u) - df * u^2 / 2))
+  mode <- sqrt(max(df - 1, 0.1) / df); width <- 12 / sqrt(2 * df)
+  edges <- sort(unique(pmax(0, c(0, mode - width / 2, mode - width / 6, mode, mode + width / 6, mode + width / 2, mode + width))))
+  sum(mapply(function(a, b) if (b > a) integrate(of, a, b, rel.tol = 1e-12, subdivisions = 500)$value else 0,
+             head(edges, -1), tail(edges, -1)))
+}
+dunn <- function(groups, a, b) {
+  all <- unlist(groups); r <- rank(all); n <- length(all)
+  of <- rep(seq_along(groups), lengths(groups)); m <- tapply(r, of, mean)
+  ties <- sum(table(all)^3 - table(all))
+  unname((m[b] - m[a]) / sqrt((n * (n + 1) / 12 - ties / (12 * (n - 1))) * (1 / lengths(groups)[a] + 1 / lengths(groups)[b])))
+}
+mixed <- function() {
+  w <- before_after(); time <- data.frame(time = factor(c("before", "middle", "after"), c("before", "middle", "after")))
+  m <- lm(cbind(before, middle, after) ~ group, w, contrasts = list(group = "contr.sum"))
+  summary(car::Anova(m, idata = time, idesign = ~time, type = 3), multivariate = FALSE)
+}
+# Box's epsilon, and Huynh & Feldt's as corrected by Lecoutre (1991).
+epsilon <- function(corrected = FALSE) {
+  w <- before_after(); s <- Reduce("+", lapply(split(w[, c("before", "middle", "after")], w$group), function(g) (nrow(g) - 1) * cov(g)))
+  h <- contr.helmert(3); h <- sweep(h, 2, sqrt(colSums(h^2)), "/"); e <- t(h) %*% as.matrix(s) %*% h
+  gg <- sum(diag(e))^2 / (2 * sum(e^2)); if (!corrected) return(gg)
+  f <- nrow(w) - nlevels(w$group)
+  min(1, ((f + 1) * 2 * gg - 2) / (2 * (f - 2 * gg)))
+}
+# nls stops where the sum of squares no longer falls, at some 1e-9 of the parameters: plain Gauss-Newton steps settle them.
+fit <- function(subject, family) {
+  d <- rows("seconds"); d <- d[d$subject == subject, ]; t <- d$attempt; y <- d$value
+  curve <- if (family == "exponential") deriv(~ c + a * exp(-r * (t - 1)), c("c", "a", "r"), function(c, a, r, t) {})
+           else deriv(~ c + a * t^-r, c("c", "a", "r"), function(c, a, r, t) {})
+  b <- coef(nls(y ~ curve(c, a, r, t), start = list(c = min(y) - 1, a = diff(range(y)), r = 0.3)))
+  at <- function() curve(b["c"], b["a"], b["r"], t)
+  for (i in 1:20) b <- b + qr.solve(attr(at(), "gradient"), y - at())
+  rss <- sum((y - at())^2)
+  list(value = b, rss = rss, error = sqrt(diag(solve(crossprod(attr(at(), "gradient")))) * rss / (length(y) - 3)))
+}
+masters <- function() glm(I(group == "master") ~ score, binomial, rows("contrast"), control = glm.control(epsilon = 1e-14, maxit = 100))
+# glm's own errors come from the step before the last.
+logistic_error <- function() {
+  m <- masters(); p <- plogis(predict(m)); x <- model.matrix(m)
+  sqrt(diag(solve(t(x) %*% (x * p * (1 - p)))))[2]
+}
+power_t <- function(n, d) { df <- 2 * n - 2; t <- qt(0.975, df); l <- d * sqrt(n / 2); pt(-t, df, l) + pt(t, df, l, lower.tail = FALSE) }
+power_f <- function(n, f, k) pf(qf(0.95, k - 1, k * (n - 1)), k - 1, k * (n - 1), f^2 * k * n, lower.tail = FALSE)
+solve_for <- function(f, from, to) uniroot(f, c(from, to), tol = 1e-13)$root
+# Eqs. 25 to 27: class means with the weights of the classes, then the weights of the nine indices.
+index_weights <- c(0.15, 0.15, 0.15, 0.15, 0.1, 0.1, 0.1, 0.05, 0.05)
+class_weights <- c(A = 0.2, B = 0.3, C = 0.5)
+m25 <- function(model, index) {
+  d <- rows("marks"); d <- d[d$model == model & d$index == index, ]
+  sum(class_weights * tapply(d$score, d$class, mean)[names(class_weights)])
+}
+s26 <- function(model, index) {
+  d <- rows("marks"); d <- d[d$model == model & d$index == index, ]
+  mean((d$score - m25(model, index))^2)
+}
