@@ -43,8 +43,13 @@ Json groupsJson(const Study& study, const Groups& groups) {
   Json out = Json::array();
   for (std::size_t g = 0; g < groups.size(); ++g) {
     Json entry{{"group", study.groups[g]}, {"n", groups[g].size()}};
-    entry["mean"] = groups[g].empty() ? undefinedJson("nobody has a score") : Json(meanOf(groups[g]));
-    entry["sd"] = numberJson(sampleDeviation(groups[g]), "fewer than two scores");
+    if (const std::optional<Text> reason = beyondArithmetic(groups[g])) {
+      entry["mean"] = undefinedJson(reason->str());
+      entry["sd"] = undefinedJson(reason->str());
+    } else {
+      entry["mean"] = groups[g].empty() ? undefinedJson("nobody has a score") : Json(meanOf(groups[g]));
+      entry["sd"] = numberJson(sampleDeviation(groups[g]), "fewer than two scores");
+    }
     out.push_back(std::move(entry));
   }
   return out;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "app/cli/json_output.h"
 #include "assessment/statistics/curve_fit.h"
 #include "assessment/statistics/cusum.h"
+#include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/standard_setting.h"
 #include "sim/base/error.h"
 
@@ -120,6 +122,10 @@ Json curveJson(LearningFamily family, const std::vector<double>& t, const std::v
 }
 
 Json tabularJson(const LearningArguments& arguments, const std::vector<double>& y) {
+  if (const std::optional<Text> reason =
+          beyondArithmetic(y, std::array{*arguments.target, *arguments.sigma, arguments.h})) {
+    return undefinedJson(reason->str());
+  }
   const TabularCusum cusum =
       tabularCusum(y, *arguments.target, kUsualReference * *arguments.sigma, arguments.h * *arguments.sigma);
   Json out{{"upper", Json::array()}, {"lower", Json::array()}};

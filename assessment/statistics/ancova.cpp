@@ -83,6 +83,11 @@ void addPairs(const std::vector<Moments>& groups, const Moments& within, double 
 
 Outcome<Ancova> ancova(const Groups& before, const Groups& after, double confidence) {
   TORSIO_EXPECTS(before.size() == after.size());
+  for (const Groups* scores : {&before, &after}) {
+    if (const std::optional<Text> reason = beyondArithmetic(*scores)) {
+      return Outcome<Ancova>::undefined(*reason);
+    }
+  }
   if (before.size() < 2) {
     return Outcome<Ancova>::undefined(Text::tr("there are fewer than two groups"));
   }

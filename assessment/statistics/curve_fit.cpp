@@ -189,6 +189,9 @@ Outcome<CurveFit> bestFit(LearningFamily family, std::span<const double> t, std:
 Outcome<LearningCurve> fitLearningCurve(LearningFamily family, std::span<const double> attempt,
                                         std::span<const double> value, bool asymptoteNotNegative) {
   TORSIO_EXPECTS(attempt.size() == value.size());
+  if (const std::optional<Text> reason = beyondArithmetic(value)) {
+    return Outcome<LearningCurve>::undefined(*reason);
+  }
   if (attempt.size() < kFewestAttempts) {
     return Outcome<LearningCurve>::undefined(
         Text::tr("fewer than eight attempts cannot tell three parameters apart"));
@@ -241,6 +244,9 @@ Interval learningBandAt(const LearningCurve& curve, double t, double confidence)
 
 Outcome<LogLogLine> logLogLine(std::span<const double> attempt, std::span<const double> value) {
   TORSIO_EXPECTS(attempt.size() == value.size());
+  if (const std::optional<Text> reason = beyondArithmetic(value)) {
+    return Outcome<LogLogLine>::undefined(*reason);
+  }
   if (attempt.size() < 3) {
     return Outcome<LogLogLine>::undefined(Text::tr("there are fewer than three attempts"));
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "sim/base/contracts.h"
@@ -47,6 +48,60 @@ std::optional<double> sampleDeviation(std::span<const double> values) {
     return std::nullopt;
   }
   return std::sqrt(*variance);
+}
+
+namespace {
+
+constexpr double kLargest = 1e70;
+constexpr double kSmallestSpread = 1e-70;
+
+/// Largest magnitude and range of numbers.
+struct Extent {
+  double largest = 0.0;
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -std::numeric_limits<double>::infinity();
+};
+
+void extend(Extent& extent, std::span<const double> values) {
+  for (const double value : values) {
+    extent.largest = std::max(extent.largest, std::abs(value));
+    extent.lowest = std::min(extent.lowest, value);
+    extent.highest = std::max(extent.highest, value);
+  }
+}
+
+std::optional<Text> reasonOf(const Extent& extent) {
+  if (!(extent.largest <= kLargest)) {
+    return Text::tr("the values are too large to be squared");
+  }
+  const double spread = extent.highest - extent.lowest;
+  if (spread > 0.0 && spread < kSmallestSpread) {
+    return Text::tr("the values lie too close together to be squared");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Text> beyondArithmetic(std::span<const double> values) {
+  Extent extent;
+  extend(extent, values);
+  return reasonOf(extent);
+}
+
+std::optional<Text> beyondArithmetic(std::span<const double> x, std::span<const double> y) {
+  Extent extent;
+  extend(extent, x);
+  extend(extent, y);
+  return reasonOf(extent);
+}
+
+std::optional<Text> beyondArithmetic(const std::vector<std::vector<double>>& groups) {
+  Extent extent;
+  for (const std::vector<double>& group : groups) {
+    extend(extent, group);
+  }
+  return reasonOf(extent);
 }
 
 double medianOf(std::span<const double> values) {

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "sim/base/text.h"
+
 namespace torsio {
 
 /// Computes the mean with compensated summation; values must not be empty.
@@ -18,6 +20,12 @@ namespace torsio {
 [[nodiscard]] std::optional<double> sampleDeviation(std::span<const double> values);
 /// Returns the middle value; values must not be empty.
 [[nodiscard]] double medianOf(std::span<const double> values);
+
+/// Returns why statistics of these numbers cannot be computed, or nothing. Variances of variances are formed,
+/// so the fourth power of the largest number must be finite and that of the spread must not vanish.
+[[nodiscard]] std::optional<Text> beyondArithmetic(std::span<const double> values);
+[[nodiscard]] std::optional<Text> beyondArithmetic(std::span<const double> x, std::span<const double> y);
+[[nodiscard]] std::optional<Text> beyondArithmetic(const std::vector<std::vector<double>>& groups);
 
 /// Ranks times two: whole numbers even where ties share a middle rank.
 struct DoubledRanks {

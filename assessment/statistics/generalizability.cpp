@@ -114,6 +114,9 @@ const GComponent& GStudy::at(const std::string& effect) const {
 }
 
 Outcome<GStudy> gStudyPR(const NumberTable& x) {
+  if (const std::optional<Text> reason = beyondArithmetic(x.values())) {
+    return Outcome<GStudy>::undefined(*reason);
+  }
   if (x.rows() < 2 || x.columns() < 2) {
     return Outcome<GStudy>::undefined(Text::tr("a study needs at least two persons and two raters"));
   }

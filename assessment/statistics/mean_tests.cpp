@@ -43,6 +43,9 @@ bool everyGroupHas(const Groups& groups, std::size_t n) {
 }  // namespace
 
 Outcome<TTest> welchT(std::span<const double> x, std::span<const double> y, double confidence) {
+  if (const std::optional<Text> reason = beyondArithmetic(x, y)) {
+    return Outcome<TTest>::undefined(*reason);
+  }
   if (x.size() < 2 || y.size() < 2) {
     return Outcome<TTest>::undefined(kTooFew);
   }
@@ -56,6 +59,9 @@ Outcome<TTest> welchT(std::span<const double> x, std::span<const double> y, doub
 }
 
 Outcome<TTest> studentT(std::span<const double> x, std::span<const double> y, double confidence) {
+  if (const std::optional<Text> reason = beyondArithmetic(x, y)) {
+    return Outcome<TTest>::undefined(*reason);
+  }
   if (x.size() < 2 || y.size() < 2) {
     return Outcome<TTest>::undefined(kTooFew);
   }
@@ -69,6 +75,9 @@ Outcome<TTest> studentT(std::span<const double> x, std::span<const double> y, do
 
 Outcome<TTest> pairedT(std::span<const double> x, std::span<const double> y, double confidence) {
   TORSIO_EXPECTS(x.size() == y.size());
+  if (const std::optional<Text> reason = beyondArithmetic(x, y)) {
+    return Outcome<TTest>::undefined(*reason);
+  }
   if (x.size() < 2) {
     return Outcome<TTest>::undefined(Text::tr("there are fewer than two pairs"));
   }
@@ -84,6 +93,9 @@ Outcome<TTest> pairedT(std::span<const double> x, std::span<const double> y, dou
 }
 
 Outcome<HedgesG> hedgesG(std::span<const double> x, std::span<const double> y, double confidence) {
+  if (const std::optional<Text> reason = beyondArithmetic(x, y)) {
+    return Outcome<HedgesG>::undefined(*reason);
+  }
   if (x.size() < 2 || y.size() < 2) {
     return Outcome<HedgesG>::undefined(kTooFew);
   }
@@ -110,6 +122,9 @@ Outcome<HedgesG> hedgesG(std::span<const double> x, std::span<const double> y, d
 }
 
 Outcome<OneWayAnova> oneWayAnova(const Groups& groups) {
+  if (const std::optional<Text> reason = beyondArithmetic(groups)) {
+    return Outcome<OneWayAnova>::undefined(*reason);
+  }
   if (groups.size() < 2) {
     return Outcome<OneWayAnova>::undefined(Text::tr("there are fewer than two groups"));
   }
@@ -144,6 +159,9 @@ Outcome<OneWayAnova> oneWayAnova(const Groups& groups) {
 }
 
 Outcome<FTest> welchAnova(const Groups& groups) {
+  if (const std::optional<Text> reason = beyondArithmetic(groups)) {
+    return Outcome<FTest>::undefined(*reason);
+  }
   if (groups.size() < 2) {
     return Outcome<FTest>::undefined(Text::tr("there are fewer than two groups"));
   }
@@ -181,6 +199,9 @@ Outcome<FTest> welchAnova(const Groups& groups) {
 }
 
 Outcome<FTest> brownForsythe(const Groups& groups) {
+  if (const std::optional<Text> reason = beyondArithmetic(groups)) {
+    return Outcome<FTest>::undefined(*reason);
+  }
   if (!everyGroupHas(groups, 1)) {
     return Outcome<FTest>::undefined(Text::tr("a group is empty"));
   }
@@ -199,6 +220,9 @@ Outcome<FTest> brownForsythe(const Groups& groups) {
 }
 
 Outcome<ChiSquaredTest> bartlett(const Groups& groups) {
+  if (const std::optional<Text> reason = beyondArithmetic(groups)) {
+    return Outcome<ChiSquaredTest>::undefined(*reason);
+  }
   if (groups.size() < 2) {
     return Outcome<ChiSquaredTest>::undefined(Text::tr("there are fewer than two groups"));
   }
@@ -267,6 +291,9 @@ PairComparison PairComparer::compared(std::size_t i, std::size_t j, double error
 }  // namespace
 
 Outcome<std::vector<PairComparison>> tukeyPairs(const Groups& groups, double confidence) {
+  if (const std::optional<Text> reason = beyondArithmetic(groups)) {
+    return Outcome<std::vector<PairComparison>>::undefined(*reason);
+  }
   const Outcome<OneWayAnova> anova = oneWayAnova(groups);
   if (!anova) {
     return Outcome<std::vector<PairComparison>>::undefined(anova.reason());
@@ -284,6 +311,9 @@ Outcome<std::vector<PairComparison>> tukeyPairs(const Groups& groups, double con
 
 Outcome<std::vector<PairComparison>> gamesHowellPairs(const Groups& groups, double confidence) {
   using Undefined = Outcome<std::vector<PairComparison>>;
+  if (const std::optional<Text> reason = beyondArithmetic(groups)) {
+    return Outcome<std::vector<PairComparison>>::undefined(*reason);
+  }
   std::vector<PairComparison> out;
   PairComparer pairs(groups, confidence);
   for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -348,6 +378,9 @@ std::vector<double> shapiroWeights(std::size_t count) {
 }  // namespace
 
 Outcome<NormalityTest> shapiroWilk(std::span<const double> values) {
+  if (const std::optional<Text> reason = beyondArithmetic(values)) {
+    return Outcome<NormalityTest>::undefined(*reason);
+  }
   if (values.size() < 4 || values.size() > 5000) {
     return Outcome<NormalityTest>::undefined(Text::tr("the test is made for 4 to 5000 values"));
   }

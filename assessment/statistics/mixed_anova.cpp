@@ -156,6 +156,11 @@ void correct(const Sphericity& sphericity, AnovaEffect& within) {
 
 Outcome<MixedAnova> mixedAnova(const std::vector<NumberTable>& groups) {
   using Undefined = Outcome<MixedAnova>;
+  for (const NumberTable& group : groups) {
+    if (const std::optional<Text> reason = beyondArithmetic(group.values())) {
+      return Undefined::undefined(*reason);
+    }
+  }
   if (groups.empty() || groups.front().columns() < 2) {
     return Undefined::undefined(Text::tr("there are fewer than two occasions"));
   }

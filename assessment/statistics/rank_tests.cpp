@@ -113,6 +113,9 @@ std::optional<Interval> shiftInterval(const DoubledRanks& ranks, std::size_t n1,
 }  // namespace
 
 Outcome<MannWhitney> mannWhitney(std::span<const double> x, std::span<const double> y, double confidence) {
+  if (const std::optional<Text> reason = beyondArithmetic(x, y)) {
+    return Outcome<MannWhitney>::undefined(*reason);
+  }
   if (x.empty() || y.empty()) {
     return Outcome<MannWhitney>::undefined(Text::tr("a group is empty"));
   }
@@ -227,6 +230,9 @@ Outcome<PermutationTest> pairedPermutationTest(std::span<const std::int64_t> dif
 }
 
 Outcome<SignedRank> signedRank(std::span<const double> differences) {
+  if (const std::optional<Text> reason = beyondArithmetic(differences)) {
+    return Outcome<SignedRank>::undefined(*reason);
+  }
   SignedRank out;
   std::vector<double> kept;
   std::vector<double> magnitudes;

@@ -122,6 +122,9 @@ void addAgreement(IccResult& out, double tail) {
   }
   const double f1 = fQuantile(1.0 - tail, n - 1.0, v);
   const double f2 = fQuantile(1.0 - tail, v, n - 1.0);
+  if (!std::isfinite(f1) || !std::isfinite(f2)) {  // v near 0: the interval is everything
+    return;
+  }
   const double spread = k * out.jms + (k * n - k - n) * out.ems;
   const Interval single{n * (out.bms - f1 * out.ems) / (f1 * spread + n * out.bms),
                         n * (f2 * out.bms - out.ems) / (spread + n * f2 * out.bms)};
@@ -132,6 +135,9 @@ void addAgreement(IccResult& out, double tail) {
 }  // namespace
 
 Outcome<IccResult> intraclassCorrelation(const NumberTable& ratings, double confidence) {
+  if (const std::optional<Text> reason = beyondArithmetic(ratings.values())) {
+    return Outcome<IccResult>::undefined(*reason);
+  }
   if (ratings.rows() < 2) {
     return Outcome<IccResult>::undefined(Text::tr("there are fewer than two targets"));
   }
@@ -139,9 +145,6 @@ Outcome<IccResult> intraclassCorrelation(const NumberTable& ratings, double conf
     return Outcome<IccResult>::undefined(Text::tr("there are fewer than two raters"));
   }
   TwoWay ss = twoWay(ratings);
-  if (!std::isfinite(ss.rows + ss.within + ss.columns)) {
-    return Outcome<IccResult>::undefined(Text::tr("the values are too large to be squared"));
-  }
   if (ss.rows + ss.within == 0.0) {
     return Outcome<IccResult>::undefined(Text::tr("every rating is the same"));
   }
@@ -223,6 +226,9 @@ std::optional<double> standardizedAlpha(const NumberTable& x) {
 }  // namespace
 
 Outcome<CronbachResult> cronbachAlpha(const NumberTable& answers, double confidence) {
+  if (const std::optional<Text> reason = beyondArithmetic(answers.values())) {
+    return Outcome<CronbachResult>::undefined(*reason);
+  }
   if (answers.rows() < 2 || answers.columns() < 2) {
     return Outcome<CronbachResult>::undefined(Text::tr("alpha needs at least two persons and two items"));
   }
@@ -282,6 +288,9 @@ Outcome<KendallResult> kendallW(const NumberTable& ratings) {
 Outcome<BlandAltmanResult> blandAltman(std::span<const double> x, std::span<const double> y,
                                        double multiplier, double confidence) {
   TORSIO_EXPECTS(x.size() == y.size());
+  if (const std::optional<Text> reason = beyondArithmetic(x, y)) {
+    return Outcome<BlandAltmanResult>::undefined(*reason);
+  }
   if (x.size() < 2) {
     return Outcome<BlandAltmanResult>::undefined(Text::tr("limits of agreement need at least two pairs"));
   }

@@ -127,6 +127,9 @@ Outcome<Bootstrap> bootstrap(std::size_t trainees, const ResampledStatistic& sta
 
 Outcome<Correlation> pearson(std::span<const double> x, std::span<const double> y, double confidence) {
   TORSIO_EXPECTS(x.size() == y.size());
+  if (const std::optional<Text> reason = beyondArithmetic(x, y)) {
+    return Outcome<Correlation>::undefined(*reason);
+  }
   if (x.size() < 2) {
     return Outcome<Correlation>::undefined(Text::tr("there are fewer than two pairs"));
   }

@@ -61,6 +61,9 @@ void addLogistic(std::span<const double> novices, std::span<const double> master
 Outcome<ContrastingGroups> contrastingGroups(std::span<const double> novices,
                                              std::span<const double> masters) {
   using Undefined = Outcome<ContrastingGroups>;
+  if (const std::optional<Text> reason = beyondArithmetic(novices, masters)) {
+    return Outcome<ContrastingGroups>::undefined(*reason);
+  }
   if (novices.size() < 2 || masters.size() < 2) {
     return Undefined::undefined(Text::tr("a group has fewer than two trainees"));
   }
@@ -104,6 +107,9 @@ Outcome<ContrastingGroups> contrastingGroups(std::span<const double> novices,
 }
 
 Outcome<Angoff> angoff(const NumberTable& percent) {
+  if (const std::optional<Text> reason = beyondArithmetic(percent.values())) {
+    return Outcome<Angoff>::undefined(*reason);
+  }
   if (percent.rows() == 0) {
     return Outcome<Angoff>::undefined(Text::tr("there are no judges"));
   }
@@ -129,6 +135,9 @@ Outcome<BorderlineRegression> borderlineRegression(std::span<const double> globa
                                                    std::span<const double> score, double borderline) {
   using Undefined = Outcome<BorderlineRegression>;
   TORSIO_EXPECTS(globalRating.size() == score.size());
+  if (const std::optional<Text> reason = beyondArithmetic(globalRating, score)) {
+    return Outcome<BorderlineRegression>::undefined(*reason);
+  }
   if (score.size() < 3) {
     return Undefined::undefined(Text::tr("there are fewer than three trainees"));
   }
@@ -160,6 +169,9 @@ Outcome<BorderlineRegression> borderlineRegression(std::span<const double> globa
 Outcome<ProficiencyThreshold> proficiencyThreshold(std::span<const double> experts,
                                                    const ProficiencyOptions& options) {
   using Undefined = Outcome<ProficiencyThreshold>;
+  if (const std::optional<Text> reason = beyondArithmetic(experts)) {
+    return Outcome<ProficiencyThreshold>::undefined(*reason);
+  }
   constexpr double kOutlier = 1.96;
   std::vector<double> x(experts.begin(), experts.end());
   for (double& value : x) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,6 +65,8 @@ class NumberTable {
   [[nodiscard]] double at(std::size_t row, std::size_t column) const {
     return values_[row * columns_ + column];
   }
+  /// Returns all numbers, row after row.
+  [[nodiscard]] std::span<const double> values() const noexcept { return values_; }
   [[nodiscard]] std::vector<double> row(std::size_t r) const {
     return {values_.begin() + static_cast<std::ptrdiff_t>(r * columns_),
             values_.begin() + static_cast<std::ptrdiff_t>((r + 1) * columns_)};

@@ -10591,6 +10591,10 @@
         <source>this device is not supported on this system yet</source>
         <translation>此系统尚不支持该设备</translation>
     </message>
+    <message>
+        <source>the values lie too close together to be squared</source>
+        <translation>数值过于接近，无法求平方</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

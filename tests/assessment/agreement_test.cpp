@@ -112,6 +112,16 @@ TEST(IntraclassCorrelation, IsUndefinedWithoutVariationAndSaysWhy) {
               ::testing::HasSubstr("targets"));
 }
 
+TEST(IntraclassCorrelation, HasNoIntervalWhereItsDegreesOfFreedomVanish) {
+  const Outcome<IccResult> icc = intraclassCorrelation(NumberTable(Rows{{0.0, 5.0, 8.0}, {2.0, 7.0, 5.0}}));
+
+  ASSERT_TRUE(icc);
+  EXPECT_LT(icc->agreementDf, 0.01);
+  EXPECT_NEAR(icc->agreementSingle.estimate, -4.0 / 30.0, 1e-12);
+  EXPECT_FALSE(icc->agreementSingle.interval);
+  EXPECT_FALSE(icc->agreementMean.interval);
+}
+
 TEST(IntraclassCorrelation, OfRatersThatDifferByAConstantLosesOnlyWhatTheResidualDivides) {
   const Outcome<IccResult> got = intraclassCorrelation(NumberTable({{1, 2}, {2, 3}, {3, 4}}));
 

@@ -77,6 +77,18 @@ struct Sleep {
   std::vector<double> y = numbers(welch.input.at("y"));
 };
 
+TEST(MeanTests, OfNumbersWhoseSquaresAreNoneAreUndefinedAndSayWhy) {
+  const std::vector<double> usual{1.0, 2.0, 4.0};
+  const std::vector<double> huge{1e200, -1e200, 3e199};
+  const std::vector<double> close{0.0, 5e-324, 1e-300};
+
+  EXPECT_EQ(welchT(usual, huge).reason(), Text::tr("the values are too large to be squared"));
+  EXPECT_EQ(pairedT(huge, usual).reason(), Text::tr("the values are too large to be squared"));
+  EXPECT_EQ(oneWayAnova({usual, huge}).reason(), Text::tr("the values are too large to be squared"));
+  EXPECT_EQ(shapiroWilk(close).reason(), Text::tr("the values lie too close together to be squared"));
+  EXPECT_TRUE(welchT(usual, std::vector<double>{1e70, -1e70, 3e69}));
+}
+
 TEST(WelchT, AgreesOnTheSleepData) {
   const Sleep sleep;
   expectTTest(*welchT(sleep.x, sleep.y), {sleep.welch.expected, sleep.welch.tolerance});

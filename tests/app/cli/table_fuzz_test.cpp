@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random tables for every command of the statistics that reads one: it answers with numbers and reasons, or refuses in
+// one line; it never ends with an internal error, hangs, or prints what is no number. TORSIO_FUZZ_TABLES says how many.
+#include <array>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/app/cli/table_commands.h"
+
+namespace torsio {
+namespace {
+
+constexpr int kUsualTables = 300;
+constexpr int kInternalError = 70;
+constexpr int kHung = 124;  // of timeout(1)
+
+struct Command {
+  std::string arguments;  ///< with a %1 for the table
+  std::string columns;
+};
+
+std::vector<Command> commands() {
+  std::vector<Command> all;
+  for (const char* method : {"overview", "icc", "krippendorff --resamples 99", "kappa", "bland-altman", "rasch",
+                             "generalizability"}) {
+    all.push_back({std::string("agreement --ratings %1 --method ") + method, "target,rater,score"});
+  }
+  for (const char* options : {"", "--bootstrap mean --resamples 99", "--bootstrap median --resamples 99"}) {
+    all.push_back({std::string("compare-groups %1 ") + options, "subject,group,score"});
+  }
+  for (const char* options : {"", "--paired t", "--paired signed-rank", "--paired permutation", "--paired friedman"}) {
+    all.push_back({std::string("compare-groups %1 ") + options, "subject,group,occasion,score"});
+  }
+  for (const char* options : {"", "--threshold 5 --target 4 --sigma 1"}) {
+    all.push_back({std::string("learning %1 ") + options, "subject,attempt,value"});
+  }
+  all.push_back({"standard-setting %1 --method contrasting-groups", "subject,group,score"});
+  all.push_back({"standard-setting %1 --method angoff", "judge,item,percent"});
+  all.push_back({"standard-setting %1 --method borderline-regression --borderline 3", "subject,global,score"});
+  all.push_back({"standard-setting %1 --method proficiency", "expert,value"});
+  all.push_back({"standard-setting %1 --method proficiency --log --drop-outliers", "expert,value"});
+  all.push_back({"evaluate --ratings %1 --resamples 20", "index,rater,class,model,score"});
+  return all;
+}
+
+/// One random table; the same seed gives the same table everywhere.
+class RandomTable {
+ public:
+  RandomTable(unsigned seed, Command command) : draw_(seed), command_(std::move(command)) {
+    groups_ = 1 + below(4);
+    passFail_ = below(2) == 0;
+    style_ = below(10);
+  }
+
+  std::string text() {
+    const std::string separator = below(5) == 0 ? ";" : ",";
+    std::string table = row(names(), separator);
+    const int targets = below(10);
+    const int raters = below(7);
+    for (int i = 0; i < targets; ++i) {
+      for (int j = 0; j < raters; ++j) {
+        if (below(20) != 0) {
+          table += row(cells(i, j), separator);
+        }
+      }
+    }
+    for (int harm = below(30) == 0 ? 1 + below(4) : 0; harm > 0; --harm) {
+      table[static_cast<std::size_t>(below(static_cast<int>(table.size())))] = static_cast<char>(below(256));
+    }
+    return below(40) == 0 ? "\xef\xbb\xbf" + table : table;
+  }
+
+ private:
+  int below(int n) { return static_cast<int>(draw_() % static_cast<unsigned>(n)); }
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> all{""};
+    for (const char c : command_.columns) {
+      if (c == ',') {
+        all.emplace_back();
+      } else {
+        all.back().push_back(c);
+      }
+    }
+    return all;
+  }
+  static std::string row(const std::vector<std::string>& cells, const std::string& separator) {
+    std::string line;
+    for (const std::string& cell : cells) {
+      line += (line.empty() ? "" : separator) + cell;
+    }
+    return line + "\n";
+  }
+  std::vector<std::string> cells(int i, int j) {
+    std::vector<std::string> all;
+    for (const std::string& name : names()) {
+      all.push_back(cell(name, i, j));
+    }
+    return all;
+  }
+  std::string cell(const std::string& name, int i, int j) {
+    if (name == "target" || name == "subject" || name == "judge") {
+      return "s" + std::to_string(i);
+    }
+    if (name == "expert") {
+      return "e" + std::to_string(i) + "-" + std::to_string(j);
+    }
+    if (name == "rater" || name == "item" || name == "occasion") {
+      return name.substr(0, 1) + std::to_string(j);
+    }
+    if (name == "group") {
+      const bool named = command_.arguments.find("contrasting") != std::string::npos;
+      return named ? (i % 2 == 0 ? "novice" : "master") : "g" + std::to_string(i % groups_);
+    }
+    if (name == "attempt" || name == "index") {
+      return std::to_string((name == "attempt" ? j : i) + 1);
+    }
+    if (name == "class" || name == "model") {
+      return std::string(1, static_cast<char>((name == "class" ? 'A' : 'm') + j % 3));
+    }
+    return name == "value" && passFail_ ? (below(3) == 0 ? "fail" : "pass") : number(j);
+  }
+  std::string number(int j) {
+    static const std::array kStrange{"1e200",  "-1e200", "1e308", "-1e308", "1e-308", "5e-324", "1e75",
+                                     "1e15",   "-0",     "nan",   "inf",    "",       "abc",    "1,5",
+                                     "1e999",  "--1",    " 4 ",   "0x10",   "4.0000000000000009"};
+    if (style_ == 0) {
+      return "5";
+    }
+    if (style_ == 1) {
+      return kStrange.at(static_cast<std::size_t>(below(6)));
+    }
+    if (style_ == 2) {  // groups that hardly vary and lie far apart
+      return std::to_string(10 * j) + "." + std::to_string(below(3));
+    }
+    if (style_ < 6 && below(12) == 0) {
+      return kStrange.at(static_cast<std::size_t>(below(static_cast<int>(kStrange.size()))));
+    }
+    return style_ < 8 ? std::to_string(below(11)) : std::to_string(below(11)) + "." + std::to_string(below(1000));
+  }
+
+  std::mt19937 draw_;
+  Command command_;
+  int groups_ = 1;
+  bool passFail_ = false;
+  int style_ = 0;
+};
+
+using TableFuzz = test::TableCommands;
+
+TEST_F(TableFuzz, EveryTableIsAnsweredWithNumbersAndReasonsOrRefusedInOneLine) {
+  const char* wanted = std::getenv("TORSIO_FUZZ_TABLES");
+  const int tables = wanted == nullptr ? kUsualTables : std::atoi(wanted);
+  const std::vector<Command> all = commands();
+  int answered = 0;
+  for (int seed = 1; seed <= tables; ++seed) {
+    Command command = all[static_cast<std::size_t>(seed) % all.size()];
+    const std::string table = RandomTable(static_cast<unsigned>(seed), command).text();
+    command.arguments.replace(command.arguments.find("%1"), 2, write("table.csv", table));
+    SCOPED_TRACE("table " + std::to_string(seed) + ", torsio " + command.arguments + "\n" + table);
+    const test::ProgramRun run = test::runTorsio(command.arguments, folder_, "timeout 30");
+    ASSERT_NE(run.code, kHung);
+    ASSERT_NE(run.code, kInternalError) << run.err;
+    if (run.code == 0) {
+      ++answered;
+      // dump() refuses bytes that are no UTF-8; the parser has refused nan and inf.
+      ASSERT_NO_THROW((void)nlohmann::json::parse(run.out).dump()) << run.out;
+      ASSERT_EQ(run.out.find(": null"), std::string::npos) << run.out;
+    } else {
+      ASSERT_LT(run.code, kInternalError) << run.err;
+      ASSERT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    }
+  }
+  EXPECT_GT(answered, tables / 10) << "too many tables are refused for the rest to show anything";
+}
+
+}  // namespace
+}  // namespace torsio
