@@ -30,34 +30,37 @@ std::optional<SubsetSums> subsetSums(std::vector<std::int64_t> values, std::size
     return std::nullopt;
   }
   const std::int64_t low = *std::min_element(values.begin(), values.end());
-  std::int64_t largest = 0;
   for (std::int64_t& value : values) {
     value -= low;
   }
-  std::sort(values.begin(), values.end(), std::greater<>());
-  for (std::size_t i = 0; i < size; ++i) {
-    largest += values[i];
-  }
+  std::sort(values.begin(), values.end());
+  std::vector<std::int64_t> below(values.size() + 1, 0);  // sums of the smallest
+  std::partial_sum(values.begin(), values.end(), below.begin() + 1);
+  const std::int64_t largest = below.back() - below[values.size() - size];
   if ((largest + 1) * static_cast<std::int64_t>(size + 1) > kTableLimit) {
     return std::nullopt;
   }
   const auto width = static_cast<std::size_t>(largest) + 1;
   std::vector<std::vector<std::int64_t>> table(size + 1, std::vector<std::int64_t>(width, 0));
   table[0][0] = 1;
-  for (const std::int64_t value : values) {
-    const auto step = static_cast<std::size_t>(value);
-    for (std::size_t taken = size; taken >= 1; --taken) {
-      for (std::size_t sum = width; sum-- > step;) {
-        table[taken][sum] += table[taken - 1][sum - step];
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t left = values.size() - 1 - i;
+    const std::size_t fewest = size > left ? size - left : 1;  // with fewer it is too late
+    for (std::size_t taken = std::min(size, i + 1); taken >= fewest; --taken) {
+      // The others of the taken ones are at most the largest before this value.
+      const auto reach = static_cast<std::size_t>(below[i] - below[i + 1 - taken]);
+      const std::int64_t* from = table[taken - 1].data();
+      std::int64_t* to = table[taken].data() + values[i];
+      for (std::size_t sum = 0; sum <= reach; ++sum) {
+        to[sum] += from[sum];
       }
     }
   }
   return SubsetSums{table[size], low * static_cast<std::int64_t>(size), *total};
 }
 
-void addExactMannWhitney(const DoubledRanks& ranks, std::size_t n1, std::int64_t doubledSum,
-                         MannWhitney& out) {
-  const std::optional<SubsetSums> sums = subsetSums(ranks.ranks, n1);
+void addExactMannWhitney(const std::optional<SubsetSums>& sums, const DoubledRanks& ranks, std::size_t n1,
+                         std::int64_t doubledSum, MannWhitney& out) {
   if (!sums) {
     return;
   }
@@ -84,9 +87,9 @@ void addExactMannWhitney(const DoubledRanks& ranks, std::size_t n1, std::int64_t
 }
 
 /// Order statistics of the differences that the exact distribution of U without ties leaves uncertain.
-std::optional<Interval> shiftInterval(const DoubledRanks& ranks, std::size_t n1, std::size_t n2,
-                                      std::vector<double> differences, double confidence) {
-  const std::optional<SubsetSums> sums = subsetSums(ranks.ranks, n1);
+std::optional<Interval> shiftInterval(const std::optional<SubsetSums>& sums, const DoubledRanks& ranks,
+                                      std::size_t n1, std::size_t n2, std::vector<double> differences,
+                                      double confidence) {
   if (!sums || ranks.tieTerm != 0) {
     return std::nullopt;
   }
@@ -143,7 +146,8 @@ Outcome<MannWhitney> mannWhitney(std::span<const double> x, std::span<const doub
   out.pNormal = std::min(1.0, normalTwoSided(out.z));
   out.zCorrected = (distance - 0.5 * sign) / std::sqrt(variance);
   out.pCorrected = std::min(1.0, normalTwoSided(out.zCorrected));
-  addExactMannWhitney(ranks, x.size(), doubledSum, out);
+  const std::optional<SubsetSums> sums = subsetSums(ranks.ranks, x.size());
+  addExactMannWhitney(sums, ranks, x.size(), doubledSum, out);
   std::vector<double> differences;
   for (const double a : x) {
     for (const double b : y) {
@@ -151,7 +155,7 @@ Outcome<MannWhitney> mannWhitney(std::span<const double> x, std::span<const doub
     }
   }
   out.hodgesLehmann = medianOf(differences);
-  out.hodgesLehmannInterval = shiftInterval(ranks, x.size(), y.size(), differences, confidence);
+  out.hodgesLehmannInterval = shiftInterval(sums, ranks, x.size(), y.size(), differences, confidence);
   return out;
 }
 
