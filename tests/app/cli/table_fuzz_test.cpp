@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random tables for every command of the statistics that reads one: it answers with numbers and reasons, or refuses in
-// one line; it never ends with an internal error, hangs, or prints what is no number. TORSIO_FUZZ_TABLES says how many.
+// Random tables for every command of the statistics that reads one: it answers with numbers and reasons, or
+// refuses in one line; it never ends with an internal error, hangs, or prints what is no number.
+// TORSIO_FUZZ_TABLES says how many.
 #include <array>
 #include <cstdlib>
 #include <random>
@@ -25,14 +26,15 @@ struct Command {
 
 std::vector<Command> commands() {
   std::vector<Command> all;
-  for (const char* method : {"overview", "icc", "krippendorff --resamples 99", "kappa", "bland-altman", "rasch",
-                             "generalizability"}) {
+  for (const char* method : {"overview", "icc", "krippendorff --resamples 99", "kappa", "bland-altman",
+                             "rasch", "generalizability"}) {
     all.push_back({std::string("agreement --ratings %1 --method ") + method, "target,rater,score"});
   }
   for (const char* options : {"", "--bootstrap mean --resamples 99", "--bootstrap median --resamples 99"}) {
     all.push_back({std::string("compare-groups %1 ") + options, "subject,group,score"});
   }
-  for (const char* options : {"", "--paired t", "--paired signed-rank", "--paired permutation", "--paired friedman"}) {
+  for (const char* options :
+       {"", "--paired t", "--paired signed-rank", "--paired permutation", "--paired friedman"}) {
     all.push_back({std::string("compare-groups %1 ") + options, "subject,group,occasion,score"});
   }
   for (const char* options : {"", "--threshold 5 --target 4 --sigma 1"}) {
@@ -40,7 +42,8 @@ std::vector<Command> commands() {
   }
   all.push_back({"standard-setting %1 --method contrasting-groups", "subject,group,score"});
   all.push_back({"standard-setting %1 --method angoff", "judge,item,percent"});
-  all.push_back({"standard-setting %1 --method borderline-regression --borderline 3", "subject,global,score"});
+  all.push_back(
+      {"standard-setting %1 --method borderline-regression --borderline 3", "subject,global,score"});
   all.push_back({"standard-setting %1 --method proficiency", "expert,value"});
   all.push_back({"standard-setting %1 --method proficiency --log --drop-outliers", "expert,value"});
   all.push_back({"evaluate --ratings %1 --resamples 20", "index,rater,class,model,score"});
@@ -124,9 +127,25 @@ class RandomTable {
     return name == "value" && passFail_ ? (below(3) == 0 ? "fail" : "pass") : number(j);
   }
   std::string number(int j) {
-    static const std::array kStrange{"1e200",  "-1e200", "1e308", "-1e308", "1e-308", "5e-324", "1e75",
-                                     "1e15",   "-0",     "nan",   "inf",    "",       "abc",    "1,5",
-                                     "1e999",  "--1",    " 4 ",   "0x10",   "4.0000000000000009"};
+    static const std::array kStrange{"1e200",
+                                     "-1e200",
+                                     "1e308",
+                                     "-1e308",
+                                     "1e-308",
+                                     "5e-324",
+                                     "1e75",
+                                     "1e15",
+                                     "-0",
+                                     "nan",
+                                     "inf",
+                                     "",
+                                     "abc",
+                                     "1,5",
+                                     "1e999",
+                                     "--1",
+                                     " 4 ",
+                                     "0x10",
+                                     "4.0000000000000009"};
     if (style_ == 0) {
       return "5";
     }
@@ -139,7 +158,8 @@ class RandomTable {
     if (style_ < 6 && below(12) == 0) {
       return kStrange.at(static_cast<std::size_t>(below(static_cast<int>(kStrange.size()))));
     }
-    return style_ < 8 ? std::to_string(below(11)) : std::to_string(below(11)) + "." + std::to_string(below(1000));
+    return style_ < 8 ? std::to_string(below(11))
+                      : std::to_string(below(11)) + "." + std::to_string(below(1000));
   }
 
   std::mt19937 draw_;
