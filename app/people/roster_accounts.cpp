@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <set>
 
 #include "assessment/people/account.h"
@@ -56,6 +57,12 @@ void addAccounts(SessionContext& session, const std::vector<PersonId>& personIds
   std::vector<PersonRow> rows = peopleWithoutAccount(session);
   const std::set<std::string> wanted(personIds.begin(), personIds.end());
   std::erase_if(rows, [&wanted](const PersonRow& row) { return !wanted.contains(row.person.id); });
+  std::map<PersonId, std::string> names;
+  if (session.may(Operation::kPersonViewIdentity)) {
+    for (const NamedPersonRow& person : namedPeople(session)) {
+      names[person.row.person.id] = person.identity.fullName;
+    }
+  }
   std::set<std::string> taken;
   for (const UserAccount& user : users(session)) {
     taken.insert(user.login);
@@ -71,7 +78,8 @@ void addAccounts(SessionContext& session, const std::vector<PersonId>& personIds
                  .demonstration = row.person.demonstration};
     addUser(session, user);
     taken.insert(user.login);
-    made.push_back({user.login, user.roles.front(), row.person.code, user.startPassword});
+    made.push_back(
+        {user.login, user.roles.front(), row.person.code, user.startPassword, names[row.person.id]});
   }
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/people/roster_import.h"
+#include "app/people/roster_text.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
@@ -119,11 +120,19 @@ RosterFile readRoster(const std::filesystem::path& file) {
   return parseRoster(readFile(file), file.filename().string());
 }
 
-RosterFile parseRoster(std::string_view text, const std::string& name) {
+RosterFile parseRoster(std::string_view bytes, const std::string& name) {
+  const RosterText decoded = decodeRosterText(bytes, name);
+  const std::string& text = decoded.utf8;
   RosterFile roster;
   roster.name = name;
+  roster.encoding = decoded.encoding;
   roster.separator = guessSeparator(text);
   roster.rows = csvRecords(text, name, roster.separator);
+  std::erase_if(roster.rows, [](const CsvRecord& row) {
+    return std::all_of(row.values.begin(), row.values.end(), [](const std::string& value) {
+      return value.find_first_not_of(" \t") == std::string::npos;
+    });
+  });
   if (roster.rows.empty()) {
     throw Error(ErrorCode::kBadData, Text::tr("the roster is empty"), name,
                 Text::tr("Begin with a line that names the columns"));
@@ -143,7 +152,7 @@ RosterFile parseRoster(std::string_view text, const std::string& name) {
                 Text::tr("Add one line a person"));
   }
   Digest digest;
-  digest.update(text);
+  digest.update(bytes);
   roster.contentHash = digest.hex();
   return roster;
 }

@@ -82,8 +82,8 @@ RosterPreview preview(SessionContext& session, const RosterFile& file, RosterKin
   const KnownPeople known = readKnown(session);
   RosterPreview preview;
   preview.kind = kind;
-  std::map<std::string, std::size_t> lineOf;
-  std::map<std::string, std::size_t> alike;  // by likenessOf() the number
+  std::map<std::string, std::size_t> firstOf;  // number: place in the preview
+  std::map<std::string, std::size_t> alike;    // by likenessOf() the number
   LineCount count(progress, Text::tr("Comparing with the record"), file.rows.size(), 0.0, share);
   for (const CsvRecord& record : file.rows) {
     count.next();
@@ -101,9 +101,17 @@ RosterPreview preview(SessionContext& session, const RosterFile& file, RosterKin
       }
       understand(row, kind, known);
       const std::string& number = row.values[rosterIndex(RosterField::kExternalId)];
-      const auto [first, fresh] = lineOf.emplace(number, row.line);
+      const auto [first, fresh] = firstOf.emplace(number, preview.rows.size());
       if (!number.empty() && !fresh) {
-        refuseRow(row, Text::tr("the number %1 stands on line %2 already", number, first->second),
+        const RosterRow& before = preview.rows[first->second];
+        if (row.problem.empty() && row.values == before.values) {
+          row.status = RosterStatus::kSame;
+          row.hint = Text::tr("the same as line %1: taken once", before.line);
+          ++preview.same;
+          preview.rows.push_back(std::move(row));
+          continue;
+        }
+        refuseRow(row, Text::tr("the number %1 stands on line %2 already", number, before.line),
                   Text::tr("Remove one of the two lines, or correct the number"));
       }
       const auto [twin, alone] = alike.emplace(likenessOf(number), row.line);

@@ -44,18 +44,19 @@ inline constexpr std::size_t kRosterFields = 9;
 
 /// A roster as it was read: what the column map is chosen on.
 struct RosterFile {
-  std::string name{};  ///< of the file, for messages
+  std::string name{};      ///< of the file, for messages
+  std::string encoding{};  ///< as it was saved: "UTF-8"; another one was guessed
   char separator = ',';
   std::vector<std::string> header{};
   std::vector<CsvRecord> rows{};
   std::string contentHash{};
 };
 
-/// Reads comma-, semicolon- or tab-separated text, UTF-8 with or without byte order mark. Throws
-/// Error{kFileMissing, kFileUnreadable, kBadData}: not UTF-8 (with how to save it so), empty, no header, a
-/// column named twice, no rows.
+/// Reads comma-, semicolon- or tab-separated text in one of the encodings of decodeRosterText(); lines of
+/// separators alone are skipped. Throws Error{kFileMissing, kFileUnreadable, kBadData}: no such encoding,
+/// empty, no header, a column named twice, no rows.
 [[nodiscard]] RosterFile readRoster(const std::filesystem::path& file);
-[[nodiscard]] RosterFile parseRoster(std::string_view text, const std::string& name);
+[[nodiscard]] RosterFile parseRoster(std::string_view bytes, const std::string& name);
 
 /// Which column holds what: position in RosterFile::header, empty for "not in this file".
 using RosterColumns = std::array<std::optional<std::size_t>, kRosterFields>;

@@ -42,15 +42,47 @@ TEST(RosterFile, ReadsCommaSemicolonAndTabWithAndWithoutByteOrderMark) {
   }
 }
 
-TEST(RosterFile, RefusesLatin1WithAPlainSentence) {
-  try {
-    (void)parseRoster("id,name\nS-1,M\xFCller\n", "roster.csv");
-    FAIL() << "Latin-1 was taken";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.happened(), "the text is not UTF-8");
-    EXPECT_EQ(error.where(), "roster.csv, line 2");
-    EXPECT_EQ(error.remedy(), "Save the table as UTF-8 CSV");
+TEST(RosterFile, ReadsWhatOlderSpreadsheetsSave) {
+  struct Saved {
+    const char* encoding;
+    std::string bytes;
+    const char* name;
+  };
+  const std::vector<Saved> all{
+      {"Windows-1252", "id;name\r\nS-1;J\xF6rg M\xFCller\r\n", "J\xC3\xB6rg M\xC3\xBCller"},
+      {"Windows-1252", "id;name\r\nS-1;\x8Atefan \x96 \xC9t\xE9\r\n",
+       "\xC5\xA0tefan \xE2\x80\x93 \xC3\x89t\xC3\xA9"},
+      {"GB18030", "id,name\r\nS-1,\xD5\xC5\xCE\xB0\r\n", "\xE5\xBC\xA0\xE4\xBC\x9F"},
+      {"UTF-8", "id,name\r\nS-1,M\xC3\xBCller\r\n", "M\xC3\xBCller"},
+      {"UTF-16", std::string("\xFF\xFEi\0d\0\t\0n\0a\0m\0e\0\r\0\n\0S\0-\0001\0\t\0\xFC\0\r\0\n\0", 34),
+       "\xC3\xBC"},
+      {"UTF-16", std::string("\xFE\xFF\0i\0d\0,\0n\0a\0m\0e\0\n\0S\0,\0\xFC", 24), "\xC3\xBC"}};
+  for (const Saved& saved : all) {
+    const RosterFile file = parseRoster(saved.bytes, "roster.csv");
+    EXPECT_EQ(file.encoding, saved.encoding);
+    ASSERT_EQ(file.rows.size(), 1U) << saved.encoding;
+    ASSERT_EQ(file.rows[0].values.size(), 2U) << saved.encoding;
+    EXPECT_EQ(file.rows[0].values[1], saved.name) << saved.encoding;
   }
+}
+
+TEST(RosterFile, RefusesWhatIsNoTextWithAPlainSentence) {
+  for (const std::string& bytes :
+       {std::string("\xFF\xFEi\0d\0\0", 7), std::string("id,name\nS-1,\x81\x8D\n")}) {
+    try {
+      (void)parseRoster(bytes, "roster.csv");
+      FAIL() << "was taken";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.where(), "roster.csv");
+      EXPECT_EQ(error.remedy(), "Save the table as UTF-8 CSV");
+    }
+  }
+}
+
+TEST(RosterFile, SkipsLinesOfSeparatorsAlone) {
+  const RosterFile file = parseRoster("id;name;level\nS-1;Ann;\n;;\n ; ;\nS-2;Bob;\n;;;;;\n", "roster.csv");
+  ASSERT_EQ(file.rows.size(), 2U);
+  EXPECT_EQ(file.rows[1].line, 5U);
 }
 
 TEST(RosterFile, SuggestsColumnsFromEnglishAndChineseHeaders) {
@@ -109,6 +141,21 @@ TEST(RosterImport, GivesEveryLineItsStatusAndSaysWhatToMend) {
   }
   EXPECT_EQ(preview.errors, 4U);
   EXPECT_FALSE(preview.importable());
+}
+
+TEST(RosterImport, TakesALineThatStandsTwiceOnce) {
+  StudyCentre centre;
+  SessionContext& session = centre.as("administrator");
+  const char* text = "id,name,sex\nS-1,Ann,f\nS-2,Bob,m\nS-1,Ann,F\n";
+
+  const RosterPreview preview = look(session, text);
+
+  EXPECT_TRUE(preview.importable());
+  EXPECT_EQ(preview.added, 2U);
+  EXPECT_EQ(preview.rows[2].status, RosterStatus::kSame);
+  EXPECT_EQ(preview.rows[2].hint, "the same as line 2: taken once");
+  commitRoster(session, text);
+  EXPECT_EQ(people(session).size(), 2U);
 }
 
 TEST(RosterImport, NamesTheLineOfATextThatIsTooLongOrCannotBeSeen) {

@@ -51,6 +51,7 @@ RosterPage::RosterPage(ShellContext& shell)
   consents_ = listButton(table_);
   package_ = listButton(table_);
   erase_ = listButton(table_);
+  table_->setObjectName(QStringLiteral("table"));
   consents_->setObjectName(QStringLiteral("consents"));
   package_->setObjectName(QStringLiteral("exportPerson"));
   erase_->setObjectName(QStringLiteral("erasePerson"));

@@ -142,9 +142,15 @@ bool RosterFilePage::isComplete() const {
 
 bool RosterFilePage::validatePage() {
   try {
+    const std::vector<std::string> headerBefore =
+        import_.file ? import_.file->header : std::vector<std::string>{};
+    const RosterKind kindBefore = import_.kind;
     import_.kind = raters_->isChecked() ? RosterKind::kRaters : RosterKind::kTrainees;
     import_.file = readRoster(toPath(path_->text().trimmed()));
-    import_.columns = suggestColumns(*import_.file, import_.kind);
+    // A mended file with the same headings keeps the choices that were made for it.
+    if (import_.file->header != headerBefore || import_.kind != kindBefore) {
+      import_.columns = suggestColumns(*import_.file, import_.kind);
+    }
     return true;
   } catch (const Error& error) {
     problem_->setText(rosterProblem(error));
@@ -268,7 +274,6 @@ RosterPreviewPage::RosterPreviewPage(RosterImport& import, ShellContext& shell, 
   progress_->setTextVisible(false);
   progress_->setAccessibleName(tr("How far it has come"));
   progress_->hide();
-  lines_->setColumns({{tr("Line"), true}, {tr("Status")}, {tr("Number")}, {tr("Name")}, {tr("Note")}});
   auto* column = new QVBoxLayout(this);
   column->setSpacing(2 * kSpace);
   column->addWidget(summary_);
@@ -345,24 +350,39 @@ void RosterPreviewPage::showProblem(const QString& words) {
 
 void RosterPreviewPage::showPreview() {
   const RosterPreview& preview = *import_.preview;
-  summary_->setText(tr("%1 new, %2 with changes, %3 as they are, %4 with errors.")
+  QString summary = tr("%1 new, %2 with changes, %3 as they are, %4 with errors.")
                         .arg(preview.added)
                         .arg(preview.changed)
                         .arg(preview.same)
-                        .arg(preview.errors));
+                        .arg(preview.errors);
+  if (import_.file->encoding != "UTF-8") {
+    summary +=
+        QLatin1Char(' ') +
+        tr("The file was read as %1: look at letters with accents.").arg(toQString(import_.file->encoding));
+  }
+  summary_->setText(summary);
+  // Every column that the file fills, so that what is taken can be read before it is.
+  std::vector<RosterField> fields;
+  std::vector<Column> columns{{tr("Line"), true}, {tr("Status")}, {tr("Note")}};
+  for (const RosterField field : rosterFields(preview.kind)) {
+    if (import_.columns[static_cast<std::size_t>(field)]) {
+      fields.push_back(field);
+      columns.push_back({rosterFieldName(field)});
+    }
+  }
+  lines_->setColumns(columns);
   std::vector<Row> rows;
   for (const RosterRow& row : preview.rows) {
-    const auto value = [&row](RosterField field) {
-      return toQString(row.values[static_cast<std::size_t>(field)]);
-    };
     const auto line = static_cast<qulonglong>(row.line);
     const QString note = rosterNote(row);
-    rows.push_back({QString::number(line),
-                    {{QString::number(line), line},
-                     {rosterStatusName(row.status), static_cast<int>(row.status)},
-                     {value(RosterField::kExternalId)},
-                     {value(RosterField::kFullName)},
-                     {note, {}, note}}});
+    Row shown{QString::number(line),
+              {{QString::number(line), line},
+               {rosterStatusName(row.status), static_cast<int>(row.status)},
+               {note, {}, note}}};
+    for (const RosterField field : fields) {
+      shown.cells.push_back({toQString(row.values[static_cast<std::size_t>(field)])});
+    }
+    rows.push_back(std::move(shown));
   }
   lines_->setRows(std::move(rows));
   Q_EMIT completeChanged();
