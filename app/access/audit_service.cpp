@@ -6,6 +6,7 @@
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/system/audit_subjects.h"
 #include "db/repository/system/audit_verification.h"
 
 namespace torsio {
@@ -15,9 +16,9 @@ std::vector<AuditEntry> auditEntries(SessionContext& session, const AuditFilter&
   return AuditRepository(session.connection()).entries(filter);
 }
 
-std::int64_t auditEntryCount(SessionContext& session, std::int64_t fromUtc_us) {
+std::int64_t auditEntryCount(SessionContext& session, std::int64_t fromUtc_us, std::int64_t toUtc_us) {
   session.require(Operation::kAuditView);
-  return AuditRepository(session.connection()).count(fromUtc_us);
+  return AuditRepository(session.connection()).count(fromUtc_us, toUtc_us);
 }
 
 std::map<std::string, std::string> auditActors(SessionContext& session) {
@@ -31,6 +32,11 @@ std::map<std::string, std::string> auditActors(SessionContext& session) {
     logins.emplace(rater.person.id, rater.person.code);
   }
   return logins;
+}
+
+std::map<std::string, std::string> auditSubjectCodes(SessionContext& session, std::int64_t fromSequence) {
+  session.require(Operation::kAuditView);
+  return auditSubjects(session.connection(), fromSequence);
 }
 
 std::vector<AuditFinding> verifyAudit(SessionContext& session) {

@@ -40,6 +40,7 @@ struct StartAccount {
   std::string role{};
   std::string personCode{};
   std::string startPassword{};
+  std::string personName{};  ///< empty: unknown, or not for whoever made the account
 };
 
 /// Fills the record with people who are not real, and makes an account for each role.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reporting/coded_tables.h"
 
+#include <map>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "app/access/audit_service.h"
 #include "app/base/csv_table.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/rating/mark.h"
@@ -26,11 +28,12 @@ namespace {
 using Cells = std::vector<std::string>;
 
 constexpr std::int64_t kAllTrials = 1'000'000;
+constexpr std::int64_t kAllEntries = INT64_MAX;
 
 /// Keeps in the audit trail what leaves, then writes it: a trace of a file that could not be written is
 /// better than data that left without a trace.
-std::size_t write(SessionContext& session, AuditAction action, const CohortId& cohortId,
-                  const std::vector<Cells>& lines, const std::filesystem::path& file) {
+std::size_t write(SessionContext& session, const AuditNote& what, const std::vector<Cells>& lines,
+                  const std::filesystem::path& file) {
   std::string text = "\xEF\xBB\xBF";
   for (const Cells& cells : lines) {
     text += csvLine(cells);
@@ -38,10 +41,9 @@ std::size_t write(SessionContext& session, AuditAction action, const CohortId& c
   Digest digest;
   digest.update(text);
   const std::size_t rows = lines.size() - 1;
-  session.note({.action = action,
-                .objectKind = AuditObject::kCohort,
-                .objectId = cohortId,
-                .newJson = nlohmann::json{{"rows", rows}, {"blake2b", digest.hex()}}.dump()});
+  AuditNote note = what;
+  note.newJson = nlohmann::json{{"rows", rows}, {"blake2b", digest.hex()}}.dump();
+  session.note(note);
   writeFileAtomically(file, text);
   return rows;
 }
@@ -73,7 +75,7 @@ std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
                        endOf(*trial), std::string(tissueModelId(trial->model))});
     }
   }
-  return write(session, AuditAction::kTrialExportCoded, cohortId, lines, file);
+  return write(session, {AuditAction::kTrialExportCoded, AuditObject::kCohort, cohortId}, lines, file);
 }
 
 std::size_t exportMarks(SessionContext& session, const CohortId& cohortId,
@@ -87,7 +89,29 @@ std::size_t exportMarks(SessionContext& session, const CohortId& cohortId,
          mark.score_steps ? formatExact(pointsFromSteps(*mark.score_steps, mark.scale)) : std::string(),
          mark.score_steps ? "no" : "yes", mark.trialId, formatUtc(mark.submittedUtc_us)});
   }
-  return write(session, AuditAction::kMarkExportCoded, cohortId, lines, file);
+  return write(session, {AuditAction::kMarkExportCoded, AuditObject::kCohort, cohortId}, lines, file);
+}
+
+std::size_t exportAuditTrail(SessionContext& session, AuditFilter filter, const std::filesystem::path& file) {
+  session.require(Operation::kAuditView);
+  filter.limit = kAllEntries;
+  const std::vector<AuditEntry> entries = auditEntries(session, filter);
+  const std::map<std::string, std::string> actors = auditActors(session);
+  const std::map<std::string, std::string> subjects =
+      auditSubjectCodes(session, entries.empty() ? 0 : entries.back().sequence);
+  const auto named = [](const std::map<std::string, std::string>& names, const std::string& id) {
+    const auto found = names.find(id);
+    return found == names.end() ? std::string() : found->second;
+  };
+  std::vector<Cells> lines{{"sequence", "at_utc", "actor", "actor_id", "station", "action", "object_kind",
+                            "object", "object_id", "before", "after", "reason", "entry_hash"}};
+  for (const AuditEntry& entry : entries) {
+    lines.push_back({std::to_string(entry.sequence), formatUtc(entry.atUtc_us), named(actors, entry.actor),
+                     entry.actor, entry.station, entry.action, entry.objectKind,
+                     named(subjects, entry.objectId), entry.objectId, entry.oldJson, entry.newJson,
+                     entry.reason, entry.entryHash});
+  }
+  return write(session, {AuditAction::kAuditExport, AuditObject::kAuditEntry}, lines, file);
 }
 
 }  // namespace torsio

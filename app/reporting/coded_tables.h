@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/access/session_context.h"
+#include "assessment/people/audit_entry.h"
 #include "sim/base/ids.h"
 
 namespace torsio {
@@ -19,5 +20,10 @@ std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
 /// Writes every newest mark of a cohort under the codes of trainee and rater, without comments, in the same
 /// form. Returns how many there are. kMarkViewCoded. Throws Error{kFileUnwritable}.
 std::size_t exportMarks(SessionContext& session, const CohortId& cohortId, const std::filesystem::path& file);
+
+/// Writes the entries of the audit trail that pass a filter, all of them, newest first, with the codes of
+/// whom they are about, in the same form. Returns how many there are. kAuditView. Throws
+/// Error{kFileUnwritable}.
+std::size_t exportAuditTrail(SessionContext& session, AuditFilter filter, const std::filesystem::path& file);
 
 }  // namespace torsio

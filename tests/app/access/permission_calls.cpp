@@ -36,6 +36,7 @@
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/frozen_data.h"
+#include "app/study/live_call.h"
 #include "app/study/occasion_service.h"
 #include "app/study/rubric_service.h"
 #include "app/study/run_day.h"
@@ -105,6 +106,9 @@ std::vector<ServiceCall> administratorCalls() {
        [](SessionContext& w, Path) { resetPassword(w, kNoSuch, "short", ""); }},
       {O::kAuditView, "auditEntries", [](SessionContext& w, Path) { (void)auditEntries(w); }},
       {O::kAuditView, "auditEntryCount", [](SessionContext& w, Path) { (void)auditEntryCount(w, 0); }},
+      {O::kAuditView, "auditSubjectCodes", [](SessionContext& w, Path) { (void)auditSubjectCodes(w, 0); }},
+      {O::kAuditView, "exportAuditTrail",
+       [](SessionContext& w, Path folder) { (void)exportAuditTrail(w, {}, folder / "trail.csv"); }},
       {O::kAuditView, "verifyAudit", [](SessionContext& w, Path) { (void)verifyAudit(w); }},
       {O::kDatabaseBackup, "checkDatabase", [](SessionContext& w, Path) { (void)checkDatabase(w); }},
       {O::kDatabaseRestore, "othersAtWork", [](SessionContext& w, Path) { (void)othersAtWork(w); }},
@@ -190,6 +194,13 @@ std::vector<ServiceCall> studyCalls() {
       {O::kAllocationRun, "takeOutCards", [](SessionContext& w, Path) { (void)takeOutCards(w, kNoSuch); }},
       {O::kStudySetup, "swapTurns",
        [](SessionContext& w, Path) { swapTurns(w, kNoSuch, kNoSuch, "other", ""); }},
+      {O::kStudySetup, "checkCall", [](SessionContext& w, Path) { (void)checkCall(w, {}); }},
+      {O::kStudySetup, "callTrainee", [](SessionContext& w, Path) { (void)callTrainee(w, {}); }},
+      {O::kStudySetup, "endCall", [](SessionContext& w, Path) { endCall(w, kNoSuch, kNoSuch); }},
+      {O::kStudySetup, "cancelCall", [](SessionContext& w, Path) { cancelCall(w, kNoSuch, kNoSuch, ""); }},
+      {O::kStudySetup, "calledCases", [](SessionContext& w, Path) { (void)calledCases(w, kNoSuch); }},
+      {O::kStudySetup, "enrolmentWithCode",
+       [](SessionContext& w, Path) { (void)enrolmentWithCode(w, kNoSuch, ""); }},
       {O::kStudySetup, "runDayBoard", [](SessionContext& w, Path) { (void)runDayBoard(w, kNoSuch); }},
       {O::kStudyEnrol, "enrolTrainees", [](SessionContext& w, Path) { (void)enrolTrainees(w, kNoSuch, {}); }},
       {O::kStudyEnrol, "setEnrolmentState",

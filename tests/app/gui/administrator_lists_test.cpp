@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lists of the office that may be long: what is shown, what the search finds, what is kept for later.
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDateEdit>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -8,6 +11,8 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "app/base/csv_table.h"
+#include "app/gui/administrator/people/roster_page.h"
 #include "app/gui/administrator/station/audit_page.h"
 #include "app/gui/administrator/station/maintenance_page.h"
 #include "app/gui/widgets/child.h"
@@ -66,6 +71,36 @@ TEST(AuditPage, TellsWhatWasDoneInWordsAndFindsItByItsCodeToo) {
   EXPECT_TRUE(table.asText().contains(QStringLiteral("person.add")));
 }
 
+TEST(AuditPage, FindsAPersonByTheCodeAndExportsAChosenTime) {
+  AdministratorDesk office;
+  const std::vector<TraineeId> trainees = office.centre.addTrainees(30);
+  office.centre.runPaperCurriculum();
+  auto page = office.open<AuditPage>("administrator");
+  auto& table = *page->findChild<DataTable*>();
+
+  QTest::keyClicks(&table.filter(), QStringLiteral("T-17"));
+
+  ASSERT_EQ(table.visibleRows(), 1) << table.asText().toStdString();
+  EXPECT_TRUE(table.asText().contains(QStringLiteral("person T-17")));
+  table.filter().clear();
+  const std::filesystem::path file = office.centre.folder() / "trail.csv";
+  ASSERT_TRUE(page->exportTo(file));
+  const CsvTable exported = CsvTable::read(
+      file, {"sequence", "action", "object", "actor", "at_utc"},
+      {"actor_id", "station", "object_kind", "object_id", "before", "after", "reason", "entry_hash"});
+  EXPECT_EQ(exported.cell(exported.rows() - 1, "sequence"), "1");
+  EXPECT_EQ(office.centre.audited("audit.export"), 1);
+
+  // Two days on which nothing happened: the clock of this centre stands in 2025.
+  auto& span = child<QComboBox>(*page, "span");
+  span.setCurrentIndex(span.findData(-1));
+  child<QDateEdit>(*page, "from").setDate(QDate(2025, 1, 1));
+  child<QDateEdit>(*page, "to").setDate(QDate(2025, 1, 2));
+  EXPECT_EQ(table.visibleRows(), 0);
+  child<QDateEdit>(*page, "to").setDate(QDate(2025, 12, 31));
+  EXPECT_GE(table.visibleRows(), 30);
+}
+
 TEST(AuditPage, ShowsTheNewestThousandAndSaysHowManyThereAre) {
   AdministratorDesk office;
   office.centre.as("administrator");
@@ -117,6 +152,25 @@ TEST(MaintenancePage, SortsTheQueueByTimeThoughTimesArePutIntoWordsOnlyWhenLooke
   EXPECT_FALSE(when.isEmpty());
   child<DataTable>(*page, "queue").filter().setText(when);
   EXPECT_GE(child<DataTable>(*page, "queue").visibleRows(), 1);
+}
+
+TEST(RosterPage, ShowsTheNamesAtOnce) {
+  AdministratorDesk office;
+  office.centre.addTrainees(3);
+  auto page = office.open<RosterPage>("administrator");
+  page->show();
+  QApplication::processEvents();
+  const QTableView& view = child<DataTable>(*page, "table").view();
+  ASSERT_TRUE(view.isColumnHidden(1));
+
+  page->findChild<QCheckBox*>()->click();
+  QApplication::processEvents();
+
+  ASSERT_FALSE(view.isColumnHidden(1));
+  const QModelIndex name = view.model()->index(0, 1);
+  EXPECT_TRUE(name.data().toString().startsWith(QStringLiteral("Trainee")));
+  EXPECT_GE(view.columnWidth(1), view.fontMetrics().horizontalAdvance(name.data().toString()));
+  EXPECT_TRUE(view.viewport()->rect().contains(view.visualRect(name)));
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/administrator/base/printed_cards.h"
 
+#include <algorithm>
 #include <array>
 
 #include <QBuffer>
 #include <QCoreApplication>
+#include <QFontMetricsF>
 #include <QPageLayout>
 #include <QPageSize>
 #include <QPainter>
@@ -21,6 +23,7 @@ namespace {
 constexpr int kDotsPerInch = 150;
 constexpr double kMargin_mm = 12.0;
 constexpr int kCardsOnPage = 4;
+constexpr double kSafety = 0.97;                      // hinting at another size
 constexpr std::array kLineHeights{0.25, 0.55, 0.78};  // of a strip's height
 
 struct PrintedCards {
@@ -39,17 +42,18 @@ struct PrintedCard {
   std::array<CardLine, 3> inside;
 };
 
+/// Nothing on a card is cut off, in whatever font the machine has: a line that is too wide is set smaller.
 void drawHalf(QPainter& painter, const QRectF& half, const std::array<CardLine, 3>& lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     QFont font = typeface();
-    font.setPointSizeF(lines[i].points);
     font.setBold(lines[i].bold);
+    font.setPointSizeF(lines[i].points);
+    const double width = QFontMetricsF(font, painter.device()).horizontalAdvance(lines[i].text);
+    font.setPointSizeF(lines[i].points * std::min(1.0, kSafety * half.width() / std::max(width, 1.0)));
     painter.setFont(font);
     const QRectF place(half.left(), half.top() + (kLineHeights[i] - 0.1) * half.height(), half.width(),
                        0.2 * half.height());
-    painter.drawText(
-        place, Qt::AlignCenter,
-        painter.fontMetrics().elidedText(lines[i].text, Qt::ElideRight, static_cast<int>(half.width())));
+    painter.drawText(place, static_cast<int>(Qt::AlignCenter) | Qt::TextDontClip, lines[i].text);
   }
 }
 
@@ -112,12 +116,17 @@ void writeAccountCards(const std::vector<StartAccount>& accounts, const std::str
                        const std::filesystem::path& file) {
   std::vector<PrintedCard> printed;
   for (const StartAccount& account : accounts) {
-    printed.push_back({.label = {{{toQString(centre)},
-                                  {toQString(account.personCode), 24.0, true},
-                                  {PrintedCards::tr("Your way into Torsio. For you alone.")}}},
-                       .inside = {{{PrintedCards::tr("Sign-in name: %1").arg(toQString(account.login)), 11.0},
-                                   {toQString(account.startPassword), 15.0, true},
-                                   {PrintedCards::tr("Choose your own password at the first sign-in.")}}}});
+    const QString code = toQString(account.personCode);
+    printed.push_back(
+        {.label = {{{toQString(centre)},
+                    account.personName.empty() ? CardLine{code, 24.0, true}
+                                               : CardLine{toQString(account.personName), 18.0, true},
+                    {account.personName.empty()
+                         ? PrintedCards::tr("Your way into Torsio. For you alone.")
+                         : PrintedCards::tr("%1. Your way into Torsio. For you alone.").arg(code)}}},
+         .inside = {{{PrintedCards::tr("Sign-in name: %1").arg(toQString(account.login)), 11.0},
+                     {toQString(account.startPassword), 15.0, true},
+                     {PrintedCards::tr("Choose your own password at the first sign-in.")}}}});
   }
   writeCards(printed, PrintedCards::tr("Start passwords: %1").arg(toQString(centre)), file);
 }

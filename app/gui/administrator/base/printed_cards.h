@@ -16,7 +16,8 @@ namespace torsio::gui {
 /// The card tells the group.
 void writeSealedCards(const std::vector<SealedCard>& cards, const std::string& cohort,
                       const std::filesystem::path& file);
-/// The card tells sign-in name and start password.
+/// The envelope names the person, where the caller may see names; the card tells sign-in name and start
+/// password.
 void writeAccountCards(const std::vector<StartAccount>& accounts, const std::string& centre,
                        const std::filesystem::path& file);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <QComboBox>
+#include <QDateEdit>
 #include <QDateTime>
 #include <QJsonDocument>
 #include <QLabel>
@@ -19,7 +20,9 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/page_heading.h"
+#include "app/reporting/coded_tables.h"
 
 namespace torsio::gui {
 
@@ -27,6 +30,7 @@ namespace {
 
 constexpr std::int64_t kDay_us = 86'400'000'000;
 constexpr std::int64_t kFirstEntries = 1'000;  // on the screen at once, however long the record is
+constexpr int kBetween = -1;                   // of the choice of days: two dates
 constexpr int kCode = 7;                       // column: hidden until somebody asks for it, always searched
 
 QDateTime timeOf(const AuditEntry& entry) {
@@ -50,6 +54,9 @@ AuditPage::AuditPage(ShellContext& shell)
       verify_(new QPushButton(this)),
       verdict_(new QLabel(this)),
       days_(new QComboBox(this)),
+      from_(new QDateEdit(this)),
+      to_(new QDateEdit(this)),
+      export_(nullptr),
       more_(new QToolButton(this)),
       table_(new DataTable(QStringLiteral("audit"), this)),
       entry_(new QPlainTextEdit(this)) {
@@ -61,6 +68,20 @@ AuditPage::AuditPage(ShellContext& shell)
   more_->hide();
   table_->addTool(more_);
   table_->addTool(days_);
+  for (QDateEdit* day : {from_, to_}) {
+    day->setCalendarPopup(true);
+    day->setDate(QDate::currentDate());
+    day->hide();
+    table_->addTool(day);
+    connect(day, &QDateEdit::dateChanged, this, [this] {
+      most_ = kFirstEntries;
+      read();
+    });
+  }
+  from_->setObjectName(QStringLiteral("from"));
+  to_->setObjectName(QStringLiteral("to"));
+  days_->setObjectName(QStringLiteral("span"));
+  export_ = listButton(table_);
   entry_->setReadOnly(true);
   auto* splitter = new QSplitter(Qt::Vertical, this);
   splitter->addWidget(table_);
@@ -74,13 +95,16 @@ AuditPage::AuditPage(ShellContext& shell)
   column->addWidget(verdict_);
   column->addWidget(splitter, 1);
 
-  for (const int days : {1, 7, 30, 0}) {
+  for (const int days : {1, 7, 30, 0, kBetween}) {
     days_->addItem(QString(), days);
   }
   days_->setCurrentIndex(1);
   connect(verify_, &QPushButton::clicked, this, &AuditPage::verify);
+  connect(export_, &QPushButton::clicked, this, &AuditPage::askExport);
   connect(days_, &QComboBox::currentIndexChanged, this, [this] {
     most_ = kFirstEntries;
+    from_->setVisible(days_->currentData().toInt() == kBetween);
+    to_->setVisible(days_->currentData().toInt() == kBetween);
     read();
   });
   connect(more_, &QToolButton::clicked, this, &AuditPage::readMore);
@@ -108,12 +132,17 @@ void AuditPage::retranslate() {
          "without being found."));
   verify_->setText(tr("&Verify"));
   verify_->setToolTip(tr("Checks every entry, every sealed mark and every recorded trial"));
-  const QStringList spans{tr("Last day"), tr("Last week"), tr("Last month"), tr("Everything")};
+  const QStringList spans{tr("Last day"), tr("Last week"), tr("Last month"), tr("Everything"),
+                          tr("Between two days")};
   for (int index = 0; index < spans.size(); ++index) {
     days_->setItemText(index, spans[index]);
   }
   more_->setToolTip(tr("Only the newest entries of this time are shown; this shows twice as many"));
   days_->setAccessibleName(tr("Time span"));
+  from_->setAccessibleName(tr("From"));
+  to_->setAccessibleName(tr("Until"));
+  export_->setText(tr("&Export\u2026"));
+  export_->setToolTip(tr("All entries of this time as a table (CSV)"));
   entry_->setAccessibleName(tr("Chosen entry"));
   entry_->setPlaceholderText(tr("Choose an entry to see what was changed."));
   table_->setColumns({{tr("No."), true},
@@ -129,23 +158,52 @@ void AuditPage::retranslate() {
   showVerdict();
 }
 
+AuditFilter AuditPage::chosenTime() const {
+  const int days = days_->currentData().toInt();
+  if (days == kBetween) {
+    return {.fromUtc_us = from_->date().startOfDay().toMSecsSinceEpoch() * 1000,
+            .toUtc_us = to_->date().endOfDay().toMSecsSinceEpoch() * 1000 + 999};
+  }
+  return {.fromUtc_us = days > 0 ? shell().session().now_us() - days * kDay_us : 0};
+}
+
+bool AuditPage::exportTo(const std::filesystem::path& file) {
+  return attempt(shell(), [&] {
+    const std::size_t count = exportAuditTrail(shell().session(), chosenTime(), file);
+    shell().notify(tr("%n entries saved", nullptr, static_cast<int>(count)));
+  });
+}
+
+void AuditPage::askExport() {
+  const QString file = askFileToSave(this, tr("Export the audit trail"), QStringLiteral("audit-trail.csv"),
+                                     tr("Tables (*.csv)"));
+  if (!file.isEmpty()) {
+    exportTo(toPath(file));
+  }
+}
+
 void AuditPage::read() {
   attempt(shell(), [&] {
-    const int days = days_->currentData().toInt();
-    AuditFilter filter{.limit = most_ + 1};  // one more tells whether there are older ones
-    if (days > 0) {
-      filter.fromUtc_us = shell().session().now_us() - days * kDay_us;
-    }
+    AuditFilter filter = chosenTime();
+    filter.limit = most_ + 1;  // one more tells whether there are older ones
     entries_ = auditEntries(shell().session(), filter);
     const bool older = std::ssize(entries_) > most_;
     if (older) {
       entries_.pop_back();
     }
-    all_ = older ? auditEntryCount(shell().session(), filter.fromUtc_us) : std::ssize(entries_);
+    all_ =
+        older ? auditEntryCount(shell().session(), filter.fromUtc_us, filter.toUtc_us) : std::ssize(entries_);
     more_->setVisible(older);
     logins_ = auditActors(shell().session());
+    subjects_ = auditSubjectCodes(shell().session(), entries_.empty() ? 0 : entries_.back().sequence);
     showContent();
   });
+}
+
+QString AuditPage::objectText(const AuditEntry& entry) const {
+  const QString kind = toQString(auditObjectLabel(entry.objectKind));
+  const auto subject = subjects_.find(entry.objectId);
+  return subject == subjects_.end() ? kind : tr("%1 %2").arg(kind, toQString(subject->second));
 }
 
 void AuditPage::showContent() {
@@ -161,7 +219,7 @@ void AuditPage::showContent() {
                      {actor},
                      {toQString(entry.station)},
                      {toQString(auditActionLabel(entry.action)), {}, toQString(entry.action)},
-                     {toQString(auditObjectLabel(entry.objectKind)), {}, toQString(entry.objectId)},
+                     {objectText(entry), {}, toQString(entry.objectId)},
                      {toQString(entry.reason)},
                      {toQString(entry.action)}}});
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "assessment/people/audit_entry.h"
 
 class QComboBox;
+class QDateEdit;
 class QLabel;
 class QPlainTextEdit;
 class QPushButton;
@@ -31,6 +33,8 @@ class AuditPage : public Page {
 
   void enter(const QVariant& argument) override;
   void retranslate() override;
+  /// Writes what the chosen time holds.
+  bool exportTo(const std::filesystem::path& file);
 
  private:
   void read();
@@ -39,16 +43,25 @@ class AuditPage : public Page {
   void showEntry(const QString& id);
   void verify();
   void showVerdict();
+  /// "person T-30"; without a code, the kind alone.
+  [[nodiscard]] QString objectText(const AuditEntry& entry) const;
+  void askExport();
+  /// The time that is chosen, without a limit.
+  [[nodiscard]] AuditFilter chosenTime() const;
 
   std::vector<AuditEntry> entries_;
   std::int64_t most_;     // of them are read
   std::int64_t all_ = 0;  // of the chosen time are there
   std::map<std::string, std::string> logins_;
+  std::map<std::string, std::string> subjects_;        // codes by ids of objects
   std::optional<std::vector<AuditFinding>> findings_;  // empty: not looked for yet
   PageHeading* heading_;
   QPushButton* verify_;
   QLabel* verdict_;
   QComboBox* days_;
+  QDateEdit* from_;
+  QDateEdit* to_;
+  QPushButton* export_;
   QToolButton* more_;
   DataTable* table_;
   QPlainTextEdit* entry_;

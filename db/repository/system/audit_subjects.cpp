@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/system/audit_subjects.h"
+
+#include <array>
+
+#include "db/connection/row_reader.h"
+
+namespace torsio {
+
+namespace {
+
+/// Each: the ids of one kind of thing and what they are called; ends where a condition on `x.id` follows.
+constexpr std::array kSubjects{
+    "SELECT x.id, x.code FROM person x WHERE x.id",
+    "SELECT x.id, x.login FROM app_user x WHERE x.id",
+    "SELECT x.id, p.code FROM enrolment x JOIN person p ON p.id = x.trainee_id WHERE x.id",
+    "SELECT x.id, p.code FROM trial x JOIN person p ON p.id = x.trainee_id WHERE x.id",
+    "SELECT x.id, p.code FROM exposure x JOIN enrolment e ON e.id = x.enrolment_id"
+    " JOIN person p ON p.id = e.trainee_id WHERE x.id",
+    "SELECT x.id, p.code FROM deviation x JOIN enrolment e ON e.id = x.enrolment_id"
+    " JOIN person p ON p.id = e.trainee_id WHERE x.id",
+    "SELECT x.id, p.code FROM live_call x JOIN enrolment e ON e.id = x.enrolment_id"
+    " JOIN person p ON p.id = e.trainee_id WHERE x.id",
+    "SELECT x.id, p.code || ': ' || x.case_label FROM assignment x JOIN person p ON p.id = x.rater_id WHERE x.id",
+    "SELECT x.id, p.code || ': ' || a.case_label FROM training_mark x JOIN assignment a ON a.id = x.assignment_id"
+    " JOIN person p ON p.id = x.rater_id WHERE x.id",
+    "SELECT x.id, x.name FROM cohort x WHERE x.id",
+    "SELECT x.id, x.name FROM curriculum x WHERE x.id",
+    "SELECT x.id, x.name FROM evaluation_campaign x WHERE x.id",
+};
+
+}  // namespace
+
+std::map<std::string, std::string> auditSubjects(Connection& connection, std::int64_t fromSequence) {
+  std::map<std::string, std::string> subjects;
+  for (const char* select : kSubjects) {
+    Statement statement = connection.prepare(
+        std::string(select) + " IN (SELECT n.object_id FROM audit_entry n WHERE n.sequence >= ?)");
+    statement.execute({fromSequence});
+    while (statement.step()) {
+      RowReader row(statement);
+      std::string id = row.text();
+      subjects.emplace(std::move(id), row.text());
+    }
+  }
+  return subjects;
+}
+
+}  // namespace torsio
