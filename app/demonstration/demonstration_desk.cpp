@@ -10,12 +10,14 @@
 #include "assessment/people/person.h"
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/campaign.h"
+#include "assessment/rating/live_call.h"
 #include "assessment/rating/reference_run.h"
 #include "assessment/rating/sheet.h"
 #include "assessment/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/sheet_repository.h"
@@ -33,6 +35,8 @@ constexpr std::int64_t kDay_us = 86'400'000'000;
 constexpr std::int64_t kWorking_us = 150'000'000;
 constexpr const char* kRecordedPoint = "mid";
 constexpr const char* kLivePoint = "post";
+constexpr const char* kRoom = "Skills lab (demonstration)";
+constexpr std::uint64_t kCallStream = 0x6361'6c6cULL;
 constexpr int kReferenceRuns = 2;
 
 std::string numbered(const std::string& prefix, int number) {
@@ -66,6 +70,7 @@ class DeskMaker {
     addRubric();
     addTrainees();
     addAssignments();
+    addCalls();
     addReferenceRuns();
     for (std::size_t rater = 0; rater < desk_.raterIds.size(); ++rater) {
       submitSheets(rater);
@@ -170,6 +175,26 @@ class DeskMaker {
     }
     SheetRepository(connection_).assign(assignments);
     assignments_ = std::move(assignments);
+  }
+
+  /// Two trainees have been called to the real arm: one whose sheets are late, one who stands there.
+  void addCalls() {
+    constexpr std::int64_t kCall_us = 5 * 60 * 1'000'000LL;
+    SeededIdSource ids(options_.seed ^ kCallStream);  // everything else keeps the ids that its seed gives it
+    std::vector<LiveCall> calls;
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, enrolmentIds_.size()); ++i) {
+      LiveCall call{.id = ids.newUuid(),
+                    .enrolmentId = enrolmentIds_[i],
+                    .occasionCode = kLivePoint,
+                    .room = kRoom,
+                    .calledBy = "demonstration",
+                    .calledUtc_us = options_.utc_us + static_cast<std::int64_t>(i) * kCall_us};
+      if (i == 0) {
+        call.endedUtc_us = call.calledUtc_us + kCall_us;
+      }
+      calls.push_back(std::move(call));
+    }
+    CallRepository(connection_).add(calls);
   }
 
   void addReferenceRuns() {

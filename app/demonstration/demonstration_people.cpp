@@ -12,6 +12,7 @@
 #include "assessment/people/person.h"
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/campaign.h"
+#include "assessment/rating/live_call.h"
 #include "assessment/rating/mark.h"
 #include "assessment/rating/rubric.h"
 #include "assessment/study/allocation.h"
@@ -20,6 +21,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/sheet_repository.h"
@@ -242,6 +244,12 @@ void assignMarks(Connection& connection, std::vector<SubmittedMark>& marks, std:
     assignments.push_back(std::move(one));
   }
   SheetRepository(connection).assign(assignments);
+  std::vector<LiveCall> calls;
+  for (const auto& [live, label] : labels) {
+    calls.push_back({ids.newUuid(), live.first, live.second, "Skills lab (demonstration)", "demonstration",
+                     utc_us, utc_us, false});
+  }
+  CallRepository(connection).add(calls);
 }
 
 }  // namespace

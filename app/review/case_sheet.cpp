@@ -13,6 +13,7 @@
 #include "assessment/rating/mark.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
+#include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/sheet_repository.h"
@@ -42,6 +43,16 @@ std::string seenJson(const BlindedCase& shown, const WatchLog& watched) {
   }
   json["worked_s"] = watched.worked_us() / 1'000'000;
   return json.dump();
+}
+
+/// Somebody's sheet opens when the office calls the case: nobody scores a trainee who is not at the arm.
+void requireCalled(SessionContext& session, const Assignment& assignment) {
+  if (assignment.trialId.empty() &&
+      !CallRepository(session.connection()).wasCalled(assignment.enrolmentId, assignment.occasionCode)) {
+    throw Error(ErrorCode::kBadData, Text::tr("this case has not been called to the real arm yet"),
+                Text::tr("case %1", assignment.caseLabel),
+                Text::tr("Its sheet opens by itself when the office calls it"));
+  }
 }
 
 }  // namespace
@@ -97,6 +108,7 @@ OpenedSheet openSheet(SessionContext& session, const AssignmentId& assignmentId)
     opened.state = SheetState::kDraft;
   }
   if (opened.state != SheetState::kSubmitted) {
+    requireCalled(session, assignment);
     if (const auto seen = desk.draftViewing(assignmentId)) {
       opened.watched = WatchLog(length_us, *seen);
     }
@@ -106,7 +118,7 @@ OpenedSheet openSheet(SessionContext& session, const AssignmentId& assignmentId)
 
 std::int64_t saveSheet(SessionContext& session, const AssignmentId& assignmentId, Sheet sheet,
                        const WatchLog& watched) {
-  static_cast<void>(ownAssignment(session, Operation::kMarkSubmit, assignmentId));
+  requireCalled(session, ownAssignment(session, Operation::kMarkSubmit, assignmentId));
   sheet.changedUtc_us = session.now_us();
   Transaction transaction(session.connection());
   const std::int64_t revision = SheetRepository(session.connection()).saveDraft(assignmentId, sheet);

@@ -34,7 +34,7 @@ struct OpenedSheet {
   SheetState state = SheetState::kOpen;
   WatchLog watched{};
 };
-/// kMarkSubmit, own case.
+/// kMarkSubmit, own case. Throws Error{kBadData}: a live case that was not called yet and is not submitted.
 [[nodiscard]] OpenedSheet openSheet(SessionContext& session, const AssignmentId& assignmentId);
 
 /// Stores the draft; it is on the disk when the call returns. Call it with every keystroke. Returns the new

@@ -2,11 +2,13 @@
 #include "app/review/review_queue.h"
 
 #include <algorithm>
+#include <map>
 
 #include "app/review/discrepancy_review.h"
 #include "app/review/evaluation_form.h"
 #include "app/review/rater_calibration.h"
 #include "assessment/rating/assignment.h"
+#include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/base/ids.h"
@@ -35,12 +37,18 @@ std::optional<double> ownPace_min(DeskRepository& desk, const RaterId& raterId) 
 std::vector<QueueLine> allLines(SessionContext& session, const std::optional<double>& pace_min) {
   DeskRepository desk(session.connection());
   const std::int64_t now_us = session.now_us();
+  std::map<AssignmentId, CallNotice> calls;
+  for (CallNotice& call : CallRepository(session.connection()).noticesFor(session.actor().personId)) {
+    calls.emplace(call.assignmentId, std::move(call));
+  }
   std::vector<QueueLine> lines;
   for (const QueueEntry& entry : SheetRepository(session.connection()).queue(session.actor().personId)) {
     QueueLine line;
     line.shown = {entry.assignmentId, entry.caseLabel, entry.trialId.empty(), entry.dueUtc_us, {}};
     if (!line.shown.live) {
       line.shown.length_us = desk.trialLength_us(entry.trialId);
+    } else if (const auto call = calls.find(entry.assignmentId); call != calls.end()) {
+      line.call = call->second;
     }
     line.state = entry.state;
     line.submittedUtc_us = entry.submittedUtc_us;
@@ -73,7 +81,7 @@ ReviewQueue reviewQueue(SessionContext& session) {
       ++queue.overdue;
     }
     if (line.shown.live) {
-      ++(done ? queue.liveSubmitted : queue.liveWaiting);
+      ++(done ? queue.liveSubmitted : line.call ? queue.liveCalled : queue.liveWaiting);
       continue;
     }
     ++(done ? queue.submitted : line.state == SheetState::kDraft ? queue.drafts : queue.waiting);
@@ -113,10 +121,13 @@ std::vector<QueueLine> liveLines(SessionContext& session) {
   session.require(Operation::kMarkSubmit);
   std::vector<QueueLine> lines;
   for (QueueLine& line : allLines(session, std::nullopt)) {
-    if (line.shown.live) {
+    if (line.shown.live && (line.call || line.state == SheetState::kSubmitted)) {
       lines.push_back(std::move(line));
     }
   }
+  std::stable_sort(lines.begin(), lines.end(), [](const QueueLine& a, const QueueLine& b) {
+    return (a.call ? a.call->calledUtc_us : 0) < (b.call ? b.call->calledUtc_us : 0);
+  });
   return lines;
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/access/session_context.h"
 #include "app/review/blinded_case.h"
+#include "assessment/rating/live_call.h"
 
 namespace torsio {
 
@@ -17,6 +18,7 @@ struct QueueLine {
   double estimate_min = 0.0;  ///< 0 when submitted
   bool overdue = false;
   std::int64_t submittedUtc_us = 0;  ///< of the newest version; 0: not submitted
+  std::optional<CallNotice> call{};  ///< of a live case that was called
 };
 
 /// What a physician sees first.
@@ -25,7 +27,8 @@ struct ReviewQueue {
   std::size_t waiting = 0;         ///< recorded, not begun
   std::size_t drafts = 0;
   std::size_t submitted = 0;
-  std::size_t liveWaiting = 0;  ///< on the real arm, drafts included
+  std::size_t liveCalled = 0;   ///< on the real arm, called and not submitted, drafts included
+  std::size_t liveWaiting = 0;  ///< on the real arm, not called yet
   std::size_t liveSubmitted = 0;
   std::size_t overdue = 0;
   std::optional<std::int64_t> nextDueUtc_us{};
@@ -41,7 +44,8 @@ struct ReviewQueue {
 /// kMarkSubmit.
 [[nodiscard]] ReviewQueue reviewQueue(SessionContext& session);
 
-/// Live cases of the actor in running order: scored on the real arm, without a recording. kMarkSubmit.
+/// Live cases of the actor that were called to the real arm or are submitted, in the order of the calls:
+/// scored without a recording. kMarkSubmit.
 [[nodiscard]] std::vector<QueueLine> liveLines(SessionContext& session);
 
 }  // namespace torsio

@@ -42,6 +42,7 @@ void countRest(const StudyArm& arm, std::int64_t duration_us, PhaseProgress& pro
       arm.restSplittable ? std::max<std::int64_t>(0, arm.restAllowance_us - progress.restUsed_us) : 0;
 }
 
+/// `arm`: of no phases for somebody without a group.
 void fillTraining(RunDayRow& row, const StudyArm& arm, const std::vector<Exposure>& exposures) {
   row.armLabel = arm.label;
   row.restAllowance_us = arm.restAllowance_us;
@@ -158,7 +159,7 @@ RunDayBoard runDayBoard(SessionContext& session, const CohortId& cohortId) {
   board.stations = StationRepository(session.connection()).board();
   const Cohort cohort = study.cohort(cohortId);
   board.cohortName = cohort.name;
-  const Occasions occasions = occasionsOfCohort(session.connection(), cohortId);
+  board.occasions = occasionsOfCohort(session.connection(), cohortId);
   const auto version = CurriculumRepository(session.connection()).version(cohort.curriculumVersionId);
   std::map<std::string, const StudyArm*> armOfGroup;
   for (const StudyGroup& group : study.groups(cohortId)) {
@@ -180,12 +181,10 @@ RunDayBoard runDayBoard(SessionContext& session, const CohortId& cohortId) {
     row.state = enrolment.state;
     row.groupCode = enrolment.groupCode;
     row.deviations = today.deviations[enrolment.id];
-    if (const auto arm = armOfGroup.find(enrolment.groupId); arm != armOfGroup.end()) {
-      fillTraining(row, *arm->second, today.exposures[enrolment.id]);
-      row.occasionDue =
-          occasionDue(occasions, row.progress.virtual_us + row.progress.real_us, enrolment.id, today.sheets);
-      row.sheetsMissing = today.sheets[{enrolment.id, row.occasionDue.code}].missing;
-    }
+    const auto arm = armOfGroup.find(enrolment.groupId);
+    fillTraining(row, arm == armOfGroup.end() ? StudyArm{} : *arm->second, today.exposures[enrolment.id]);
+    row.occasionDue = occasionDue(board.occasions, row.trained_us(), enrolment.id, today.sheets);
+    row.sheetsMissing = today.sheets[{enrolment.id, row.occasionDue.code}].missing;
     if (const auto trial = today.running.find(enrolment.id); trial != today.running.end()) {
       row.runningTrialId = trial->second.trialId;
       row.station = trial->second.station;

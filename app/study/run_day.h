@@ -52,10 +52,13 @@ struct RunDayRow {
   std::string station{};          ///< where it runs
   std::int64_t runningSinceUtc_us = 0;
   std::size_t deviations = 0;
+
+  [[nodiscard]] std::int64_t trained_us() const noexcept { return progress.virtual_us + progress.real_us; }
 };
 
 struct RunDayBoard {
   std::string cohortName{};
+  Occasions occasions{};                 ///< of the cohort
   std::vector<RunDayRow> rows{};         ///< by group and number
   std::vector<StationState> stations{};  ///< by name; silent for kStationSilence_us: not answering
   std::int64_t asOfUtc_us = 0;

@@ -818,6 +818,26 @@ CREATE TABLE assignment_withdrawal (
 );
 {{append_only assignment_withdrawal}}
 
+-- A trainee is called to the real arm: the live sheets of that case open for every rater who is asked. One call a room
+-- at a time. Cancelled: somebody else stood there; the sheets are closed again.
+CREATE TABLE live_call (
+  id TEXT PRIMARY KEY,
+  enrolment_id TEXT NOT NULL REFERENCES enrolment (id),
+  occasion TEXT NOT NULL REFERENCES occasion (code),
+  room TEXT NOT NULL,
+  called_by TEXT NOT NULL,
+  called_utc_us BIGINT NOT NULL,
+  ended_utc_us BIGINT,
+  cancelled BOOLEAN NOT NULL
+);
+CREATE INDEX live_call_case ON live_call (enrolment_id, occasion);
+CREATE UNIQUE INDEX live_call_room ON live_call (room) WHERE ended_utc_us IS NULL;
+{{frozen live_call enrolment_id}}
+{{frozen live_call occasion}}
+{{frozen live_call room}}
+{{frozen live_call called_by}}
+{{frozen live_call called_utc_us}}
+
 -- The unfinished sheet, saved on each keystroke; deleted when it is submitted.
 CREATE TABLE mark_draft (
   assignment_id TEXT PRIMARY KEY REFERENCES assignment (id),

@@ -88,6 +88,7 @@ using SelfScoreId = Id<struct SelfScoreIdTag>;
 using RubricId = Id<struct RubricIdTag>;
 using RubricRevisionId = Id<struct RubricRevisionIdTag>;
 using AssignmentId = Id<struct AssignmentIdTag>;
+using LiveCallId = Id<struct LiveCallIdTag>;  ///< one trainee called to the real arm, once
 using MarkId = Id<struct MarkIdTag>;
 using CalibrationScoreId = Id<struct CalibrationScoreIdTag>;
 using CampaignId = Id<struct CampaignIdTag>;

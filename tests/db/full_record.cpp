@@ -8,6 +8,7 @@
 #include "assessment/people/person.h"
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/campaign.h"
+#include "assessment/rating/live_call.h"
 #include "assessment/rating/rubric.h"
 #include "assessment/rating/sheet.h"
 #include "assessment/study/cohort.h"
@@ -237,6 +238,13 @@ void addTrialAndMark(Connection& connection, const FullRecord& record, const std
     assignment.demonstration = demonstration;
     sheets.assign(std::span(&assignment, 1));
   }
+  const LiveCall call{.id = prefix + " call",
+                      .enrolmentId = prefix + " enrolment",
+                      .occasionCode = "post",
+                      .room = prefix + " room",
+                      .calledBy = prefix + " user",
+                      .calledUtc_us = kSampleTime_us};
+  CallRepository(connection).add(std::span(&call, 1));
   const Sheet sheet{.overall_steps = 73, .comment = prefix + " steady", .rows = {{"time", 60, ""}}};
   sheets.saveDraft(prefix + " mid", sheet);
   sheets.submit(prefix + " pre", prefix + " mark", sheet, "", kSampleTime_us);

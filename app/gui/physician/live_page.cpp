@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/physician/live_page.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -11,6 +14,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/gui/base/background.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_editor_panel.h"
@@ -26,6 +30,7 @@ namespace {
 
 constexpr int kTouch_px = 44;
 constexpr int kTick_ms = 100;
+constexpr int kFollow_ms = 2'000;
 constexpr std::int64_t kSitting_us = 12 * 3'600'000'000LL;  // sealed before that: another day's work
 
 }  // namespace
@@ -42,6 +47,8 @@ LivePage::LivePage(ShellContext& shell, QWidget* parent)
       amend_(new QPushButton(this)),
       older_(new QPushButton(this)),
       said_(sentence(this)),
+      called_(sentence(this, false)),
+      reader_(new Background(this)),
       sheet_(new SheetEditorPanel(true, this)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace);
@@ -61,6 +68,10 @@ LivePage::LivePage(ShellContext& shell, QWidget* parent)
   left->addWidget(older_);
   row->addLayout(left, 1);
   auto* right = new QVBoxLayout;
+  setLook(called_, "caution", true);
+  called_->setObjectName(QStringLiteral("called"));
+  called_->hide();
+  right->addWidget(called_);
   createClock(right);
   right->addWidget(sheet_, 1);
   auto* foot = new QHBoxLayout;
@@ -85,6 +96,8 @@ LivePage::LivePage(ShellContext& shell, QWidget* parent)
     showLines();
   });
   connect(&tick_, &QTimer::timeout, this, &LivePage::showClock);
+  follow_.setInterval(kFollow_ms);
+  connect(&follow_, &QTimer::timeout, this, &LivePage::lookForCalls);
 }
 
 LivePage::~LivePage() = default;
@@ -107,16 +120,21 @@ void LivePage::enter(const QVariant&) {
   keptAt_ = keptAt(shell().session());
   withOlder_ = false;
   retranslate();  // the heading says where things are kept
+  opened_ = {};
+  followed_ = {};
+  sheet_->endSheet();
   readLines();
-  for (const QueueLine& line : lines_) {
-    if (line.state == SheetState::kSubmitted) {
-      continue;
-    }
-    openLine(line.shown.assignmentId);
+  follow_.start();
+  followCall();
+  if (sheet_->editor() != nullptr) {
     return;
   }
+  for (const QueueLine& line : lines_) {
+    if (line.state != SheetState::kSubmitted) {
+      return openLine(line.shown.assignmentId);
+    }
+  }
   if (lines_.empty()) {
-    sheet_->endSheet();
     showAll();
   } else {
     openLine(lines_.back().shown.assignmentId);
@@ -125,6 +143,7 @@ void LivePage::enter(const QVariant&) {
 
 bool LivePage::leave() {
   if (!tick_.isActive()) {
+    follow_.stop();
     return true;
   }
   shell().notify(tr("The timer is running. Stop it first"));
@@ -134,6 +153,65 @@ bool LivePage::leave() {
 void LivePage::readLines() {
   lines_ = liveLines(shell().session());
   showLines();
+}
+
+void LivePage::lookForCalls() {
+  if (reader_->working() || shell().databaseAway()) {
+    return;
+  }
+  reader_->run(
+      [this, key = shell().session().key()]() -> Background::Finish {
+        SessionContext own(key);
+        return [this, lines = liveLines(own)] {
+          const auto stateOf = [](const std::vector<QueueLine>& all) {
+            std::vector<std::pair<AssignmentId, bool>> states;
+            for (const QueueLine& line : all) {
+              states.emplace_back(line.shown.assignmentId, line.call && line.call->open);
+            }
+            return states;
+          };
+          if (!follow_.isActive() || stateOf(lines) == stateOf(lines_)) {
+            return;  // no line is made anew under a finger
+          }
+          lines_ = lines;
+          showLines();
+          followCall();
+        };
+      },
+      [](const std::exception_ptr&) {
+      });  // the window says when the record is away; the next look tries again
+}
+
+void LivePage::followCall() {
+  const auto called = std::find_if(lines_.rbegin(), lines_.rend(), [](const QueueLine& line) {
+    return line.call && line.call->open && line.state != SheetState::kSubmitted;
+  });
+  if (called == lines_.rend() || called->shown.assignmentId == opened_.shown.assignmentId) {
+    called_->hide();
+    return;
+  }
+  const bool untouched =
+      sheet_->editor() == nullptr || (opened_.state != SheetState::kDraft && !tick_.isActive());
+  if (untouched && called->shown.assignmentId != followed_) {
+    followed_ = called->shown.assignmentId;
+    return static_cast<void>(attempt(shell(), [&] { openLine(AssignmentId(followed_)); }));
+  }
+  called_->setText(
+      tr("Case %1 is called now. What you have begun here is kept: submit it, or choose the case "
+         "at the left and come back later.")
+          .arg(toQString(called->shown.label)));
+  called_->show();
+}
+
+QString LivePage::stateText(const QueueLine& line) const {
+  if (line.state == SheetState::kSubmitted) {
+    return tr("submitted");
+  }
+  const bool open = line.call && line.call->open;
+  if (line.state == SheetState::kDraft) {
+    return open ? tr("draft, called now") : tr("draft, late");
+  }
+  return open ? tr("called now") : tr("late");
 }
 
 void LivePage::showLines() {
@@ -158,10 +236,7 @@ void LivePage::showLines() {
     button->setCheckable(true);
     button->setMinimumHeight(kTouch_px);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    const QString state = line.state == SheetState::kSubmitted ? tr("submitted")
-                          : line.state == SheetState::kDraft   ? tr("draft")
-                                                               : tr("waiting");
-    button->setText(tr("%1.  Case %2, %3").arg(++number).arg(toQString(line.shown.label), state));
+    button->setText(tr("%1.  Case %2, %3").arg(++number).arg(toQString(line.shown.label), stateText(line)));
     button->setChecked(line.shown.assignmentId == opened_.shown.assignmentId);
     group_->addButton(button);
     order_->addWidget(button);
@@ -200,6 +275,7 @@ void LivePage::openLine(const AssignmentId& assignmentId) {
   clocked_us_ = 0;
   said_->clear();
   readLines();
+  followCall();
   showAll();
   sheet_->takeFocus();
 }
@@ -279,7 +355,7 @@ void LivePage::submit() {
 void LivePage::showAll() {
   const bool open = sheet_->editor() != nullptr && opened_.state != SheetState::kSubmitted;
   case_->setText(sheet_->editor() != nullptr ? tr("Case %1").arg(toQString(opened_.shown.label))
-                                             : tr("No live case"));
+                                             : tr("Nobody is called yet"));
   start_->setText(tick_.isActive() ? tr("Stop the timer") : tr("Start the timer"));
   start_->setEnabled(open);
   write_->setEnabled(open && !tick_.isActive() && clocked_us_ > 0);
@@ -289,15 +365,20 @@ void LivePage::showAll() {
   if (!open && sheet_->editor() != nullptr) {
     said_->setText(tr("Submitted and sealed"));
   }
+  if (sheet_->editor() == nullptr) {
+    setLook(said_, "caution", false);
+    said_->setText(tr("The sheet opens by itself when the office calls a case."));
+  }
   showClock();
 }
 
 void LivePage::retranslate() {
-  heading_->setTexts(tr("Live sheet"),
-                     keptAt_ == KeptAt::kThisMachine
-                         ? tr("Real arm, in running order. Works without a network; every tap is saved.")
-                         : tr("Real arm, in running order. Every tap is saved on the centre's server; if it "
-                              "cannot be reached, it is said at once."));
+  heading_->setTexts(
+      tr("Live sheet"),
+      keptAt_ == KeptAt::kThisMachine
+          ? tr("Real arm: the sheet follows the call. Works without a network; every tap is saved.")
+          : tr("Real arm: the sheet follows the call. Every tap is saved on the centre's server; if it "
+               "cannot be reached, it is said at once."));
   amend_->setText(tr("&Amend \u2026"));
   amend_->setToolTip(tr("Makes a new version with a reason; the submitted one is kept"));
   write_->setText(tr("Note the time"));

@@ -21,11 +21,12 @@ class QVBoxLayout;
 
 namespace torsio::gui {
 
+class Background;
 class PageHeading;
 class SheetEditorPanel;
 
-/// The sheet for the real arm: trainees in running order, a timer, and targets for fingers. Everything goes
-/// to the record of this machine, so that it works without a network.
+/// The sheet for the real arm: it opens by itself when the office calls a case; a timer, and targets for
+/// fingers. A sheet that is begun is never taken away: the next call waits beside it.
 class LivePage : public Page {
   Q_OBJECT
 
@@ -45,6 +46,11 @@ class LivePage : public Page {
  private:
   void createClock(QVBoxLayout* column);
   void readLines();
+  /// Asks for calls away from the window's thread, as the clock wants.
+  void lookForCalls();
+  /// Opens the sheet of the newest open call, unless another one is begun.
+  void followCall();
+  [[nodiscard]] QString stateText(const QueueLine& line) const;
   void showLines();
   void openLine(const AssignmentId& assignmentId);
   void edited();
@@ -68,13 +74,17 @@ class LivePage : public Page {
   QPushButton* amend_;
   QPushButton* older_;
   QLabel* said_;
+  QLabel* called_;
+  Background* reader_;
   SheetEditorPanel* sheet_;
   std::vector<QueueLine> lines_;
   OpenedSheet opened_;
   QTimer tick_;
+  QTimer follow_;
   QElapsedTimer running_;
   std::int64_t clocked_us_ = 0;
   KeptAt keptAt_ = KeptAt::kThisMachine;
+  AssignmentId followed_;  // opened by a call; whoever goes back to another sheet is left there
   bool withOlder_ = false;
 };
 

@@ -150,12 +150,18 @@ void QueuePage::showFigures() {
 void QueuePage::showDoors() {
   warmUp_.text->setText(
       tr("Before the first case: score the reference runs and see how far you are from the panel."));
-  live_.text->setText(tr("Live cases on the real arm that wait for you: %1.").arg(queue_.liveWaiting));
+  live_.text->setText(queue_.liveCalled > 0
+                          ? tr("Called to the real arm, your sheet is not in: %1. To be called: %2.")
+                                .arg(queue_.liveCalled)
+                                .arg(queue_.liveWaiting)
+                          : tr("Cases that will be called to the real arm: %1. The sheet follows the call.")
+                                .arg(queue_.liveWaiting));
+  setLook(live_.text, "caution", queue_.liveCalled > 0);
   alignment_.text->setText(
       tr("All have submitted. Your marks that differ from the others: %1.").arg(queue_.disagreements));
   evaluation_.text->setText(tr("Tissue models that ask for your nine marks: %1.").arg(queue_.models));
   const std::pair<Door*, bool> all[] = {{&warmUp_, queue_.warmUpWaiting},
-                                        {&live_, queue_.liveWaiting > 0},
+                                        {&live_, queue_.liveCalled + queue_.liveWaiting > 0},
                                         {&alignment_, queue_.disagreements > 0},
                                         {&evaluation_, queue_.models > 0}};
   int place = 0;

@@ -78,6 +78,7 @@ inline constexpr std::array kPersonRules{
     PersonRule{"mark_draft", person_conditions::kDrafts, OnErase::kDelete},
     PersonRule{"assignment", person_conditions::kMarks},
     PersonRule{"assignment_withdrawal", person_conditions::kDrafts},
+    PersonRule{"live_call", person_conditions::kAsTrainee},
     PersonRule{"training_mark", person_conditions::kMarks, OnErase::kClear, "comment = NULL"},
     PersonRule{"training_mark_row", person_conditions::kMarkRows},
     PersonRule{"mark_viewing", person_conditions::kMarkRows},

@@ -310,7 +310,8 @@ TEST(ReviewQueue, CountsEstimatesAndKnowsWhatComesNext) {
 
   const ReviewQueue fresh = reviewQueue(*desk);
   EXPECT_EQ(fresh.waiting, 5U);
-  EXPECT_EQ(fresh.liveWaiting, 5U);
+  EXPECT_EQ(fresh.liveCalled, 5U);
+  EXPECT_EQ(fresh.liveWaiting, 0U);
   EXPECT_EQ(fresh.next, ids[0]);
   EXPECT_FALSE(fresh.fromOwnPace);
   EXPECT_NEAR(fresh.minutes, 5.0 * (2.0 / 60.0 + 1.0),

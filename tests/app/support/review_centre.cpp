@@ -10,11 +10,13 @@
 #include "assessment/people/account.h"
 #include "assessment/people/person.h"
 #include "assessment/rating/assignment.h"
+#include "assessment/rating/live_call.h"
 #include "assessment/rating/rubric.h"
 #include "assessment/study/cohort.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
@@ -84,6 +86,9 @@ void ReviewCentre::fill(const Setup& setup) {
   addPeople(setup);
   addTrials(setup);
   addAssignments(setup);
+  if (setup.live && setup.called) {
+    callAll();
+  }
   transaction.commit();
 }
 
@@ -146,6 +151,16 @@ void ReviewCentre::addTrials(const Setup& setup) {
     recordScriptedTrial(scene, trial, repository);
     trialIds_.push_back(trial.recording.trialId);
   }
+}
+
+void ReviewCentre::callAll() {
+  std::vector<LiveCall> calls;
+  for (const EnrolmentId& enrolmentId : enrolmentIds_) {
+    const std::int64_t called_us = kReviewTime_us + static_cast<std::int64_t>(calls.size()) * 60'000'000;
+    calls.push_back(
+        {ids_->newUuid(), enrolmentId, "post", "room 1", "office", called_us, called_us + 1, false});
+  }
+  CallRepository(*connection_).add(calls);
 }
 
 void ReviewCentre::addAssignments(const Setup& setup) {

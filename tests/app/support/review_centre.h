@@ -29,7 +29,8 @@ class ReviewCentre {
     int raters = 2;
     int trainees = 2;
     double trial_s = 2.0;
-    bool live = false;  ///< also the live cases
+    bool live = false;   ///< also the live cases
+    bool called = true;  ///< all live cases were called to the real arm
     /// Of the recordings; empty: the bar of the servo tests (which no file describes).
     const Scene* scene = nullptr;
   };
@@ -40,6 +41,8 @@ class ReviewCentre {
   ReviewCentre(const ReviewCentre&) = delete;
   ReviewCentre& operator=(const ReviewCentre&) = delete;
 
+  /// Calls every live case to the real arm and ends the call, a minute apart.
+  void callAll();
   /// Physician `index` (0 ..) signed in; a session of its own on the shared connection.
   [[nodiscard]] std::unique_ptr<SessionContext> physician(std::size_t index);
   [[nodiscard]] std::unique_ptr<SessionContext> administrator();

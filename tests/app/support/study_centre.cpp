@@ -13,16 +13,15 @@
 
 namespace torsio::testing {
 
-StudyCentre::StudyCentre() {
+StudyCentre::StudyCentre(const std::string& locator) {
   QTemporaryDir folder;
   folder.setAutoRemove(false);
   folder_ = folder.path().toStdString();
-  connection_ =
-      std::make_unique<Connection>(openRecord((folder_ / "administrator.sqlite").string(), OpenMode::kCreate,
-                                              {.softwareVersion = "test", .now_us = kStudyTime_us}));
-  session_ = std::make_unique<SessionContext>(
-      *connection_, ids_, SessionKey{(folder_ / "administrator.sqlite").string(), "test station", {}},
-      [this] { return now_us_; });
+  const std::string record = locator.empty() ? (folder_ / "administrator.sqlite").string() : locator;
+  connection_ = std::make_unique<Connection>(
+      openRecord(record, OpenMode::kCreate, {.softwareVersion = "test", .now_us = kStudyTime_us}));
+  session_ = std::make_unique<SessionContext>(*connection_, ids_, SessionKey{record, "test station", {}},
+                                              [this] { return now_us_; });
   session_->setPasswordCost(PasswordCost::kTest);
   AccessRepository access(*connection_, PasswordCost::kTest);
   for (const std::string& role : storedRoles(*connection_)) {
@@ -42,6 +41,13 @@ StudyCentre::~StudyCentre() {
 
 SessionContext& StudyCentre::as(const std::string& role) {
   session_->setActor(role.empty() ? Actor{} : actors_.at(role));
+  return *session_;
+}
+
+SessionContext& StudyCentre::asRater(const RaterId& raterId) {
+  Actor actor = actors_.at("rater");
+  actor.personId = raterId;
+  session_->setActor(actor);
   return *session_;
 }
 

@@ -18,11 +18,11 @@ inline constexpr std::int64_t kStudyTime_us = 1'763'712'000'000'000;  // 2025-11
 /// Of every user here; long enough, of no known pattern.
 inline constexpr const char* kStudyPassword = "four walls and a lamp";
 
-/// An empty centre in an SQLite file of its own with one user of each role ("administrator", "allocator",
-/// "statistician", "rater", "trainee"), signed in as nobody.
+/// An empty centre in an SQLite file of its own, or where `locator` says, with one user of each role
+/// ("administrator", "allocator", "statistician", "rater", "trainee"), signed in as nobody.
 class StudyCentre {
  public:
-  StudyCentre();
+  explicit StudyCentre(const std::string& locator = {});
   ~StudyCentre();
   StudyCentre(const StudyCentre&) = delete;
   StudyCentre& operator=(const StudyCentre&) = delete;
@@ -38,6 +38,8 @@ class StudyCentre {
   }
   /// Signs in as the user of this role, or as nobody for "".
   SessionContext& as(const std::string& role);
+  /// Signs in the user "rater" as this rater of the record.
+  SessionContext& asRater(const RaterId& raterId);
   void passTime_us(std::int64_t span_us) { now_us_ += span_us; }
 
   /// Stores trainees T-01 .. with sex and level, and raters of the class "chief" R-01 ..; as the

@@ -16,6 +16,7 @@
 #include "app/gui/administrator/base/list_dialogs.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/administrator/study/call_bar.h"
 #include "app/gui/administrator/study/run_day_dialogs.h"
 #include "app/gui/base/background.h"
 #include "app/gui/base/shell_context.h"
@@ -31,7 +32,8 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kReadAgain_ms = 10'000;
-constexpr int kStationsFrame = 74;  // count of rows, headings, borders
+constexpr int kReadCalls_ms = 2'000;  // while somebody stands at the arm
+constexpr int kStationsFrame = 74;    // count of rows, headings, borders
 constexpr int kStationHeight = 32;
 constexpr std::size_t kMostStations = 4;
 constexpr qsizetype kMostAlerts = 3;
@@ -45,11 +47,13 @@ RunDayPage::RunDayPage(ShellContext& shell)
       cohortLabel_(nullptr),
       cohort_(new QComboBox(this)),
       summary_(new QLabel(this)),
+      callBar_(new CallBar(shell, this)),
       table_(new DataTable(QStringLiteral("run-day"), this)),
       alerts_(sentence(this, false)),
       stationsTitle_(new QLabel(this)),
       stations_(new DataTable(QStringLiteral("run-day-stations"), this)),
       reader_(new Background(this)),
+      call_(listButton(table_)),
       time_(listButton(table_)),
       swap_(listButton(table_)),
       deviation_(listButton(table_)),
@@ -67,6 +71,7 @@ RunDayPage::RunDayPage(ShellContext& shell)
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
   column->addLayout(choices);
+  column->addWidget(callBar_);
   setLook(alerts_, "caution", true);
   alerts_->hide();
   stationsTitle_->setObjectName(QStringLiteral("cardTitle"));
@@ -80,6 +85,12 @@ RunDayPage::RunDayPage(ShellContext& shell)
   connect(clock_, &QTimer::timeout, this, &RunDayPage::refresh);
   connect(swap_, &QPushButton::clicked, this, &RunDayPage::swap);
   connect(cohort_, &QComboBox::currentIndexChanged, this, &RunDayPage::read);
+  connect(callBar_, &CallBar::changed, this, &RunDayPage::read);
+  connect(call_, &QPushButton::clicked, this, [this] {
+    if (const RunDayRow* row = current()) {
+      callBar_->call(row->enrolmentId);
+    }
+  });
   connect(table_, &DataTable::currentChanged, this, &RunDayPage::showButtons);
   connect(time_, &QPushButton::clicked, this, &RunDayPage::logTime);
   connect(deviation_, &QPushButton::clicked, this, &RunDayPage::reportDeviation);
@@ -110,6 +121,8 @@ void RunDayPage::read() {
   const bool good = attempt(shell(), [&] {
     const std::string cohort = chosenId(cohort_);
     board_ = cohort.empty() ? std::nullopt : std::optional(runDayBoard(shell().session(), cohort));
+    calls_ = cohort.empty() ? std::vector<CalledCase>{} : calledCases(shell().session(), cohort);
+    callBar_->setCohort(cohort, board_ ? board_->occasions : Occasions{});
     showContent();
   });
   if (!good) {
@@ -125,11 +138,14 @@ void RunDayPage::refresh() {
   reader_->run(
       [this, key = shell().session().key(), cohort]() -> Background::Finish {
         SessionContext own(key);
-        return [this, cohort, board = runDayBoard(own, cohort)] {
+        RunDayBoard board = runDayBoard(own, cohort);
+        own.beginCall();
+        return [this, cohort, board = std::move(board), calls = calledCases(own, cohort)] {
           if (cohort != chosenId(cohort_)) {
             return;  // another one was chosen meanwhile
           }
           board_ = board;
+          calls_ = calls;
           showContent();
         };
       },
@@ -193,6 +209,11 @@ void RunDayPage::showContent() {
                                 "(bring people in), "
                                 "Curricula, Cohorts, Allocation, Scoring.")
                            : tr("Nobody is enrolled in this cohort yet. Enrol trainees under Cohorts."));
+  callBar_->showCalls(calls_);
+  clock_->setInterval(std::any_of(calls_.begin(), calls_.end(),
+                                  [](const CalledCase& called) { return !called.call.endedUtc_us; })
+                          ? kReadCalls_ms
+                          : kReadAgain_ms);
   showAlerts();
   showStations();
   showButtons();
@@ -328,6 +349,7 @@ const RunDayRow* RunDayPage::current() const {
 
 void RunDayPage::showButtons() {
   const RunDayRow* row = current();
+  call_->setEnabled(row != nullptr && row->state != EnrolmentState::kWithdrawn);
   time_->setEnabled(row != nullptr);
   swap_->setEnabled(row != nullptr && row->state != EnrolmentState::kWithdrawn && board_->rows.size() > 1);
   deviation_->setEnabled(board_.has_value());
@@ -398,6 +420,8 @@ void RunDayPage::retranslate() {
       tr("Run day"),
       tr("Who is at what, what is left, which sheets are missing, and whether the devices are fit."));
   cohortLabel_->setText(tr("&Cohort"));
+  callBar_->retranslate();
+  call_->setText(tr("Call to the arm"));
   time_->setText(tr("&Log time\u2026"));
   swap_->setText(tr("S&wap turns\u2026"));
   stationsTitle_->setText(tr("Stations"));

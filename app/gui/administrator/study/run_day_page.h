@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "app/devices/station_device.h"
 #include "app/gui/base/page.h"
+#include "app/study/live_call.h"
 #include "app/study/run_day.h"
 
 class QComboBox;
@@ -15,6 +17,7 @@ class QTimer;
 namespace torsio::gui {
 
 class Background;
+class CallBar;
 class DataTable;
 class PageHeading;
 
@@ -49,16 +52,19 @@ class RunDayPage : public Page {
   [[nodiscard]] QString checkText(const StationDevice& device) const;
 
   std::optional<RunDayBoard> board_;
+  std::vector<CalledCase> calls_;
   QTimer* clock_;
   PageHeading* heading_;
   QLabel* cohortLabel_;
   QComboBox* cohort_;
   QLabel* summary_;
+  CallBar* callBar_;
   DataTable* table_;
   QLabel* alerts_;
   QLabel* stationsTitle_;
   DataTable* stations_;
   Background* reader_;
+  QPushButton* call_;
   QPushButton* time_;
   QPushButton* swap_;
   QPushButton* deviation_;

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QStringList>
+#include <QWidget>
+
+#include "app/study/live_call.h"
+
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace torsio::gui {
+
+class ShellContext;
+
+/// Calls one trainee after the other to the real arm, by code or by what a scanner types, and shows whom the
+/// raters score now and whose sheets are late.
+class CallBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CallBar(ShellContext& shell, QWidget* parent);
+
+  /// `occasions` of the cohort, for calls that are not due.
+  void setCohort(const CohortId& cohortId, const Occasions& occasions);
+  void showCalls(const std::vector<CalledCase>& calls);
+  /// Calls this trainee as if the code had been typed.
+  void call(const EnrolmentId& enrolmentId);
+  void retranslate();
+
+ Q_SIGNALS:
+  /// A call began or ended.
+  void changed();
+
+ private:
+  void callTyped();
+  void addLine(int row, const CalledCase& called);
+  [[nodiscard]] QString lineText(const CalledCase& called) const;
+
+  ShellContext& shell_;
+  CohortId cohortId_;
+  std::vector<CalledCase> calls_;
+  QLabel* codeLabel_;
+  QLineEdit* code_;
+  QLabel* occasionLabel_;
+  QComboBox* occasion_;
+  QLabel* roomLabel_;
+  QLineEdit* room_;
+  QPushButton* call_;
+  QGridLayout* lines_;
+  std::vector<QWidget*> shown_;
+  QStringList lineTexts_;  // what stands in the lines now
+};
+
+}  // namespace torsio::gui

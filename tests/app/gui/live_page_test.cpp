@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The live sheet follows the call of the office.
+#include <QLabel>
+#include <QTest>
+#include <QToolButton>
+#include <gtest/gtest.h>
+
+#include "app/gui/base/translated_text.h"
+#include "app/gui/physician/live_page.h"
+#include "app/gui/widgets/child.h"
+#include "app/study/cohort_service.h"
+#include "app/study/live_call.h"
+#include "tests/app/gui/desk_of.h"
+#include "tests/app/gui/visible_texts.h"
+#include "tests/app/support/review_centre.h"
+
+namespace torsio::gui {
+namespace {
+
+
+using torsio::testing::ReviewCentre;
+
+constexpr int kPatience_ms = 20'000;  // the page looks every two seconds
+
+class LivePageFollows : public ::testing::Test {
+ protected:
+  static ReviewCentre::Setup setup() {
+    ReviewCentre::Setup setup;
+    setup.trainees = 3;
+    setup.live = true;
+    setup.called = false;
+    setup.trial_s = 0.2;
+    return setup;
+  }
+  LiveCallId call(std::size_t trainee, const char* room) {
+    const CohortId cohortId = cohorts(*office_).at(0).cohort.id;
+    const std::vector<Enrolment> all = enrolments(*office_, cohortId);
+    return callTrainee(*office_, {cohortId, all.at(trainee).id, "post", room, {}});
+  }
+  void end(const LiveCallId& id) { endCall(*office_, cohorts(*office_).at(0).cohort.id, id); }
+  [[nodiscard]] QString label(std::size_t trainee) {
+    return QStringLiteral("Case %1").arg(
+        toQString(openSheet(desk_.session(), centre_.cases(0, true).at(trainee)).shown.label));
+  }
+  void scoreAll() {
+    for (const Qt::Key key : {Qt::Key_6, Qt::Key_Down, Qt::Key_7, Qt::Key_Down, Qt::Key_5}) {
+      desk_.press(key);
+    }
+    desk_.press(Qt::Key_Return, Qt::ControlModifier);
+    desk_.press(Qt::Key_Return, Qt::ControlModifier);
+  }
+
+  ReviewCentre centre_{setup()};
+  std::unique_ptr<SessionContext> office_{centre_.administrator()};
+  DeskOf desk_{centre_, 0};
+};
+
+TEST_F(LivePageFollows, OpensTheSheetOfTheCaseThatIsCalledWhileThePageIsOpen) {
+  auto& page = desk_.open<LivePage>();
+  EXPECT_TRUE(wordsOf(page).contains(QStringLiteral("Nobody is called yet")));
+  EXPECT_EQ(editorOf(page), nullptr);
+
+  call(1, "room 1");
+
+  EXPECT_TRUE(QTest::qWaitFor([&] { return wordsOf(page).contains(label(1)); }, kPatience_ms));
+  ASSERT_NE(editorOf(page), nullptr);
+  scoreAll();
+  EXPECT_EQ(openSheet(desk_.session(), centre_.cases(0, true).at(1)).state, SheetState::kSubmitted);
+}
+
+TEST_F(LivePageFollows, NeverTakesABegunSheetAway) {
+  call(0, "room 1");
+  auto& page = desk_.open<LivePage>();
+  ASSERT_TRUE(wordsOf(page).contains(label(0)));
+  desk_.press(Qt::Key_6);
+
+  call(1, "room 2");
+
+  auto& hint = child<QLabel>(page, "called");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return hint.isVisible(); }, kPatience_ms));
+  EXPECT_TRUE(hint.text().contains(label(1)));
+  EXPECT_TRUE(wordsOf(page).contains(label(0))) << "the begun sheet stays";
+  scoreAll();
+  EXPECT_TRUE(wordsOf(page).contains(label(1))) << "and the called one follows when it is in";
+  EXPECT_FALSE(hint.isVisible());
+  EXPECT_EQ(openSheet(desk_.session(), centre_.cases(0, true).at(0)).state, SheetState::kSubmitted);
+}
+
+TEST_F(LivePageFollows, ALateSheetCanBeHandedInAfterTheCall) {
+  end(call(0, "room 1"));
+  call(1, "room 1");
+  auto& page = desk_.open<LivePage>();
+  EXPECT_TRUE(wordsOf(page).contains(label(1))) << "who stands at the arm comes first";
+  QStringList lines;
+  for (const QToolButton* button : page.findChildren<QToolButton*>()) {
+    lines << button->text();
+  }
+  EXPECT_TRUE(lines.join(u'\n').contains(label(0) + QStringLiteral(", late"))) << lines.join(u'\n').toStdString();
+  EXPECT_TRUE(lines.join(u'\n').contains(label(1) + QStringLiteral(", called now")));
+  scoreAll();
+  EXPECT_TRUE(wordsOf(page).contains(label(0)));
+  scoreAll();
+  EXPECT_EQ(openSheet(desk_.session(), centre_.cases(0, true).at(0)).state, SheetState::kSubmitted);
+}
+
+TEST_F(LivePageFollows, ALateSheetCanBeOpenedWhileAnotherCaseIsCalled) {
+  end(call(0, "room 1"));
+  call(1, "room 1");
+  auto& page = desk_.open<LivePage>();
+  ASSERT_TRUE(wordsOf(page).contains(label(1)));
+
+  for (QToolButton* button : page.findChildren<QToolButton*>()) {
+    if (button->text().contains(label(0))) {
+      button->click();
+      break;
+    }
+  }
+
+  EXPECT_TRUE(wordsOf(page).contains(label(0)));
+  EXPECT_TRUE(child<QLabel>(page, "called").text().contains(label(1))) << "says who is called meanwhile";
+}
+
+}  // namespace
+}  // namespace torsio::gui

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The office calls one trainee to the real arm; the sheets of all raters follow.
+#include "app/study/live_call.h"
+
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "app/people/people_service.h"
+#include "app/review/case_sheet.h"
+#include "app/review/review_queue.h"
+#include "app/study/allocation_service.h"
+#include "app/study/cohort_service.h"
+#include "app/study/run_day.h"
+#include "app/study/scoring_plan.h"
+#include "assessment/rating/assignment.h"
+#include "db/connection/db_error.h"
+#include "db/repository/rating/call_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "sim/base/error.h"
+#include "sim/base/ids.h"
+#include "tests/app/support/study_centre.h"
+
+namespace torsio {
+namespace {
+
+using testing::StudyCentre;
+
+constexpr std::int64_t kMinute_us = 60'000'000;
+constexpr const char* kRoom = "Skills lab";
+
+/// Four trainees by the paper's curriculum, three chiefs asked for live sheets at all three occasions.
+class LiveDay : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const std::vector<TraineeId> trainees = centre.addTrainees(4);
+    chiefs = centre.addChiefs(3);
+    const std::string rubric = centre.addPaperRubric();
+    const std::string version = centre.runPaperCurriculum();
+    cohort = addCohort(centre.session(), {.name = "Study", .curriculumVersionId = version});
+    enrolled = enrolTrainees(centre.session(), cohort, trainees);
+    createAssignments(centre.session(), {.cohortId = cohort,
+                                         .occasionCodes = {"pre", "mid", "post"},
+                                         .raterIds = chiefs,
+                                         .rubricRevisionId = rubric,
+                                         .seed = 3});
+  }
+
+  SessionContext& office() { return centre.as("administrator"); }
+  CallRequest request(std::size_t trainee, const std::string& occasion = {}, const std::string& reason = {},
+                      const std::string& room = kRoom) {
+    return {cohort, enrolled[trainee], occasion, room, reason};
+  }
+  void train(std::size_t trainee, std::int64_t minutes) {
+    recordExposure(office(), {cohort, enrolled[trainee], "", ExposureKind::kVirtual, 0, minutes * kMinute_us});
+  }
+  std::vector<QueueLine> linesOf(std::size_t chief) { return liveLines(centre.asRater(chiefs[chief])); }
+  AssignmentId sheetOf(std::size_t chief, std::size_t trainee, const std::string& occasion) {
+    for (const Assignment& one : SheetRepository(centre.connection()).assignmentsOf(chiefs[chief])) {
+      if (one.enrolmentId == enrolled[trainee] && one.occasionCode == occasion) {
+        return one.id;
+      }
+    }
+    return {};
+  }
+  void score(std::size_t chief, std::size_t trainee, const std::string& occasion) {
+    const AssignmentId id = sheetOf(chief, trainee, occasion);
+    const OpenedSheet opened = openSheet(centre.asRater(chiefs[chief]), id);
+    Sheet sheet{.overall_steps = 70};
+    for (const RubricLine& row : opened.rubric.rows) {
+      sheet.rows.push_back({row.code, 70, ""});
+    }
+    submitSheet(centre.session(), id, sheet, WatchLog());
+  }
+  static std::string refusal(const auto& call) {
+    try {
+      call();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return {};
+  }
+
+  StudyCentre centre;
+  std::vector<RaterId> chiefs;
+  CohortId cohort;
+  std::vector<EnrolmentId> enrolled;
+};
+
+TEST_F(LiveDay, NoSheetIsOpenBeforeTheCallAndEverybodysIsAfterIt) {
+  EXPECT_TRUE(linesOf(0).empty());
+  EXPECT_EQ(reviewQueue(centre.session()).liveWaiting, 12U);
+  const AssignmentId id = sheetOf(0, 1, "pre");
+  EXPECT_NE(refusal([&] { (void)openSheet(centre.session(), id); }).find("has not been called"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] { saveSheet(centre.session(), id, {}, WatchLog()); }).find("has not been called"),
+            std::string::npos);
+
+  callTrainee(office(), request(1));
+
+  std::set<std::string> labels;
+  for (std::size_t chief = 0; chief < chiefs.size(); ++chief) {
+    const std::vector<QueueLine> lines = linesOf(chief);
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_EQ(lines[0].shown.assignmentId, sheetOf(chief, 1, "pre"));
+    ASSERT_TRUE(lines[0].call.has_value());
+    EXPECT_TRUE(lines[0].call->open);
+    EXPECT_EQ(lines[0].call->room, kRoom);
+    labels.insert(lines[0].shown.label);
+    EXPECT_EQ(reviewQueue(centre.asRater(chiefs[chief])).liveCalled, 1U);
+    EXPECT_EQ(reviewQueue(centre.session()).liveWaiting, 11U);
+  }
+  EXPECT_EQ(labels.size(), 1U) << "one label is called out for all";
+  EXPECT_EQ(centre.audited("call.begin"), 1);
+}
+
+TEST_F(LiveDay, ASheetThatIsNotDueIsNotCalledWithoutAReason) {
+  EXPECT_NE(refusal([&] { callTrainee(office(), request(0, "post")); }).find("has trained 0 of 40 min"),
+            std::string::npos);
+  train(0, 20);
+  EXPECT_NE(refusal([&] { callTrainee(office(), request(0, "pre")); }).find("has trained 20 min already"),
+            std::string::npos);
+  EXPECT_EQ(checkCall(office(), request(0)).occasion.code, "mid");
+  EXPECT_FALSE(checkCall(office(), request(0)).objection);
+  EXPECT_TRUE(deviations(office(), cohort).empty());
+
+  callTrainee(office(), request(0, "pre", "was forgotten in the morning"));
+
+  const std::vector<ProtocolDeviation> noted = deviations(office(), cohort);
+  ASSERT_EQ(noted.size(), 1U);
+  EXPECT_EQ(noted[0].enrolmentId, enrolled[0]);
+  EXPECT_NE(noted[0].description.find("has trained 20 min already: was forgotten in the morning"),
+            std::string::npos);
+}
+
+TEST_F(LiveDay, ARoomHoldsOneTraineeAndATraineeStandsInOneRoom) {
+  const LiveCallId first = callTrainee(office(), request(0));
+  EXPECT_EQ(callTrainee(office(), request(0)), first) << "called again by another hand";
+  EXPECT_NE(refusal([&] { callTrainee(office(), request(1)); }).find("another trainee is called in this room"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] { callTrainee(office(), request(0, {}, {}, "Room 2")); }).find("called in Skills lab"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] { callTrainee(office(), request(1, {}, {}, "")); }).find("needs a room"),
+            std::string::npos);
+  callTrainee(office(), request(1, {}, {}, "Room 2"));
+  const LiveCall same{.id = "another station's", .enrolmentId = enrolled[2], .occasionCode = "pre",
+                      .room = kRoom, .calledUtc_us = 1};
+  EXPECT_THROW(CallRepository(centre.connection()).add(std::span(&same, 1)), DbError) << "at the same moment";
+  EXPECT_EQ(linesOf(0).size(), 2U);
+  endCall(office(), cohort, first);
+  EXPECT_NE(refusal([&] { endCall(office(), cohort, first); }).find("has ended already"), std::string::npos);
+  callTrainee(office(), request(2));
+}
+
+TEST_F(LiveDay, SaysWhoseSheetsAreLateAndForgetsTheCallWhenAllAreIn) {
+  const LiveCallId call = callTrainee(office(), request(3));
+  score(0, 3, "pre");
+  endCall(office(), cohort, call);
+
+  const std::vector<CalledCase> late = calledCases(office(), cohort);
+  ASSERT_EQ(late.size(), 1U);
+  EXPECT_EQ(late[0].traineeCode, "T-04");
+  EXPECT_EQ(late[0].asked, 3U);
+  EXPECT_EQ(late[0].submitted, 1U);
+  EXPECT_EQ(late[0].missing, (std::vector<std::string>{"R-02", "R-03"}));
+  score(1, 3, "pre");  // after the call has ended
+  score(2, 3, "pre");
+  EXPECT_TRUE(calledCases(office(), cohort).empty());
+  EXPECT_NE(refusal([&] { callTrainee(office(), request(3)); }).find("are in"), std::string::npos);
+}
+
+TEST_F(LiveDay, ACallOfTheWrongPersonIsTakenBackWhileNobodyHasSubmitted) {
+  const LiveCallId wrong = callTrainee(office(), request(0));
+  const AssignmentId id = sheetOf(1, 0, "pre");
+  saveSheet(centre.asRater(chiefs[1]), id, {.overall_steps = 50}, WatchLog());
+  EXPECT_NE(refusal([&] { cancelCall(office(), cohort, wrong, ""); }).find("with a reason"), std::string::npos);
+
+  cancelCall(office(), cohort, wrong, "T-02 stood there");
+
+  EXPECT_TRUE(calledCases(office(), cohort).empty());
+  EXPECT_NE(refusal([&] { (void)openSheet(centre.asRater(chiefs[1]), id); }).find("has not been called"),
+            std::string::npos);
+  callTrainee(office(), request(0));
+  EXPECT_EQ(openSheet(centre.asRater(chiefs[1]), id).sheet.overall_steps, 50) << "what was typed is kept";
+  score(0, 0, "pre");
+  const LiveCallId again = calledCases(office(), cohort).at(0).call.id;
+  EXPECT_NE(refusal([&] { cancelCall(office(), cohort, again, "slip"); }).find("submitted already"),
+            std::string::npos);
+}
+
+TEST_F(LiveDay, FindsAPersonByTheCodeThatAScannerTypes) {
+  EXPECT_EQ(enrolmentWithCode(office(), cohort, " t-03\n"), enrolled[2]);
+  EXPECT_THROW((void)enrolmentWithCode(office(), cohort, "T-99"), Error);
+  EXPECT_THROW((void)enrolmentWithCode(office(), cohort, ""), Error);
+}
+
+TEST_F(LiveDay, WhatWasCalledStaysAndTheRecordVerifies) {
+  const LiveCallId call = callTrainee(office(), request(0));
+  EXPECT_THROW(centre.connection().execute("UPDATE live_call SET occasion = 'post' WHERE id = ?", {call}),
+               DbError);
+  setEnrolmentState(office(), cohort, enrolled[1], EnrolmentState::kWithdrawn, "moved away");
+  EXPECT_NE(refusal([&] { callTrainee(office(), request(1)); }).find("withdrawn"), std::string::npos);
+  EXPECT_TRUE(verifyAuditTrail(centre.connection()).empty());
+}
+
+}  // namespace
+}  // namespace torsio
