@@ -502,6 +502,10 @@
         <source>Start passwords: %1</source>
         <translation>初始密码：%1</translation>
     </message>
+    <message>
+        <source>%1. Your way into Torsio. For you alone.</source>
+        <translation>%1。Torsio 登录信息，仅供本人使用。</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -10595,6 +10599,142 @@
         <source>the values lie too close together to be squared</source>
         <translation>数值过于接近，无法求平方</translation>
     </message>
+    <message>
+        <source>the same as line %1: taken once</source>
+        <translation>与第 %1 行相同：只导入一次</translation>
+    </message>
+    <message>
+        <source>the text begins as UTF-16 and is broken</source>
+        <translation>文本以 UTF-16 开头，但内容已损坏</translation>
+    </message>
+    <message>
+        <source>the text is in no encoding that a spreadsheet saves</source>
+        <translation>文本的编码不是电子表格软件会保存的任何一种</translation>
+    </message>
+    <message>
+        <source>this case has not been called to the real arm yet</source>
+        <translation>该案例尚未被呼叫到真实手臂</translation>
+    </message>
+    <message>
+        <source>Its sheet opens by itself when the office calls it</source>
+        <translation>管理员呼叫后，其评分表会自动打开</translation>
+    </message>
+    <message>
+        <source>%1 has trained %2 of %3 min</source>
+        <translation>%1 已训练 %2 分钟，应为 %3 分钟</translation>
+    </message>
+    <message>
+        <source>%1 has trained %2 min already</source>
+        <translation>%1 已训练 %2 分钟</translation>
+    </message>
+    <message>
+        <source>Call somebody else</source>
+        <translation>请呼叫其他人</translation>
+    </message>
+    <message>
+        <source>this call has ended already</source>
+        <translation>该呼叫已经结束</translation>
+    </message>
+    <message>
+        <source>Read the board again</source>
+        <translation>请刷新看板</translation>
+    </message>
+    <message>
+        <source>this trainee is called in %1 already</source>
+        <translation>该学员已在 %1 被呼叫</translation>
+    </message>
+    <message>
+        <source>End that call first</source>
+        <translation>请先结束那次呼叫</translation>
+    </message>
+    <message>
+        <source>another trainee is called in this room</source>
+        <translation>该房间已呼叫了另一名学员</translation>
+    </message>
+    <message>
+        <source>no occasion is due</source>
+        <translation>当前没有到期的评分时点</translation>
+    </message>
+    <message>
+        <source>Choose the occasion</source>
+        <translation>请选择评分时点</translation>
+    </message>
+    <message>
+        <source>this cohort has no such occasion</source>
+        <translation>该队列没有这个评分时点</translation>
+    </message>
+    <message>
+        <source>no rater is asked to score %1 on the real arm at the occasion &quot;%2&quot;</source>
+        <translation>未邀请任何评分者在评分时点“%2”于真实手臂上为 %1 评分</translation>
+    </message>
+    <message>
+        <source>the scoring plan</source>
+        <translation>评分计划</translation>
+    </message>
+    <message>
+        <source>Ask raters under Scoring</source>
+        <translation>请在“评分”页邀请评分者</translation>
+    </message>
+    <message>
+        <source>all sheets of the occasion &quot;%1&quot; are in</source>
+        <translation>评分时点“%1”的评分表已全部提交</translation>
+    </message>
+    <message>
+        <source>a call needs a room</source>
+        <translation>呼叫必须指明房间</translation>
+    </message>
+    <message>
+        <source>run day</source>
+        <translation>训练日</translation>
+    </message>
+    <message>
+        <source>Say where the real arm stands</source>
+        <translation>请填写真实手臂所在的房间</translation>
+    </message>
+    <message>
+        <source>Say why the trainee is called nevertheless</source>
+        <translation>请说明为何仍要呼叫该学员</translation>
+    </message>
+    <message>
+        <source>a call is taken back with a reason only</source>
+        <translation>撤回呼叫必须说明原因</translation>
+    </message>
+    <message>
+        <source>a sheet of this call is submitted already</source>
+        <translation>本次呼叫已有评分表提交</translation>
+    </message>
+    <message>
+        <source>End the call and report a deviation</source>
+        <translation>请结束呼叫并登记方案偏离</translation>
+    </message>
+    <message>
+        <source>nobody in this cohort has this code</source>
+        <translation>该队列中没有这个编号</translation>
+    </message>
+    <message>
+        <source>Scan the card again, or type the code</source>
+        <translation>请重新扫描卡片，或手动输入编号</translation>
+    </message>
+    <message>
+        <source>Trainee called to the real arm</source>
+        <translation>学员被呼叫到真实手臂</translation>
+    </message>
+    <message>
+        <source>Call to the real arm ended</source>
+        <translation>真实手臂呼叫结束</translation>
+    </message>
+    <message>
+        <source>Call to the real arm taken back</source>
+        <translation>真实手臂呼叫已撤回</translation>
+    </message>
+    <message>
+        <source>Audit trail exported</source>
+        <translation>审计记录已导出</translation>
+    </message>
+    <message>
+        <source>call to the real arm</source>
+        <translation>真实手臂呼叫</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -11163,6 +11303,44 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <source>Show &amp;more of %1</source>
         <translation>显示更多（共 %1 条）(&amp;M)</translation>
     </message>
+    <message>
+        <source>Between two days</source>
+        <translation>两个日期之间</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>至</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>导出(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>All entries of this time as a table (CSV)</source>
+        <translation>将此时段的全部条目导出为表格（CSV）</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entries saved</source>
+        <translation>
+            <numerusform>已保存 %n 条</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export the audit trail</source>
+        <translation>导出审计记录</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::BriefingPage</name>
@@ -11265,6 +11443,99 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
     <message>
         <source>An expert undoes the same organ</source>
         <translation>专家为同一器官复位</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::CallBar</name>
+    <message>
+        <source>what is due</source>
+        <translation>当前到期的</translation>
+    </message>
+    <message>
+        <source>Say in which room the real arm stands.</source>
+        <translation>请填写真实手臂所在的房间。</translation>
+    </message>
+    <message>
+        <source>Call nevertheless</source>
+        <translation>仍然呼叫</translation>
+    </message>
+    <message>
+        <source>%1, and &quot;%2&quot; is to be scored. Why now? It is noted as a deviation.</source>
+        <translation>%1，而将要评分的是“%2”。为何现在呼叫？这会登记为方案偏离。</translation>
+    </message>
+    <message>
+        <source>case %1 · %2 · %3 · %4</source>
+        <translation>案例 %1 · %2 · %3 · %4</translation>
+    </message>
+    <message>
+        <source>! Late: %1</source>
+        <translation>! 逾期：%1</translation>
+    </message>
+    <message>
+        <source>● Called: %1</source>
+        <translation>● 呼叫中：%1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 sheets are in</source>
+        <translation>已提交 %1 份评分表，共 %2 份</translation>
+    </message>
+    <message>
+        <source>missing: %1</source>
+        <translation>未交：%1</translation>
+    </message>
+    <message>
+        <source>Copy reminder</source>
+        <translation>复制提醒</translation>
+    </message>
+    <message>
+        <source>Please submit your sheet of case %1 in Torsio (Live sheet): %2</source>
+        <translation>请在 Torsio 的“现场评分表”中提交案例 %1 的评分表：%2</translation>
+    </message>
+    <message>
+        <source>Copied: paste it into a message to these raters.</source>
+        <translation>已复制：请粘贴到发给这些评分者的消息中。</translation>
+    </message>
+    <message>
+        <source>Wrong person…</source>
+        <translation>叫错人了…</translation>
+    </message>
+    <message>
+        <source>End call</source>
+        <translation>结束呼叫</translation>
+    </message>
+    <message>
+        <source>Take the call back</source>
+        <translation>撤回呼叫</translation>
+    </message>
+    <message>
+        <source>Somebody else than %1 stood at the arm: the sheets are closed again, what was typed is kept for the next call.</source>
+        <translation>站在手臂旁的不是 %1：评分表将重新关闭，已填写的内容保留到下次呼叫。</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more late</source>
+        <translation>
+            <numerusform>另有 %n 个逾期</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Call to the real &amp;arm</source>
+        <translation>呼叫到真实手臂(&amp;A)</translation>
+    </message>
+    <message>
+        <source>R&amp;oom</source>
+        <translation>房间(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;for</source>
+        <translation>评分时点(&amp;F)</translation>
+    </message>
+    <message>
+        <source>code or scan</source>
+        <translation>输入或扫描编号</translation>
+    </message>
+    <message>
+        <source>Call</source>
+        <translation>呼叫</translation>
     </message>
 </context>
 <context>
@@ -13904,14 +14175,6 @@ MSM = 质点弹簧</translation>
         <translation>已提交</translation>
     </message>
     <message>
-        <source>draft</source>
-        <translation>草稿</translation>
-    </message>
-    <message>
-        <source>waiting</source>
-        <translation>待评</translation>
-    </message>
-    <message>
         <source>%1.  Case %2, %3</source>
         <translation>%1.  案例 %2，%3</translation>
     </message>
@@ -13960,10 +14223,6 @@ MSM = 质点弹簧</translation>
         <translation>案例 %1</translation>
     </message>
     <message>
-        <source>No live case</source>
-        <translation>没有现场案例</translation>
-    </message>
-    <message>
         <source>Stop the timer</source>
         <translation>停止计时</translation>
     </message>
@@ -13978,14 +14237,6 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Live sheet</source>
         <translation>现场评分表</translation>
-    </message>
-    <message>
-        <source>Real arm, in running order. Works without a network; every tap is saved.</source>
-        <translation>真实手臂，按出场顺序。无需网络，每次点击即保存。</translation>
-    </message>
-    <message>
-        <source>Real arm, in running order. Every tap is saved on the centre&apos;s server; if it cannot be reached, it is said at once.</source>
-        <translation>真实手臂，按出场顺序。每次点按都保存到中心服务器；若无法连接，会立即提示。</translation>
     </message>
     <message>
         <source>&amp;Amend …</source>
@@ -14014,6 +14265,42 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Not assessable: type why, Enter</source>
         <translation>无法评定：输入原因，回车</translation>
+    </message>
+    <message>
+        <source>Case %1 is called now. What you have begun here is kept: submit it, or choose the case at the left and come back later.</source>
+        <translation>现在呼叫的是案例 %1。您在此处已填写的内容会保留：请提交，或在左侧选择该案例，稍后再回来。</translation>
+    </message>
+    <message>
+        <source>draft, called now</source>
+        <translation>草稿，呼叫中</translation>
+    </message>
+    <message>
+        <source>draft, late</source>
+        <translation>草稿，逾期</translation>
+    </message>
+    <message>
+        <source>called now</source>
+        <translation>呼叫中</translation>
+    </message>
+    <message>
+        <source>late</source>
+        <translation>逾期</translation>
+    </message>
+    <message>
+        <source>Nobody is called yet</source>
+        <translation>尚未呼叫任何人</translation>
+    </message>
+    <message>
+        <source>The sheet opens by itself when the office calls a case.</source>
+        <translation>管理员呼叫案例后，评分表会自动打开。</translation>
+    </message>
+    <message>
+        <source>Real arm: the sheet follows the call. Works without a network; every tap is saved.</source>
+        <translation>真实手臂：评分表随呼叫切换。无需网络；每次点按均会保存。</translation>
+    </message>
+    <message>
+        <source>Real arm: the sheet follows the call. Every tap is saved on the centre&apos;s server; if it cannot be reached, it is said at once.</source>
+        <translation>真实手臂：评分表随呼叫切换。每次点按均保存到中心服务器；无法连接时会立即提示。</translation>
     </message>
 </context>
 <context>
@@ -15239,10 +15526,6 @@ Leave it empty to remove it.</source>
         <translation>开始第一个案例之前：为参考操作评分，看看与专家组的差距。</translation>
     </message>
     <message>
-        <source>Live cases on the real arm that wait for you: %1.</source>
-        <translation>等待您的真实手臂现场案例：%1。</translation>
-    </message>
-    <message>
         <source>All have submitted. Your marks that differ from the others: %1.</source>
         <translation>所有人均已提交。您与他人差异较大的评分：%1。</translation>
     </message>
@@ -15281,6 +15564,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>Case %1</source>
         <translation>案例 %1</translation>
+    </message>
+    <message>
+        <source>Called to the real arm, your sheet is not in: %1. To be called: %2.</source>
+        <translation>已呼叫到真实手臂、您尚未提交：%1。待呼叫：%2。</translation>
+    </message>
+    <message>
+        <source>Cases that will be called to the real arm: %1. The sheet follows the call.</source>
+        <translation>将被呼叫到真实手臂的案例：%1。评分表会随呼叫打开。</translation>
     </message>
 </context>
 <context>
@@ -16521,14 +16812,6 @@ Leave it empty to remove it.</source>
         <translation>状态</translation>
     </message>
     <message>
-        <source>Number</source>
-        <translation>编号</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>备注</translation>
     </message>
@@ -16555,6 +16838,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Importing the roster</source>
         <translation>正在导入名单</translation>
+    </message>
+    <message>
+        <source>The file was read as %1: look at letters with accents.</source>
+        <translation>文件按 %1 编码读取：请检查带重音符号的字母。</translation>
     </message>
 </context>
 <context>
@@ -16791,6 +17078,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>All deviations of this cohort</source>
         <translation>本队列的全部偏离</translation>
+    </message>
+    <message>
+        <source>Call to the arm</source>
+        <translation>呼叫到手臂</translation>
     </message>
 </context>
 <context>
