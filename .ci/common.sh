@@ -5,33 +5,35 @@ source app/setup.sh
 lint="$root/build/lint"
 
 # plain_commands: writes $lint/compile_commands.json, the commands of build/release without precompiled headers, which
-# only GCC reads, and with each source by itself. A source that compiles so includes what it uses.
+# only GCC reads, and $lint/units, a line for what is compiled at once: the file that the compiler is given, and the
+# sources of ours in it that no line before has.
 plain_commands() {
   [ -f "$build/compile_commands.json" ] || fail "nothing is configured yet: run tests/run first"
   mkdir -p "$lint/passed"
-  sed -E 's# -Winvalid-pch -include [^ ]*cmake_pch\.hxx##' "$build/compile_commands.json" | awk '
-    function tell(entry) { printf "%s%s", told++ ? ",\n" : "[\n", entry }
-    /^[{]/ { entry = ""; together = "" }
-    { entry = entry $0 "\n" }
-    /"file": .*\/unity_[0-9]+_cxx[.]cxx"/ { together = $0; sub(/^[^:]*: "/, "", together); sub(/".*/, "", together) }
-    !/^[}]/ { next }
-    { sub(/[}],?\n$/, "}", entry) }
-    together == "" { tell(entry); next }
-    {
-      while ((getline line < together) > 0) {
-        if (line !~ /^#include "/) continue
-        sub(/^#include "/, "", line); sub(/".*/, "", line)
-        one = entry
-        gsub(together, line, one)
-        tell(one)
-      }
-      close(together)
+  sed -E 's# -Winvalid-pch -include [^ ]*cmake_pch\.hxx##' "$build/compile_commands.json" >"$lint/compile_commands.json"
+  sed -nE 's#^ *"file": "([^"]*)",?$#\1#p' "$lint/compile_commands.json" | awk -v root="$root/" -v build="$build/" '
+    function add(source) {
+      if (index(source, root) != 1 || index(source, build) == 1 || source in seen) return
+      seen[source]
+      sources = sources " " substr(source, length(root) + 1)
     }
-    END { print "\n]" }' >"$lint/compile_commands.json"
+    {
+      sources = ""
+      if (/\/unity_[0-9]+_cxx[.]cxx$/) {
+        while ((getline line < $0) > 0) if (sub(/^#include "/, "", line) && sub(/".*/, "", line)) add(line)
+        close($0)
+      } else {
+        add($0)
+      }
+      if (sources != "") print $0 sources
+    }' >"$lint/units"
 }
 
-# command_of FOLDER: compiler and flags of the first source in FOLDER or below it, without input and output.
+# command_of FOLDER: compiler and flags of the first unit with a source in FOLDER or below it, without input and output.
 command_of() {
-  sed -nE 's#^ *"command": "(.*)",?$#\1#p' "$lint/compile_commands.json" | grep -m 1 -F -- "-c $root/$1/" |
+  local unit
+  unit=$(grep -m 1 -F " $1/" "$lint/units" | cut -d ' ' -f 1)
+  [ -n "$unit" ] || return 1
+  sed -nE 's#^ *"command": "(.*)",?$#\1#p' "$lint/compile_commands.json" | grep -m 1 -F -- " -c $unit" |
     sed -E 's#^[^ ]*ccache ##; s# -o [^ ]* -c .*$##; s#\\"#"#g; s#\\\\#\\#g'
 }
