@@ -479,8 +479,8 @@ TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
     }
     return static_cast<QPushButton*>(nullptr);
   };
-  ASSERT_NE(button("mend"), nullptr);
-  button("mend")->click();
+  ASSERT_NE(button("with a reason"), nullptr);
+  button("with a reason")->click();
   desk.press(Qt::Key_8);
   ASSERT_NE(button("Seal"), nullptr);
   button("Seal")->click();
