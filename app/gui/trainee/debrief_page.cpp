@@ -58,6 +58,7 @@ DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* pare
   trace_ = new Card(QString(), this);
   auto* tools = new QHBoxLayout;
   expert_ = new QCheckBox(trace_);
+  expert_->setObjectName(QStringLiteral("expert"));
   expert_->setChecked(true);
   bookmark_ = new QPushButton(trace_);
   whole_ = new QPushButton(trace_);

@@ -19,6 +19,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/level_bar.h"
 #include "assessment/study/curriculum.h"
+#include "sim/servo/surface_proxy.h"
 
 namespace torsio::gui {
 
@@ -195,7 +196,10 @@ void RunPage::showLive(const LiveState& state) {
   const bool folded = state.phase == ExercisePhase::kReleased && state.times.folded_us >= 0 &&
                       state.times.folded_us == state.times.released_us;
   const QString otherwise = folded ? ReadoutPanel::releaseText(state) : QString();
-  warning_->setText(over ? tr("Above the limit: ease off") : otherwise);
+  const bool deep = state.phase != ExercisePhase::kTwisting && state.response.depth_m > kTooDeep_m;
+  warning_->setText(over   ? tr("Above the limit: ease off")
+                    : deep ? tr("You are pressing too deep: draw back")
+                           : otherwise);
   if (!runSession_->graded()) {
     cue_->setText(cue(state));
   }
