@@ -3,13 +3,19 @@
 // through the whole servo; TORSIO_FORCE_RUNS says how many.
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
+#include "app/recording/expert_run.h"
 #include "app/recording/recorded_run.h"
+#include "app/study/curriculum_content.h"
 #include "app/training/debrief.h"
+#include "assessment/attempt/recorded_loads.h"
 #include "sim/base/angle.h"
 #include "sim/base/random.h"
 #include "sim/device/virtual/scripted_hand.h"
@@ -97,6 +103,31 @@ TEST(ForceLimit, NoRunPassesWithASampleOfTissueForceAboveIt) {
   EXPECT_GT(passed, 0);
   EXPECT_GT(failedByForceAlone, 0);
   EXPECT_GT(unseenByTheDevice, 0);
+}
+
+// A limit that the twist itself goes beyond would fail everybody.
+TEST(ForceLimit, AnExpertKeepsToTheLimitsOfEveryShippedExercise) {
+  const std::filesystem::path assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+  std::map<std::pair<std::string, std::string>, RecordedLoads> known;
+  for (const CurriculumTemplate& shipped : curriculumTemplates(assets)) {
+    for (const TrainingModule& module : shipped.content.modules) {
+      const std::string target = std::to_string(module.targetAngle_rad);
+      const auto [found, isNew] =
+          known.try_emplace({module.sceneId + "/" + module.patternId, target}, RecordedLoads{});
+      if (isNew) {
+        SceneRequest request;
+        request.assets = assets;
+        request.id = module.sceneId;
+        request.pattern = module.patternId;
+        found->second = recordedLoads(decodeTrial(expertRun(loadScene(request), module.targetAngle_rad)));
+      }
+      const std::string where =
+          shipped.id + " " + module.code + " " + module.sceneId + "/" + module.patternId;
+      ASSERT_TRUE(found->second.tissueForce_N) << where;
+      EXPECT_LE(*found->second.tissueForce_N, module.maxForce_N.value_or(1e9)) << where;
+      EXPECT_LE(*found->second.torque_Nm, module.maxTorque_Nm.value_or(1e9)) << where;
+    }
+  }
 }
 
 }  // namespace
