@@ -103,11 +103,16 @@ void SurfaceProxy::lookAhead(const Scene& scene, const OrganState& organ) noexce
 
 void SurfaceProxy::note(const ExerciseStep& step, TwistDrive drive, const Scene& scene,
                         const OrganState& organ) noexcept {
-  noteContact(kShaft, step.patches[kShaft], step.patches[kShaft].depth_m / kGivesWay);
-  if (step.phase != ExercisePhase::kTwisting) {
+  if (step.phase == ExercisePhase::kTwisting) {
+    // What is led round takes its side along. What turns on the spot stays at its own, while what it holds
+    // carries its shaft round in the picture.
+    arrivals_[kShaft].reset();
+    if (drive == TwistDrive::kTangential) {
+      arrivals_[kJaw].reset();
+    }
+  } else {
+    noteContact(kShaft, step.patches[kShaft], step.patches[kShaft].depth_m / kGivesWay);
     noteContact(kJaw, step.patches[kJaw], step.patches[kJaw].depth_m > 0.0 ? step.response.depth_m : 0.0);
-  } else if (drive == TwistDrive::kTangential) {
-    arrivals_ = {};  // what is led round takes its side along; what turns on the spot stays at its own
   }
   lookAhead(scene, organ);
 }
