@@ -23,7 +23,10 @@ double tissueForce_N(const Sample& sample) noexcept {
 }
 
 bool tissueForceKnown(const Sample& sample) noexcept {
-  return !handLeads(sample) || (sample.limits & (kForceNotFinite | kForceModelLate)) == 0;
+  // A reading that made no sense inhibits the device, too; the tissue was asked about the last good one.
+  const bool badReading = (sample.device.status & kDeviceInvalid) != 0;
+  const std::uint32_t doubts = kForceModelLate | (badReading ? kForceFull : kForceNotFinite);
+  return !handLeads(sample) || (sample.limits & doubts) == 0;
 }
 
 RecordedLoads recordedLoads(std::span<const Sample> samples) noexcept {

@@ -339,6 +339,19 @@ TEST(PassRule, AForceThatIsNotKnownPassesNoLimit) {
   }
 }
 
+TEST(PassRule, AReadingThatMadeNoSenseLeavesTheForceKnown) {
+  const Recording run = std::move(Recording()
+                                      .limits(kForceNotFinite)
+                                      .status(kDeviceInvalid)
+                                      .held(1, 10.0)
+                                      .limits(kForceFull)
+                                      .status(kDeviceOk)
+                                      .held(300, 60.0)
+                                      .released(50));
+
+  EXPECT_NEAR(*run.trial().loads.tissueForce_N, 1.2, 1e-12);
+}
+
 TEST(PassRule, AsksForTheNumberOfTwistsOfTheExercise) {
   const AttemptRules rules{.tolerance_rad = kTolerance_rad, .leastTwists = 5};
   Recording one = std::move(Recording().twist(60.0));
