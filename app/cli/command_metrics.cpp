@@ -194,7 +194,7 @@ void runMetrics(const MetricsArguments& arguments) {
   OrganKnowledge organ = scene ? organOf(*scene, trial) : OrganKnowledge{};
   organ.shearLimit_Pa = arguments.shearLimit_Pa;
   const MeasuredTrial measured = measureTwists(trial.header, samples, run.rules, organ);
-  const AttemptMeasures measures = measureAttempt(samples, measured);
+  const AttemptMeasures measures = measureAttempt(measured);
   const Outcome<TrialMetrics> whole = measureWhole(trial.header, samples, run.rules, organ);
   Json out;
   out["trial"] = trial.header.trialId;

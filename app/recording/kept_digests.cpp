@@ -33,7 +33,8 @@ AttemptRules ExerciseRules::of(Connection& connection, const SceneId& sceneId, c
       const AttemptRules rules{.tolerance_rad = stored->tolerance_rad,
                                .forceLimit_N = stored->forceLimit_N,
                                .torqueLimit_Nm = stored->torqueLimit_Nm,
-                               .hold_s = static_cast<double>(stored->hold_us) * 1e-6};
+                               .hold_s = static_cast<double>(stored->hold_us) * 1e-6,
+                               .leastTwists = stored->leastTwists};
       return modules_.emplace(moduleId, rules).first->second;
     }
   }
@@ -139,6 +140,10 @@ TrialSummaryRow summaryRow(const TrialListing& listing, const TrialDigest& diges
   row.meanAbsoluteError_deg = measures.meanAbsoluteError_deg;
   row.peakTorque_Nm = measures.peakTorque_Nm;
   row.peakForce_N = measures.peakForce_N;
+  const auto device = measures.values.find(kDeviceForceMetric);
+  if (device != measures.values.end() && measures.peakForce_N) {
+    row.peakDeviceForce_N = device->second;
+  }
   for (const JudgedTwist& twist : measures.twists) {
     row.attempts.push_back({twist.error_deg, twist.onTarget});
   }

@@ -30,6 +30,13 @@ constexpr std::int64_t kPumpEvery_us = 1'000'000;  // well within what the ring 
 
 constexpr std::int64_t kTicksOfAFrame = 17;  // of a model beside the servo, in the time of step()
 
+/// A hand leads the instrument now: it is held at the surface.
+ServoOptions liveOptions(const TrialHeader& header) {
+  ServoOptions options = servoOptions(header);
+  options.holdsBack = true;
+  return options;
+}
+
 template <typename Pointer>
 Pointer present(Pointer pointer) {
   TORSIO_EXPECTS(pointer != nullptr);
@@ -49,7 +56,7 @@ RecordedRun::RecordedRun(std::shared_ptr<const Scene> scene, std::unique_ptr<Hap
       beside_(runsBeside(scene_->tissue)
                   ? std::make_unique<BesideWorker>(scene_, besideLink_, std::move(shape))
                   : nullptr),
-      loop_(links(), servoOptions(header_)),
+      loop_(links(), liveOptions(header_)),
       sink_(std::move(sink)) {
   if (sink_ != nullptr) {
     recorder_.emplace(*samples_, *sink_, header_);

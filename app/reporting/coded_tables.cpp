@@ -14,6 +14,7 @@
 #include "assessment/study/cohort.h"
 #include "assessment/study/protocol_terms.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/digest.h"
@@ -55,6 +56,15 @@ std::string endOf(const TrialListing& trial) {
   return trial.summary->outcome == TrialOutcome::kCompleted ? "completed" : "interrupted";
 }
 
+/// A version that was made when its rater could know the marks of the others.
+bool afterPanel(const SheetRepository& sheets, const SubmittedMark& mark) {
+  if (mark.version < 2) {
+    return false;
+  }
+  const std::optional<std::int64_t> opened_us = sheets.panelOpenedUtc_us(mark.enrolmentId, mark.occasionCode);
+  return opened_us && mark.submittedUtc_us > *opened_us;
+}
+
 }  // namespace
 
 std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
@@ -81,13 +91,15 @@ std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
 std::size_t exportMarks(SessionContext& session, const CohortId& cohortId,
                         const std::filesystem::path& file) {
   session.require(Operation::kMarkViewCoded);
-  std::vector<Cells> lines{
-      {"trainee", "rater", "occasion", "version", "score", "not_assessable", "trial", "submitted_utc"}};
+  std::vector<Cells> lines{{"trainee", "rater", "occasion", "version", "score", "not_assessable", "trial",
+                            "submitted_utc", "moved_after_panel"}};
+  SheetRepository sheets(session.connection());
   for (const SubmittedMark& mark : RatingRepository(session.connection()).marks(cohortId)) {
     lines.push_back(
         {mark.traineeCode, mark.raterCode, mark.occasionCode, std::to_string(mark.version),
          mark.score_steps ? formatExact(pointsFromSteps(*mark.score_steps, mark.scale)) : std::string(),
-         mark.score_steps ? "no" : "yes", mark.trialId, formatUtc(mark.submittedUtc_us)});
+         mark.score_steps ? "no" : "yes", mark.trialId, formatUtc(mark.submittedUtc_us),
+         afterPanel(sheets, mark) ? "yes" : "no"});
   }
   return write(session, {AuditAction::kMarkExportCoded, AuditObject::kCohort, cohortId}, lines, file);
 }

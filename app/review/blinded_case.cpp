@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/review/blinded_case.h"
 
+#include "app/recording/detorsion_rules.h"
+#include "app/recording/kept_digests.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/trial/trial_repository.h"
@@ -15,6 +17,13 @@ namespace torsio {
 namespace {
 
 constexpr std::size_t kDigestDigits = 8;
+
+BlindedTask taskOf(Connection& connection, const TrialId& trialId, const TrialHeader& header) {
+  const std::optional<TrialContext> context = TrialRepository(connection).context(trialId);
+  const AttemptRules rules = ExerciseRules().of(connection, header.sceneId, header.patternId,
+                                                context ? context->moduleId : ModuleId());
+  return {header.targetAngle_rad, recordedRules(rules, header)};
+}
 
 std::string placeOf(const std::string& label) {
   return "case " + label;
@@ -86,6 +95,7 @@ BlindedRecording blindedRecordingOf(Connection& connection, const TrialId& trial
     recording.label = label;
     recording.digest = blindedDigest(trial.summary.contentHash, salt);
     const std::uint64_t seed = detorsionSeed(trial.header.trialId);  // an organ that came twisted lies by it
+    recording.task = taskOf(connection, trialId, trial.header);
     trial.header = blinded(trial.header, label);
     trial.header.seed = seed;
     trial.summary.contentHash.clear();  // would tell which trial it is

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/access/session_context.h"
+#include "assessment/attempt/measured_trial.h"
 #include "assessment/rating/assignment.h"
 #include "sim/base/ids.h"
 #include "sim/record/trial.h"
@@ -30,6 +31,14 @@ struct BlindedCase {
   friend bool operator==(const BlindedCase&, const BlindedCase&) = default;
 };
 
+/// What the exercise of a recording asks for, so that accuracy can be judged. It is the same for everybody
+/// who does the exercise: no title, no mode, no stage, nothing of a person.
+struct BlindedTask {
+  double target_rad = 0.0;  ///< at the beginning of the recording; 0 of an untwisting
+  AttemptRules rules{};     ///< tolerance, hold, number of twists, limits
+  [[nodiscard]] bool untwisting() const noexcept { return rules.detorsion.has_value(); }
+};
+
 /// A recording without whose it is. `trial` decodes and plays like the original, sample by sample, but its
 /// header is blinded().
 struct BlindedRecording {
@@ -38,6 +47,7 @@ struct BlindedRecording {
   /// Eight hexadecimal digits to compare with the centre's list: BLAKE2b of content hash and salt. Another
   /// one for each rater and case, so that it links nothing.
   std::string digest{};
+  BlindedTask task{};
 };
 
 /// `header` without trial id, trainee, phase, date, program version and model; what a replay needs stays.

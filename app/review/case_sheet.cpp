@@ -103,6 +103,7 @@ OpenedSheet openSheet(SessionContext& session, const AssignmentId& assignmentId)
   if (const auto sealed = sheets.submitted(assignmentId)) {
     opened.sheet = *sealed;
     opened.state = SheetState::kSubmitted;
+    opened.panelOpen = sheets.panelOpenedUtc_us(assignment.enrolmentId, assignment.occasionCode).has_value();
   } else if (const auto draft = sheets.draft(assignmentId)) {
     opened.sheet = *draft;
     opened.state = SheetState::kDraft;
@@ -169,7 +170,7 @@ void submitSheet(SessionContext& session, const AssignmentId& assignmentId, cons
 }
 
 void amendSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
-                const std::string& reason) {
+                const std::string& reason, PanelMarks panel) {
   const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   const std::string where = "case " + assignment.caseLabel;
   if (reason.empty()) {
@@ -180,6 +181,11 @@ void amendSheet(SessionContext& session, const AssignmentId& assignmentId, const
   if (!sheets.submitted(assignmentId)) {
     throw Error(ErrorCode::kBadData, Text::tr("this sheet is not submitted yet"), where,
                 Text::tr("Fill it in and submit it"));
+  }
+  if (panel == PanelMarks::kUnseen &&
+      sheets.panelOpenedUtc_us(assignment.enrolmentId, assignment.occasionCode)) {
+    throw Error(ErrorCode::kBadData, Text::tr("the marks of the panel are open now"), where,
+                Text::tr("Move your mark with a reason; it is flagged as moved after the panel's marks"));
   }
   Transaction transaction(session.connection());
   sheets.submit(assignmentId, session.ids().newUuid(), sheet, reason, session.now_us());
@@ -192,12 +198,15 @@ void amendSheet(SessionContext& session, const AssignmentId& assignmentId, const
 
 std::vector<SheetVersion> sheetVersions(SessionContext& session, const AssignmentId& assignmentId) {
   const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  const std::optional<std::int64_t> opened_us =
+      SheetRepository(session.connection())
+          .panelOpenedUtc_us(assignment.enrolmentId, assignment.occasionCode);
   std::vector<SheetVersion> versions;
   for (const SubmittedMark& mark :
        RatingRepository(session.connection())
            .history(assignment.enrolmentId, assignment.raterId, assignment.occasionCode)) {
-    versions.push_back(
-        {mark.version, mark.score_steps, mark.comment, mark.amendReason, mark.submittedUtc_us});
+    versions.push_back({mark.version, mark.score_steps, mark.comment, mark.amendReason, mark.submittedUtc_us,
+                        mark.version > 1 && opened_us && mark.submittedUtc_us > *opened_us});
   }
   return versions;
 }

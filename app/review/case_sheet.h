@@ -32,6 +32,7 @@ struct OpenedSheet {
   RubricRevision rubric{};
   Sheet sheet{};  ///< the draft, or the newest sealed version
   SheetState state = SheetState::kOpen;
+  bool panelOpen = false;  ///< all have committed: the marks of the others may be seen
   WatchLog watched{};
 };
 /// kMarkSubmit, own case. Throws Error{kBadData}: a live case that was not called yet and is not submitted.
@@ -52,10 +53,14 @@ std::int64_t saveSheet(SessionContext& session, const AssignmentId& assignmentId
 void submitSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
                  const WatchLog& watched);
 
+/// Whether a sheet is amended by somebody who may know what the others gave.
+enum class PanelMarks { kUnseen, kSeen };
+
 /// The next version of a submitted sheet; the one before stays as it is. kMarkSubmit, own case; audited.
-/// Throws Error{kBadParameter} without a reason, {kBadData}: not submitted yet, or not complete.
+/// Throws Error{kBadParameter} without a reason, {kBadData}: not submitted yet, not complete, or the marks of
+/// the panel are open: then only moveMark (discrepancy_review.h) changes it, which says kSeen.
 void amendSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
-                const std::string& reason);
+                const std::string& reason, PanelMarks panel = PanelMarks::kUnseen);
 
 /// One sealed version of an own sheet.
 struct SheetVersion {
@@ -64,6 +69,7 @@ struct SheetVersion {
   std::string comment{};
   std::string amendReason{};
   std::int64_t submittedUtc_us = 0;
+  bool afterPanel = false;  ///< made when the marks of the others were open
 };
 /// Oldest first. kMarkSubmit, own case.
 [[nodiscard]] std::vector<SheetVersion> sheetVersions(SessionContext& session,

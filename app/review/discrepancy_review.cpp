@@ -158,7 +158,7 @@ void moveMark(SessionContext& session, const AssignmentId& assignmentId, const S
   const Assignment found = committedCase(session, assignmentId);
   requireReason(reason, found.caseLabel);
   Transaction transaction(session.connection());
-  amendSheet(session, assignmentId, sheet, reason);
+  amendSheet(session, assignmentId, sheet, reason, PanelMarks::kSeen);
   decide(session, assignmentId, DiscrepancyChoice::kMove, reason);
   transaction.commit();
 }

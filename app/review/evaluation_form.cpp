@@ -2,7 +2,13 @@
 #include "app/review/evaluation_form.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
 
+#include "app/base/assets.h"
+#include "app/recording/expert_run.h"
+#include "app/recording/kept_digests.h"
 #include "assessment/rating/campaign.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
@@ -10,6 +16,8 @@
 #include "db/repository/rating/evaluation_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
+#include "sim/base/tissue_model.h"
+#include "sim/scene/scene.h"
 
 namespace torsio {
 
@@ -55,19 +63,48 @@ struct OpenForm {
   bool demonstration = false;
 };
 
+/// The model that a letter of a demonstration stands for; empty: a recording is needed to show it.
+std::optional<TissueModel> computedModel(const CampaignModel& model, bool demonstration) {
+  constexpr std::array<std::pair<std::string_view, TissueModel>, 3> kModels{
+      {{"PM", TissueModel::kTwist},
+       {"FEM", TissueModel::kFiniteElements},
+       {"MSM", TissueModel::kMassSpring}}};
+  const auto* found = std::find_if(kModels.begin(), kModels.end(),
+                                   [&](const auto& known) { return known.first == model.code; });
+  return demonstration && found != kModels.end() ? std::optional(found->second) : std::nullopt;
+}
+
+/// An expert's run of a model, under a hidden label.
+BlindedRecording computedRun(TissueModel model, const std::string& hiddenLabel, const std::string& salt) {
+  SceneRequest request;
+  request.assets = assetsFolder();
+  request.tissue = model;
+  const Scene scene = loadScene(request);
+  BlindedRecording recording;
+  recording.label = hiddenLabel;
+  recording.trial = expertRun(scene, scene.pattern.targetAngle_rad);
+  recording.digest = blindedDigest(recording.trial.summary.contentHash, salt);
+  recording.task = {recording.trial.header.targetAngle_rad,
+                    ExerciseRules().ofPattern(scene.id, scene.pattern.id)};
+  recording.trial.header = blinded(recording.trial.header, hiddenLabel);
+  recording.trial.summary.contentHash.clear();
+  return recording;
+}
+
 OpenForm formOf(Connection& connection, const Campaign& campaign, const CampaignRater& rater) {
-  OpenForm open{{campaign.id, campaign.name, campaign.instrument.scale, {}, {}},
+  OpenForm open{{campaign.id, campaign.name, campaign.instrument.scale, {}, {}, {}},
                 inOwnOrder(campaign, rater.modelOrder),
                 campaign.demonstration};
   for (const EvaluationIndex& index : campaign.instrument.indices) {
     open.form.indices.push_back(index.name);
+    open.form.indexIds.push_back(index.id);
   }
   const std::size_t count = open.form.indices.size();
   const auto draft = DeskRepository(connection).evaluationDraft(campaign.id, rater.raterId);
   const auto marks = EvaluationRepository(connection).marks(campaign.id);
   for (const CampaignModel& model : open.models) {
     EvaluationFormModel shown{model.hiddenLabel, std::vector<std::optional<std::int64_t>>(count), false,
-                              !model.trialId.empty()};
+                              !model.trialId.empty() || computedModel(model, campaign.demonstration)};
     for (const EvaluationDraftMark& mark : draft) {
       if (mark.modelCode == model.code) {
         shown.scores.at(static_cast<std::size_t>(mark.indexNumber - 1)) = mark.score_steps;
@@ -141,10 +178,16 @@ std::vector<EvaluationForm> evaluationForms(SessionContext& session) {
 BlindedRecording loadEvaluationRecording(SessionContext& session, const CampaignId& campaignId,
                                          const std::string& hiddenLabel) {
   const OpenForm open = ownForm(session, campaignId);
+  const std::string salt = campaignId.text() + session.actor().personId.text();
   for (const CampaignModel& model : open.models) {
-    if (model.hiddenLabel == hiddenLabel && !model.trialId.empty()) {
-      const std::string salt = campaignId.text() + session.actor().personId.text();
+    if (model.hiddenLabel != hiddenLabel) {
+      continue;
+    }
+    if (!model.trialId.empty()) {
       return blindedRecordingOf(session.connection(), model.trialId, hiddenLabel, salt);
+    }
+    if (const std::optional<TissueModel> known = computedModel(model, open.demonstration)) {
+      return computedRun(*known, hiddenLabel, salt);
     }
   }
   throw Error(ErrorCode::kBadData, Text::tr("there is no recording of this model"),

@@ -18,7 +18,7 @@ struct EvaluationFormModel {
   std::string hiddenLabel{};                          ///< "X"
   std::vector<std::optional<std::int64_t>> scores{};  ///< steps, one an index; drafts while not submitted
   bool submitted = false;
-  bool recorded = false;  ///< there is a recording to watch (loadEvaluationRecording)
+  bool recorded = false;  ///< there is something to watch (loadEvaluationRecording)
 };
 
 /// What one rater fills in, with the models in the order that was drawn for this rater. Neither names of the
@@ -27,7 +27,8 @@ struct EvaluationForm {
   CampaignId campaignId{};  ///< handle; never shown
   std::string title{};
   ScoreScale scale{};
-  std::vector<std::string> indices{};  ///< names, in the instrument's order
+  std::vector<std::string> indices{};   ///< names, in the instrument's order
+  std::vector<std::string> indexIds{};  ///< of indexMeaning
   std::vector<EvaluationFormModel> models{};
   [[nodiscard]] bool complete() const noexcept;
 };
@@ -35,8 +36,10 @@ struct EvaluationForm {
 /// The campaigns that ask the actor, oldest first. kEvaluationSubmit.
 [[nodiscard]] std::vector<EvaluationForm> evaluationForms(SessionContext& session);
 /// Loads the recording of one model under its hidden label, as loadBlindedRecording does: nothing in it that
-/// is shown tells the model. kEvaluationSubmit, own form. Throws Error{kPermission}: not asked, {kBadData}:
-/// unknown label or a model without a recording, {kVerifyFailed}: the recording was changed.
+/// is shown tells the model. Of a demonstration without recordings an expert's run of the model on the
+/// forearm is computed, which takes seconds: worker thread. kEvaluationSubmit, own form. Throws
+/// Error{kPermission}: not asked, {kBadData}: unknown label or a model without a recording, {kVerifyFailed}:
+/// the recording was changed.
 [[nodiscard]] BlindedRecording loadEvaluationRecording(SessionContext& session, const CampaignId& campaignId,
                                                        const std::string& hiddenLabel);
 /// Stores one mark of the draft, empty takes it back; it is on the disk when the call returns.

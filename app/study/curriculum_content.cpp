@@ -25,6 +25,7 @@ constexpr double kMostSeconds = 1e6;
 constexpr double kMostDegrees = 3600.0;
 constexpr double kMost = 1e9;
 constexpr int kMostCount = 1'000'000;
+constexpr int kMostTwists = 1'000;
 
 /// Whole billionths of a degree: what was written as 60 is shown as 60 again.
 double writtenDegrees(double angle_rad) {
@@ -43,6 +44,9 @@ json moduleJson(const TrainingModule& module) {
            {"hold_s", static_cast<double>(module.hold_us) / kSecond_us},
            {"requires", module.requires_},
            {"mastery", json::array()}};
+  if (module.leastTwists > 1) {
+    out["least_twists"] = module.leastTwists;
+  }
   if (module.maxForce_N) {
     out["max_force_n"] = *module.maxForce_N;
   }
@@ -148,6 +152,7 @@ TrainingModule readModule(const json& source, const std::string& place) {
   module.targetAngle_rad = radians(fields.number("target_deg", -kMostDegrees, kMostDegrees, 0.0));
   module.tolerance_rad = radians(fields.number("tolerance_deg", 0.0, kMostDegrees, 0.0));
   module.hold_us = microseconds(fields, "hold_s", kMostSeconds, kSecond_us, 0.0);
+  module.leastTwists = fields.integer("least_twists", 1, kMostTwists, 1);
   if (fields.has("max_force_n")) {
     module.maxForce_N = fields.number("max_force_n", 0.0, kMost);
   }

@@ -78,6 +78,12 @@ bool counts(const Attempt& attempt, const TrainingModule& module) {
          (attempt.mode == AttemptMode::kGraded || module.mode == AttemptMode::kPractice);
 }
 
+AttemptDemands demandsOf(const TrainingModule& module) {
+  return {.leastTwists = module.leastTwists,
+          .forceLimit_N = module.maxForce_N,
+          .torqueLimit_Nm = module.maxTorque_Nm};
+}
+
 MasteryRule masteryRule(const MasteryCriterion& stored) {
   return {.metric = stored.metric,
           .atMost = stored.comparison == "at_most",
@@ -94,7 +100,9 @@ std::vector<RuleProgress> ruleProgress(const TrainingModule& module, std::span<c
         continue;
       }
       const auto value = attempt.values.find(rule.metric);
-      values.push_back(value == attempt.values.end() ? std::nullopt : std::optional(value->second));
+      const bool missing =
+          value == attempt.values.end() || !meetsDemands(demandsOf(module), attempt.values, attempt.twists);
+      values.push_back(missing ? std::nullopt : std::optional(value->second));
     }
     const MasteryProgress reached = masteryProgress(masteryRule(rule), values);
     progress.push_back({rule, reached.streak, reached.met, reached.last});

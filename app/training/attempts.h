@@ -11,6 +11,7 @@
 #include "app/access/session_context.h"
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/attempt/mastery.h"
+#include "assessment/attempt/pass_rule.h"
 #include "assessment/study/curriculum.h"
 #include "assessment/study/protocol_terms.h"
 #include "sim/base/ids.h"
@@ -49,6 +50,9 @@ Attempt attemptOf(SessionContext& session, const TrialId& trialId);
 /// is there for practice.
 [[nodiscard]] bool counts(const Attempt& attempt, const TrainingModule& module);
 
+/// What a module demands of every attempt, whatever its rules ask for.
+[[nodiscard]] AttemptDemands demandsOf(const TrainingModule& module);
+
 /// How far one rule is.
 struct RuleProgress {
   MasteryCriterion rule{};
@@ -58,8 +62,8 @@ struct RuleProgress {
 };
 /// The rule as the domain knows it.
 [[nodiscard]] MasteryRule masteryRule(const MasteryCriterion& stored);
-/// Over the attempts that count, oldest first. A rule whose metric is not defined for an attempt breaks the
-/// row.
+/// Over the attempts that count, oldest first. An attempt that does not meet the demands of the module, or
+/// for which the metric of a rule is not defined, breaks the row.
 [[nodiscard]] std::vector<RuleProgress> ruleProgress(const TrainingModule& module,
                                                      std::span<const Attempt> attempts);
 

@@ -7,6 +7,8 @@
 
 #include "assessment/attempt/force_felt.h"
 #include "assessment/attempt/merit.h"
+#include "assessment/attempt/recorded_loads.h"
+#include "assessment/metrics/metric_cards.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {
@@ -37,26 +39,30 @@ TwistResult resultOf(const MeasuredTwist& twist) {
           .passed = twist.onTarget};
 }
 
-/// Where in the twist the eye should look.
-Seconds whereIs(std::string_view metric, double value, const Timeline& line, const MeasuredTwist& measured) {
+/// Where in the twist the eye should look. `since`: first sample after the twist before, from which a peak of
+/// force belongs to this one.
+Seconds whereIs(std::string_view metric, double value, const Timeline& line, const MeasuredTwist& measured,
+                std::size_t since) {
   const RecordedTwist& twist = measured.twist;
   const Seconds whole{measured.start_s, measured.letGo_s};
-  const auto momentOf = [&](auto&& size) {
-    std::size_t at = twist.first;
-    for (std::size_t i = twist.first; i < twist.letGo; ++i) {
+  const auto momentOf = [&](std::size_t first, auto&& size) {
+    std::size_t at = first;
+    for (std::size_t i = first; i < twist.letGo; ++i) {
       if (size(line.samples[i]) > size(line.samples[at])) {
         at = i;
       }
     }
     const double t = line.at_s(at);
-    return Seconds{std::max(whole.from_s, t - kMoment_s), std::min(whole.to_s + kMoment_s, t + kMoment_s)};
+    // What pressed before the grip is shown up to the grip: there is always some of the twist to be seen.
+    return Seconds{std::max(std::min(whole.from_s, t), t - kMoment_s),
+                   std::min(whole.to_s + kMoment_s, std::max(t, whole.from_s) + kMoment_s)};
   };
-  if (metric == "force.peak") {
-    return momentOf([](const Sample& s) { return norm(s.force_N); });
+  if (metric == kPeakForceMetric) {
+    return momentOf(since, tissueForce_N);
   }
   if (metric == "twist.overshoot") {
     const double sign = twist.target_rad < 0.0 ? -1.0 : 1.0;
-    return momentOf([sign](const Sample& s) { return sign * s.response.angle_rad; });
+    return momentOf(twist.first, [sign](const Sample& s) { return sign * s.response.angle_rad; });
   }
   if (metric == "twist.time_to_target" || metric == "twist.settling") {
     return {whole.from_s, std::min(whole.to_s, whole.from_s + value)};
@@ -70,6 +76,17 @@ Seconds whereIs(std::string_view metric, double value, const Timeline& line, con
   return whole;
 }
 
+/// First sample after the grip before this twist.
+std::size_t sinceBefore(const MeasuredTrial& run, const MeasuredTwist& twist) {
+  std::size_t since = 0;
+  for (const MeasuredTwist& other : run.twists) {
+    if (other.twist.letGo <= twist.twist.first) {
+      since = std::max(since, other.twist.letGo);
+    }
+  }
+  return since;
+}
+
 DebriefTrace traceOf(const Timeline& line, std::size_t first, std::size_t end) {
   DebriefTrace trace;
   const std::size_t stride = std::max<std::size_t>(1, (end - first + kTracePoints - 1) / kTracePoints);
@@ -77,7 +94,7 @@ DebriefTrace traceOf(const Timeline& line, std::size_t first, std::size_t end) {
     // A short peak of force must not fall between two points.
     double force_N = 0.0;
     for (std::size_t k = i; k < std::min(i + stride, end); ++k) {
-      force_N = std::max(force_N, norm(line.samples[k].force_N));
+      force_N = std::max(force_N, tissueForce_N(line.samples[k]));
     }
     trace.time_s.push_back(line.at_s(i));
     trace.angle_rad.push_back(line.samples[i].response.angle_rad);
@@ -98,24 +115,26 @@ void addExpert(const Trial& expert, const AttemptRules& rules, const Timeline& l
   const RecordedTwist& example = examples.front()->twist;
   out.expert = traceOf(Timeline(expert.header, shown), example.first, example.end);
   const double grip_s = out.expert.time_s.front();
+  out.expertGrip_s = grip_s;
   for (double& t : out.expert.time_s) {
     t -= grip_s;
   }
   const std::vector<const MeasuredTwist*> twists = own.completed();
   const std::vector<CriterionMerit> all = meritsAgainst(own, reference);
-  const auto finding = [&](const CriterionMerit& criterion, const TwistMerit& found) {
-    return DebriefFinding{std::string(criterion.metric),
-                          found.value,
-                          criterion.expert,
-                          found.merit,
-                          found.twist,
-                          whereIs(criterion.metric, found.value, line, *twists[found.twist])};
+  const auto finding = [&](const CriterionMerit& criterion, const TwistMerit& found, bool strength) {
+    const MeasuredTwist& twist = *twists[found.twist];
+    // What went well went well throughout the twist; what went wrong has its moment.
+    const Seconds when = strength
+                             ? Seconds{twist.start_s, twist.letGo_s}
+                             : whereIs(criterion.metric, found.value, line, twist, sinceBefore(own, twist));
+    return DebriefFinding{
+        std::string(criterion.metric), found.value, criterion.expert, found.merit, found.twist, when};
   };
   const std::size_t each = std::min(kFindings, all.size() / 2);
   for (std::size_t i = 0; i < each; ++i) {
     const CriterionMerit& last = all[all.size() - 1 - i];
-    out.strengths.push_back(finding(all[i], all[i].best));
-    out.weaknesses.push_back(finding(last, last.worst));
+    out.strengths.push_back(finding(all[i], all[i].best, true));
+    out.weaknesses.push_back(finding(last, last.worst, false));
   }
 }
 
@@ -148,6 +167,7 @@ Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples, 
   }
   out.unfinishedTwists = measured.unfinished();
   out.checks = targetChecks(measured, rules);
+  out.deviceForce_N = measured.loads.deviceForce_N;
   if (measured.detorsion && rules.detorsion) {
     out.detorsion = detorsionStory(samples, line.times_us, *rules.detorsion, measured.detorsion->metrics);
   } else if (expert != nullptr) {

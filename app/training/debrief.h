@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -48,7 +49,7 @@ struct DebriefTrace {
   std::vector<double> time_s{};
   std::vector<double> angle_rad{};
   std::vector<double> torque_Nm{};
-  std::vector<double> force_N{};
+  std::vector<double> force_N{};  ///< on the tissue; of what is thinned the largest
   [[nodiscard]] bool empty() const noexcept { return time_s.empty(); }
 };
 
@@ -56,6 +57,13 @@ struct DebriefBookmark {
   RemarkId id{};
   double at_s = 0.0;
   std::string text{};
+};
+
+/// The same run as an older version of the definitions measured it: kept beside, judged no more.
+struct EarlierMeasure {
+  std::int64_t version = 0;  ///< of the definitions (kMetricsVersion)
+  std::optional<double> peakForce_N{};
+  bool withinLimits = false;  ///< force and torque lay within the limits, by that version
 };
 
 /// What a trainee is told right after a run.
@@ -74,6 +82,8 @@ struct Debrief {
   double target_rad = 0.0;
   double tolerance_rad = 0.0;
   double forceLimit_N = 0.0;
+  std::optional<double> deviceForce_N{};    ///< largest that the device was told to give; never judged
+  std::optional<EarlierMeasure> earlier{};  ///< what an older version of the definitions had said
   std::vector<TargetCheck> checks{};
   std::vector<TwistResult> twists{};         ///< completed ones
   std::int64_t unfinishedTwists = 0;         ///< not completed, counted apart
@@ -82,6 +92,9 @@ struct Debrief {
   DebriefTrace own{};
   /// One twist of the expert, its time from the grip; empty: the scene is not there any more.
   DebriefTrace expert{};
+  std::shared_ptr<const Trial> recording{};        ///< the run itself; null without a database
+  std::shared_ptr<const Trial> expertRecording{};  ///< of which `expert` is a part; null: none
+  double expertGrip_s = 0.0;                       ///< where in it `expert` begins
   std::vector<double> grips_s{};  ///< when each twist of the run began: where the expert's curve is laid
   std::vector<DebriefBookmark> bookmarks{};
   std::optional<DetorsionStory> detorsion{};  ///< of an organ that came twisted; else empty

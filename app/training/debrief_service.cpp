@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -10,9 +11,11 @@
 #include "app/training/trainee_record.h"
 #include "assessment/attempt/recorded_twists.h"
 #include "assessment/attempt/trial_listing.h"
+#include "assessment/metrics/metric_cards.h"
 #include "assessment/rating/remark.h"
 #include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
+#include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
@@ -93,6 +96,24 @@ void tellMishaps(const TrialHeader& header, std::span<const Sample> samples,
   }
 }
 
+/// The newest of the older measurements of this very recording by these very rules.
+std::optional<EarlierMeasure> earlierMeasure(Connection& connection, const TrialListing& listing,
+                                             const AttemptRules& rules) {
+  const std::vector<TrialDigest> older =
+      DigestRepository(connection).olderOfTrial(listing.trialId, kMetricsVersion);
+  const TrialDigest* kept = findDigest(older, listing.summary.value().contentHash, rules);
+  if (kept == nullptr) {
+    return std::nullopt;
+  }
+  const auto force = kept->measures.find(kPeakForceMetric);
+  return EarlierMeasure{
+      .version = kept->formulaVersion,
+      .peakForce_N = force == kept->measures.end() ? std::nullopt : std::optional(force->second),
+      .withinLimits = meetsDemands(
+          {.leastTwists = 0, .forceLimit_N = rules.forceLimit_N, .torqueLimit_Nm = rules.torqueLimit_Nm},
+          kept->measures, 0)};
+}
+
 void addMastery(const TrainingModule& module, const Attempt& attempt, const std::vector<Attempt>& all,
                 Debrief& out) {
   std::vector<Attempt> untilNow;
@@ -134,14 +155,21 @@ Debrief debrief(SessionContext& session, const TrialId& trialId, const std::file
   const std::vector<Sample> samples = decodeTrial(trial);
   const MeasuredTrial measured = measureTwists(trial.header, samples, rules);
   if (listing.summary) {
-    keepDigest(session.connection(), trial, measureAttempt(samples, measured), rules, session.now_us());
+    keepDigest(session.connection(), trial, measureAttempt(measured), rules, session.now_us());
   }
   // An untwisting is judged by itself.
   const std::optional<Trial> expert =
       measured.detorsion ? std::nullopt : expertFor(trials, trial.header, assets, scene);
   Debrief out = makeDebrief(trial.header, samples, measured, rules, expert ? &*expert : nullptr);
+  out.recording = std::make_shared<const Trial>(trial);
+  if (expert) {
+    out.expertRecording = std::make_shared<const Trial>(*expert);
+  }
   if (out.detorsion) {
     tellMishaps(trial.header, samples, assets, scene, *out.detorsion);
+  }
+  if (listing.summary) {
+    out.earlier = earlierMeasure(session.connection(), listing, rules);
   }
   out.moduleId = listing.moduleId;
   out.mode = listing.attemptMode;

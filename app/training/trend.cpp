@@ -27,7 +27,8 @@ bool passedAll(const TrainingModule& module, const Attempt& attempt) {
   for (const MasteryCriterion& rule : module.mastery) {
     rules.push_back(masteryRule(rule));
   }
-  return passesAll(rules, attempt.values, attempt.onTarget, attempt.twists);
+  return meetsDemands(demandsOf(module), attempt.values, attempt.twists) &&
+         passesAll(rules, attempt.values, attempt.onTarget, attempt.twists);
 }
 
 void describeMetric(Trend& trend) {

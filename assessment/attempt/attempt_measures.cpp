@@ -16,8 +16,7 @@ namespace {
 constexpr std::array<std::string_view, 6> kSummed{"twist.excursions",     "force.violations",
                                                   "force.violation_time", "force.excess",
                                                   "torque.violations",    "shear.over_limit"};
-constexpr std::array<std::string_view, 4> kLargest{"force.peak", "force.peak_raw", "torque.peak",
-                                                   "force.rate"};
+constexpr std::array<std::string_view, 1> kLargest{"force.rate"};
 
 template <std::size_t N>
 bool isOneOf(const std::array<std::string_view, N>& ids, std::string_view id) {
@@ -51,15 +50,17 @@ void judgeTwists(const MeasuredTrial& measured, AttemptMeasures& out) {
   }
 }
 
-void findPeaks(std::span<const Sample> samples, AttemptMeasures& out) {
-  double torque_Nm = 0.0;
-  double force_N = 0.0;
-  for (const Sample& sample : samples) {
-    torque_Nm = std::max(torque_Nm, std::abs(sample.response.torque_Nm));
-    force_N = std::max(force_N, norm(sample.force_N));
-  }
-  out.peakTorque_Nm = torque_Nm;
-  out.peakForce_N = force_N;
+/// Peaks are those of the recording, however many twists it has.
+void addPeaks(const RecordedLoads& loads, AttemptMeasures& out) {
+  const auto add = [&out](std::string_view id, const std::optional<double>& peak) {
+    out.values.erase(std::string(id));
+    if (peak) {
+      out.values[std::string(id)] = *peak;
+    }
+  };
+  add(kPeakForceMetric, loads.tissueForce_N);
+  add(kDeviceForceMetric, loads.deviceForce_N);
+  add(kPeakTorqueMetric, loads.torque_Nm);
 }
 
 void addMetrics(const MeasuredTrial& measured, AttemptMeasures& out) {
@@ -69,6 +70,7 @@ void addMetrics(const MeasuredTrial& measured, AttemptMeasures& out) {
       out.values[std::string(card.id)] = overTwists(card.id, values);
     }
   }
+  addPeaks(measured.loads, out);
   if (measured.detorsion) {
     return;  // no targets
   }
@@ -87,15 +89,16 @@ std::int64_t AttemptMeasures::twistsOnTarget() const noexcept {
 
 AttemptMeasures measureAttempt(const TrialHeader& header, std::span<const Sample> samples,
                                const AttemptRules& rules) {
-  return measureAttempt(samples, measureTwists(header, samples, rules));
+  return measureAttempt(measureTwists(header, samples, rules));
 }
 
-AttemptMeasures measureAttempt(std::span<const Sample> samples, const MeasuredTrial& measured) {
+AttemptMeasures measureAttempt(const MeasuredTrial& measured) {
   AttemptMeasures out;
   out.duration_us = measured.duration_us;
   judgeTwists(measured, out);
   if (!out.twists.empty()) {
-    findPeaks(samples, out);
+    out.peakTorque_Nm = measured.loads.torque_Nm;
+    out.peakForce_N = measured.loads.tissueForce_N;
   }
   addMetrics(measured, out);
   return out;

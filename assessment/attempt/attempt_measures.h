@@ -29,10 +29,11 @@ struct AttemptMeasures {
   /// The next three: empty without a completed twist.
   std::optional<double> meanAbsoluteError_deg{};
   std::optional<double> peakTorque_Nm{};  ///< largest magnitude of any sample, not filtered
-  std::optional<double> peakForce_N{};    ///< largest magnitude sent to the device, not filtered
-  /// By metric id, SI. A metric of single twists: over the completed ones, the sum of mishaps, the largest of
-  /// peaks, else the median. Of an untwisting its own metrics, and loads over its grips in the same way. What
-  /// is not defined is missing.
+  std::optional<double>
+      peakForce_N{};  ///< largest on the tissue, of any sample: what a limit is held against
+  /// By metric id, SI. Peaks of force and torque are those of the whole recording (RecordedLoads). A metric
+  /// of single twists: over the completed ones, the sum of mishaps, the largest of peaks, else the median. Of
+  /// an untwisting its own metrics, and loads over its grips in the same way. What is not defined is missing.
   std::map<std::string, double> values{};
 
   /// Number of completed twists that were let go on target.
@@ -44,7 +45,7 @@ struct AttemptMeasures {
 /// file gets its numbers. Slow: seconds for an hour.
 [[nodiscard]] AttemptMeasures measureAttempt(const TrialHeader& header, std::span<const Sample> samples,
                                              const AttemptRules& rules);
-/// Does the same with twists that measureTwists has measured already, of the same samples.
-[[nodiscard]] AttemptMeasures measureAttempt(std::span<const Sample> samples, const MeasuredTrial& measured);
+/// Does the same with a recording that measureTwists has measured already.
+[[nodiscard]] AttemptMeasures measureAttempt(const MeasuredTrial& measured);
 
 }  // namespace torsio

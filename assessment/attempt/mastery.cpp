@@ -29,8 +29,9 @@ MasteryProgress masteryProgress(const MasteryRule& rule, std::span<const std::op
   return progress;
 }
 
-std::int64_t wantedOnTarget(std::int64_t twists) noexcept {
-  return std::max<std::int64_t>(1, (kWanted * twists + kOutOf - 1) / kOutOf);
+std::int64_t wantedOnTarget(std::int64_t twists, std::int64_t least) noexcept {
+  const std::int64_t counted = std::max({twists, least, std::int64_t{1}});
+  return (kWanted * counted + kOutOf - 1) / kOutOf;
 }
 
 bool enoughOnTarget(std::int64_t onTarget, std::int64_t twists) noexcept {

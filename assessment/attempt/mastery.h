@@ -34,9 +34,9 @@ struct MasteryProgress {
 [[nodiscard]] MasteryProgress masteryProgress(const MasteryRule& rule,
                                               std::span<const std::optional<double>> values);
 
-/// Returns how many of `twists` completed twists must be let go on target for a run to pass: four in five,
-/// and one at least.
-[[nodiscard]] std::int64_t wantedOnTarget(std::int64_t twists) noexcept;
+/// Returns how many of `twists` completed twists must be let go on target for a run to pass: four in five of
+/// them, or of the `least` number that the exercise asks for, and one at least.
+[[nodiscard]] std::int64_t wantedOnTarget(std::int64_t twists, std::int64_t least = 1) noexcept;
 
 /// Whether enough completed twists were let go on target.
 [[nodiscard]] bool enoughOnTarget(std::int64_t onTarget, std::int64_t twists) noexcept;

@@ -72,7 +72,8 @@ TrialTrace traceOf(const Reading& reading, std::span<const Sample> samples, doub
                            sample.device.position[1] * kPositionStep_m,
                            sample.device.position[2] * kPositionStep_m});
     trace.angle_rad.push_back(response.angle_rad);
-    trace.force_N.push_back(norm(sample.force_N));
+    trace.force_N.push_back(tissueForce_N(sample));
+    trace.deviceForce_N.push_back(norm(sample.force_N));
     trace.torque_Nm.push_back(response.torque_Nm);
     if (organ.peakShear_Pa) {
       trace.patchShear_Pa.push_back(organ.peakShear_Pa(sample));
@@ -98,6 +99,7 @@ TrialTrace cut(const TrialTrace& trace, std::size_t first, std::size_t end) {
   out.angle_rad = cut(trace.angle_rad, first, end);
   out.targetAngle_rad = cut(trace.targetAngle_rad, first, end);
   out.force_N = cut(trace.force_N, first, end);
+  out.deviceForce_N = cut(trace.deviceForce_N, first, end);
   out.torque_Nm = cut(trace.torque_Nm, first, end);
   out.patchShear_Pa = cut(trace.patchShear_Pa, first, end);
   return out;
@@ -122,6 +124,27 @@ Outcome<TrialMetrics> measured(const TrialTrace& trace, const TrialTargets& targ
   return measureTrial(trace, targets);
 }
 
+/// Measures what belongs to a grip that began at `first` and ended before `end`. Its peaks are those of the
+/// samples since `since`, so that the press before the grip counts with it.
+Outcome<TrialMetrics> measuredGrip(const TrialTrace& trace, const TrialTargets& targets,
+                                   std::span<const Sample> since, std::size_t first, std::size_t end) {
+  const Outcome<TrialMetrics> grip = measured(cut(trace, first, end), targets);
+  if (!grip) {
+    return grip;
+  }
+  TrialMetrics metrics = *grip;
+  const RecordedLoads loads = recordedLoads(since);
+  const auto set = [&metrics](std::string_view id, const std::optional<double>& peak) {
+    metrics.set(
+        id, peak ? Outcome<double>(*peak)
+                 : Outcome<double>::undefined(Text::tr("the answer of the tissue is not known throughout")));
+  };
+  set(kPeakForceMetric, loads.tissueForce_N);
+  set(kDeviceForceMetric, loads.deviceForce_N);
+  set(kPeakTorqueMetric, loads.torque_Nm);
+  return metrics;
+}
+
 /// Leaves out of a trace what only an exercise of twisting has.
 void dropTwists(TrialTrace& trace) {
   trace.angle_rad.clear();
@@ -136,8 +159,11 @@ MeasuredDetorsion measuredDetorsion(const Reading& reading, std::span<const Samp
   dropTwists(trace);
   const TrialTargets targets = targetsOf(rules, organ);
   out.whole = measured(trace, targets);
+  std::size_t since = 0;
   for (const RecordedTwist& grip : reading.twists) {
-    out.grips.push_back(measured(cut(trace, grip.first, grip.letGo), targets));
+    out.grips.push_back(
+        measuredGrip(trace, targets, samples.subspan(since, grip.letGo - since), grip.first, grip.letGo));
+    since = grip.letGo;
   }
   return out;
 }
@@ -219,7 +245,8 @@ MeasuredTrial measureTwists(const TrialHeader& header, std::span<const Sample> s
                             const AttemptRules& rules, const OrganKnowledge& organ) {
   const Reading reading = readingOf(header, samples);
   MeasuredTrial out{.deviceClock = reading.times.deviceClock,
-                    .duration_us = recordedDuration_us(header, samples)};
+                    .duration_us = recordedDuration_us(header, samples),
+                    .loads = recordedLoads(samples)};
   if (comesTwisted(samples)) {
     out.detorsion = measuredDetorsion(reading, samples, rules, organ);
     return out;
@@ -229,6 +256,7 @@ MeasuredTrial measureTwists(const TrialHeader& header, std::span<const Sample> s
   }
   const TrialTrace trace = traceOf(reading, samples, rules.tolerance_rad, organ);
   TrialTargets targets = targetsOf(rules, organ);
+  std::size_t since = 0;
   for (const RecordedTwist& twist : reading.twists) {
     if (organ.axisAt) {
       const GraspAxis axis = organ.axisAt(samples[twist.letGo - 1].response.graspArc_m);
@@ -241,7 +269,9 @@ MeasuredTrial measureTwists(const TrialHeader& header, std::span<const Sample> s
          .letGo_s = secondsBetween(reading, 0, twist.letGo - 1),
          .held_s = heldTime_s(reading, twist, onTargetSince(twist, samples, rules.tolerance_rad)),
          .onTarget = twist.onTarget(rules.tolerance_rad),
-         .metrics = measured(cut(trace, twist.first, twist.end), targets)});
+         .metrics = measuredGrip(trace, targets, samples.subspan(since, twist.letGo - since), twist.first,
+                                 twist.end)});
+    since = twist.letGo;
   }
   return out;
 }

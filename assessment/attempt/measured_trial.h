@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "assessment/attempt/recorded_loads.h"
 #include "assessment/attempt/recorded_twists.h"
 #include "assessment/metrics/detorsion.h"
 #include "assessment/metrics/trial_metrics.h"
@@ -22,7 +23,8 @@ struct AttemptRules {
   double tolerance_rad = kUsualTolerance_rad;  ///< > 0
   std::optional<double> forceLimit_N{};
   std::optional<double> torqueLimit_Nm{};
-  double hold_s = 0.0;  ///< on target before letting go, asked for to pass; changes no measure
+  double hold_s = 0.0;           ///< on target before letting go, asked for to pass; changes no measure
+  std::int64_t leastTwists = 1;  ///< completed, asked for to pass; changes no measure
   std::optional<DetorsionRules> detorsion{};  ///< of a recording that comesTwisted
   friend bool operator==(const AttemptRules&, const AttemptRules&) = default;
 };
@@ -67,6 +69,7 @@ struct MeasuredTrial {
   std::int64_t duration_us = 0;                  ///< recordedDuration_us
   std::vector<MeasuredTwist> twists{};           ///< all of them, in their order; none of an untwisting
   std::optional<MeasuredDetorsion> detorsion{};  ///< empty: an exercise of twisting
+  RecordedLoads loads{};                         ///< over the whole recording
 
   /// Duration in seconds.
   [[nodiscard]] double duration_s() const noexcept;
@@ -76,12 +79,14 @@ struct MeasuredTrial {
   [[nodiscard]] std::int64_t unfinished() const noexcept;
   /// Values of one metric over the completed twists in which it is defined. Of an untwisting: its own metrics
   /// and those of the whole recording have one value or none, loads one a grip, metrics of twisting none.
+  /// Peaks of force and torque are those since the grip before was let go; those of the recording are
+  /// `loads`.
   [[nodiscard]] std::vector<double> valuesOf(std::string_view metric) const;
 };
 
-/// Turns a recording into the trace that the metrics read: angle, target in force, force as sent to the
-/// device, torque and tip of every sample. The samples of a stay on target until letting go count as hold
-/// when it lasted at least kShortestHold_s.
+/// Turns a recording into the trace that the metrics read: angle, target in force, force on the tissue and
+/// as sent to the device, torque and tip of every sample. The samples of a stay on target until letting go
+/// count as hold when it lasted at least kShortestHold_s.
 [[nodiscard]] TrialTrace trialTrace(const TrialHeader& header, std::span<const Sample> samples,
                                     double tolerance_rad, const OrganKnowledge& organ = {});
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "assessment/attempt/mastery.h"
+#include "assessment/metrics/metric_cards.h"
 
 namespace torsio {
 
@@ -11,10 +12,17 @@ namespace {
 
 using Kind = TargetCheck::Kind;
 
-TargetCheck angleCheck(const std::vector<const MeasuredTwist*>& twists) {
+TargetCheck numberCheck(std::int64_t completed, std::int64_t least) {
+  return {.kind = Kind::kTwists,
+          .passed = completed >= least,
+          .value = static_cast<double>(completed),
+          .wanted = static_cast<double>(least)};
+}
+
+TargetCheck angleCheck(const std::vector<const MeasuredTwist*>& twists, std::int64_t least) {
   const std::int64_t hits =
       std::count_if(twists.begin(), twists.end(), [](const MeasuredTwist* twist) { return twist->onTarget; });
-  const std::int64_t wanted = wantedOnTarget(std::ssize(twists));
+  const std::int64_t wanted = wantedOnTarget(std::ssize(twists), least);
   return {.kind = Kind::kAngle,
           .passed = hits >= wanted,
           .value = static_cast<double>(hits),
@@ -34,13 +42,17 @@ TargetCheck holdCheck(const std::vector<const MeasuredTwist*>& twists, double wa
           .wanted = wanted_s};
 }
 
-TargetCheck limitCheck(Kind kind, const std::vector<double>& peaks, double most) {
-  TargetCheck check{.kind = kind, .wanted = most, .atLeast = false};
-  if (!peaks.empty()) {
-    check.value = *std::max_element(peaks.begin(), peaks.end());
-    check.passed = *check.value <= most;
-  }
-  return check;
+bool isWithin(const std::optional<double>& peak, double most) {
+  return peak && *peak <= most;
+}
+
+TargetCheck limitCheck(Kind kind, const std::optional<double>& peak, double most) {
+  return {.kind = kind, .passed = isWithin(peak, most), .value = peak, .wanted = most, .atLeast = false};
+}
+
+std::optional<double> valueOf(const std::map<std::string, double>& values, const char* metric) {
+  const auto found = values.find(metric);
+  return found == values.end() ? std::nullopt : std::optional(found->second);
 }
 
 TargetCheck undoneCheck(const MeasuredTrial& run) {
@@ -57,17 +69,33 @@ TargetCheck undoneCheck(const MeasuredTrial& run) {
 
 std::vector<TargetCheck> targetChecks(const MeasuredTrial& run, const AttemptRules& rules) {
   const std::vector<const MeasuredTwist*> twists = run.completed();
-  std::vector<TargetCheck> checks{run.detorsion ? undoneCheck(run) : angleCheck(twists)};
+  std::vector<TargetCheck> checks;
+  if (run.detorsion) {
+    checks.push_back(undoneCheck(run));
+  } else {
+    if (rules.leastTwists > 1) {
+      checks.push_back(numberCheck(std::ssize(twists), rules.leastTwists));
+    }
+    checks.push_back(angleCheck(twists, rules.leastTwists));
+  }
   if (rules.hold_s > 0.0 && !run.detorsion) {
     checks.push_back(holdCheck(twists, rules.hold_s));
   }
   if (rules.forceLimit_N) {
-    checks.push_back(limitCheck(Kind::kForce, run.valuesOf("force.peak"), *rules.forceLimit_N));
+    checks.push_back(limitCheck(Kind::kForce, run.loads.tissueForce_N, *rules.forceLimit_N));
   }
   if (rules.torqueLimit_Nm) {
-    checks.push_back(limitCheck(Kind::kTorque, run.valuesOf("torque.peak"), *rules.torqueLimit_Nm));
+    checks.push_back(limitCheck(Kind::kTorque, run.loads.torque_Nm, *rules.torqueLimit_Nm));
   }
   return checks;
+}
+
+bool meetsDemands(const AttemptDemands& demands, const std::map<std::string, double>& values,
+                  std::int64_t twists) {
+  const bool untwisting = values.contains(kDetorsionDoneMetric);
+  return (untwisting || twists >= demands.leastTwists) &&
+         (!demands.forceLimit_N || isWithin(valueOf(values, kPeakForceMetric), *demands.forceLimit_N)) &&
+         (!demands.torqueLimit_Nm || isWithin(valueOf(values, kPeakTorqueMetric), *demands.torqueLimit_Nm));
 }
 
 }  // namespace torsio

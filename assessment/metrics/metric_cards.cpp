@@ -15,6 +15,7 @@ constexpr Direction kHigher = Direction::kHigherIsBetter;
 constexpr Direction kNeither = Direction::kNeither;
 constexpr std::string_view kTask = "task start to task end";
 constexpr std::string_view kHolding = "while the organ is held";
+constexpr std::string_view kTouching = "from the first contact to the last";
 
 constexpr std::array kCards = std::to_array<MetricCard>({
     {"time.total", "Time", "How long the exercise took.", "t_end - t_start", "s", kTask, kLower},
@@ -60,9 +61,10 @@ constexpr std::array kCards = std::to_array<MetricCard>({
      "root mean square of radius - mean radius", "m", kHolding, kLower},
     {"force.mean", "Mean force", "Mean force on the tissue.", "impulse / time, filtered at 20 Hz", "N",
      kHolding, kLower},
-    {"force.peak", "Peak force", "Largest force on the tissue.", "maximum, filtered at 20 Hz", "N", kHolding,
-     kLower},
-    {"force.peak_raw", "Peak force, unfiltered", "Largest single sample.", "maximum", "N", kHolding, kLower},
+    {"force.peak", "Peak force", "Largest force on the tissue, whatever the device could give of it.",
+     "maximum of all samples, not filtered", "N", kTouching, kLower},
+    {"force.device_peak", "Peak force of the device", "Largest force that the device was told to give.",
+     "maximum of all samples, not filtered", "N", kTouching, kNeither},
     {"force.p95", "High force", "Force that was exceeded 5 % of the time.", "0.95 quantile of type 7", "N",
      kHolding, kLower},
     {"force.impulse", "Force-time integral", "Force added up over time.", "integral of |F| dt", "N s",
@@ -77,8 +79,8 @@ constexpr std::array kCards = std::to_array<MetricCard>({
      "integral of max(0, F - limit) dt", "N s", kHolding, kLower},
     {"torque.mean", "Mean torque", "Mean torque on the tissue.", "impulse / time, filtered at 20 Hz", "N m",
      kHolding, kLower},
-    {"torque.peak", "Peak torque", "Largest torque on the tissue.", "maximum, filtered at 20 Hz", "N m",
-     kHolding, kLower},
+    {"torque.peak", "Peak torque", "Largest torque on the tissue.", "maximum of all samples, not filtered",
+     "N m", kTouching, kLower},
     {"torque.violations", "Torque violations", "How often the allowed torque was exceeded.",
      "excursions above the limit, merged below 50 ms, ignored below 10 ms", "count", kHolding, kLower},
     {"torque.release_rate", "Abruptness of release", "How suddenly the torque was let go.",

@@ -11,7 +11,7 @@ namespace torsio {
 /// Version of all formulas by which a recording is measured: metrics, what a twist is, what is on target. It
 /// stands beside every stored value. Count it up whenever a number changes: values of an older version are
 /// not read, the recording is measured anew.
-inline constexpr std::int64_t kMetricsVersion = 3;
+inline constexpr std::int64_t kMetricsVersion = 4;
 
 enum class Direction { kLowerIsBetter, kHigherIsBetter, kNeither };
 
@@ -37,6 +37,12 @@ struct MetricCard {
 inline constexpr const char* kOnTargetMetric = "twist.on_target";
 /// Number of the twists that were let go within the tolerance of the target. Without a card, too.
 inline constexpr const char* kTargetsReachedMetric = "twist.targets_reached";
+
+/// Largest force and torque on the tissue: what limits are held against.
+inline constexpr const char* kPeakForceMetric = "force.peak";
+inline constexpr const char* kPeakTorqueMetric = "torque.peak";
+/// Largest force that the device was told to give; shown beside kPeakForceMetric, never judged.
+inline constexpr const char* kDeviceForceMetric = "force.device_peak";
 
 /// With this the ids of the metrics of an untwisting begin. They exist for recordings of an organ that came
 /// twisted, and there the metrics of twisting do not.

@@ -53,6 +53,7 @@ void check(const TrialTrace& trace) {
   checkList(trace.angle_rad, n, Text::verbatim("angle"));
   checkList(trace.targetAngle_rad, n, Text::verbatim("target angle"));
   checkList(trace.force_N, n, Text::verbatim("force"));
+  checkList(trace.deviceForce_N, n, Text::verbatim("force of the device"));
   checkList(trace.torque_Nm, n, Text::verbatim("torque"));
   checkList(trace.patchShear_Pa, n, Text::verbatim("patch shear"));
   for (const Vec3& tip : trace.tip_m) {
@@ -157,8 +158,8 @@ std::span<const T> part(const std::vector<T>& list, std::pair<std::size_t, std::
 
 class Measurer {
  public:
-  Measurer(const Prepared& signals, const TrialTargets& targets, TrialMetrics& out)
-      : s_(signals), targets_(targets), out_(out), held_(longest(signals.phase, isHeld)) {}
+  Measurer(const TrialTrace& trace, const Prepared& signals, const TrialTargets& targets, TrialMetrics& out)
+      : trace_(trace), s_(signals), targets_(targets), out_(out), held_(longest(signals.phase, isHeld)) {}
 
   void run() {
     set("time.total", static_cast<double>(s_.n - 1) / kRate_Hz);
@@ -169,6 +170,7 @@ class Measurer {
     if (!s_.angle.empty()) {
       set("twist.path", angularPath(s_.angle));
     }
+    measurePeaks();
     if (held_.second - held_.first < 2) {
       return;
     }
@@ -179,12 +181,7 @@ class Measurer {
   }
 
  private:
-  void set(std::string_view id, Outcome<double> value) {
-    const auto found = std::find_if(out_.values.begin(), out_.values.end(),
-                                    [&](const MetricValue& metric) { return metric.id == id; });
-    TORSIO_EXPECTS(found != out_.values.end());
-    found->value = std::move(value);
-  }
+  void set(std::string_view id, Outcome<double> value) { out_.set(id, std::move(value)); }
 
   /// A signal in a stretch of the trial, filtered by itself: a filter over the whole trial would smear the
   /// release into the end of the hold.
@@ -193,6 +190,22 @@ class Measurer {
                                                 double cutoff_Hz) {
     const std::span<const double> signal = part(raw, stretch);
     return filtered({signal.begin(), signal.end()}, cutoff_Hz);
+  }
+
+  /// Of the samples as they came: a limit is held against them, and a filter would take the top off.
+  void measurePeaks() {
+    const auto largest = [this](std::string_view id, const std::vector<double>& list) {
+      double most = 0.0;
+      for (const double value : list) {
+        most = std::max(most, std::abs(value));
+      }
+      if (!list.empty()) {
+        set(id, most);
+      }
+    };
+    largest(kPeakForceMetric, trace_.force_N);
+    largest(kDeviceForceMetric, trace_.deviceForce_N);
+    largest(kPeakTorqueMetric, trace_.torque_Nm);
   }
 
   void measureTurn() {
@@ -235,12 +248,9 @@ class Measurer {
       const std::vector<double> force = calm(s_.force, held_, kForceCutoff_Hz);
       const Outcome<Loading> load = loadingOf(force, kRate_Hz);
       set("force.mean", load->mean);
-      set("force.peak", load->peak);
       set("force.p95", load->p95);
       set("force.impulse", load->impulse);
       set("force.rate", load->largestRate);
-      const std::span<const double> raw = part(s_.force, held_);
-      set("force.peak_raw", *std::max_element(raw.begin(), raw.end()));
       if (targets_.forceLimit_N) {
         const Violations violations = violationsOf(force, *targets_.forceLimit_N, kRate_Hz);
         set("force.violations", static_cast<double>(violations.count));
@@ -256,7 +266,6 @@ class Measurer {
       }
       const Outcome<Loading> load = loadingOf(magnitude, kRate_Hz);
       set("torque.mean", load->mean);
-      set("torque.peak", load->peak);
       if (targets_.torqueLimit_Nm) {
         set("torque.violations",
             static_cast<double>(violationsOf(magnitude, *targets_.torqueLimit_Nm, kRate_Hz).count));
@@ -274,6 +283,7 @@ class Measurer {
     }
   }
 
+  const TrialTrace& trace_;
   const Prepared& s_;
   const TrialTargets& targets_;
   TrialMetrics& out_;
@@ -289,6 +299,13 @@ const Outcome<double>& TrialMetrics::at(std::string_view id) const {
   return found->value;
 }
 
+void TrialMetrics::set(std::string_view id, Outcome<double> value) {
+  const auto found =
+      std::find_if(values.begin(), values.end(), [&](const MetricValue& v) { return v.id == id; });
+  TORSIO_EXPECTS(found != values.end());
+  found->value = std::move(value);
+}
+
 TrialMetrics measureTrial(const TrialTrace& trace, const TrialTargets& targets) {
   TORSIO_EXPECTS(targets.tolerance_rad > 0.0);
   const Prepared signals = prepare(trace);
@@ -302,7 +319,7 @@ TrialMetrics measureTrial(const TrialTrace& trace, const TrialTargets& targets) 
   out.lostSamples = signals.lost;
   out.poseCutoff_Hz = kPoseCutoff_Hz;
   out.forceCutoff_Hz = kForceCutoff_Hz;
-  Measurer(signals, targets, out).run();
+  Measurer(trace, signals, targets, out).run();
   return out;
 }
 

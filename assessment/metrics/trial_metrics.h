@@ -26,9 +26,10 @@ struct TrialTrace {
   std::vector<Vec3> tip_m;
   std::vector<double> angle_rad;  ///< unwrapped twist
   std::vector<double>
-      targetAngle_rad;            ///< in force at the sample; empty: TrialTargets::target_rad throughout
-  std::vector<double> force_N;    ///< magnitude
-  std::vector<double> torque_Nm;  ///< signed
+      targetAngle_rad;                ///< in force at the sample; empty: TrialTargets::target_rad throughout
+  std::vector<double> force_N;        ///< magnitude on the tissue
+  std::vector<double> deviceForce_N;  ///< magnitude that was sent to the device
+  std::vector<double> torque_Nm;      ///< signed
   std::vector<double> patchShear_Pa;
 };
 
@@ -57,6 +58,7 @@ struct TrialMetrics {
   double poseCutoff_Hz = 0.0;
   double forceCutoff_Hz = 0.0;
   [[nodiscard]] const Outcome<double>& at(std::string_view id) const;
+  void set(std::string_view id, Outcome<double> value);
 };
 
 /// All metrics of one trial, in the order of preparation: uniform time, filter, derive, measure. Throws

@@ -162,6 +162,7 @@ void addTrials(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
       rows.add("mean_absolute_error_deg", trial.meanAbsoluteError_deg, trial.twists);
       rows.add("peak_torque_Nm", trial.peakTorque_Nm, trial.samples);
       rows.add("peak_force_N", trial.peakForce_N, trial.samples);
+      rows.add("peak_device_force_N", trial.peakDeviceForce_N, trial.samples);
     }
     rows.add("refused_samples", static_cast<double>(trial.refusedSamples), trial.samples);
     for (std::size_t i = 0; i < trial.attempts.size(); ++i) {

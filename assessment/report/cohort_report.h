@@ -98,7 +98,8 @@ struct TrialSummaryRow {
   std::int64_t unfinishedTwists = 0;  ///< cut off by the end, a fault or missing samples: not in `twists`
   std::optional<double> meanAbsoluteError_deg;  ///< of the angle at letting go against the target in force
   std::optional<double> peakTorque_Nm;
-  std::optional<double> peakForce_N;
+  std::optional<double> peakForce_N;        ///< on the tissue
+  std::optional<double> peakDeviceForce_N;  ///< that the device was told to give
   std::int64_t refusedSamples = 0;
   std::int64_t lateTicks = 0;
   bool interrupted = false;

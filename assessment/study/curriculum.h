@@ -31,6 +31,7 @@ struct TrainingModule {
   double targetAngle_rad = 0.0;
   double tolerance_rad = 0.1;
   std::int64_t hold_us = 0;
+  std::int64_t leastTwists = 1;  ///< that a run must complete to pass
   std::optional<double> maxForce_N{};
   std::optional<double> maxTorque_Nm{};
   std::optional<std::int64_t> attemptLimit{};

@@ -1137,10 +1137,6 @@
         <translation>目标处保持：无，要求 %1 秒</translation>
     </message>
     <message>
-        <source>Peak force: %1 N, limit %2 N</source>
-        <translation>最大力：%1 N，限值 %2 N</translation>
-    </message>
-    <message>
         <source>Peak force: not measured, limit %1 N</source>
         <translation>最大力：未测得，限值 %1 N</translation>
     </message>
@@ -1420,6 +1416,26 @@
     <message>
         <source>%1: %2, wanted %3</source>
         <translation>%1：%2，要求 %3</translation>
+    </message>
+    <message>
+        <source>Peak force of the device</source>
+        <translation>设备输出的最大力</translation>
+    </message>
+    <message>
+        <source>Twists completed: %1 of %2</source>
+        <translation>已完成的扭转：%1 / %2</translation>
+    </message>
+    <message>
+        <source>Peak force on the tissue: %1 N, limit %2 N</source>
+        <translation>组织所受最大力：%1 N，限值 %2 N</translation>
+    </message>
+    <message>
+        <source>Measured before by version %1 of the definitions: peak force %2, within the limits. That is kept and no longer counts.</source>
+        <translation>此前按第 %1 版定义测得：最大力 %2，未超限值。该结果予以保留，但不再作数。</translation>
+    </message>
+    <message>
+        <source>Measured before by version %1 of the definitions: peak force %2, beyond the limits. That is kept and no longer counts.</source>
+        <translation>此前按第 %1 版定义测得：最大力 %2，超出限值。该结果予以保留，但不再作数。</translation>
     </message>
 </context>
 <context>
@@ -10735,6 +10751,162 @@
         <source>call to the real arm</source>
         <translation>真实手臂呼叫</translation>
     </message>
+    <message>
+        <source>the marks of the panel are open now</source>
+        <translation>评分组的评分已公开</translation>
+    </message>
+    <message>
+        <source>Move your mark with a reason; it is flagged as moved after the panel&apos;s marks</source>
+        <translation>请说明理由后调整评分；该调整将标记为在评分组评分公开之后作出</translation>
+    </message>
+    <message>
+        <source>the answer of the tissue is not known throughout</source>
+        <translation>组织的反应并非全程已知</translation>
+    </message>
+    <message>
+        <source>How well practising with this model prepares for twisting a real organ.</source>
+        <translation>用该模型练习对扭转真实器官的准备作用有多大。</translation>
+    </message>
+    <message>
+        <source>teaches nothing or wrong habits</source>
+        <translation>学不到东西，或养成错误习惯</translation>
+    </message>
+    <message>
+        <source>useful beside other training</source>
+        <translation>作为其他训练的补充有用</translation>
+    </message>
+    <message>
+        <source>prepares as well as the real thing</source>
+        <translation>准备效果与真实操作相当</translation>
+    </message>
+    <message>
+        <source>How far the force in the hand is what tissue would answer, in size and course.</source>
+        <translation>手上的力在大小和变化上与组织的真实反应有多接近。</translation>
+    </message>
+    <message>
+        <source>no force, or one that misleads</source>
+        <translation>没有力，或力会误导人</translation>
+    </message>
+    <message>
+        <source>right in direction, not in size</source>
+        <translation>方向正确，大小不对</translation>
+    </message>
+    <message>
+        <source>feels like tissue</source>
+        <translation>手感如同组织</translation>
+    </message>
+    <message>
+        <source>How promptly picture and force follow the hand.</source>
+        <translation>画面和力跟随手部动作的及时程度。</translation>
+    </message>
+    <message>
+        <source>clearly behind the hand</source>
+        <translation>明显滞后于手</translation>
+    </message>
+    <message>
+        <source>a delay that can be noticed</source>
+        <translation>可察觉到延迟</translation>
+    </message>
+    <message>
+        <source>no delay to be noticed</source>
+        <translation>察觉不到延迟</translation>
+    </message>
+    <message>
+        <source>Whether organ and force stay calm through grip, twist, hold and release.</source>
+        <translation>在夹持、扭转、保持和松开过程中，器官和力是否平稳。</translation>
+    </message>
+    <message>
+        <source>shakes, jumps or breaks off</source>
+        <translation>抖动、跳变或中断</translation>
+    </message>
+    <message>
+        <source>calm but for single moments</source>
+        <translation>除个别瞬间外平稳</translation>
+    </message>
+    <message>
+        <source>calm throughout</source>
+        <translation>全程平稳</translation>
+    </message>
+    <message>
+        <source>How quickly the shape of the organ follows a large or fast twist.</source>
+        <translation>大幅或快速扭转时，器官形状跟随的速度。</translation>
+    </message>
+    <message>
+        <source>the shape lags or stands still</source>
+        <translation>形状滞后或不动</translation>
+    </message>
+    <message>
+        <source>keeps up with slow twists</source>
+        <translation>跟得上缓慢的扭转</translation>
+    </message>
+    <message>
+        <source>keeps up with every twist</source>
+        <translation>跟得上任何扭转</translation>
+    </message>
+    <message>
+        <source>How true the twisted shape is: where it turns, folds and gives way.</source>
+        <translation>扭转后的形状有多真实：何处转动、起皱和变形。</translation>
+    </message>
+    <message>
+        <source>no organ twists like that</source>
+        <translation>没有器官会这样扭转</translation>
+    </message>
+    <message>
+        <source>right as a whole, wrong in places</source>
+        <translation>整体正确，局部有误</translation>
+    </message>
+    <message>
+        <source>like the organ itself</source>
+        <translation>与器官本身一样</translation>
+    </message>
+    <message>
+        <source>How evenly the picture moves.</source>
+        <translation>画面运动的流畅程度。</translation>
+    </message>
+    <message>
+        <source>stops and jumps</source>
+        <translation>停顿、跳动</translation>
+    </message>
+    <message>
+        <source>stutters now and then</source>
+        <translation>偶有卡顿</translation>
+    </message>
+    <message>
+        <source>even throughout</source>
+        <translation>全程流畅</translation>
+    </message>
+    <message>
+        <source>How far one forgets the device and works on the organ itself.</source>
+        <translation>在多大程度上忘记设备，仿佛直接操作器官。</translation>
+    </message>
+    <message>
+        <source>one steers a device</source>
+        <translation>感觉在操纵设备</translation>
+    </message>
+    <message>
+        <source>at times one works on the organ</source>
+        <translation>有时感觉在操作器官</translation>
+    </message>
+    <message>
+        <source>one works on the organ</source>
+        <translation>感觉就在操作器官</translation>
+    </message>
+    <message>
+        <source>How much the surface looks like living tissue: colour, gloss, grain, vessels.</source>
+        <translation>表面与活体组织的相似程度：颜色、光泽、纹理、血管。</translation>
+    </message>
+    <message>
+        <source>like plastic</source>
+        <translation>像塑料</translation>
+    </message>
+    <message>
+        <source>tissue at a glance</source>
+        <translation>乍看像组织</translation>
+    </message>
+    <message>
+        <source>like living tissue</source>
+        <translation>如同活体组织</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -11444,6 +11616,10 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         <source>An expert undoes the same organ</source>
         <translation>专家为同一器官复位</translation>
     </message>
+    <message>
+        <source>Twist at least %1 times.</source>
+        <translation>至少扭转 %1 次。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::CallBar</name>
@@ -11969,6 +12145,22 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Version %1, %2: %3</source>
         <translation>第 %1 版，%2：%3</translation>
+    </message>
+    <message>
+        <source>Version %1, %2, moved after the panel&apos;s marks were open: %3</source>
+        <translation>第 %1 版，%2，在评分组评分公开后调整：%3</translation>
+    </message>
+    <message>
+        <source>&amp;Move with a reason …</source>
+        <translation>说明理由并调整(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s marks are open: a new version is flagged; the submitted one is kept</source>
+        <translation>评分组的评分已公开：新版本会被标记；已提交的版本予以保留</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s marks are open: you move your mark with a reason, and it is flagged as moved after them. Both versions are kept.</source>
+        <translation>评分组的评分已公开：您可说明理由后调整评分，该调整会标记为在公开之后作出。两个版本都会保留。</translation>
     </message>
 </context>
 <context>
@@ -12723,6 +12915,14 @@ MSM = 质点弹簧</translation>
         <source>Force was shown, not felt: the device of this run gives none. Its measures are computed.</source>
         <translation>力只显示、感觉不到：本次操作的设备不提供力。力的测量值由模型计算。</translation>
     </message>
+    <message>
+        <source>Your run in 3D</source>
+        <translation>您的训练（三维）</translation>
+    </message>
+    <message>
+        <source>Judged is the force on the tissue. The device gave at most %1 N of it.</source>
+        <translation>评判的是组织所受的力。设备最多输出了其中的 %1 N。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::DebriefPlot</name>
@@ -12745,6 +12945,37 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Force in N</source>
         <translation>力（N）</translation>
+    </message>
+    <message>
+        <source>%1   %2°   %3 N</source>
+        <translation>%1   %2°   %3 N</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::DebriefReplay</name>
+    <message>
+        <source>Your run in three dimensions; the expert&apos;s organ shines through</source>
+        <translation>您的训练的三维画面；专家的器官以半透明显示</translation>
+    </message>
+    <message>
+        <source>Time in the run, for your run and the expert&apos;s</source>
+        <translation>训练中的时间，同时控制您和专家的画面</translation>
+    </message>
+    <message>
+        <source>Plays or pauses</source>
+        <translation>播放或暂停</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
     </message>
 </context>
 <context>
@@ -13424,18 +13655,6 @@ MSM = 质点弹簧</translation>
         <translation>保留我的评分(&amp;K)</translation>
     </message>
     <message>
-        <source>Seal the amended mark</source>
-        <translation>封存修订后的评分</translation>
-    </message>
-    <message>
-        <source>A&amp;mend it …</source>
-        <translation>修订(&amp;M)…</translation>
-    </message>
-    <message>
-        <source>The amended mark is sealed; the one before is kept</source>
-        <translation>修订后的评分已封存，原评分保留</translation>
-    </message>
-    <message>
         <source>Discrepancy review</source>
         <translation>差异复核</translation>
     </message>
@@ -13464,10 +13683,6 @@ MSM = 质点弹簧</translation>
         <translation>决定</translation>
     </message>
     <message>
-        <source>Reason (needed to amend a mark or to ask for an adjudicator)</source>
-        <translation>理由（修订评分或请求仲裁评分者时必填）</translation>
-    </message>
-    <message>
         <source>Reason</source>
         <translation>理由</translation>
     </message>
@@ -13482,6 +13697,22 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Diamond: you. Band: lowest to highest of the others. Line: their mean.</source>
         <translation>菱形：您。色带：他人最低至最高。竖线：他人均分。</translation>
+    </message>
+    <message>
+        <source>Seal the moved mark</source>
+        <translation>封存调整后的评分</translation>
+    </message>
+    <message>
+        <source>&amp;Move it with a reason …</source>
+        <translation>说明理由并调整(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>The moved mark is sealed and flagged; the one before is kept</source>
+        <translation>调整后的评分已封存并标记；原评分予以保留</translation>
+    </message>
+    <message>
+        <source>Reason (needed to move a mark or to ask for an adjudicator)</source>
+        <translation>理由（调整评分或请求仲裁评分者时必填）</translation>
     </message>
 </context>
 <context>
@@ -13653,6 +13884,14 @@ MSM = 质点弹簧</translation>
         <source>Opening the recording of model %1</source>
         <translation>正在打开模型 %1 的录像</translation>
     </message>
+    <message>
+        <source>There is no recording of this model here: score what you have met at the station. An administrator can lay a recording down for each model.</source>
+        <translation>此处没有该模型的录像：请按您在工作站上的体验评分。管理员可为每个模型配备录像。</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1。%2</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::ExerciseEditor</name>
@@ -13739,6 +13978,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Exercises, in their order</source>
         <translation>练习（按顺序）</translation>
+    </message>
+    <message>
+        <source>Twists at least</source>
+        <translation>最少扭转次数</translation>
     </message>
 </context>
 <context>
@@ -15927,6 +16170,10 @@ Leave it empty to remove it.</source>
         <source>The tissue returns to rest.</source>
         <translation>组织正在复原。</translation>
     </message>
+    <message>
+        <source>You are pressing too deep: draw back</source>
+        <translation>压得过深：请退回</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RemarksPage</name>
@@ -16143,6 +16390,34 @@ Leave it empty to remove it.</source>
     <message>
         <source>Recording %1, unchanged</source>
         <translation>录像 %1，未改动</translation>
+    </message>
+    <message>
+        <source>Undo the twist, then hands off</source>
+        <translation>解除扭转，然后松手</translation>
+    </message>
+    <message>
+        <source>Twist to %1° and let go within ±%2°</source>
+        <translation>扭转至 %1°，在 ±%2° 内松开</translation>
+    </message>
+    <message>
+        <source>hold for %1 s</source>
+        <translation>保持 %1 秒</translation>
+    </message>
+    <message>
+        <source>at least %1 twists</source>
+        <translation>至少扭转 %1 次</translation>
+    </message>
+    <message>
+        <source>force up to %1 N</source>
+        <translation>力不超过 %1 N</translation>
+    </message>
+    <message>
+        <source>torque up to %1 N m</source>
+        <translation>扭矩不超过 %1 N m</translation>
+    </message>
+    <message>
+        <source>Asked for: %1</source>
+        <translation>任务要求：%1</translation>
     </message>
 </context>
 <context>
@@ -17314,6 +17589,14 @@ Leave it empty to remove it.</source>
         <source>&amp;Cancel</source>
         <translation>取消(&amp;C)</translation>
     </message>
+    <message>
+        <source>%1 of %2 twists</source>
+        <translation>已扭转 %1 / %2 次</translation>
+    </message>
+    <message>
+        <source>You are pressing too deep: draw back</source>
+        <translation>压得过深：请退回</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::SceneView</name>
@@ -18396,6 +18679,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>, </source>
         <translation>、</translation>
+    </message>
+    <message>
+        <source>Shaded: within the tolerance of the target.</source>
+        <translation>阴影：目标的容差范围。</translation>
+    </message>
+    <message>
+        <source>Dashed across torque and force: the limit of the exercise.</source>
+        <translation>扭矩和力曲线上的虚线：练习的限值。</translation>
     </message>
 </context>
 <context>

@@ -318,6 +318,7 @@ CREATE TABLE module (
   target_angle_rad DOUBLE PRECISION NOT NULL,
   tolerance_rad DOUBLE PRECISION NOT NULL CHECK (tolerance_rad > 0),
   hold_us BIGINT NOT NULL,
+  least_twists BIGINT NOT NULL DEFAULT 1 CHECK (least_twists >= 1),
   max_force_n DOUBLE PRECISION,
   max_torque_nm DOUBLE PRECISION,
   attempt_limit BIGINT CHECK (attempt_limit >= 1),

@@ -105,9 +105,15 @@ void ServoLoop::tick(std::int64_t time_us, const ExerciseStep* known) noexcept {
   exercise_.hear(sample_.beside);
 
   sample_.device = links_.device->read(time_us);
+  if (options_.holdsBack) {
+    sample_.device = proxy_.held(sample_.device);
+  }
   sample_.device.time_us = time_us;
   const ToolState tool = toolState(sample_.device);
   const ExerciseStep step = known != nullptr ? *known : exercise_.step(tool, *links_.scene);
+  if (options_.holdsBack) {
+    proxy_.note(step, options_.drive, *links_.scene, exercise_.organ());
+  }
   ask();
   noteEvents(step);
   std::uint32_t damped = kForceFull;

@@ -16,6 +16,7 @@
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"
 #include "sim/servo/exercise.h"
+#include "sim/servo/surface_proxy.h"
 
 namespace torsio {
 
@@ -27,6 +28,9 @@ struct ServoOptions {
   double forceScale = 1.0;  ///< 0..1, shown; the material is never rescaled
   std::int64_t tickPeriod_us = kTickPeriod_us;
   std::uint32_t rules = kServoRules;  ///< 1 .. kServoRules; older ones replay older trials
+  /// Whether the instrument is held at the surface (SurfaceProxy): of a run by hand. What was recorded is
+  /// held already.
+  bool holdsBack = false;
   /// Of a hollow organ: the twist that it begins with and the errors of the checks (detorsionSeed).
   std::uint64_t seed = 0;
 };
@@ -60,12 +64,12 @@ class ServoLoop {
   /// out of range or a device whose limits make no sense.
   ServoLoop(const Links& links, const ServoOptions& options);
 
-  /// Runs one tick: drain one command, read, collide, step the tissue, govern, keep the force to the energy
-  /// that the hand has put in, write, record, publish. Rounding and the like are the processor's defaults
-  /// while it runs, whatever its thread has set. `time_us` never decreases; it is the time of the sample,
-  /// whatever the device reports. Allocates nothing, locks nothing, logs nothing; on any doubt the force is
-  /// zero. `known`: what the exercise answers in this tick, where that is known (ExerciseAhead); null: it is
-  /// stepped.
+  /// Runs one tick: drain one command, read, hold the tool at the surface, collide, step the tissue, govern,
+  /// keep the force to the energy that the hand has put in, write, record, publish. Rounding and the like are
+  /// the processor's defaults while it runs, whatever its thread has set. `time_us` never decreases; it is
+  /// the time of the sample, whatever the device reports. Allocates nothing, locks nothing, logs nothing; on
+  /// any doubt the force is zero. `known`: what the exercise answers in this tick, where that is known
+  /// (ExerciseAhead); null: it is stepped.
   void tick(std::int64_t time_us, const ExerciseStep* known = nullptr) noexcept;
 
   [[nodiscard]] const Sample& lastSample() const noexcept { return sample_; }
@@ -111,6 +115,7 @@ class ServoLoop {
   Links links_;
   ServoOptions options_;
   Exercise exercise_;
+  SurfaceProxy proxy_;
   PassivityController passivity_;
   ForceGovernor governor_;
   StoredEnergyLimit storedEnergy_;

@@ -54,7 +54,7 @@ int main() {
     const std::vector<Sample> samples = decodeTrial(trial);
     const double decoded = processor_s();
     const MeasuredTrial measured = measureTwists(trial.header, samples, rules);
-    const AttemptMeasures measures = measureAttempt(samples, measured);
+    const AttemptMeasures measures = measureAttempt(measured);
     const double counted = processor_s();
     const Scene again = loadScene(request);  // after a restart of the program nothing is loaded
     const Trial expert = expertRun(again, trial.header.targetAngle_rad);

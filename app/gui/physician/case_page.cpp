@@ -20,6 +20,7 @@
 #include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/form.h"
+#include "app/review/discrepancy_review.h"
 #include "app/review/review_queue.h"
 
 namespace torsio::gui {
@@ -303,8 +304,16 @@ void CasePage::startAmending() {
 
 void CasePage::finishAmending() {
   if (!attempt(shell(), [&] {
-        amendSheet(shell().session(), opened_.shown.assignmentId, sheet_->editor()->sheet(),
-                   stripReason_->text().trimmed().toStdString());
+        const auto amend = [this](auto&& change) {
+          change(shell().session(), opened_.shown.assignmentId, sheet_->editor()->sheet(),
+                 stripReason_->text().trimmed().toStdString());
+        };
+        if (opened_.panelOpen) {
+          amend(moveMark);
+        } else {
+          amend([](SessionContext& session, const AssignmentId& id, const Sheet& sheet,
+                   const std::string& reason) { amendSheet(session, id, sheet, reason); });
+        }
         stripReason_->clear();
         shell().notify(tr("The new version is sealed; the one before is kept"));
         shell().open(PageId::kCase, toQString(opened_.shown.assignmentId));

@@ -34,8 +34,6 @@ void CasePage::retranslate() {
   redo_->setText(tr("Redo"));
   clear_->setText(tr("Clear"));
   clear_->setToolTip(tr("Takes every mark, reason and comment away; Undo brings them back"));
-  amend_->setText(tr("&Amend \u2026"));
-  amend_->setToolTip(tr("Makes a new version with a reason; the submitted one is kept"));
   submit_->setText(tr("Submit"));
   submit_->setToolTip(tr("Checks the sheet and asks once more (Ctrl+Enter)"));
   bookmark_->setText(tr("Bookmark"));
@@ -129,8 +127,11 @@ QString CasePage::versionsText() const {
   QStringList lines;
   for (const SheetVersion& one : versions_) {
     const QString day = dayText(one.submittedUtc_us);
-    lines << (one.amendReason.empty()
-                  ? tr("Version %1, %2").arg(one.version).arg(day)
+    lines << (one.amendReason.empty() ? tr("Version %1, %2").arg(one.version).arg(day)
+              : one.afterPanel
+                  ? tr("Version %1, %2, moved after the panel's marks were open: %3")
+                        .arg(one.version)
+                        .arg(day, toQString(one.amendReason))
                   : tr("Version %1, %2: %3").arg(one.version).arg(day, toQString(one.amendReason)));
   }
   return lines.join(QLatin1Char('\n'));
@@ -158,13 +159,22 @@ void CasePage::showAll() {
   facts_->setText(facts.join(QStringLiteral("  \u00b7  ")));
   facts_->setToolTip(sealed ? versionsText() : QString());
   sheet_->setReadOnly(sealed && !amending_);
+  amend_->setText(opened_.panelOpen ? tr("&Move with a reason \u2026") : tr("&Amend \u2026"));
+  amend_->setToolTip(
+      opened_.panelOpen
+          ? tr("The panel's marks are open: a new version is flagged; the submitted one is kept")
+          : tr("Makes a new version with a reason; the submitted one is kept"));
   amend_->setVisible(sealed && !amending_);
   submit_->setVisible(!sealed);
   strip_->setVisible(sheet_->asking() || amending_);
   stripReason_->setVisible(amending_);
   if (amending_) {
     stripText_->setText(
-        tr("Change what must be changed, give the reason, seal the new version. Both versions are kept."));
+        opened_.panelOpen
+            ? tr("The panel's marks are open: you move your mark with a reason, and it is flagged as moved "
+                 "after them. Both versions are kept.")
+            : tr("Change what must be changed, give the reason, seal the new version. Both versions are "
+                 "kept."));
     stripGo_->setText(tr("Seal the new version"));
     stripGo_->setEnabled(true);
   } else if (sheet_->asking()) {

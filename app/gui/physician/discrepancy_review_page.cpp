@@ -178,7 +178,7 @@ void DiscrepancyReviewPage::showCase() {
   column->setStretch(column->count() - 1, moving ? 0 : 1);
   replay_->setVisible(!one->shown.live);
   keep_->setText(moving ? tr("Leave it unchanged") : tr("&Keep my mark"));
-  move_->setText(moving ? tr("Seal the amended mark") : tr("A&mend it \u2026"));
+  move_->setText(moving ? tr("Seal the moved mark") : tr("&Move it with a reason \u2026"));
   third_->setVisible(!moving);
 }
 
@@ -191,7 +191,7 @@ void DiscrepancyReviewPage::startMoving() {
     const Sheet sheet = sheet_->editor()->sheet();
     decide([&sheet](SessionContext& w, const std::string& id,
                     const std::string& why) { moveMark(w, id, sheet, why); },
-           tr("The amended mark is sealed; the one before is kept"));
+           tr("The moved mark is sealed and flagged; the one before is kept"));
     return;
   }
   attempt(shell(), [&] {
@@ -231,7 +231,7 @@ void DiscrepancyReviewPage::retranslate() {
   empty_->setText(tr("No disagreement waits for you."));
   table_->view().setAccessibleName(tr("Cases where your mark differs"));
   table_->setColumns({{tr("Case")}, {tr("Apart by"), true}, {tr("Decision")}});
-  reason_->setPlaceholderText(tr("Reason (needed to amend a mark or to ask for an adjudicator)"));
+  reason_->setPlaceholderText(tr("Reason (needed to move a mark or to ask for an adjudicator)"));
   reason_->setAccessibleName(tr("Reason"));
   third_->setText(tr("Ask for an adjudica&tor"));
   replay_->setText(tr("Look at it again"));

@@ -2,6 +2,8 @@
 #include "app/gui/physician/evaluation_page.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <optional>
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -21,17 +23,29 @@
 #include "app/gui/widgets/page_heading.h"
 #include "assessment/rating/rubric.h"
 #include "assessment/rating/sheet.h"
+#include "assessment/scoring/index_meaning.h"
 
 namespace torsio::gui {
 
 namespace {
+
+std::vector<RubricAnchor> anchorsOf(const std::string& indexId, const ScoreScale& scale) {
+  const std::optional<IndexMeaning> meaning = indexMeaning(indexId);
+  if (!meaning) {
+    return {};
+  }
+  return {{scale.lo, meaning->lowest.str()},
+          {(scale.lo + scale.hi) / 2, meaning->middle.str()},
+          {scale.hi, meaning->highest.str()}};
+}
 
 /// The indices as rows, so that the same panel and the same keys serve.
 RubricRevision rubricOf(const EvaluationForm& form) {
   RubricRevision rubric;
   rubric.overall = form.scale;
   for (std::size_t i = 0; i < form.indices.size(); ++i) {
-    rubric.rows.push_back({std::to_string(i + 1), form.indices[i], form.scale, {}});
+    rubric.rows.push_back(
+        {std::to_string(i + 1), form.indices[i], form.scale, anchorsOf(form.indexIds[i], form.scale)});
   }
   return rubric;
 }
@@ -52,6 +66,7 @@ EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
       campaigns_(new QComboBox(this)),
       choices_(new ChoiceRow(this)),
       scaleText_(sentence(this)),
+      definition_(sentence(this, false)),
       sheet_(new SheetEditorPanel(false, this)),
       replay_(new ReplayPanel(shell.assets(), this)),
       said_(sentence(this)),
@@ -64,6 +79,9 @@ EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
   column->addWidget(heading_);
   column->addWidget(choices_);
   column->addWidget(scaleText_);
+  definition_->setObjectName(QStringLiteral("definition"));
+  definition_->setMinimumHeight(fontMetrics().height());
+  column->addWidget(definition_);
   auto* middle = new QHBoxLayout;
   sheet_->setMaximumWidth(110 * fontMetrics().averageCharWidth());
   middle->setSpacing(2 * kSpace);
@@ -77,6 +95,7 @@ EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
   column->addLayout(foot);
   connect(choices_, &ChoiceRow::chosen, this, &EvaluationPage::openModel);
   connect(sheet_, &SheetPanel::edited, this, &EvaluationPage::edited);
+  connect(sheet_, &SheetPanel::rowChanged, this, &EvaluationPage::showDefinition);
   connect(sheet_, &SheetEditorPanel::finishWanted, this, &EvaluationPage::submit);
   connect(submit_, &QPushButton::clicked, this, &EvaluationPage::submit);
   connect(campaigns_, &QComboBox::activated, this, [this](int at) {
@@ -140,8 +159,14 @@ void EvaluationPage::openRecording() {
   const std::uint64_t ticket = ++loads_;
   const EvaluationFormModel* one = model();
   replay_->show(nullptr);
-  replay_->setVisible(one != nullptr && one->recorded);
-  if (one == nullptr || !one->recorded) {
+  replay_->setVisible(one != nullptr);
+  if (one == nullptr) {
+    return;
+  }
+  if (!one->recorded) {
+    replay_->showSentence(
+        tr("There is no recording of this model here: score what you have met at the station. "
+           "An administrator can lay a recording down for each model."));
     return;
   }
   replay_->showSentence(tr("The recording is being opened. You may score meanwhile."));
@@ -233,6 +258,7 @@ void EvaluationPage::showAll() {
   sheet_->setVisible(now != nullptr);
   submit_->setVisible(now != nullptr && !now->submitted);
   sheet_->setReadOnly(now == nullptr || now->submitted);
+  showDefinition();
   if (now == nullptr) {
     scaleText_->setText(tr("No evaluation asks for you at present."));
     return;
@@ -244,6 +270,18 @@ void EvaluationPage::showAll() {
                pointsText(1.0 / static_cast<double>(scale.stepsPerPoint))));
   if (now->submitted) {
     said_->setText(one->complete() ? tr("All models are submitted. Thank you.") : tr("Submitted and sealed"));
+  }
+}
+
+void EvaluationPage::showDefinition() {
+  const EvaluationForm* one = form();
+  const auto row = static_cast<std::size_t>(std::atoi(sheet_->currentRow().c_str()));
+  const bool known = one != nullptr && model() != nullptr && row >= 1 && row <= one->indexIds.size();
+  const std::optional<IndexMeaning> meaning = known ? indexMeaning(one->indexIds[row - 1]) : std::nullopt;
+  definition_->setVisible(meaning.has_value());
+  if (meaning) {
+    definition_->setText(
+        tr("%1. %2").arg(toQString(Text(one->indices[row - 1])), toQString(meaning->definition)));
   }
 }
 

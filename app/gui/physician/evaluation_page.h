@@ -48,11 +48,13 @@ class EvaluationPage : public Page {
   void openRecording();
   void showModels();
   void showAll();
+  void showDefinition();
 
   PageHeading* heading_;
   QComboBox* campaigns_;
   ChoiceRow* choices_;
   QLabel* scaleText_;
+  QLabel* definition_;  // of the index that is marked
   SheetEditorPanel* sheet_;
   ReplayPanel* replay_;
   std::uint64_t loads_ = 0;  // number of the newest loading

@@ -16,6 +16,7 @@
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
@@ -32,6 +33,21 @@ constexpr std::int64_t kHalfSecond_us = 500'000;  // the last sample of 0:20 lie
 
 }  // namespace
 
+namespace {
+
+std::optional<float> asFloat(const std::optional<double>& value) {
+  return value ? std::optional(static_cast<float>(*value)) : std::nullopt;
+}
+
+TraceMarks marksOf(const BlindedTask& task) {
+  return {.target_deg = static_cast<float>(degrees(task.target_rad)),
+          .tolerance_deg = static_cast<float>(degrees(task.rules.tolerance_rad)),
+          .torqueLimit_Nm = asFloat(task.rules.torqueLimit_Nm),
+          .forceLimit_N = asFloat(task.rules.forceLimit_N)};
+}
+
+}  // namespace
+
 std::shared_ptr<LoadedRecording> loadForShowing(BlindedRecording recording,
                                                 const std::filesystem::path& assets) {
   std::shared_ptr<LoadedRecording> loaded;
@@ -41,6 +57,8 @@ std::shared_ptr<LoadedRecording> loadForShowing(BlindedRecording recording,
     TraceCollector traces(trial.summary.samples);
     TrialPlayback playback(std::move(trial), [&](std::span<const Sample> samples) { traces.add(samples); });
     loaded = std::make_shared<LoadedRecording>(std::move(playback), traces.finish(), recording.digest);
+    loaded->task = recording.task;
+    loaded->traces.marks = marksOf(recording.task);
   } catch (...) {
     rethrowBlinded(std::current_exception(), recording.label);
   }
@@ -61,6 +79,7 @@ std::shared_ptr<LoadedRecording> loadForShowing(BlindedRecording recording,
 
 ReplayPanel::ReplayPanel(const std::filesystem::path& assets, QWidget* parent)
     : QWidget(parent),
+      task_(sentence(this, false)),
       sentence_(sentence(this)),
       view_(new SceneView(this)),
       traces_(new TraceView(this)),
@@ -77,6 +96,9 @@ ReplayPanel::ReplayPanel(const std::filesystem::path& assets, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kSpace);
+  task_->setObjectName(QStringLiteral("task"));
+  task_->setMinimumHeight(fontMetrics().height());
+  column->addWidget(task_);
   column->addWidget(view_, 3);
   column->addWidget(sentence_, 1);
   column->addWidget(traces_, 0);
@@ -135,8 +157,42 @@ void ReplayPanel::retranslate() {
   digest_->setToolTip(
       tr("Proves that this is the recording as it was stored. It tells nothing else, and it is another "
          "one for each physician"));
+  showTask();
   showState();
   showTransport();
+}
+
+void ReplayPanel::showTask() {
+  task_->setVisible(ready());
+  task_->setText(ready() ? taskText(recording_->task) : QString());
+}
+
+QString ReplayPanel::taskText(const BlindedTask& task) {
+  const QLocale locale;
+  const auto figure = [&locale](double value, int decimals) {
+    return locale.toString(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
+  };
+  const AttemptRules& rules = task.rules;
+  QStringList parts;
+  if (task.untwisting()) {
+    parts << tr("Undo the twist, then hands off");
+  } else {
+    parts << tr("Twist to %1\u00b0 and let go within \u00b1%2\u00b0")
+                 .arg(figure(degrees(task.target_rad), 0), pointsText(degrees(rules.tolerance_rad)));
+    if (rules.hold_s > 0.0) {
+      parts << tr("hold for %1 s").arg(pointsText(rules.hold_s));
+    }
+    if (rules.leastTwists > 1) {
+      parts << tr("at least %1 twists").arg(rules.leastTwists);
+    }
+  }
+  if (rules.forceLimit_N) {
+    parts << tr("force up to %1 N").arg(figure(*rules.forceLimit_N, 1));
+  }
+  if (rules.torqueLimit_Nm) {
+    parts << tr("torque up to %1 N m").arg(figure(*rules.torqueLimit_Nm, 2));
+  }
+  return tr("Asked for: %1").arg(parts.join(QStringLiteral("  \u00b7  ")));
 }
 
 void ReplayPanel::showSentence(const QString& text) {
@@ -162,6 +218,7 @@ void ReplayPanel::show(std::shared_ptr<LoadedRecording> recording) {
                      : tr("The organ of this recording is not on this machine; the traces are complete."));
     recording_->playback.setSpeed(std::clamp(1.0, speeds_.front(), speeds_.back()));
   }
+  showTask();
   showState();
   showTransport();
 }

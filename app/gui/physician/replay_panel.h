@@ -33,6 +33,7 @@ struct LoadedRecording {
   TrialPlayback playback;
   TraceData traces;
   std::string digest;
+  BlindedTask task;
   std::shared_ptr<const Scene> scene;  ///< null: the organ is not here, traces only
   ViewScene view;
   std::unique_ptr<BesidePlayback> beside;  ///< null: the view needs none
@@ -84,11 +85,14 @@ class ReplayPanel : public QWidget {
 
  private:
   void createTransport();
+  void showTask();
+  [[nodiscard]] static QString taskText(const BlindedTask& task);
   void showState();
   void showBeside();
   void showTransport();
   void changeSpeed(int direction);
 
+  QLabel* task_;  // what the exercise asks for
   QLabel* sentence_;
   SceneView* view_;
   TraceView* traces_;

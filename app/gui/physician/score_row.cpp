@@ -136,6 +136,7 @@ void ScoreRow::setReadOnly(bool readOnly) {
 }
 
 void ScoreRow::askReason() {
+  asked_ = answer_;
   reason_->show();
   reason_->setFocus(Qt::OtherFocusReason);
 }
@@ -160,6 +161,8 @@ void ScoreRow::showAnchor() {
   if (anchors_.empty()) {
     return;
   }
+  // A long form has room for the anchors of one row: the marked one.
+  anchor_->setVisible(shape_ != RowShape::kCompact || current_);
   if (hovered_ >= 0) {
     anchor_->setText(nearestAnchor(stepsOf(hovered_)));
     return;
@@ -271,18 +274,26 @@ bool ScoreRow::eventFilter(QObject* watched, QEvent* event) {
   if (watched == reason_ && event->type() == QEvent::KeyPress) {
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->key() == Qt::Key_Escape) {
-      reason_->clear();
-      Q_EMIT reasoned(QString());
+      // Esc takes back what was typed since N, and nothing else: a score that stands goes on standing.
+      const SheetAnswer before = std::exchange(asked_, std::nullopt).value_or(answer_);
+      if (answer_ != before) {
+        Q_EMIT takenBack(before);
+      }
       Q_EMIT finished();
       setAnswer(answer_);
       return true;
     }
     if ((key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) && key->modifiers() == Qt::NoModifier) {
+      asked_.reset();
       Q_EMIT finished();
       return true;
     }
   }
+  if (watched == reason_ && event->type() == QEvent::FocusOut) {
+    asked_.reset();
+  }
   if (watched == reason_ && event->type() == QEvent::FocusIn) {
+    asked_ = asked_.value_or(answer_);
     Q_EMIT wanted();
   }
   return QWidget::eventFilter(watched, event);

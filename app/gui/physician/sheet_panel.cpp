@@ -59,6 +59,24 @@ bool SheetPanel::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
+bool SheetPanel::focusNextPrevChild(bool next) {
+  std::vector<QWidget*> stops(rows_.begin(), rows_.end());
+  if (comment_->isVisibleTo(this)) {
+    stops.push_back(comment_);
+  }
+  const QWidget* now = focusWidget();
+  const auto at = std::find_if(stops.begin(), stops.end(), [now](const QWidget* stop) {
+    return now != nullptr && (stop == now || stop->isAncestorOf(now));
+  });
+  if (at == stops.end()) {
+    return QWidget::focusNextPrevChild(next);
+  }
+  const auto count = std::ssize(stops);
+  const auto to = (at - stops.begin() + (next ? 1 : count - 1)) % count;
+  stops[static_cast<std::size_t>(to)]->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+  return true;
+}
+
 void SheetPanel::setTheme(const Theme& theme) {
   theme_ = &theme;
   for (ScoreRow* row : rows_) {
@@ -119,6 +137,14 @@ void SheetPanel::build() {
     connect(row, &ScoreRow::wanted, this, [this, code] { setCurrentRow(code); });
     connect(row, &ScoreRow::finished, this, &SheetPanel::takeFocus);
     connect(row, &ScoreRow::scored, this, [this, code](qint64 steps) { choose(code, steps); });
+    connect(row, &ScoreRow::takenBack, this, [this, code](const SheetAnswer& before) {
+      const bool changes =
+          !readOnly_ && (before.score_steps ? editor_->setScore(code, *before.score_steps)
+                                            : editor_->setNotAssessable(code, before.notAssessableReason));
+      if (changes) {
+        changed();
+      }
+    });
     connect(row, &ScoreRow::reasoned, this, [this, code](const QString& reason) {
       if (!readOnly_ && editor_->setNotAssessable(code, reason.toStdString())) {
         changed();

@@ -61,6 +61,8 @@ class SheetPanel : public QWidget {
   void setEditor(SheetEditor* editor);
   [[nodiscard]] QPlainTextEdit* commentField() const noexcept { return comment_; }
   bool eventFilter(QObject* watched, QEvent* event) override;
+  /// Tab stays in the sheet: from the comment to the first row, and back. Ctrl+Enter and the mouse lead out.
+  bool focusNextPrevChild(bool next) override;
 
  private:
   void build();
@@ -105,8 +107,9 @@ class ScoreRow : public QWidget {
  Q_SIGNALS:
   void scored(qint64 steps);
   void reasoned(const QString& reason);
-  void wanted();    ///< clicked or tabbed to
-  void finished();  ///< the reason is complete: back to the keys
+  void takenBack(const torsio::SheetAnswer& before);  ///< the reason was given up: so it was
+  void wanted();                                      ///< clicked or tabbed to
+  void finished();                                    ///< the reason is complete: back to the keys
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -135,6 +138,7 @@ class ScoreRow : public QWidget {
   bool readOnly_ = false;
   int hovered_ = -1;
   SheetAnswer answer_;
+  std::optional<SheetAnswer> asked_;  // the answer when the reason was asked for
   const Theme* theme_;
   QLabel* name_;
   QLabel* value_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "assessment/attempt/recorded_loads.h"
 #include "sim/base/angle.h"
 #include "sim/tissue/hollow/wrung_organ.h"
 #include "sim/tissue/perfusion/tissue_colour.h"
@@ -19,7 +20,7 @@ std::array<float, kTraces> valuesOf(const Sample& sample) {
   const HollowReading& organ = sample.hollow;
   return {static_cast<float>(degrees(sample.response.angle_rad)),
           static_cast<float>(sample.response.torque_Nm),
-          static_cast<float>(norm(sample.force_N)),
+          static_cast<float>(tissueForce_N(sample)),
           kPercent * static_cast<float>(organ.flow),
           static_cast<float>(organ.dose),
           kPercent * static_cast<float>(blackShare(organ.dose)),

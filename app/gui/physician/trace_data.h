@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace torsio::gui {
 enum class TraceKind : std::uint8_t {
   kAngle = 0,     ///< degrees
   kTorque = 1,    ///< N m
-  kForce = 2,     ///< N
+  kForce = 2,     ///< on the tissue, N
   kFlow = 3,      ///< of blood, % of the untwisted organ
   kDose = 4,      ///< of ischaemia: from 1 on the tissue is lost
   kBlack = 5,     ///< blackShare of the outside, %
@@ -27,6 +28,14 @@ inline constexpr std::size_t kTracesOfATwist = 3;
 inline constexpr std::size_t kTracesOfVessels = 6;  ///< of an untwisted organ without a lumen, as the testis
 inline constexpr std::size_t kTraces = 8;
 
+/// What a recording is judged by, in the units of its traces; drawn as bands and lines.
+struct TraceMarks {
+  float target_deg = 0.0F;
+  float tolerance_deg = 0.0F;
+  std::optional<float> torqueLimit_Nm{};
+  std::optional<float> forceLimit_N{};
+};
+
 /// The traces of a recording, ready to be drawn at any width: for each stretch of time, lowest and highest
 /// value one after the other. A short recording has one stretch a sample; a long one no more stretches than
 /// any screen can show, so that forty minutes take as little room as one.
@@ -35,6 +44,7 @@ struct TraceData {
   std::vector<RangePyramid> values{};
   std::vector<std::int64_t> times_us{};  ///< where each stretch begins, since the first sample
   std::int64_t duration_us = 0;
+  std::optional<TraceMarks> marks{};
   [[nodiscard]] bool untwisting() const noexcept { return values.size() > kTracesOfATwist; }
 };
 

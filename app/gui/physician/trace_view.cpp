@@ -73,11 +73,8 @@ void TraceView::setPosition_us(std::int64_t position_us) {
   if (position_us == position_us_) {
     return;
   }
-  const int before = xOf(position_us_);
   position_us_ = position_us;
-  if (xOf(position_us_) != before || untwisting()) {
-    update();
-  }
+  update();  // the cursor may stand where it stood; the values beside it do not
 }
 
 void TraceView::setBookmarks(std::vector<std::int64_t> times_us) {
@@ -177,12 +174,36 @@ TraceView::Lane TraceView::lane(TraceKind kind) const {
       call(tr("Pressure"), QStringLiteral("mmHg"), theme_->accent);
       break;
   }
+  mark(kind, made);
   tellScale(kind, made);
   return made;
 }
 
+/// What the exercise asks for lies within the scale, reached or not.
+void TraceView::mark(TraceKind kind, Lane& made) const {
+  if (!data_->marks) {
+    return;
+  }
+  const TraceMarks& marks = *data_->marks;
+  if (kind == TraceKind::kAngle && marks.tolerance_deg > 0.0F && !untwisting()) {
+    made.band = {marks.target_deg - marks.tolerance_deg, marks.target_deg + marks.tolerance_deg};
+    made.low = std::min(made.low, made.band->first);
+    made.high = std::max(made.high, made.band->second);
+  }
+  // A torque has the sign of the twist, and so has its limit.
+  const float sign = kind == TraceKind::kTorque && -made.low > made.high ? -1.0F : 1.0F;
+  const std::optional<float> limit = kind == TraceKind::kForce    ? marks.forceLimit_N
+                                     : kind == TraceKind::kTorque ? marks.torqueLimit_Nm
+                                                                  : std::nullopt;
+  if (limit) {
+    constexpr float kRoom = 1.05F;
+    made.limit = sign * *limit;
+    made.low = std::min(made.low, kRoom * *made.limit);
+    made.high = std::max(made.high, kRoom * *made.limit);
+  }
+}
+
 void TraceView::tellScale(TraceKind kind, Lane& made) const {
-  // The direction of a twist is a sign: what is named is the end that lies farther from zero.
   const float peak = -made.low > made.high ? made.low : made.high;
   if (untwisting() && kind == TraceKind::kTorque && std::abs(peak) < kSmallTorque_Nm) {
     made.unit = QStringLiteral("mN m");
@@ -190,15 +211,9 @@ void TraceView::tellScale(TraceKind kind, Lane& made) const {
   }
   const float size = std::abs(peak) * made.factor;
   made.decimals = kind == TraceKind::kDose ? 2 : size >= 10.0F ? 0 : size >= 1.0F ? 1 : 2;
-  if (untwisting()) {
-    const QString low =
-        made.low == 0.0F ? QStringLiteral("0") : figure(made.low * made.factor, made.decimals);
-    made.scale = withUnit(
-        QStringLiteral("%1\u2026%2").arg(low, figure(made.high * made.factor, made.decimals)), made.unit);
-  } else {
-    made.scale = QStringLiteral("%1 %2").arg(
-        QLocale().toString(static_cast<double>(peak), 'f', made.decimals), made.unit);
-  }
+  const QString low = made.low == 0.0F ? QStringLiteral("0") : figure(made.low * made.factor, made.decimals);
+  made.scale = withUnit(QStringLiteral("%1\u2026%2").arg(low, figure(made.high * made.factor, made.decimals)),
+                        made.unit);
 }
 
 QStringList TraceView::laneTexts() const {
@@ -211,7 +226,7 @@ QStringList TraceView::laneTexts() const {
 
 QStringList TraceView::readings() const {
   QStringList texts;
-  if (!untwisting() || data_->times_us.empty()) {
+  if (data_ == nullptr || data_->times_us.empty()) {
     return texts;
   }
   // The stretch that the cursor is in: the last that begins no later than it.
@@ -219,7 +234,9 @@ QStringList TraceView::readings() const {
   const auto index =
       static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - data_->times_us.begin() - 1, 0));
   for (const Lane& one : lanes()) {
-    texts << withUnit(figure(one.values->at(2 * index + 1) * one.factor, one.decimals), one.unit);
+    // Of a long recording a stretch is some samples: the middle of what they say.
+    const float value = 0.5F * (one.values->at(2 * index) + one.values->at(2 * index + 1));
+    texts << withUnit(figure(value * one.factor, one.decimals), one.unit);
   }
   return texts;
 }
@@ -228,14 +245,12 @@ void TraceView::layOut() {
   labels_ = 0;
   readings_ = 0;
   for (const Lane& one : lanes()) {
-    if (untwisting()) {
-      const auto width = [this](const QString& text) {
-        return fontMetrics().horizontalAdvance(text) + 2 * kSpace;
-      };
-      labels_ = std::max({labels_, width(one.name), width(one.scale)});
-      for (const float end : {one.low, one.high}) {
-        readings_ = std::max(readings_, width(withUnit(figure(end * one.factor, one.decimals), one.unit)));
-      }
+    const auto width = [this](const QString& text) {
+      return fontMetrics().horizontalAdvance(text) + 2 * kSpace;
+    };
+    labels_ = std::max({labels_, width(one.name), width(one.scale)});
+    for (const float end : {one.low, one.high}) {
+      readings_ = std::max(readings_, width(withUnit(figure(end * one.factor, one.decimals), one.unit)));
     }
   }
 }
@@ -272,6 +287,15 @@ void TraceView::drawLane(QPainter& painter, const Lane& lane, const QRect& area)
     return area.bottom() - static_cast<int>(std::lround(share * static_cast<float>(area.height() - 3))) - 1;
   };
   painter.fillRect(area, theme_->surface);
+  if (lane.band) {
+    const auto& [low, high] = *lane.band;
+    QColor band = theme_->good;
+    band.setAlphaF(0.22F);
+    painter.fillRect(QRect(QPoint(area.left(), yOf(high)), QPoint(area.right(), yOf(low))), band);
+    painter.setPen(QPen(theme_->good, 1.0, Qt::DashLine));
+    const int middle = yOf(0.5F * (low + high));
+    painter.drawLine(area.left(), middle, area.right(), middle);
+  }
   painter.setPen(theme_->line);
   painter.drawLine(area.left(), yOf(0.0F), area.right(), yOf(0.0F));
   if (lane.limit) {
@@ -392,10 +416,19 @@ void TraceView::seek(int x) {
 
 void TraceView::describe() {
   layOut();
-  setToolTip(untwisting()
-                 ? tr("Dashed: from an ischaemic dose of 1 on the tissue is lost. The black share tells "
-                      "how much of the outside has turned black from loss")
-                 : QString());
+  QStringList hints;
+  if (data_ != nullptr && data_->marks && !untwisting()) {
+    hints << tr("Shaded: within the tolerance of the target.");
+  }
+  if (data_ != nullptr && data_->marks) {
+    hints << tr("Dashed across torque and force: the limit of the exercise.");
+  }
+  if (untwisting()) {
+    hints << tr(
+        "Dashed: from an ischaemic dose of 1 on the tissue is lost. The black share tells "
+        "how much of the outside has turned black from loss");
+  }
+  setToolTip(hints.join(QLatin1Char('\n')));
   setAccessibleName(untwisting() ? tr("Traces of an untwisting") : tr("Traces of angle, torque and force"));
   if (data_ == nullptr || data_->times_us.empty()) {
     setAccessibleDescription(tr("Nothing is loaded"));

@@ -18,8 +18,9 @@ namespace torsio::gui {
 
 /// The linked traces over one time axis with cursor, bookmarks and the stretches that have been watched: of a
 /// twist angle, torque and force; of an untwisting also how the organ fares, each trace with its scale and
-/// its value at the cursor. A click or drag moves the cursor. The traces are drawn once a size and theme;
-/// moving the cursor costs the same for seconds and for hours. Says the same in words to screen readers.
+/// its value at the cursor; target, tolerance and limits of the exercise as bands and lines. A click or drag
+/// moves the cursor. The traces are drawn once a size and theme; moving the cursor costs the same for seconds
+/// and for hours. Says the same in words to screen readers.
 class TraceView : public QWidget {
   Q_OBJECT
 
@@ -37,7 +38,7 @@ class TraceView : public QWidget {
 
   /// Returns name and scale of each trace, from top to bottom, as they are written beside it.
   [[nodiscard]] QStringList laneTexts() const;
-  /// Returns the value of each trace at the cursor, with its unit; of a twist none is written.
+  /// Returns the value of each trace at the cursor, with its unit.
   [[nodiscard]] QStringList readings() const;
 
   [[nodiscard]] QSize sizeHint() const override;
@@ -62,8 +63,9 @@ class TraceView : public QWidget {
     float high = 1.0F;
     float factor = 1.0F;  // of the values, for the unit in which they are told
     int decimals = 0;
-    QString scale;                 // in words
-    std::optional<float> limit{};  // a line across
+    QString scale;                                  // in words
+    std::optional<float> limit{};                   // a line across
+    std::optional<std::pair<float, float>> band{};  // what is aimed at, with a line in the middle
   };
   [[nodiscard]] std::int64_t duration_us() const noexcept;
   [[nodiscard]] QRect plot() const;
@@ -76,6 +78,7 @@ class TraceView : public QWidget {
   [[nodiscard]] QRect laneArea(std::size_t number) const;
   [[nodiscard]] std::vector<Lane> lanes() const;
   [[nodiscard]] Lane lane(TraceKind kind) const;
+  void mark(TraceKind kind, Lane& made) const;
   void tellScale(TraceKind kind, Lane& made) const;
   void drawReadings(QPainter& painter) const;
   void drawTraces();

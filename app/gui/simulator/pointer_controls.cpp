@@ -23,7 +23,8 @@ constexpr double kKeyDepth_m_per_s = 0.05;
 constexpr double kKeyRoll_rad_per_s = radians(60.0);
 constexpr double kKeyTilt_rad_per_s = radians(40.0);
 constexpr double kKeyOrbit_px_per_s = 220.0;
-constexpr double kWheelDepth_m = 0.004;  // one notch
+constexpr double kWheelDepth_m = 0.004;     // one notch
+constexpr double kFarthestAhead_m = 0.012;  // of a tip that the tissue holds
 constexpr double kWheelRoll_rad = radians(5.0);
 constexpr double kDragRoll_rad_per_px = radians(0.5);
 constexpr double kSteepestTilt_rad = radians(80.0);
@@ -219,6 +220,16 @@ void PointerControls::moveInDepth(double towards_m) {
   publish();
 }
 
+void PointerControls::holdAt(const Vec3& tip_m) {
+  const OrbitCamera& camera = view_.camera();
+  const double ahead_m =
+      static_cast<double>(camera.depth(toView(input_.onPlane_m)) - camera.depth(toView(tip_m))) /
+      static_cast<double>(kViewUnitsPerMetre);
+  if (ahead_m > kFarthestAhead_m) {
+    moveInDepth(kFarthestAhead_m - ahead_m);
+  }
+}
+
 void PointerControls::turn(double angle_rad) {
   if (heldAxis_) {
     turned_rad_ += angle_rad;
@@ -386,6 +397,11 @@ bool PointerControls::keyPressed(const QKeyEvent& event) {
   if (usual == Qt::Key_G) {
     gripKept_ = !gripKept_;
     setGrip(gripKept_);
+    return true;
+  }
+  if (key == Qt::Key_Escape && gripKept_) {
+    gripKept_ = false;
+    setGrip(false);
     return true;
   }
   if (usual == Qt::Key_B) {

@@ -50,6 +50,9 @@ class PointerControls : public QObject {
   /// lie across the tissue when the jaw closes. Told once a frame. Tilting by hand ends it until parked
   /// again.
   void leanAwayFrom(const std::optional<Vec3>& normal) { leanTo_ = normal; }
+  /// Where the tissue holds the pressed tip: the wheel gathers no depth behind it that would have to be
+  /// turned back before the tip follows. Told once a frame in which it presses.
+  void holdAt(const Vec3& tip_m);
   /// Moves what held keys move; called once a frame. `elapsed_s`: since the last call.
   void advance(double elapsed_s);
   /// The newest wish.

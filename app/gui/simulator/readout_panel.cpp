@@ -14,6 +14,7 @@
 #include "app/gui/widgets/level_bar.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/tick_period.h"
+#include "sim/servo/surface_proxy.h"
 
 namespace torsio::gui {
 
@@ -164,6 +165,9 @@ void ReadoutPanel::show(const LiveState& state, double framesPerSecond) {
   torque_->setValue(std::abs(state.response.torque_Nm));
   force_->setValue(norm(state.response.force_N));
   showPhase(state.phase);
+  if (state.phase != ExercisePhase::kTwisting && state.response.depth_m > kTooDeep_m) {
+    setIfNew(phase_, tr("You are pressing too deep: draw back"));
+  }
   showTiming(state, framesPerSecond);
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/gui/scene/scene_view.h"
 #include "sim/scene/scene.h"
+#include "sim/servo/surface_proxy.h"
 
 namespace torsio::gui {
 
@@ -25,6 +26,9 @@ LiveState ShownTool::show(const LiveState& state) {
   const std::optional<SurfacePoint> near = controller_.nearby(state);
   const bool close = near && near->distance_m < kLeanWithin_m;
   pointer_.leanAwayFrom(close ? std::optional<Vec3>(near->normal) : std::nullopt);
+  if (!holds && state.response.depth_m > kTooDeep_m) {
+    pointer_.holdAt(state.tool.position_m);
+  }
   if (!holds) {
     heldFrom_rad_ = state.response.angle_rad;
   }

@@ -55,6 +55,9 @@ QStringList twist(const TrainingModule& module) {
     task << BriefingPage::tr("Hold for %1 s before you let go.")
                 .arg(static_cast<double>(module.hold_us) * 1e-6, 0, 'f', 1);
   }
+  if (module.leastTwists > 1) {
+    task << BriefingPage::tr("Twist at least %1 times.").arg(module.leastTwists);
+  }
   return task;
 }
 

@@ -56,6 +56,7 @@ void ConsentPage::enter(const QVariant& argument) {
   understood_->setChecked(false);
   agree_->setEnabled(false);
   retranslate();
+  understood_->setFocus();  // never a button that decides: Enter may still be on its way
 }
 
 void ConsentPage::readText() {

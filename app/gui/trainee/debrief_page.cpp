@@ -13,6 +13,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/ask_card.h"
 #include "app/gui/trainee/debrief_plot.h"
+#include "app/gui/trainee/debrief_replay.h"
 #include "app/gui/trainee/detorsion_card.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_parts.h"
@@ -50,9 +51,14 @@ DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* pare
   weaknesses_ = into(better_);
   page.column->addLayout(cards);
 
+  inThree_ = new Card(QString(), this);
+  replay_ = new DebriefReplay(context.assets(), inThree_);
+  replay_->setObjectName(QStringLiteral("replay"));
+  inThree_->content()->addWidget(replay_, 1);
   trace_ = new Card(QString(), this);
   auto* tools = new QHBoxLayout;
   expert_ = new QCheckBox(trace_);
+  expert_->setObjectName(QStringLiteral("expert"));
   expert_->setChecked(true);
   bookmark_ = new QPushButton(trace_);
   whole_ = new QPushButton(trace_);
@@ -64,7 +70,11 @@ DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* pare
   plot_ = new DebriefPlot(trace_);
   plot_->setObjectName(QStringLiteral("plot"));
   trace_->content()->addWidget(plot_, 1);
-  page.column->addWidget(trace_, 1);
+  auto* looks = new QHBoxLayout;
+  looks->setSpacing(2 * kSpace);
+  looks->addWidget(inThree_, 2);
+  looks->addWidget(trace_, 3);
+  page.column->addLayout(looks, 1);
   untwisting_ = new DetorsionCard(this);
   page.column->addWidget(untwisting_, 1);
   ask_ = new AskCard(context, this);
@@ -79,6 +89,9 @@ DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* pare
     heading_->addAction(button);
   }
   connect(expert_, &QCheckBox::toggled, plot_, &DebriefPlot::setExpertVisible);
+  connect(expert_, &QCheckBox::toggled, replay_, &DebriefReplay::setExpertVisible);
+  connect(replay_, &DebriefReplay::moved, plot_, &DebriefPlot::setPosition);
+  connect(plot_, &DebriefPlot::soughtTo, replay_, &DebriefReplay::seek);
   connect(whole_, &QPushButton::clicked, plot_, &DebriefPlot::showAll);
   connect(bookmark_, &QPushButton::clicked, this,
           [this] { addBookmarkAt(0.5 * (plot_->range().from_s + plot_->range().to_s)); });
@@ -123,20 +136,26 @@ void DebriefPage::enter(const QVariant& argument) {
 
 void DebriefPage::compute(const TrialId& trialId) {
   const auto result = std::make_shared<Debrief>();
+  const auto recordings = std::make_shared<std::shared_ptr<DebriefRecordings>>();
   debrief_ = {};
+  haveReplay_ = false;
+  replay_->show(nullptr);
   computing_ = true;
   ask_->setRun({});
   fill();
   shell().run(
       tr("Looking at your run"),
-      [result, trialId, assets = shell().assets(), scene = desk_.lastScene](SessionContext& session,
-                                                                            const ProgressCallback&) {
+      [result, recordings, trialId, assets = shell().assets(), scene = desk_.lastScene](
+          SessionContext& session, const ProgressCallback&) {
         *result = torsio::debrief(session, trialId, assets, scene.get());
+        *recordings = loadForDebrief(*result, assets, scene);
       },
-      [this, result] {
+      [this, result, recordings] {
         debrief_ = std::move(*result);
         computing_ = false;
         plot_->setDebrief(debrief_);
+        haveReplay_ = *recordings != nullptr;
+        replay_->show(std::move(*recordings));
         untwisting_->setStory(debrief_.detorsion.value_or(DetorsionStory{}));
         fill();
         readQuestions();
@@ -176,7 +195,10 @@ void DebriefPage::addFinding(QVBoxLayout* column, const DebriefFinding& finding,
       tr("Look at %1 to %2")
           .arg(StationLabels::seconds(finding.when.from_s), StationLabels::seconds(finding.when.to_s)));
   const Seconds when = finding.when;
-  connect(look, &QPushButton::clicked, this, [this, when] { plot_->show(when); });
+  connect(look, &QPushButton::clicked, this, [this, when] {
+    plot_->show(when);
+    replay_->seek(when.from_s);
+  });
   column->addWidget(look, 0, Qt::AlignLeft);
 }
 
@@ -187,6 +209,7 @@ void DebriefPage::readQuestions() {
 void DebriefPage::retranslate() {
   ask_->retranslate();
   plot_->retranslate();
+  replay_->retranslate();
   untwisting_->retranslate();
   fill();
 }
@@ -194,6 +217,7 @@ void DebriefPage::retranslate() {
 void DebriefPage::applyTheme(const Theme& theme) {
   theme_ = &theme;
   plot_->setTheme(theme);
+  replay_->setTheme(theme);
   untwisting_->setTheme(theme);
   fill();
 }
@@ -203,6 +227,7 @@ void DebriefPage::fillTexts(bool any) {
   good_->setTitle(tr("What went well"));
   better_->setTitle(tr("What to work on"));
   trace_->setTitle(tr("The run"));
+  inThree_->setTitle(tr("Your run in 3D"));
   expert_->setText(tr("Show the &expert (dashed)"));
   expert_->setEnabled(!debrief_.expert.empty());
   bookmark_->setText(tr("Set &bookmark"));
@@ -229,6 +254,7 @@ void DebriefPage::fill() {
     widget->setVisible(any);
   }
   const bool undone = debrief_.detorsion.has_value();
+  inThree_->setVisible(any && haveReplay_);
   untwisting_->setVisible(any && undone);
   for (QWidget* ofTwists : std::initializer_list<QWidget*>{good_, better_, trace_}) {
     ofTwists->setVisible(any && !undone);
@@ -264,6 +290,19 @@ void DebriefPage::fill() {
             ? tr("One twist was not completed and is not counted.")
             : tr("%1 twists were not completed and are not counted.").arg(debrief_.unfinishedTwists));
     checks_->addWidget(words);
+  }
+  const auto addQuiet = [this](const char* name, const QString& text) {
+    auto* words = plainLabel(targets_, "quiet");
+    words->setObjectName(QLatin1String(name));
+    words->setText(text);
+    checks_->addWidget(words);
+  };
+  if (debrief_.deviceForce_N && debrief_.forceFelt) {
+    addQuiet("deviceForce", tr("Judged is the force on the tissue. The device gave at most %1 N of it.")
+                                .arg(*debrief_.deviceForce_N, 0, 'f', 2));
+  }
+  if (debrief_.earlier && debrief_.earlier->peakForce_N) {
+    addQuiet("earlier", StationLabels::earlier(*debrief_.earlier));
   }
   if (!debrief_.forceFelt) {
     auto* words = plainLabel(targets_, "quiet");

@@ -17,6 +17,7 @@ class StationDesk;
 class AskCard;
 class Card;
 class DebriefPlot;
+class DebriefReplay;
 class DetorsionCard;
 class PageHeading;
 
@@ -48,6 +49,7 @@ class DebriefPage : public Page {
 
   Debrief debrief_;
   bool computing_ = false;
+  bool haveReplay_ = false;
   const Theme* theme_;
   PageHeading* heading_;
   QLabel* verdict_;
@@ -59,6 +61,8 @@ class DebriefPage : public Page {
   QVBoxLayout* weaknesses_;
   Card* trace_;
   DetorsionCard* untwisting_;
+  Card* inThree_;  // the run in three dimensions
+  DebriefReplay* replay_;
   DebriefPlot* plot_;
   AskCard* ask_;
   QCheckBox* expert_;

@@ -48,6 +48,7 @@ DebriefPlot::DebriefPlot(QWidget* parent) : QWidget(parent), theme_(&theme(Theme
 void DebriefPlot::setDebrief(Debrief debrief) {
   debrief_ = std::move(debrief);
   marked_.reset();
+  position_s_ = 0.0;
   showAll();
   retranslate();
 }
@@ -65,6 +66,26 @@ void DebriefPlot::setTheme(const Theme& theme) {
 void DebriefPlot::setExpertVisible(bool visible) {
   expertVisible_ = visible;
   update();
+}
+
+void DebriefPlot::setPosition(double at_s) {
+  position_s_ = at_s;
+  update();
+}
+
+QString DebriefPlot::reading() const {
+  const DebriefTrace& own = debrief_.own;
+  if (own.empty()) {
+    return {};
+  }
+  // The point that the playhead is at: the last that begins no later.
+  const auto after = std::upper_bound(own.time_s.begin(), own.time_s.end(), position_s_);
+  const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - own.time_s.begin() - 1, 0));
+  const QLocale locale;
+  const QString angle =
+      locale.toString(degrees(own.angle_rad[at]), 'f', 0).replace(QLatin1Char('-'), QChar(0x2212));
+  return tr("%1   %2\u00b0   %3 N")
+      .arg(StationLabels::seconds(position_s_), angle, locale.toString(own.force_N[at], 'f', 2));
 }
 
 void DebriefPlot::show(const Seconds& when) {
@@ -223,7 +244,13 @@ void DebriefPlot::paintEvent(QPaintEvent*) {
                                    QPointF(x, angle.area.top() + 10.0)}));
     painter.setBrush(Qt::NoBrush);
   }
+  const double head = xOf(position_s_);
+  painter.setPen(QPen(theme_->text, 2.0));
+  painter.drawLine(QPointF(head, angle.area.top()), QPointF(head, force.area.bottom()));
   painter.restore();
+  painter.setPen(theme_->text);
+  painter.drawText(QRectF(angle.area.left(), angle.area.top() - 20.0, angle.area.width(), 16.0),
+                   Qt::AlignRight | Qt::AlignVCenter, reading());
   painter.setPen(theme_->border);
   painter.drawRect(angle.area);
   painter.drawRect(force.area);
@@ -258,10 +285,18 @@ void DebriefPlot::wheelEvent(QWheelEvent* event) {
 
 void DebriefPlot::mousePressEvent(QMouseEvent* event) {
   dragFrom_s_ = timeOf(event->position().x());
+  dragged_ = false;
+}
+
+void DebriefPlot::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && !dragged_) {
+    Q_EMIT soughtTo(timeOf(event->position().x()));
+  }
 }
 
 void DebriefPlot::mouseMoveEvent(QMouseEvent* event) {
   if ((event->buttons() & Qt::LeftButton) != 0) {
+    dragged_ = true;
     move(dragFrom_s_ - timeOf(event->position().x()));
   }
 }

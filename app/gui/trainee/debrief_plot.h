@@ -24,6 +24,10 @@ class DebriefPlot : public QWidget {
   void addBookmark(const DebriefBookmark& mark);
   void setTheme(const Theme& theme);
   void setExpertVisible(bool visible);
+  /// Moves the playhead; what is written beside it are the values at that moment.
+  void setPosition(double at_s);
+  /// Returns time, angle and force at the playhead, as they are written.
+  [[nodiscard]] QString reading() const;
   /// Shows these seconds with some room round them.
   void show(const Seconds& when);
   void showAll();
@@ -34,6 +38,8 @@ class DebriefPlot : public QWidget {
 
  Q_SIGNALS:
   void bookmarkWanted(double at_s);
+  /// Somebody clicked at a moment of the run.
+  void soughtTo(double at_s);
   /// Another stretch is shown.
   void rangeChanged();
 
@@ -42,6 +48,7 @@ class DebriefPlot : public QWidget {
   void wheelEvent(QWheelEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
@@ -68,6 +75,8 @@ class DebriefPlot : public QWidget {
   std::optional<Seconds> marked_;
   bool expertVisible_ = true;
   double dragFrom_s_ = 0.0;
+  bool dragged_ = false;
+  double position_s_ = 0.0;
 };
 
 }  // namespace torsio::gui

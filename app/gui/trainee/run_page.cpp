@@ -152,6 +152,10 @@ QWidget* RunPage::createPanel() {
   angle_ = new Card(QString(), panel);
   dial_ = new AngleDial(angle_);
   angle_->content()->addWidget(dial_, 0, Qt::AlignHCenter);
+  count_ = plainLabel(angle_, "subheading");
+  count_->setObjectName(QStringLiteral("twistCount"));
+  count_->setAlignment(Qt::AlignHCenter);
+  angle_->content()->addWidget(count_);
   column->addWidget(angle_);
   detorsion_ = new DetorsionPanel(panel);
   detorsion_->steer(scene_->controller());
@@ -280,6 +284,8 @@ void RunPage::record() {
     return;
   }
   lastTrial_ = toQString(recording.trialId);
+  twists_ = {};
+  showCount();
   const TrainingModule& module = runSession_->step().module;
   dial_->setTarget(scene_->controller().target_rad(), module.tolerance_rad);
   torque_->setLimit(module.maxTorque_Nm.value_or(0.0));

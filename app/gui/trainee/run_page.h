@@ -10,6 +10,7 @@
 #include "app/gui/base/problem.h"
 #include "app/gui/trainee/device_opening.h"
 #include "app/training/run_session.h"
+#include "assessment/attempt/twist_count.h"
 #include "sim/base/live_types.h"
 
 class QLabel;
@@ -74,11 +75,13 @@ class RunPage : public Page {
   void showState();
   bool showNotice();
   void showLive(const LiveState& state);
+  void showCount();
   [[nodiscard]] QString cue(const LiveState& state) const;
 
   const Theme* theme_;
   std::optional<RunSession> runSession_;
   QString lastTrial_;
+  TwistCount twists_;     // of the present recording
   bool waiting_ = false;  // for the scene and the device, before the clock starts
   std::optional<std::unique_ptr<HapticDevice>> device_;  // opened for the next recording; null: the pointer
   bool haptic_ = false;                                  // the run's device renders force
@@ -105,6 +108,7 @@ class RunPage : public Page {
   Card* load_ = nullptr;
   LevelBar* torque_ = nullptr;
   LevelBar* force_ = nullptr;
+  QLabel* count_ = nullptr;
   QLabel* cue_ = nullptr;
   QLabel* warning_ = nullptr;
   QPushButton* rest_ = nullptr;

@@ -19,6 +19,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/level_bar.h"
 #include "assessment/study/curriculum.h"
+#include "sim/servo/surface_proxy.h"
 
 namespace torsio::gui {
 
@@ -172,6 +173,15 @@ QString RunPage::cue(const LiveState& state) const {
   return {};
 }
 
+void RunPage::showCount() {
+  if (!runSession_) {
+    return;
+  }
+  const std::int64_t wanted = runSession_->step().module.leastTwists;
+  count_->setVisible(wanted > 1);
+  count_->setText(tr("%1 of %2 twists").arg(twists_.completed()).arg(wanted));
+}
+
 void RunPage::showLive(const LiveState& state) {
   if (!runSession_) {
     return;
@@ -179,12 +189,17 @@ void RunPage::showLive(const LiveState& state) {
   detorsion_->show(state);
   dial_->setAngle(state.response.angle_rad);
   torque_->setValue(std::abs(state.response.torque_Nm));
-  force_->setValue(norm(state.force_N));
+  force_->setValue(norm(state.response.force_N));
+  twists_.see(state);
+  showCount();
   const bool over = torque_->overLimit() || force_->overLimit();
   const bool folded = state.phase == ExercisePhase::kReleased && state.times.folded_us >= 0 &&
                       state.times.folded_us == state.times.released_us;
   const QString otherwise = folded ? ReadoutPanel::releaseText(state) : QString();
-  warning_->setText(over ? tr("Above the limit: ease off") : otherwise);
+  const bool deep = state.phase != ExercisePhase::kTwisting && state.response.depth_m > kTooDeep_m;
+  warning_->setText(over   ? tr("Above the limit: ease off")
+                    : deep ? tr("You are pressing too deep: draw back")
+                           : otherwise);
   if (!runSession_->graded()) {
     cue_->setText(cue(state));
   }

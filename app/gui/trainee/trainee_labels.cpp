@@ -10,6 +10,7 @@
 #include <QStringList>
 
 #include "app/gui/base/translated_text.h"
+#include "assessment/metrics/metric_cards.h"
 #include "sim/base/angle.h"
 
 namespace torsio::gui {
@@ -25,7 +26,7 @@ struct MetricLabels {
   double scale;      ///< SI to shown
   int decimals;
 };
-constexpr std::array<MetricLabels, 36> kMetrics{{
+constexpr std::array<MetricLabels, 37> kMetrics{{
     {"twist.on_target", QT_TRANSLATE_NOOP("StationLabels", "Twists on target"), "%", 100.0, 0},
     {"twist.targets_reached", QT_TRANSLATE_NOOP("StationLabels", "Targets reached"), "", 1.0, 0},
     {"time.total", QT_TRANSLATE_NOOP("StationLabels", "Time of a twist"), "s", 1.0, 1},
@@ -43,6 +44,7 @@ constexpr std::array<MetricLabels, 36> kMetrics{{
     {"twist.excursions", QT_TRANSLATE_NOOP("StationLabels", "Excursions"), "", 1.0, 0},
     {"tip.path", QT_TRANSLATE_NOOP("StationLabels", "Path of the tip"), "mm", 1000.0, 0},
     {"force.peak", QT_TRANSLATE_NOOP("StationLabels", "Peak force"), "N", 1.0, 2},
+    {"force.device_peak", QT_TRANSLATE_NOOP("StationLabels", "Peak force of the device"), "N", 1.0, 2},
     {"force.mean", QT_TRANSLATE_NOOP("StationLabels", "Mean force"), "N", 1.0, 2},
     {"force.violations", QT_TRANSLATE_NOOP("StationLabels", "Force violations"), "", 1.0, 0},
     {"torque.peak", QT_TRANSLATE_NOOP("StationLabels", "Peak torque"), "N m", 1.0, 3},
@@ -80,6 +82,17 @@ const MetricLabels* wordsOf(const std::string& id) {
 QString number(double value, int decimals) {
   QString text = QLocale().toString(value, 'f', decimals);
   return text.replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+/// The value of a limit: with further digits where it would look like the limit that it misses.
+QString beside(const TargetCheck& check, int decimals) {
+  constexpr int kMostDecimals = 6;
+  const double value = check.value.value_or(0.0);
+  while (!check.passed && decimals < kMostDecimals &&
+         number(value, decimals) == number(check.wanted, decimals)) {
+    ++decimals;
+  }
+  return number(value, decimals);
 }
 
 }  // namespace
@@ -262,6 +275,10 @@ QString StationLabels::check(const TargetCheck& check, std::size_t twists) {
       return !check.value   ? tr("Undone, open and supplied with hands off: not measured")
              : check.passed ? tr("Undone, open and supplied with hands off: yes")
                             : tr("Undone, open and supplied with hands off: no");
+    case TargetCheck::Kind::kTwists:
+      return tr("Twists completed: %1 of %2")
+          .arg(check.value.value_or(0.0), 0, 'f', 0)
+          .arg(check.wanted, 0, 'f', 0);
     case TargetCheck::Kind::kAngle:
       return tr("Twists let go on target: %1 of %2, wanted %3")
           .arg(check.value.value_or(0.0), 0, 'f', 0)
@@ -273,15 +290,13 @@ QString StationLabels::check(const TargetCheck& check, std::size_t twists) {
                                .arg(check.wanted, 0, 'f', 1)
                          : tr("Hold on target: none, wanted %1 s").arg(check.wanted, 0, 'f', 1);
     case TargetCheck::Kind::kForce:
-      return check.value ? tr("Peak force: %1 N, limit %2 N")
-                               .arg(*check.value, 0, 'f', 2)
-                               .arg(check.wanted, 0, 'f', 2)
+      return check.value ? tr("Peak force on the tissue: %1 N, limit %2 N")
+                               .arg(beside(check, 2), number(check.wanted, 2))
                          : tr("Peak force: not measured, limit %1 N").arg(check.wanted, 0, 'f', 2);
     case TargetCheck::Kind::kTorque:
-      return check.value ? tr("Peak torque: %1 N m, limit %2 N m")
-                               .arg(*check.value, 0, 'f', 3)
-                               .arg(check.wanted, 0, 'f', 3)
-                         : tr("Peak torque: not measured, limit %1 N m").arg(check.wanted, 0, 'f', 3);
+      return check.value
+                 ? tr("Peak torque: %1 N m, limit %2 N m").arg(beside(check, 3), number(check.wanted, 3))
+                 : tr("Peak torque: not measured, limit %1 N m").arg(check.wanted, 0, 'f', 3);
     case TargetCheck::Kind::kMastery:
       break;
   }
@@ -295,6 +310,18 @@ QString StationLabels::check(const TargetCheck& check, std::size_t twists) {
     return sentence;
   }
   return tr("%1 (%2 in a row, %3 needed)").arg(sentence).arg(check.streak).arg(check.consecutive);
+}
+
+QString StationLabels::earlier(const EarlierMeasure& earlier) {
+  const QString force = quantity(kPeakForceMetric, earlier.peakForce_N.value_or(0.0));
+  return earlier.withinLimits ? tr("Measured before by version %1 of the definitions: peak force %2, within "
+                                   "the limits. That is kept and no longer counts.")
+                                    .arg(earlier.version)
+                                    .arg(force)
+                              : tr("Measured before by version %1 of the definitions: peak force %2, beyond "
+                                   "the limits. That is kept and no longer counts.")
+                                    .arg(earlier.version)
+                                    .arg(force);
 }
 
 QString StationLabels::finding(const DebriefFinding& finding, bool strength) {

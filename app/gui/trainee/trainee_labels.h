@@ -44,6 +44,8 @@ class StationLabels {
   [[nodiscard]] static QString unlocks(const ModuleStep& step);
 
   [[nodiscard]] static QString check(const TargetCheck& check, std::size_t twists);
+  /// What an older version of the definitions had measured of the same run.
+  [[nodiscard]] static QString earlier(const EarlierMeasure& earlier);
   /// What was good or bad, in one sentence.
   [[nodiscard]] static QString finding(const DebriefFinding& finding, bool strength);
   /// What to try next.

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/widgets/theme.h"
 
+#include <algorithm>
+
+#include <QAbstractItemView>
 #include <QApplication>
+#include <QComboBox>
+#include <QEvent>
 #include <QFont>
 #include <QPalette>
+#include <QScreen>
 #include <QStyleFactory>
+#include <QStyledItemDelegate>
 
 #include "app/report/typeface.h"
 
@@ -252,6 +259,40 @@ const Theme& theme(ThemeKind kind) {
   return kind == ThemeKind::kDark ? kDark : kLight;
 }
 
+namespace {
+
+/// Makes the lists of choices what the style sheet says: the usual delegate of a combo box paints the text of
+/// the current entry, but not its ground. No entry is cut off.
+class ChoiceLists final : public QObject {
+ public:
+  using QObject::QObject;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Polish) {
+      if (auto* box = qobject_cast<QComboBox*>(watched);
+          box != nullptr && box->itemDelegate()->metaObject() != &QStyledItemDelegate::staticMetaObject) {
+        box->setItemDelegate(new QStyledItemDelegate(box));
+      }
+    } else if (event->type() == QEvent::Show) {
+      if (auto* list = qobject_cast<QAbstractItemView*>(watched); list != nullptr && belongsToChoice(*list)) {
+        constexpr int kBeside = 40;  // padding, frame and scroll bar
+        const int wanted = list->sizeHintForColumn(0) + kBeside;
+        list->window()->setMinimumWidth(std::min(wanted, list->screen()->availableGeometry().width()));
+      }
+    }
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  static bool belongsToChoice(const QAbstractItemView& list) {
+    const QWidget* popup = list.parentWidget();
+    return popup != nullptr && popup->isWindow() && qobject_cast<QComboBox*>(popup->parent()) != nullptr;
+  }
+};
+
+}  // namespace
+
 void applyTheme(QApplication& application, const Theme& chosen) {
   application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   QFont font = typeface();
@@ -259,6 +300,12 @@ void applyTheme(QApplication& application, const Theme& chosen) {
   application.setFont(font);
   application.setPalette(paletteOf(chosen));
   application.setStyleSheet(styleSheetOf(chosen));
+  constexpr const char* kName = "choiceLists";
+  if (application.findChild<QObject*>(QLatin1String(kName), Qt::FindDirectChildrenOnly) == nullptr) {
+    auto* lists = new ChoiceLists(&application);
+    lists->setObjectName(QLatin1String(kName));
+    application.installEventFilter(lists);
+  }
 }
 
 }  // namespace torsio::gui

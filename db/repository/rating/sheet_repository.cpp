@@ -366,6 +366,27 @@ bool SheetRepository::allSubmitted(const EnrolmentId& enrolmentId, const std::st
              .value_or(1) == 0;
 }
 
+std::optional<std::int64_t> SheetRepository::panelOpenedUtc_us(const EnrolmentId& enrolmentId,
+                                                               const std::string& occasionCode) const {
+  std::vector<std::int64_t> first =
+      selectAll(connection_,
+                "SELECT MIN(m.submitted_utc_us) FROM training_mark m"
+                " WHERE m.enrolment_id = ? AND m.occasion = ? GROUP BY m.rater_id",
+                {enrolmentId, occasionCode}, readInt64);
+  // Once somebody has decided about a discrepancy the marks stay open, whoever else is asked to rate.
+  const std::vector<std::int64_t> decided = selectAll(
+      connection_,
+      "SELECT d.decided_utc_us FROM alignment_decision d JOIN assignment a ON a.id = d.assignment_id"
+      " WHERE a.enrolment_id = ? AND a.occasion = ? ORDER BY d.decided_utc_us LIMIT 1",
+      {enrolmentId, occasionCode}, readInt64);
+  if (!decided.empty()) {
+    std::erase_if(first, [&](std::int64_t submitted_us) { return submitted_us > decided.front(); });
+  } else if (!allSubmitted(enrolmentId, occasionCode)) {
+    return std::nullopt;
+  }
+  return first.size() < 2 ? std::nullopt : std::optional(*std::max_element(first.begin(), first.end()));
+}
+
 std::int64_t SheetRepository::openAssignments(const CohortId& cohortId) const {
   return selectFirst(connection_,
                      "SELECT count(*) FROM enrolment e JOIN assignment a ON a.enrolment_id = e.id WHERE "

@@ -60,6 +60,10 @@ class SheetRepository {
   /// Whether every rater who is asked about this case has submitted: until then each sees only their own
   /// sheet.
   [[nodiscard]] bool allSubmitted(const EnrolmentId& enrolmentId, const std::string& occasionCode) const;
+  /// Since when a panel of two or more has committed on a case, so that each may see the marks of the others;
+  /// empty: not yet, or there are no others.
+  [[nodiscard]] std::optional<std::int64_t> panelOpenedUtc_us(const EnrolmentId& enrolmentId,
+                                                              const std::string& occasionCode) const;
 
   /// Sheets of a cohort that somebody is asked for and has not submitted.
   [[nodiscard]] std::int64_t openAssignments(const CohortId& cohortId) const;

@@ -49,12 +49,14 @@ void insertModules(Connection& connection, const CurriculumVersion& version) {
   Statement insert = connection.prepare(
       insertInto("module",
                  "id, version_id, position, code, title, scene_id, pattern_id, mode,"
-                 " target_angle_rad, tolerance_rad, hold_us, max_force_n, max_torque_nm, attempt_limit"));
+                 " target_angle_rad, tolerance_rad, hold_us, least_twists, max_force_n, max_torque_nm,"
+                 " attempt_limit"));
   std::int64_t position = 0;
   for (const TrainingModule& module : version.modules) {
     insert.execute({module.id, version.id, ++position, module.code, module.title, module.sceneId,
                     module.patternId, storedText(module.mode), module.targetAngle_rad, module.tolerance_rad,
-                    module.hold_us, module.maxForce_N, module.maxTorque_Nm, module.attemptLimit});
+                    module.hold_us, module.leastTwists, module.maxForce_N, module.maxTorque_Nm,
+                    module.attemptLimit});
   }
   Statement prerequisite =
       connection.prepare(insertInto("module_prerequisite", "module_id, requires_module_id"));
@@ -102,6 +104,7 @@ TrainingModule moduleOf(RowReader& row) {
           .targetAngle_rad = row.real(),
           .tolerance_rad = row.real(),
           .hold_us = row.int64(),
+          .leastTwists = row.int64(),
           .maxForce_N = row.maybeReal(),
           .maxTorque_Nm = row.maybeReal(),
           .attemptLimit = row.maybeInt64(),
@@ -117,7 +120,8 @@ std::vector<TrainingModule> modulesOf(Connection& connection, const CurriculumVe
   std::vector<TrainingModule> modules =
       selectAll(connection,
                 "SELECT id, code, title, scene_id, pattern_id, mode, target_angle_rad, tolerance_rad,"
-                " hold_us, max_force_n, max_torque_nm, attempt_limit FROM module WHERE version_id = ?"
+                " hold_us, least_twists, max_force_n, max_torque_nm, attempt_limit FROM module"
+                " WHERE version_id = ?"
                 " ORDER BY position",
                 {versionId}, moduleOf);
   Statement prerequisites = connection.prepare(

@@ -165,17 +165,28 @@ std::vector<TrialDigest> DigestRepository::ofTrial(const TrialId& trialId,
                    {trialId, formulaVersion}, digestFrom);
 }
 
+std::vector<TrialDigest> DigestRepository::olderOfTrial(const TrialId& trialId,
+                                                        std::int64_t formulaVersion) const {
+  return selectAll(connection_,
+                   std::string("SELECT ") + kColumns +
+                       " FROM trial_digest d WHERE d.trial_id = ? AND d.formula_version < ?"
+                       " ORDER BY d.formula_version DESC",
+                   {trialId, formulaVersion}, digestFrom);
+}
+
 std::optional<ExerciseRulesRow> DigestRepository::rulesOfModule(const ModuleId& moduleId) const {
-  return selectFirst(connection_,
-                     "SELECT tolerance_rad, hold_us, max_force_n, max_torque_nm FROM module WHERE id = ?",
-                     {moduleId}, [](RowReader& row) {
-                       ExerciseRulesRow rules;
-                       rules.tolerance_rad = row.real();
-                       rules.hold_us = row.int64();
-                       rules.forceLimit_N = row.maybeReal();
-                       rules.torqueLimit_Nm = row.maybeReal();
-                       return rules;
-                     });
+  return selectFirst(
+      connection_,
+      "SELECT tolerance_rad, hold_us, least_twists, max_force_n, max_torque_nm FROM module WHERE id = ?",
+      {moduleId}, [](RowReader& row) {
+        ExerciseRulesRow rules;
+        rules.tolerance_rad = row.real();
+        rules.hold_us = row.int64();
+        rules.leastTwists = row.int64();
+        rules.forceLimit_N = row.maybeReal();
+        rules.torqueLimit_Nm = row.maybeReal();
+        return rules;
+      });
 }
 
 }  // namespace torsio

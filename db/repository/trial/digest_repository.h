@@ -19,6 +19,7 @@ namespace torsio {
 struct ExerciseRulesRow {
   double tolerance_rad = 0.0;
   std::int64_t hold_us = 0;
+  std::int64_t leastTwists = 1;
   std::optional<double> forceLimit_N{};
   std::optional<double> torqueLimit_Nm{};
 };
@@ -37,6 +38,9 @@ class DigestRepository {
                                                                  std::int64_t formulaVersion) const;
   /// Reads those of one trial, with this version of the formulas; several where rules differ.
   [[nodiscard]] std::vector<TrialDigest> ofTrial(const TrialId& trialId, std::int64_t formulaVersion) const;
+  /// Reads those of one trial that versions of the formulas before `formulaVersion` made, newest first.
+  [[nodiscard]] std::vector<TrialDigest> olderOfTrial(const TrialId& trialId,
+                                                      std::int64_t formulaVersion) const;
 
   /// Reads what a module asks of a run; empty: there is no such module.
   [[nodiscard]] std::optional<ExerciseRulesRow> rulesOfModule(const ModuleId& moduleId) const;

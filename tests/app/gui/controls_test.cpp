@@ -108,6 +108,17 @@ TEST_F(Controls, GKeepsTheGripUntilItIsPressedAgain) {
   EXPECT_EQ(controls_.input().grip, 0.0);
 }
 
+TEST_F(Controls, EscLetsGoOfAKeptGrip) {
+  key(QEvent::KeyPress, Qt::Key_G);
+  ASSERT_EQ(controls_.input().grip, 1.0);
+
+  key(QEvent::KeyPress, Qt::Key_Escape);
+
+  EXPECT_EQ(controls_.input().grip, 0.0);
+  key(QEvent::KeyPress, Qt::Key_G);  // and G keeps it again
+  EXPECT_EQ(controls_.input().grip, 1.0);
+}
+
 TEST_F(Controls, LosingTheKeyboardLetsGo) {
   key(QEvent::KeyPress, Qt::Key_Space);
   key(QEvent::KeyPress, Qt::Key_E);

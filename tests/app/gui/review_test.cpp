@@ -196,6 +196,54 @@ TEST(CasePage, NotAssessableTakesAReason) {
   EXPECT_EQ(editorOf(page)->answer("accuracy").score_steps, 40);
 }
 
+TEST(CasePage, EscAfterNKeepsTheScore) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  const auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  desk.press(Qt::Key_7);
+  desk.press(Qt::Key_N);
+  desk.press(Qt::Key_Escape);
+  EXPECT_EQ(editorOf(page)->answer("time").score_steps, 70);
+
+  desk.press(Qt::Key_N);
+  desk.type(QStringLiteral("slip of the hand"));
+  EXPECT_FALSE(editorOf(page)->answer("time").score_steps);
+  desk.press(Qt::Key_Escape);
+
+  EXPECT_EQ(editorOf(page)->answer("time").score_steps, 70);
+  EXPECT_TRUE(editorOf(page)->answer("time").notAssessableReason.empty());
+}
+
+TEST(CasePage, TabStaysInTheSheetAndFiguresGoOnScoring) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  const auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  for (int i = 0; i < 4; ++i) {  // time, accuracy, overall, comment, and round
+    desk.press(Qt::Key_Tab);
+  }
+  desk.press(Qt::Key_5);
+  EXPECT_EQ(editorOf(page)->answer("time").score_steps, 50);
+
+  desk.press(Qt::Key_Backtab, Qt::ShiftModifier);  // the comment
+  desk.press(Qt::Key_Backtab, Qt::ShiftModifier);
+  desk.press(Qt::Key_6);
+  EXPECT_EQ(editorOf(page)->answer(kOverallRow).score_steps, 60);
+}
+
+TEST(CasePage, TellsWhatTheExerciseAsksForAndNothingOfWhoseItIs) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  const auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+
+  const QString task = child<QLabel>(page, "task").text();
+
+  EXPECT_TRUE(task.contains(QStringLiteral("Twist to 90°"))) << task.toStdString();
+  EXPECT_TRUE(task.contains(QStringLiteral("±2°"))) << task.toStdString();
+  for (const std::string& secret : centre.secrets()) {
+    EXPECT_FALSE(task.contains(QString::fromStdString(secret))) << secret;
+  }
+}
+
 TEST(CasePage, SubmitsOnlyWhatIsCompleteAndWatched) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
@@ -479,8 +527,8 @@ TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
     }
     return static_cast<QPushButton*>(nullptr);
   };
-  ASSERT_NE(button("mend"), nullptr);
-  button("mend")->click();
+  ASSERT_NE(button("with a reason"), nullptr);
+  button("with a reason")->click();
   desk.press(Qt::Key_8);
   ASSERT_NE(button("Seal"), nullptr);
   button("Seal")->click();
@@ -516,10 +564,15 @@ TEST(EvaluationPage, FillsNineIndicesByKeysAndKeepsTheDraft) {
     for (const char* hidden : {"FEM", "PM", "finite", "proposed"}) {
       EXPECT_FALSE(all.contains(QLatin1String(hidden))) << hidden;
     }
+    const auto& definition = child<QLabel>(page, "definition");
+    EXPECT_TRUE(definition.text().contains(QStringLiteral("prepares for twisting")));
+    EXPECT_TRUE(all.contains(QStringLiteral("10: prepares as well as the real thing")));
+    EXPECT_TRUE(all.contains(QStringLiteral("There is no recording of this model here")));
     for (int i = 0; i < 5; ++i) {
       desk.press(digit(i + 4));
       desk.press(Qt::Key_Down);
     }
+    EXPECT_TRUE(definition.text().contains(QStringLiteral("twisted shape"))) << "of fidelity";
     desk.press(Qt::Key_1);
     desk.press(Qt::Key_0);
     desk.press(Qt::Key_Left, Qt::ShiftModifier);  // 9.9

@@ -35,7 +35,8 @@ TraceData tracesOf(std::uint32_t rules, const HollowReading& first, const Hollow
     sample.rules = rules;
     sample.response.angle_rad = radians(90.0 * (1.0 - share));
     sample.response.torque_Nm = 0.05;
-    sample.force_N = {0.0, 3.0, 4.0};
+    sample.response.force_N = {0.0, 3.0, 4.0};
+    sample.force_N = {0.0, 0.6, 0.8};  // all that the device could give
     sample.hollow = share < 0.5 ? first : last;
   }
   collector.add(samples);
@@ -57,15 +58,46 @@ TEST(TracesOfATwist, AreAngleTorqueAndForceAsEver) {
 
   view.setData(&data);
 
-  EXPECT_EQ(view.laneTexts(), (QStringList{QStringLiteral("Angle 90 °"), QStringLiteral("Torque 0.05 N m"),
-                                           QStringLiteral("Force 5.0 N")}));
+  EXPECT_EQ(view.laneTexts(), (QStringList{QStringLiteral("Angle 0…90°"), QStringLiteral("Torque 0…0.05 N m"),
+                                           QStringLiteral("Force 0…5.0 N")}));
   EXPECT_EQ(view.accessibleName(), QStringLiteral("Traces of angle, torque and force"));
   EXPECT_EQ(
       view.accessibleDescription(),
       QStringLiteral("0:02 long; greatest angle 90 degrees, torque 0.05 newton metres, force 5.0 newtons; "
                      "bookmarks: 0"));
   EXPECT_EQ(view.sizeHint().height(), before);
-  EXPECT_TRUE(view.readings().isEmpty());
+}
+
+TEST(TracesOfATwist, TellTheirValuesAtTheCursorNotTheirExtremes) {
+  const TraceData data = tracesOf(kRulesOfStoredEnergy, {}, {});
+  TraceView view;
+  view.setData(&data);
+
+  view.setPosition_us(400'000);  // a fifth of 2 s: 90 - 18 degrees
+  const QStringList early = view.readings();
+  view.setPosition_us(1'000'000);
+  const QStringList middle = view.readings();
+
+  EXPECT_EQ(early, (QStringList{QStringLiteral("72°"), QStringLiteral("0.05 N m"), QStringLiteral("5.0 N")}));
+  EXPECT_EQ(middle.front(), QStringLiteral("45°"));
+}
+
+TEST(TracesOfATwist, ShowTargetToleranceAndLimitsWithinTheirScales) {
+  TraceData data = tracesOf(kRulesOfStoredEnergy, {}, {});
+  data.marks =
+      TraceMarks{.target_deg = 120.0F, .tolerance_deg = 10.0F, .torqueLimit_Nm = 0.2F, .forceLimit_N = 10.0F};
+  TraceView view;
+  view.setData(&data);
+
+  EXPECT_EQ(view.laneTexts(),
+            (QStringList{QStringLiteral("Angle 0…130°"), QStringLiteral("Torque 0…0.21 N m"),
+                         QStringLiteral("Force 0…10 N")}));
+  EXPECT_TRUE(view.toolTip().contains(QStringLiteral("tolerance")));
+  EXPECT_TRUE(view.toolTip().contains(QStringLiteral("limit")));
+
+  data.marks->target_deg = -60.0F;  // the other way round: the band lies below zero
+  view.setData(&data);
+  EXPECT_EQ(view.laneTexts().front(), QStringLiteral("Angle −70…90°"));
 }
 
 TEST(TracesOfAnUntwisting, NameEachScaleWithItsUnit) {

@@ -12,12 +12,15 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSlider>
 #include <QTimer>
 #include <gtest/gtest.h>
 
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/debrief_page.h"
 #include "app/gui/trainee/debrief_plot.h"
+#include "app/gui/trainee/debrief_replay.h"
+#include "app/gui/trainee/live_scene.h"
 #include "app/gui/trainee/run_page.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/trainee_labels.h"
@@ -257,6 +260,65 @@ TEST(StationPages, AWeaknessLeadsToItsSeconds) {
   EXPECT_GE(plot.range().to_s, told.weaknesses[0].when.to_s - 1e-9);
   plot.showAll();
   EXPECT_DOUBLE_EQ(plot.range().to_s, told.duration_s);
+}
+
+TEST(StationPages, TheDebriefShowsTheRunInThreeDimensionsWithTheExpertsGhost) {
+  TrainingCentre centre;
+  const std::string trial = centre.attempt("first", "practice", 0.3, 20.0);
+  Station station(centre);
+  station.desk().lastScene = borrowed(torsio::testing::trainingBar());
+  station.open(PageId::kDebrief, QString::fromStdString(trial));
+  auto& page = static_cast<DebriefPage&>(*station.page);
+  auto* replay = station.find<DebriefReplay>("replay");
+  auto* plot = station.find<DebriefPlot>("plot");
+  auto* slider = station.find<QSlider>("slider");
+  ASSERT_FALSE(page.debrief().twists.empty());
+  const TwistResult& twist = page.debrief().twists.front();
+  const double middle_s = 0.5 * (twist.when.from_s + twist.when.to_s);
+
+  slider->setValue(0);
+  EXPECT_FALSE(replay->ghostShown());
+  const QString before = plot->reading();
+  slider->setValue(static_cast<int>(100.0 * middle_s));
+
+  // One slider for both, and the values beside the playhead are those of that moment.
+  EXPECT_NEAR(replay->position_s(), middle_s, 0.02);
+  EXPECT_TRUE(replay->ghostShown());
+  EXPECT_NE(plot->reading(), before);
+  station.find<QCheckBox>("expert")->setChecked(false);
+  EXPECT_FALSE(replay->ghostShown());
+  replay->togglePlay();
+  replay->frame(0.5);
+  EXPECT_NEAR(replay->position_s(), middle_s + 0.5, 0.02);
+}
+
+TEST(StationPages, ConsentIsNeverDecidedByAnEnterThatIsOnItsWay) {
+  TrainingCentre centre;
+  Station station(centre);
+  station.open(PageId::kConsent);
+  station.page->show();
+  QApplication::processEvents();
+
+  ASSERT_NE(station.page->focusWidget(), nullptr);
+  EXPECT_EQ(qobject_cast<QPushButton*>(station.page->focusWidget()), nullptr);
+}
+
+TEST(StationPages, TheRunCountsItsTwists) {
+  TrainingCentre::Setup setup;
+  setup.leastTwists = 3;
+  TrainingCentre centre(setup);
+  Station station(centre);
+  station.openRun(false, [](const Scene& scene, double target_rad) -> std::unique_ptr<HapticDevice> {
+    return std::make_unique<ScriptedHand>(practised(scene, target_rad));
+  });
+  ASSERT_TRUE(soon([&] { return station.run().runSession() != nullptr && !station.run().fetchesDevice(); }));
+  auto* count = station.find<QLabel>("twistCount");
+  EXPECT_EQ(count->text(), QStringLiteral("0 of 3 twists"));
+  for (int i = 0; i < 40 && !count->text().startsWith(QLatin1Char('2')); ++i) {
+    station.train(kSecond_us);
+    station.find<LiveScene>("scene")->frame(0.04);
+  }
+  EXPECT_EQ(count->text(), QStringLiteral("2 of 3 twists"));
 }
 
 TEST(StationPages, TheTranscriptIsAPdf) {

@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QComboBox>
 #include <QDir>
+#include <QImage>
 #include <gtest/gtest.h>
 
 #include "app/gui/widgets/icons.h"
@@ -67,6 +71,28 @@ TEST_P(ThemeContrast, MarksStandOutFromTheirGround) {
 }
 
 INSTANTIATE_TEST_SUITE_P(LightAndDark, ThemeContrast, ::testing::Values(ThemeKind::kLight, ThemeKind::kDark));
+
+TEST_P(ThemeContrast, TheCurrentEntryOfAnOpenListIsReadable) {
+  const Theme& t = theme(GetParam());
+  applyTheme(*qApp, t);
+  QComboBox box;
+  box.addItems({QStringLiteral("a"), QStringLiteral("the current one"),
+                QStringLiteral("one that is much longer than the field above it is wide")});
+  box.setCurrentIndex(1);
+  box.resize(120, box.sizeHint().height());
+  box.show();
+  box.showPopup();
+  QApplication::processEvents();
+
+  const QAbstractItemView& list = *box.view();
+  const QRect row = list.visualRect(list.model()->index(1, 0));
+  const QImage picture = const_cast<QAbstractItemView&>(list).viewport()->grab().toImage();
+  const QColor ground = picture.pixelColor(row.right() - 12, row.center().y());
+
+  EXPECT_GE(contrast(t.onAccent, ground), kText) << ground.name().toStdString();
+  EXPECT_GE(list.viewport()->width(), list.sizeHintForColumn(0));  // no entry is cut off
+  box.hidePopup();
+}
 
 TEST(Icons, EveryIconOfTheWindowIsThereInBothThemes) {
   for (const char* name : {"record", "stop", "replay", "release", "front", "side", "top", "fit", "lattice",

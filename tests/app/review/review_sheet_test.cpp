@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/review/case_sheet.h"
+#include "app/review/discrepancy_review.h"
 #include "app/review/range_pyramid.h"
 #include "app/review/review_queue.h"
 #include "app/review/sheet_editor.h"
@@ -281,6 +282,31 @@ TEST(CaseSheet, AnAmendmentKeepsBothVersionsAndNeedsAReason) {
   EXPECT_EQ(versions[1].overall_steps, 70);
   EXPECT_EQ(versions[1].amendReason, "looked again");
   EXPECT_EQ(openSheet(*desk, id).sheet.overall_steps, 70);
+}
+
+TEST(CaseSheet, AfterThePanelsMarksItIsMovedWithAReasonOnlyAndFlagged) {
+  ReviewCentre::Setup setup;
+  setup.trainees = 1;
+  ReviewCentre centre(setup);
+  const auto desk = centre.physician(0);
+  const std::string id = centre.caseAbout(0, 0);
+  submitSheet(*desk, id, reviewSheet(3, 3, 3), whole(2'000'000));
+  amendSheet(*desk, id, reviewSheet(4, 4, 4), "looked again");
+  EXPECT_FALSE(openSheet(*desk, id).panelOpen);
+  centre.passTime_us(1'000'000);
+  submitSheet(*centre.physician(1), centre.caseAbout(1, 0), reviewSheet(8, 8, 8), whole(2'000'000));
+  centre.passTime_us(1'000'000);
+
+  EXPECT_TRUE(openSheet(*desk, id).panelOpen);
+  EXPECT_EQ(refusal([&] { amendSheet(*desk, id, reviewSheet(8, 8, 8), "so do the others"); }),
+            ErrorCode::kBadData);
+  moveMark(*desk, id, reviewSheet(7, 7, 7), "missed the second grip");
+
+  const std::vector<SheetVersion> versions = sheetVersions(*desk, id);
+  ASSERT_EQ(versions.size(), 3U);
+  EXPECT_FALSE(versions[0].afterPanel);
+  EXPECT_FALSE(versions[1].afterPanel);
+  EXPECT_TRUE(versions[2].afterPanel);
 }
 
 TEST(CaseSheet, BelongsToItsRaterAlone) {

@@ -36,7 +36,8 @@ TrainingModule moduleOf(const std::string& id, const std::string& code, const st
   module.mode = fromStoredText<AttemptMode>(mode).value();
   module.targetAngle_rad = trainingBar().pattern.targetAngle_rad;
   module.tolerance_rad = radians(5.0);
-  module.maxForce_N = 4.0;  // the scripted hand presses until the device saturates at 3.3 N
+  module.maxForce_N = 6.0;  // a quarter turn of the bar takes 4 N; the device saturates at 3.3 N
+  module.leastTwists = setup.leastTwists;
   module.mastery = setup.mastery;
   if (module.mastery.empty()) {
     module.mastery.push_back(

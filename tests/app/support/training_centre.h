@@ -45,6 +45,7 @@ class TrainingCentre {
     PatternId patternId = "quarter";
     /// Rules of every module in place of those of the table.
     std::vector<MasteryCriterion> mastery{};
+    std::int64_t leastTwists = 1;  ///< of every module
   };
   TrainingCentre() : TrainingCentre(Setup{}) {}
   explicit TrainingCentre(const Setup& setup);

@@ -85,7 +85,8 @@ class RandomRecording {
     sample.phase = phase;
     sample.response.angle_rad = radians(angle_deg);
     sample.response.torque_Nm = 0.004 * angle_deg;
-    sample.force_N = {0.01 * angle_deg, between(0.0, 0.1), 0.0};
+    sample.response.force_N = {0.01 * angle_deg, between(0.0, 0.1), 0.0};
+    sample.force_N = 0.5 * sample.response.force_N;  // what the device could give
     samples_.push_back(sample);
     next_ = {};
     ++tick_;
@@ -238,7 +239,7 @@ class OneNumber : public ::testing::Test {
   AttemptMeasures byTheCommandLine(const TrialId& trialId) {
     const LoadedRun run = loadStoredRun(centre_.locator(), trialId);
     const std::vector<Sample> samples = decodeTrial(run.trial);
-    return measureAttempt(samples, measureTwists(run.trial.header, samples, run.rules));
+    return measureAttempt(measureTwists(run.trial.header, samples, run.rules));
   }
 
   TrainingCentre centre_;

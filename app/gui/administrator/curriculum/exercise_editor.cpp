@@ -34,6 +34,7 @@ namespace {
 constexpr double kFirstTarget_deg = 60.0;
 constexpr double kFirstTolerance_deg = 5.0;
 constexpr int kMostAttempts = 1'000'000;
+constexpr int kMostTwists = 1'000;
 
 std::vector<std::string> codesOf(const CurriculumVersion& content) {
   std::vector<std::string> codes;
@@ -60,6 +61,7 @@ ExerciseEditor::ExerciseEditor(std::filesystem::path assets, CurriculumVersion& 
       target_(numberField(-3600.0, 3600.0, 1)),
       tolerance_(numberField(0.0, 3600.0, 1)),
       hold_(numberField(0.0, 1e6, 1)),
+      twists_(new QSpinBox),
       force_(numberField(0.0, 1e6, 2)),
       torque_(numberField(0.0, 1e6, 3)),
       attempts_(new QSpinBox),
@@ -87,6 +89,7 @@ QWidget* ExerciseEditor::form() {
   texts_.row(form, {{target_, QT_TR_NOOP("Target angle")},
                     {tolerance_, QT_TR_NOOP("Tolerance")},
                     {hold_, QT_TR_NOOP("Hold for")}});
+  texts_.row(form, twists_, QT_TR_NOOP("Twists at least"));
   texts_.row(form, {{force_, QT_TR_NOOP("Force up to")},
                     {torque_, QT_TR_NOOP("Torque up to")},
                     {attempts_, QT_TR_NOOP("Attempts")}});
@@ -95,9 +98,13 @@ QWidget* ExerciseEditor::form() {
   hold_->setSuffix(QStringLiteral(" s"));
   force_->setSuffix(QStringLiteral(" N"));
   torque_->setSuffix(QStringLiteral(" N m"));
+  twists_->setObjectName(QStringLiteral("leastTwists"));
+  twists_->setRange(1, kMostTwists);
   attempts_->setRange(0, kMostAttempts);
-  attempts_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  attempts_->setMinimumWidth(tolerance_->minimumWidth());
+  for (QSpinBox* count : {twists_, attempts_}) {
+    count->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    count->setMinimumWidth(tolerance_->minimumWidth());
+  }
   for (QComboBox* choice : {scene_, pattern_, mode_}) {
     choice->setMinimumWidth(2 * tolerance_->minimumWidth());
   }
@@ -134,6 +141,8 @@ void ExerciseEditor::connectFields() {
   connect(hold_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     take([=](TrainingModule& module) { module.hold_us = std::llround(value * kMicrosecondsOfSecond); });
   });
+  connect(twists_, &QSpinBox::valueChanged, this,
+          [this](int value) { take([=](TrainingModule& module) { module.leastTwists = value; }); });
   const auto limit = [this](QDoubleSpinBox* box, std::optional<double> TrainingModule::*field) {
     connect(box, &QDoubleSpinBox::valueChanged, this, [=, this](double value) {
       take([=](TrainingModule& module) {
@@ -186,7 +195,7 @@ void ExerciseEditor::showContent() {
   mastery_->setEditable(change);
   for (QWidget* field :
        std::initializer_list<QWidget*>{title_, code_.field(), scene_, pattern_, mode_, target_, tolerance_,
-                                       hold_, force_, torque_, attempts_, after_}) {
+                                       hold_, twists_, force_, torque_, attempts_, after_}) {
     field->setEnabled(change);
   }
   if (module == nullptr) {
@@ -201,6 +210,7 @@ void ExerciseEditor::showContent() {
   target_->setValue(degrees(module->targetAngle_rad));
   tolerance_->setValue(degrees(module->tolerance_rad));
   hold_->setValue(static_cast<double>(module->hold_us) / kMicrosecondsOfSecond);
+  twists_->setValue(static_cast<int>(module->leastTwists));
   force_->setValue(module->maxForce_N.value_or(0.0));
   torque_->setValue(module->maxTorque_Nm.value_or(0.0));
   attempts_->setValue(static_cast<int>(module->attemptLimit.value_or(0)));

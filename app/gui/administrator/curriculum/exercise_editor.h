@@ -75,6 +75,7 @@ class ExerciseEditor : public QWidget {
   QDoubleSpinBox* target_;
   QDoubleSpinBox* tolerance_;
   QDoubleSpinBox* hold_;
+  QSpinBox* twists_;
   QDoubleSpinBox* force_;
   QDoubleSpinBox* torque_;
   QSpinBox* attempts_;

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+
+#include "app/gui/scene/scene_view.h"
+#include "app/gui/simulator/beside_view.h"
+#include "app/gui/simulator/trial_playback.h"
+#include "app/training/debrief.h"
+
+class QLabel;
+class QSlider;
+class QToolButton;
+
+namespace torsio::gui {
+
+struct Theme;
+
+/// A run and the expert's, ready to be shown in three dimensions.
+struct DebriefRecordings {
+  explicit DebriefRecordings(TrialPlayback run) : own(std::move(run)) {}
+
+  TrialPlayback own;
+  std::optional<TrialPlayback> expert{};
+  std::vector<double> grips_s{};  ///< of the run: at each the expert's twist begins
+  double expertGrip_s = 0.0;      ///< in the expert's recording
+  double expertLasts_s = 0.0;     ///< from there to the end of its twist
+  std::shared_ptr<const Scene> scene{};
+  ViewScene view{};
+  std::unique_ptr<BesidePlayback> beside{};
+
+  /// Returns where in the expert's recording a moment of the run lies; empty outside the twists.
+  [[nodiscard]] std::optional<double> expertTime_s(double at_s) const noexcept;
+};
+
+/// Builds the recordings of a debrief; null when the organ is not here any more. `scene`: that of the run
+/// when it is loaded already. Seconds: worker thread.
+[[nodiscard]] std::shared_ptr<DebriefRecordings> loadForDebrief(const Debrief& debrief,
+                                                                const std::filesystem::path& assets,
+                                                                std::shared_ptr<const Scene> scene);
+
+/// One's own run in three dimensions with the expert's organ as a ghost in it, and one slider for both.
+/// Space plays, arrows step.
+class DebriefReplay : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DebriefReplay(const std::filesystem::path& assets, QWidget* parent = nullptr);
+
+  /// Null: nothing to show.
+  void show(std::shared_ptr<DebriefRecordings> recordings);
+  void setExpertVisible(bool visible);
+  void setTheme(const Theme& theme);
+  void retranslate();
+  void seek(double at_s);
+  [[nodiscard]] double position_s() const noexcept;
+  /// Whether the expert's organ is in the picture at this moment.
+  [[nodiscard]] bool ghostShown() const noexcept { return ghost_; }
+  /// Moves a playing run on; the timer calls it, and tests.
+  void frame(double elapsed_s);
+  void togglePlay();
+
+ Q_SIGNALS:
+  void moved(double at_s);
+
+ private:
+  void showState();
+  void showTransport();
+
+  SceneView* view_;
+  QToolButton* play_;
+  QSlider* slider_;
+  QLabel* time_;
+  const Theme* theme_;
+  std::shared_ptr<DebriefRecordings> recordings_;
+  bool expertVisible_ = true;
+  bool ghost_ = false;
+  QTimer timer_;
+  QElapsedTimer sinceFrame_;
+};
+
+}  // namespace torsio::gui
