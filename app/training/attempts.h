@@ -56,8 +56,6 @@ struct RuleProgress {
   bool met = false;         ///< so many in a row were reached once: mastery is not lost again
   std::optional<double> last{};
 };
-/// The rule as the domain knows it.
-[[nodiscard]] MasteryRule masteryRule(const MasteryCriterion& stored);
 /// Over the attempts that count, oldest first. A rule whose metric is not defined for an attempt breaks the
 /// row.
 [[nodiscard]] std::vector<RuleProgress> ruleProgress(const TrainingModule& module,

@@ -2,6 +2,7 @@
 #include <span>
 #include <utility>
 
+#include "app/recording/competence.h"
 #include "app/recording/detorsion_rules.h"
 #include "app/recording/expert_run.h"
 #include "app/recording/kept_digests.h"

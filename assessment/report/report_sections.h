@@ -15,6 +15,8 @@ namespace torsio {
 [[nodiscard]] ReportSection analysisSection(const CohortInputs& inputs, const StudyAnalysis& study);
 [[nodiscard]] ReportSection ratersSection(const CohortInputs& inputs, const StudyAnalysis& study);
 [[nodiscard]] ReportSection learningSection(const CohortInputs& inputs);
+/// Who is held to be able, by which design and with which errors.
+[[nodiscard]] ReportSection competenceSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection deviationsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection trialsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection methodsSection(const CohortInputs& inputs);

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "assessment/report/number_format.h"
+#include "assessment/report/record_sentences.h"
 #include "assessment/report/report_sections.h"
 #include "assessment/statistics/distributions.h"
 
@@ -61,9 +62,7 @@ ReportFigure scoresFigure(const CohortInputs& in, std::size_t occasion) {
     out.series.push_back(series);
   }
   out.notes = {Text::tr(
-      "Corresponds to Fig. %1 of the paper. A score is the mean over the raters; the test is on the real "
-      "arm.",
-      20 + occasion)};
+      "Corresponds to Fig. %1 of the paper. A score is the mean over the raters.", 20 + occasion)};
   out.provenance = provenance(in, Text::tr("mean over raters"), n);
   out.provenance.missing = std::ssize(in.trainees) - n;
   return out;
@@ -237,12 +236,7 @@ ReportTable scoresTable(const CohortInputs& in) {
 ReportSection trainingSection(const CohortInputs& in) {
   ReportSection section;
   section.title = Text::tr("Training study");
-  section.paragraphs.push_back(Text::tr(
-      "%1 physicians scored every trainee at %2 occasions on a scale from %3 to %4. A trainee's score "
-      "is the plain mean of these marks.",
-      in.trainingRaters, in.occasions.size(),
-      formatFixed(pointsFromSteps(in.trainingScale.lo, in.trainingScale), 0),
-      formatFixed(pointsFromSteps(in.trainingScale.hi, in.trainingScale), 0)));
+  section.paragraphs.push_back(marksSentence(in));
   if (in.trainingTimeDivisor > 1) {
     section.paragraphs.push_back(
         Text::tr("Training was shortened for this demonstration: each minute of the protocol stands for %1 "

@@ -93,8 +93,9 @@ QString TranscriptPage::html(bool paper) const {
     page += QStringLiteral("<h3>%1</h3>").arg(title.toHtmlEscaped());
     line(tr("%1. Level: %2.")
              .arg(StationLabels::state(module.step.state),
-                  StationLabels::level(module.level,
-                                       kRunsForLevel - std::min(kRunsForLevel, module.attempts.size()))));
+                  StationLabels::level(module.competence)));
+    line(StationLabels::competenceDesign(module.competence) + QLatin1Char(' ') +
+         StationLabels::competenceErrors(module.competence));
     if (module.attempts.empty()) {
       continue;
     }
