@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,8 +53,12 @@ Json designJson(const CompetenceDesign& design) {
 SessionContext signedIn(const CompetenceArguments& arguments) {
   const char* password = std::getenv(kPasswordVariable);  // NOLINT(concurrency-mt-unsafe): before any thread
   if (password == nullptr) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("no password was given"), kPasswordVariable,
+    throw Error(ErrorCode::kUsage, Text::verbatim("no password was given"), std::string(kPasswordVariable),
                 Text::verbatim("Put the password of this login into the environment variable"));
+  }
+  if (arguments.database.find("://") == std::string::npos && !std::filesystem::exists(arguments.database)) {
+    throw Error(ErrorCode::kFileMissing, Text::verbatim("there is no such database"), arguments.database,
+                Text::verbatim("Give the file of the record with --database"));
   }
   SessionContext session({.locator = arguments.database, .station = stationName()});
   if (signIn(session, arguments.login, password).outcome != SignIn::kOk) {

@@ -130,6 +130,7 @@ class Demonstration {
         trial.duration_s = phase_s;
         trial.practisedBefore_min = phase.practisedBefore_min;
         trial.practiceScale = static_cast<double>(options_.shortening);
+        trial.fewestTwists = options_.fewestTwists;
         trial.recording.phaseLabel = phase.label;
         const double fraction =
             0.05 + (kUntwistingsFrom - 0.05) * static_cast<double>(done++) / static_cast<double>(total);

@@ -270,7 +270,9 @@ ReportSection participantsSection(const CohortInputs& in) {
       Text::tr("%1. Method: %2; generator: %3; seed: %4.", enrolled,
                drawn.method.empty() ? Text::tr("not recorded") : drawn.method,
                drawn.generator.empty() ? Text::tr("not recorded") : drawn.generator,
-               drawn.sealed ? Text::tr("sealed until the study ends") : Text(std::to_string(drawn.seed))));
+               drawn.sealed           ? Text::tr("sealed until the study ends")
+               : drawn.method.empty() ? Text::tr("not recorded")
+                                      : Text(std::to_string(drawn.seed))));
   section.paragraphs.push_back(
       Text::verbatim("%1 %2", commitmentSentence(drawn), replaySentence(drawn)));
   section.tables = {groupsTable(in), flowTable(in)};
@@ -452,7 +454,13 @@ ReportModel reportOf(const CohortInputs& in) {
   if (!in.trainingMarks.empty()) {
     const StudyAnalysis study = analyseStudy(in);
     report.sections.push_back(analysisSection(in, study));
+    if (std::optional<ReportTable> within = withinGroupsTable(in, study)) {
+      report.sections.back().tables.push_back(std::move(*within));
+    }
     report.sections.push_back(ratersSection(in, study));
+    for (ReportTable& table : reliabilityTables(in, study)) {
+      report.sections.back().tables.push_back(std::move(table));
+    }
   }
   if (ReportSection learning = learningSection(in); !learning.tables.empty()) {
     report.sections.push_back(std::move(learning));

@@ -22,6 +22,12 @@ namespace torsio {
 [[nodiscard]] ReportSection methodsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection provenanceSection(const CohortInputs& inputs);
 
+/// Returns what more or fewer raters would give, and each rater's severity on one scale.
+[[nodiscard]] std::vector<ReportTable> reliabilityTables(const CohortInputs& inputs, const StudyAnalysis& study);
+/// Returns what each group gained by itself; empty: scores are missing.
+[[nodiscard]] std::optional<ReportTable> withinGroupsTable(const CohortInputs& inputs,
+                                                           const StudyAnalysis& study);
+
 /// Returns the table of the trials in which an organ was undone; empty: there are none.
 [[nodiscard]] std::optional<ReportTable> detorsionTable(const CohortInputs& inputs);
 

@@ -102,8 +102,10 @@ void CompetenceDialog::build() {
   form->addRow(tr("&Reason"), reason_);
   form->addRow(tr("What it does"), preview_);
   auto* column = new QVBoxLayout(this);
-  column->addWidget(sentence(this, tr("An attempt is a completed twist, or an untwisting. A design never changes; "
-                                      "a new one counts for trainees who begin after it was registered.")));
+  auto* rule = sentence(this);
+  rule->setText(tr("An attempt is a completed twist, or an untwisting. A design never changes; a new one counts for "
+                   "trainees who begin after it was registered."));
+  column->addWidget(rule);
   column->addLayout(form);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   register_ = buttons->addButton(tr("Register"), QDialogButtonBox::ActionRole);
