@@ -46,12 +46,6 @@ bool isFinished(const TrialListing& trial) {
   return trial.summary && trial.summary->outcome != TrialOutcome::kInterrupted;
 }
 
-/// Whether the rules of a module ask for an untwisting.
-bool isUndone(const TrainingModule& module) {
-  return std::any_of(module.mastery.begin(), module.mastery.end(),
-                     [](const MasteryCriterion& rule) { return isDetorsionMetric(rule.metric); });
-}
-
 }  // namespace
 
 MasteryRule masteryRule(const MasteryCriterion& stored) {
@@ -59,6 +53,11 @@ MasteryRule masteryRule(const MasteryCriterion& stored) {
           .atMost = stored.comparison == "at_most",
           .threshold = stored.threshold,
           .consecutive = stored.consecutive};
+}
+
+bool asksForUntwisting(const TrainingModule& module) {
+  return std::any_of(module.mastery.begin(), module.mastery.end(),
+                     [](const MasteryCriterion& rule) { return isDetorsionMetric(rule.metric); });
 }
 
 bool countsAt(const TrainingModule& module, std::optional<AttemptMode> mode) noexcept {
@@ -95,7 +94,7 @@ CompetenceVerdict competenceOf(Connection& connection, const std::string& traine
                     shippedCompetence(module.id, module.tolerance_rad), began_us);
   CompetenceVerdict verdict = judgeCompetence(design, failedAttempts(design, runs));
   verdict.untwisting = std::any_of(runs.begin(), runs.end(), [](const CompetenceRun& r) { return r.untwisting; }) ||
-                       isUndone(module);
+                       asksForUntwisting(module);
   return verdict;
 }
 

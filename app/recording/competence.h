@@ -22,6 +22,9 @@ class Connection;
 /// Returns the rule as the domain knows it.
 [[nodiscard]] MasteryRule masteryRule(const MasteryCriterion& stored);
 
+/// Whether the rules of a module ask for the untwisting of an organ.
+[[nodiscard]] bool asksForUntwisting(const TrainingModule& module);
+
 /// Whether a run in this mode counts at a module: graded, unless the module is there for practice.
 [[nodiscard]] bool countsAt(const TrainingModule& module, std::optional<AttemptMode> mode) noexcept;
 

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/recording/competence.h"
 #include "app/recording/kept_digests.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/study/cohort.h"
@@ -93,7 +94,7 @@ std::vector<ExerciseDesigns> competenceDesigns(SessionContext& session,
       const CurriculumVersion version = repository.version(id).value();
       for (const TrainingModule& module : version.modules) {
         all.push_back({module.id, curriculum.name, version.number, module.code, module.title,
-                       shippedCompetence(module.id, module.tolerance_rad), designs.ofModule(module.id)});
+                       asksForUntwisting(module),                       shippedCompetence(module.id, module.tolerance_rad), designs.ofModule(module.id)});
       }
     }
   }

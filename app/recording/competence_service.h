@@ -19,6 +19,7 @@ struct ExerciseDesigns {
   std::int64_t curriculumVersion = 1;
   std::string code{};
   std::string title{};
+  bool untwisting = false;  ///< an attempt is a whole untwisting
   CompetenceDesign shipped{};
   std::vector<CompetenceDesign> registered{};  ///< oldest first
 };

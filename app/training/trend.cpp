@@ -84,9 +84,7 @@ void measureDistance(Trend& trend, const TrainingModule& module) {
 
 /// Whether the organ of a module comes twisted, as far as its rules and its attempts tell.
 bool isUndone(const TrainingModule& module, const std::vector<Attempt>& attempts) {
-  return std::any_of(attempts.begin(), attempts.end(), isUntwisting) ||
-         std::any_of(module.mastery.begin(), module.mastery.end(),
-                     [](const MasteryCriterion& rule) { return isDetorsionMetric(rule.metric); });
+  return std::any_of(attempts.begin(), attempts.end(), isUntwisting) || asksForUntwisting(module);
 }
 
 /// What a module is followed by unless somebody chooses: what its rules ask for, how much before whether.

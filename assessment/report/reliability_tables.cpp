@@ -121,7 +121,8 @@ ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study) {
   int highest = 0;
   const CategoryRatings ratings = categoriesOf(study, highest);
   if (highest < 1) {
-    table.rows.push_back({Text::tr("not defined: %1", Text::tr("every mark is the same")), "", "", "", ""});
+    const Text reason = Text::tr("every rating is the same");
+    table.rows.push_back({notDefined(reason), "", "", "", ""});
     return table;
   }
   const Outcome<RaschResult> found = manyFacetRasch(ratings, highest);

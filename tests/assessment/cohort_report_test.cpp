@@ -107,7 +107,7 @@ TEST(CohortReport, ComparesGroupsAndRatersWhenTheMarksAreGiven) {
     ids.push_back(table.id);
   }
   EXPECT_THAT(ids, ::testing::ElementsAre("table-agreement", "table-ancova", "table-mixed-anova",
-                                          "table-gains", "table-friedman"));
+                                          "table-gains", "table-friedman", "table-within-groups"));
   EXPECT_EQ(section->tables[0].rows.size(), 3U);
   EXPECT_EQ(section->tables[1].rows.size(), 3U);
   for (const ReportTable& table : section->tables) {

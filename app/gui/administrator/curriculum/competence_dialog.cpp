@@ -148,7 +148,7 @@ void CompetenceDialog::showExercise() {
     return;
   }
   const CompetenceDesign& newest = newestOf(*exercise);
-  inForce_->setText(toQString(competenceDesignText(newest, false)) + QLatin1Char('\n') +
+  inForce_->setText(toQString(competenceDesignText(newest, exercise->untwisting)) + QLatin1Char('\n') +
                     toQString(competenceErrorText(newest, competenceErrors(newest, newest.attempts))));
   filling_ = true;
   experts_ = newest.experts;
