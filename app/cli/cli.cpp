@@ -38,6 +38,7 @@ void buildProgram(CLI::App& program) {
   addBench(program);
   addCompare(program);
   addCompareGroups(program);
+  addCompetence(program);
   addDb(program);
   addDemo(program);
   addDevice(program);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
 #include "assessment/study/allocation.h"
+#include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "sim/scene/json_fields.h"
@@ -28,8 +30,12 @@ using Input = nlohmann::json;
 struct AllocateArguments {
   std::string design;
   std::optional<std::uint64_t> seed;
+  std::string salt;
   std::string replay;
+  std::string head;
 };
+
+constexpr int kSaltDraws = 16;  // of 32 bits each: twice what the salt holds
 
 const std::vector<std::string> kAllocationMethods = {"complete permutation", "permuted blocks",
                                                      "stratified blocks", "minimisation"};
@@ -236,6 +242,33 @@ std::string seedProblem(const std::string& text) {
              : "a seed is a whole number from 0 to 18446744073709551615, not " + text;
 }
 
+std::string saltProblem(const std::string& text) {
+  return isSalt(text) ? std::string() : "a salt is 64 hexadecimal digits in lower case, not " + text;
+}
+
+/// 256 bits of the machine's random numbers.
+std::string drawnSalt() {
+  std::random_device machine;
+  Digest digest;
+  for (int i = 0; i < kSaltDraws; ++i) {
+    digest.update(static_cast<std::int64_t>(machine()));
+  }
+  return digest.hex();
+}
+
+/// How many persons each arm has, by its name.
+Json armCounts(const Allocation& allocation) {
+  Json counts = Json::object();
+  for (const std::string& arm : allocation.design.arms) {
+    counts[arm] = 0;
+  }
+  for (const AllocationRecord& record : allocation.records) {
+    Json& count = counts[allocation.design.arms.at(record.arm)];
+    count = count.get<int>() + 1;
+  }
+  return counts;
+}
+
 void runAllocation(const AllocateArguments& arguments) {
   const Input json = parsed(arguments.design);
   JsonFields fields(json, arguments.design);
@@ -244,25 +277,23 @@ void runAllocation(const AllocateArguments& arguments) {
   const std::vector<AllocationPerson> persons =
       personsOf(listAt(fields, "persons"), design, arguments.design);
   fields.finish();
-  const Allocation allocation = allocate(design, arguments.seed.value_or(0), persons, joint);
+  const Allocation allocation = allocate(design, arguments.seed.value_or(0), persons, joint,
+                                         arguments.salt.empty() ? drawnSalt() : arguments.salt);
   Json out{{"version", kAllocationVersion}, {"generator", kAllocationGenerator}};
   out["design"] = designJson(allocation.design);
   out["seed"] = allocation.seed;
+  out["salt"] = allocation.salt;
   out["commitment"] = allocation.commitment;
-  out["counts"] = Json::object();
-  for (const std::string& arm : allocation.design.arms) {
-    out["counts"][arm] = 0;
-  }
+  out["head"] = allocation.head;
+  out["counts"] = armCounts(allocation);
   out["records"] = Json::array();
   for (const AllocationRecord& record : allocation.records) {
-    Json& armCount = out["counts"][allocation.design.arms.at(record.arm)];
-    armCount = armCount.get<int>() + 1;
     out["records"].push_back(recordJson(record, allocation.design));
   }
   printJson(out);
 }
 
-void runReplay(const std::string& file) {
+void runReplay(const std::string& file, const std::string& keptHead) {
   const Input json = parsed(file);
   JsonFields fields(json, file);
   const std::string version = fields.text("version");
@@ -275,15 +306,25 @@ void runReplay(const std::string& file) {
   allocation.design = designOf(designFields);
   designFields.finish();
   allocation.seed = count(fields, "seed");
+  if (fields.has("salt")) {
+    allocation.salt = fields.text("salt");
+  }
+  if (fields.has("head")) {
+    allocation.head = fields.text("head");
+  }
   allocation.commitment = fields.text("commitment");
   const Input& records = listAt(fields, "records");
   for (std::size_t i = 0; i < records.size(); ++i) {
     allocation.records.push_back(
         recordOf(records.at(i), allocation.design, file + ", records[" + std::to_string(i) + "]"));
   }
-  const ReplayFinding finding = replayAllocation(allocation);
+  ReplayFinding finding = replayAllocation(allocation, keptHead);
+  if (finding.sound && fields.has("counts") && Input(armCounts(allocation)) != fields.child("counts")) {
+    finding = {false, std::nullopt, "the counts are not those of the records"};
+  }
   Json out{{"sound", finding.sound}, {"records", allocation.records.size()}};
   out["commitment"] = allocation.commitment;
+  out["head"] = allocationHead(allocation);
   if (finding.firstWrongPosition) {
     out["first_wrong_position"] = *finding.firstWrongPosition;
   }
@@ -299,11 +340,11 @@ void runReplay(const std::string& file) {
 
 void run(const AllocateArguments& arguments) {
   if (!arguments.replay.empty()) {
-    if (!arguments.design.empty() || arguments.seed) {
+    if (!arguments.design.empty() || arguments.seed || !arguments.salt.empty()) {
       throw Error(ErrorCode::kUsage, Text::verbatim("--replay stands alone: design and seed are in the file"),
-                  arguments.replay, Text::verbatim("Leave out --design and --seed"));
+                  arguments.replay, Text::verbatim("Leave out --design, --seed and --salt"));
     }
-    runReplay(arguments.replay);
+    runReplay(arguments.replay, arguments.head);
     return;
   }
   if (arguments.design.empty() || !arguments.seed) {
@@ -322,6 +363,10 @@ void addAllocate(CLI::App& program) {
   command->add_option("--design", arguments->design, "Design and persons, JSON: docs/cli.md");
   command->add_option("--seed", arguments->seed, "Decides everything; keep it sealed until the end")
       ->check(CLI::Validator(seedProblem, "UINT64"));
+  command->add_option("--salt", arguments->salt, "256 bits in hexadecimal; without it they are drawn")
+      ->check(CLI::Validator(saltProblem, "HEX"));
+  command->add_option("--head", arguments->head,
+                      "With --replay: the head that was kept elsewhere, in quotes");
   command->add_option("--replay", arguments->replay, "Repeat an allocation and compare: exit code 13");
   command->callback([arguments] { run(*arguments); });
 }

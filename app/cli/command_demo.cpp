@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -19,10 +20,13 @@ namespace torsio::cli {
 
 namespace {
 
+constexpr std::size_t kUsualTwists = 10;  // in a phase: enough for a learning curve of everybody
+
 struct DemoArguments {
   std::string out;
   std::uint64_t seed = 1;
-  std::int64_t shorten = 60;
+  std::optional<std::int64_t> shorten;
+  std::optional<std::size_t> twists;
   bool full = false;
   std::string language = "en";
   OrganArguments organ;
@@ -32,7 +36,8 @@ void runDemo(const DemoArguments& arguments) {
   DemonstrationOptions options;
   options.out = arguments.out;
   options.seed = arguments.seed;
-  options.shortening = arguments.full ? 1 : arguments.shorten;
+  options.shortening = arguments.full ? 1 : arguments.shorten.value_or(options.shortening);
+  options.fewestTwists = arguments.twists.value_or(arguments.full || arguments.shorten ? 0 : kUsualTwists);
   options.training = sceneRequest(arguments.organ);
   options.example.assets = assetsFolder();
   options.example.id = "stomach";
@@ -63,9 +68,14 @@ void addDemo(CLI::App& program) {
   command->add_option("--out", arguments->out, "Folder for cohort.pdf, cohort.csv and torsio.sqlite")
       ->required();
   command->add_option("--seed", arguments->seed, "Same seed, same results")->capture_default_str();
-  command->add_option("--shorten", arguments->shorten, "Training time is shortened by this factor")
-      ->check(CLI::Range(1, 600))
-      ->capture_default_str();
+  command
+      ->add_option("--shorten", arguments->shorten,
+                   "Training time is shortened by this factor, however few twists remain (usually 60)")
+      ->check(CLI::Range(1, 600));
+  command
+      ->add_option("--twists", arguments->twists,
+                   "Twists in every phase at least (usually 10; none with --shorten or --full)")
+      ->check(CLI::Range(0, 200));
   command->add_option("--language", arguments->language, "Language of the report; the table stays English")
       ->check(CLI::IsMember(reportLanguages()))
       ->capture_default_str();

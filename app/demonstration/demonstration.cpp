@@ -11,6 +11,7 @@
 #include "app/demonstration/demonstration_curriculum.h"
 #include "app/demonstration/demonstration_people.h"
 #include "app/demonstration/demonstration_untwisting.h"
+#include "app/recording/competence.h"
 #include "app/recording/detorsion_rules.h"
 #include "app/recording/expert_run.h"
 #include "app/recording/kept_digests.h"
@@ -129,6 +130,7 @@ class Demonstration {
         trial.duration_s = phase_s;
         trial.practisedBefore_min = phase.practisedBefore_min;
         trial.practiceScale = static_cast<double>(options_.shortening);
+        trial.fewestTwists = options_.fewestTwists;
         trial.recording.phaseLabel = phase.label;
         const double fraction =
             0.05 + (kUntwistingsFrom - 0.05) * static_cast<double>(done++) / static_cast<double>(total);
@@ -247,6 +249,8 @@ class Demonstration {
         {Text::tr("Simulated date"),
          Text::tr("%1, the same in every run", Text::verbatim("2026-01-05 08:00 UTC"))}};
     inputs.trials = digests_;
+    inputs.competence =
+        competenceOfCohort(connection_, curriculum_.id, inputs.trainees, rules_, options_.simulatedUtc_us);
     for (const Scene* scene : {&training, &example}) {
       inputs.provenance.emplace_back(Text::tr("organ %1", scene->id), scene->organHash);
       inputs.provenance.emplace_back(Text::tr("model parameters %1", scene->id), scene->parameterHash);

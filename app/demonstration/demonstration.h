@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -18,6 +19,9 @@ struct DemonstrationOptions {
   std::uint64_t seed = 1;
   /// One second of a simulated trial stands for this many seconds of training; 1: full length.
   std::int64_t shortening = 60;
+  /// Twists in every phase on the simulator at least, whatever the shortening: 0 leaves it to the time. Eight
+  /// are the fewest for a learning curve.
+  std::size_t fewestTwists = 0;
   SceneRequest training;  ///< what the trainees twist
   SceneRequest example;   ///< a second organ, twisted once before the training
   /// Stamped on every row: a stated, invented date (2026-01-05 08:00 UTC), so that the same seed gives the

@@ -27,6 +27,7 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
+#include "sim/base/digest.h"
 
 namespace torsio {
 
@@ -111,7 +112,11 @@ void allocateTrainees(Connection& connection, IdSource& ids, const std::vector<T
   for (const StudyGroup& group : groups) {
     design.arms.push_back(group.code);
   }
-  const Allocation allocation = allocate(design, seed, persons);
+  // A stream of its own: every other number of the demonstration stays what it was.
+  Digest salt;
+  salt.update("salt of the demonstration");
+  salt.update(static_cast<std::int64_t>(seed));
+  const Allocation allocation = allocate(design, seed, persons, true, salt.hex());
   study.seedCommitment = allocation.commitment;
   study.allocationSeed = static_cast<std::int64_t>(seed);
   LockedDesign stored;
@@ -123,6 +128,7 @@ void allocateTrainees(Connection& connection, IdSource& ids, const std::vector<T
   stored.generator = kAllocationGenerator;
   stored.seedCommitment = allocation.commitment;
   stored.seed = std::to_string(seed);
+  stored.salt = allocation.salt;
   stored.lockedUtc_us = utc_us;
   stored.demonstration = true;
   repository.lockDesign(stored);

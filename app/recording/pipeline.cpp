@@ -35,12 +35,25 @@ ScriptedHandOptions handOf(const Scene& scene, const ScriptedTrial& trial) {
   return hand;
 }
 
+/// Lengthens the trial by a tenth at a time until the plan holds enough twists.
+void lengthen(ScriptedHandOptions& hand, std::size_t fewestTwists) {
+  constexpr double kLonger = 1.1;
+  constexpr double kLongest_s = 3600.0;
+  const double practice = hand.practiceScale * hand.duration_s;
+  while (hand.duration_s < kLongest_s && ScriptedHand(hand).cycles() < fewestTwists) {
+    hand.duration_s *= kLonger;
+    hand.practiceScale = practice / hand.duration_s;
+  }
+}
+
 }  // namespace
 
 TrialSummary recordScriptedTrial(const Scene& scene, const ScriptedTrial& trial, TrialSink& sink) {
   ScriptedHandOptions hand = handOf(scene, trial);
   if (scene.hollow) {
     hand.duration_s = std::max(hand.duration_s, undone_s(*scene.hollow, ScriptedHand(hand)));
+  } else {
+    lengthen(hand, trial.fewestTwists);
   }
   RecordedRun run(borrowed(scene), std::make_unique<ScriptedHand>(hand), trial.recording, borrowed(sink));
   run.step(ticksIn(hand.duration_s));

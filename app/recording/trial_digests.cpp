@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "app/recording/competence.h"
 #include "app/recording/detorsion_rules.h"
 #include "assessment/attempt/trial_digest.h"
 #include "assessment/attempt/trial_listing.h"
@@ -123,6 +124,13 @@ std::vector<TrialSummaryRow> TrialDigests::ofCohort(SessionContext& session, con
   }
   fresh.keep();
   return out;
+}
+
+std::vector<CohortCompetence> TrialDigests::competenceOf(SessionContext& session,
+                                                         const CurriculumVersionId& versionId,
+                                                         const std::vector<CohortTrainee>& trainees) {
+  session.require(Operation::kResultsCompute);
+  return competenceOfCohort(session.connection(), versionId, trainees, rules_, session.now_us());
 }
 
 }  // namespace torsio

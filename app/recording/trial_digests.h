@@ -30,6 +30,12 @@ class TrialDigests {
   [[nodiscard]] std::vector<TrialSummaryRow> ofCohort(SessionContext& session, const CohortId& cohortId,
                                                       const ProgressCallback& progress = {});
 
+  /// Verdicts about everybody at every exercise of a curriculum version (app/recording/competence.h).
+  /// kResultsCompute.
+  [[nodiscard]] std::vector<CohortCompetence> competenceOf(SessionContext& session,
+                                                           const CurriculumVersionId& versionId,
+                                                           const std::vector<CohortTrainee>& trainees);
+
   /// Recordings that had to be read since this was made.
   [[nodiscard]] std::size_t measured() const noexcept { return measured_; }
 

@@ -88,6 +88,7 @@ void addAllocation(SessionContext& session, const CohortId& cohortId, CohortInpu
   }
   const AllocationCheck check = checkAllocation(session, last.stored.id);
   inputs.allocation.replayed = check.sound;
+  inputs.allocation.replayDiffers = !check.sound;
   if (!check.sound) {
     inputs.allocation.design.emplace_back(Text::tr("Check of the draw"), check.finding);
   }
@@ -123,6 +124,9 @@ void nameTrainees(SessionContext& session, CohortInputs& inputs) {
   }
   for (TrialSummaryRow& trial : inputs.trials) {
     rename(trial.trainee);
+  }
+  for (CohortCompetence& one : inputs.competence) {
+    rename(one.trainee);
   }
   for (CohortDose& dose : inputs.doses) {
     rename(dose.trainee);
@@ -180,6 +184,7 @@ CohortInputs reportInputs(SessionContext& session, const ReportRequest& request,
   addFreeze(session, request, inputs);
   inputs.singleMarks = showsSingleMarks(session, request, inputs);
   inputs.trials = digests.ofCohort(session, cohort.id, progress);
+  inputs.competence = digests.competenceOf(session, cohort.curriculumVersionId, inputs.trainees);
   if (request.identity == ReportIdentity::kNamed) {
     nameTrainees(session, inputs);
   }

@@ -8,11 +8,16 @@
 
 #include "app/base/build_info.h"
 #include "assessment/people/person.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/campaign.h"
 #include "assessment/study/allocation.h"
 #include "assessment/study/allocation_entry.h"
 #include "assessment/study/cohort.h"
+#include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
@@ -36,6 +41,16 @@ CohortAllocation checkedAllocation(StudyRepository& study, const CohortId& cohor
   shown.generator = stored.generator;
   shown.commitment = stored.seedCommitment;
   shown.sealed = stored.seed.empty();
+  shown.lockedUtc_us = stored.lockedUtc_us;
+  const std::vector<AllocationEntry> records = study.allocations(stored.id);
+  const std::vector<Enrolment> enrolments = study.enrolments(cohortId);
+  shown.enrolledBeforeLock = std::count_if(enrolments.begin(), enrolments.end(), [&](const Enrolment& one) {
+    return one.enrolledUtc_us <= stored.lockedUtc_us;
+  });
+  for (const AllocationEntry& record : records) {
+    shown.allocatedBeforeLock += record.allocatedUtc_us < stored.lockedUtc_us ? 1 : 0;
+    shown.movedByHand += record.overrideReason.empty() ? 0 : 1;
+  }
   const auto [end, error] =
       std::from_chars(stored.seed.data(), stored.seed.data() + stored.seed.size(), shown.seed);
   if (error != std::errc() || end != stored.seed.data() + stored.seed.size()) {
@@ -49,15 +64,15 @@ CohortAllocation checkedAllocation(StudyRepository& study, const CohortId& cohor
   }
   std::map<std::string, std::string> codeOf;
   std::map<std::string, std::string> groupOf;
-  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
+  for (const Enrolment& enrolment : enrolments) {
     codeOf[enrolment.id] = enrolment.traineeCode;
     groupOf[enrolment.traineeCode] = enrolment.groupCode;
   }
   std::vector<AllocationPerson> persons;
-  for (const AllocationEntry& record : study.allocations(stored.id)) {
+  for (const AllocationEntry& record : records) {
     persons.push_back({codeOf[record.enrolmentId], {}});
   }
-  const Allocation again = allocate(design, shown.seed, persons);
+  const Allocation again = allocate(design, shown.seed, persons, true, stored.salt);
   shown.replayed =
       again.commitment == stored.seedCommitment &&
       std::all_of(again.records.begin(), again.records.end(), [&](const AllocationRecord& record) {
@@ -67,6 +82,46 @@ CohortAllocation checkedAllocation(StudyRepository& study, const CohortId& cohor
 }
 
 constexpr double kMinute_us = 60e6;
+
+/// Minutes of the phases of one kind.
+double plannedMinutes(const StudyArm& arm, PhaseKind kind) {
+  double minutes = 0.0;
+  for (const TrainingPhase& phase : arm.phases) {
+    minutes += phase.kind == kind ? static_cast<double>(phase.duration_us) / kMinute_us : 0.0;
+  }
+  return minutes;
+}
+
+/// The groups with what their arms plan.
+void addGroups(Connection& connection, const CohortId& cohortId, const std::vector<StudyGroup>& groups,
+               CohortInputs& inputs) {
+  const CurriculumVersionId versionId = StudyRepository(connection).cohort(cohortId).curriculumVersionId;
+  const std::optional<CurriculumVersion> version =
+      versionId.empty() ? std::nullopt : CurriculumRepository(connection).version(versionId);
+  for (const StudyGroup& group : groups) {
+    CohortGroup shown{Text::tr("Group %1", group.number), group.label, std::nullopt, std::nullopt};
+    if (version) {
+      for (const StudyArm& arm : version->arms) {
+        if (arm.id == group.armId) {
+          shown.plannedVirtual_min = plannedMinutes(arm, PhaseKind::kVirtual);
+          shown.plannedReal_min = plannedMinutes(arm, PhaseKind::kReal);
+        }
+      }
+    }
+    inputs.groups.push_back(std::move(shown));
+  }
+}
+
+/// How many sheets raters were asked for, and how many are there.
+void addSheets(Connection& connection, const CohortId& cohortId, CohortInputs& inputs) {
+  for (const AssignmentStatus& sheet : SheetRepository(connection).assignments(cohortId)) {
+    if (sheet.state == SheetState::kWithdrawn) {
+      continue;
+    }
+    ++inputs.sheetsAsked;
+    inputs.sheetsPresent += sheet.state == SheetState::kSubmitted ? 1 : 0;
+  }
+}
 
 /// Doses, rests and deviations.
 void addTimes(StudyRepository& study, const CohortId& cohortId, CohortInputs& inputs) {
@@ -106,9 +161,7 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
   }
   inputs.softwareVersion = softwareVersion();
   const std::vector<StudyGroup> groups = study.groups(cohortId);
-  for (const StudyGroup& group : groups) {
-    inputs.groups.push_back({Text::tr("Group %1", group.number), group.label});
-  }
+  addGroups(connection, cohortId, groups, inputs);
   std::map<std::string, Trainee> trainees;
   for (Trainee& trainee : PeopleRepository(connection).trainees()) {
     trainees[trainee.person.code] = trainee;
@@ -152,6 +205,11 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
   inputs.summaries = training.groups;
   inputs.trainingMarks = training.marks;
   inputs.notAssessable = training.notAssessable;
+  inputs.markWays = training.ways;
+  addSheets(connection, cohortId, inputs);
+  for (const CampaignModel& model : campaign.campaign.models) {
+    inputs.modelsHidden += !model.hiddenLabel.empty() && model.hiddenLabel != model.code ? 1 : 0;
+  }
   addTimes(study, cohortId, inputs);
   std::set<std::string> raters;
   for (const TrainingMark& mark : training.marks) {

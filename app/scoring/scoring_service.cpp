@@ -164,6 +164,9 @@ ReadTraining trainingWithHash(Connection& connection, const CohortId& cohortId) 
       continue;  // marked before allocation and in no group yet
     }
     read.result.scale = mark.scale;
+    ++(mark.assignmentId.empty() ? read.result.ways.entered
+       : mark.trialId.empty()    ? read.result.ways.live
+                                 : read.result.ways.blinded);
     TrainingMark scored;
     scored.trainee = mark.traineeCode;
     scored.group = positionOf(groups, mark.groupCode, [](const StudyGroup& g) { return g.code; });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/rating/campaign.h"
+#include "assessment/report/cohort_report.h"
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/training_scores.h"
 #include "assessment/study/occasion.h"
@@ -49,6 +50,7 @@ struct TrainingResult {
   std::vector<TraineeScore> trainees;
   std::vector<GroupSummary> groups;
   std::int64_t notAssessable = 0;  ///< marks that could not be given
+  MarkWays ways;                   ///< how `marks` were given
 };
 
 /// The marks of a cohort with scores and summaries, without storing anything.

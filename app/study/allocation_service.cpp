@@ -231,7 +231,8 @@ AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan
   stored.algorithmVersion = kAllocationVersion;
   stored.parametersJson = designJson(design);
   stored.generator = kAllocationGenerator;
-  stored.seedCommitment = seedCommitment(design, seed);
+  stored.salt = drawSalt(session.ids());
+  stored.seedCommitment = seedCommitment(design, seed, stored.salt);
   stored.seed = std::to_string(seed);
   stored.lockedUtc_us = session.now_us();
   if (!before.empty()) {
@@ -240,6 +241,7 @@ AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan
   stored.demonstration = field.cohort.demonstration;
   study.lockDesign(stored);
   stored.seed.clear();
+  stored.salt.clear();
   session.note({.action = before.empty() ? AuditAction::kAllocationLock : AuditAction::kAllocationSupersede,
                 .objectKind = AuditObject::kAllocationDesign,
                 .objectId = stored.id,
@@ -387,7 +389,7 @@ AllocationCheck checkAllocation(SessionContext& session, const DesignId& designI
       }
       const AllocationDesign design = designFromStored(stored, groupCodes, drawn.size());
       const std::uint64_t seed = seedFrom(study.sealedSeed(designId), designId);
-      if (seedCommitment(design, seed) != stored.seedCommitment) {
+      if (seedCommitment(design, seed, study.sealedSalt(designId)) != stored.seedCommitment) {
         return wrong(Text::tr("seed and design do not give the published commitment"));
       }
       const std::map<std::string, std::string> codes = codesOf(study, cohort.id);

@@ -18,4 +18,13 @@ std::uint64_t drawSeed(IdSource& ids) {
   return seed;
 }
 
+std::string drawSalt(IdSource& ids) {
+  // Three UUIDs hold 366 random bits.
+  Digest digest;
+  for (int i = 0; i < 3; ++i) {
+    digest.update(ids.newUuid());
+  }
+  return digest.hex();
+}
+
 }  // namespace torsio

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace torsio {
 
@@ -10,5 +11,8 @@ class IdSource;
 /// A seed from the same source as record ids: the machine's random numbers, or a test's fixed stream. Private
 /// to the services that draw.
 [[nodiscard]] std::uint64_t drawSeed(IdSource& ids);
+
+/// 256 bits for a commitment (seedCommitment), from the same source.
+[[nodiscard]] std::string drawSalt(IdSource& ids);
 
 }  // namespace torsio

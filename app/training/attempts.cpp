@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/recording/competence.h"
 #include "app/recording/kept_digests.h"
 #include "app/training/trainee_record.h"
 #include "assessment/attempt/trial_listing.h"
@@ -75,20 +76,7 @@ bool isUntwisting(const Attempt& attempt) {
 
 bool counts(const Attempt& attempt, const TrainingModule& module) {
   return attempt.ended && !attempt.interrupted && attempt.moduleId == module.id &&
-         (attempt.mode == AttemptMode::kGraded || module.mode == AttemptMode::kPractice);
-}
-
-AttemptDemands demandsOf(const TrainingModule& module) {
-  return {.leastTwists = module.leastTwists,
-          .forceLimit_N = module.maxForce_N,
-          .torqueLimit_Nm = module.maxTorque_Nm};
-}
-
-MasteryRule masteryRule(const MasteryCriterion& stored) {
-  return {.metric = stored.metric,
-          .atMost = stored.comparison == "at_most",
-          .threshold = stored.threshold,
-          .consecutive = stored.consecutive};
+         countsAt(module, attempt.mode);
 }
 
 std::vector<RuleProgress> ruleProgress(const TrainingModule& module, std::span<const Attempt> attempts) {

@@ -11,7 +11,6 @@
 #include "app/access/session_context.h"
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/attempt/mastery.h"
-#include "assessment/attempt/pass_rule.h"
 #include "assessment/study/curriculum.h"
 #include "assessment/study/protocol_terms.h"
 #include "sim/base/ids.h"
@@ -50,9 +49,6 @@ Attempt attemptOf(SessionContext& session, const TrialId& trialId);
 /// is there for practice.
 [[nodiscard]] bool counts(const Attempt& attempt, const TrainingModule& module);
 
-/// What a module demands of every attempt, whatever its rules ask for.
-[[nodiscard]] AttemptDemands demandsOf(const TrainingModule& module);
-
 /// How far one rule is.
 struct RuleProgress {
   MasteryCriterion rule{};
@@ -60,8 +56,6 @@ struct RuleProgress {
   bool met = false;         ///< so many in a row were reached once: mastery is not lost again
   std::optional<double> last{};
 };
-/// The rule as the domain knows it.
-[[nodiscard]] MasteryRule masteryRule(const MasteryCriterion& stored);
 /// Over the attempts that count, oldest first. An attempt that does not meet the demands of the module, or
 /// for which the metric of a rule is not defined, breaks the row.
 [[nodiscard]] std::vector<RuleProgress> ruleProgress(const TrainingModule& module,

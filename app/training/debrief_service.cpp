@@ -3,6 +3,7 @@
 #include <span>
 #include <utility>
 
+#include "app/recording/competence.h"
 #include "app/recording/detorsion_rules.h"
 #include "app/recording/expert_run.h"
 #include "app/recording/kept_digests.h"

@@ -2,6 +2,7 @@
 #include "app/training/transcript.h"
 
 #include "app/base/build_info.h"
+#include "app/training/trend.h"
 #include "assessment/study/cohort.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -55,7 +56,7 @@ Transcript transcript(SessionContext& session, const PersonId& personId) {
     TranscriptModule module;
     module.step = step;
     module.attempts = attemptsOf(session, personId, step.module.id);
-    module.level = trend(session, personId, step.module.id).level;
+    module.competence = trend(session, personId, step.module.id).competence;
     transcript.modules.push_back(std::move(module));
   }
   addTimes(session, steps, transcript);

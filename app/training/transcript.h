@@ -7,7 +7,7 @@
 
 #include "app/access/session_context.h"
 #include "app/training/next_steps.h"
-#include "app/training/trend.h"
+#include "assessment/attempt/competence.h"
 #include "sim/base/ids.h"
 
 namespace torsio {
@@ -15,7 +15,7 @@ namespace torsio {
 struct TranscriptModule {
   ModuleStep step{};
   std::vector<Attempt> attempts{};  ///< every one, oldest first
-  SkillLevel level = SkillLevel::kNotShown;
+  CompetenceVerdict competence{};
 };
 
 /// What a trainee may take away.

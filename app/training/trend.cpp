@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/recording/competence.h"
+#include "app/recording/kept_digests.h"
 #include "app/training/trainee_record.h"
 #include "assessment/metrics/metric_cards.h"
 #include "assessment/statistics/curve_fit.h"
-#include "assessment/statistics/cusum.h"
 #include "assessment/study/curriculum.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
@@ -16,20 +17,7 @@ namespace torsio {
 
 namespace {
 
-// A trainee who fails one attempt in ten is able, one who fails three in ten is not. With this limit somebody
-// who never fails is shown to be able after five attempts; the second failure soon after that is an alarm.
-constexpr LcCusumDesign kDesign{.adequate = 0.1, .inadequate = 0.3, .limit = 1.25};
-constexpr double kWatchShare = 0.5;
 constexpr int kCurvePoints = 60;
-
-bool passedAll(const TrainingModule& module, const Attempt& attempt) {
-  std::vector<MasteryRule> rules;
-  for (const MasteryCriterion& rule : module.mastery) {
-    rules.push_back(masteryRule(rule));
-  }
-  return meetsDemands(demandsOf(module), attempt.values, attempt.twists) &&
-         passesAll(rules, attempt.values, attempt.onTarget, attempt.twists);
-}
 
 void describeMetric(Trend& trend) {
   if (trend.metric == kOnTargetMetric || trend.metric == kTargetsReachedMetric) {
@@ -96,9 +84,7 @@ void measureDistance(Trend& trend, const TrainingModule& module) {
 
 /// Whether the organ of a module comes twisted, as far as its rules and its attempts tell.
 bool isUndone(const TrainingModule& module, const std::vector<Attempt>& attempts) {
-  return std::any_of(attempts.begin(), attempts.end(), isUntwisting) ||
-         std::any_of(module.mastery.begin(), module.mastery.end(),
-                     [](const MasteryCriterion& rule) { return isDetorsionMetric(rule.metric); });
+  return std::any_of(attempts.begin(), attempts.end(), isUntwisting) || asksForUntwisting(module);
 }
 
 /// What a module is followed by unless somebody chooses: what its rules ask for, how much before whether.
@@ -117,48 +103,6 @@ std::string usualMetric(const TrainingModule& module, bool untwisting) {
 }
 
 }  // namespace
-
-LevelCourse levelCourse(const std::vector<bool>& failed) {
-  LevelCourse course;
-  course.limit = kDesign.limit;
-  bool relapsed = false;
-  auto from = failed.begin();
-  while (from != failed.end()) {
-    const std::vector<bool> rest(from, failed.end());
-    const LcCusum learning = lcCusum(rest, kDesign);
-    const std::size_t until = learning.competentAt.value_or(rest.size());
-    course.sums.insert(course.sums.end(), learning.sums.begin(),
-                       learning.sums.begin() + static_cast<std::ptrdiff_t>(until));
-    if (!learning.competentAt) {
-      course.level = relapsed ? SkillLevel::kRelapsed : SkillLevel::kLearning;
-      break;
-    }
-    if (!course.ableAt) {
-      course.ableAt = course.sums.size();
-    }
-    course.level = SkillLevel::kSteady;
-    const std::vector<bool> after(from + static_cast<std::ptrdiff_t>(until), failed.end());
-    const RelapseWatch watch = watchForRelapse(after, kDesign);
-    const std::size_t seen = watch.alarmAt.value_or(after.size());
-    course.sums.insert(course.sums.end(), watch.sums.begin(),
-                       watch.sums.begin() + static_cast<std::ptrdiff_t>(seen));
-    relapsed = watch.alarmAt.has_value();
-    if (relapsed) {
-      course.level = SkillLevel::kRelapsed;
-    } else if (seen > 0 && course.sums.back() >= kWatchShare * kDesign.limit) {
-      course.level = SkillLevel::kWatch;
-    }
-    from += static_cast<std::ptrdiff_t>(until + seen);
-    if (!relapsed) {
-      break;
-    }
-  }
-  if (failed.size() < kRunsForLevel) {
-    course.level = SkillLevel::kNotShown;
-    course.runsUntilLevel = kRunsForLevel - failed.size();
-  }
-  return course;
-}
 
 Trend trend(SessionContext& session, const PersonId& personId, const ModuleId& moduleId,
             const std::string& metric) {
@@ -179,7 +123,7 @@ Trend trend(SessionContext& session, const PersonId& personId, const ModuleId& m
     trend.metric = usualMetric(*module, trend.untwisting);
   }
   describeMetric(trend);
-  std::vector<bool> failed;
+  std::int64_t made = 0;
   for (const Attempt& attempt : attempts) {
     if (!attempt.ended || attempt.interrupted) {
       continue;
@@ -194,23 +138,16 @@ Trend trend(SessionContext& session, const PersonId& personId, const ModuleId& m
       point.value = value->second;
     }
     point.counted = counts(attempt, *module);
-    point.passed = passedAll(*module, attempt);
-    if (point.counted) {
-      failed.push_back(!point.passed);
-    }
+    point.passed = passesModule(*module, attempt.values, attempt.onTarget, attempt.twists);
+    made += point.counted ? 1 : 0;
     trend.points.push_back(std::move(point));
   }
   measureDistance(trend, *module);
   fitCurve(trend);
-  LevelCourse course = levelCourse(failed);
-  trend.level = course.level;
-  trend.runsUntilLevel = course.runsUntilLevel;
-  trend.cusum = std::move(course.sums);
-  trend.ableAt = course.ableAt;
-  trend.cusumLimit = course.limit;
+  ExerciseRules rules;
+  trend.competence = competenceOf(session.connection(), record.code, *module, rules, session.now_us());
   if (module->attemptLimit) {
-    trend.attemptsLeft =
-        std::max<std::int64_t>(0, *module->attemptLimit - static_cast<std::int64_t>(failed.size()));
+    trend.attemptsLeft = std::max<std::int64_t>(0, *module->attemptLimit - made);
   }
   return trend;
 }

@@ -9,21 +9,11 @@
 
 #include "app/access/session_context.h"
 #include "app/training/attempts.h"
+#include "assessment/attempt/competence.h"
 #include "assessment/study/protocol_terms.h"
 #include "sim/base/ids.h"
 
 namespace torsio {
-
-/// Fewer attempts show nothing but chance.
-inline constexpr std::size_t kRunsForLevel = 3;
-
-enum class SkillLevel {
-  kNotShown,  ///< fewer than kRunsForLevel attempts
-  kLearning,  ///< not yet shown to be able
-  kSteady,    ///< able, and stays so
-  kWatch,     ///< able before; the last attempts raise a doubt
-  kRelapsed,  ///< able before; the doubt has become an alarm
-};
 
 struct TrendPoint {
   TrialId trialId{};
@@ -55,24 +45,10 @@ struct Trend {
   std::optional<double> distance{};  ///< to the threshold from the last value; at most 0: reached
   std::vector<TrendCurvePoint> curve{};
   std::optional<double> asymptote{};
-  std::string noCurveReason{};  ///< in words, when curve is empty
-  SkillLevel level = SkillLevel::kNotShown;
-  std::size_t runsUntilLevel = 0;  ///< of kNotShown
-  std::vector<double> cusum{};     ///< one a counted attempt: LC-CUSUM until able, the relapse watch after
-  std::optional<std::size_t> ableAt{};  ///< number of the counted attempt, from 1
-  double cusumLimit = 0.0;
+  std::string noCurveReason{};     ///< in words, when curve is empty
+  CompetenceVerdict competence{};  ///< level, design and error rates
   std::optional<std::int64_t> attemptsLeft{};
 };
-
-/// The level from passed and failed attempts, oldest first.
-struct LevelCourse {
-  SkillLevel level = SkillLevel::kNotShown;
-  std::size_t runsUntilLevel = 0;
-  std::vector<double> sums{};
-  std::optional<std::size_t> ableAt{};
-  double limit = 0.0;
-};
-[[nodiscard]] LevelCourse levelCourse(const std::vector<bool>& failed);
 
 /// kTrialViewOwn, own attempts only. `metric`: empty: the first of the module's mastery rules that has
 /// a scale, not only yes and no. Throws Error{kBadParameter} for a module that is not in the trainee's

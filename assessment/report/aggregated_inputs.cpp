@@ -61,6 +61,7 @@ CohortInputs withoutSmallGroups(const CohortInputs& inputs, std::vector<Text>& l
   keepGroups(out.scores, newNumber);
   keepGroups(out.summaries, newNumber);
   keepGroups(out.trials, newNumber);
+  keepGroups(out.competence, newNumber);
   std::set<std::string> known;
   for (const CohortTrainee& trainee : out.trainees) {
     known.insert(trainee.code);

@@ -7,6 +7,7 @@
 #include "assessment/report/aggregated_inputs.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
+#include "assessment/report/shown_inputs.h"
 #include "sim/base/text_list.h"
 
 namespace torsio {
@@ -239,6 +240,29 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, std::vect
   }
 }
 
+void addCompetence(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
+  Rows rows(out);
+  rows.place.section = "competence";
+  for (const CohortCompetence& one : in.competence) {
+    rows.place.item = one.trainee;
+    rows.place.group = in.groups[one.group].name.str();
+    rows.place.index = one.exercise.str();
+    rows.place.flags =
+        joinFlags(commonFlags(in), one.designVersion > 0
+                                       ? std::vector<std::string>{}
+                                       : std::vector<std::string>{"design shipped with the exercise"});
+    rows.addText("level", one.level.str(), one.attempts);
+    rows.add("failed", static_cast<double>(one.failed), one.attempts);
+    rows.add("able", one.able ? 1.0 : 0.0, one.attempts);
+    if (one.ableAt) {
+      rows.add("able_at_attempt", static_cast<double>(*one.ableAt), one.attempts);
+    }
+    rows.add("false_pass", one.falsePass, one.withinAttempts);
+    rows.add("false_fail", one.falseFail, one.withinAttempts);
+    rows.add("design_version", static_cast<double>(one.designVersion), one.attempts);
+  }
+}
+
 void addDeviations(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
   Rows rows(out);
   rows.place.section = "deviation";
@@ -278,8 +302,10 @@ void appendField(std::string& text, const std::string& field) {
 std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
   std::vector<Text> left;
   const bool aggregated = inputs.identity == ReportIdentity::kAggregated;
-  const CohortInputs reduced = aggregated ? withoutSmallGroups(inputs, left) : CohortInputs{};
-  const CohortInputs& in = aggregated ? reduced : inputs;
+  CohortInputs in = shownInputs(inputs, left);
+  if (aggregated) {
+    in = withoutSmallGroups(in, left);
+  }
   std::vector<CohortCsvRow> rows;
   addEvaluation(in, rows);
   addTraining(in, rows);
@@ -289,7 +315,16 @@ std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
     addComparison(in, study, rows);
   }
   addTrials(in, rows);
+  addCompetence(in, rows);
   addDeviations(in, rows);
+  if (inputs.sheetsAsked > inputs.sheetsPresent) {
+    Rows sheets(rows);
+    sheets.place.section = "training";
+    sheets.place.item = "all";
+    sheets.place.flags = joinFlags(commonFlags(in), {});
+    sheets.add("sheets_asked", static_cast<double>(inputs.sheetsAsked), inputs.sheetsAsked);
+    sheets.add("sheets_present", static_cast<double>(inputs.sheetsPresent), inputs.sheetsAsked);
+  }
   if (!inputs.singleMarks) {
     std::erase_if(rows, [](const CohortCsvRow& row) {
       return row.statistic == "mark" || row.statistic == "rater_mark";

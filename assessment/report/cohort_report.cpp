@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "assessment/report/aggregated_inputs.h"
 #include "assessment/report/number_format.h"
+#include "assessment/report/record_sentences.h"
 #include "assessment/report/report_sections.h"
+#include "assessment/report/shown_inputs.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -54,6 +57,11 @@ void checkInputs(const CohortInputs& in) {
       refuse(Text::tr("a trial is in a group that does not exist"));
     }
   }
+  for (const CohortCompetence& one : in.competence) {
+    if (one.group >= in.groups.size() || !(one.limit > 0.0)) {
+      refuse(Text::tr("a competence verdict is in a group that does not exist, or has no limit"));
+    }
+  }
 }
 
 double mean(const std::vector<double>& values) {
@@ -98,9 +106,19 @@ ReportTable groupsTable(const CohortInputs& in) {
     table.rows.push_back({in.groups[g].name, in.groups[g].protocol, std::to_string(n), counted(sexes),
                           counted(levels), baseline});
   }
-  table.notes = {
-      Text::tr("No test of baseline differences is shown: allocation was random, so any difference is due to "
-               "chance.")};
+  if (in.allocation.method.empty()) {
+    table.notes = {
+        Text::tr("How the groups were made is not in the record: they may differ from the start.")};
+  } else if (in.allocation.movedByHand > 0) {
+    table.notes = {
+        Text::tr("No test of baseline differences is shown. %1 trainees were moved by hand after the draw: a "
+                 "difference need not be due to chance.",
+                 in.allocation.movedByHand)};
+  } else {
+    table.notes = {Text::tr(
+        "No test of baseline differences is shown: allocation was drawn, so any difference is due to "
+        "chance.")};
+  }
   table.provenance.formula = Text::tr("counts");
   table.provenance.n = std::ssize(in.trainees);
   table.provenance.flags = commonFlags(in);
@@ -249,16 +267,13 @@ ReportSection participantsSection(const CohortInputs& in) {
           ? Text::tr("%1 trainees were allocated to %2 groups; %3 more were enrolled and are in no group",
                      in.trainees.size(), in.groups.size(), in.notAllocated)
           : Text::tr("%1 trainees were allocated to %2 groups", in.trainees.size(), in.groups.size());
-  section.paragraphs.push_back(
-      Text::tr("%1. Method: %2; generator: %3; seed: %4.", enrolled,
-               drawn.method.empty() ? Text::tr("not recorded") : drawn.method,
-               drawn.generator.empty() ? Text::tr("not recorded") : drawn.generator,
-               drawn.sealed ? Text::tr("sealed until the study ends") : Text(std::to_string(drawn.seed))));
-  section.paragraphs.push_back(Text::tr(
-      "Commitment published before enrolment: %1. %2",
-      drawn.commitment.empty() ? Text::tr("none") : Text(drawn.commitment),
-      drawn.replayed ? Text::tr("The sequence was repeated from the seed and every arm was found the same.")
-                     : Text::tr("The sequence has not been repeated from the seed.")));
+  section.paragraphs.push_back(Text::tr("%1. Method: %2; generator: %3; seed: %4.", enrolled,
+                                        drawn.method.empty() ? Text::tr("not recorded") : drawn.method,
+                                        drawn.generator.empty() ? Text::tr("not recorded") : drawn.generator,
+                                        drawn.sealed           ? Text::tr("sealed until the study ends")
+                                        : drawn.method.empty() ? Text::tr("not recorded")
+                                                               : Text(std::to_string(drawn.seed))));
+  section.paragraphs.push_back(Text::verbatim("%1 %2", commitmentSentence(drawn), replaySentence(drawn)));
   section.tables = {groupsTable(in), flowTable(in)};
   if (!in.allocation.design.empty()) {
     section.tables.push_back(
@@ -330,36 +345,56 @@ ReportSection trialsSection(const CohortInputs& in) {
 ReportSection methodsSection(const CohortInputs& in) {
   ReportSection section;
   section.title = Text::tr("Methods and limits");
-  section.paragraphs.push_back(Text::tr(
-      "M (Eq. 25) is the sum over rater classes of the class weight times the class mean. s2 (Eq. 26) is the "
-      "mean squared distance of all raters' marks from M, with divisor n; it is not the usual variance, "
-      "because its centre is the weighted mean. N (Eq. 27) is the sum over indices of the index weight times "
-      "M."));
-  section.paragraphs.push_back(Text::tr("Missing marks: %1.", policyText(in.evaluationPolicy.missing)));
-  section.paragraphs.push_back(Text::tr(
-      "The text under Eq. 26 of the paper speaks of the chief physicians' scores, but its sum runs over all "
-      "raters; all raters are used here, and the chief physicians are shown alone where the figure says "
-      "so."));
-  section.paragraphs.push_back(Text::tr(
-      "The paper gives the scale of the model evaluation as 0 to 10 and that of the training study as 1 to "
-      "10; both are kept."));
-  section.paragraphs.push_back(Text::tr(
-      "The variance of the training evaluation is not defined in the paper. The figure shows the variance of "
-      "the trainee scores with divisor n; the table lists the other readings."));
-  section.paragraphs.push_back(Text::tr(
-      "Marks were not blinded: raters knew the group or the model, and interns were users and raters at "
-      "once, so marks are not independent of each other."));
-  section.paragraphs.push_back(Text::tr(
-      "Groups are compared by an analysis of covariance: the score at the end, adjusted for the score "
-      "before, "
-      "one pooled slope; the trainee is the unit. Effect sizes are Hedges g with intervals from the "
-      "noncentral t distribution. Agreement of raters is the intraclass correlation for absolute agreement "
-      "(Shrout and Fleiss) and Krippendorff's alpha. Severity is a rater's mean distance from the other "
-      "raters. Learning is judged by LC-CUSUM on twists within the tolerance."));
-  section.paragraphs.push_back(Text::tr(
-      "Groups of ten detect only very large differences: with two groups of ten, a two-sided test at 5 % has "
-      "a power of 0.40 for a difference of 0.8 standard deviations. A difference that is not significant is "
-      "no evidence of equality."));
+  if (!in.evaluations.empty()) {
+    section.paragraphs.push_back(Text::tr(
+        "M (Eq. 25) is the sum over rater classes of the class weight times the class mean. s2 (Eq. 26) is "
+        "the "
+        "mean squared distance of all raters' marks from M, with divisor n; it is not the usual variance, "
+        "because its centre is the weighted mean. N (Eq. 27) is the sum over indices of the index weight "
+        "times "
+        "M."));
+    section.paragraphs.push_back(Text::tr("Missing marks: %1.", policyText(in.evaluationPolicy.missing)));
+    section.paragraphs.push_back(Text::tr(
+        "The text under Eq. 26 of the paper speaks of the chief physicians' scores, but its sum runs over "
+        "all "
+        "raters; all raters are used here, and the chief physicians are shown alone where the figure says "
+        "so."));
+  }
+  if (!in.evaluations.empty() && !in.scores.empty()) {
+    section.paragraphs.push_back(Text::tr(
+        "The paper gives the scale of the model evaluation as 0 to 10 and that of the training study as 1 to "
+        "10; here they run from %1 to %2 and from %3 to %4.",
+        formatFixed(pointsFromSteps(in.instrument.scale.lo, in.instrument.scale), 0),
+        formatFixed(pointsFromSteps(in.instrument.scale.hi, in.instrument.scale), 0),
+        formatFixed(pointsFromSteps(in.trainingScale.lo, in.trainingScale), 0),
+        formatFixed(pointsFromSteps(in.trainingScale.hi, in.trainingScale), 0)));
+  }
+  if (!in.scores.empty()) {
+    section.paragraphs.push_back(
+        Text::tr("The variance of the training evaluation is not defined in the paper. The figure shows the "
+                 "variance of "
+                 "the trainee scores with divisor n; the table lists the other readings."));
+  }
+  for (Text& sentence : blindingSentences(in)) {
+    section.paragraphs.push_back(std::move(sentence));
+  }
+  if (!in.trainingMarks.empty()) {
+    section.paragraphs.push_back(Text::tr(
+        "Groups are compared by an analysis of covariance: the score at the end, adjusted for the score "
+        "before, "
+        "one pooled slope; the trainee is the unit. Effect sizes are Hedges g with intervals from the "
+        "noncentral t distribution. Agreement of raters is the intraclass correlation for absolute agreement "
+        "(Shrout and Fleiss) and Krippendorff's alpha. Severity is a rater's mean distance from the other "
+        "raters."));
+  }
+  if (!in.competence.empty()) {
+    section.paragraphs.push_back(Text::tr(
+        "Who is held to be able is judged by LC-CUSUM, by the designs and with the error rates of the "
+        "section Competence."));
+  }
+  if (Text power = powerSentence(in); !power.empty()) {
+    section.paragraphs.push_back(std::move(power));
+  }
   if (in.demonstration) {
     section.paragraphs.push_back(Text::tr(
         "All people and marks in this report are simulated. No conclusion about training, trainees or models "
@@ -422,10 +457,19 @@ ReportModel reportOf(const CohortInputs& in) {
   if (!in.trainingMarks.empty()) {
     const StudyAnalysis study = analyseStudy(in);
     report.sections.push_back(analysisSection(in, study));
+    if (std::optional<ReportTable> within = withinGroupsTable(in, study)) {
+      report.sections.back().tables.push_back(std::move(*within));
+    }
     report.sections.push_back(ratersSection(in, study));
+    for (ReportTable& table : reliabilityTables(in, study)) {
+      report.sections.back().tables.push_back(std::move(table));
+    }
   }
   if (ReportSection learning = learningSection(in); !learning.tables.empty()) {
     report.sections.push_back(std::move(learning));
+  }
+  if (!in.competence.empty()) {
+    report.sections.push_back(competenceSection(in));
   }
   if (!in.trials.empty()) {
     report.sections.push_back(trialsSection(in));
@@ -445,22 +489,28 @@ ReportModel reportOf(const CohortInputs& in) {
 
 }  // namespace
 
-ReportModel cohortReport(const CohortInputs& in) {
-  checkInputs(in);
-  if (in.identity != ReportIdentity::kAggregated) {
-    return reportOf(in);
-  }
+ReportModel cohortReport(const CohortInputs& inputs) {
+  checkInputs(inputs);
   std::vector<Text> left;
-  ReportModel report = reportOf(withoutSmallGroups(in, left));
-  removeIndividuals(report);
-  left.push_back(Text::tr(
-      "This report is aggregated: it holds no line about a single person and no count of fewer than %1 "
-      "people beside others.",
-      kSmallestCell));
-  ReportSection section;
-  section.title = Text::tr("What is left out");
-  section.paragraphs = std::move(left);
-  report.sections.insert(report.sections.begin(), std::move(section));
+  CohortInputs in = shownInputs(inputs, left);
+  const bool aggregated = in.identity == ReportIdentity::kAggregated;
+  if (aggregated) {
+    in = withoutSmallGroups(in, left);
+  }
+  ReportModel report = reportOf(in);
+  if (aggregated) {
+    removeIndividuals(report);
+    left.push_back(Text::tr(
+        "This report is aggregated: it holds no line about a single person and no count of fewer than %1 "
+        "people beside others.",
+        kSmallestCell));
+  }
+  if (!left.empty()) {
+    ReportSection section;
+    section.title = Text::tr("What is left out");
+    section.paragraphs = std::move(left);
+    report.sections.insert(report.sections.begin(), std::move(section));
+  }
   return report;
 }
 

@@ -39,6 +39,9 @@ struct CohortTrainee {
 struct CohortGroup {
   Text name;      ///< "Group 1"
   Text protocol;  ///< "40 min virtual"
+  /// Of the curriculum's arm; empty: the group follows none.
+  std::optional<double> plannedVirtual_min{};
+  std::optional<double> plannedReal_min{};
 };
 
 /// How trainees came into their groups.
@@ -48,9 +51,14 @@ struct CohortAllocation {
   Text generator;
   std::uint64_t seed = 0;
   std::string commitment;
-  bool replayed = false;  ///< the sequence was repeated from the seed and found the same
-  Facts design;           ///< strata, block sizes ...
-  bool sealed = false;    ///< the seed has not been revealed yet and is not printed
+  bool replayed = false;                 ///< the sequence was repeated from the seed and found the same
+  Facts design;                          ///< strata, block sizes ...
+  bool sealed = false;                   ///< the seed has not been revealed yet and is not printed
+  bool replayDiffers = false;            ///< it was repeated, and something was found to differ
+  std::int64_t lockedUtc_us = 0;         ///< when the commitment was made; 0: not known
+  std::int64_t enrolledBeforeLock = 0;   ///< trainees enrolled at that time or before
+  std::int64_t allocatedBeforeLock = 0;  ///< trainees allocated before that time
+  std::int64_t movedByHand = 0;          ///< allocations that are not as drawn
 };
 
 /// The named state of the data that the report is made from.
@@ -70,7 +78,14 @@ struct CohortDeviation {
   std::string description;
 };
 
-/// What a trainee spent training and resting.
+/// How the marks of the training study were given, counted.
+struct MarkWays {
+  std::int64_t blinded = 0;  ///< on a recording under a case label, by a sheet of the desk
+  std::int64_t live = 0;     ///< by a sheet at the real arm
+  std::int64_t entered = 0;  ///< without any sheet
+};
+
+/// What a trainee spent training and resting, as it was noted.
 struct CohortDose {
   std::string trainee;
   double virtual_min = 0.0;
@@ -107,6 +122,26 @@ struct TrialSummaryRow {
   std::vector<TwistAttempt> attempts;
   /// Metrics of an untwisting by id, those that are defined; empty: an exercise of twisting.
   std::map<std::string, double> detorsion{};
+};
+
+/// The verdict about one trainee at one exercise, as every other place shows it (app/recording/competence.h).
+struct CohortCompetence {
+  std::string trainee;
+  std::size_t group = 0;
+  Text exercise;
+  std::int64_t attempts = 0;
+  std::int64_t failed = 0;
+  Text level;  ///< in words
+  bool able = false;
+  std::optional<std::int64_t> ableAt{};  ///< number of the attempt that first showed it
+  std::vector<double> sums{};            ///< one an attempt: LC-CUSUM until able, the relapse watch after
+  double limit = 1.0;
+  double falsePass = 0.0;
+  double falseFail = 0.0;
+  std::int64_t withinAttempts = 0;  ///< to which both rates belong
+  std::int64_t designVersion = 0;   ///< 0: the design shipped with the exercise
+  Text design;                      ///< in words
+  Text errors;                      ///< both rates in words, within the attempts of the design
 };
 
 /// An evaluation that cannot be computed yet.
@@ -151,11 +186,17 @@ struct CohortInputs {
   /// Whether the reader may see single marks; scores, agreement and severity are shown in any case.
   bool singleMarks = true;
 
+  MarkWays markWays;
+  std::int64_t sheetsAsked = 0;    ///< of raters for this cohort, without those withdrawn
+  std::int64_t sheetsPresent = 0;  ///< of them, submitted
+  std::int64_t modelsHidden = 0;   ///< evaluated models that stood before their raters under a hidden label
+
   std::int64_t notAssessable = 0;  ///< marks that a rater could not give, with a reason
   std::vector<CohortDose> doses;
   std::vector<CohortDeviation> deviations;
 
   std::vector<TrialSummaryRow> trials;
+  std::vector<CohortCompetence> competence;
   Facts provenance;  ///< organ hash, parameter hash, database schema ...
 };
 

@@ -303,11 +303,19 @@ ReportSection evaluationSection(const CohortInputs& in) {
         Text::tr("%1 %2 (weight %3)", n, Text(raterClass.name),
                  formatFixed(static_cast<double>(raterClass.weight_milli) / 1000.0, kReadableDecimals)));
   }
-  section.paragraphs.push_back(Text::tr(
-      "Each rater scored every model on %1 indices from %2 to %3 points. Raters: %4.",
-      in.instrument.indices.size(),
-      formatFixed(pointsFromSteps(in.instrument.scale.lo, in.instrument.scale), 0),
-      formatFixed(pointsFromSteps(in.instrument.scale.hi, in.instrument.scale), 0), listed(classes)));
+  const std::string lo = formatFixed(pointsFromSteps(in.instrument.scale.lo, in.instrument.scale), 0);
+  const std::string hi = formatFixed(pointsFromSteps(in.instrument.scale.hi, in.instrument.scale), 0);
+  std::int64_t missing = 0;
+  for (const ModelEvaluation& model : in.evaluations) {
+    missing += model.missing;
+  }
+  section.paragraphs.push_back(
+      missing == 0
+          ? Text::tr("Each rater scored every model on %1 indices from %2 to %3 points. Raters: %4.",
+                     in.instrument.indices.size(), lo, hi, listed(classes))
+          : Text::tr("Raters scored the models on %1 indices from %2 to %3 points; %4 marks are missing. "
+                     "Raters: %5.",
+                     in.instrument.indices.size(), lo, hi, missing, listed(classes)));
   std::vector<Text> ranking;
   for (const ModelEvaluation& model : in.evaluations) {
     ranking.push_back(Text::verbatim("%1 %2", model.model, formatFixed(model.n27, kScoreDecimals)));

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <set>
 
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
 #include "assessment/statistics/curve_fit.h"
-#include "assessment/statistics/cusum.h"
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/distributions.h"
 
@@ -57,10 +58,13 @@ ReportFigure learningFigure(const CohortInputs& in, const std::vector<Course>& a
   figure.xLabel = Text::tr("number of the twist");
   figure.yLabel = Text::tr("absolute angle error (deg)");
   figure.yMin = 0.0;
+  std::size_t mostAtFirst = 0;
+  std::size_t fewestAtLast = std::numeric_limits<std::size_t>::max();
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     FigureSeries series;
     series.name = in.groups[g].name;
     series.look = g;
+    std::size_t last = 0;
     for (std::size_t n = 0; n < longest(all); ++n) {
       std::vector<double> errors;
       for (const Course& course : all) {
@@ -80,57 +84,26 @@ ReportFigure learningFigure(const CohortInputs& in, const std::vector<Course>& a
       series.low.push_back(std::max(0.0, mean - half));
       series.high.push_back(mean + half);
       figure.provenance.n += std::ssize(errors);
+      mostAtFirst = std::max(mostAtFirst, errors.size());
+      last = errors.size();
     }
+    fewestAtLast = last > 0 ? std::min(fewestAtLast, last) : fewestAtLast;
     if (!series.y.empty()) {
       figure.series.push_back(series);
     }
   }
-  figure.notes = {
-      Text::tr("Twists on the simulator only; a point needs at least two trainees. Fewer trainees make more "
-               "twists, so that the last points rest on few.")};
-  return figure;
-}
-
-ReportFigure cusumFigure(const CohortInputs& in, const std::vector<Course>& all,
-                         const LcCusumDesign& design) {
-  ReportFigure figure = itemOf<ReportFigure>(in, "figure-lc-cusum", Text::tr("LC-CUSUM of every trainee"),
-                                             Text::tr("LC-CUSUM, Biau and Porcher 2010"));
-  figure.kind = FigureKind::kLines;
-  figure.individual = true;
-  figure.xLabel = Text::tr("number of the twist");
-  figure.yLabel = Text::tr("cumulative sum");
-  figure.yMin = 0.0;
-  std::vector<bool> named(in.groups.size(), false);
-  for (const Course& course : all) {
-    std::vector<bool> failed;
-    for (const TwistAttempt& attempt : course.attempts) {
-      failed.push_back(!attempt.onTarget);
-    }
-    const LcCusum sums = lcCusum(failed, design);
-    FigureSeries series;
-    series.name = course.trainee;
-    series.look = course.group;
-    series.faint = true;
-    for (std::size_t i = 0; i < sums.sums.size(); ++i) {
-      series.x.push_back(static_cast<double>(i + 1));
-      series.y.emplace_back(sums.sums[i]);
-    }
-    figure.provenance.n += std::ssize(sums.sums);
-    figure.series.push_back(series);
+  figure.notes = {Text::tr("Twists on the simulator only; a point needs at least two trainees.")};
+  if (fewestAtLast < mostAtFirst) {
+    figure.notes.push_back(Text::tr("The first points rest on up to %1 trainees of a group, the last on %2.",
+                                    mostAtFirst, fewestAtLast));
   }
-  figure.references = {{design.limit, Text::tr("adequate")}};
-  figure.notes = {Text::tr(
-      "A twist within the tolerance counts as success. Adequate: a failure rate of %1 against %2; a "
-      "trainee whose sum reaches %3 is held to be adequate. Sums cannot fall below zero.",
-      formatFixed(design.adequate, 2), formatFixed(design.inadequate, 2), formatFixed(design.limit, 2))};
   return figure;
 }
 
-ReportTable learningTable(const CohortInputs& in, const std::vector<Course>& all,
-                          const LcCusumDesign& design) {
+ReportTable learningTable(const CohortInputs& in, const std::vector<Course>& all) {
   ReportTable table =
       itemOf<ReportTable>(in, "table-learning", Text::tr("Learning of every trainee on the simulator"),
-                          Text::tr("exponential learning curve; LC-CUSUM"));
+                          Text::tr("exponential learning curve"));
   table.individual = true;
   table.columns = {Text::tr("Group"),
                    Text::tr("Trainee"),
@@ -138,28 +111,24 @@ ReportTable learningTable(const CohortInputs& in, const std::vector<Course>& all
                    Text::tr("On target"),
                    Text::tr("Mean error, first half (deg)"),
                    Text::tr("Second half (deg)"),
-                   Text::tr("Error left in the end (deg)"),
-                   Text::tr("Adequate at twist")};
+                   Text::tr("Error left in the end (deg)")};
   for (const Course& course : all) {
     std::vector<double> number;
     std::vector<double> error;
-    std::vector<bool> failed;
+    std::int64_t onTarget = 0;
     for (const TwistAttempt& attempt : course.attempts) {
       number.push_back(static_cast<double>(number.size() + 1));
       error.push_back(attempt.error_deg);
-      failed.push_back(!attempt.onTarget);
+      onTarget += attempt.onTarget ? 1 : 0;
     }
     const std::size_t half = error.size() / 2;
     const std::span<const double> values(error);
     const Outcome<LearningCurve> fit = fitLearningCurve(LearningFamily::kExponential, number, error);
-    const std::optional<std::size_t> adequate = lcCusum(failed, design).competentAt;
     table.rows.push_back(
-        {in.groups[course.group].name, course.trainee, std::to_string(error.size()),
-         std::to_string(std::count(failed.begin(), failed.end(), false)),
+        {in.groups[course.group].name, course.trainee, std::to_string(error.size()), std::to_string(onTarget),
          half > 0 ? Text(formatFixed(meanOf(values.first(half)), 2)) : Text::tr("too few"),
          formatFixed(meanOf(values.subspan(half)), 2),
-         fit ? Text(formatFixed(fit->asymptote, 2)) : Text::tr("not fitted: %1", Text(fit.reason())),
-         adequate ? Text(std::to_string(*adequate)) : Text::tr("not yet")});
+         fit ? Text(formatFixed(fit->asymptote, 2)) : Text::tr("not fitted: %1", Text(fit.reason()))});
     table.provenance.n += std::ssize(error);
   }
   table.notes = {Text::tr(
@@ -167,44 +136,80 @@ ReportTable learningTable(const CohortInputs& in, const std::vector<Course>& all
   return table;
 }
 
-ReportTable doseTable(const CohortInputs& in) {
-  ReportTable table = itemOf<ReportTable>(in, "table-dose", Text::tr("Time spent training and resting"),
-                                          Text::tr("sums of the recorded times"));
-  table.columns = {Text::tr("Group"),
-                   Text::tr("Trainees"),
-                   Text::tr("Mean virtual (min)"),
-                   Text::tr("Mean real (min)"),
-                   Text::tr("Trainees who rested"),
-                   Text::tr("Rest in all (min)")};
-  std::map<std::string, std::size_t> groupOf;
+/// Sums over the trainees of one group.
+struct GroupTimes {
+  std::int64_t trainees = 0;
+  CohortDose noted;
+  double recorded_min = 0.0;
+  std::int64_t rested = 0;
+};
+
+GroupTimes timesOf(const CohortInputs& in, std::size_t group) {
+  GroupTimes sum;
+  std::set<std::string> members;
   for (const CohortTrainee& trainee : in.trainees) {
-    groupOf[trainee.code] = trainee.group;
-  }
-  for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    CohortDose sum;
-    std::int64_t n = 0;
-    std::int64_t rested = 0;
-    for (const CohortDose& dose : in.doses) {
-      const auto found = groupOf.find(dose.trainee);
-      if (found == groupOf.end() || found->second != g) {
-        continue;
-      }
-      ++n;
-      sum.virtual_min += dose.virtual_min;
-      sum.real_min += dose.real_min;
-      sum.rest_min += dose.rest_min;
-      rested += dose.rest_min > 0.0 ? 1 : 0;
+    if (trainee.group == group) {
+      members.insert(trainee.code);
     }
-    if (n == 0) {
+  }
+  for (const CohortDose& dose : in.doses) {
+    if (!members.contains(dose.trainee)) {
       continue;
     }
-    const auto count = static_cast<double>(n);
-    table.rows.push_back({in.groups[g].name, std::to_string(n), formatFixed(sum.virtual_min / count, 1),
-                          formatFixed(sum.real_min / count, 1), std::to_string(rested),
-                          formatFixed(sum.rest_min, 1)});
-    table.provenance.n += n;
+    ++sum.trainees;
+    sum.noted.virtual_min += dose.virtual_min;
+    sum.noted.real_min += dose.real_min;
+    sum.noted.rest_min += dose.rest_min;
+    sum.rested += dose.rest_min > 0.0 ? 1 : 0;
+  }
+  for (const TrialSummaryRow& trial : in.trials) {
+    // An untwisting belongs to no phase of the study's arms.
+    sum.recorded_min += members.contains(trial.trainee) && trial.detorsion.empty() ? trial.minutes : 0.0;
+  }
+  return sum;
+}
+
+ReportTable doseTable(const CohortInputs& in) {
+  ReportTable table =
+      itemOf<ReportTable>(in, "table-dose", Text::tr("Time spent training and resting"),
+                          Text::tr("plan of the arms; times noted; lengths of the recordings"));
+  table.columns = {Text::tr("Group"),
+                   Text::tr("Trainees"),
+                   Text::tr("Virtual, planned (min)"),
+                   Text::tr("Virtual, mean noted (min)"),
+                   Text::tr("Virtual, mean recorded (min)"),
+                   Text::tr("Real, planned (min)"),
+                   Text::tr("Real, mean noted (min)"),
+                   Text::tr("Trainees who rested"),
+                   Text::tr("Rest in all (min)")};
+  const auto planned = [](const std::optional<double>& minutes) {
+    return minutes ? Text(formatFixed(*minutes, 1)) : Text::tr("no plan");
+  };
+  double noted = 0.0;
+  double recorded = 0.0;
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    const GroupTimes sum = timesOf(in, g);
+    if (sum.trainees == 0) {
+      continue;
+    }
+    const auto count = static_cast<double>(sum.trainees);
+    table.rows.push_back(
+        {in.groups[g].name, std::to_string(sum.trainees), planned(in.groups[g].plannedVirtual_min),
+         formatFixed(sum.noted.virtual_min / count, 1), formatFixed(sum.recorded_min / count, 2),
+         planned(in.groups[g].plannedReal_min), formatFixed(sum.noted.real_min / count, 1),
+         std::to_string(sum.rested), formatFixed(sum.noted.rest_min, 1)});
+    table.provenance.n += sum.trainees;
+    noted += sum.noted.virtual_min;
+    recorded += sum.recorded_min;
   }
   table.notes = {Text::tr("Rest stops the clock of the training phases.")};
+  if (noted > 0.0) {
+    table.notes.push_back(
+        Text::tr("Recordings make up %1 % of the time noted on the simulator; the rest was spent between the "
+                 "runs, or is "
+                 "not recorded.",
+                 formatFixed(100.0 * recorded / noted, 1)));
+  }
   return table;
 }
 
@@ -214,7 +219,6 @@ ReportSection learningSection(const CohortInputs& in) {
   ReportSection section;
   section.title = Text::tr("Learning");
   const std::vector<Course> all = courses(in);
-  const LcCusumDesign design;
   if (!in.doses.empty()) {
     section.tables.push_back(doseTable(in));
   }
@@ -229,8 +233,7 @@ ReportSection learningSection(const CohortInputs& in) {
   if (!learning.series.empty()) {
     section.figures.push_back(learning);
   }
-  section.figures.push_back(cusumFigure(in, all, design));
-  section.tables.push_back(learningTable(in, all, design));
+  section.tables.push_back(learningTable(in, all));
   return section;
 }
 

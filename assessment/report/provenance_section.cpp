@@ -95,10 +95,15 @@ ReportTable sourcesTable(const CohortInputs& in) {
       Text::tr("submitted marks of the occasions"), std::ssize(in.trainingMarks), hashOfTrainingMarks(in));
   add(Text::tr("Learning; Recorded trials"), Text::tr("recordings, listed below"), std::ssize(in.trials),
       hashOfTrials(in));
-  table.notes = {Text::tr(
-      "Every submitted mark and every recording is sealed in the record; a trial can be replayed and "
-      "compared "
-      "bit for bit (torsio replay TRIAL --verify).")};
+  if (!in.trials.empty()) {
+    const auto open = std::count_if(in.trials.begin(), in.trials.end(),
+                                    [](const TrialSummaryRow& trial) { return trial.contentHash.empty(); });
+    table.notes.push_back(
+        open == 0
+            ? Text::tr("Every recording is sealed in the record by its content hash; it can be replayed and "
+                       "compared bit for bit (torsio replay TRIAL --verify).")
+            : Text::tr("%1 recordings have no content hash: nothing shows that they are unchanged.", open));
+  }
   if (in.notAssessable > 0) {
     table.notes.push_back(
         Text::tr("%1 marks could not be given and carry a reason; they count as missing.", in.notAssessable));

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "assessment/report/number_format.h"
+#include "assessment/report/record_sentences.h"
 #include "assessment/report/report_labels.h"
 #include "assessment/report/report_sections.h"
 
@@ -67,9 +68,14 @@ ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study) 
     figure.provenance.n += rater.n;
   }
   figure.series = {series};
-  figure.notes = {Text::tr(
-      "Strictest first. Scores are not corrected for severity: every trainee is scored by the same raters, "
-      "so that it does not change their order.")};
+  figure.notes = {
+      allMarksGiven(in)
+          ? Text::tr(
+                "Strictest first. Scores are not corrected for severity: every trainee is scored by the same "
+                "raters, so that it does not change their order.")
+          : Text::tr(
+                "Strictest first. Scores are not corrected for severity, and not every trainee is scored by "
+                "the same raters: a strict or lenient rater may change their order.")};
   return figure;
 }
 

@@ -15,10 +15,19 @@ namespace torsio {
 [[nodiscard]] ReportSection analysisSection(const CohortInputs& inputs, const StudyAnalysis& study);
 [[nodiscard]] ReportSection ratersSection(const CohortInputs& inputs, const StudyAnalysis& study);
 [[nodiscard]] ReportSection learningSection(const CohortInputs& inputs);
+/// Who is held to be able, by which design and with which errors.
+[[nodiscard]] ReportSection competenceSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection deviationsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection trialsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection methodsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection provenanceSection(const CohortInputs& inputs);
+
+/// Returns what more or fewer raters would give, and each rater's severity on one scale.
+[[nodiscard]] std::vector<ReportTable> reliabilityTables(const CohortInputs& inputs,
+                                                         const StudyAnalysis& study);
+/// Returns what each group gained by itself; empty: scores are missing.
+[[nodiscard]] std::optional<ReportTable> withinGroupsTable(const CohortInputs& inputs,
+                                                           const StudyAnalysis& study);
 
 /// Returns the table of the trials in which an organ was undone; empty: there are none.
 [[nodiscard]] std::optional<ReportTable> detorsionTable(const CohortInputs& inputs);

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "assessment/report/number_format.h"
+#include "assessment/report/record_sentences.h"
 #include "assessment/report/report_sections.h"
 #include "assessment/statistics/distributions.h"
 
@@ -60,10 +61,8 @@ ReportFigure scoresFigure(const CohortInputs& in, std::size_t occasion) {
     }
     out.series.push_back(series);
   }
-  out.notes = {Text::tr(
-      "Corresponds to Fig. %1 of the paper. A score is the mean over the raters; the test is on the real "
-      "arm.",
-      20 + occasion)};
+  out.notes = {
+      Text::tr("Corresponds to Fig. %1 of the paper. A score is the mean over the raters.", 20 + occasion)};
   out.provenance = provenance(in, Text::tr("mean over raters"), n);
   out.provenance.missing = std::ssize(in.trainees) - n;
   return out;
@@ -232,22 +231,33 @@ ReportTable scoresTable(const CohortInputs& in) {
   return table;
 }
 
+/// By how much the training of a demonstration was shortened, from what was noted and what was recorded.
+Text shorteningSentence(const CohortInputs& in) {
+  double noted_min = 0.0;
+  double recorded_min = 0.0;
+  for (const CohortDose& dose : in.doses) {
+    noted_min += dose.virtual_min;
+  }
+  for (const TrialSummaryRow& trial : in.trials) {
+    recorded_min += trial.detorsion.empty() ? trial.minutes : 0.0;
+  }
+  return noted_min > 0.0 && recorded_min > 0.0 ? Text::tr(
+                                                     "Training was shortened for this demonstration: %1 "
+                                                     "minutes of simulated exercise stand for "
+                                                     "%2 minutes of the protocol (1 : %3).",
+                                                     formatFixed(recorded_min, 1), formatFixed(noted_min, 1),
+                                                     formatFixed(noted_min / recorded_min, 1))
+                                               : Text::tr("Training was shortened for this demonstration.");
+}
+
 }  // namespace
 
 ReportSection trainingSection(const CohortInputs& in) {
   ReportSection section;
   section.title = Text::tr("Training study");
-  section.paragraphs.push_back(Text::tr(
-      "%1 physicians scored every trainee at %2 occasions on a scale from %3 to %4. A trainee's score "
-      "is the plain mean of these marks.",
-      in.trainingRaters, in.occasions.size(),
-      formatFixed(pointsFromSteps(in.trainingScale.lo, in.trainingScale), 0),
-      formatFixed(pointsFromSteps(in.trainingScale.hi, in.trainingScale), 0)));
+  section.paragraphs.push_back(marksSentence(in));
   if (in.trainingTimeDivisor > 1) {
-    section.paragraphs.push_back(
-        Text::tr("Training was shortened for this demonstration: each minute of the protocol stands for %1 "
-                 "seconds of simulated exercise (1 : %2).",
-                 formatFixed(60.0 / static_cast<double>(in.trainingTimeDivisor), 1), in.trainingTimeDivisor));
+    section.paragraphs.push_back(shorteningSentence(in));
   }
   section.paragraphs.push_back(Text::tr("Rests taken during training: %1.", in.rests));
   for (std::size_t t = 0; t < in.occasions.size(); ++t) {

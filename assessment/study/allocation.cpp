@@ -14,6 +14,7 @@ namespace torsio {
 
 namespace {
 
+constexpr std::size_t kSaltDigits = 64;
 constexpr const char* kOneList = "all";          // the block list when there are no strata
 constexpr const char* kLeftovers = "leftovers";  // the list that fills the incomplete blocks of all strata
 
@@ -166,11 +167,34 @@ std::string designText(const AllocationDesign& design) {
   return text;
 }
 
-std::string seedCommitment(const AllocationDesign& design, std::uint64_t seed) {
+std::string seedCommitment(const AllocationDesign& design, std::uint64_t seed, const std::string& salt) {
   Digest digest;
   digest.update(designText(design));
   digest.update(static_cast<std::int64_t>(seed));
+  digest.update(salt);
   return digest.hex();
+}
+
+bool isSalt(const std::string& text) noexcept {
+  return text.size() == kSaltDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+std::string allocationHead(const Allocation& allocation) {
+  std::vector<std::int64_t> counts(allocation.design.arms.size(), 0);
+  for (const AllocationRecord& record : allocation.records) {
+    ++counts.at(record.arm);
+  }
+  std::string numbers;
+  appendNumbers(numbers, counts);
+  const std::string records = std::to_string(allocation.records.size());
+  Digest digest;
+  for (const std::string& part :
+       {allocation.salt, allocation.commitment, records, numbers,
+        allocation.records.empty() ? std::string() : allocation.records.back().hash}) {
+    digest.update(static_cast<std::int64_t>(part.size()));
+    digest.update(part);
+  }
+  return "torsio-allocation 1 " + records + " " + digest.hex();
 }
 
 std::string recordHash(const AllocationRecord& record) {
@@ -351,7 +375,7 @@ AllocationRecord Allocator::assign(const AllocationPerson& person, const Allocat
 }
 
 Allocation allocate(AllocationDesign design, std::uint64_t seed, const std::vector<AllocationPerson>& persons,
-                    bool jointLeftovers) {
+                    bool jointLeftovers, const std::string& salt) {
   if (design.method == AllocationMethod::kCompletePermutation) {
     design.participants = persons.size();
   }
@@ -372,11 +396,13 @@ Allocation allocate(AllocationDesign design, std::uint64_t seed, const std::vect
   for (const AllocationPerson& person : persons) {
     allocator.assign(person);
   }
-  return {design, seed, seedCommitment(design, seed), allocator.records()};
+  Allocation made{design, seed, salt, seedCommitment(design, seed, salt), allocator.records(), {}};
+  made.head = allocationHead(made);
+  return made;
 }
 
-ReplayFinding replayAllocation(const Allocation& allocation) {
-  if (seedCommitment(allocation.design, allocation.seed) != allocation.commitment) {
+ReplayFinding replayAllocation(const Allocation& allocation, const std::string& keptHead) {
+  if (seedCommitment(allocation.design, allocation.seed, allocation.salt) != allocation.commitment) {
     return {false, std::nullopt, "seed and design do not give the published commitment"};
   }
   Allocator allocator(allocation.design, allocation.seed);
@@ -393,6 +419,13 @@ ReplayFinding replayAllocation(const Allocation& allocation) {
     }
     if (again.hash != kept.hash) {
       return {false, i, "the seed gives another record"};
+    }
+  }
+  const std::string head = allocationHead(allocation);
+  for (const std::string& kept : {allocation.head, keptHead}) {
+    if (!kept.empty() && kept != head) {
+      return {false, std::nullopt,
+              "the head of the chain differs: records were cut off or added, or persons changed places"};
     }
   }
   return {};

@@ -61,8 +61,14 @@ void validateDesign(const AllocationDesign& design);
 [[nodiscard]] std::string designText(const AllocationDesign& design);
 
 /// Computes the commitment that is published before the first person is enrolled: BLAKE2b-256 over study,
-/// design and seed. Whoever is given the seed at the end can check that it was not chosen afterwards.
-[[nodiscard]] std::string seedCommitment(const AllocationDesign& design, std::uint64_t seed);
+/// design, seed and salt. Whoever is given seed and salt at the end can check that they were not chosen
+/// afterwards; without the salt, 256 random bits as 64 hexadecimal digits, no seed can be guessed from it.
+/// `salt` empty: a commitment made before there were salts.
+[[nodiscard]] std::string seedCommitment(const AllocationDesign& design, std::uint64_t seed,
+                                         const std::string& salt = {});
+
+/// Whether a text is a salt: 64 hexadecimal digits in lower case.
+[[nodiscard]] bool isSalt(const std::string& text) noexcept;
 
 struct AllocationPerson {
   std::string code;                 ///< pseudonym
@@ -136,24 +142,34 @@ class Allocator {
 struct Allocation {
   AllocationDesign design;
   std::uint64_t seed = 0;
+  std::string salt{};  ///< sealed with the seed
   std::string commitment;
   std::vector<AllocationRecord> records;
+  std::string head{};  ///< as it was kept; empty: none was
 };
 
-/// Allocates all persons in order; fills in the numbers that are known when everybody is (participants,
-/// stratum totals when `jointLeftovers`).
-[[nodiscard]] Allocation allocate(AllocationDesign design, std::uint64_t seed,
-                                  const std::vector<AllocationPerson>& persons, bool jointLeftovers = true);
+/// Returns the head of the chain as one line to be kept elsewhere: "torsio-allocation 1 RECORDS HASH", where
+/// the hash covers salt, commitment, how many records and persons in each arm there are, and the last record.
+/// Records that were cut off or added, and a chain that was written anew with other persons, give another
+/// one.
+[[nodiscard]] std::string allocationHead(const Allocation& allocation);
 
-/// What a replay from the seed found. `sound` when every arm, every draw count, the commitment and the chain
-/// agree.
+/// Allocates all persons in order; fills in the numbers that are known when everybody is (participants,
+/// stratum totals when `jointLeftovers`), commitment and head.
+[[nodiscard]] Allocation allocate(AllocationDesign design, std::uint64_t seed,
+                                  const std::vector<AllocationPerson>& persons, bool jointLeftovers = true,
+                                  const std::string& salt = {});
+
+/// What a replay from the seed found. `sound` when every arm, every draw count, the commitment, the chain and
+/// its head agree.
 struct ReplayFinding {
   bool sound = true;
   std::optional<std::size_t> firstWrongPosition;
   std::string reason;
 };
 
-/// Repeats the allocation from seed and recorded factor levels and compares.
-[[nodiscard]] ReplayFinding replayAllocation(const Allocation& allocation);
+/// Repeats the allocation from seed and recorded factor levels and compares. `keptHead`: a head that was kept
+/// elsewhere, which nobody who rewrites the whole allocation can change; empty: the one of the allocation.
+[[nodiscard]] ReplayFinding replayAllocation(const Allocation& allocation, const std::string& keptHead = {});
 
 }  // namespace torsio

@@ -18,6 +18,7 @@ struct LockedDesign {
   std::string generator{};       ///< "mt19937_64"
   std::string seedCommitment{};  ///< hash of the seed, published beforehand
   std::string seed{};            ///< kept in a table of its own; empty when read before it was revealed
+  std::string salt{};            ///< of the commitment; sealed and revealed with the seed
   std::int64_t lockedUtc_us = 0;
   bool demonstration = false;
 };

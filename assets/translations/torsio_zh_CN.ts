@@ -1217,14 +1217,6 @@
         <translation>张开钳口前先稍微转回。</translation>
     </message>
     <message>
-        <source>One more run until a level is shown</source>
-        <translation>再完成 1 次即可显示水平</translation>
-    </message>
-    <message>
-        <source>%1 more runs until a level is shown</source>
-        <translation>再完成 %1 次即可显示水平</translation>
-    </message>
-    <message>
         <source>Learning</source>
         <translation>学习中</translation>
     </message>
@@ -1239,26 +1231,6 @@
     <message>
         <source>Relapsed</source>
         <translation>退步</translation>
-    </message>
-    <message>
-        <source>Fewer than three runs show nothing but chance.</source>
-        <translation>少于三次的结果只反映偶然。</translation>
-    </message>
-    <message>
-        <source>Not yet shown to be reliable. About five good runs in a row show it.</source>
-        <translation>尚未证明可靠。连续约五次良好操作即可证明。</translation>
-    </message>
-    <message>
-        <source>Reliable, and staying so.</source>
-        <translation>可靠，并保持稳定。</translation>
-    </message>
-    <message>
-        <source>Reliable before; the last runs raise a doubt. One more good run or two settles it.</source>
-        <translation>此前可靠；最近的操作令人存疑。再有一两次良好操作即可消除。</translation>
-    </message>
-    <message>
-        <source>Reliable before, not now. Practise until the level is steady again.</source>
-        <translation>此前可靠，现在不再可靠。请练习至恢复稳定。</translation>
     </message>
     <message>
         <source>Connected</source>
@@ -1436,6 +1408,34 @@
     <message>
         <source>Measured before by version %1 of the definitions: peak force %2, beyond the limits. That is kept and no longer counts.</source>
         <translation>此前按第 %1 版定义测得：最大力 %2，超出限值。该结果予以保留，但不再作数。</translation>
+    </message>
+    <message>
+        <source>One more attempt until a level is shown</source>
+        <translation>再尝试一次即显示水平</translation>
+    </message>
+    <message>
+        <source>%1 more attempts until a level is shown</source>
+        <translation>再尝试 %1 次即显示水平</translation>
+    </message>
+    <message>
+        <source>So few attempts can show nobody to be able.</source>
+        <translation>尝试这么少，无法表明任何人已胜任。</translation>
+    </message>
+    <message>
+        <source>Not yet shown to be able. %1 good attempts in a row show it.</source>
+        <translation>尚未表明已胜任。连续 %1 次成功即可表明。</translation>
+    </message>
+    <message>
+        <source>Able, and staying so.</source>
+        <translation>已胜任，并保持稳定。</translation>
+    </message>
+    <message>
+        <source>Able before; the last attempts raise a doubt.</source>
+        <translation>此前已胜任；最近几次尝试令人存疑。</translation>
+    </message>
+    <message>
+        <source>Able before, not now. Practise until the level is steady again.</source>
+        <translation>此前已胜任，现在不再是。请练习到水平重新稳定。</translation>
     </message>
 </context>
 <context>
@@ -6076,14 +6076,6 @@
         <translation>作为主要分析（协方差分析）之外的补充分析。提高值按整数排秩。</translation>
     </message>
     <message>
-        <source>A twist within the tolerance counts as success. Adequate: a failure rate of %1 against %2; a trainee whose sum reaches %3 is held to be adequate. Sums cannot fall below zero.</source>
-        <translation>扭转误差在容差以内计为成功。合格标准：失败率 %1，对照 %2；累积和达到 %3 的学员判为合格。累积和不低于零。</translation>
-    </message>
-    <message>
-        <source>Adequate at twist</source>
-        <translation>达到合格的扭转序号</translation>
-    </message>
-    <message>
         <source>Agreement and comparisons</source>
         <translation>一致性与组间比较</translation>
     </message>
@@ -6176,10 +6168,6 @@
         <translation>批次</translation>
     </message>
     <message>
-        <source>Commitment published before enrolment: %1. %2</source>
-        <translation>登记前公布的承诺值：%1。%2</translation>
-    </message>
-    <message>
         <source>Comparison</source>
         <translation>比较</translation>
     </message>
@@ -6202,10 +6190,6 @@
     <message>
         <source>Content hash</source>
         <translation>内容哈希</translation>
-    </message>
-    <message>
-        <source>Corresponds to Fig. %1 of the paper. A score is the mean over the raters; the test is on the real arm.</source>
-        <translation>对应论文图 %1。得分为各评分者评分的均值；考核在真实手臂上进行。</translation>
     </message>
     <message>
         <source>Corresponds to Fig. 15 of the paper. The symbol in each range is the class-weighted mean M.</source>
@@ -6372,10 +6356,6 @@
         <translation>模型评价</translation>
     </message>
     <message>
-        <source>Every submitted mark and every recording is sealed in the record; a trial can be replayed and compared bit for bit (torsio replay TRIAL --verify).</source>
-        <translation>每个已提交的评分和每份录制都封存在记录库中；操作可以回放并逐位比对（torsio replay TRIAL --verify）。</translation>
-    </message>
-    <message>
         <source>First group minus second group. An interval that crosses zero leaves the direction open.</source>
         <translation>前一组减后一组。区间跨过零时，差异方向尚不能确定。</translation>
     </message>
@@ -6440,16 +6420,8 @@
         <translation>组数</translation>
     </message>
     <message>
-        <source>Groups are compared by an analysis of covariance: the score at the end, adjusted for the score before, one pooled slope; the trainee is the unit. Effect sizes are Hedges g with intervals from the noncentral t distribution. Agreement of raters is the intraclass correlation for absolute agreement (Shrout and Fleiss) and Krippendorff&apos;s alpha. Severity is a rater&apos;s mean distance from the other raters. Learning is judged by LC-CUSUM on twists within the tolerance.</source>
-        <translation>组间比较采用协方差分析：以训练前得分校正结束时得分，共用一个斜率；以学员为分析单位。效应量为 Hedges g，其区间由非中心 t 分布得出。评分者间一致性采用绝对一致的组内相关系数（Shrout 与 Fleiss）和 Krippendorff α。严格度为该评分者与其余评分者的平均差。学习效果以容差内扭转的 LC-CUSUM 判定。</translation>
-    </message>
-    <message>
         <source>Groups are not compared: scores are missing at some occasion.</source>
         <translation>未作组间比较：某些评分时点缺少得分。</translation>
-    </message>
-    <message>
-        <source>Groups of ten detect only very large differences: with two groups of ten, a two-sided test at 5 % has a power of 0.40 for a difference of 0.8 standard deviations. A difference that is not significant is no evidence of equality.</source>
-        <translation>每组十人只能检出很大的差异：两组各十人、双侧 5 % 检验时，对 0.8 个标准差的差异检验效能为 0.40。差异不显著不能说明两组相等。</translation>
     </message>
     <message>
         <source>Hash of the source</source>
@@ -6522,10 +6494,6 @@
     <message>
         <source>Kruskal-Wallis, Dunn with Holm, exact Mann-Whitney</source>
         <translation>Kruskal-Wallis 检验，Dunn 检验（Holm 校正），Mann-Whitney 精确检验</translation>
-    </message>
-    <message>
-        <source>LC-CUSUM of every trainee</source>
-        <translation>各学员的 LC-CUSUM</translation>
     </message>
     <message>
         <source>LC-CUSUM, Biau and Porcher 2010</source>
@@ -6636,10 +6604,6 @@
         <translation>平均秩次（1 为最低）</translation>
     </message>
     <message>
-        <source>Mean real (min)</source>
-        <translation>实物训练均值 (min)</translation>
-    </message>
-    <message>
         <source>Mean score before</source>
         <translation>训练前平均得分</translation>
     </message>
@@ -6654,10 +6618,6 @@
     <message>
         <source>Mean variance between raters, divisor n - 1</source>
         <translation>评分者间平均方差（除数 n - 1）</translation>
-    </message>
-    <message>
-        <source>Mean virtual (min)</source>
-        <translation>虚拟训练均值 (min)</translation>
     </message>
     <message>
         <source>Means are taken over trials. Measured by the simulator; the marks of the physicians are separate.</source>
@@ -6718,10 +6678,6 @@
     <message>
         <source>No deviation from the protocol was reported.</source>
         <translation>没有报告方案偏离。</translation>
-    </message>
-    <message>
-        <source>No test of baseline differences is shown: allocation was random, so any difference is due to chance.</source>
-        <translation>不列基线差异检验：分组是随机的，任何差异均属偶然。</translation>
     </message>
     <message>
         <source>Number</source>
@@ -6818,10 +6774,6 @@
     <message>
         <source>Raters with all marks</source>
         <translation>评分完整的评分者数</translation>
-    </message>
-    <message>
-        <source>Marks were not blinded: raters knew the group or the model, and interns were users and raters at once, so marks are not independent of each other.</source>
-        <translation>评分未设盲：评分者知道组别或模型，实习医师既是使用者又是评分者，因此评分之间并不独立。</translation>
     </message>
     <message>
         <source>Record compared with it</source>
@@ -6968,16 +6920,8 @@
         <translation>各内容哈希的前 16 位；完整哈希见数据表 (CSV)。</translation>
     </message>
     <message>
-        <source>The interaction is the question; everybody improves with time. Greenhouse-Geisser epsilon %1.</source>
-        <translation>关注的是交互作用；随时间推移所有人都会提高。Greenhouse-Geisser ε = %1。</translation>
-    </message>
-    <message>
         <source>The marks are simulated. The tables show what is computed and how it is presented; their values mean nothing.</source>
         <translation>评分为模拟数据。各表仅展示计算内容与呈现方式，数值没有意义。</translation>
-    </message>
-    <message>
-        <source>The paper gives the scale of the model evaluation as 0 to 10 and that of the training study as 1 to 10; both are kept.</source>
-        <translation>论文中模型评价的量表为 0 至 10，训练研究的量表为 1 至 10；两者均予保留。</translation>
     </message>
     <message>
         <source>The sequence has not been repeated from the seed.</source>
@@ -7052,10 +6996,6 @@
         <translation>训练研究；一致性与组间比较；评分者</translation>
     </message>
     <message>
-        <source>Training was shortened for this demonstration: each minute of the protocol stands for %1 seconds of simulated exercise (1 : %2).</source>
-        <translation>本演示缩短了训练时间：方案中的每一分钟对应 %1 秒模拟练习（1 : %2）。</translation>
-    </message>
-    <message>
         <source>Trial</source>
         <translation>操作编号</translation>
     </message>
@@ -7074,10 +7014,6 @@
     <message>
         <source>Twists</source>
         <translation>扭转次数</translation>
-    </message>
-    <message>
-        <source>Twists on the simulator only; a point needs at least two trainees. Fewer trainees make more twists, so that the last points rest on few.</source>
-        <translation>仅含模拟器上的扭转；每个点至少需要两名学员。扭转次数越多的学员越少，故末端各点所依据的人数较少。</translation>
     </message>
     <message>
         <source>Upper quartile</source>
@@ -7212,10 +7148,6 @@
         <translation>绝对角度误差 (°)</translation>
     </message>
     <message>
-        <source>adequate</source>
-        <translation>合格界限</translation>
-    </message>
-    <message>
         <source>after %1 min</source>
         <translation>%1 分钟后</translation>
     </message>
@@ -7296,10 +7228,6 @@
         <translation>计数</translation>
     </message>
     <message>
-        <source>cumulative sum</source>
-        <translation>累积和</translation>
-    </message>
-    <message>
         <source>demonstration data</source>
         <translation>演示数据</translation>
     </message>
@@ -7346,10 +7274,6 @@
     <message>
         <source>every score is the same</source>
         <translation>所有得分相同</translation>
-    </message>
-    <message>
-        <source>exponential learning curve; LC-CUSUM</source>
-        <translation>指数学习曲线；LC-CUSUM</translation>
     </message>
     <message>
         <source>factor &quot;%1&quot; has no levels</source>
@@ -7560,10 +7484,6 @@
         <translation>不显示（少于 %1）</translation>
     </message>
     <message>
-        <source>not yet</source>
-        <translation>尚未</translation>
-    </message>
-    <message>
         <source>number of the twist</source>
         <translation>扭转序号</translation>
     </message>
@@ -7674,10 +7594,6 @@
     <message>
         <source>submitted marks of the occasions</source>
         <translation>各评分时点提交的评分</translation>
-    </message>
-    <message>
-        <source>sums of the recorded times</source>
-        <translation>记录时间的合计</translation>
     </message>
     <message>
         <source>the allocation list is used up</source>
@@ -10907,6 +10823,510 @@
         <source>like living tissue</source>
         <translation>如同活体组织</translation>
     </message>
+    <message>
+        <source>there is no such exercise in a published curriculum</source>
+        <translation>已发布的课程中没有这个练习</translation>
+    </message>
+    <message>
+        <source>a tolerance chosen by hand needs a reason</source>
+        <translation>自行选定的容差需要说明理由</translation>
+    </message>
+    <message>
+        <source>competence design</source>
+        <translation>胜任标准</translation>
+    </message>
+    <message>
+        <source>Write why, in a few words</source>
+        <translation>请简短写明原因</translation>
+    </message>
+    <message>
+        <source>%1 people of this cohort have a finished run at this exercise; %2 are needed</source>
+        <translation>该批次中有 %1 人完成过这个练习；需要 %2 人</translation>
+    </message>
+    <message>
+        <source>Let more experts make a run, or keep the tolerance of the exercise</source>
+        <translation>请让更多专家完成一次，或保留练习的容差</translation>
+    </message>
+    <message>
+        <source>Keep the tolerance of the exercise</source>
+        <translation>请保留练习的容差</translation>
+    </message>
+    <message>
+        <source>an untwisting that passes</source>
+        <translation>一次通过的复位</translation>
+    </message>
+    <message>
+        <source>a twist let go within %1 degrees (tolerance %2)</source>
+        <translation>松开时误差在 %1 度以内的一次扭转（容差%2）</translation>
+    </message>
+    <message>
+        <source>Competence design, version %1</source>
+        <translation>胜任标准第 %1 版</translation>
+    </message>
+    <message>
+        <source>Competence design shipped with the exercise (none was registered before the first attempt)</source>
+        <translation>随练习提供的胜任标准（首次尝试前没有登记标准）</translation>
+    </message>
+    <message>
+        <source>%1: success is %2; able once the LC-CUSUM of failure rates %3 against %4 reaches %5, planned for %6 attempts.</source>
+        <translation>%1：成功指%2；失败率 %3 对 %4 的 LC-CUSUM 达到 %5 即为胜任，按 %6 次尝试设计。</translation>
+    </message>
+    <message>
+        <source>Within %1 attempts, %2 of trainees who fail %3 of their attempts are held to be able (false pass), and %4 of those who fail only %5 are not (false fail).</source>
+        <translation>在 %1 次尝试内，失败率为 %3 的学员中有 %2 会被误认为胜任（误通过），失败率仅为 %5 的学员中有 %4 不被认为胜任（误不通过）。</translation>
+    </message>
+    <message>
+        <source>not shown yet, %1 attempts missing</source>
+        <translation>尚未显示，还差 %1 次尝试</translation>
+    </message>
+    <message>
+        <source>learning</source>
+        <translation>学习中</translation>
+    </message>
+    <message>
+        <source>able, since attempt %1</source>
+        <translation>自第 %1 次尝试起胜任</translation>
+    </message>
+    <message>
+        <source>able since attempt %1; the last attempts raise a doubt</source>
+        <translation>自第 %1 次尝试起胜任；最近几次尝试令人存疑</translation>
+    </message>
+    <message>
+        <source>able at attempt %1, not any more</source>
+        <translation>在第 %1 次尝试时胜任，现在不再是</translation>
+    </message>
+    <message>
+        <source>must lie above 0 and below 1</source>
+        <translation>必须大于 0 且小于 1</translation>
+    </message>
+    <message>
+        <source>Give a share such as 0.05</source>
+        <translation>请给出比例，例如 0.05</translation>
+    </message>
+    <message>
+        <source>adequate failure rate</source>
+        <translation>胜任者的失败率</translation>
+    </message>
+    <message>
+        <source>inadequate failure rate</source>
+        <translation>未胜任者的失败率</translation>
+    </message>
+    <message>
+        <source>largest false pass</source>
+        <translation>最大误通过率</translation>
+    </message>
+    <message>
+        <source>largest false fail</source>
+        <translation>最大误不通过率</translation>
+    </message>
+    <message>
+        <source>must be greater than the adequate one</source>
+        <translation>必须大于胜任者的失败率</translation>
+    </message>
+    <message>
+        <source>Give two rates that differ, such as 0.1 and 0.3</source>
+        <translation>请给出两个不同的失败率，例如 0.1 和 0.3</translation>
+    </message>
+    <message>
+        <source>must lie between 1 and %1</source>
+        <translation>必须在 1 到 %1 之间</translation>
+    </message>
+    <message>
+        <source>number of attempts</source>
+        <translation>尝试次数</translation>
+    </message>
+    <message>
+        <source>Give as many as a trainee makes, such as 50</source>
+        <translation>请给出学员会做的次数，例如 50</translation>
+    </message>
+    <message>
+        <source>must lie above 0 and at most at 180 degrees</source>
+        <translation>必须大于 0 且不超过 180 度</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>容差</translation>
+    </message>
+    <message>
+        <source>Give an angle in degrees</source>
+        <translation>请以度给出角度</translation>
+    </message>
+    <message>
+        <source>no limit keeps the largest false pass within these attempts</source>
+        <translation>在这些尝试次数内，没有界限能保证最大误通过率</translation>
+    </message>
+    <message>
+        <source>Plan more attempts, or rates that lie farther apart</source>
+        <translation>请计划更多次尝试，或让两个失败率相差更大</translation>
+    </message>
+    <message>
+        <source>%1 of the adequate trainees would not pass within %2 attempts; at most %3 are wanted</source>
+        <translation>%1 的胜任者在 %2 次尝试内不会通过；最多允许 %3</translation>
+    </message>
+    <message>
+        <source>Competence design registered</source>
+        <translation>已登记胜任标准</translation>
+    </message>
+    <message>
+        <source>The interaction is the question: whether the groups take different courses. Greenhouse-Geisser epsilon %1.</source>
+        <translation>关键是交互作用：各组的进程是否不同。Greenhouse-Geisser ε 为 %1。</translation>
+    </message>
+    <message>
+        <source>a competence verdict is in a group that does not exist, or has no limit</source>
+        <translation>一项胜任判定属于不存在的组，或没有界限</translation>
+    </message>
+    <message>
+        <source>How the groups were made is not in the record: they may differ from the start.</source>
+        <translation>记录中没有说明如何分组：各组一开始就可能不同。</translation>
+    </message>
+    <message>
+        <source>No test of baseline differences is shown. %1 trainees were moved by hand after the draw: a difference need not be due to chance.</source>
+        <translation>不显示基线差异的检验。抽取之后有 %1 名学员被人工调组：差异不一定出于偶然。</translation>
+    </message>
+    <message>
+        <source>No test of baseline differences is shown: allocation was drawn, so any difference is due to chance.</source>
+        <translation>不显示基线差异的检验：分组由抽取决定，任何差异都出于偶然。</translation>
+    </message>
+    <message>
+        <source>The paper gives the scale of the model evaluation as 0 to 10 and that of the training study as 1 to 10; here they run from %1 to %2 and from %3 to %4.</source>
+        <translation>论文中模型评价的量表为 0 到 10，训练研究的量表为 1 到 10；此处分别为 %1 到 %2 和 %3 到 %4。</translation>
+    </message>
+    <message>
+        <source>Groups are compared by an analysis of covariance: the score at the end, adjusted for the score before, one pooled slope; the trainee is the unit. Effect sizes are Hedges g with intervals from the noncentral t distribution. Agreement of raters is the intraclass correlation for absolute agreement (Shrout and Fleiss) and Krippendorff&apos;s alpha. Severity is a rater&apos;s mean distance from the other raters.</source>
+        <translation>各组用协方差分析比较：结束时的得分，按训练前得分校正，使用一个合并斜率；分析单位为学员。效应量为 Hedges g，区间由非中心 t 分布得出。评分者一致性用绝对一致的组内相关系数（Shrout 和 Fleiss）和 Krippendorff α。严格程度为一名评分者与其他评分者的平均差距。</translation>
+    </message>
+    <message>
+        <source>Who is held to be able is judged by LC-CUSUM, by the designs and with the error rates of the section Competence.</source>
+        <translation>谁被认为胜任由 LC-CUSUM 判定，所用标准和错误率见“胜任”一节。</translation>
+    </message>
+    <message>
+        <source>%1. %2 %3</source>
+        <translation>%1。%2%3</translation>
+    </message>
+    <message>
+        <source>LC-CUSUM of every trainee and exercise</source>
+        <translation>每名学员每个练习的 LC-CUSUM</translation>
+    </message>
+    <message>
+        <source>number of the attempt</source>
+        <translation>尝试序号</translation>
+    </message>
+    <message>
+        <source>cumulative sum, share of the limit</source>
+        <translation>累积和，占界限的比例</translation>
+    </message>
+    <message>
+        <source>able</source>
+        <translation>胜任</translation>
+    </message>
+    <message>
+        <source>A success raises the sum, a failure lowers it, never below zero. A line ends where it reaches the limit: the trainee is held to be able from there on, with the error rates stated above.</source>
+        <translation>成功使累积和上升，失败使其下降，但不低于零。线在达到界限处结束：从那时起学员被认为胜任，错误率如上所述。</translation>
+    </message>
+    <message>
+        <source>Competence of every trainee</source>
+        <translation>每名学员的胜任判定</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>练习</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>尝试次数</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>False pass</source>
+        <translation>误通过</translation>
+    </message>
+    <message>
+        <source>False fail</source>
+        <translation>误不通过</translation>
+    </message>
+    <message>
+        <source>Within attempts</source>
+        <translation>在多少次尝试内</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>标准</translation>
+    </message>
+    <message>
+        <source>registered, version %1</source>
+        <translation>已登记，第 %1 版</translation>
+    </message>
+    <message>
+        <source>shipped with the exercise</source>
+        <translation>随练习提供</translation>
+    </message>
+    <message>
+        <source>Competence by group</source>
+        <translation>各组的胜任情况</translation>
+    </message>
+    <message>
+        <source>Able now and not able, trainees</source>
+        <translation>目前胜任与未胜任的学员数</translation>
+    </message>
+    <message>
+        <source>not able</source>
+        <translation>未胜任</translation>
+    </message>
+    <message>
+        <source>Competence</source>
+        <translation>胜任</translation>
+    </message>
+    <message>
+        <source>Raters scored the models on %1 indices from %2 to %3 points; %4 marks are missing. Raters: %5.</source>
+        <translation>评分者按 %1 项指标以 %2 到 %3 分评价模型；缺少 %4 个评分。评分者：%5。</translation>
+    </message>
+    <message>
+        <source>Twists on the simulator only; a point needs at least two trainees.</source>
+        <translation>仅含模拟器上的扭转；每个点至少需要两名学员。</translation>
+    </message>
+    <message>
+        <source>The first points rest on up to %1 trainees of a group, the last on %2.</source>
+        <translation>最初的点基于每组至多 %1 名学员，最后的点基于 %2 名。</translation>
+    </message>
+    <message>
+        <source>exponential learning curve</source>
+        <translation>指数学习曲线</translation>
+    </message>
+    <message>
+        <source>plan of the arms; times noted; lengths of the recordings</source>
+        <translation>各研究组的计划；登记的时间；录制的长度</translation>
+    </message>
+    <message>
+        <source>Virtual, planned (min)</source>
+        <translation>虚拟，计划（min）</translation>
+    </message>
+    <message>
+        <source>Virtual, mean noted (min)</source>
+        <translation>虚拟，平均登记（min）</translation>
+    </message>
+    <message>
+        <source>Virtual, mean recorded (min)</source>
+        <translation>虚拟，平均录制（min）</translation>
+    </message>
+    <message>
+        <source>Real, planned (min)</source>
+        <translation>真实，计划（min）</translation>
+    </message>
+    <message>
+        <source>Real, mean noted (min)</source>
+        <translation>真实，平均登记（min）</translation>
+    </message>
+    <message>
+        <source>no plan</source>
+        <translation>无计划</translation>
+    </message>
+    <message>
+        <source>Recordings make up %1 % of the time noted on the simulator; the rest was spent between the runs, or is not recorded.</source>
+        <translation>录制占模拟器登记时间的 %1 %；其余时间用在各次练习之间，或没有录制。</translation>
+    </message>
+    <message>
+        <source>Every recording is sealed in the record by its content hash; it can be replayed and compared bit for bit (torsio replay TRIAL --verify).</source>
+        <translation>每份录制都以内容哈希封存在记录中；可以重放并逐位比较（torsio replay TRIAL --verify）。</translation>
+    </message>
+    <message>
+        <source>%1 recordings have no content hash: nothing shows that they are unchanged.</source>
+        <translation>%1 份录制没有内容哈希：无法表明它们未被更改。</translation>
+    </message>
+    <message>
+        <source>Strictest first. Scores are not corrected for severity, and not every trainee is scored by the same raters: a strict or lenient rater may change their order.</source>
+        <translation>最严格者在前。得分未按严格程度校正，且并非每名学员都由相同的评分者评分：严格或宽松的评分者可能改变学员的次序。</translation>
+    </message>
+    <message>
+        <source>Raters were blinded: all %1 marks of the training study were given on recordings under a case label, without name, group or occasion.</source>
+        <translation>评分者处于盲态：训练研究的全部 %1 个评分都是在只有病例标签的录制上给出的，不显示姓名、组别和时点。</translation>
+    </message>
+    <message>
+        <source>Raters were not blinded: all %1 marks of the training study were given live at the real arm, where the rater sees the trainee.</source>
+        <translation>评分者未处于盲态：训练研究的全部 %1 个评分都是在真实手臂旁现场给出的，评分者看得到学员。</translation>
+    </message>
+    <message>
+        <source>Nothing shows that raters were blinded: all %1 marks of the training study were entered without a sheet of the desk.</source>
+        <translation>没有任何依据表明评分者处于盲态：训练研究的全部 %1 个评分都不是通过评分台的评分表录入的。</translation>
+    </message>
+    <message>
+        <source>Raters were blinded in part: of %1 marks of the training study %2 were given on recordings under a case label, %3 live at the real arm, where the rater sees the trainee, and %4 were entered without a sheet of the desk.</source>
+        <translation>评分者部分处于盲态：训练研究的 %1 个评分中，%2 个是在只有病例标签的录制上给出的，%3 个是在真实手臂旁现场给出的（评分者看得到学员），%4 个不是通过评分台的评分表录入的。</translation>
+    </message>
+    <message>
+        <source>All %1 models stood before their raters under hidden labels.</source>
+        <translation>全部 %1 个模型都以隐藏标签呈现给评分者。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 models stood before their raters under hidden labels.</source>
+        <translation>%2 个模型中有 %1 个以隐藏标签呈现给评分者。</translation>
+    </message>
+    <message>
+        <source>%1 trainees of this cohort are raters of the models as well: their marks are not independent of their training.</source>
+        <translation>该批次中有 %1 名学员同时是模型的评分者：他们的评分与其训练并不独立。</translation>
+    </message>
+    <message>
+        <source>The groups have %1 trainees: with fewer than two in a group nothing can be compared.</source>
+        <translation>各组人数为 %1：一组不足两人时无法比较。</translation>
+    </message>
+    <message>
+        <source>The groups have %1 trainees. Two groups of %2 have a power of %3 in a two-sided t test at 5 % for a difference of 0.8 standard deviations, and detect one of %4 with a power of 0.80. A difference that is not significant is no evidence of equality.</source>
+        <translation>各组人数为 %1。两个各 %2 人的组在 5 % 水平的双侧 t 检验中，对 0.8 个标准差的差异的检验效能为 %3；以 0.80 的效能可检出 %4 个标准差的差异。差异不显著并不证明相等。</translation>
+    </message>
+    <message>
+        <source>No commitment to the seed is in the record.</source>
+        <translation>记录中没有对种子的承诺。</translation>
+    </message>
+    <message>
+        <source>Commitment to the seed: %1; when it was made is not in the record.</source>
+        <translation>对种子的承诺：%1；记录中没有作出承诺的时间。</translation>
+    </message>
+    <message>
+        <source>Commitment to the seed: %1, made %2, after %3 trainees had been allocated.</source>
+        <translation>对种子的承诺：%1，作出于 %2，当时已有 %3 名学员分组。</translation>
+    </message>
+    <message>
+        <source>Commitment to the seed: %1, made %2, before anybody was allocated and after %3 trainees had been enrolled.</source>
+        <translation>对种子的承诺：%1，作出于 %2，在任何人分组之前、%3 名学员入组之后。</translation>
+    </message>
+    <message>
+        <source>Commitment to the seed: %1, made %2, before the first enrolment.</source>
+        <translation>对种子的承诺：%1，作出于 %2，在首次入组之前。</translation>
+    </message>
+    <message>
+        <source>The sequence was repeated from the seed and was NOT found the same.</source>
+        <translation>已由种子重复该序列，结果不一致。</translation>
+    </message>
+    <message>
+        <source>%1 physicians gave %2 marks at %3 occasions on a scale from %4 to %5; not every physician scored every trainee at every occasion. A trainee&apos;s score is the plain mean of the marks at hand.</source>
+        <translation>%1 名医师在 %3 个时点以 %4 到 %5 的量表给出 %2 个评分；并非每名医师在每个时点都给每名学员评了分。学员的得分为现有评分的简单平均。</translation>
+    </message>
+    <message>
+        <source>%1 raters are the fewest whose mean has a dependability of 0.80 or more.</source>
+        <translation>至少 %1 名评分者的平均分，其可靠性才达到 0.80 或以上。</translation>
+    </message>
+    <message>
+        <source>Not even %1 raters would give a dependability of 0.80.</source>
+        <translation>即使 %1 名评分者也达不到 0.80 的可靠性。</translation>
+    </message>
+    <message>
+        <source>How many raters are needed</source>
+        <translation>需要多少名评分者</translation>
+    </message>
+    <message>
+        <source>G-study of trainees x raters, last occasion; D-study</source>
+        <translation>最后时点学员 × 评分者的概化研究；决策研究</translation>
+    </message>
+    <message>
+        <source>Dependability (level)</source>
+        <translation>可靠性（水平）</translation>
+    </message>
+    <message>
+        <source>Generalizability (order)</source>
+        <translation>概化系数（次序）</translation>
+    </message>
+    <message>
+        <source>Standard error of the mean mark (points)</source>
+        <translation>平均评分的标准误（分）</translation>
+    </message>
+    <message>
+        <source>Components of variance: trainees %1, raters %2, rest %3.</source>
+        <translation>方差分量：学员 %1，评分者 %2，其余 %3。</translation>
+    </message>
+    <message>
+        <source>Raters on one scale, last occasion</source>
+        <translation>同一量尺上的评分者，最后时点</translation>
+    </message>
+    <message>
+        <source>many-facet Rasch model, joint maximum likelihood</source>
+        <translation>多面 Rasch 模型，联合极大似然</translation>
+    </message>
+    <message>
+        <source>Severity (logits)</source>
+        <translation>严格程度（对数单位）</translation>
+    </message>
+    <message>
+        <source>Standard error</source>
+        <translation>标准误</translation>
+    </message>
+    <message>
+        <source>Infit</source>
+        <translation>加权拟合</translation>
+    </message>
+    <message>
+        <source>Outfit</source>
+        <translation>未加权拟合</translation>
+    </message>
+    <message>
+        <source>only extreme marks</source>
+        <translation>只有极端评分</translation>
+    </message>
+    <message>
+        <source>Positive: stricter. Severities sum to zero. Infit and outfit are about 1 where a rater&apos;s marks follow the model; the marks that occur, in their order, are its categories. Joint estimates lie somewhat too far apart.</source>
+        <translation>正值：更严格。严格程度之和为零。评分符合模型时，两种拟合值约为 1；出现过的评分按次序作为类别。联合估计值之间的距离略偏大。</translation>
+    </message>
+    <message>
+        <source>What each group gained by itself</source>
+        <translation>各组自身的进步</translation>
+    </message>
+    <message>
+        <source>exact signed ranks; Friedman; bootstrap of the median, BCa</source>
+        <translation>精确符号秩；Friedman；中位数的自助法，偏差校正加速区间</translation>
+    </message>
+    <message>
+        <source>Median gain [95 %] (points)</source>
+        <translation>进步的中位数 [95 %]（分）</translation>
+    </message>
+    <message>
+        <source>Signed ranks V</source>
+        <translation>符号秩 V</translation>
+    </message>
+    <message>
+        <source>p (Friedman, all occasions)</source>
+        <translation>p（Friedman，全部时点）</translation>
+    </message>
+    <message>
+        <source>A gain within a group shows no effect of its training: repetition alone may give it. Compare the groups.</source>
+        <translation>组内的进步并不表明训练有效：仅靠重复也可能进步。请比较各组。</translation>
+    </message>
+    <message>
+        <source>The training study is not shown: %1 of %2 sheets that raters were asked for are present. Marks and means appear once all are, or once the data set is frozen.</source>
+        <translation>训练研究未显示：要求评分者提交的 %2 份评分表中已有 %1 份。全部提交或数据集冻结之后，才显示评分和均值。</translation>
+    </message>
+    <message>
+        <source>Scores of fewer than %1 marks, and means of fewer than %1 trainees or with such a score among them, are left out: a single mark could be read from them.</source>
+        <translation>少于 %1 个评分的得分，以及少于 %1 名学员或含有这类得分的均值均不显示：否则可从中读出单个评分。</translation>
+    </message>
+    <message>
+        <source>Corresponds to Fig. %1 of the paper. A score is the mean over the raters.</source>
+        <translation>对应论文图 %1。得分为各评分者的平均。</translation>
+    </message>
+    <message>
+        <source>Training was shortened for this demonstration: %1 minutes of simulated exercise stand for %2 minutes of the protocol (1 : %3).</source>
+        <translation>本演示缩短了训练：%1 分钟的模拟练习代表方案中的 %2 分钟（1 : %3）。</translation>
+    </message>
+    <message>
+        <source>Training was shortened for this demonstration.</source>
+        <translation>本演示缩短了训练。</translation>
+    </message>
+    <message>
+        <source>of the exercise</source>
+        <translation>来自练习</translation>
+    </message>
+    <message>
+        <source>from the centre&apos;s own experts</source>
+        <translation>来自本中心的专家</translation>
+    </message>
+    <message>
+        <source>chosen by the centre</source>
+        <translation>由本中心选定</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -11292,6 +11712,10 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <source>Moved by hand; the drawn record stays beside it</source>
         <translation>已手动调整；抽取记录仍予保留</translation>
     </message>
+    <message>
+        <source>%1 (salt %2)</source>
+        <translation>%1（盐值 %2）</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::AngleDial</name>
@@ -11619,6 +12043,10 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
     <message>
         <source>Twist at least %1 times.</source>
         <translation>至少扭转 %1 次。</translation>
+    </message>
+    <message>
+        <source>When you are held to be able</source>
+        <translation>何时被认为胜任</translation>
     </message>
 </context>
 <context>
@@ -12344,6 +12772,10 @@ MSM = 质点弹簧</translation>
         <source>Nobody is enrolled yet.</source>
         <translation>尚无人登记。</translation>
     </message>
+    <message>
+        <source>How many &amp;trainees…</source>
+        <translation>需要多少学员(&amp;T)…</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::ComparePage</name>
@@ -12461,6 +12893,97 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Overall</source>
         <translation>总分</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::CompetenceDialog</name>
+    <message>
+        <source>Take from &amp;experts</source>
+        <translation>取自专家(&amp;E)</translation>
+    </message>
+    <message>
+        <source>When trainees are held to be able</source>
+        <translation>学员何时被认为胜任</translation>
+    </message>
+    <message>
+        <source>E&amp;xercise</source>
+        <translation>练习(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Counts now</source>
+        <translation>目前有效</translation>
+    </message>
+    <message>
+        <source>Tolerance &amp;comes</source>
+        <translation>容差来源(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Tolerance</source>
+        <translation>容差(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Experts: people of</source>
+        <translation>专家所在批次</translation>
+    </message>
+    <message>
+        <source>Failures of somebody &amp;able</source>
+        <translation>胜任者的失败率(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Failures of somebody &amp;not able</source>
+        <translation>未胜任者的失败率(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Attempts &amp;planned</source>
+        <translation>计划的尝试次数(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Most that pass &amp;wrongly</source>
+        <translation>最多误通过(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Most that &amp;fail wrongly</source>
+        <translation>最多误不通过(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>理由(&amp;R)</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>效果</translation>
+    </message>
+    <message>
+        <source>An attempt is a completed twist, or an untwisting. A design never changes; a new one counts for trainees who begin after it was registered.</source>
+        <translation>一次尝试指一次完成的扭转或一次复位。标准登记后不再更改；新标准对登记之后才开始的学员有效。</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>登记</translation>
+    </message>
+    <message>
+        <source>Limit %1. %2</source>
+        <translation>界限 %1。%2</translation>
+    </message>
+    <message>
+        <source>Too many would fail wrongly: plan more attempts, or rates that lie farther apart.</source>
+        <translation>误不通过的人太多：请计划更多次尝试，或让两个失败率相差更大。</translation>
+    </message>
+    <message>
+        <source>A tolerance chosen by hand needs a reason.</source>
+        <translation>自行选定的容差需要说明理由。</translation>
+    </message>
+    <message>
+        <source>Choose the cohort of the experts and take the tolerance from them.</source>
+        <translation>请选择专家所在批次，并由其取得容差。</translation>
+    </message>
+    <message>
+        <source>%1 experts: mean error %2°, mean and one standard deviation %3°, bound that covers nine in ten experts %4°.</source>
+        <translation>%1 名专家：平均误差 %2°，均值加一个标准差 %3°，覆盖九成专家的界限 %4°。</translation>
+    </message>
+    <message>
+        <source>Registered as version %1.</source>
+        <translation>已登记为第 %1 版。</translation>
     </message>
 </context>
 <context>
@@ -12697,6 +13220,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Create</source>
         <translation>创建</translation>
+    </message>
+    <message>
+        <source>Co&amp;mpetence…</source>
+        <translation>胜任标准(&amp;M)…</translation>
     </message>
 </context>
 <context>
@@ -15579,6 +16106,77 @@ Leave it empty to remove it.</source>
         <translation>
             <numerusform>选取 %n 人</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::PowerDialog</name>
+    <message>
+        <source>How many trainees?</source>
+        <translation>需要多少学员？</translation>
+    </message>
+    <message>
+        <source>two groups (t test, Cohen&apos;s d)</source>
+        <translation>两组（t 检验，Cohen d）</translation>
+    </message>
+    <message>
+        <source>one group before and after (d of the differences)</source>
+        <translation>一组前后（差值的 d）</translation>
+    </message>
+    <message>
+        <source>several groups (analysis of variance, Cohen&apos;s f)</source>
+        <translation>多组（方差分析，Cohen f）</translation>
+    </message>
+    <message>
+        <source>&amp;Comparison</source>
+        <translation>比较(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Groups</source>
+        <translation>组数(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Effect that must not be missed</source>
+        <translation>不可漏检的效应(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Power wanted</source>
+        <translation>所需效能(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Significance &amp;level</source>
+        <translation>显著性水平(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Co&amp;rrelation of the scores before and after</source>
+        <translation>前后得分的相关(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Needed</source>
+        <translation>需要</translation>
+    </message>
+    <message>
+        <source>Trainees at &amp;hand, each group</source>
+        <translation>每组现有学员(&amp;H)</translation>
+    </message>
+    <message>
+        <source>What they show</source>
+        <translation>能够表明</translation>
+    </message>
+    <message>
+        <source>How many raters are needed stands under Results, in the section Raters, once marks are there.</source>
+        <translation>有了评分之后，“结果”的“评分者”一节会说明需要多少名评分者。</translation>
+    </message>
+    <message>
+        <source>%1 trainees</source>
+        <translation>%1 名学员</translation>
+    </message>
+    <message>
+        <source>%1 trainees in each group; %2 when scores are adjusted for the score before</source>
+        <translation>每组 %1 名学员；按训练前得分校正时为 %2 名</translation>
+    </message>
+    <message>
+        <source>power %1 for this effect; with power %2 they detect an effect of %3</source>
+        <translation>对该效应的效能为 %1；以效能 %2 可检出 %3 的效应</translation>
     </message>
 </context>
 <context>

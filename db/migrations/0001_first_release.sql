@@ -347,6 +347,27 @@ CREATE TABLE mastery_rule (
 );
 {{append_only mastery_rule}}
 
+-- By what a trainee is held to be able: an LC-CUSUM over attempts whose two error rates are known. What is registered
+-- later counts for those who begin later; without any the design shipped with the program counts. sum_limit: chosen
+-- for the other numbers when it was registered. Who registered it stands in the audit trail.
+CREATE TABLE competence_design (
+  module_id TEXT NOT NULL REFERENCES module (id),
+  version BIGINT NOT NULL CHECK (version >= 1),
+  registered_utc_us BIGINT NOT NULL,
+  tolerance_rad DOUBLE PRECISION NOT NULL CHECK (tolerance_rad > 0),
+  tolerance_source TEXT NOT NULL CHECK (tolerance_source IN ('exercise', 'experts', 'chosen')),
+  experts BIGINT NOT NULL CHECK (experts >= 0),
+  adequate DOUBLE PRECISION NOT NULL CHECK (adequate > 0 AND adequate < inadequate),
+  inadequate DOUBLE PRECISION NOT NULL CHECK (inadequate < 1),
+  attempts BIGINT NOT NULL CHECK (attempts >= 1),
+  false_pass_most DOUBLE PRECISION NOT NULL CHECK (false_pass_most > 0 AND false_pass_most < 1),
+  false_fail_most DOUBLE PRECISION NOT NULL CHECK (false_fail_most > 0 AND false_fail_most < 1),
+  sum_limit DOUBLE PRECISION NOT NULL CHECK (sum_limit > 0),
+  reason TEXT NOT NULL,
+  PRIMARY KEY (module_id, version)
+);
+{{append_only competence_design}}
+
 CREATE TABLE curriculum_arm (
   id TEXT PRIMARY KEY,
   version_id TEXT NOT NULL REFERENCES curriculum_version (id),
@@ -432,13 +453,16 @@ CREATE TABLE allocation_design (
 CREATE INDEX allocation_design_cohort ON allocation_design (cohort_id);
 {{append_only allocation_design}}
 
--- The seed lies apart from the design, so that who may read the design need not see it before the end.
+-- The seed lies apart from the design, so that who may read the design need not see it before the end. salt: 256
+-- random bits without which no seed can be guessed from the commitment.
 CREATE TABLE allocation_seed (
   design_id TEXT PRIMARY KEY REFERENCES allocation_design (id),
   seed TEXT NOT NULL,
+  salt TEXT NOT NULL,
   revealed_utc_us BIGINT
 );
 {{frozen allocation_seed seed}}
+{{frozen allocation_seed salt}}
 
 CREATE TABLE allocation (
   id TEXT PRIMARY KEY,

@@ -227,6 +227,46 @@ TEST(Allocator, RefusesAMethodWithoutTheFactorsOrBlocksThatItUses) {
   EXPECT_THROW(Allocator(strata, 1), Error);
 }
 
+TEST(ReplayAllocation, FindsRecordsCutOffAndPersonsThatChangedPlacesByTheHeadOfTheChain) {
+  const Vectors vectors;
+  const Allocation kept = allocate(design(AllocationMethod::kCompletePermutation), vectors.seed,
+                                   vectors.persons(false, false), true, std::string(64, 'a'));
+  ASSERT_TRUE(replayAllocation(kept).sound);
+  EXPECT_TRUE(replayAllocation(kept, kept.head).sound);
+  Allocation cut = kept;
+  cut.records.pop_back();
+  EXPECT_FALSE(replayAllocation(cut).sound);
+
+  // The whole file is written anew with two persons in each other's place: only a head kept elsewhere tells.
+  std::vector<AllocationPerson> persons = vectors.persons(false, false);
+  std::size_t other = 1;
+  while (kept.records[other].arm == kept.records[0].arm) {
+    ++other;
+  }
+  std::swap(persons[0], persons[other]);
+  const Allocation swapped = allocate(kept.design, kept.seed, persons, true, kept.salt);
+  EXPECT_EQ(swapped.commitment, kept.commitment);
+  EXPECT_TRUE(replayAllocation(swapped).sound);
+  EXPECT_FALSE(replayAllocation(swapped, kept.head).sound);
+  Allocation forged = swapped;
+  forged.head = kept.head;
+  EXPECT_FALSE(replayAllocation(forged).sound);
+}
+
+TEST(SeedCommitment, OfASmallSeedCannotBeGuessedWithoutTheSalt) {
+  AllocationDesign one = design(AllocationMethod::kPermutedBlocks);
+  one.blockSizes = {3};
+  const std::string salt(64, '7');
+  const std::string commitment = seedCommitment(one, 5, salt);
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    EXPECT_NE(seedCommitment(one, seed), commitment);
+    EXPECT_EQ(seedCommitment(one, seed, salt) == commitment, seed == 5);
+  }
+  EXPECT_TRUE(isSalt(salt));
+  EXPECT_FALSE(isSalt(std::string(63, '7')));
+  EXPECT_FALSE(isSalt(std::string(64, 'G')));
+}
+
 TEST(SeedCommitment, DependsOnSeedAndDesign) {
   AllocationDesign one = design(AllocationMethod::kPermutedBlocks);
   one.blockSizes = {3};

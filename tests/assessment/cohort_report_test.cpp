@@ -11,6 +11,7 @@
 #include "assessment/report/cohort_csv.h"
 #include "assessment/report/figure_table.h"
 #include "assessment/report/number_format.h"
+#include "assessment/report/study_analysis.h"
 #include "sim/base/error.h"
 #include "tests/support/demonstration_cohort.h"
 
@@ -24,6 +25,17 @@ const ReportFigure* find(const ReportModel& report, const std::string& id) {
     for (const ReportFigure& figure : section.figures) {
       if (figure.id == id) {
         return &figure;
+      }
+    }
+  }
+  return nullptr;
+}
+
+const ReportTable* tableOf(const ReportModel& report, const std::string& id) {
+  for (const ReportSection& section : report.sections) {
+    for (const ReportTable& table : section.tables) {
+      if (table.id == id) {
+        return &table;
       }
     }
   }
@@ -95,7 +107,7 @@ TEST(CohortReport, ComparesGroupsAndRatersWhenTheMarksAreGiven) {
     ids.push_back(table.id);
   }
   EXPECT_THAT(ids, ::testing::ElementsAre("table-agreement", "table-ancova", "table-mixed-anova",
-                                          "table-gains", "table-friedman"));
+                                          "table-gains", "table-friedman", "table-within-groups"));
   EXPECT_EQ(section->tables[0].rows.size(), 3U);
   EXPECT_EQ(section->tables[1].rows.size(), 3U);
   for (const ReportTable& table : section->tables) {
@@ -134,11 +146,35 @@ TEST(CohortReport, HasTheAdditionsOfTheStatistician) {
   }
   EXPECT_NEAR(sum, 0.0, 1e-12);  // complete marks: what one rater is above, the others are below
   ASSERT_NE(find(report, "figure-bland-altman"), nullptr);
-  ASSERT_NE(find(report, "figure-lc-cusum"), nullptr);
-  EXPECT_EQ(find(report, "figure-lc-cusum")->series.at(0).y.size(), 3U);
   for (const char* id : {"figure-courses-1", "figure-courses-2", "figure-courses-3", "figure-classes"}) {
     EXPECT_NE(find(report, id), nullptr) << id;
   }
+}
+
+TEST(CohortReport, SaysHowManyRatersAreNeededAndWhatEachGroupGained) {
+  const CohortInputs in = demonstrationCohort();
+  const StudyAnalysis study = analyseStudy(in);
+  const ReportModel report = cohortReport(in);
+
+  const ReportTable* needed = tableOf(report, "table-raters-needed");
+  ASSERT_NE(needed, nullptr);
+  EXPECT_EQ(needed->rows.size(), 5U);  // 1, 2, 3, 5 and the ten of the study
+  // One rater: dependability is ICC(2,1); all ten: ICC(2,k).
+  const IccResult& icc = study.occasions.back().icc.value();
+  EXPECT_EQ(needed->rows.front().at(1), formatFixed(icc.agreementSingle.estimate, 3));
+  EXPECT_EQ(needed->rows.back().at(1), formatFixed(icc.agreementMean.estimate, 3));
+  const ReportTable* rasch = tableOf(report, "table-rasch");
+  ASSERT_NE(rasch, nullptr);
+  ASSERT_EQ(rasch->rows.size(), 10U);
+  double sum = 0.0;
+  for (const std::vector<Text>& row : rasch->rows) {
+    sum += std::stod(row.at(1).str());
+  }
+  EXPECT_NEAR(sum, 0.0, 0.06);  // ten severities of two decimals
+  const ReportTable* within = tableOf(report, "table-within-groups");
+  ASSERT_NE(within, nullptr);
+  EXPECT_EQ(within->rows.at(0).at(3), "55.0");   // all ten gained: 1 + 2 + ... + 10
+  EXPECT_EQ(within->rows.at(0).at(4), "0.002");  // 2 / 2^10
 }
 
 TEST(CohortReport, EveryFigureHasATableOfTheValuesThatAreDrawn) {
@@ -230,7 +266,7 @@ TEST(CohortReport, SaysWhatWasFrozenWhenAndWhatDeviated) {
         deviation = table.rows.at(0).at(3) == "came twenty minutes late";
       }
       if (table.id == "table-dose") {
-        dose = table.rows.at(0).at(2) == "38.5";
+        dose = table.rows.at(0).at(3) == "38.5";
       }
     }
   }
@@ -283,17 +319,6 @@ TEST(CohortReport, LeavesOutSectionsWithoutData) {
   in.instrument = paperInstrument();
   const ReportModel report = cohortReport(in);
   EXPECT_EQ(report.sections.size(), 2U);  // methods and provenance
-}
-
-const ReportTable* tableOf(const ReportModel& report, const std::string& id) {
-  for (const ReportSection& section : report.sections) {
-    for (const ReportTable& table : section.tables) {
-      if (table.id == id) {
-        return &table;
-      }
-    }
-  }
-  return nullptr;
 }
 
 /// Three untwistings of the first group in one phase: two undone, one of them after a relapse; in the third

@@ -6,13 +6,15 @@
 
 #include <gtest/gtest.h>
 
+#include "assessment/study/competence_design.h"
+
 namespace torsio {
 namespace {
 
 template <typename Value>
 class ProtocolTerms : public ::testing::Test {};
 using Terms = ::testing::Types<AttemptMode, PhaseKind, ExposureKind, PersonState, EnrolmentState,
-                               CurriculumState, DiscrepancyChoice>;
+                               CurriculumState, DiscrepancyChoice, ToleranceSource>;
 TYPED_TEST_SUITE(ProtocolTerms, Terms);
 
 TYPED_TEST(ProtocolTerms, StandForTheirTextAndBack) {

@@ -4,6 +4,7 @@
 #include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
+#include "db/repository/study/competence_repository.h"
 #include "sim/base/error.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
@@ -119,6 +120,36 @@ TEST_F(CurriculumRepositoryTest, AVersionNeverChanges) {
         "curriculum_arm", "curriculum_phase", "curriculum_occasion"}) {
     EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM " + table); }), DbFault::kAppendOnly) << table;
   }
+}
+
+TEST_F(CurriculumRepositoryTest, KeepsCompetenceDesignsForGood) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  const CurriculumVersion version = versionFor(connection, sample);
+  CurriculumRepository(connection).addVersion(version, "admin");
+  CompetenceRepository designs(connection);
+  CompetenceDesign design{.moduleId = version.modules[0].id,
+                          .registeredUtc_us = kSampleTime_us,
+                          .tolerance_rad = 1.0 / 3.0,
+                          .source = ToleranceSource::kExperts,
+                          .experts = 9,
+                          .adequate = 0.05,
+                          .inadequate = 0.2,
+                          .attempts = 100,
+                          .falsePassMost = 0.01,
+                          .falseFailMost = 0.2,
+                          .limit = 4.79,
+                          .reason = "as our experts do"};
+
+  EXPECT_EQ(designs.add(design).version, 1);
+  EXPECT_EQ(designs.add(design).version, 2);
+
+  design.version = 2;
+  EXPECT_EQ(designs.ofModule(design.moduleId).at(1), design);
+  EXPECT_TRUE(designs.ofModule(version.modules[1].id).empty());
+  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE competence_design SET attempts = 10"); }),
+            DbFault::kAppendOnly);
+  EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM competence_design"); }), DbFault::kAppendOnly);
 }
 
 TEST_F(CurriculumRepositoryTest, TiesACohortToARunningVersion) {

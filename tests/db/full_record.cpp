@@ -18,6 +18,7 @@
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/competence_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/demonstration_data.h"
@@ -202,6 +203,10 @@ void addCurriculum(Connection& connection, const std::string& prefix, bool demon
   version.arms = {arm};
   version.plannedOccasions = {{"pre", 0}};
   curricula.addVersion(version, "admin");
+  CompetenceRepository(connection)
+      .add({.moduleId = version.modules[1].id,
+            .registeredUtc_us = kSampleTime_us,
+            .reason = "as the board decided"});
 }
 
 void addTrialAndMark(Connection& connection, const FullRecord& record, const std::string& prefix,

@@ -126,6 +126,13 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
   how_ = new Card(QString(), panel);
   hints_ = plainLabel(how_);
   how_->content()->addWidget(hints_);
+  able_ = new Card(QString(), panel);
+  design_ = plainLabel(able_);
+  design_->setObjectName(QStringLiteral("competence"));
+  errors_ = plainLabel(able_, "quiet");
+  errors_->setObjectName(QStringLiteral("competence-errors"));
+  able_->content()->addWidget(design_);
+  able_->content()->addWidget(errors_);
   start_ = primaryButton(panel);
   start_->setObjectName(QStringLiteral("start"));
   back_ = new QPushButton(panel);
@@ -134,7 +141,7 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
   auto* reading = new QVBoxLayout(words);
   reading->setContentsMargins(0, 0, 0, 0);
   reading->setSpacing(kSpace + 4);
-  for (QWidget* part : std::initializer_list<QWidget*>{title_, mode_, what_, how_}) {
+  for (QWidget* part : std::initializer_list<QWidget*>{title_, mode_, what_, how_, able_}) {
     reading->addWidget(part);
   }
   reading->addStretch(1);
@@ -171,6 +178,7 @@ void BriefingPage::enter(const QVariant& argument) {
   attempt(shell(), [&] {
     const NextSteps steps = nextSteps(shell().session(), shell().session().actor().personId);
     step_ = stepOf(steps, desk_.moduleId);
+    competence_ = trend(shell().session(), steps.personId, desk_.moduleId).competence;
     asked_ = false;
     SceneRequest request;
     request.assets = shell().assets();
@@ -226,6 +234,12 @@ void BriefingPage::fill() {
   }
   goals_->setText(goals.isEmpty() ? QString() : tr("Mastered when:\n%1").arg(goals.join(QLatin1Char('\n'))));
   goals_->setVisible(!goals.isEmpty());
+  able_->setTitle(tr("When you are held to be able"));
+  able_->setVisible(competence_.errors.attempts > 0);
+  if (competence_.errors.attempts > 0) {
+    design_->setText(StationLabels::competenceDesign(competence_));
+    errors_->setText(StationLabels::competenceErrors(competence_));
+  }
   hints_->setText(
       tr("Bring the jaw to the marked band, close it, turn in one even movement, hold, and open the jaw "
          "gently.\nMouse: left button grips, dragging turns, the wheel moves nearer."));

@@ -3,6 +3,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/training/next_steps.h"
+#include "app/training/trend.h"
 
 class QLabel;
 class QPushButton;
@@ -38,6 +39,7 @@ class BriefingPage : public Page {
   void fill();
 
   ModuleStep step_;
+  CompetenceVerdict competence_{};
   bool asked_ = false;  // the expert's run was asked for
   LiveScene* scene_;
   QLabel* title_;
@@ -47,6 +49,9 @@ class BriefingPage : public Page {
   Card* what_;
   Card* how_;
   QLabel* hints_;
+  Card* able_;
+  QLabel* design_;
+  QLabel* errors_;
   QLabel* caption_;
   QPushButton* again_;
   QPushButton* start_;

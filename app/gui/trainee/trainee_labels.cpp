@@ -10,6 +10,7 @@
 #include <QStringList>
 
 #include "app/gui/base/translated_text.h"
+#include "app/recording/competence_text.h"
 #include "assessment/metrics/metric_cards.h"
 #include "sim/base/angle.h"
 
@@ -371,11 +372,12 @@ QString StationLabels::advice(const std::string& id) {
   return {};
 }
 
-QString StationLabels::level(SkillLevel level, std::size_t runsMissing) {
-  switch (level) {
+QString StationLabels::level(const CompetenceVerdict& verdict) {
+  switch (verdict.level) {
     case SkillLevel::kNotShown:
-      return runsMissing == 1 ? tr("One more run until a level is shown")
-                              : tr("%1 more runs until a level is shown").arg(runsMissing);
+      return verdict.attemptsUntilLevel == 1
+                 ? tr("One more attempt until a level is shown")
+                 : tr("%1 more attempts until a level is shown").arg(verdict.attemptsUntilLevel);
     case SkillLevel::kLearning:
       return tr("Learning");
     case SkillLevel::kSteady:
@@ -388,20 +390,29 @@ QString StationLabels::level(SkillLevel level, std::size_t runsMissing) {
   return {};
 }
 
-QString StationLabels::levelMeaning(SkillLevel level) {
-  switch (level) {
+QString StationLabels::levelMeaning(const CompetenceVerdict& verdict) {
+  switch (verdict.level) {
     case SkillLevel::kNotShown:
-      return tr("Fewer than three runs show nothing but chance.");
+      return tr("So few attempts can show nobody to be able.");
     case SkillLevel::kLearning:
-      return tr("Not yet shown to be reliable. About five good runs in a row show it.");
+      return tr("Not yet shown to be able. %1 good attempts in a row show it.")
+          .arg(fewestForAble(verdict.design));
     case SkillLevel::kSteady:
-      return tr("Reliable, and staying so.");
+      return tr("Able, and staying so.");
     case SkillLevel::kWatch:
-      return tr("Reliable before; the last runs raise a doubt. One more good run or two settles it.");
+      return tr("Able before; the last attempts raise a doubt.");
     case SkillLevel::kRelapsed:
-      return tr("Reliable before, not now. Practise until the level is steady again.");
+      return tr("Able before, not now. Practise until the level is steady again.");
   }
   return {};
+}
+
+QString StationLabels::competenceDesign(const CompetenceVerdict& verdict) {
+  return toQString(competenceDesignText(verdict.design, verdict.untwisting));
+}
+
+QString StationLabels::competenceErrors(const CompetenceVerdict& verdict) {
+  return toQString(competenceErrorText(verdict.design, verdict.errors));
 }
 
 QString StationLabels::readiness(const ReadinessFinding& finding) {

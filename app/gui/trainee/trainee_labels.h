@@ -51,8 +51,11 @@ class StationLabels {
   /// What to try next.
   [[nodiscard]] static QString advice(const std::string& metric);
 
-  [[nodiscard]] static QString level(SkillLevel level, std::size_t runsMissing);
-  [[nodiscard]] static QString levelMeaning(SkillLevel level);
+  [[nodiscard]] static QString level(const CompetenceVerdict& verdict);
+  [[nodiscard]] static QString levelMeaning(const CompetenceVerdict& verdict);
+  /// What counts as able, and how often that is wrong.
+  [[nodiscard]] static QString competenceDesign(const CompetenceVerdict& verdict);
+  [[nodiscard]] static QString competenceErrors(const CompetenceVerdict& verdict);
   [[nodiscard]] static QString readiness(const ReadinessFinding& finding);
   [[nodiscard]] static QString light(Light light);
 };

@@ -68,6 +68,9 @@ TrendPage::TrendPage(ShellContext& context, QWidget* parent) : Page(context, par
   distance_ = card(distanceFigure_, distanceText_);
   left_ = card(leftFigure_, leftText_);
   page.column->addLayout(cards);
+  competence_ = plainLabel(this, "quiet");
+  competence_->setObjectName(QStringLiteral("competence"));
+  page.column->addWidget(competence_);
 
   chart_ = new Card(QString(), this);
   plot_ = new TrendPlot(chart_);
@@ -183,10 +186,17 @@ void TrendPage::fill() {
   metricLabel_->setText(tr("&Quantity"));
   fillChoices();
   level_->setTitle(tr("Level"));
-  levelName_->setText(StationLabels::level(trend_.level, trend_.runsUntilLevel));
-  setLook(levelName_, "good", trend_.level == SkillLevel::kSteady);
-  setLook(levelName_, "caution", trend_.level == SkillLevel::kWatch || trend_.level == SkillLevel::kRelapsed);
-  levelMeaning_->setText(StationLabels::levelMeaning(trend_.level));
+  const CompetenceVerdict& verdict = trend_.competence;
+  levelName_->setText(StationLabels::level(verdict));
+  setLook(levelName_, "good", verdict.level == SkillLevel::kSteady);
+  setLook(levelName_, "caution",
+          verdict.level == SkillLevel::kWatch || verdict.level == SkillLevel::kRelapsed);
+  levelMeaning_->setText(StationLabels::levelMeaning(verdict));
+  competence_->setVisible(verdict.errors.attempts > 0);
+  if (verdict.errors.attempts > 0) {
+    competence_->setText(StationLabels::competenceDesign(verdict) + QLatin1Char('\n') +
+                         StationLabels::competenceErrors(verdict));
+  }
   distance_->setTitle(tr("Distance to the threshold"));
   if (trend_.distance && *trend_.distance > 0.0 && isAnswerMetric(trend_.metric)) {
     distanceFigure_->setText(tr("Not reached"));

@@ -48,6 +48,7 @@ class TrendPage : public Page {
   QComboBox* metrics_;
   Card* level_;
   QLabel* levelName_;
+  QLabel* competence_ = nullptr;
   QLabel* levelMeaning_;
   Card* distance_;
   QLabel* distanceFigure_;

@@ -100,6 +100,7 @@ inline constexpr std::array kPersonRules{
     PersonRule{"assessment_run", ""},
     PersonRule{"centre", ""},
     PersonRule{"cohort", ""},
+    PersonRule{"competence_design", ""},
     PersonRule{"composite_result", ""},
     PersonRule{"curriculum", ""},
     PersonRule{"curriculum_arm", ""},

@@ -162,7 +162,8 @@ void StudyRepository::lockDesign(const LockedDesign& design) {
                  " locked_utc_us, demonstration"),
       {design.id, design.cohortId, design.algorithm, design.algorithmVersion, design.parametersJson,
        design.generator, design.seedCommitment, design.lockedUtc_us, design.demonstration});
-  connection_.execute(insertInto("allocation_seed", "design_id, seed"), {design.id, design.seed});
+  connection_.execute(insertInto("allocation_seed", "design_id, seed, salt"),
+                      {design.id, design.seed, design.salt});
   transaction.commit();
 }
 
@@ -177,11 +178,17 @@ std::string StudyRepository::sealedSeed(const DesignId& designId) const {
       .value_or("");
 }
 
+std::string StudyRepository::sealedSalt(const DesignId& designId) const {
+  return selectFirst(connection_, "SELECT salt FROM allocation_seed WHERE design_id = ?", {designId},
+                     readText)
+      .value_or("");
+}
+
 std::vector<LockedDesign> StudyRepository::designs(const CohortId& cohortId) const {
   return selectAll(
       connection_,
       "SELECT d.id, d.cohort_id, d.algorithm, d.algorithm_version, d.parameters_json, d.generator,"
-      " d.seed_commitment, s.seed, d.locked_utc_us, d.demonstration FROM allocation_design d"
+      " d.seed_commitment, s.seed, s.salt, d.locked_utc_us, d.demonstration FROM allocation_design d"
       " LEFT JOIN allocation_seed s ON s.design_id = d.id AND s.revealed_utc_us IS NOT NULL"
       " WHERE d.cohort_id = ? ORDER BY d.locked_utc_us, d.id",
       {cohortId}, [](RowReader& row) {
@@ -193,6 +200,7 @@ std::vector<LockedDesign> StudyRepository::designs(const CohortId& cohortId) con
                             .generator = row.text(),
                             .seedCommitment = row.text(),
                             .seed = row.text(),
+                            .salt = row.text(),
                             .lockedUtc_us = row.int64(),
                             .demonstration = row.boolean()};
       });

@@ -40,6 +40,8 @@ class StudyRepository {
   void revealSeed(const DesignId& designId, std::int64_t utc_us);
   /// The seed whether it was revealed or not: for drawing the next arm and for nothing else.
   [[nodiscard]] std::string sealedSeed(const DesignId& designId) const;
+  /// The salt of the commitment, revealed or not: for checking it.
+  [[nodiscard]] std::string sealedSalt(const DesignId& designId) const;
   [[nodiscard]] std::vector<LockedDesign> designs(const CohortId& cohortId) const;
 
   /// Appends the records, chains their hashes, and moves the enrolments. Returns them as stored. Throws Error

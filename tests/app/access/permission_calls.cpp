@@ -17,6 +17,7 @@
 #include "app/people/people_service.h"
 #include "app/people/roster_accounts.h"
 #include "app/people/roster_import.h"
+#include "app/recording/competence_service.h"
 #include "app/recording/trial_digests.h"
 #include "app/reporting/coded_tables.h"
 #include "app/reporting/report_data.h"
@@ -182,6 +183,12 @@ std::vector<ServiceCall> studyCalls() {
       {O::kCurriculumEdit, "publishCurriculum",
        [](SessionContext& w, Path) { (void)publishCurriculum(w, kNoSuch, "", {}); }},
       {O::kCurriculumEdit, "runCurriculum", [](SessionContext& w, Path) { runCurriculum(w, kNoSuch); }},
+      {O::kPersonViewCoded, "competenceDesigns",
+       [](SessionContext& w, Path) { (void)competenceDesigns(w, kNoSuch); }},
+      {O::kCurriculumEdit, "registerCompetence",
+       [](SessionContext& w, Path) { (void)registerCompetence(w, {.moduleId = kNoSuch}); }},
+      {O::kCurriculumEdit, "expertTolerance_deg",
+       [](SessionContext& w, Path) { (void)expertTolerance_deg(w, kNoSuch, kNoSuch); }},
       {O::kCurriculumEdit, "addRubric", [](SessionContext& w, Path) { (void)addRubric(w, "", {}); }},
       {O::kStudySetup, "addCohort", [](SessionContext& w, Path) { (void)addCohort(w, {}); }},
       {O::kStudySetup, "assignCurriculum",
@@ -242,6 +249,8 @@ std::vector<ServiceCall> reportingCalls() {
        [](SessionContext& w, Path) { (void)reportableCampaigns(w); }},
       {O::kResultsCompute, "ofCohort",
        [](SessionContext& w, Path folder) { (void)TrialDigests(folder).ofCohort(w, kNoSuch); }},
+      {O::kResultsCompute, "TrialDigests::competenceOf",
+       [](SessionContext& w, Path folder) { (void)TrialDigests(folder).competenceOf(w, kNoSuch, {}); }},
       {O::kResultsCompute, "reportInputs",
        [](SessionContext& w, Path folder) {
          TrialDigests digests(folder);

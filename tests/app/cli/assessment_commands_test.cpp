@@ -370,6 +370,49 @@ TEST_F(AssessmentCommands, AllocateGivesThePermutationOfItsSeedAndReplaysIt) {
   EXPECT_EQ(forged["first_wrong_position"], 4);
 }
 
+TEST_F(AssessmentCommands, AllocateSaltsItsCommitmentAndFindsWhatWasCutOffOrCountedWrong) {
+  const std::string design =
+      write("design.json", R"({"study": "S1", "arms": ["1", "2", "3"], "persons": [)" + personList() + "]}");
+  const json first = answer("allocate --seed 5 --design " + design);
+  const json second = answer("allocate --seed 5 --design " + design);
+  EXPECT_EQ(first["salt"].get<std::string>().size(), 64U);
+  EXPECT_NE(first["salt"], second["salt"]);
+  EXPECT_NE(first["commitment"], second["commitment"]);
+  EXPECT_EQ(armsOf(first), armsOf(second));
+  EXPECT_EQ(answer("allocate --seed 5 --salt " + first["salt"].get<std::string>() + " --design " + design),
+            first);
+  const auto found = [&](const json& changed, const std::string& head = {}) {
+    return answer("allocate --replay " + write("changed.json", changed.dump()) +
+                      (head.empty() ? "" : " --head '" + head + "'"),
+                  static_cast<int>(ErrorCode::kVerifyFailed))["reason"]
+        .get<std::string>();
+  };
+
+  json cut = first;
+  cut["records"].erase(29);
+  EXPECT_NE(found(cut).find("cut off"), std::string::npos);
+  json counted = first;
+  counted["counts"]["2"] = 11;
+  EXPECT_NE(found(counted).find("counts"), std::string::npos);
+  EXPECT_NE(found(second, first["head"].get<std::string>()).find("head"), std::string::npos);
+  const ProgramRun badSalt = runTorsio("allocate --seed 5 --salt abc --design " + design, folder_);
+  EXPECT_EQ(badSalt.code, static_cast<int>(ErrorCode::kUsage));
+}
+
+TEST_F(AssessmentCommands, CompetencePlansTheLimitAndPrintsBothErrorRates) {
+  const json shipped = answer("competence plan");
+  EXPECT_EQ(shipped["limit"], 4.09);
+  EXPECT_NEAR(shipped["false_pass"].get<double>(), 0.0491, 5e-5);
+  EXPECT_TRUE(shipped["false_fail_kept"].get<bool>());
+  const json old = answer("competence plan --adequate 0.1 --inadequate 0.2");
+  EXPECT_EQ(old["limit"], 2.85);
+  EXPECT_FALSE(old["false_fail_kept"].get<bool>());
+  const ProgramRun nobody =
+      runTorsio("competence show --login admin --database " + (folder_ / "none.sqlite").string(), folder_);
+  EXPECT_EQ(nobody.code, static_cast<int>(ErrorCode::kUsage));
+  EXPECT_FALSE(fs::exists(folder_ / "none.sqlite"));
+}
+
 TEST_F(AssessmentCommands, AllocateStratifiesByFactors) {
   // Order of sexes and blocks of three of the same reference vector, without joint leftovers.
   const std::string sexes = "MMFMFMMFFMMFMFMMFFMMFMMFMFMMFF";

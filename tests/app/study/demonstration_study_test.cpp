@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The demonstration as an office sees it: a cohort that followed the paper's protocol from end to end.
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -8,10 +9,20 @@
 #include "app/access/first_run.h"
 #include "app/access/settings_service.h"
 #include "app/demonstration/demonstration.h"
+#include "app/recording/competence_text.h"
+#include "app/recording/trial_digests.h"
+#include "app/reporting/report_data.h"
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/run_day.h"
+#include "app/training/next_steps.h"
+#include "app/training/trend.h"
 #include "assessment/attempt/trial_listing.h"
+#include "assessment/people/account.h"
+#include "assessment/people/person.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/competence_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -93,6 +104,70 @@ TEST(DemonstrationStudy, EveryTrialNamesItsExerciseAndItsPhase) {
   EXPECT_TRUE(curriculumProblems(publishedContent(centre.session(), version->id), centre.assets(),
                                  OccasionRepository(centre.connection()).all())
                   .empty());
+}
+
+/// Lets a trainee of the record sign in, and signs in.
+SessionContext& asTrainee(StudyCentre& centre, const std::string& code) {
+  AccessRepository access(centre.connection(), PasswordCost::kTest);
+  for (const Trainee& trainee : PeopleRepository(centre.connection()).trainees()) {
+    if (trainee.person.code != code) {
+      continue;
+    }
+    const UserId id = "user of " + code;
+    const auto known = access.users();
+    if (std::none_of(known.begin(), known.end(), [&](const UserAccount& user) { return user.id == id; })) {
+      access.addUser({.id = id, .login = code, .personId = trainee.person.id, .roles = {"trainee"}},
+                     testing::kStudyPassword);
+    }
+    centre.session().setActor(
+        {.userId = id, .login = code, .personId = trainee.person.id, .roles = {"trainee"}});
+  }
+  return centre.session();
+}
+
+TEST(DemonstrationStudy, ReportAndTraineesScreenSayTheSameOfEverybody) {
+  StudyCentre centre;
+  DemonstrationOptions options = shortest(centre);
+  options.shortening = 60;  // twenty seconds a phase: two twists
+  fillDemonstration(options, centre.connection());
+  // Two good twists are enough here, so that levels of every kind appear.
+  const CohortRow study = cohorts(centre.as("administrator")).front();
+  const auto version = CurriculumRepository(centre.connection()).version(study.cohort.curriculumVersionId);
+  CompetenceRepository(centre.connection())
+      .add({.moduleId = version->modules.front().id,
+            .registeredUtc_us = 1,
+            .tolerance_rad = 0.1,
+            .limit = 0.5});
+  std::size_t compared = 0;
+  std::set<std::string> levels;
+  for (const CohortRow& row : cohorts(centre.as("administrator"))) {
+    SessionContext& administrator = centre.as("administrator");
+    TrialDigests digests(centre.assets());
+    const CohortInputs inputs = reportInputs(
+        administrator, {.cohortId = row.cohort.id, .identity = ReportIdentity::kCoded}, digests, {});
+    EXPECT_FALSE(inputs.competence.empty()) << row.cohort.name;
+    for (const CohortCompetence& shown : inputs.competence) {
+      SessionContext& session = asTrainee(centre, shown.trainee);
+      const PersonId person = session.actor().personId;
+      const NextSteps steps = nextSteps(centre.session(), person);
+      const auto step = std::find_if(steps.modules.begin(), steps.modules.end(), [&](const ModuleStep& one) {
+        return Text(one.module.title) == shown.exercise;
+      });
+      if (step == steps.modules.end()) {
+        continue;  // the screen shows the cohort that the trainee came into last
+      }
+      const CompetenceVerdict own = trend(centre.session(), person, step->module.id).competence;
+      EXPECT_EQ(competenceLevelText(own), shown.level) << shown.trainee;
+      EXPECT_EQ(own.attempts, static_cast<std::size_t>(shown.attempts)) << shown.trainee;
+      EXPECT_EQ(own.errors.falsePass, shown.falsePass) << shown.trainee;
+      EXPECT_EQ(own.errors.falseFail, shown.falseFail) << shown.trainee;
+      EXPECT_EQ(competenceDesignText(own.design, own.untwisting), shown.design) << shown.trainee;
+      levels.insert(shown.level.str());
+      ++compared;
+    }
+  }
+  EXPECT_GE(compared, 16U);
+  EXPECT_GE(levels.size(), 3U);
 }
 
 }  // namespace

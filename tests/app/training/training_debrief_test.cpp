@@ -170,37 +170,6 @@ TEST(Debrief, KeepsBookmarks) {
   EXPECT_THROW(addBookmark(centre.session(), trial, -1.0, ""), Error);
 }
 
-TEST(Trend, SaysHowManyRunsAreMissingUntilALevelIsShown) {
-  EXPECT_EQ(levelCourse({}).runsUntilLevel, 3U);
-  EXPECT_EQ(levelCourse({false}).runsUntilLevel, 2U);
-  EXPECT_EQ(levelCourse({false}).level, SkillLevel::kNotShown);
-  EXPECT_EQ(levelCourse({false, false, false}).level, SkillLevel::kLearning);
-}
-
-// A success weighs ln(0.9 / 0.7) = 0.2513, a failure ln(0.1 / 0.3) = -1.0986; the limit is 1.25.
-TEST(Trend, FiveSuccessesShowASkillOneFailureRaisesADoubtTwoAreAnAlarm) {
-  const std::vector<bool> able(5, false);
-  EXPECT_EQ(levelCourse(able).level, SkillLevel::kSteady);
-  EXPECT_EQ(levelCourse(able).ableAt, 5U);
-
-  std::vector<bool> doubt = able;
-  doubt.push_back(true);
-  EXPECT_EQ(levelCourse(doubt).level, SkillLevel::kWatch);
-
-  std::vector<bool> alarm = doubt;
-  alarm.push_back(true);
-  EXPECT_EQ(levelCourse(alarm).level, SkillLevel::kRelapsed);
-  EXPECT_EQ(levelCourse(alarm).sums.size(), alarm.size());
-
-  std::vector<bool> again = alarm;
-  again.insert(again.end(), 5, false);
-  EXPECT_EQ(levelCourse(again).level, SkillLevel::kSteady);
-
-  std::vector<bool> forgotten = doubt;
-  forgotten.insert(forgotten.end(), 4, false);
-  EXPECT_EQ(levelCourse(forgotten).level, SkillLevel::kSteady);
-}
-
 TEST(Trend, ShowsEveryAttemptAndTheWayToTheThreshold) {
   TrainingCentre centre;
   centre.attempt("first", "practice", kExpert);
@@ -216,8 +185,10 @@ TEST(Trend, ShowsEveryAttemptAndTheWayToTheThreshold) {
   EXPECT_EQ(way.threshold, 0.5);
   ASSERT_TRUE(way.distance);
   EXPECT_LE(*way.distance, 0.0);
-  EXPECT_EQ(way.level, SkillLevel::kNotShown);
-  EXPECT_EQ(way.runsUntilLevel, 1U);
+  EXPECT_EQ(way.competence.level, SkillLevel::kNotShown);
+  EXPECT_GT(way.competence.attempts, 0U);  // twists
+  EXPECT_EQ(way.competence.attemptsUntilLevel, 17U - way.competence.attempts);
+  EXPECT_EQ(way.competence.design.version, 0);
   EXPECT_TRUE(way.curve.empty());
   EXPECT_FALSE(way.noCurveReason.empty());
 }

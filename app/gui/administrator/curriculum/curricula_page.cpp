@@ -19,6 +19,7 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/administrator/curriculum/competence_dialog.h"
 #include "app/gui/administrator/curriculum/curriculum_editor.h"
 #include "app/gui/administrator/curriculum/curriculum_state.h"
 #include "app/gui/base/shell_context.h"
@@ -51,6 +52,7 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
       publish_(new QPushButton(this)),
       begin_(new QPushButton(this)),
       close_(new QPushButton(this)),
+      competence_(new QPushButton(this)),
       editor_(new CurriculumEditor(shell.assets(), this)) {
   state_->setObjectName(QStringLiteral("state"));
   versions_->setObjectName(QStringLiteral("versions"));
@@ -67,7 +69,7 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
   showing_->setBuddy(versions_);
   acts->addWidget(showing_);
   acts->addWidget(versions_, 1);
-  for (QPushButton* button : {save_, publish_, take_, begin_, close_}) {
+  for (QPushButton* button : {save_, publish_, take_, begin_, close_, competence_}) {
     acts->addWidget(button);
   }
   rightColumn->addLayout(acts);
@@ -91,6 +93,7 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
   connect(take_, &QPushButton::clicked, this, &CurriculaPage::takeAsDraft);
   connect(begin_, &QPushButton::clicked, this, &CurriculaPage::begin);
   connect(close_, &QPushButton::clicked, this, &CurriculaPage::askClose);
+  connect(competence_, &QPushButton::clicked, this, &CurriculaPage::showCompetence);
   connect(table_, &DataTable::currentChanged, this, &CurriculaPage::showDraft);
   connect(versions_, &QComboBox::activated, this, &CurriculaPage::showChosenVersion);
   connect(editor_, &CurriculumEditor::edited, this, [this] {
@@ -259,7 +262,16 @@ void CurriculaPage::showButtons() {
   take_->setEnabled(may);
   begin_->setEnabled(may && version != nullptr && version->state == CurriculumState::kDraft);
   close_->setEnabled(may && version != nullptr && version->state == CurriculumState::kRunning);
+  competence_->setEnabled(version != nullptr);
   sayState();
+}
+
+void CurriculaPage::showCompetence() {
+  const CurriculumVersionRow* version = versionAtHand();
+  if (version == nullptr) {
+    return;
+  }
+  attempt(shell(), [&] { CompetenceDialog(shell(), version->id, this).exec(); });
 }
 
 void CurriculaPage::sayState() {
@@ -435,6 +447,7 @@ void CurriculaPage::retranslate() {
   publish_->setText(tr("&Publish\u2026"));
   begin_->setText(tr("&Begin"));
   close_->setText(tr("&Close\u2026"));
+  competence_->setText(tr("Co&mpetence\u2026"));
   table_->setColumns({{tr("Name")}, {tr("Newest version")}});
   table_->setEmptyText(tr("No curriculum yet. Begin with the template of the paper's three arms."));
   editor_->retranslate();

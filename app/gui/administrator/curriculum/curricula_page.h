@@ -52,6 +52,7 @@ class CurriculaPage : public Page {
   void askOccasion();
   void askPublish();
   void askClose();
+  void showCompetence();
   [[nodiscard]] const CurriculumRow* current() const;
   /// The published version that is shown; null: the draft is.
   [[nodiscard]] const CurriculumVersionRow* shownVersion() const;
@@ -73,6 +74,7 @@ class CurriculaPage : public Page {
   QPushButton* publish_;
   QPushButton* begin_;
   QPushButton* close_;
+  QPushButton* competence_;
   QWidget* editing_ = nullptr;
   CurriculumEditor* editor_;
 };

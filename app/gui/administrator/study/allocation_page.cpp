@@ -263,7 +263,9 @@ void AllocationPage::showDesign() {
                .arg(row.records)
                .arg(row.overrides)
                .arg(methodName(row.design.method), toQString(row.stored.seedCommitment.substr(0, 32)),
-                    row.stored.seed.empty() ? tr("sealed") : toQString(row.stored.seed));
+                    row.stored.seed.empty()
+                        ? tr("sealed")
+                        : tr("%1 (salt %2)").arg(toQString(row.stored.seed), toQString(row.stored.salt)));
     std::map<std::string, std::string> codes;
     std::map<std::string, std::string> groups;
     for (const Enrolment& enrolment : enrolments(shell().session(), chosenId(cohort_))) {

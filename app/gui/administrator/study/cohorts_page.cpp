@@ -14,6 +14,7 @@
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/study/cohort_dialogs.h"
+#include "app/gui/administrator/study/power_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/page_heading.h"
@@ -24,6 +25,7 @@ CohortsPage::CohortsPage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
       add_(new QPushButton(this)),
+      power_(new QPushButton(this)),
       table_(new DataTable(QStringLiteral("cohorts"), this)),
       enrol_(listButton(table_)),
       follow_(listButton(table_)),
@@ -34,6 +36,8 @@ CohortsPage::CohortsPage(ShellContext& shell)
   members_->setObjectName(QStringLiteral("members"));
   table_->setObjectName(QStringLiteral("cohorts"));
   add_->setProperty("primary", true);
+  power_->setObjectName(QStringLiteral("power"));
+  heading_->addAction(power_);
   heading_->addAction(add_);
   membersTitle_->setObjectName(QStringLiteral("cardTitle"));
   QVBoxLayout* column = pageColumn(this);
@@ -42,6 +46,7 @@ CohortsPage::CohortsPage(ShellContext& shell)
   column->addWidget(membersTitle_);
   column->addWidget(members_, 3);
 
+  connect(power_, &QPushButton::clicked, this, [this] { PowerDialog(this).exec(); });
   connect(add_, &QPushButton::clicked, this, &CohortsPage::addNew);
   connect(enrol_, &QPushButton::clicked, this, &CohortsPage::enrol);
   connect(follow_, &QPushButton::clicked, this, &CohortsPage::follow);
@@ -219,6 +224,7 @@ void CohortsPage::changeState() {
 
 void CohortsPage::retranslate() {
   heading_->setTexts(tr("Cohorts"), tr("Who trains together, by which curriculum, and in which group."));
+  power_->setText(tr("How many &trainees\u2026"));
   add_->setText(tr("&New cohort\u2026"));
   enrol_->setText(tr("&Enrol trainees\u2026"));
   follow_->setText(tr("&Curriculum\u2026"));

@@ -39,6 +39,7 @@ class CohortsPage : public Page {
   std::vector<Enrolment> enrolments_;
   PageHeading* heading_;
   QPushButton* add_;
+  QPushButton* power_;
   DataTable* table_;
   QPushButton* enrol_;
   QPushButton* follow_;

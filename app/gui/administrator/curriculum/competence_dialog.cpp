@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/curriculum/competence_dialog.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/form.h"
+#include "app/recording/competence_text.h"
+#include "sim/base/angle.h"
+#include "sim/base/error.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kDialogWidth = 640;
+
+QDoubleSpinBox* shareField(QWidget* parent, const char* name) {
+  auto* field = new QDoubleSpinBox(parent);
+  field->setObjectName(QString::fromLatin1(name));
+  field->setRange(0.1, 99.9);
+  field->setDecimals(1);
+  field->setSuffix(QStringLiteral(" %"));
+  return field;
+}
+
+/// The design that counts for somebody who begins now.
+const CompetenceDesign& newestOf(const ExerciseDesigns& exercise) {
+  return exercise.registered.empty() ? exercise.shipped : exercise.registered.back();
+}
+
+}  // namespace
+
+CompetenceDialog::CompetenceDialog(ShellContext& shell, const CurriculumVersionId& versionId, QWidget* parent)
+    : QDialog(parent),
+      shell_(shell),
+      versionId_(versionId),
+      exercise_(new QComboBox(this)),
+      inForce_(sentence(this)),
+      source_(new QComboBox(this)),
+      tolerance_(new QDoubleSpinBox(this)),
+      cohort_(new QComboBox(this)),
+      take_(new QPushButton(tr("Take from &experts"), this)),
+      standard_(sentence(this)),
+      adequate_(shareField(this, "adequate")),
+      inadequate_(shareField(this, "inadequate")),
+      attempts_(new QSpinBox(this)),
+      falsePass_(shareField(this, "false-pass")),
+      falseFail_(shareField(this, "false-fail")),
+      reason_(new QLineEdit(this)),
+      preview_(sentence(this, false)) {
+  build();
+  fillCohorts(cohort_, shell_.session());
+  read();
+}
+
+void CompetenceDialog::build() {
+  setWindowTitle(tr("When trainees are held to be able"));
+  setMinimumWidth(kDialogWidth);
+  exercise_->setObjectName(QStringLiteral("exercise"));
+  source_->setObjectName(QStringLiteral("source"));
+  tolerance_->setObjectName(QStringLiteral("tolerance"));
+  attempts_->setObjectName(QStringLiteral("attempts"));
+  preview_->setObjectName(QStringLiteral("preview"));
+  inForce_->setObjectName(QStringLiteral("in-force"));
+  for (const Term<ToleranceSource>& term : kToleranceSources) {
+    source_->addItem(toQString(Text(term.label)), static_cast<int>(term.value));
+  }
+  tolerance_->setRange(0.1, 180.0);
+  tolerance_->setDecimals(1);
+  tolerance_->setSuffix(QStringLiteral("\u00b0"));
+  attempts_->setRange(1, static_cast<int>(kMostCompetenceAttempts));
+  auto* experts = new QHBoxLayout;
+  experts->addWidget(cohort_, 1);
+  experts->addWidget(take_);
+  auto* form = new QFormLayout;
+  form->addRow(tr("E&xercise"), exercise_);
+  form->addRow(tr("Counts now"), inForce_);
+  form->addRow(tr("Tolerance &comes"), source_);
+  form->addRow(tr("&Tolerance"), tolerance_);
+  form->addRow(tr("Experts: people of"), experts);
+  form->addRow(QString(), standard_);
+  form->addRow(tr("Failures of somebody &able"), adequate_);
+  form->addRow(tr("Failures of somebody &not able"), inadequate_);
+  form->addRow(tr("Attempts &planned"), attempts_);
+  form->addRow(tr("Most that pass &wrongly"), falsePass_);
+  form->addRow(tr("Most that &fail wrongly"), falseFail_);
+  form->addRow(tr("&Reason"), reason_);
+  form->addRow(tr("What it does"), preview_);
+  auto* column = new QVBoxLayout(this);
+  auto* rule = sentence(this);
+  rule->setText(
+      tr("An attempt is a completed twist, or an untwisting. A design never changes; a new one counts for "
+         "trainees who begin after it was registered."));
+  column->addWidget(rule);
+  column->addLayout(form);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  register_ = buttons->addButton(tr("Register"), QDialogButtonBox::ActionRole);
+  register_->setObjectName(QStringLiteral("register"));
+  column->addWidget(buttons);
+
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(register_, &QPushButton::clicked, this, &CompetenceDialog::registerDesign);
+  connect(take_, &QPushButton::clicked, this, &CompetenceDialog::takeFromExperts);
+  connect(exercise_, &QComboBox::currentIndexChanged, this, &CompetenceDialog::showExercise);
+  connect(source_, &QComboBox::currentIndexChanged, this, &CompetenceDialog::showPreview);
+  connect(attempts_, &QSpinBox::valueChanged, this, &CompetenceDialog::showPreview);
+  connect(reason_, &QLineEdit::textChanged, this, &CompetenceDialog::showPreview);
+  for (QDoubleSpinBox* field : {tolerance_, adequate_, inadequate_, falsePass_, falseFail_}) {
+    connect(field, &QDoubleSpinBox::valueChanged, this, &CompetenceDialog::showPreview);
+  }
+}
+
+void CompetenceDialog::read() {
+  exercises_ = competenceDesigns(shell_.session(), versionId_);
+  const QVariant before = exercise_->currentData();
+  filling_ = true;
+  exercise_->clear();
+  for (const ExerciseDesigns& exercise : exercises_) {
+    exercise_->addItem(toQString(Text(exercise.title)), toQString(exercise.moduleId));
+  }
+  exercise_->setCurrentIndex(std::max(0, exercise_->findData(before)));
+  filling_ = false;
+  showExercise();
+}
+
+const ExerciseDesigns* CompetenceDialog::chosen() const {
+  const int at = exercise_->currentIndex();
+  return at < 0 ? nullptr : &exercises_[static_cast<std::size_t>(at)];
+}
+
+void CompetenceDialog::showExercise() {
+  const ExerciseDesigns* exercise = chosen();
+  if (filling_ || exercise == nullptr) {
+    return;
+  }
+  const CompetenceDesign& newest = newestOf(*exercise);
+  inForce_->setText(toQString(competenceDesignText(newest, exercise->untwisting)) + QLatin1Char('\n') +
+                    toQString(competenceErrorText(newest, competenceErrors(newest, newest.attempts))));
+  filling_ = true;
+  experts_ = newest.experts;
+  source_->setCurrentIndex(source_->findData(static_cast<int>(newest.source)));
+  tolerance_->setValue(degrees(newest.tolerance_rad));
+  adequate_->setValue(100.0 * newest.adequate);
+  inadequate_->setValue(100.0 * newest.inadequate);
+  attempts_->setValue(static_cast<int>(newest.attempts));
+  falsePass_->setValue(100.0 * newest.falsePassMost);
+  falseFail_->setValue(100.0 * newest.falseFailMost);
+  reason_->clear();
+  standard_->clear();
+  filling_ = false;
+  showPreview();
+}
+
+CompetenceDesign CompetenceDialog::entered() const {
+  CompetenceDesign design;
+  const ExerciseDesigns& exercise = *chosen();
+  design.moduleId = exercise.moduleId;
+  design.source = static_cast<ToleranceSource>(source_->currentData().toInt());
+  design.tolerance_rad = design.source == ToleranceSource::kExercise ? exercise.shipped.tolerance_rad
+                                                                     : radians(tolerance_->value());
+  design.experts = design.source == ToleranceSource::kExperts ? experts_ : 0;
+  design.adequate = adequate_->value() / 100.0;
+  design.inadequate = inadequate_->value() / 100.0;
+  design.attempts = attempts_->value();
+  design.falsePassMost = falsePass_->value() / 100.0;
+  design.falseFailMost = falseFail_->value() / 100.0;
+  design.reason = reason_->text().trimmed().toStdString();
+  return design;
+}
+
+void CompetenceDialog::showPreview() {
+  if (filling_ || chosen() == nullptr) {
+    return;
+  }
+  const auto source = static_cast<ToleranceSource>(source_->currentData().toInt());
+  tolerance_->setEnabled(source == ToleranceSource::kChosen);
+  cohort_->setEnabled(source == ToleranceSource::kExperts);
+  take_->setEnabled(source == ToleranceSource::kExperts && cohort_->count() > 0);
+  const CompetenceDesign design = entered();
+  bool ready = shell_.may(Operation::kCurriculumEdit);
+  QString said;
+  try {
+    const CompetencePreview preview = previewOfCompetence(design);
+    said = tr("Limit %1. %2")
+               .arg(preview.design.limit, 0, 'f', 2)
+               .arg(toQString(competenceErrorText(preview.design, preview.errors)));
+    if (!preview.falseFailKept) {
+      ready = false;
+      said +=
+          QLatin1Char('\n') + tr("Too many would fail wrongly: plan more attempts, or rates that lie farther "
+                                 "apart.");
+    }
+  } catch (const Error& error) {
+    ready = false;
+    said = toQString(error.happenedText());
+  }
+  if (source == ToleranceSource::kChosen && design.reason.empty()) {
+    ready = false;
+    said += QLatin1Char('\n') + tr("A tolerance chosen by hand needs a reason.");
+  }
+  if (source == ToleranceSource::kExperts && experts_ == 0) {
+    ready = false;
+    said += QLatin1Char('\n') + tr("Choose the cohort of the experts and take the tolerance from them.");
+  }
+  preview_->setText(said);
+  setLook(preview_, "caution", !ready);
+  register_->setEnabled(ready);
+}
+
+bool CompetenceDialog::takeFromExperts() {
+  return attempt(shell_, [&] {
+    const ProficiencyThreshold found =
+        expertTolerance_deg(shell_.session(), chosen()->moduleId, chosenId(cohort_));
+    experts_ = static_cast<std::int64_t>(found.experts);
+    standard_->setText(
+        tr("%1 experts: mean error %2\u00b0, mean and one standard deviation %3\u00b0, bound that "
+           "covers nine in ten experts %4\u00b0.")
+            .arg(found.experts)
+            .arg(found.mean, 0, 'f', 2)
+            .arg(found.oneDeviation, 0, 'f', 2)
+            .arg(found.toleranceBound, 0, 'f', 2));
+    tolerance_->setValue(found.toleranceBound);
+    showPreview();
+  });
+}
+
+bool CompetenceDialog::registerDesign() {
+  return attempt(shell_, [&] {
+    const CompetenceDesign stored = registerCompetence(shell_.session(), entered());
+    shell_.notify(tr("Registered as version %1.").arg(stored.version));
+    read();
+  });
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QDialog>
+
+#include "app/recording/competence_service.h"
+#include "sim/base/ids.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+
+namespace torsio::gui {
+
+class ShellContext;
+
+/// By what trainees are held to be able at the exercises of a published version: shows the design in force,
+/// previews both error rates of another one, registers it. GUI thread.
+class CompetenceDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// Reads the designs. Throws Error, DbError.
+  CompetenceDialog(ShellContext& shell, const CurriculumVersionId& versionId, QWidget* parent);
+
+  /// Takes the tolerance from the people of the chosen cohort.
+  bool takeFromExperts();
+  /// Stores what is previewed as the next version of the chosen exercise's design.
+  bool registerDesign();
+
+ private:
+  void build();
+  void read();
+  void showExercise();
+  void showPreview();
+  [[nodiscard]] const ExerciseDesigns* chosen() const;
+  [[nodiscard]] CompetenceDesign entered() const;
+
+  ShellContext& shell_;
+  CurriculumVersionId versionId_;
+  std::vector<ExerciseDesigns> exercises_;
+  std::int64_t experts_ = 0;  // behind the tolerance that is entered
+  bool filling_ = false;
+  QComboBox* exercise_;
+  QLabel* inForce_;
+  QComboBox* source_;
+  QDoubleSpinBox* tolerance_;
+  QComboBox* cohort_;
+  QPushButton* take_;
+  QLabel* standard_;
+  QDoubleSpinBox* adequate_;
+  QDoubleSpinBox* inadequate_;
+  QSpinBox* attempts_;
+  QDoubleSpinBox* falsePass_;
+  QDoubleSpinBox* falseFail_;
+  QLineEdit* reason_;
+  QLabel* preview_;
+  QPushButton* register_ = nullptr;
+};
+
+}  // namespace torsio::gui

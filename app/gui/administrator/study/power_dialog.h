@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QSpinBox;
+
+namespace torsio::gui {
+
+/// How many trainees a study needs, and what a number of trainees can show (torsio power). GUI thread.
+class PowerDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit PowerDialog(QWidget* parent);
+
+ private:
+  void showAnswer();
+
+  QComboBox* design_;
+  QSpinBox* groups_;
+  QDoubleSpinBox* effect_;
+  QDoubleSpinBox* power_;
+  QDoubleSpinBox* alpha_;
+  QDoubleSpinBox* correlation_;
+  QSpinBox* atHand_;
+  QLabel* needed_;
+  QLabel* shown_;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recording/competence_text.h"
+
+#include "assessment/report/number_format.h"
+#include "sim/base/angle.h"
+
+namespace torsio {
+
+std::string percentText(double share) {
+  constexpr double kLeast = 0.0005;
+  return share < kLeast ? "< 0.1 %" : formatFixed(100.0 * share, 1) + " %";
+}
+
+Text competenceDesignText(const CompetenceDesign& design, bool untwisting) {
+  const Text success =
+      untwisting ? Text::tr("an untwisting that passes")
+                 : Text::tr("a twist let go within %1 degrees (tolerance %2)",
+                            formatFixed(degrees(design.tolerance_rad), 1),
+                            Text(termsOf(design.source)[static_cast<std::size_t>(design.source)].label));
+  const Text which =
+      design.version > 0
+          ? Text::tr("Competence design, version %1", design.version)
+          : Text::tr(
+                "Competence design shipped with the exercise (none was registered before the first attempt)");
+  return Text::tr(
+      "%1: success is %2; able once the LC-CUSUM of failure rates %3 against %4 reaches %5, planned for %6 "
+      "attempts.",
+      which, success, percentText(design.adequate), percentText(design.inadequate),
+      formatFixed(design.limit, 2), design.attempts);
+}
+
+Text competenceErrorText(const CompetenceDesign& design, const CompetenceErrors& errors) {
+  return Text::tr(
+      "Within %1 attempts, %2 of trainees who fail %3 of their attempts are held to be able (false pass), "
+      "and "
+      "%4 of those who fail only %5 are not (false fail).",
+      errors.attempts, percentText(errors.falsePass), percentText(design.inadequate),
+      percentText(errors.falseFail), percentText(design.adequate));
+}
+
+Text competenceLevelText(const CompetenceVerdict& verdict) {
+  switch (verdict.level) {
+    case SkillLevel::kNotShown:
+      return Text::tr("not shown yet, %1 attempts missing", verdict.attemptsUntilLevel);
+    case SkillLevel::kLearning:
+      return Text::tr("learning");
+    case SkillLevel::kSteady:
+      return Text::tr("able, since attempt %1", verdict.ableAt.value_or(0));
+    case SkillLevel::kWatch:
+      return Text::tr("able since attempt %1; the last attempts raise a doubt", verdict.ableAt.value_or(0));
+    case SkillLevel::kRelapsed:
+      return Text::tr("able at attempt %1, not any more", verdict.ableAt.value_or(0));
+  }
+  return {};
+}
+
+}  // namespace torsio

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the report claims follows from the record.
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "assessment/report/cohort_csv.h"
+#include "assessment/report/cohort_report.h"
+#include "tests/support/demonstration_cohort.h"
+
+namespace torsio {
+namespace {
+
+using testing::demonstrationCohort;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// Everything that a report says in sentences.
+std::string saidBy(const CohortInputs& in) {
+  std::string all;
+  for (const ReportSection& section : cohortReport(in).sections) {
+    for (const Text& paragraph : section.paragraphs) {
+      all += paragraph.str() + "\n";
+    }
+    for (const ReportFigure& figure : section.figures) {
+      for (const Text& note : figure.notes) {
+        all += note.str() + "\n";
+      }
+    }
+    for (const ReportTable& table : section.tables) {
+      for (const Text& note : table.notes) {
+        all += note.str() + "\n";
+      }
+    }
+  }
+  return all;
+}
+
+const ReportTable* tableIn(const ReportModel& report, const std::string& id) {
+  for (const ReportSection& section : report.sections) {
+    for (const ReportTable& table : section.tables) {
+      if (table.id == id) {
+        return &table;
+      }
+    }
+  }
+  return nullptr;
+}
+
+TEST(ReportSentences, BlindingComesFromHowEachMarkWasGiven) {
+  CohortInputs in = demonstrationCohort();
+  in.markWays = {.blinded = 900};
+  EXPECT_THAT(saidBy(in), HasSubstr("Raters were blinded: all 900 marks"));
+  EXPECT_THAT(saidBy(in), Not(HasSubstr("not blinded")));
+  in.markWays = {.live = 900};
+  EXPECT_THAT(saidBy(in), HasSubstr("Raters were not blinded: all 900 marks"));
+  in.markWays = {.entered = 900};
+  EXPECT_THAT(saidBy(in), HasSubstr("Nothing shows that raters were blinded"));
+  in.markWays = {.blinded = 600, .live = 299, .entered = 1};
+  EXPECT_THAT(saidBy(in), HasSubstr("of 900 marks of the training study 600 were given on recordings under a "
+                                    "case label, 299 live"));
+  in.markWays = {};
+  EXPECT_THAT(saidBy(in), Not(HasSubstr("linded")));
+}
+
+TEST(ReportSentences, TheModelsWereHiddenOrNotAndRatersWereTraineesOrNot) {
+  CohortInputs in = demonstrationCohort();
+  in.modelsHidden = 3;
+  EXPECT_THAT(saidBy(in), HasSubstr("All 3 models stood before their raters under hidden labels"));
+  EXPECT_THAT(saidBy(in), Not(HasSubstr("are raters of the models as well")));
+  in.modelsHidden = 1;
+  EXPECT_THAT(saidBy(in), HasSubstr("1 of 3 models"));
+  in.ratings.front().sheets.front().rater = in.trainees.front().code;
+  EXPECT_THAT(saidBy(in), HasSubstr("1 trainees of this cohort are raters of the models as well"));
+}
+
+// R: power.t.test(n = 10, delta = 0.8, strict = TRUE)$power 0.395; n = 5: 0.2007; detectable with 0.8:
+// power.t.test(n = 10, power = 0.8)$delta 1.3249.
+TEST(ReportSentences, ThePowerIsThatOfTheGroupsAtHand) {
+  CohortInputs in = demonstrationCohort();
+  EXPECT_THAT(saidBy(in),
+              HasSubstr("The groups have 10, 10, 10 trainees. Two groups of 10 have a power of 0.40"));
+  EXPECT_THAT(saidBy(in), HasSubstr("detect one of 1.32"));
+  const auto fifth = [](const auto& item) { return item.number > 5 && item.group == 1; };
+  std::erase_if(in.scores, fifth);
+  EXPECT_THAT(saidBy(in), HasSubstr("10, 5, 10 trainees. Two groups of 5 have a power of 0.20"));
+  std::erase_if(in.scores, [](const TraineeScore& score) { return score.number > 1 && score.group == 1; });
+  EXPECT_THAT(saidBy(in), HasSubstr("nothing can be compared"));
+}
+
+TEST(ReportSentences, TheCommitmentIsDatedByTheRecord) {
+  CohortInputs in = demonstrationCohort();
+  in.allocation.commitment = "c0ffee";
+  in.allocation.lockedUtc_us = 0;
+  EXPECT_THAT(saidBy(in), HasSubstr("when it was made is not in the record"));
+  in.allocation.lockedUtc_us = 1'767'600'000'000'000;
+  EXPECT_THAT(saidBy(in), HasSubstr("made 2026-01-05 08:00 UTC, before the first enrolment"));
+  in.allocation.enrolledBeforeLock = 30;
+  EXPECT_THAT(saidBy(in), HasSubstr("before anybody was allocated and after 30 trainees had been enrolled"));
+  in.allocation.allocatedBeforeLock = 2;
+  EXPECT_THAT(saidBy(in), HasSubstr("after 2 trainees had been allocated"));
+  EXPECT_THAT(saidBy(in), HasSubstr("seed: not recorded"));
+  in.allocation.commitment.clear();
+  EXPECT_THAT(saidBy(in), HasSubstr("No commitment to the seed is in the record"));
+  in.allocation.replayed = false;
+  in.allocation.replayDiffers = true;
+  EXPECT_THAT(saidBy(in), HasSubstr("was NOT found the same"));
+  in.allocation.method = Text::verbatim("complete permutation");
+  in.allocation.movedByHand = 2;
+  EXPECT_THAT(saidBy(in), HasSubstr("2 trainees were moved by hand"));
+  EXPECT_THAT(saidBy(in), Not(HasSubstr("any difference is due to chance")));
+  EXPECT_THAT(saidBy(in), HasSubstr("seed: 0"));
+}
+
+TEST(ReportSentences, ARecordingWithoutItsHashIsNotCalledSealed) {
+  CohortInputs in = demonstrationCohort();
+  EXPECT_THAT(saidBy(in), HasSubstr("Every recording is sealed in the record"));
+  in.trials.front().contentHash.clear();
+  EXPECT_THAT(saidBy(in), Not(HasSubstr("Every recording is sealed in the record")));
+  EXPECT_THAT(saidBy(in), HasSubstr("1 recordings have no content hash"));
+}
+
+TEST(ReportSentences, TrainingTimeIsWhatWasRecordedBesideWhatWasPlannedAndNoted) {
+  CohortInputs in = demonstrationCohort();
+  in.groups[0].plannedVirtual_min = 40.0;
+  in.groups[0].plannedReal_min = 0.0;
+  in.doses = {{"x101", 38.5, 0.0, 5.0}};
+  in.trials.resize(1);
+  in.trials[0].trainee = "x101";
+  in.trials[0].group = 0;
+  in.trials[0].minutes = 0.33;
+
+  const ReportModel report = cohortReport(in);
+  const ReportTable* table = tableIn(report, "table-dose");
+  ASSERT_NE(table, nullptr);
+  EXPECT_EQ(table->rows.at(0).at(2), "40.0");
+  EXPECT_EQ(table->rows.at(0).at(3), "38.5");
+  EXPECT_EQ(table->rows.at(0).at(4), "0.33");
+  EXPECT_THAT(saidBy(in), HasSubstr("Recordings make up 0.9 % of the time noted"));
+  EXPECT_EQ(table->provenance.formula, "plan of the arms; times noted; lengths of the recordings");
+}
+
+TEST(ReportSentences, AMissingMarkIsSaidWhereMarksAreCounted) {
+  CohortInputs in = demonstrationCohort();
+  EXPECT_THAT(saidBy(in), HasSubstr("physicians scored every trainee at 3 occasions"));
+  EXPECT_THAT(saidBy(in), HasSubstr("every trainee is scored by the same raters"));
+  in.trainingMarks.pop_back();
+  EXPECT_THAT(saidBy(in), HasSubstr("10 physicians gave 899 marks at 3 occasions"));
+  EXPECT_THAT(saidBy(in), HasSubstr("a strict or lenient rater may change their order"));
+}
+
+TEST(ReportSentences, WithoutDataNothingIsClaimedOfThem) {
+  CohortInputs in;
+  in.instrument = paperInstrument();
+  EXPECT_EQ(saidBy(in), "");
+}
+
+TEST(ShownInputs, NoMarkAndNoMeanIsShownBeforeTheSetIsCompleteOrFrozen) {
+  CohortInputs in = demonstrationCohort();
+  in.sheetsAsked = 900;
+  in.sheetsPresent = 899;
+
+  const ReportModel open = cohortReport(in);
+  EXPECT_THAT(saidBy(in), HasSubstr("899 of 900 sheets"));
+  EXPECT_EQ(tableIn(open, "table-training-scores"), nullptr);
+  EXPECT_EQ(tableIn(open, "table-training-summary"), nullptr);
+  EXPECT_EQ(tableIn(open, "table-agreement"), nullptr);
+  EXPECT_EQ(tableIn(open, "table-raters"), nullptr);
+  for (const CohortCsvRow& row : cohortCsvRows(in)) {
+    EXPECT_TRUE(row.section != "agreement" && row.section != "comparison") << row.statistic;
+    EXPECT_TRUE(row.section != "training" || row.statistic == "sheets_asked" ||
+                row.statistic == "sheets_present")
+        << row.statistic;
+  }
+  const std::vector<std::vector<Text>>& groups = tableIn(open, "table-participants")->rows;
+  for (const std::vector<Text>& row : groups) {
+    EXPECT_EQ(row.back(), "not recorded");  // not even the mean before
+  }
+
+  in.freeze = CohortFreeze{"final", std::string(64, 'b'), 1, "admin", true};
+  EXPECT_NE(tableIn(cohortReport(in), "table-training-scores"), nullptr);
+  in.freeze.reset();
+  in.sheetsPresent = 900;
+  EXPECT_NE(tableIn(cohortReport(in), "table-training-scores"), nullptr);
+  EXPECT_THAT(saidBy(in), Not(HasSubstr("sheets that raters were asked for")));
+}
+
+TEST(ShownInputs, NoSingleMarkLeaksThroughASmallCell) {
+  CohortInputs in = demonstrationCohort();
+  in.singleMarks = false;
+  in.scores.front().n = 2;  // of two marks one's own gives away the other
+  const std::string code = in.scores.front().trainee;
+  const std::size_t group = in.scores.front().group;
+
+  const ReportModel report = cohortReport(in);
+  const auto& rows = tableIn(report, "table-training-scores")->rows;
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& one) { return one[2] == code; });
+  ASSERT_NE(row, rows.end());
+  EXPECT_EQ((*row)[3], "missing");
+  EXPECT_NE((*row)[4], "missing");
+  for (const std::vector<Text>& summary : tableIn(report, "table-training-summary")->rows) {
+    EXPECT_FALSE(summary[0] == in.occasions[0] && summary[1] == in.groups[group].name);  // would give it back
+  }
+  EXPECT_THAT(saidBy(in), HasSubstr("Scores of fewer than 3 marks"));
+  for (const CohortCsvRow& line : cohortCsvRows(in)) {
+    EXPECT_FALSE(line.section == "training" && line.item == code && line.occasion == in.occasions[0].str());
+  }
+  in.singleMarks = true;
+  EXPECT_EQ(tableIn(cohortReport(in), "table-training-summary")->rows.size(), 9U);
+}
+
+CohortCompetence verdictOf(const CohortInputs& in, std::size_t trainee, bool able) {
+  CohortCompetence one;
+  one.trainee = in.trainees[trainee].code;
+  one.group = in.trainees[trainee].group;
+  one.exercise = Text::verbatim("Quarter turn");
+  one.attempts = 3;
+  one.level = able ? Text::verbatim("able, since attempt 2") : Text::verbatim("learning");
+  one.able = able;
+  one.ableAt = able ? std::optional<std::int64_t>(2) : std::nullopt;
+  one.sums = {1.0, 2.0, 1.5};
+  one.limit = 2.0;
+  one.falsePass = 0.049;
+  one.falseFail = 0.094;
+  one.withinAttempts = 50;
+  one.design = Text::verbatim("Design.");
+  one.errors = Text::verbatim("Errors.");
+  return one;
+}
+
+TEST(CompetenceSection, PrintsTheErrorRatesBesideEveryLevel) {
+  CohortInputs in = demonstrationCohort();
+  in.competence = {verdictOf(in, 0, true), verdictOf(in, 1, false)};
+
+  const ReportModel report = cohortReport(in);
+  const ReportTable* table = tableIn(report, "table-competence");
+  ASSERT_NE(table, nullptr);
+  EXPECT_EQ(table->rows.at(0).at(5), "able, since attempt 2");
+  EXPECT_EQ(table->rows.at(0).at(6), "4.9 %");
+  EXPECT_EQ(table->rows.at(1).at(7), "9.4 %");
+  EXPECT_EQ(table->rows.at(1).at(8), "50");
+  EXPECT_EQ(table->rows.at(1).at(9), "shipped with the exercise");
+  EXPECT_THAT(saidBy(in), HasSubstr("Quarter turn. Design. Errors."));
+  std::int64_t rates = 0;
+  for (const CohortCsvRow& row : cohortCsvRows(in)) {
+    rates += row.section == "competence" && (row.statistic == "false_pass" || row.statistic == "false_fail");
+  }
+  EXPECT_EQ(rates, 4);
+  in.identity = ReportIdentity::kAggregated;
+  EXPECT_EQ(tableIn(cohortReport(in), "table-competence"), nullptr);
+}
+
+}  // namespace
+}  // namespace torsio
