@@ -38,6 +38,8 @@
 #include "app/study/frozen_data.h"
 #include "app/study/live_call.h"
 #include "app/study/occasion_service.h"
+#include "app/study/paper_sheets.h"
+#include "app/study/reminders.h"
 #include "app/study/rubric_service.h"
 #include "app/study/run_day.h"
 #include "app/study/scoring_plan.h"
@@ -201,6 +203,13 @@ std::vector<ServiceCall> studyCalls() {
       {O::kStudySetup, "calledCases", [](SessionContext& w, Path) { (void)calledCases(w, kNoSuch); }},
       {O::kStudySetup, "enrolmentWithCode",
        [](SessionContext& w, Path) { (void)enrolmentWithCode(w, kNoSuch, ""); }},
+      {O::kStudySetup, "paperCases", [](SessionContext& w, Path) { (void)paperCases(w, kNoSuch); }},
+      {O::kStudySetup, "paperForm", [](SessionContext& w, Path) { (void)paperForm(w, kNoSuch); }},
+      {O::kStudySetup, "enterPaperSheet",
+       [](SessionContext& w, Path) { (void)enterPaperSheet(w, kNoSuch, {}); }},
+      {O::kStudySetup, "paperSheets",
+       [](SessionContext& w, Path) { (void)paperSheets(w, kNoSuch, kNoSuch, ""); }},
+      {O::kStudySetup, "reminders", [](SessionContext& w, Path) { (void)reminders(w, kNoSuch); }},
       {O::kStudySetup, "runDayBoard", [](SessionContext& w, Path) { (void)runDayBoard(w, kNoSuch); }},
       {O::kStudyEnrol, "enrolTrainees", [](SessionContext& w, Path) { (void)enrolTrainees(w, kNoSuch, {}); }},
       {O::kStudyEnrol, "setEnrolmentState",
