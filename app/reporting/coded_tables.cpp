@@ -33,11 +33,12 @@ constexpr std::int64_t kAllEntries = INT64_MAX;
 /// Keeps in the audit trail what leaves, then writes it: a trace of a file that could not be written is
 /// better than data that left without a trace.
 std::size_t write(SessionContext& session, const AuditNote& what, const std::vector<Cells>& lines,
-                  const std::filesystem::path& file) {
+                  const std::filesystem::path& file, const CsvLook& look) {
   std::string text = "\xEF\xBB\xBF";
   for (const Cells& cells : lines) {
     text += csvLine(cells);
   }
+  text = csvInLook(text, look);
   Digest digest;
   digest.update(text);
   const std::size_t rows = lines.size() - 1;
@@ -58,7 +59,7 @@ std::string endOf(const TrialListing& trial) {
 }  // namespace
 
 std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
-                             const std::filesystem::path& file) {
+                             const std::filesystem::path& file, const CsvLook& look) {
   session.require(Operation::kTrialViewCoded);
   std::vector<Cells> lines{{"trial", "trainee", "scene", "pattern", "phase", "mode", "station", "started_utc",
                             "duration_s", "end", "model"}};
@@ -75,11 +76,11 @@ std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
                        endOf(*trial), std::string(tissueModelId(trial->model))});
     }
   }
-  return write(session, {AuditAction::kTrialExportCoded, AuditObject::kCohort, cohortId}, lines, file);
+  return write(session, {AuditAction::kTrialExportCoded, AuditObject::kCohort, cohortId}, lines, file, look);
 }
 
 std::size_t exportMarks(SessionContext& session, const CohortId& cohortId,
-                        const std::filesystem::path& file) {
+                        const std::filesystem::path& file, const CsvLook& look) {
   session.require(Operation::kMarkViewCoded);
   std::vector<Cells> lines{
       {"trainee", "rater", "occasion", "version", "score", "not_assessable", "trial", "submitted_utc"}};
@@ -89,10 +90,11 @@ std::size_t exportMarks(SessionContext& session, const CohortId& cohortId,
          mark.score_steps ? formatExact(pointsFromSteps(*mark.score_steps, mark.scale)) : std::string(),
          mark.score_steps ? "no" : "yes", mark.trialId, formatUtc(mark.submittedUtc_us)});
   }
-  return write(session, {AuditAction::kMarkExportCoded, AuditObject::kCohort, cohortId}, lines, file);
+  return write(session, {AuditAction::kMarkExportCoded, AuditObject::kCohort, cohortId}, lines, file, look);
 }
 
-std::size_t exportAuditTrail(SessionContext& session, AuditFilter filter, const std::filesystem::path& file) {
+std::size_t exportAuditTrail(SessionContext& session, AuditFilter filter, const std::filesystem::path& file,
+                             const CsvLook& look) {
   session.require(Operation::kAuditView);
   filter.limit = kAllEntries;
   const std::vector<AuditEntry> entries = auditEntries(session, filter);
@@ -111,7 +113,7 @@ std::size_t exportAuditTrail(SessionContext& session, AuditFilter filter, const 
                      named(subjects, entry.objectId), entry.objectId, entry.oldJson, entry.newJson,
                      entry.reason, entry.entryHash});
   }
-  return write(session, {AuditAction::kAuditExport, AuditObject::kAuditEntry}, lines, file);
+  return write(session, {AuditAction::kAuditExport, AuditObject::kAuditEntry}, lines, file, look);
 }
 
 }  // namespace torsio
