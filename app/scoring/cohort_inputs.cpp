@@ -105,6 +105,9 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
     inputs.centre = centre->name;
   }
   inputs.softwareVersion = softwareVersion();
+  if (!programHash().empty()) {
+    inputs.provenance.emplace_back(Text::tr("Program file (BLAKE2b)"), programHash());
+  }
   const std::vector<StudyGroup> groups = study.groups(cohortId);
   for (const StudyGroup& group : groups) {
     inputs.groups.push_back({Text::tr("Group %1", group.number), group.label});

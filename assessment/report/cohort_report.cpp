@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "assessment/report/aggregated_inputs.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
+#include "assessment/report/study_analysis.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -404,6 +406,11 @@ void addCover(const CohortInputs& in, ReportModel& report) {
 ReportModel reportOf(const CohortInputs& in) {
   ReportModel report;
   addCover(in, report);
+  std::optional<StudyAnalysis> study;
+  if (!in.trainingMarks.empty()) {
+    study = analyseStudy(in);
+    report.sections.push_back(boardSection(in, *study));
+  }
   if (!in.simulated.empty()) {
     ReportSection section;
     section.title = Text::tr("What was simulated");
@@ -419,10 +426,9 @@ ReportModel reportOf(const CohortInputs& in) {
   if (!in.scores.empty()) {
     report.sections.push_back(trainingSection(in));
   }
-  if (!in.trainingMarks.empty()) {
-    const StudyAnalysis study = analyseStudy(in);
-    report.sections.push_back(analysisSection(in, study));
-    report.sections.push_back(ratersSection(in, study));
+  if (study) {
+    report.sections.push_back(analysisSection(in, *study));
+    report.sections.push_back(ratersSection(in, *study));
   }
   if (ReportSection learning = learningSection(in); !learning.tables.empty()) {
     report.sections.push_back(std::move(learning));

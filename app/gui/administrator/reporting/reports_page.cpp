@@ -275,6 +275,8 @@ bool ReportsPage::exportTables(const std::filesystem::path& folder) {
     }
     if (shell().may(Operation::kMarkViewCoded)) {
       marks = exportMarks(session, cohort, folder / "marks.csv", usualTableLook());
+      exportCriteria(session, cohort, folder / "criteria.csv", usualTableLook());
+      exportRubrics(session, cohort, folder / "rubrics.csv", usualTableLook());
     }
     shell().notify(tr("%1 recordings and %2 marks written to %3")
                        .arg(recordings)
