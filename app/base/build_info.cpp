@@ -1,10 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/build_info.h"
 
+#include <QCoreApplication>
+
+#include "sim/base/digest.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+
 namespace torsio {
 
 std::string softwareVersion() {
   return TORSIO_VERSION;
+}
+
+const std::string& programHash() {
+  static const std::string kHash = [] {
+    try {
+      Digest digest;
+      digest.update(readFile(QCoreApplication::applicationFilePath().toStdString()));
+      return digest.hex();
+    } catch (const Error&) {
+      return std::string();
+    }
+  }();
+  return kHash;
 }
 
 }  // namespace torsio

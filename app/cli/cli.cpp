@@ -10,6 +10,7 @@
 #include <QCoreApplication>
 
 #include "app/base/build_info.h"
+#include "app/cli/command_report.h"
 #include "app/cli/commands.h"
 #include "app/report/graphics_application.h"
 #include "sim/base/error.h"
@@ -48,6 +49,7 @@ void buildProgram(CLI::App& program) {
   addPower(program);
   addRecord(program);
   addReplay(program);
+  addReport(program);
   addSection(program);
   addStandardSetting(program);
   addTwist(program);

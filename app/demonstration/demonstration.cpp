@@ -16,10 +16,10 @@
 #include "app/recording/expert_run.h"
 #include "app/recording/kept_digests.h"
 #include "app/recording/pipeline.h"
+#include "app/recording/trial_digests.h"
 #include "app/report/pdf_report.h"
 #include "app/scoring/cohort_inputs.h"
 #include "app/scoring/scoring_service.h"
-#include "assessment/attempt/trial_digest.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/report/cohort_csv.h"
 #include "assessment/report/cohort_report.h"
@@ -30,7 +30,6 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/system/demonstration_data.h"
-#include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
@@ -43,6 +42,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kPhaseLength_min = 20.0;
+constexpr std::int64_t kWeek_us = 7 * 86'400'000'000;
 constexpr double kUntwistingsFrom = 0.68;  // of the whole work
 constexpr double kUntwistingsShare = 0.2;
 
@@ -96,7 +96,7 @@ class Demonstration {
     recordUntwistings();
     storeDemonstrationExposures(connection_, study_, curriculum_, options_.seed, options_.simulatedUtc_us);
     meter_.show("Submitting simulated marks", 0.88);
-    submitDemonstrationMarks(connection_, study_, ids_, options_.seed, options_.simulatedUtc_us);
+    submitDemonstrationMarks(connection_, study_, curriculum_, ids_, options_.seed, options_.simulatedUtc_us);
     meter_.show("Computing the evaluation", 0.92);
     return assess(training, example);
   }
@@ -119,8 +119,8 @@ class Demonstration {
       total += study_.people.groups.at(phase.group).size();
     }
     std::size_t done = 0;
-    for (const VirtualPhase& phase : kVirtualPhases) {
-      for (const DemonstrationTrainee& trainee : study_.trainees) {
+    for (const DemonstrationTrainee& trainee : inOrderOfComing(study_.trainees)) {
+      for (const VirtualPhase& phase : kVirtualPhases) {
         if (trainee.group != phase.group) {
           continue;
         }
@@ -143,7 +143,7 @@ class Demonstration {
   void recordUntwistings() {
     std::map<std::string, Scene> scenes;
     const std::vector<DemonstrationUntwisting> all = storeDemonstrationUntwisting(
-        connection_, study_, options_.training.assets, options_.seed, options_.simulatedUtc_us);
+        connection_, study_, options_.training.assets, options_.seed, studyOver_us());
     for (std::size_t i = 0; i < all.size(); ++i) {
       const DemonstrationUntwisting& one = all[i];
       meter_.show(
@@ -155,12 +155,9 @@ class Demonstration {
         request.assets = options_.training.assets;
         request.id = one.sceneId;
         request.pattern = one.patternId;
-        Scene loaded = loadScene(request);
-        organs_.emplace_back(Text::tr("organ %1", loaded.id), loaded.organHash);
-        organs_.emplace_back(Text::tr("model parameters %1", loaded.id), loaded.parameterHash);
-        scene = scenes.emplace(one.sceneId, std::move(loaded)).first;
+        scene = scenes.emplace(one.sceneId, loadScene(request)).first;
       }
-      keep(store(scene->second, one.trial), one.group);
+      store(scene->second, one.trial, true);
     }
   }
 
@@ -176,29 +173,22 @@ class Demonstration {
     TrialContext& context = recording.context;
     context.station = "demonstration";
     if (trainee != nullptr) {
-      const DemonstrationPlace place = demonstrationPlace(curriculum_, trainee->group, recording.phaseLabel);
+      const DemonstrationPlace place =
+          demonstrationPlace(curriculum_, *trainee, recording.phaseLabel, options_.simulatedUtc_us);
+      recording.startedUtc_us = place.startedUtc_us;
       context.enrolmentId = trainee->enrolmentId;
       context.moduleId = place.moduleId;
       context.phaseId = place.phaseId;
       context.attemptMode = AttemptMode::kPractice;
     }
-    const Measured measured = store(scene, trial);
-    if (trainee == nullptr) {
-      return;
-    }
-    if (summary_.firstTrialId.empty()) {
+    store(scene, trial, trainee != nullptr);
+    if (trainee != nullptr && summary_.firstTrialId.empty()) {
       summary_.firstTrialId = recording.trialId;
     }
-    keep(measured, trainee->group);
   }
 
-  /// What a recording came to.
-  struct Measured {
-    TrialSummaryRow row;
-    TrialDigest digest;
-  };
-
-  Measured store(const Scene& scene, const ScriptedTrial& trial) {
+  /// Records, measures and counts; of a trainee's recording what was measured is kept.
+  void store(const Scene& scene, const ScriptedTrial& trial, bool keep) {
     const RecordingSpec& recording = trial.recording;
     TrialRepository repository(connection_, recording.context);
     recordScriptedTrial(scene, trial, repository);
@@ -206,28 +196,20 @@ class Demonstration {
     const AttemptRules rules = rules_.of(connection_, scene.id, scene.pattern.id, recording.context.moduleId);
     const AttemptMeasures measures =
         measureAttempt(stored.header, decodeTrial(stored), recordedRules(rules, stored.header));
-    const TrialDigest digest = keptDigest(stored, measures, rules, options_.simulatedUtc_us);
-    TrialSummaryRow row = summaryRow({.trialId = recording.trialId,
-                                      .traineeCode = recording.traineeCode,
-                                      .phaseLabel = recording.phaseLabel,
-                                      .summary = stored.summary},
-                                     digest);
-    summary_.samples += row.samples;
-    summary_.recorded_min += row.minutes;
+    summary_.samples += stored.summary.samples;
+    summary_.recorded_min += static_cast<double>(measures.duration_us) / 60e6;
     ++summary_.trials;
-    return {std::move(row), digest};
+    if (keep) {
+      summary_.twists += std::ssize(measures.twists);
+      keepDigest(connection_, stored, measures, rules, options_.simulatedUtc_us);
+    }
   }
 
-  /// Keeps what was measured of a trainee's recording, for the record and for the report.
-  void keep(Measured measured, std::size_t group) {
-    measured.row.group = group;
-    summary_.twists += measured.row.twists;
-    DigestRepository(connection_).add({&measured.digest, 1});
-    digests_.push_back(std::move(measured.row));
-  }
+  /// The working week of the study is over.
+  [[nodiscard]] std::int64_t studyOver_us() const { return options_.simulatedUtc_us + kWeek_us; }
 
   CohortInputs assess(const Scene& training, const Scene& example) {
-    const ScoringStamp stamp{options_.simulatedUtc_us, true};
+    const ScoringStamp stamp{studyOver_us(), true};
     const CampaignResult campaign = evaluateCampaign(connection_, study_.campaignId, ids_, stamp);
     const TrainingResult marks = scoreTraining(connection_, study_.cohortId, ids_, stamp);
     CohortInputs inputs = cohortInputs(connection_, study_.cohortId, campaign, marks);
@@ -248,14 +230,14 @@ class Demonstration {
         {Text::tr("Seed"), std::to_string(options_.seed)},
         {Text::tr("Simulated date"),
          Text::tr("%1, the same in every run", Text::verbatim("2026-01-05 08:00 UTC"))}};
-    inputs.trials = digests_;
+    inputs.trials =
+        TrialDigests(options_.training.assets).read(connection_, study_.cohortId, options_.simulatedUtc_us);
     inputs.competence =
         competenceOfCohort(connection_, curriculum_.id, inputs.trainees, rules_, options_.simulatedUtc_us);
     for (const Scene* scene : {&training, &example}) {
       inputs.provenance.emplace_back(Text::tr("organ %1", scene->id), scene->organHash);
       inputs.provenance.emplace_back(Text::tr("model parameters %1", scene->id), scene->parameterHash);
     }
-    inputs.provenance.insert(inputs.provenance.end(), organs_.begin(), organs_.end());
     return inputs;
   }
 
@@ -266,8 +248,6 @@ class Demonstration {
   ProgressMeter meter_;
   DemonstrationStudy study_;
   CurriculumVersion curriculum_;
-  std::vector<TrialSummaryRow> digests_;
-  Facts organs_;  // those that come twisted
   DemonstrationSummary summary_;
 };
 

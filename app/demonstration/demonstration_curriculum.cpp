@@ -22,6 +22,13 @@ namespace {
 constexpr const char* kTemplate = "paper-three-arms";
 constexpr std::uint64_t kCurriculumStream = 0x63'7572'7269'6375ULL;
 constexpr std::uint64_t kExposureStream = 0x65'7870'6f73'75ULL;
+constexpr std::int64_t kStudyHour_us = 3'600'000'000;
+constexpr std::int64_t kStudyDay_us = 24 * kStudyHour_us;
+constexpr std::int64_t kTraineesADay = 6;
+
+bool rests(const DemonstrationTrainee& trainee) {
+  return trainee.number % 2 == 0;
+}
 
 CurriculumTemplate templateOf(const std::filesystem::path& assets, const std::string& templateId) {
   for (CurriculumTemplate& found : curriculumTemplates(assets)) {
@@ -87,11 +94,38 @@ CurriculumVersion storeDemonstrationTemplate(Connection& connection, IdSource& i
   return version;
 }
 
-DemonstrationPlace demonstrationPlace(const CurriculumVersion& curriculum, std::size_t group,
-                                      const std::string& phaseLabel) {
-  for (const TrainingPhase& phase : curriculum.arms.at(group).phases) {
-    if (phase.label == phaseLabel) {
-      return {phase.moduleId, phase.id};
+std::vector<DemonstrationTrainee> inOrderOfComing(std::vector<DemonstrationTrainee> trainees) {
+  std::sort(trainees.begin(), trainees.end(),
+            [](const DemonstrationTrainee& a, const DemonstrationTrainee& b) {
+              return std::pair(a.number, a.group) < std::pair(b.number, b.group);
+            });
+  return trainees;
+}
+
+std::vector<std::int64_t> demonstrationTimes(const CurriculumVersion& curriculum,
+                                             const DemonstrationTrainee& trainee, std::int64_t utc_us) {
+  const StudyArm& arm = curriculum.arms.at(trainee.group);
+  const auto turn = static_cast<std::int64_t>((trainee.number - 1) * curriculum.arms.size() + trainee.group);
+  std::int64_t at_us = utc_us + turn / kTraineesADay * kStudyDay_us + turn % kTraineesADay * kStudyHour_us;
+  std::vector<std::int64_t> times;
+  for (std::size_t i = 0; i < arm.phases.size(); ++i) {
+    if (i == 1 && rests(trainee)) {
+      at_us += arm.restAllowance_us;
+    }
+    times.push_back(at_us);
+    at_us += arm.phases[i].duration_us;
+  }
+  times.push_back(at_us);
+  return times;
+}
+
+DemonstrationPlace demonstrationPlace(const CurriculumVersion& curriculum,
+                                      const DemonstrationTrainee& trainee, const std::string& phaseLabel,
+                                      std::int64_t utc_us) {
+  const std::vector<TrainingPhase>& phases = curriculum.arms.at(trainee.group).phases;
+  for (std::size_t i = 0; i < phases.size(); ++i) {
+    if (phases[i].label == phaseLabel) {
+      return {phases[i].moduleId, phases[i].id, demonstrationTimes(curriculum, trainee, utc_us).at(i)};
     }
   }
   return {};
@@ -104,17 +138,17 @@ void storeDemonstrationExposures(Connection& connection, const DemonstrationStud
   std::vector<Exposure> exposures;
   for (const DemonstrationTrainee& trainee : study.trainees) {
     const StudyArm& arm = curriculum.arms.at(trainee.group);
-    std::int64_t at_us = utc_us;
-    const auto spend = [&](const PhaseId& phaseId, ExposureKind kind, std::int64_t duration_us) {
+    const std::vector<std::int64_t> times = demonstrationTimes(curriculum, trainee, utc_us);
+    const auto spend = [&](const PhaseId& phaseId, ExposureKind kind, std::int64_t at_us,
+                           std::int64_t duration_us) {
       exposures.push_back(
           {ids.newUuid(), trainee.enrolmentId, phaseId, kind, at_us, duration_us, kDemonstrationName, true});
-      at_us += duration_us;
     };
     for (std::size_t i = 0; i < arm.phases.size(); ++i) {
-      if (i == 1 && trainee.number % 2 == 0 && arm.restAllowance_us > 0) {
-        spend("", ExposureKind::kRest, arm.restAllowance_us);
+      if (i == 1 && rests(trainee) && arm.restAllowance_us > 0) {
+        spend("", ExposureKind::kRest, times[i] - arm.restAllowance_us, arm.restAllowance_us);
       }
-      spend(arm.phases[i].id, exposureIn(arm.phases[i].kind), arm.phases[i].duration_us);
+      spend(arm.phases[i].id, exposureIn(arm.phases[i].kind), times[i], arm.phases[i].duration_us);
     }
   }
   StudyRepository(connection).addExposures(exposures);
@@ -122,8 +156,9 @@ void storeDemonstrationExposures(Connection& connection, const DemonstrationStud
 
 Text demonstrationTimeRule() {
   return Text::tr(
-      "The times of training are those of the protocol, in full; every second trainee of a group takes the "
-      "whole rest between the two halves.");
+      "The times of training are those of the protocol, in full: one trainee an hour, six a day; every "
+      "second "
+      "trainee of a group takes the whole rest between the two halves.");
 }
 
 }  // namespace torsio

@@ -18,10 +18,11 @@ inline constexpr const char* kDemonstrationName = "demonstration";  ///< who mad
 class Connection;
 class IdSource;
 
-/// Where a simulated trial belongs in the curriculum; empty ids: nowhere.
+/// Where a simulated trial belongs in the curriculum, and when it begins; empty ids: nowhere.
 struct DemonstrationPlace {
   ModuleId moduleId;
   PhaseId phaseId;
+  std::int64_t startedUtc_us = 0;
 };
 
 /// Stores the paper's protocol as a curriculum of its own that runs, with what `training` twists as its
@@ -40,9 +41,19 @@ struct DemonstrationPlace {
                                                            const std::string& templateId,
                                                            std::vector<StudyArm> arms, std::int64_t utc_us);
 
-/// The phase with this label in the arm of a group, and its exercise.
-[[nodiscard]] DemonstrationPlace demonstrationPlace(const CurriculumVersion& curriculum, std::size_t group,
-                                                    const std::string& phaseLabel);
+/// The trainees in the order in which they come: the groups take turns.
+[[nodiscard]] std::vector<DemonstrationTrainee> inOrderOfComing(std::vector<DemonstrationTrainee> trainees);
+
+/// When each phase of a trainee begins, and at the end when the last one is over. One trainee an hour, six a
+/// day from `utc_us` on; every second trainee of a group rests between the first two phases.
+[[nodiscard]] std::vector<std::int64_t> demonstrationTimes(const CurriculumVersion& curriculum,
+                                                           const DemonstrationTrainee& trainee,
+                                                           std::int64_t utc_us);
+
+/// The phase with this label in the arm of a trainee, its exercise and when it begins.
+[[nodiscard]] DemonstrationPlace demonstrationPlace(const CurriculumVersion& curriculum,
+                                                    const DemonstrationTrainee& trainee,
+                                                    const std::string& phaseLabel, std::int64_t utc_us);
 
 /// The time that everybody spent: each phase of the arm in full length, and for every second trainee the rest
 /// between the first two.

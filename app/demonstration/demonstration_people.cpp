@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/base/build_info.h"
+#include "app/demonstration/demonstration_curriculum.h"
 #include "app/study/case_order.h"
 #include "assessment/people/person.h"
 #include "assessment/rating/assignment.h"
@@ -36,6 +37,8 @@ namespace {
 constexpr std::size_t kTrainees = 30;
 constexpr std::size_t kMaleTrainees = 17;  // paper section 6: 17 men, 13 women
 constexpr std::size_t kTrainingRaters = 10;
+constexpr std::int64_t kScoring_us = 180'000'000;
+constexpr std::int64_t kCallLength_us = 240'000'000;
 constexpr std::size_t kMaleTrainingRaters = 7;
 
 struct ClassOfRaters {
@@ -213,6 +216,18 @@ std::vector<std::string> liveLabels(std::size_t count, std::uint64_t seed) {
   return caseLabels(count, taken, seed, 0);
 }
 
+/// When a trainee is called to the real arm: before the first phase, and when a phase is over.
+std::vector<std::int64_t> callTimes(const CurriculumVersion& curriculum, const DemonstrationTrainee& trainee,
+                                    std::int64_t utc_us) {
+  std::vector<std::int64_t> times = demonstrationTimes(curriculum, trainee, utc_us);
+  const std::vector<TrainingPhase>& phases = curriculum.arms.at(trainee.group).phases;
+  for (std::size_t i = phases.size(); i > 0; --i) {
+    times[i] = times[i - 1] + phases[i - 1].duration_us;  // before any rest
+  }
+  times[0] -= kCallLength_us;
+  return times;
+}
+
 /// Each physician was asked for every mark that they gave, live on the real arm; the marks answer the
 /// requests. Ids of their own, so that everything else keeps the ids that its seed gives it.
 void assignMarks(Connection& connection, std::vector<SubmittedMark>& marks, std::uint64_t seed,
@@ -224,8 +239,10 @@ void assignMarks(Connection& connection, std::vector<SubmittedMark>& marks, std:
   SeededIdSource ids(seed ^ kOwnStream);
   const RubricRevisionId rubric = addOverallRubric(connection, ids, marks.front().scale, utc_us);
   std::map<std::pair<std::string, std::string>, std::string> labels;  // one for all raters: it is called out
+  std::map<std::pair<std::string, std::string>, std::int64_t> called_us;
   for (const SubmittedMark& mark : marks) {
     labels[{mark.enrolmentId, mark.occasionCode}];
+    called_us[{mark.enrolmentId, mark.occasionCode}] = mark.submittedUtc_us - kScoring_us;
   }
   const std::vector<std::string> drawn = liveLabels(labels.size(), seed);
   std::size_t next = 0;
@@ -253,7 +270,7 @@ void assignMarks(Connection& connection, std::vector<SubmittedMark>& marks, std:
   std::vector<LiveCall> calls;
   for (const auto& [live, label] : labels) {
     calls.push_back({ids.newUuid(), live.first, live.second, "Skills lab (demonstration)", "demonstration",
-                     utc_us, utc_us, false});
+                     called_us.at(live), called_us.at(live) + kCallLength_us, false});
   }
   CallRepository(connection).add(calls);
 }
@@ -314,15 +331,18 @@ DemonstrationStudy storeDemonstrationPeople(Connection& connection, IdSource& id
   return study;
 }
 
-void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& study, IdSource& ids,
-                              std::uint64_t seed, std::int64_t utc_us) {
+void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& study,
+                              const CurriculumVersion& curriculum, IdSource& ids, std::uint64_t seed,
+                              std::int64_t utc_us) {
   std::map<std::string, RaterId> raterIds;
   for (const Rater& rater : PeopleRepository(connection).raters()) {
     raterIds[rater.person.code] = rater.person.id;
   }
   std::map<std::string, EnrolmentId> enrolmentIds;
+  std::map<std::string, std::vector<std::int64_t>> called;  // by trainee: before, after each phase
   for (const DemonstrationTrainee& trainee : study.trainees) {
     enrolmentIds[trainee.code] = trainee.enrolmentId;
+    called[trainee.code] = callTimes(curriculum, trainee, utc_us);
   }
 
   const Occasions occasions = OccasionRepository(connection).all();
@@ -335,11 +355,14 @@ void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& 
     stored.raterId = raterIds.at(mark.rater);
     stored.occasionCode = occasions.at(mark.occasion).code;
     stored.score_steps = mark.steps;
-    stored.submittedUtc_us = utc_us;
+    stored.submittedUtc_us = called.at(mark.trainee).at(mark.occasion) + kScoring_us;
     stored.demonstration = true;
     training.push_back(std::move(stored));
   }
   assignMarks(connection, training, seed, utc_us);
+  std::stable_sort(training.begin(), training.end(), [](const SubmittedMark& a, const SubmittedMark& b) {
+    return a.submittedUtc_us < b.submittedUtc_us;
+  });
   RatingRepository(connection).submit(training);
 
   EvaluationRepository evaluations(connection);

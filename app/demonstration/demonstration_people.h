@@ -12,6 +12,7 @@ namespace torsio {
 
 class Connection;
 class IdSource;
+struct CurriculumVersion;
 
 /// One simulated trainee of the demonstration.
 struct DemonstrationTrainee {
@@ -38,8 +39,9 @@ struct DemonstrationStudy {
                                                           std::uint64_t seed, std::int64_t utc_us);
 
 /// Simulates all marks by the stated rules and submits them: 900 training marks, each on the request that it
-/// answers (live, on the real arm), and 1,080 evaluation marks.
-void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& study, IdSource& ids,
-                              std::uint64_t seed, std::int64_t utc_us);
+/// answers (live, on the real arm, when the trainee was called), and 1,080 evaluation marks.
+void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& study,
+                              const CurriculumVersion& curriculum, IdSource& ids, std::uint64_t seed,
+                              std::int64_t utc_us);
 
 }  // namespace torsio

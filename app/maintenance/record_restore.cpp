@@ -111,6 +111,13 @@ std::vector<Erasure> erasedSince(Connection& present, Connection& older) {
   return out;
 }
 
+/// Id and name of the centre whose record it is; empty: it has none yet.
+std::pair<std::string, std::string> centreOf(Connection& connection) {
+  Statement row = connection.prepare("SELECT id, name FROM centre");
+  row.execute();
+  return row.step() ? std::pair(row.text(0), row.text(1)) : std::pair<std::string, std::string>();
+}
+
 /// "record-before-restore-20261121T143000Z.sqlite", beside the record.
 fs::path safetyName(const fs::path& record, std::int64_t now_us) {
   const QString when =
@@ -179,9 +186,14 @@ RestorePlan planRestore(SessionContext& session, const fs::path& backup, const P
   plan.backup = backup;
   const Contents present(session.connection());
   plan.present = present.extent();
+  const std::pair<std::string, std::string> here = centreOf(session.connection());
+  plan.presentCentre = here.second;
   const BackupCheck check = verifyBackup(backup, progress, [&](Connection& copy) {
     const Contents restored(copy);
     plan.restored = restored.extent();
+    const std::pair<std::string, std::string> there = centreOf(copy);
+    plan.backupCentre = there.second;
+    plan.otherCentre = here.first != there.first;
     plan.lostPeople = missing(present.people, restored.people);
     plan.lostTrials = missing(present.trials, restored.trials);
     plan.lostMarks = missing(present.marks, restored.marks);

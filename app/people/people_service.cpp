@@ -341,7 +341,8 @@ std::vector<SeniorityClass> ensureRaterClasses(SessionContext& session) {
   return classes;
 }
 
-std::size_t exportPeople(SessionContext& session, const std::filesystem::path& file, bool withNames) {
+std::size_t exportPeople(SessionContext& session, const std::filesystem::path& file, bool withNames,
+                         const CsvLook& look) {
   session.require(withNames ? Operation::kReportExportNamed : Operation::kReportExportCoded);
   constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
   std::string text = kByteOrderMark;
@@ -364,6 +365,7 @@ std::size_t exportPeople(SessionContext& session, const std::filesystem::path& f
       ++count;
     }
   }
+  text = csvInLook(text, look);
   Digest digest;
   digest.update(text);
   // First the trail, then the file: names that left the house without a trace would be worse than a trace

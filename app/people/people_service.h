@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
+#include "app/base/csv_look.h"
 #include "assessment/people/person.h"
 #include "sim/base/ids.h"
 
@@ -72,6 +73,7 @@ std::vector<SeniorityClass> ensureRaterClasses(SessionContext& session);
 /// Writes the list as CSV (UTF-8 with byte order mark, so that spreadsheets read it right). Coded:
 /// kReportExportCoded. With names: kReportExportNamed; that the names were taken out is audited, with the
 /// hash of the file. Returns the number of people. Throws Error{kFileUnwritable}.
-std::size_t exportPeople(SessionContext& session, const std::filesystem::path& file, bool withNames);
+std::size_t exportPeople(SessionContext& session, const std::filesystem::path& file, bool withNames,
+                         const CsvLook& look = {});
 
 }  // namespace torsio

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "app/recording/competence.h"
 #include "app/recording/detorsion_rules.h"
@@ -10,7 +11,9 @@
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/metrics/metric_cards.h"
 #include "assessment/study/cohort.h"
+#include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
@@ -25,30 +28,60 @@ constexpr std::int64_t kEveryTrial = 10'000'000;
 constexpr std::size_t kProgressEvery = 16;
 constexpr std::size_t kKeepEvery = 256;
 
-/// Positions of the groups of a cohort's enrolments.
-std::map<std::string, std::size_t> groupOfEnrolment(StudyRepository& study, const CohortId& cohortId) {
+/// Where an enrolment stands in the study.
+struct Place {
+  std::size_t group = 0;
+  std::int64_t number = 0;  ///< in the group
+};
+
+std::map<std::string, Place> placesOf(StudyRepository& study, const CohortId& cohortId) {
   const std::vector<StudyGroup> groups = study.groups(cohortId);
-  std::map<std::string, std::size_t> out;
+  std::map<std::string, Place> out;
   for (const Enrolment& enrolment : study.enrolments(cohortId)) {
     const auto group = std::find_if(groups.begin(), groups.end(),
                                     [&](const StudyGroup& g) { return g.code == enrolment.groupCode; });
     if (group != groups.end()) {
-      out[enrolment.id] = static_cast<std::size_t>(group - groups.begin());
+      out[enrolment.id] = {static_cast<std::size_t>(group - groups.begin()), enrolment.numberInGroup};
     }
   }
   return out;
 }
 
-/// The finished trials of those enrolments, oldest first.
-std::vector<TrialListing> finishedTrials(TrialRepository& trials,
-                                         const std::map<std::string, std::size_t>& groups) {
+/// Positions of the phases of the protocol that a cohort follows.
+std::map<std::string, std::size_t> phasePositions(Connection& connection, const CohortId& cohortId) {
+  std::map<std::string, std::size_t> out;
+  const CurriculumVersionId versionId = StudyRepository(connection).cohort(cohortId).curriculumVersionId;
+  const auto version = CurriculumRepository(connection).version(versionId);
+  if (!version) {
+    return out;
+  }
+  for (const StudyArm& arm : version->arms) {
+    for (std::size_t i = 0; i < arm.phases.size(); ++i) {
+      out[arm.phases[i].id] = i + 1;
+    }
+  }
+  return out;
+}
+
+/// The finished trials of those enrolments in the order in which they were recorded. Imported recordings may
+/// share one start time: then the protocol says what came first, never an id that was drawn.
+std::vector<TrialListing> finishedTrials(Connection& connection, const CohortId& cohortId,
+                                         const std::map<std::string, Place>& places) {
   TrialFilter filter;
   filter.limit = kEveryTrial;
-  std::vector<TrialListing> listed = trials.list(filter);
+  std::vector<TrialListing> listed = TrialRepository(connection).list(filter);
   std::erase_if(listed, [&](const TrialListing& trial) {
-    return !trial.summary || trial.summary->contentHash.empty() || !groups.contains(trial.enrolmentId);
+    return !trial.summary || trial.summary->contentHash.empty() || !places.contains(trial.enrolmentId);
   });
-  std::reverse(listed.begin(), listed.end());
+  const std::map<std::string, std::size_t> phases = phasePositions(connection, cohortId);
+  const auto sequence = [&](const TrialListing& trial) {
+    const auto phase = phases.find(trial.phaseId);
+    const Place& place = places.at(trial.enrolmentId);
+    return std::tuple(trial.startedUtc_us, phase == phases.end() ? 0 : phase->second, place.group,
+                      place.number, trial.trialId.text());
+  };
+  std::sort(listed.begin(), listed.end(),
+            [&](const TrialListing& a, const TrialListing& b) { return sequence(a) < sequence(b); });
   return listed;
 }
 
@@ -93,11 +126,15 @@ class Fresh {
 std::vector<TrialSummaryRow> TrialDigests::ofCohort(SessionContext& session, const CohortId& cohortId,
                                                     const ProgressCallback& progress) {
   session.require(Operation::kResultsCompute);
-  Connection& connection = session.connection();
+  return read(session.connection(), cohortId, session.now_us(), progress);
+}
+
+std::vector<TrialSummaryRow> TrialDigests::read(Connection& connection, const CohortId& cohortId,
+                                                std::int64_t now_us, const ProgressCallback& progress) {
   StudyRepository study(connection);
   TrialRepository trials(connection);
-  const std::map<std::string, std::size_t> groups = groupOfEnrolment(study, cohortId);
-  const std::vector<TrialListing> listed = finishedTrials(trials, groups);
+  const std::map<std::string, Place> places = placesOf(study, cohortId);
+  const std::vector<TrialListing> listed = finishedTrials(connection, cohortId, places);
   Kept kept = keptOf(connection, cohortId);
   Fresh fresh(connection);
   std::vector<TrialSummaryRow> out;
@@ -115,12 +152,12 @@ std::vector<TrialSummaryRow> TrialDigests::ofCohort(SessionContext& session, con
       const Trial trial = trials.load(listing.trialId);
       const AttemptMeasures measures =
           measureAttempt(trial.header, decodeTrial(trial), recordedRules(rules, trial.header));
-      TrialDigest digest = keptDigest(trial, measures, rules, session.now_us());
+      TrialDigest digest = keptDigest(trial, measures, rules, now_us);
       ++measured_;
       out.push_back(summaryRow(listing, digest));
       fresh.add(std::move(digest));
     }
-    out.back().group = groups.at(listing.enrolmentId);
+    out.back().group = places.at(listing.enrolmentId).group;
   }
   fresh.keep();
   return out;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -14,6 +15,8 @@
 
 namespace torsio {
 
+class Connection;
+
 /// What recorded trials come down to. It is measured once, usually when the run ends, and kept in the record
 /// (kept_digests.h); what an older version of the program recorded is measured and kept here. One thread at a
 /// time.
@@ -22,7 +25,8 @@ class TrialDigests {
   /// `assets`: where the tolerances of exercises without a curriculum are read.
   explicit TrialDigests(std::filesystem::path assets) : rules_(std::move(assets)) {}
 
-  /// Digests of the finished trials of a cohort, oldest first; groups are positions among the cohort's
+  /// Digests of the finished trials of a cohort in the order in which they were recorded (at one time: by
+  /// phase, group and number in the group, whatever their ids); groups are positions among the cohort's
   /// groups, trials of people without a group are left out. Those that nobody has measured by the present
   /// formulas are read and measured, which takes a second for twenty minutes; `progress` is told and
   /// may throw to give up; most of what was measured until then is kept. kResultsCompute.
@@ -35,6 +39,10 @@ class TrialDigests {
   [[nodiscard]] std::vector<CohortCompetence> competenceOf(SessionContext& session,
                                                            const CurriculumVersionId& versionId,
                                                            const std::vector<CohortTrainee>& trainees);
+
+  /// The same without a right, for the demonstration's own report.
+  [[nodiscard]] std::vector<TrialSummaryRow> read(Connection& connection, const CohortId& cohortId,
+                                                  std::int64_t now_us, const ProgressCallback& progress = {});
 
   /// Recordings that had to be read since this was made.
   [[nodiscard]] std::size_t measured() const noexcept { return measured_; }

@@ -55,7 +55,7 @@ class Composer {
  public:
   Composer(PageFlow& flow, const Wording& wording) : flow_(flow), say_(wording) {}
 
-  void cover(const ReportModel& model) {
+  void title(const ReportModel& model) {
     flow_.add(30.0, [](QPainter& painter, const QRectF& area, double unit) {
       painter.fillRect(QRectF(area.left(), area.top() + 12.0 * unit, 18.0 * unit, 1.6 * unit), kAccent);
     });
@@ -69,6 +69,9 @@ class Composer {
                  10.5, true, kWarningInk);
       flow_.space(6.0);
     }
+  }
+
+  void facts(const ReportModel& model) {
     PlainTable facts{{QString(), QString()}, {}};
     if (!model.centre.empty()) {
       facts.rows.push_back({say_(Text::tr("Centre")), say_(model.centre)});
@@ -197,11 +200,24 @@ class Composer {
   const Wording& say_;
 };
 
+/// What is to be signed stands on the first page, under the title.
+bool isSigned(const ReportSection& section) {
+  return std::any_of(section.tables.begin(), section.tables.end(),
+                     [](const ReportTable& table) { return table.id == "table-signatures"; });
+}
+
 void compose(PageFlow& flow, const ReportModel& model, const Wording& wording) {
   Composer composer(flow, wording);
-  composer.cover(model);
-  for (const ReportSection& section : model.sections) {
-    const bool first = &section == &model.sections.front();
+  composer.title(model);
+  auto next = model.sections.begin();
+  if (next != model.sections.end() && isSigned(*next)) {
+    composer.section(*next++);
+    flow.newPage();
+  }
+  composer.facts(model);
+  for (auto at = next; at != model.sections.end(); ++at) {
+    const ReportSection& section = *at;
+    const bool first = at == next;
     if (first || flow.room_mm() < kSectionStart_mm) {
       flow.newPage();
     } else {

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reporting/coded_tables.h"
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "app/access/audit_service.h"
+#include "app/base/build_info.h"
 #include "app/base/csv_table.h"
 #include "assessment/attempt/trial_listing.h"
+#include "assessment/rating/assignment.h"
 #include "assessment/rating/mark.h"
+#include "assessment/rating/rubric.h"
 #include "assessment/report/number_format.h"
 #include "assessment/study/cohort.h"
 #include "assessment/study/protocol_terms.h"
@@ -34,11 +39,12 @@ constexpr std::int64_t kAllEntries = INT64_MAX;
 /// Keeps in the audit trail what leaves, then writes it: a trace of a file that could not be written is
 /// better than data that left without a trace.
 std::size_t write(SessionContext& session, const AuditNote& what, const std::vector<Cells>& lines,
-                  const std::filesystem::path& file) {
+                  const std::filesystem::path& file, const CsvLook& look) {
   std::string text = "\xEF\xBB\xBF";
   for (const Cells& cells : lines) {
     text += csvLine(cells);
   }
+  text = csvInLook(text, look);
   Digest digest;
   digest.update(text);
   const std::size_t rows = lines.size() - 1;
@@ -48,6 +54,48 @@ std::size_t write(SessionContext& session, const AuditNote& what, const std::vec
   writeFileAtomically(file, text);
   return rows;
 }
+
+/// The scoring sheets of a cohort, read once.
+class SheetsOfCohort {
+ public:
+  SheetsOfCohort(Connection& connection, const CohortId& cohortId) : repository_(connection) {
+    for (const AssignmentStatus& status : repository_.assignments(cohortId)) {
+      const RubricRevisionId& id = status.assignment.rubricRevisionId;
+      revisionOf_[status.assignment.id] = id;
+      if (!revisions_.contains(id)) {
+        revisions_.emplace(id, repository_.revision(id).value());
+      }
+    }
+    for (const Rubric& rubric : repository_.rubrics()) {
+      names_[rubric.id] = rubric.name;
+    }
+  }
+  /// Null: the mark answers no request.
+  [[nodiscard]] const RubricRevision* rubricOf(const AssignmentId& assignmentId) const {
+    const auto found = revisionOf_.find(assignmentId);
+    return found == revisionOf_.end() ? nullptr : &revisions_.at(found->second);
+  }
+  [[nodiscard]] std::vector<SheetRow> rowsOf(const AssignmentId& assignmentId) const {
+    const std::optional<Sheet> sheet = repository_.submitted(assignmentId);
+    return sheet ? sheet->rows : std::vector<SheetRow>{};
+  }
+  [[nodiscard]] std::vector<const RubricRevision*> used() const {
+    std::vector<const RubricRevision*> all;
+    for (const auto& [id, revision] : revisions_) {
+      all.push_back(&revision);
+    }
+    return all;
+  }
+  [[nodiscard]] std::string nameOf(const RubricRevision& revision) const {
+    return names_.at(revision.rubricId);
+  }
+
+ private:
+  SheetRepository repository_;
+  std::map<AssignmentId, RubricRevisionId> revisionOf_;
+  std::map<RubricRevisionId, RubricRevision> revisions_;
+  std::map<RubricId, std::string> names_;
+};
 
 std::string endOf(const TrialListing& trial) {
   if (!trial.summary) {
@@ -68,7 +116,7 @@ bool afterPanel(const SheetRepository& sheets, const SubmittedMark& mark) {
 }  // namespace
 
 std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
-                             const std::filesystem::path& file) {
+                             const std::filesystem::path& file, const CsvLook& look) {
   session.require(Operation::kTrialViewCoded);
   std::vector<Cells> lines{{"trial", "trainee", "scene", "pattern", "phase", "mode", "station", "started_utc",
                             "duration_s", "end", "model"}};
@@ -85,11 +133,11 @@ std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
                        endOf(*trial), std::string(tissueModelId(trial->model))});
     }
   }
-  return write(session, {AuditAction::kTrialExportCoded, AuditObject::kCohort, cohortId}, lines, file);
+  return write(session, {AuditAction::kTrialExportCoded, AuditObject::kCohort, cohortId}, lines, file, look);
 }
 
-std::size_t exportMarks(SessionContext& session, const CohortId& cohortId,
-                        const std::filesystem::path& file) {
+std::size_t exportMarks(SessionContext& session, const CohortId& cohortId, const std::filesystem::path& file,
+                        const CsvLook& look) {
   session.require(Operation::kMarkViewCoded);
   std::vector<Cells> lines{{"trainee", "rater", "occasion", "version", "score", "not_assessable", "trial",
                             "submitted_utc", "moved_after_panel"}};
@@ -101,10 +149,63 @@ std::size_t exportMarks(SessionContext& session, const CohortId& cohortId,
          mark.score_steps ? "no" : "yes", mark.trialId, formatUtc(mark.submittedUtc_us),
          afterPanel(sheets, mark) ? "yes" : "no"});
   }
-  return write(session, {AuditAction::kMarkExportCoded, AuditObject::kCohort, cohortId}, lines, file);
+  return write(session, {AuditAction::kMarkExportCoded, AuditObject::kCohort, cohortId}, lines, file, look);
 }
 
-std::size_t exportAuditTrail(SessionContext& session, AuditFilter filter, const std::filesystem::path& file) {
+std::size_t exportCriteria(SessionContext& session, const CohortId& cohortId,
+                           const std::filesystem::path& file, const CsvLook& look) {
+  session.require(Operation::kMarkViewCoded);
+  SheetsOfCohort sheets(session.connection(), cohortId);
+  std::vector<Cells> lines{{"trainee", "rater", "occasion", "version", "rubric", "revision", "criterion",
+                            "label", "score", "not_assessable", "submitted_utc", "program"}};
+  for (const SubmittedMark& mark : RatingRepository(session.connection()).marks(cohortId)) {
+    const RubricRevision* rubric = sheets.rubricOf(mark.assignmentId);
+    if (rubric == nullptr) {
+      continue;  // entered without a sheet
+    }
+    for (const SheetRow& answer : sheets.rowsOf(mark.assignmentId)) {
+      const auto line = std::find_if(rubric->rows.begin(), rubric->rows.end(),
+                                     [&](const RubricLine& one) { return one.code == answer.code; });
+      if (line == rubric->rows.end()) {
+        continue;
+      }
+      lines.push_back({mark.traineeCode, mark.raterCode, mark.occasionCode, std::to_string(mark.version),
+                       sheets.nameOf(*rubric), std::to_string(rubric->number), line->code, line->label,
+                       answer.score_steps ? formatExact(pointsFromSteps(*answer.score_steps, line->scale))
+                                          : std::string(),
+                       answer.score_steps ? "no" : "yes", formatUtc(mark.submittedUtc_us), programHash()});
+    }
+  }
+  return write(session, {AuditAction::kMarkExportCoded, AuditObject::kCohort, cohortId}, lines, file, look);
+}
+
+std::size_t exportRubrics(SessionContext& session, const CohortId& cohortId,
+                          const std::filesystem::path& file, const CsvLook& look) {
+  session.require(Operation::kMarkViewCoded);
+  SheetsOfCohort sheets(session.connection(), cohortId);
+  std::vector<Cells> lines{
+      {"rubric", "revision", "criterion", "label", "lowest", "highest", "anchor", "meaning", "program"}};
+  for (const RubricRevision* rubric : sheets.used()) {
+    for (const RubricLine& row : rubric->rows) {
+      const auto add = [&](const std::string& anchor, const std::string& meaning) {
+        lines.push_back({sheets.nameOf(*rubric), std::to_string(rubric->number), row.code, row.label,
+                         formatExact(pointsFromSteps(row.scale.lo, row.scale)),
+                         formatExact(pointsFromSteps(row.scale.hi, row.scale)), anchor, meaning,
+                         programHash()});
+      };
+      for (const RubricAnchor& anchor : row.anchors) {
+        add(formatExact(pointsFromSteps(anchor.score_steps, row.scale)), anchor.meaning);
+      }
+      if (row.anchors.empty()) {
+        add({}, {});
+      }
+    }
+  }
+  return write(session, {AuditAction::kMarkExportCoded, AuditObject::kCohort, cohortId}, lines, file, look);
+}
+
+std::size_t exportAuditTrail(SessionContext& session, AuditFilter filter, const std::filesystem::path& file,
+                             const CsvLook& look) {
   session.require(Operation::kAuditView);
   filter.limit = kAllEntries;
   const std::vector<AuditEntry> entries = auditEntries(session, filter);
@@ -123,7 +224,7 @@ std::size_t exportAuditTrail(SessionContext& session, AuditFilter filter, const 
                      named(subjects, entry.objectId), entry.objectId, entry.oldJson, entry.newJson,
                      entry.reason, entry.entryHash});
   }
-  return write(session, {AuditAction::kAuditExport, AuditObject::kAuditEntry}, lines, file);
+  return write(session, {AuditAction::kAuditExport, AuditObject::kAuditEntry}, lines, file, look);
 }
 
 }  // namespace torsio

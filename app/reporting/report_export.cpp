@@ -33,14 +33,15 @@ std::string_view identityCode(ReportIdentity identity) noexcept {
 
 ReportExport exportReport(SessionContext& session, const ReportRequest& request, const CohortInputs& inputs,
                           ReportFormat format, const std::filesystem::path& file, const std::string& language,
-                          const ReportPages& pages) {
+                          const ReportPages& pages, const CsvLook& look) {
   const bool named = request.identity == ReportIdentity::kNamed;
   session.require(named ? Operation::kReportExportNamed : Operation::kReportExportCoded);
   TORSIO_EXPECTS(inputs.identity == request.identity);
   if (format == ReportFormat::kPdf) {
     writePdfReport(cohortReport(inputs), file, wordingIn(language), pages);
   } else {
-    writeFileAtomically(file, std::string(kByteOrderMark) + cohortCsvText(cohortCsvRows(inputs)));
+    writeFileAtomically(file,
+                        csvInLook(std::string(kByteOrderMark) + cohortCsvText(cohortCsvRows(inputs)), look));
   }
   const std::string content = readFile(file);
   Digest digest;

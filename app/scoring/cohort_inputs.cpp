@@ -160,6 +160,9 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
     inputs.centre = centre->name;
   }
   inputs.softwareVersion = softwareVersion();
+  if (!programHash().empty()) {
+    inputs.provenance.emplace_back(Text::tr("Program file (BLAKE2b)"), programHash());
+  }
   const std::vector<StudyGroup> groups = study.groups(cohortId);
   addGroups(connection, cohortId, groups, inputs);
   std::map<std::string, Trainee> trainees;

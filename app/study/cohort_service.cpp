@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/study/scoring_due.h"
 #include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
@@ -309,6 +310,28 @@ std::vector<ProtocolDeviation> deviations(SessionContext& session, const CohortI
   return StudyRepository(session.connection()).deviations(cohortId);
 }
 
+namespace {
+
+/// Training that goes on while sheets of the real arm are missing is a deviation, whoever logs it.
+void noteMissingSheets(SessionContext& session, const NewExposure& exposure, const Enrolment& enrolment) {
+  if (exposure.kind == ExposureKind::kRest) {
+    return;
+  }
+  StudyRepository study(session.connection());
+  std::int64_t trained_us = 0;
+  for (const Exposure& one : study.exposures(exposure.cohortId)) {
+    if (one.enrolmentId == enrolment.id && one.kind != ExposureKind::kRest) {
+      trained_us += one.duration_us;
+    }
+  }
+  if (const auto due = scoringDue(session.connection(), exposure.cohortId, enrolment.id, trained_us)) {
+    study.addDeviation(trainedBeforeScoring(session, *due, exposure.cohortId, enrolment.id,
+                                            "training time was logged", enrolment.demonstration));
+  }
+}
+
+}  // namespace
+
 ExposureId recordExposure(SessionContext& session, const NewExposure& exposure) {
   session.requireEither(Operation::kStudySetup, Operation::kTrialRecordOwn);
   if (exposure.duration_us <= 0) {
@@ -326,6 +349,7 @@ ExposureId recordExposure(SessionContext& session, const NewExposure& exposure) 
            Text::tr("Nothing is recorded any more"));
   }
   checkPhase(session, cohort, enrolment, exposure);
+  noteMissingSheets(session, exposure, enrolment);
   Exposure stored{session.ids().newUuid(), exposure.enrolmentId,   exposure.phaseId,
                   exposure.kind,           exposure.startedUtc_us, exposure.duration_us,
                   session.actor().userId,  enrolment.demonstration};

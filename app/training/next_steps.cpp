@@ -171,6 +171,8 @@ NextSteps nextSteps(SessionContext& session, const PersonId& personId) {
   decideStates(steps.modules);
   planArm(session.connection(), record, steps);
   chooseNext(steps);
+  steps.scoringDue =
+      scoringDue(session.connection(), steps.cohortId, steps.enrolmentId, steps.exposureDone_us);
   return steps;
 }
 

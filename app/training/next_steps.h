@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
+#include "app/study/scoring_due.h"
 #include "app/training/attempts.h"
 #include "app/training/training_run.h"
 #include "assessment/study/curriculum.h"
@@ -52,7 +53,8 @@ struct NextSteps {
   std::int64_t exposureDone_us = 0;
   std::int64_t exposureTotal_us = 0;  ///< 0: the arm has no phases
   bool allPhasesDone = false;
-  std::vector<Attempt> interrupted{};  ///< own trials that ended in an interruption, newest first
+  std::optional<ScoringDue> scoringDue{};  ///< sheets that should be in before training goes on
+  std::vector<Attempt> interrupted{};      ///< own trials that ended in an interruption, newest first
   std::size_t unreadRemarks = 0;
 };
 

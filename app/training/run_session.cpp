@@ -43,6 +43,13 @@ void checkPermission(const NextSteps& steps, const RunRequest& request) {
     throw Error(ErrorCode::kBadParameter, Text::tr("all phases of your training are over"), steps.armLabel,
                 Text::tr("Ask an administrator what comes next"));
   }
+  if (steps.scoringDue && request.reason.empty()) {
+    throw Error(ErrorCode::kBadParameter,
+                Text::tr("%1 of %2 sheets of the occasion \"%3\" are in", steps.scoringDue->submitted,
+                         steps.scoringDue->asked, steps.scoringDue->occasion.label),
+                steps.traineeCode,
+                Text::tr("Be scored on the real arm first, or say why the training begins nevertheless"));
+  }
 }
 
 bool hasVirtualTime(const RunPlan& plan) {
@@ -90,6 +97,7 @@ RunSession::RunSession(SessionContext& session, const RunRequest& request, const
       clock_(&clock),
       steps_((session.require(Operation::kTrialRecordOwn), nextSteps(session, session.actor().personId))),
       step_(chosenStep(steps_, request)),
+      reason_(request.reason),
       graded_(request.graded),
       run_(planOf(steps_, step_), clock),
       line_(line),
@@ -131,6 +139,12 @@ void RunSession::start() {
                           .objectKind = AuditObject::kEnrolment,
                           .objectId = steps_.enrolmentId,
                           .newJson = what.dump()}](SessionContext& own) { own.note(note); });
+  if (steps_.scoringDue) {
+    write([deviation = trainedBeforeScoring(session_, *steps_.scoringDue, steps_.cohortId, steps_.enrolmentId,
+                                            reason_, steps_.demonstration)](SessionContext& own) {
+      StudyRepository(own.connectionWithoutRight()).addDeviation(deviation);  // asked for when the run began
+    });
+  }
   heartbeat();
 }
 

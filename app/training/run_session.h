@@ -26,6 +26,8 @@ struct RunRequest {
   ModuleId moduleId{};
   bool graded = false;
   DeviceReadiness device{};
+  /// Why training goes on although sheets of the real arm are missing (NextSteps::scoringDue).
+  std::string reason{};
 };
 
 /// One run of a trainee at a station, from the permission to begin to the last logged second: the clock
@@ -36,7 +38,8 @@ class RunSession {
  public:
   /// Checks everything that must be in order. kTrialRecordOwn. Throws Error: {kPermission} without consent
   /// for the training record, {kDevice} when a graded run meets a device that is not green (or any run a red
-  /// one), {kBadParameter} when the module is locked, used up or unknown, or all phases are over.
+  /// one), {kBadParameter} when the module is locked, used up or unknown, all phases are over, or sheets that
+  /// should be in are missing and no reason is given (with one it becomes a deviation when the run starts).
   /// `line`: writes what comes up in the course of the run, and gives the signs of life; it outlives the
   /// session. Null: the session writes at once.
   RunSession(SessionContext& session, const RunRequest& request, const Clock& clock,
@@ -74,6 +77,7 @@ class RunSession {
   const Clock* clock_;
   NextSteps steps_;
   ModuleStep step_;
+  std::string reason_;  // why training goes on while sheets are missing
   bool graded_;
   TrainingRun run_;
   std::int64_t utcOffset_us_ = 0;  // wall clock minus run clock at the start

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "assessment/report/aggregated_inputs.h"
@@ -10,6 +11,7 @@
 #include "assessment/report/record_sentences.h"
 #include "assessment/report/report_sections.h"
 #include "assessment/report/shown_inputs.h"
+#include "assessment/report/study_analysis.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -439,6 +441,11 @@ void addCover(const CohortInputs& in, ReportModel& report) {
 ReportModel reportOf(const CohortInputs& in) {
   ReportModel report;
   addCover(in, report);
+  std::optional<StudyAnalysis> study;
+  if (!in.trainingMarks.empty()) {
+    study = analyseStudy(in);
+    report.sections.push_back(boardSection(in, *study));
+  }
   if (!in.simulated.empty()) {
     ReportSection section;
     section.title = Text::tr("What was simulated");
@@ -454,14 +461,13 @@ ReportModel reportOf(const CohortInputs& in) {
   if (!in.scores.empty()) {
     report.sections.push_back(trainingSection(in));
   }
-  if (!in.trainingMarks.empty()) {
-    const StudyAnalysis study = analyseStudy(in);
-    report.sections.push_back(analysisSection(in, study));
-    if (std::optional<ReportTable> within = withinGroupsTable(in, study)) {
+  if (study) {
+    report.sections.push_back(analysisSection(in, *study));
+    if (std::optional<ReportTable> within = withinGroupsTable(in, *study)) {
       report.sections.back().tables.push_back(std::move(*within));
     }
-    report.sections.push_back(ratersSection(in, study));
-    for (ReportTable& table : reliabilityTables(in, study)) {
+    report.sections.push_back(ratersSection(in, *study));
+    for (ReportTable& table : reliabilityTables(in, *study)) {
       report.sections.back().tables.push_back(std::move(table));
     }
   }

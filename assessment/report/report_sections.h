@@ -9,6 +9,8 @@
 // Parts of cohortReport(), one a source file.
 namespace torsio {
 
+/// The page that a board reads in a minute; there are scores.
+[[nodiscard]] ReportSection boardSection(const CohortInputs& inputs, const StudyAnalysis& study);
 [[nodiscard]] ReportSection participantsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection evaluationSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection trainingSection(const CohortInputs& inputs);

@@ -117,6 +117,27 @@
             <numerusform>and %n more</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Written: %n trainee(s) to call</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Written: %n sheet(s), a page each</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Copied: the sheets that %n rater(s) owe</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::ScoringPage</name>
@@ -125,6 +146,13 @@
         <translation>
             <numerusform>%n sheet asked for</numerusform>
             <numerusform>%n sheets asked for</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Copied: the sheets that %n rater(s) owe</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>

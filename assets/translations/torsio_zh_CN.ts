@@ -508,6 +508,93 @@
     </message>
 </context>
 <context>
+    <name>PrintedSheets</name>
+    <message>
+        <source>or exactly: ______</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be assessed, because: ____________________</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation type="unfinished">%1 至 %2</translation>
+    </message>
+    <message>
+        <source>Sheet: case %1, rater %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. Mark one box in each row. Do not write any name on this sheet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overall mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comment: ______________________________________________________________</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Date, time: __________________   Signature: ______________________________</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Revision %1 of the scoring sheet. Typed in by (1) ______________ and (2) ______________, independently of each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Call list: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Room: %1. For the office only: raters are told the case, not this list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation type="unfinished">序号</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation type="unfinished">学员</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation type="unfinished">组别</translation>
+    </message>
+    <message>
+        <source>Now at</source>
+        <translation type="unfinished">当前阶段</translation>
+    </message>
+    <message>
+        <source>Scoring due</source>
+        <translation type="unfinished">待评分时点</translation>
+    </message>
+    <message>
+        <source>Sheets missing</source>
+        <translation type="unfinished">缺评分表</translation>
+    </message>
+    <message>
+        <source>Called at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation type="unfinished">评语</translation>
+    </message>
+    <message>
+        <source>Sheets on paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>QPlatformTheme</name>
     <message>
         <source>OK</source>
@@ -594,6 +681,33 @@
     <message>
         <source>&amp;Reason</source>
         <translation>原因(&amp;R)</translation>
+    </message>
+</context>
+<context>
+    <name>ReminderText</name>
+    <message>
+        <source>case %1 (late; called %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>case %1 (called %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>case %1</source>
+        <translation type="unfinished">案例 %1</translation>
+    </message>
+    <message>
+        <source>case %1 (late; was due %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>case %1 (due %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: please submit in Torsio: %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -824,6 +938,10 @@
         <source>Swap</source>
         <translation>互换</translation>
     </message>
+    <message>
+        <source>trained before scoring</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Scoring</name>
@@ -950,6 +1068,14 @@
     <message>
         <source>Assign</source>
         <translation>指派</translation>
+    </message>
+    <message>
+        <source>To be done by the end of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deadline</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1655,6 +1781,21 @@
     <message>
         <source>let out first (1 yes, 0 no)</source>
         <translation>先行减压（1 是，0 否）</translation>
+    </message>
+</context>
+<context>
+    <name>TableChoice</name>
+    <message>
+        <source>Table 1,234.5 with commas (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table 1234,5 with semicolons, for Excel in German, French ... (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table with tabulators (*.tsv)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6936,10 +7077,6 @@
         <translation>论文式 (26) 下的文字指主任医师的评分，但求和遍及全体评分者；此处采用全体评分者，仅在图中注明处单独显示主任医师。</translation>
     </message>
     <message>
-        <source>The times of training are those of the protocol, in full; every second trainee of a group takes the whole rest between the two halves.</source>
-        <translation>训练时间为方案规定的完整时间；每组每两名学员中有一名在两段训练之间完整休息。</translation>
-    </message>
-    <message>
         <source>The trainee is the unit of analysis: marks of several raters for one trainee are averaged first.</source>
         <translation>以学员为分析单位：先对同一学员的多个评分取均值。</translation>
     </message>
@@ -11327,6 +11464,150 @@
         <source>chosen by the centre</source>
         <translation>由本中心选定</translation>
     </message>
+    <message>
+        <source>The times of training are those of the protocol, in full: one trainee an hour, six a day; every second trainee of a group takes the whole rest between the two halves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trained before scoring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program file (BLAKE2b)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such sheet of the real arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this sheet is in already, or was withdrawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Call the trainee on the run day first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>overall mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no mark of the scale and no reason: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type what stands on the paper; where it says nothing, say that as the reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 sheets of the occasion &quot;%3&quot; are in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Be scored on the real arm first, or say why the training begins nevertheless</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points [%2; %3]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Question: do trainees score differently at the end (%1) who trained in different ways: %2?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>People: %1 trainees in %2 groups, %3 of them withdrew; %4 physicians gave %5 marks; %6 deviations from the protocol were reported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answer: none. The groups are not compared: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 after Holm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answer, adjusted for the score before: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answer: none. There is only one group.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answer: no difference between two groups was shown. The largest, adjusted for the score before: %1, %2. %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every interval holds zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No p value stays below %1 after Holm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The answer: differences between the groups with 95 % intervals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scores at the end, and who reached the standard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean of the trainee scores; LC-CUSUM</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean score [lowest; highest]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adequate on the simulator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>did not train there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adequate: LC-CUSUM has shown a failure rate of %1 or less; &quot;not shown&quot; is not the same as failed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signatures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">名称</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation type="unfinished">角色</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At a glance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What this does not show: with at most %1 trainees a group only large differences can be found, and a difference that was not shown is no evidence of equality. Marks on a training arm say nothing about patients.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All people and marks here are simulated: nothing may be concluded.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -11928,10 +12209,6 @@ Only an allocator previews, locks and draws. An administrator gives this role to
     <message>
         <source>Export the audit trail</source>
         <translation>导出审计记录</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>表格 (*.csv)</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -16033,6 +16310,101 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::PaperDialog</name>
+    <message>
+        <source>Marks on paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two people type each sheet, each for themselves; it counts when both are alike.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Co&amp;mment on the paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keep what I typed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation type="unfinished">案例</translation>
+    </message>
+    <message>
+        <source>Rater</source>
+        <translation type="unfinished">评分者</translation>
+    </message>
+    <message>
+        <source>Called</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished">状态</translation>
+    </message>
+    <message>
+        <source>No live sheet is missing. Sheets appear here once their trainee was called.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>! typed twice, not alike</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>◐ typed by you: somebody else has to type it, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>◐ typed once: type it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ not typed yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be assessed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reason on the paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reason: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a sheet at the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Case %1, rater %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overall mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept. It counts once somebody else has typed the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not alike in the rows with a sign: look at the paper again. Nothing counts so far.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alike: the sheet counts now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::PasswordPanel</name>
     <message>
         <source>The two are not the same yet</source>
@@ -17088,10 +17460,6 @@ Leave it empty to remove it.</source>
         <translation>PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>Table, comma-separated (*.csv)</source>
-        <translation>逗号分隔表 (*.csv)</translation>
-    </message>
-    <message>
         <source>Writing the report…</source>
         <translation>正在写入报告…</translation>
     </message>
@@ -17313,6 +17681,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>&amp;Restore now</source>
         <translation>立即恢复(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation type="unfinished">中心</translation>
+    </message>
+    <message>
+        <source>! This is the backup of another centre: %1. The record of %2 would be gone from here.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -17596,10 +17972,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Export under codes</source>
         <translation>仅以代码导出</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>表格 (*.csv)</translation>
     </message>
     <message>
         <source>Exporting people</source>
@@ -17956,6 +18328,76 @@ Leave it empty to remove it.</source>
         <source>Call to the arm</source>
         <translation>呼叫到手臂</translation>
     </message>
+    <message>
+        <source>On &amp;paper</source>
+        <translation type="unfinished">纸质签署(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Print the call list…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print sheets for the raters…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the chosen trainee; without one, of everybody whose scoring is due</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type sheets in…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy who owes which sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print the call list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Call list %1.pdf</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation type="unfinished">PDF (*.pdf)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Written: %n trainee(s) to call</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No live sheet is missing for what is chosen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print sheets on paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheets %1.pdf</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Written: %n sheet(s), a page each</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody owes a sheet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Copied: the sheets that %n rater(s) owe</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RunPage</name>
@@ -18195,6 +18637,22 @@ Leave it empty to remove it.</source>
         <source>You are pressing too deep: draw back</source>
         <translation>压得过深：请退回</translation>
     </message>
+    <message>
+        <source>Not scored yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only %1 of %2 sheets of this occasion are in, and they cannot be made up for once the training goes on. Fetch the study team. Why does the training begin nevertheless? It is noted as a deviation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin nevertheless</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished">上一步</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::SceneView</name>
@@ -18345,6 +18803,28 @@ Leave it empty to remove it.</source>
     <message>
         <source>Raters who are asked from now on fill in the new sheet. Sheets that were asked for before stay as they are; both revisions are kept for good.</source>
         <translation>今后受邀的评分者填写新评分表。此前已邀请的评分表保持不变；两个修订版均永久保留。</translation>
+    </message>
+    <message>
+        <source>%1, due %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody owes a sheet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Copied: the sheets that %n rater(s) owe</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Copy re&amp;minders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whom to remind of which cases, as a text for your mail</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

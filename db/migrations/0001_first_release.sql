@@ -935,6 +935,28 @@ CREATE TABLE training_mark_row (
 );
 {{append_only training_mark_row}}
 
+-- Marks that were given on paper, as one person typed them. They count once another one has typed the same, and are
+-- deleted then; until then each sees only their own.
+CREATE TABLE paper_entry (
+  assignment_id TEXT NOT NULL REFERENCES assignment (id),
+  entered_by TEXT NOT NULL,
+  overall_steps BIGINT,
+  not_assessable_reason TEXT,
+  comment TEXT,
+  entered_utc_us BIGINT NOT NULL,
+  PRIMARY KEY (assignment_id, entered_by)
+);
+
+CREATE TABLE paper_entry_row (
+  assignment_id TEXT NOT NULL,
+  entered_by TEXT NOT NULL,
+  row_code TEXT NOT NULL,
+  score_steps BIGINT,
+  not_assessable_reason TEXT,
+  PRIMARY KEY (assignment_id, entered_by, row_code),
+  FOREIGN KEY (assignment_id, entered_by) REFERENCES paper_entry (assignment_id, entered_by)
+);
+
 -- The same, sealed with the mark. Without a recording (live, on the real arm) the share is null.
 CREATE TABLE mark_viewing (
   mark_id TEXT PRIMARY KEY REFERENCES training_mark (id),

@@ -92,7 +92,38 @@ TEST(CohortReport, HasTablesWhoseRowsFitTheirColumnsAndUniqueNames) {
   }
   EXPECT_GE(tables, 9);
   EXPECT_TRUE(report.demonstration);
-  EXPECT_EQ(report.sections.front().title, "What was simulated");
+  EXPECT_EQ(report.sections.at(0).title, "At a glance");
+  EXPECT_EQ(report.sections.at(1).title, "What was simulated");
+}
+
+TEST(CohortReport, BeginsWithAPageThatABoardReadsInAMinute) {
+  CohortInputs in = demonstrationCohort();
+  in.deviations = {{0, "T-01", "late", "came late"}};
+  const ReportSection board = cohortReport(in).sections.front();
+
+  ASSERT_GE(board.paragraphs.size(), 4U);
+  EXPECT_THAT(board.paragraphs[0].str(), ::testing::HasSubstr("do trainees score differently"));
+  EXPECT_THAT(
+      board.paragraphs[1].str(),
+      ::testing::HasSubstr("30 trainees in 3 groups, 0 of them withdrew; 10 physicians gave 900 marks; "
+                           "1 deviations"));
+  ASSERT_EQ(board.figures.size(), 1U);
+  EXPECT_EQ(board.figures[0].id, "figure-answer");
+  const ReportModel whole = cohortReport(in);
+  const ReportFigure* differences = find(whole, "figure-differences");
+  ASSERT_NE(differences, nullptr);
+  EXPECT_EQ(board.figures[0].series[0].y, differences->series[0].y) << "one number, two places";
+  std::size_t excluded = 0;
+  for (std::size_t i = 0; i < differences->series[0].y.size(); ++i) {
+    excluded += differences->series[0].low[i] > 0.0 || differences->series[0].high[i] < 0.0 ? 1 : 0;
+  }
+  const std::string answer = board.paragraphs[2].str();
+  EXPECT_EQ(answer.find("Every interval holds zero") != std::string::npos,
+            answer.find("no difference") != std::string::npos && excluded == 0)
+      << answer;
+  ASSERT_EQ(board.tables.size(), 2U);
+  EXPECT_EQ(board.tables[0].rows.size(), 3U);
+  EXPECT_EQ(board.tables[1].id, "table-signatures");
 }
 
 TEST(CohortReport, ComparesGroupsAndRatersWhenTheMarksAreGiven) {

@@ -57,6 +57,7 @@ ScoreRow::ScoreRow(std::string code, const QString& label, const ScoreScale& sca
   name_->setFont(bold);
   value_->setFont(bold);
   anchor_->setProperty("small", true);
+  anchor_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   reason_->hide();
   reason_->setMaxLength(200);
   reason_->installEventFilter(this);
@@ -100,6 +101,7 @@ void ScoreRow::retranslate() {
   reason_->setAccessibleName(tr("Why %1 cannot be judged").arg(label_));
   describe();
   showAnchor();
+  keepAnchorRoom();
 }
 
 void ScoreRow::setAnswer(const SheetAnswer& answer) {
@@ -157,6 +159,14 @@ QString ScoreRow::nearestAnchor(std::int64_t steps) const {
              : tr("%1: %2").arg(scoreText(nearest->score_steps, scale_), toQString(Text(nearest->meaning)));
 }
 
+QString ScoreRow::allAnchors() const {
+  QStringList all;
+  for (const RubricAnchor& anchor : anchors_) {
+    all << tr("%1: %2").arg(scoreText(anchor.score_steps, scale_), toQString(Text(anchor.meaning)));
+  }
+  return all.join(QStringLiteral("   \u00b7   "));
+}
+
 void ScoreRow::showAnchor() {
   if (anchors_.empty()) {
     return;
@@ -167,13 +177,25 @@ void ScoreRow::showAnchor() {
     anchor_->setText(nearestAnchor(stepsOf(hovered_)));
     return;
   }
-  QStringList all;
-  for (const RubricAnchor& anchor : anchors_) {
-    all << tr("%1: %2").arg(scoreText(anchor.score_steps, scale_), toQString(Text(anchor.meaning)));
-  }
   // Where the rater is, every anchor; elsewhere the one that was met.
-  anchor_->setText(current_ || !answer_.score_steps ? all.join(QStringLiteral("   \u00b7   "))
-                                                    : nearestAnchor(*answer_.score_steps));
+  anchor_->setText(current_ || !answer_.score_steps ? allAnchors() : nearestAnchor(*answer_.score_steps));
+}
+
+/// The room of all anchors is kept while only one is shown: no row moves away from under a finger.
+void ScoreRow::keepAnchorRoom() {
+  if (anchors_.empty()) {
+    return;
+  }
+  anchor_->ensurePolished();
+  const int wide = std::max(1, width() - kMarkWidth - 2 * kSpace);
+  const QRect needed =
+      anchor_->fontMetrics().boundingRect(QRect(0, 0, wide, QWIDGETSIZE_MAX), Qt::TextWordWrap, allAnchors());
+  anchor_->setMinimumHeight(needed.height());
+}
+
+void ScoreRow::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  keepAnchorRoom();
 }
 
 int ScoreRow::cellCount() const {

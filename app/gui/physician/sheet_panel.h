@@ -117,9 +117,12 @@ class ScoreRow : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  [[nodiscard]] QString allAnchors() const;
+  void keepAnchorRoom();
   [[nodiscard]] QString nearestAnchor(std::int64_t steps) const;
   [[nodiscard]] std::vector<QRect> cells() const;
   [[nodiscard]] int cellAt(const QPoint& at) const;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <QHBoxLayout>
+#include <QInputDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QProgressBar>
@@ -189,16 +190,43 @@ QWidget* RunPage::createPanel() {
   return side;
 }
 
+bool RunPage::askWhyUnscored(RunRequest& request) {
+  const NextSteps steps = nextSteps(shell().session(), shell().session().actor().personId);
+  if (!steps.scoringDue) {
+    return true;
+  }
+  QInputDialog dialog(this);
+  dialog.setWindowTitle(tr("Not scored yet"));
+  dialog.setLabelText(
+      tr("Only %1 of %2 sheets of this occasion are in, and they cannot be made up for once the "
+         "training goes on. Fetch the study team. Why does the training begin nevertheless? It "
+         "is noted as a deviation.")
+          .arg(steps.scoringDue->submitted)
+          .arg(steps.scoringDue->asked));
+  dialog.setOkButtonText(tr("Begin nevertheless"));
+  dialog.setCancelButtonText(tr("Back"));
+  if (dialog.exec() != QDialog::Accepted || dialog.textValue().trimmed().isEmpty()) {
+    return false;
+  }
+  request.reason = dialog.textValue().trimmed().toStdString();
+  return true;
+}
+
 void RunPage::enter(const QVariant& argument) {
   if (runSession_ || argument == kLater) {
     return;
   }
   if (!attempt(shell(), [&] {
-        runSession_.emplace(
-            shell().session(),
-            RunRequest{desk_.moduleId, desk_.graded, desk_.readiness.value_or(DeviceReadiness{})},
-            *desk_.clock, shell().line());
+        RunRequest request{desk_.moduleId, desk_.graded, desk_.readiness.value_or(DeviceReadiness{})};
+        if (!askWhyUnscored(request)) {
+          return;
+        }
+        runSession_.emplace(shell().session(), request, *desk_.clock, shell().line());
       })) {
+    return;
+  }
+  if (!runSession_) {
+    QTimer::singleShot(0, this, [this] { shell().open(PageId::kNextStep); });
     return;
   }
   lastTrial_.clear();

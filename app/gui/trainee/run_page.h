@@ -60,6 +60,8 @@ class RunPage : public Page {
   StationDesk& desk_;
 
   QWidget* createPanel();
+  /// Asks why training goes on while sheets of the real arm are missing; false: it does not.
+  [[nodiscard]] bool askWhyUnscored(RunRequest& request);
   QWidget* createNotice();
   void begin();
   void start();

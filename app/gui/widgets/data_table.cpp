@@ -215,7 +215,17 @@ void DataTable::shareWidth() {
 }
 
 void DataTable::setColumnHidden(int column, bool hidden) {
-  view_->horizontalHeader()->setSectionHidden(column, hidden);
+  QHeaderView* header = view_->horizontalHeader();
+  if (header->isSectionHidden(column) == hidden) {
+    return;
+  }
+  header->setSectionHidden(column, hidden);
+  // While it was hidden nobody gave it a width: at once, not when the list is filled the next time.
+  if (!touched_) {
+    fitColumns(false);
+  } else if (!hidden && header->sectionSize(column) < kLeastWidth) {
+    view_->resizeColumnToContents(column);
+  }
 }
 
 void DataTable::hideAtFirst(int column) {
@@ -325,8 +335,8 @@ void DataTable::showColumnMenu(const QPoint& at) {
     shown->setCheckable(true);
     shown->setChecked(!header->isSectionHidden(column));
     shown->setEnabled(shown->isChecked() ? header->count() - header->hiddenSectionCount() > 1 : true);
-    connect(shown, &QAction::toggled, header, [this, header, column](bool on) {
-      header->setSectionHidden(column, !on);
+    connect(shown, &QAction::toggled, header, [this, column](bool on) {
+      setColumnHidden(column, !on);
       touched_ = true;
     });
   }

@@ -32,10 +32,11 @@ QString remembered(const QString& file) {
 
 }  // namespace
 
-QString askFileToSave(QWidget* parent, const QString& title, const QString& name, const QString& filter) {
+QString askFileToSave(QWidget* parent, const QString& title, const QString& name, const QString& filter,
+                      QString* chosenFilter) {
   static const QRegularExpression kNotInNames(QStringLiteral("[/\\\\:*?\"<>|]"));
   const QString proposal = QDir(folder()).filePath(QString(name).replace(kNotInNames, QStringLiteral("-")));
-  return remembered(QFileDialog::getSaveFileName(parent, title, proposal, filter));
+  return remembered(QFileDialog::getSaveFileName(parent, title, proposal, filter, chosenFilter));
 }
 
 QString askFileToOpen(QWidget* parent, const QString& title, const QString& filter, const QString& begin) {

@@ -76,6 +76,8 @@ inline constexpr std::array kPersonRules{
     PersonRule{"draft_viewing", person_conditions::kDrafts, OnErase::kDelete},
     PersonRule{"mark_draft_row", person_conditions::kDrafts, OnErase::kDelete},
     PersonRule{"mark_draft", person_conditions::kDrafts, OnErase::kDelete},
+    PersonRule{"paper_entry_row", person_conditions::kDrafts, OnErase::kDelete},
+    PersonRule{"paper_entry", person_conditions::kDrafts, OnErase::kDelete},
     PersonRule{"assignment", person_conditions::kMarks},
     PersonRule{"assignment_withdrawal", person_conditions::kDrafts},
     PersonRule{"live_call", person_conditions::kAsTrainee},

@@ -39,6 +39,8 @@
 #include "app/study/frozen_data.h"
 #include "app/study/live_call.h"
 #include "app/study/occasion_service.h"
+#include "app/study/paper_sheets.h"
+#include "app/study/reminders.h"
 #include "app/study/rubric_service.h"
 #include "app/study/run_day.h"
 #include "app/study/scoring_plan.h"
@@ -165,6 +167,10 @@ std::vector<ServiceCall> studyCalls() {
        [](SessionContext& w, Path folder) { (void)exportRecordings(w, kNoSuch, folder / "trials.csv"); }},
       {O::kMarkViewCoded, "exportMarks",
        [](SessionContext& w, Path folder) { (void)exportMarks(w, kNoSuch, folder / "marks.csv"); }},
+      {O::kMarkViewCoded, "exportCriteria",
+       [](SessionContext& w, Path folder) { (void)exportCriteria(w, kNoSuch, folder / "criteria.csv"); }},
+      {O::kMarkViewCoded, "exportRubrics",
+       [](SessionContext& w, Path folder) { (void)exportRubrics(w, kNoSuch, folder / "rubrics.csv"); }},
       {O::kMarkRelease, "releaseStates", [](SessionContext& w, Path) { (void)releaseStates(w, kNoSuch); }},
       {O::kMarkRelease, "releaseMarks", [](SessionContext& w, Path) { releaseMarks(w, kNoSuch, "never"); }},
       {O::kMarkRelease, "retractMarks",
@@ -208,6 +214,13 @@ std::vector<ServiceCall> studyCalls() {
       {O::kStudySetup, "calledCases", [](SessionContext& w, Path) { (void)calledCases(w, kNoSuch); }},
       {O::kStudySetup, "enrolmentWithCode",
        [](SessionContext& w, Path) { (void)enrolmentWithCode(w, kNoSuch, ""); }},
+      {O::kStudySetup, "paperCases", [](SessionContext& w, Path) { (void)paperCases(w, kNoSuch); }},
+      {O::kStudySetup, "paperForm", [](SessionContext& w, Path) { (void)paperForm(w, kNoSuch); }},
+      {O::kStudySetup, "enterPaperSheet",
+       [](SessionContext& w, Path) { (void)enterPaperSheet(w, kNoSuch, {}); }},
+      {O::kStudySetup, "paperSheets",
+       [](SessionContext& w, Path) { (void)paperSheets(w, kNoSuch, kNoSuch, ""); }},
+      {O::kStudySetup, "reminders", [](SessionContext& w, Path) { (void)reminders(w, kNoSuch); }},
       {O::kStudySetup, "runDayBoard", [](SessionContext& w, Path) { (void)runDayBoard(w, kNoSuch); }},
       {O::kStudyEnrol, "enrolTrainees", [](SessionContext& w, Path) { (void)enrolTrainees(w, kNoSuch, {}); }},
       {O::kStudyEnrol, "setEnrolmentState",

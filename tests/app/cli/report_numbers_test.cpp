@@ -1,19 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The numbers of the cohort report are those of the commands, to the last digit.
+#include <algorithm>
 #include <filesystem>
 #include <map>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <QCoreApplication>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/access/session_context.h"
 #include "app/base/csv_table.h"
+#include "app/reporting/report_data.h"
+#include "app/reporting/report_export.h"
 #include "app/scoring/scoring_service.h"
 #include "assessment/report/number_format.h"
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/people/access_repository.h"
 #include "db/repository/study/study_repository.h"
+#include "sim/base/clock.h"
+#include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "tests/app/cli/program.h"
 
@@ -132,6 +142,120 @@ TEST(ReportNumbers, EqualThoseOfTheCommandsToTheLastDigit) {
               pair["difference"].get<double>());
     EXPECT_EQ(report.at("comparison", name, "", "", occasions[2], "p_holm"), pair["p_holm"].get<double>());
   }
+}
+
+/// Every line of a table, in its order, without the byte order mark.
+std::vector<std::string> lines(const fs::path& file) {
+  std::vector<std::string> all;
+  std::string content = readFile(file);
+  if (content.starts_with("\xEF\xBB\xBF")) {
+    content.erase(0, 3);
+  }
+  std::istringstream text(content);
+  for (std::string line; std::getline(text, line);) {
+    all.push_back(line);
+  }
+  return all;
+}
+
+TEST(ReportNumbers, OfTheWindowAreThoseOfTheCommandLineInEveryCell) {
+  const fs::path folder = emptyFolder("report-cells");
+  ASSERT_EQ(runTorsio("demo --out " + (folder / "out").string() + " --shorten 150 --seed 7", folder).code, 0);
+  const std::string record = (folder / "out" / "torsio.sqlite").string();
+  Connection connection = openRecord(record, OpenMode::kReadWrite);
+  SystemIdSource ids;
+  const UserId user(ids.newUuid());
+  AccessRepository(connection, PasswordCost::kTest)
+      .addUser({.id = user, .login = "s", .createdUtc_us = 1, .roles = {"statistician"}},
+               "ten signs and more");
+  SessionContext session(connection, ids, {record, "test", {.userId = user, .login = "s"}}, utcNow_us);
+  ReportRequest request;
+  request.cohortId = StudyRepository(connection).cohorts().at(0).id;
+  request.campaignId = reportableCampaigns(session).at(0).id;
+  TrialDigests digests(fs::path(TORSIO_SOURCE_DIR) / "assets");
+
+  const CohortInputs inputs = reportInputs(session, request, digests);
+  (void)exportReport(session, request, inputs, ReportFormat::kCsv, folder / "window.csv", "en");
+
+  const std::vector<std::string> window = lines(folder / "window.csv");
+  const std::vector<std::string> command = lines(folder / "out" / "cohort.csv");
+  ASSERT_GT(window.size(), 1000U);
+  for (std::size_t i = 0; i < std::min(window.size(), command.size()); ++i) {
+    ASSERT_EQ(window[i], command[i]) << "line " << i + 1;
+  }
+  EXPECT_EQ(window.size(), command.size());
+}
+
+/// The steps of a kind in a trace, at any depth.
+void collect(const json& step, const std::string& what, std::vector<json>& found) {
+  if (step["what"].get<std::string>().starts_with(what)) {
+    found.push_back(step);
+  }
+  if (step.contains("made_of")) {
+    for (const json& part : step["made_of"]) {
+      collect(part, what, found);
+    }
+  }
+}
+
+TEST(ReportNumbers, AreFollowedToTheMarksTheSheetAndTheRecording) {
+  const fs::path folder = emptyFolder("report-trace");
+  ASSERT_EQ(runTorsio("demo --out " + (folder / "out").string() + " --shorten 300 --seed 7", folder).code, 0);
+  const std::string command =
+      "report trace --json --database " + (folder / "out" / "torsio.sqlite").string() + " ";
+  const auto traced = [&](const std::string& cell) {
+    const ProgramRun run = runTorsio(command + "'" + cell + "'", folder);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return json::parse(run.out);
+  };
+  const std::vector<std::string> table = lines(folder / "out" / "cohort.csv");
+  const auto cellOf = [&](const std::string& part) {
+    const auto line = std::find_if(table.begin(), table.end(), [&](const std::string& one) {
+      return one.find(part) != std::string::npos;
+    });
+    EXPECT_NE(line, table.end()) << part;
+    std::size_t end = 0;
+    for (int comma = 0; comma < 7; ++comma) {
+      end = line->find(',', end) + 1;
+    }
+    return line->substr(0, end - 1);
+  };
+
+  const json group = traced(cellOf("training,all,Group 1,,,after 40 min,mean,"));
+  std::vector<json> scores;
+  std::vector<json> marks;
+  collect(group, "score of", scores);
+  collect(group, "rater_mark of", marks);
+  ASSERT_EQ(scores.size(), 10U);
+  ASSERT_EQ(marks.size(), 100U);
+  double sum = 0.0;
+  for (const json& mark : marks) {
+    sum += std::stod(mark["value"].get<std::string>());
+  }
+  EXPECT_NEAR(sum / 100.0, std::stod(group["value"].get<std::string>()), 1e-12);
+  std::vector<json> sheets;
+  std::vector<json> live;
+  collect(marks.front(), "scoring sheet", sheets);
+  collect(marks.front(), "seen live", live);
+  ASSERT_EQ(sheets.size(), 1U);
+  EXPECT_EQ(sheets[0]["value"], "Overall mark on the real arm (demonstration), revision 1");
+  EXPECT_EQ(live.size(), 1U);
+
+  std::vector<json> recordings;
+  const json error = traced(cellOf(",virtual 0-20 min,mean_absolute_error_deg,"));
+  collect(error, "recorded by program version", recordings);
+  ASSERT_EQ(recordings.size(), 1U);
+  EXPECT_FALSE(recordings[0]["value"].get<std::string>().empty());
+
+  std::vector<json> composites;
+  std::vector<json> given;
+  const json n = traced(cellOf("evaluation,all,,PM,,,N_eq27,"));
+  collect(n, "composite of", composites);
+  collect(n, "mark of", given);
+  EXPECT_EQ(composites.size(), 40U);
+  EXPECT_EQ(given.size(), 360U);
+  EXPECT_EQ(runTorsio(command + "'training,nobody,,,,,score'", folder).code,
+            static_cast<int>(ErrorCode::kBadParameter));
 }
 
 }  // namespace

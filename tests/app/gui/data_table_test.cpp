@@ -45,6 +45,30 @@ TEST(DataTable, SortsCodesByTheirNumbersAndMarksBySize) {
   EXPECT_EQ(byMark, "Code\tMark\nT-10\t10.0\nT-1\t9.0\nT-2\t8.5\n");
 }
 
+TEST(DataTable, AColumnThatWasHiddenIsReadableAsSoonAsItIsShown) {
+  for (const bool touched : {false, true}) {
+    DataTable table{QString()};
+    table.resize(600, 200);
+    table.setColumns({{"Code"}, {"Name"}, {"State"}});
+    table.setRows({{"a", {{"T-2"}, {""}, {"active"}}}});
+    table.setColumnHidden(1, true);
+    table.show();
+    QApplication::processEvents();
+    table.resize(640, 200);  // the widths are shared anew
+    QApplication::processEvents();
+    if (touched) {
+      table.view().sortByColumn(0, Qt::AscendingOrder);
+    }
+
+    table.setRows({{"a", {{"T-2"}, {"Wang Xiaoming"}, {"active"}}}});
+    table.setColumnHidden(1, false);
+
+    EXPECT_GE(table.view().horizontalHeader()->sectionSize(1),
+              table.fontMetrics().horizontalAdvance("Wang Xiaoming"))
+        << touched;
+  }
+}
+
 TEST(DataTable, NarrowsTheWidestColumnBeforeItScrollsSideways) {
   DataTable table{QString()};
   table.resize(500, 200);

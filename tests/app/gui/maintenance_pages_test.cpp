@@ -57,6 +57,28 @@ TEST_F(CarePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) {
   signIn();
 }
 
+TEST_F(CarePages, TheBackupOfAnotherCentreIsNamedAndTakesItsNameToRestore) {
+  carePage().backUp(in("backup.sqlite"));
+  context().waitForJobs();
+  {
+    Connection other = openDatabase(in("backup.sqlite").string(), OpenMode::kReadWrite);
+    other.execute("UPDATE centre SET id = 'another', name = 'Harbour clinic'");
+  }
+  auto& page = openBy<RestorePage>("Restore");
+
+  child<QLineEdit>(page, "file").setText(toQString(in("backup.sqlite")));
+  click(child<QPushButton>(page, "checkButton"));
+
+  EXPECT_TRUE(child<QLabel>(page, "lossText")
+                  .text()
+                  .contains(QStringLiteral("the backup of another centre: Harbour clinic")))
+      << child<QLabel>(page, "lossText").text().toStdString();
+  child<QLineEdit>(page, "word").setText(QStringLiteral("RESTORE"));
+  EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isEnabled());
+  child<QLineEdit>(page, "word").setText(QStringLiteral("Harbour clinic"));
+  EXPECT_TRUE(child<QPushButton>(page, "restoreButton").isEnabled());
+}
+
 TEST_F(CarePages, ARestoreIsRefusedWhileAnotherStationIsConnected) {
   carePage().backUp(in("backup.sqlite"));
   context().waitForJobs();

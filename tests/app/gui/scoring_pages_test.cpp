@@ -2,7 +2,10 @@
 // The office's part of scoring through its real widgets: a third rater in two clicks, the runs of the
 // warm-up.
 #include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
+#include <QDateEdit>
 #include <QDialog>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
@@ -22,8 +25,11 @@
 #include "app/review/rater_calibration.h"
 #include "app/review/review_queue.h"
 #include "assessment/people/person.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/study/cohort.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "tests/app/support/review_centre.h"
 
@@ -106,6 +112,29 @@ TEST_F(ScoringPages, FindsAThirdRaterInTwoClicks) {
   EXPECT_EQ(SheetRepository(centre_.connection()).queue("rater-900").size(), 1U);
   EXPECT_EQ(buttonOf(*page_, "Adjudicator"), nullptr);
   EXPECT_TRUE(child<DataTable>(*page_, "matrix").asText().contains(QStringLiteral("CH-900")));
+}
+
+TEST_F(ScoringPages, ADeadlineIsGivenWithTheRequestAndWhoOwesWhatIsCopied) {
+  open();
+  press("Ask raters", [](QDialog& dialog) {
+    dialog.findChild<DataTable*>()->view().selectAll();
+    EXPECT_FALSE(child<QDateEdit>(dialog, "due").isEnabled()) << "no deadline unless one is wanted";
+    child<QCheckBox>(dialog, "limited").setChecked(true);
+    child<QDateEdit>(dialog, "due").setDate(QDate(2036, 5, 31));
+    buttonOf(dialog, "Ask")->click();
+  });
+
+  const std::int64_t due_us = QDate(2036, 5, 31).endOfDay().toMSecsSinceEpoch() * 1000;
+  std::size_t limited = 0;
+  for (const Cohort& cohort : StudyRepository(centre_.connection()).cohorts()) {
+    for (const AssignmentStatus& one : SheetRepository(centre_.connection()).assignments(cohort.id)) {
+      limited += one.assignment.dueUtc_us == due_us ? 1 : 0;
+    }
+  }
+  EXPECT_GT(limited, 0U);
+  buttonOf(*page_, "Copy reminders")->click();
+  EXPECT_TRUE(QGuiApplication::clipboard()->text().contains(QStringLiteral("please submit in Torsio: case ")))
+      << QGuiApplication::clipboard()->text().toStdString();
 }
 
 TEST_F(ScoringPages, ChoosesTheRunsOfTheWarmUpWithThePanelsMark) {

@@ -2,6 +2,7 @@
 // What all pages on which marks are given share: one history, one set of keys, what is said about saving.
 #include "app/gui/physician/sheet_editor_panel.h"
 
+#include <QApplication>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QSignalSpy>
@@ -66,6 +67,37 @@ TEST(SheetEditorPanel, AsksAnewAfterEveryChange) {
 
   EXPECT_EQ(finish.count(), 1);
   EXPECT_FALSE(panel.asking());
+}
+
+TEST(SheetEditorPanel, NoRowMovesUnderTheFingerWhileAnchorsShorten) {
+  RubricRevision rubric = oneRow();
+  const std::vector<RubricAnchor> anchors{{10, "Does not finish; long stops between the steps"},
+                                          {50, "Finishes with some waiting; one or two corrections"},
+                                          {100, "Brisk, no idle moment, one movement from grip to release"}};
+  rubric.rows[0].anchors = anchors;
+  rubric.rows.push_back({"grip", "Grip", rubric.overall, anchors});
+  rubric.rows.push_back({"care", "Care", rubric.overall, anchors});
+  SheetEditorPanel panel;
+  panel.resize(520, 900);  // the anchors of a row take two lines
+  panel.show();
+  panel.beginSheet(rubric, {});
+  const QList<ScoreRow*> rows = panel.findChildren<ScoreRow*>();
+  const auto places = [&] {
+    QApplication::processEvents();
+    std::vector<int> all;
+    for (const ScoreRow* row : rows) {
+      all.push_back(row->mapTo(&panel, QPoint(0, 0)).y());
+    }
+    return all;
+  };
+  ASSERT_EQ(rows.size(), 4);
+  const std::vector<int> before = places();
+
+  for (int i = 0; i < 4; ++i) {
+    panel.handleKey(Qt::Key_7, Qt::NoModifier);
+    panel.handleKey(Qt::Key_Down, Qt::NoModifier);
+    EXPECT_EQ(places(), before) << "row " << i;
+  }
 }
 
 TEST(SheetEditorPanel, SaysWhetherASheetIsKept) {

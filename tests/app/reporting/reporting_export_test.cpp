@@ -5,20 +5,27 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/base/csv_look.h"
+#include "app/base/csv_table.h"
 #include "app/people/people_service.h"
+#include "app/reporting/coded_tables.h"
 #include "app/reporting/report_export.h"
 #include "app/study/allocation_service.h"
 #include "app/study/campaign_service.h"
 #include "app/study/cohort_service.h"
 #include "app/study/frozen_data.h"
+#include "app/study/scoring_plan.h"
 #include "assessment/attempt/trial_digest.h"
 #include "assessment/metrics/metric_cards.h"
 #include "assessment/people/audit_entry.h"
+#include "assessment/rating/assignment.h"
 #include "assessment/rating/campaign.h"
 #include "assessment/report/cohort_report.h"
+#include "assessment/report/number_format.h"
 #include "assessment/study/cohort.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
@@ -94,6 +101,66 @@ TEST(ReportInputs, SayWhetherTheRecordIsStillWhatWasFrozen) {
   const CohortInputs inputs = reportInputs(session, study.request, study.digests);
   EXPECT_FALSE(inputs.freeze->unchanged);
   EXPECT_EQ(inputs.deviations.at(0).description, "by ten minutes");
+}
+
+/// The lines of a table without its byte order mark.
+std::vector<CsvRecord> recordsOf(const std::filesystem::path& file, char separator = ',') {
+  return csvRecords(readFile(file), file.filename().string(), separator);
+}
+
+TEST(CodedTables, TellTheCriteriaTheAnchorsTheRevisionAndTheBuild) {
+  SmallStudy study;
+  const std::vector<RaterId> chiefs = study.centre.addChiefs(2);
+  const std::string rubric = study.centre.addPaperRubric();
+  createAssignments(study.centre.session(), {.cohortId = study.request.cohortId,
+                                             .occasionCodes = {"pre"},
+                                             .raterIds = chiefs,
+                                             .rubricRevisionId = rubric,
+                                             .seed = 3});
+  SheetRepository sheets(study.centre.connection());
+  const RubricRevision used = sheets.revision(rubric).value();
+  const AssignmentStatus asked = sheets.assignments(study.request.cohortId).at(0);
+  Sheet sheet{.overall_steps = 75};
+  for (const RubricLine& row : used.rows) {
+    sheet.rows.push_back({row.code, row.scale.lo + 5, ""});
+  }
+  sheets.submit(asked.assignment.id, study.centre.session().ids().newUuid(), sheet, "", 1);
+  const std::filesystem::path folder = study.centre.folder();
+  SessionContext& session = study.centre.as("statistician");
+
+  exportCriteria(session, study.request.cohortId, folder / "criteria.csv");
+  exportRubrics(session, study.request.cohortId, folder / "rubrics.csv");
+  exportMarks(session, study.request.cohortId, folder / "german.csv", {';', ','});
+
+  const std::vector<CsvRecord> criteria = recordsOf(folder / "criteria.csv");
+  ASSERT_EQ(criteria.size(), 1 + used.rows.size());
+  EXPECT_EQ(criteria[1].values[6], used.rows[0].code);
+  EXPECT_EQ(criteria[1].values[5], "1");
+  EXPECT_EQ(criteria[1].values[8],
+            formatExact(pointsFromSteps(used.rows[0].scale.lo + 5, used.rows[0].scale)));
+  EXPECT_EQ(criteria[1].values[11].size(), 64U) << "the hash of the program";
+  std::size_t anchors = 0;
+  for (const RubricLine& row : used.rows) {
+    anchors += std::max<std::size_t>(1, row.anchors.size());
+  }
+  EXPECT_EQ(recordsOf(folder / "rubrics.csv").size(), 1 + anchors);
+  const std::vector<CsvRecord> german = recordsOf(folder / "german.csv", ';');
+  ASSERT_EQ(german.size(), 2U);
+  EXPECT_EQ(german[0].values.size(), german[1].values.size());
+  EXPECT_EQ(german[1].values[4], "7,5") << "a decimal comma, in its own column";
+}
+
+TEST(CsvLook, ChangesNumbersAndNothingElse) {
+  const std::string table =
+      "a,b,c\r\n-1.5,\"x; y, \"\"z\"\"\",2026-01-05 08:00 UTC\r\n2.5e-07,v1.2.3,T-1.\r\n";
+  EXPECT_EQ(csvInLook(table, {}), table);
+  EXPECT_EQ(csvInLook(table, {';', ','}),
+            "a;b;c\r\n-1,5;\"x; y, \"\"z\"\"\";2026-01-05 08:00 UTC\r\n2,5e-07;v1.2.3;T-1.\r\n");
+  EXPECT_EQ(csvInLook("\xEF\xBB\xBF"
+                      "a,b\r\n1.5,c\r\n",
+                      {'\t', '.'}),
+            "\xEF\xBB\xBF"
+            "a\tb\r\n1.5\tc\r\n");
 }
 
 TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {

@@ -7,18 +7,29 @@
 
 #include <gtest/gtest.h>
 
+#include "app/access/audit_service.h"
+#include "app/people/consent_service.h"
 #include "app/people/people_service.h"
 #include "app/review/case_sheet.h"
 #include "app/review/review_queue.h"
 #include "app/study/allocation_service.h"
 #include "app/study/cohort_service.h"
+#include "app/study/paper_sheets.h"
+#include "app/study/reminders.h"
 #include "app/study/run_day.h"
 #include "app/study/scoring_plan.h"
+#include "app/training/next_steps.h"
+#include "app/training/run_session.h"
+#include "assessment/people/audit_entry.h"
 #include "assessment/rating/assignment.h"
+#include "assessment/rating/sheet_check.h"
 #include "db/connection/db_error.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/people/access_repository.h"
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/system/audit_verification.h"
+#include "sim/base/clock.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
 #include "tests/app/support/study_centre.h"
@@ -35,7 +46,7 @@ constexpr const char* kRoom = "Skills lab";
 class LiveDay : public ::testing::Test {
  protected:
   void SetUp() override {
-    const std::vector<TraineeId> trainees = centre.addTrainees(4);
+    trainees = centre.addTrainees(4);
     chiefs = centre.addChiefs(3);
     const std::string rubric = centre.addPaperRubric();
     const std::string version = centre.runPaperCurriculum();
@@ -75,6 +86,25 @@ class LiveDay : public ::testing::Test {
     }
     submitSheet(centre.session(), id, sheet, WatchLog());
   }
+  /// A second person in the office.
+  SessionContext& colleague() {
+    if (colleague_.empty()) {
+      colleague_ = centre.session().ids().newUuid();
+      AccessRepository(centre.connection(), PasswordCost::kTest)
+          .addUser({.id = colleague_, .login = "colleague", .createdUtc_us = 1, .roles = {"administrator"}},
+                   "ten signs and more");
+    }
+    centre.session().setActor({.userId = colleague_, .login = "colleague", .roles = {"administrator"}});
+    return centre.session();
+  }
+  /// What stands on the paper of a rater: all rows alike but the overall mark.
+  Sheet paper(const AssignmentId& id, std::int64_t overall) {
+    Sheet sheet{.overall_steps = overall};
+    for (const RubricLine& row : paperForm(office(), id).rubric.rows) {
+      sheet.rows.push_back({row.code, 60, ""});
+    }
+    return sheet;
+  }
   static std::string refusal(const auto& call) {
     try {
       call();
@@ -84,7 +114,9 @@ class LiveDay : public ::testing::Test {
     return {};
   }
 
+  UserId colleague_;
   StudyCentre centre;
+  std::vector<TraineeId> trainees;
   std::vector<RaterId> chiefs;
   CohortId cohort;
   std::vector<EnrolmentId> enrolled;
@@ -125,14 +157,17 @@ TEST_F(LiveDay, ASheetThatIsNotDueIsNotCalledWithoutAReason) {
             std::string::npos);
   EXPECT_EQ(checkCall(office(), request(0)).occasion.code, "mid");
   EXPECT_FALSE(checkCall(office(), request(0)).objection);
-  EXPECT_TRUE(deviations(office(), cohort).empty());
+  ASSERT_EQ(deviations(office(), cohort).size(), 1U);
+  EXPECT_EQ(deviations(office(), cohort)[0].description,
+            "\"before training\": 0 of 3 sheets were in: training time was logged");
+  centre.passTime_us(1);
 
   callTrainee(office(), request(0, "pre", "was forgotten in the morning"));
 
   const std::vector<ProtocolDeviation> noted = deviations(office(), cohort);
-  ASSERT_EQ(noted.size(), 1U);
-  EXPECT_EQ(noted[0].enrolmentId, enrolled[0]);
-  EXPECT_NE(noted[0].description.find("has trained 20 min already: was forgotten in the morning"),
+  ASSERT_EQ(noted.size(), 2U);
+  EXPECT_EQ(noted[1].enrolmentId, enrolled[0]);
+  EXPECT_NE(noted[1].description.find("has trained 20 min already: was forgotten in the morning"),
             std::string::npos);
 }
 
@@ -210,6 +245,113 @@ TEST_F(LiveDay, WhatWasCalledStaysAndTheRecordVerifies) {
   setEnrolmentState(office(), cohort, enrolled[1], EnrolmentState::kWithdrawn, "moved away");
   EXPECT_NE(refusal([&] { callTrainee(office(), request(1)); }).find("withdrawn"), std::string::npos);
   EXPECT_TRUE(verifyAuditTrail(centre.connection()).empty());
+}
+
+TEST_F(LiveDay, TrainingBeforeTheSheetsAreInIsStoppedOrNotedWithItsReason) {
+  recordConsent(office(), trainees[0], "training_record", true, "1");
+  const auto trainee = [&]() -> SessionContext& {
+    Actor actor = centre.as("trainee").actor();
+    actor.personId = trainees[0];
+    centre.session().setActor(actor);
+    return centre.session();
+  };
+  const NextSteps steps = nextSteps(trainee(), trainees[0]);
+  ASSERT_TRUE(steps.scoringDue);
+  EXPECT_EQ(steps.scoringDue->submitted, 0U);
+  EXPECT_EQ(steps.scoringDue->asked, 3U);
+  const ManualClock clock;
+  DeviceReadiness device;
+  device.findings.push_back({"force", Light::kGreen, ""});
+  RunRequest wanted{steps.modules.at(0).module.id, false, device};
+  EXPECT_NE(refusal([&] { RunSession(trainee(), wanted, clock); }).find("0 of 3 sheets"), std::string::npos);
+  EXPECT_TRUE(deviations(office(), cohort).empty());
+
+  wanted.reason = "the arm is out of order";
+  {
+    RunSession run(trainee(), wanted, clock);
+    run.start();
+  }
+
+  const std::vector<ProtocolDeviation> noted = deviations(office(), cohort);
+  ASSERT_EQ(noted.size(), 1U);
+  EXPECT_EQ(noted[0].kind, "trained before scoring");
+  EXPECT_EQ(noted[0].description, "\"before training\": 0 of 3 sheets were in: the arm is out of order");
+  EXPECT_FALSE(nextSteps(trainee(), trainees[0]).scoringDue) << "asked once";
+}
+
+TEST_F(LiveDay, APaperSheetCountsOnceTwoPeopleHaveTypedItAlike) {
+  const AssignmentId id = sheetOf(0, 1, "pre");
+  EXPECT_NE(refusal([&] { (void)paperForm(office(), id); }).find("has not been called"), std::string::npos);
+  callTrainee(office(), request(1));
+  ASSERT_EQ(paperCases(office(), cohort).size(), 3U);
+  Sheet incomplete = paper(id, 70);
+  incomplete.rows.pop_back();
+  EXPECT_NE(refusal([&] { enterPaperSheet(office(), id, incomplete); }).find("no mark of the scale"),
+            std::string::npos);
+
+  const Sheet right = paper(id, 70);
+  EXPECT_EQ(enterPaperSheet(office(), id, right), PaperOutcome::kFirst);
+  EXPECT_EQ(enterPaperSheet(office(), id, right), PaperOutcome::kFirst) << "twice by one person is once";
+  EXPECT_EQ(linesOf(0).size(), 1U) << "nothing counts so far";
+
+  const Sheet wrong = paper(id, 20);
+  EXPECT_EQ(enterPaperSheet(colleague(), id, wrong), PaperOutcome::kDiffers);
+  EXPECT_EQ(paperForm(colleague(), id).differing, std::vector<std::string>{kOverallRow});
+  EXPECT_TRUE(paperCases(colleague(), cohort).at(0).differs);
+  EXPECT_FALSE(SheetRepository(centre.connection()).submitted(id));
+
+  EXPECT_EQ(enterPaperSheet(colleague(), id, right), PaperOutcome::kCounts);
+
+  const auto sealed = SheetRepository(centre.connection()).submitted(id);
+  ASSERT_TRUE(sealed);
+  EXPECT_EQ(sealed->overall_steps, 70);
+  EXPECT_EQ(sealed->rows.size(), right.rows.size());
+  EXPECT_EQ(paperCases(office(), cohort).size(), 2U);
+  EXPECT_EQ(centre.rowCounts()["paper_entry"], 0);
+  EXPECT_EQ(centre.rowCounts()["paper_entry_row"], 0);
+  bool told = false;
+  for (const AuditEntry& entry :
+       auditEntries(office(), {.objectKind = AuditObject::kAssignment, .objectId = id})) {
+    told = told || entry.newJson.find(colleague_.text()) != std::string::npos;
+  }
+  EXPECT_TRUE(told) << "who typed it stands in the audit trail";
+  EXPECT_NE(refusal([&] { enterPaperSheet(office(), id, right); }).find("in already"), std::string::npos);
+  EXPECT_TRUE(verifyAuditTrail(centre.connection()).empty());
+}
+
+TEST_F(LiveDay, PrintedSheetsAreThoseThatAreDueAndTellNoStage) {
+  train(2, 20);
+  const std::vector<PaperSheet> due = paperSheets(office(), cohort, {}, {});
+  ASSERT_EQ(due.size(), 12U);  // four trainees, three raters
+  std::set<std::string> labels;
+  for (const PaperSheet& sheet : due) {
+    labels.insert(sheet.caseLabel);
+    EXPECT_FALSE(sheet.rubric.rows.empty());
+  }
+  EXPECT_EQ(labels.size(), 4U);
+  callTrainee(office(), request(2));
+  score(0, 2, "mid");
+  office();
+  EXPECT_EQ(paperSheets(office(), cohort, enrolled[2], {}).size(), 2U);
+  EXPECT_EQ(paperSheets(office(), cohort, enrolled[2], "post").size(), 3U);
+}
+
+TEST_F(LiveDay, RemindersNameWhoOwesWhichCaseAndNobodyWhoWasNotAsked) {
+  EXPECT_TRUE(reminders(office(), cohort).empty()) << "nobody was called";
+  const LiveCallId call = callTrainee(office(), request(3));
+  score(1, 3, "pre");
+  EXPECT_FALSE(reminders(office(), cohort).at(0).sheets.at(0).late);
+  endCall(office(), cohort, call);
+
+  const std::vector<Reminder> owed = reminders(office(), cohort);
+
+  ASSERT_EQ(owed.size(), 2U);
+  EXPECT_EQ(owed[0].raterCode, "R-01");
+  EXPECT_EQ(owed[0].name, "Chief 1");
+  EXPECT_EQ(owed[1].raterCode, "R-03");
+  ASSERT_EQ(owed[0].sheets.size(), 1U);
+  EXPECT_TRUE(owed[0].sheets[0].late);
+  EXPECT_EQ(owed[0].sheets[0].caseLabel, calledCases(office(), cohort).at(0).caseLabel);
 }
 
 }  // namespace

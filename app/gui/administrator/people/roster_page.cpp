@@ -17,6 +17,7 @@
 #include "app/gui/administrator/people/person_dialog.h"
 #include "app/gui/administrator/people/roster_wizard.h"
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/table_choice.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/file_choice.h"
@@ -304,19 +305,19 @@ void RosterPage::askErasePerson() {
 
 void RosterPage::exportList() {
   const bool withNames = names_->isChecked();
-  const QString file = askFileToSave(
-      this, withNames ? tr("Export with names") : tr("Export under codes"),
-      withNames ? QStringLiteral("people-named.csv") : QStringLiteral("people.csv"), tr("Tables (*.csv)"));
-  if (file.isEmpty()) {
+  const TableChoice choice =
+      askTableToSave(this, withNames ? tr("Export with names") : tr("Export under codes"),
+                     withNames ? QStringLiteral("people-named") : QStringLiteral("people"));
+  if (choice.file.isEmpty()) {
     return;
   }
   const auto count = std::make_shared<std::size_t>(0);
   shell().run(
       tr("Exporting people"),
-      [file, withNames, count](SessionContext& session, const ProgressCallback&) {
-        *count = exportPeople(session, toPath(file), withNames);
+      [choice, withNames, count](SessionContext& session, const ProgressCallback&) {
+        *count = exportPeople(session, toPath(choice.file), withNames, choice.look);
       },
-      [this, file, count] { shell().notify(tr("%1 people written to %2").arg(*count).arg(file)); });
+      [this, choice, count] { shell().notify(tr("%1 people written to %2").arg(*count).arg(choice.file)); });
 }
 
 }  // namespace torsio::gui

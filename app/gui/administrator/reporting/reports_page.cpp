@@ -15,6 +15,7 @@
 #include "app/gui/administrator/reporting/report_preview.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/table_choice.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
@@ -240,11 +241,15 @@ void ReportsPage::askExport(ReportFormat format) {
   if (!inputs_) {
     return;
   }
-  const bool pdf = format == ReportFormat::kPdf;
-  const QString suggestion = QStringLiteral("%1.%2").arg(cohort_->currentText(),
-                                                         pdf ? QStringLiteral("pdf") : QStringLiteral("csv"));
-  const QString file = askFileToSave(this, pdf ? tr("Save report") : tr("Save table of numbers"), suggestion,
-                                     pdf ? tr("PDF (*.pdf)") : tr("Table, comma-separated (*.csv)"));
+  if (format == ReportFormat::kCsv) {
+    const TableChoice choice = askTableToSave(this, tr("Save table of numbers"), cohort_->currentText());
+    if (!choice.file.isEmpty()) {
+      exportTo(format, toPath(choice.file), choice.look);
+    }
+    return;
+  }
+  const QString file = askFileToSave(this, tr("Save report"), cohort_->currentText() + QStringLiteral(".pdf"),
+                                     tr("PDF (*.pdf)"));
   if (!file.isEmpty()) {
     exportTo(format, toPath(file));
   }
@@ -266,10 +271,12 @@ bool ReportsPage::exportTables(const std::filesystem::path& folder) {
     std::size_t recordings = 0;
     std::size_t marks = 0;
     if (shell().may(Operation::kTrialViewCoded)) {
-      recordings = exportRecordings(session, cohort, folder / "recordings.csv");
+      recordings = exportRecordings(session, cohort, folder / "recordings.csv", usualTableLook());
     }
     if (shell().may(Operation::kMarkViewCoded)) {
-      marks = exportMarks(session, cohort, folder / "marks.csv");
+      marks = exportMarks(session, cohort, folder / "marks.csv", usualTableLook());
+      exportCriteria(session, cohort, folder / "criteria.csv", usualTableLook());
+      exportRubrics(session, cohort, folder / "rubrics.csv", usualTableLook());
     }
     shell().notify(tr("%1 recordings and %2 marks written to %3")
                        .arg(recordings)
@@ -278,7 +285,7 @@ bool ReportsPage::exportTables(const std::filesystem::path& folder) {
   });
 }
 
-bool ReportsPage::exportTo(ReportFormat format, const std::filesystem::path& file) {
+bool ReportsPage::exportTo(ReportFormat format, const std::filesystem::path& file, const CsvLook& look) {
   if (!inputs_) {
     return false;
   }
@@ -297,8 +304,8 @@ bool ReportsPage::exportTo(ReportFormat format, const std::filesystem::path& fil
   return attempt(
       shell(),
       [&] {
-        const ReportExport done =
-            exportReport(shell().session(), request(), *inputs_, format, file, reportLanguage(), oneMore);
+        const ReportExport done = exportReport(shell().session(), request(), *inputs_, format, file,
+                                               reportLanguage(), oneMore, look);
         shell().notify(tr("Written: %1").arg(toQString(done.file)));
       },
       tr("Cancelled; no file was written"));

@@ -4,7 +4,9 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QDateEdit>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
@@ -23,6 +25,8 @@
 namespace torsio::gui {
 
 namespace {
+
+constexpr int kUsualDays = 14;
 
 QString translated(const char* text) {
   return QCoreApplication::translate("Scoring", text);
@@ -66,6 +70,21 @@ std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<Perso
     boxes->addWidget(box);
     points.emplace_back(occasion.code, box);
   }
+  auto* limited =
+      new QCheckBox(translated(QT_TRANSLATE_NOOP("Scoring", "To be done by the end of")), &dialog);
+  limited->setObjectName(QStringLiteral("limited"));
+  auto* due = new QDateEdit(QDate::currentDate().addDays(kUsualDays), &dialog);
+  due->setObjectName(QStringLiteral("due"));
+  due->setCalendarPopup(true);
+  due->setMinimumDate(QDate::currentDate());
+  due->setEnabled(false);
+  due->setAccessibleName(translated(QT_TRANSLATE_NOOP("Scoring", "Deadline")));
+  QObject::connect(limited, &QCheckBox::toggled, due, &QWidget::setEnabled);
+  auto* deadline = new QHBoxLayout;
+  deadline->addWidget(limited);
+  deadline->addWidget(due);
+  deadline->addStretch(1);
+  dialog.column()->addLayout(deadline);
   QPushButton* ask = dialog.finish(translated(QT_TRANSLATE_NOOP("Scoring", "Ask")));
   const auto showAsk = [ask, table] { ask->setEnabled(!table->selectedIds().isEmpty()); };
   QObject::connect(table, &DataTable::currentChanged, ask, showAsk);
@@ -81,6 +100,9 @@ std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<Perso
     if (box->isChecked()) {
       asked.occasionCodes.push_back(code);
     }
+  }
+  if (limited->isChecked()) {
+    asked.dueUtc_us = due->date().endOfDay().toMSecsSinceEpoch() * 1000;
   }
   return asked;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,9 +18,10 @@ namespace torsio::gui {
 struct RatersAsked {
   std::vector<RaterId> raterIds{};
   std::vector<std::string> occasionCodes{};
+  std::optional<std::int64_t> dueUtc_us{};  ///< end of the chosen day; empty: no deadline
 };
-/// Who is asked, and at which occasions. Chosen already: those of `matrix` who have open sheets; nobody
-/// when nothing is open. Empty: given up.
+/// Who is asked, at which occasions and until when. Chosen already: those of `matrix` who have open sheets;
+/// nobody when nothing is open. Empty: given up.
 [[nodiscard]] std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<PersonRow>& raters,
                                                       const ScoringMatrix& matrix);
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/administrator/scoring/scoring_page.h"
 
+#include <QClipboard>
 #include <QComboBox>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -9,6 +11,7 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/administrator/base/reminder_text.h"
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/scoring/rater_calibration_dialog.h"
 #include "app/gui/administrator/scoring/scoring_dialogs.h"
@@ -18,6 +21,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/people/people_service.h"
+#include "app/study/reminders.h"
 #include "app/study/rubric_service.h"
 #include "assessment/people/person.h"
 #include "sim/base/error.h"
@@ -58,6 +62,7 @@ ScoringPage::ScoringPage(ShellContext& shell)
       summary_(new QLabel(this)),
       table_(new DataTable(QStringLiteral("scoring-matrix"), this)),
       reassign_(listButton(table_)),
+      remind_(listButton(table_)),
       release_(listButton(table_)),
       third_(listButton(table_)) {
   table_->setObjectName(QStringLiteral("matrix"));
@@ -80,6 +85,7 @@ ScoringPage::ScoringPage(ShellContext& shell)
   connect(cohort_, &QComboBox::currentIndexChanged, this, &ScoringPage::read);
   connect(ask_, &QPushButton::clicked, this, &ScoringPage::askRaters);
   connect(reassign_, &QPushButton::clicked, this, &ScoringPage::reassignSheet);
+  connect(remind_, &QPushButton::clicked, this, &ScoringPage::copyReminders);
   connect(release_, &QPushButton::clicked, this, &ScoringPage::release);
   connect(third_, &QPushButton::clicked, this, &ScoringPage::assignThirdRater);
   connect(revise_, &QPushButton::clicked, this, &ScoringPage::askRevision);
@@ -134,11 +140,8 @@ void ScoringPage::showContent() {
                {line.missing == 0 ? QStringLiteral("\u2013") : QString::number(line.missing),
                 static_cast<qlonglong>(line.missing)}}};
       for (const ScoringCell& cell : line.cells) {
-        row.cells.push_back(
-            {stateSign(cell), static_cast<int>(cell.state),
-             cell.assignmentId.empty()
-                 ? tr("not asked")
-                 : tr("case %1: %2").arg(toQString(cell.caseLabel), sheetStateName(cell.state))});
+        row.cells.push_back({stateSign(cell), static_cast<int>(cell.state),
+                             cell.assignmentId.empty() ? tr("not asked") : cellText(cell)});
       }
       rows.push_back(std::move(row));
     }
@@ -151,10 +154,29 @@ void ScoringPage::showContent() {
   showButtons();
 }
 
+QString ScoringPage::cellText(const ScoringCell& cell) const {
+  const QString text = tr("case %1: %2").arg(toQString(cell.caseLabel), sheetStateName(cell.state));
+  const bool waits = cell.state == SheetState::kOpen || cell.state == SheetState::kDraft;
+  return cell.dueUtc_us && waits ? tr("%1, due %2").arg(text, shownTime(*cell.dueUtc_us, locale())) : text;
+}
+
+void ScoringPage::copyReminders() {
+  attempt(shell(), [&] {
+    const std::vector<Reminder> owed = reminders(shell().session(), chosenId(cohort_));
+    if (owed.empty()) {
+      shell().notify(tr("Nobody owes a sheet."));
+      return;
+    }
+    QGuiApplication::clipboard()->setText(reminderText(owed, locale()));
+    shell().notify(tr("Copied: the sheets that %n rater(s) owe", nullptr, static_cast<int>(owed.size())));
+  });
+}
+
 void ScoringPage::showButtons() {
   ask_->setEnabled(cohort_->count() > 0 && shell().may(Operation::kStudySetup));
   const std::size_t at = table_->currentId().isEmpty() ? SIZE_MAX : table_->currentId().toULongLong();
   reassign_->setEnabled(matrix_ && at < matrix_->lines.size() && matrix_->lines[at].missing > 0);
+  remind_->setEnabled(matrix_ && !matrix_->lines.empty());
   release_->setEnabled(!releases_.empty());
   revise_->setEnabled(shell().may(Operation::kCurriculumEdit));
   warmUp_->setEnabled(shell().may(Operation::kStudySetup));
@@ -202,12 +224,14 @@ void ScoringPage::askRevision() {
   }
 }
 
-bool ScoringPage::ask(const std::vector<RaterId>& raterIds, const std::vector<std::string>& occasionCodes) {
+bool ScoringPage::ask(const std::vector<RaterId>& raterIds, const std::vector<std::string>& occasionCodes,
+                      std::optional<std::int64_t> dueUtc_us) {
   return attempt(shell(), [&] {
     ScoringPlan plan;
     plan.cohortId = chosenId(cohort_);
     plan.raterIds = raterIds;
     plan.occasionCodes = occasionCodes;
+    plan.dueUtc_us = dueUtc_us;
     plan.rubricRevisionId = rubricRevision();
     const ScoringPlanOutcome done = createAssignments(shell().session(), plan);
     read();
@@ -225,7 +249,7 @@ void ScoringPage::askRaters() {
     }
     if (const std::optional<RatersAsked> asked =
             askRatersFor(this, raters, matrix_.value_or(ScoringMatrix{}))) {
-      ask(asked->raterIds, asked->occasionCodes);
+      ask(asked->raterIds, asked->occasionCodes, asked->dueUtc_us);
     }
   });
 }
@@ -294,6 +318,8 @@ void ScoringPage::retranslate() {
   third_->setToolTip(tr("Physicians could not agree and ask for one more"));
   cohortLabel_->setText(tr("&Cohort"));
   reassign_->setText(tr("&Reassign\u2026"));
+  remind_->setText(tr("Copy re&minders"));
+  remind_->setToolTip(tr("Whom to remind of which cases, as a text for your mail"));
   release_->setText(tr("Re&lease marks\u2026"));
   table_->setEmptyText(
       tr("No rater has been asked yet. Press Ask raters: each gets the cases in an order of their own."));

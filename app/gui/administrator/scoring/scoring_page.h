@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -31,7 +32,8 @@ class ScoringPage : public Page {
   void retranslate() override;
 
   /// Asks the raters for every trainee of the cohort at these occasions.
-  bool ask(const std::vector<RaterId>& raterIds, const std::vector<std::string>& occasionCodes);
+  bool ask(const std::vector<RaterId>& raterIds, const std::vector<std::string>& occasionCodes,
+           std::optional<std::int64_t> dueUtc_us = std::nullopt);
 
   /// Takes the next revision of the scoring sheet from a file like those of assets/rubrics.
   bool revise(const std::filesystem::path& file, const std::string& note);
@@ -42,6 +44,8 @@ class ScoringPage : public Page {
   void showButtons();
   void askRevision();
   void askRaters();
+  void copyReminders();
+  [[nodiscard]] QString cellText(const ScoringCell& cell) const;
   void reassignSheet();
   void release();
   void assignThirdRater();
@@ -60,6 +64,7 @@ class ScoringPage : public Page {
   QLabel* summary_;
   DataTable* table_;
   QPushButton* reassign_;
+  QPushButton* remind_;
   QPushButton* release_;
   QPushButton* third_;
 };

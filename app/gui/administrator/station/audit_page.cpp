@@ -18,9 +18,9 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/table_choice.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/reporting/coded_tables.h"
 
@@ -167,18 +167,18 @@ AuditFilter AuditPage::chosenTime() const {
   return {.fromUtc_us = days > 0 ? shell().session().now_us() - days * kDay_us : 0};
 }
 
-bool AuditPage::exportTo(const std::filesystem::path& file) {
+bool AuditPage::exportTo(const std::filesystem::path& file, const CsvLook& look) {
   return attempt(shell(), [&] {
-    const std::size_t count = exportAuditTrail(shell().session(), chosenTime(), file);
+    const std::size_t count = exportAuditTrail(shell().session(), chosenTime(), file, look);
     shell().notify(tr("%n entries saved", nullptr, static_cast<int>(count)));
   });
 }
 
 void AuditPage::askExport() {
-  const QString file = askFileToSave(this, tr("Export the audit trail"), QStringLiteral("audit-trail.csv"),
-                                     tr("Tables (*.csv)"));
-  if (!file.isEmpty()) {
-    exportTo(toPath(file));
+  const TableChoice choice =
+      askTableToSave(this, tr("Export the audit trail"), QStringLiteral("audit-trail"));
+  if (!choice.file.isEmpty()) {
+    exportTo(toPath(choice.file), choice.look);
   }
 }
 

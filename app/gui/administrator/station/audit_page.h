@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/access/audit_service.h"
+#include "app/base/csv_look.h"
 #include "app/gui/base/page.h"
 #include "assessment/people/audit_entry.h"
 
@@ -34,7 +35,7 @@ class AuditPage : public Page {
   void enter(const QVariant& argument) override;
   void retranslate() override;
   /// Writes what the chosen time holds.
-  bool exportTo(const std::filesystem::path& file);
+  bool exportTo(const std::filesystem::path& file, const CsvLook& look = {});
 
  private:
   void read();

@@ -186,6 +186,7 @@ void RestorePage::showPlan() {
   };
   const std::vector<Line> lines = {
       {QString(), tr("Now"), tr("In the backup"), tr("Lost")},
+      {tr("Centre"), orDash(plan.presentCentre), orDash(plan.backupCentre), QString()},
       line(tr("Recordings"), plan.present.trials, plan.restored.trials, plan.lostTrials),
       line(tr("Marks"), plan.present.marks, plan.restored.marks, plan.lostMarks),
       line(tr("People"), plan.present.people, plan.restored.people, plan.lostPeople),
@@ -208,6 +209,11 @@ void RestorePage::showPlan() {
                   .arg(number(plan.lostTrials, locale()), number(plan.lostMarks, locale()),
                        number(plan.lostPeople, locale()))
             : tr("Nothing recorded is lost: the backup has every recording, mark and person of today.");
+  if (plan.otherCentre) {
+    words.prepend(tr("! This is the backup of another centre: %1. The record of %2 would be gone from here.")
+                      .arg(orDash(plan.backupCentre), orDash(plan.presentCentre)) +
+                  QLatin1Char('\n'));
+  }
   words +=
       QLatin1Char('\n') +
       tr("Passwords, accounts, settings and consents are those of the backup. Look at consents afterwards.");
@@ -216,7 +222,18 @@ void RestorePage::showPlan() {
              tr("%1 people were erased after this backup. They stay erased.").arg(plan.erasedSince);
   }
   loss_->setText(words);
-  setLook(loss_, "caution", loses);
+  setLook(loss_, "caution", loses || plan.otherCentre);
+  nameWord();
+}
+
+QString RestorePage::wantedWord() const {
+  const bool other = plan_ && plan_->otherCentre && !plan_->backupCentre.empty();
+  return other ? toQString(plan_->backupCentre) : tr("RESTORE");
+}
+
+void RestorePage::nameWord() {
+  nameField(wordLabel_,
+            tr("&Type %1 to go on").arg(wantedWord().replace(QLatin1Char('&'), QStringLiteral("&&"))));
 }
 
 void RestorePage::showButtons() {
@@ -226,7 +243,7 @@ void RestorePage::showButtons() {
   choose_->setEnabled(free);
   file_->setEnabled(free);
   word_->setEnabled(free);
-  restore_->setEnabled(free && plan_ && word_->text().trimmed() == tr("RESTORE"));
+  restore_->setEnabled(free && plan_ && word_->text().trimmed() == wantedWord());
 }
 
 void RestorePage::retranslate() {
@@ -245,7 +262,7 @@ void RestorePage::retranslate() {
   confirmText_->setText(
       tr("A safety backup of the record as it is now is made first, beside the record. Then the backup takes "
          "its place, and everybody signs in again."));
-  nameField(wordLabel_, tr("&Type %1 to go on").arg(tr("RESTORE")));
+  nameWord();
   restore_->setText(tr("&Restore now"));
   showPlan();
 }

@@ -36,6 +36,9 @@ class RestorePage : public Page {
   void fileChanged();
   void showPlan();
   void showButtons();
+  /// What has to be typed: for the backup of another centre that centre's name.
+  [[nodiscard]] QString wantedWord() const;
+  void nameWord();
 
   std::optional<RestorePlan> plan_;
   PageHeading* heading_;

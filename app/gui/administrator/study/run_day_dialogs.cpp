@@ -60,6 +60,7 @@ QString deviationName(const std::string& kind) {
       {"device failed", QT_TRANSLATE_NOOP("RunDay", "device failed")},
       {"swapped", QT_TRANSLATE_NOOP("RunDay", "swapped with somebody")},
       {"phase cut short", QT_TRANSLATE_NOOP("RunDay", "phase cut short")},
+      {"trained before scoring", QT_TRANSLATE_NOOP("RunDay", "trained before scoring")},
       {"phase too long", QT_TRANSLATE_NOOP("RunDay", "phase too long")},
       {"rest too long", QT_TRANSLATE_NOOP("RunDay", "rest too long")},
       {"other", QT_TRANSLATE_NOOP("RunDay", "something else")},

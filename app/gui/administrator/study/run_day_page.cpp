@@ -3,11 +3,13 @@
 
 #include <algorithm>
 
+#include <QAction>
 #include <QComboBox>
 #include <QDateTime>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -53,6 +55,11 @@ RunDayPage::RunDayPage(ShellContext& shell)
       stationsTitle_(new QLabel(this)),
       stations_(new DataTable(QStringLiteral("run-day-stations"), this)),
       reader_(new Background(this)),
+      print_(new QPushButton(this)),
+      callList_(new QAction(this)),
+      sheets_(new QAction(this)),
+      typeIn_(new QAction(this)),
+      reminders_(new QAction(this)),
       call_(listButton(table_)),
       time_(listButton(table_)),
       swap_(listButton(table_)),
@@ -62,6 +69,15 @@ RunDayPage::RunDayPage(ShellContext& shell)
   alerts_->setObjectName(QStringLiteral("alerts"));
   stations_->setObjectName(QStringLiteral("stations"));
   table_->setObjectName(QStringLiteral("table"));
+  print_->setObjectName(QStringLiteral("print"));
+  auto* paper = new QMenu(print_);
+  paper->addActions({callList_, sheets_, typeIn_, reminders_});
+  print_->setMenu(paper);
+  heading_->addAction(print_);
+  connect(callList_, &QAction::triggered, this, &RunDayPage::printCallList);
+  connect(sheets_, &QAction::triggered, this, &RunDayPage::printSheets);
+  connect(typeIn_, &QAction::triggered, this, &RunDayPage::typeSheets);
+  connect(reminders_, &QAction::triggered, this, &RunDayPage::copyReminders);
   auto* choices = new QHBoxLayout;
   choices->setSpacing(kSpace);
   cohortLabel_ = addField(choices, cohort_);
@@ -416,6 +432,13 @@ void RunDayPage::changeState() {
 }
 
 void RunDayPage::retranslate() {
+  print_->setText(tr("On &paper"));
+  callList_->setText(tr("Print the call list\u2026"));
+  sheets_->setText(tr("Print sheets for the raters\u2026"));
+  sheets_->setToolTip(tr("Of the chosen trainee; without one, of everybody whose scoring is due"));
+  typeIn_->setText(tr("Type sheets in\u2026"));
+  typeIn_->setObjectName(QStringLiteral("typeSheets"));
+  reminders_->setText(tr("Copy who owes which sheet"));
   heading_->setTexts(
       tr("Run day"),
       tr("Who is at what, what is left, which sheets are missing, and whether the devices are fit."));

@@ -46,6 +46,11 @@ class RunDayPage : public Page {
   void logTime();
   void reportDeviation();
   void changeState();
+  void printCallList();
+  /// Of the chosen trainee, or of everybody whose scoring is due.
+  void printSheets();
+  void typeSheets();
+  void copyReminders();
   [[nodiscard]] const RunDayRow* current() const;
   [[nodiscard]] QString nowText(const RunDayRow& row) const;
   /// What the last check of a station's device found: sign and word, never colour alone.
@@ -64,6 +69,11 @@ class RunDayPage : public Page {
   QLabel* stationsTitle_;
   DataTable* stations_;
   Background* reader_;
+  QPushButton* print_;
+  QAction* callList_;
+  QAction* sheets_;
+  QAction* typeIn_;
+  QAction* reminders_;
   QPushButton* call_;
   QPushButton* time_;
   QPushButton* swap_;

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace torsio::cli {
+
+/// Adds `torsio report`; as the functions of commands.h.
+void addReport(CLI::App& program);
+
+}  // namespace torsio::cli

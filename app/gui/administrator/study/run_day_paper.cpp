@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The run day on paper: lists and sheets to print, reminders to copy.
+#include <QClipboard>
+#include <QComboBox>
+#include <QGuiApplication>
+#include <QLineEdit>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/printed_sheets.h"
+#include "app/gui/administrator/base/reminder_text.h"
+#include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/administrator/study/call_bar.h"
+#include "app/gui/administrator/study/paper_dialog.h"
+#include "app/gui/administrator/study/run_day_page.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/child.h"
+#include "app/gui/widgets/file_choice.h"
+#include "app/study/paper_sheets.h"
+#include "app/study/reminders.h"
+
+namespace torsio::gui {
+
+void RunDayPage::printCallList() {
+  if (!board_) {
+    return;
+  }
+  const QString cohort = toQString(board_->cohortName);
+  const QString file =
+      askFileToSave(this, tr("Print the call list"), tr("Call list %1.pdf").arg(cohort), tr("PDF (*.pdf)"));
+  if (file.isEmpty()) {
+    return;
+  }
+  attempt(shell(), [&] {
+    std::vector<CallLine> lines;
+    for (const RunDayRow& row : board_->rows) {
+      if (row.state != EnrolmentState::kWithdrawn && row.sheetsMissing > 0) {
+        lines.push_back({toQString(row.traineeCode), orDash(row.groupCode), nowText(row),
+                         occasionName(row.occasionDue), static_cast<int>(row.sheetsMissing)});
+      }
+    }
+    writeCallList(lines, cohort, child<QLineEdit>(*callBar_, "callRoom").text(), toPath(file));
+    shell().notify(tr("Written: %n trainee(s) to call", nullptr, static_cast<int>(lines.size())));
+  });
+}
+
+void RunDayPage::printSheets() {
+  const RunDayRow* row = current();
+  attempt(shell(), [&] {
+    const std::vector<PaperSheet> sheets =
+        paperSheets(shell().session(), chosenId(cohort_), row != nullptr ? row->enrolmentId : EnrolmentId(),
+                    child<QComboBox>(*callBar_, "callOccasion").currentData().toString().toStdString());
+    if (sheets.empty()) {
+      shell().notify(tr("No live sheet is missing for what is chosen."));
+      return;
+    }
+    const QString file =
+        askFileToSave(this, tr("Print sheets on paper"),
+                      tr("Sheets %1.pdf").arg(toQString(board_->cohortName)), tr("PDF (*.pdf)"));
+    if (file.isEmpty()) {
+      return;
+    }
+    writePaperSheets(sheets, toQString(board_->cohortName), toPath(file));
+    shell().notify(tr("Written: %n sheet(s), a page each", nullptr, static_cast<int>(sheets.size())));
+  });
+}
+
+void RunDayPage::typeSheets() {
+  if (!board_) {
+    return;
+  }
+  PaperDialog(shell(), chosenId(cohort_), this).exec();
+  read();
+}
+
+void RunDayPage::copyReminders() {
+  attempt(shell(), [&] {
+    const std::vector<Reminder> owed = reminders(shell().session(), chosenId(cohort_));
+    if (owed.empty()) {
+      shell().notify(tr("Nobody owes a sheet."));
+      return;
+    }
+    QGuiApplication::clipboard()->setText(reminderText(owed, locale()));
+    shell().notify(tr("Copied: the sheets that %n rater(s) owe", nullptr, static_cast<int>(owed.size())));
+  });
+}
+
+}  // namespace torsio::gui

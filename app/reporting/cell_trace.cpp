@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/reporting/cell_trace.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "app/base/assets.h"
+#include "app/base/csv_table.h"
+#include "app/recording/trial_digests.h"
+#include "app/scoring/cohort_inputs.h"
+#include "app/scoring/scoring_service.h"
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/live_call.h"
+#include "assessment/rating/mark.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/report/cohort_csv.h"
+#include "assessment/report/number_format.h"
+#include "assessment/study/cohort.h"
+#include "assessment/study/occasion.h"
+#include "db/connection/connection.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/rating/call_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/base/error.h"
+#include "sim/base/refusal.h"
+
+namespace torsio {
+
+namespace {
+
+using Row = CohortCsvRow;
+
+std::array<std::string, 7> addressOf(const Row& row) {
+  return {row.section, row.item, row.group, row.model, row.index, row.occasion, row.statistic};
+}
+
+/// "score of T-07, after 40 min".
+std::string nameOf(const Row& row) {
+  std::string name = row.statistic;
+  for (const std::string* part : {&row.item, &row.group, &row.model, &row.index, &row.occasion}) {
+    if (!part->empty() && *part != "all") {
+      name += (name == row.statistic ? " of " : ", ") + *part;
+    }
+  }
+  return name;
+}
+
+/// Walks from a row of the table to the rows and the rows of the record that it was made of.
+class Tracer {
+ public:
+  Tracer(Connection& connection, const CohortId& cohortId, const CampaignId& campaignId)
+      : sheets_(connection), trials_(connection) {
+    const CampaignResult campaign =
+        campaignId.empty() ? CampaignResult{} : readCampaign(connection, campaignId);
+    const TrainingResult training = readTraining(connection, cohortId);
+    CohortInputs inputs = cohortInputs(connection, cohortId, campaign, training);
+    inputs.trials = TrialDigests(assetsFolder()).read(connection, cohortId, 0);
+    rows_ = cohortCsvRows(inputs);
+    const std::vector<Text> names = occasionTexts(training.occasions);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      occasionCode_[names[i].str()] = training.occasions.at(i).code;
+    }
+    marks_ = RatingRepository(connection).marks(cohortId);
+    for (LiveCall& call : CallRepository(connection).calls(cohortId)) {
+      if (!call.cancelled) {
+        const std::pair key(call.enrolmentId, call.occasionCode);
+        calls_[key] = std::move(call);
+      }
+    }
+    for (const Rubric& rubric : sheets_.rubrics()) {
+      rubricNames_[rubric.id] = rubric.name;
+    }
+  }
+
+  TraceStep trace(const std::string& cell) {
+    const std::vector<CsvRecord> typed = csvRecords(cell, "the cell");
+    std::array<std::string, 7> wanted;
+    if (typed.size() == 1 && typed.front().values.size() >= wanted.size()) {
+      std::copy_n(typed.front().values.begin(), wanted.size(), wanted.begin());
+      for (const Row& row : rows_) {
+        if (addressOf(row) == wanted) {
+          return step(row);
+        }
+      }
+    }
+    refuseParameter(Text::verbatim("the table of numbers of this cohort has no such line"), Text(cell),
+                    Text::verbatim("Give the first seven cells of a line, from section to statistic"));
+  }
+
+ private:
+  using Wanted = std::function<bool(const Row&)>;
+
+  void addAll(TraceStep& step, const Wanted& wanted) {
+    for (const Row& row : rows_) {
+      if (wanted(row)) {
+        step.madeOf.push_back(this->step(row));
+      }
+    }
+  }
+
+  TraceStep step(const Row& row) {
+    TraceStep step{nameOf(row), row.value};
+    const auto same = [&](const char* section, const char* statistic) {
+      return [section, statistic](const Row& other) {
+        return other.section == section && other.statistic == statistic;
+      };
+    };
+    if (row.section == "training" && row.statistic == "rater_mark") {
+      step.madeOf = markSteps(row);
+    } else if (row.section == "training" && row.statistic == "score") {
+      addAll(step, [&, is = same("training", "rater_mark")](const Row& other) {
+        return is(other) && other.item == row.item && other.occasion == row.occasion;
+      });
+    } else if (row.section == "training") {
+      addAll(step, [&, is = same("training", "score")](const Row& other) {
+        return is(other) && other.group == row.group && other.occasion == row.occasion;
+      });
+    } else if (row.section == "agreement" || row.section == "comparison") {
+      addAll(step, [&, is = same("training", "score")](const Row& other) {
+        return is(other) &&
+               (row.occasion.empty() || row.section == "comparison" || other.occasion == row.occasion);
+      });
+    } else if (row.section == "evaluation" && row.statistic == "N_eq27") {
+      addAll(step, [&, is = same("evaluation", "composite")](const Row& other) {
+        return is(other) && other.model == row.model;
+      });
+    } else if (row.section == "evaluation" && row.statistic != "mark") {
+      addAll(step, [&, is = same("evaluation", "mark")](const Row& other) {
+        return is(other) && other.model == row.model && (row.item == "all" || other.item == row.item) &&
+               (row.index.empty() || other.index == row.index);
+      });
+    } else if (row.section == "trial" && row.statistic != "trial") {
+      addAll(step, [&, is = same("trial", "trial")](const Row& other) {
+        return is(other) && other.item == row.item && other.occasion == row.occasion;
+      });
+    } else if (row.section == "trial") {
+      step.madeOf.push_back(recordingStep(row.value));
+    }
+    return step;
+  }
+
+  TraceStep recordingStep(const TrialId& trialId) {
+    TraceStep step{"recording", trialId};
+    const Trial trial = trials_.load(trialId);
+    step.madeOf = {{"content hash", trial.summary.contentHash},
+                   {"recorded by program version", trial.header.softwareVersion},
+                   {"device", trial.header.deviceModel},
+                   {"started", formatUtc(trial.header.startedUtc_us)},
+                   {"organ", trial.header.sceneId + ", " + trial.header.organHash},
+                   {"parameters of the model", trial.header.parameterHash}};
+    return step;
+  }
+
+  /// What stands behind one mark of one rater.
+  std::vector<TraceStep> markSteps(const Row& row) {
+    const auto mark = std::find_if(marks_.begin(), marks_.end(), [&](const SubmittedMark& one) {
+      return one.traineeCode == row.item && one.raterCode == row.index &&
+             one.occasionCode == occasionCode_[row.occasion];
+    });
+    if (mark == marks_.end()) {
+      return {};
+    }
+    std::vector<TraceStep> steps{{"mark", mark->id},
+                                 {"version", std::to_string(mark->version)},
+                                 {"submitted", formatUtc(mark->submittedUtc_us)}};
+    if (!mark->assignmentId.empty()) {
+      addSheet(*mark, steps);
+    }
+    if (!mark->trialId.empty()) {
+      steps.push_back(recordingStep(mark->trialId));
+    } else if (const auto call = calls_.find({mark->enrolmentId, mark->occasionCode}); call != calls_.end()) {
+      steps.push_back({"seen live", call->second.room, {{"called", formatUtc(call->second.calledUtc_us)}}});
+    }
+    return steps;
+  }
+
+  void addSheet(const SubmittedMark& mark, std::vector<TraceStep>& steps) {
+    const std::optional<AssignmentStatus> asked = sheets_.findAssignment(mark.assignmentId);
+    const std::optional<Sheet> sheet = sheets_.submitted(mark.assignmentId);
+    if (!asked || !sheet) {
+      return;
+    }
+    const std::optional<RubricRevision> rubric = sheets_.revision(asked->assignment.rubricRevisionId);
+    if (!rubric) {
+      return;
+    }
+    steps.push_back({"case", asked->assignment.caseLabel});
+    TraceStep criteria{"scoring sheet",
+                       rubricNames_[rubric->rubricId] + ", revision " + std::to_string(rubric->number)};
+    for (const RubricLine& line : rubric->rows) {
+      for (const SheetRow& answer : sheet->rows) {
+        if (answer.code != line.code) {
+          continue;
+        }
+        TraceStep criterion{"criterion " + line.label,
+                            answer.score_steps ? formatExact(pointsFromSteps(*answer.score_steps, line.scale))
+                                               : "not assessable: " + answer.notAssessableReason};
+        for (const RubricAnchor& anchor : line.anchors) {
+          criterion.madeOf.push_back(
+              {"anchor " + formatExact(pointsFromSteps(anchor.score_steps, line.scale)), anchor.meaning});
+        }
+        criteria.madeOf.push_back(std::move(criterion));
+      }
+    }
+    steps.push_back(std::move(criteria));
+  }
+
+  SheetRepository sheets_;
+  TrialRepository trials_;
+  std::vector<Row> rows_;
+  std::vector<SubmittedMark> marks_;
+  std::map<std::string, std::string> occasionCode_;  // by its name in the table
+  std::map<std::pair<EnrolmentId, std::string>, LiveCall> calls_;
+  std::map<RubricId, std::string> rubricNames_;
+};
+
+CohortId cohortNamed(Connection& connection, const std::string& name) {
+  for (const Cohort& cohort : StudyRepository(connection).cohorts()) {
+    if (name.empty() || cohort.name == name) {
+      return cohort.id;
+    }
+  }
+  refuseParameter(Text::verbatim("the record has no such cohort"), Text(name),
+                  Text::verbatim("Give the name of a cohort as the window shows it"));
+}
+
+CampaignId campaignNamed(Connection& connection, const std::string& name) {
+  EvaluationRepository repository(connection);
+  for (const auto& [id, known] : repository.campaigns()) {
+    if (name.empty() ? repository.hasMarks(id) : known == name) {
+      return id;
+    }
+  }
+  if (name.empty()) {
+    return {};
+  }
+  refuseParameter(Text::verbatim("the record has no such evaluation of models"), Text(name),
+                  Text::verbatim("Give its name as the window shows it"));
+}
+
+}  // namespace
+
+TraceStep traceCell(const TraceRequest& request) {
+  Connection connection = openRecord(request.record, OpenMode::kReadOnly);
+  const CohortId cohort = cohortNamed(connection, request.cohort);
+  return Tracer(connection, cohort, campaignNamed(connection, request.campaign)).trace(request.cell);
+}
+
+}  // namespace torsio

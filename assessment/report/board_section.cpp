@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a board reads in a minute: the question, who took part, the answer with its uncertainty, who reached
+// the standard, what this does not show, and where to sign.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "assessment/report/number_format.h"
+#include "assessment/report/report_labels.h"
+#include "assessment/report/report_sections.h"
+#include "assessment/report/study_analysis.h"
+#include "assessment/statistics/cusum.h"
+#include "sim/base/text_list.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr int kPointDecimals = 1;  // what a mean over ten marks in half points deserves
+constexpr double kSignificant = 0.05;
+constexpr std::size_t kSignatures = 3;
+
+Text pairOf(const CohortInputs& in, const AdjustedDifference& pair) {
+  return Text::verbatim("%1 - %2", in.groups[pair.first].name, in.groups[pair.second].name);
+}
+
+bool opensDirection(const AdjustedDifference& pair) {
+  return pair.interval.lower <= 0.0 && pair.interval.upper >= 0.0;
+}
+
+Text shown(const AdjustedDifference& pair) {
+  return Text::tr("%1 points [%2; %3]", formatFixed(pair.difference, kPointDecimals),
+                  formatFixed(pair.interval.lower, kPointDecimals),
+                  formatFixed(pair.interval.upper, kPointDecimals));
+}
+
+Text questionOf(const CohortInputs& in) {
+  std::vector<Text> protocols;
+  for (const CohortGroup& group : in.groups) {
+    protocols.push_back(group.protocol.empty() ? group.name
+                                               : Text::verbatim("%1 (%2)", group.name, group.protocol));
+  }
+  return Text::tr(
+      "Question: do trainees score differently at the end (%1) who trained in different ways: %2?",
+      in.occasions.back(), listed(protocols));
+}
+
+Text peopleOf(const CohortInputs& in) {
+  const auto withdrew = std::count_if(in.trainees.begin(), in.trainees.end(),
+                                      [](const CohortTrainee& trainee) { return trainee.withdrew; });
+  return Text::tr(
+      "People: %1 trainees in %2 groups, %3 of them withdrew; %4 physicians gave %5 marks; %6 deviations "
+      "from "
+      "the protocol were reported.",
+      in.trainees.size(), in.groups.size(), withdrew, in.trainingRaters, in.trainingMarks.size(),
+      in.deviations.size());
+}
+
+/// The answer to the question, as far as the data give one.
+Text answerOf(const CohortInputs& in, const StudyAnalysis& study) {
+  if (!study.ancova) {
+    return Text::tr("Answer: none. The groups are not compared: %1.", Text(study.ancova.reason()));
+  }
+  std::vector<Text> differing;
+  const AdjustedDifference* widest = nullptr;
+  bool allHoldZero = true;
+  for (const AdjustedDifference& pair : study.ancova->pairs) {
+    allHoldZero = allHoldZero && opensDirection(pair);
+    if (pair.pHolm < kSignificant) {
+      differing.push_back(
+          Text::tr("%1: %2, %3 after Holm", pairOf(in, pair), shown(pair), equalsP(pair.pHolm)));
+    }
+    if (widest == nullptr || std::abs(pair.difference) > std::abs(widest->difference)) {
+      widest = &pair;
+    }
+  }
+  if (!differing.empty()) {
+    return Text::tr("Answer, adjusted for the score before: %1.", listed(differing, Text::tr("%1; %2")));
+  }
+  if (widest == nullptr) {
+    return Text::tr("Answer: none. There is only one group.");
+  }
+  return Text::tr(
+      "Answer: no difference between two groups was shown. The largest, adjusted for the score before: %1, "
+      "%2. "
+      "%3",
+      pairOf(in, *widest), shown(*widest),
+      allHoldZero ? Text::tr("Every interval holds zero.")
+                  : Text::tr("No p value stays below %1 after Holm.", formatFixed(kSignificant, 2)));
+}
+
+std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnalysis& study) {
+  if (!study.ancova || study.ancova->pairs.empty()) {
+    return std::nullopt;
+  }
+  ReportFigure figure = itemOf<ReportFigure>(
+      in, "figure-answer", Text::tr("The answer: differences between the groups with 95 % intervals"),
+      Text::tr("analysis of covariance, one pooled slope"));
+  figure.kind = FigureKind::kForest;
+  figure.yLabel = Text::tr("difference (points)");
+  FigureSeries series;
+  series.name = Text::tr("difference [95 %]");
+  for (const AdjustedDifference& pair : study.ancova->pairs) {
+    figure.categories.push_back(pairOf(in, pair));
+    series.y.emplace_back(pair.difference);
+    series.low.push_back(pair.interval.lower);
+    series.high.push_back(pair.interval.upper);
+  }
+  figure.series = {series};
+  figure.references = {{0.0, Text::tr("no difference")}};
+  figure.provenance.n = std::ssize(in.trainees);
+  return figure;
+}
+
+/// Per group: scores at the end, and how many have been shown adequate on the simulator.
+ReportTable standardTable(const CohortInputs& in) {
+  ReportTable table =
+      itemOf<ReportTable>(in, "table-standard", Text::tr("Scores at the end, and who reached the standard"),
+                          Text::tr("mean of the trainee scores; LC-CUSUM"));
+  table.columns = {Text::tr("Group"), Text::tr("Trainees"), Text::tr("Mean score [lowest; highest]"),
+                   Text::tr("Adequate on the simulator")};
+  std::map<std::string, std::vector<bool>> failed;  // by trainee, in the order of the recordings
+  for (const TrialSummaryRow& trial : in.trials) {
+    for (const TwistAttempt& attempt : trial.attempts) {
+      failed[trial.trainee].push_back(!attempt.onTarget);
+    }
+  }
+  const LcCusumDesign design;
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    std::int64_t people = 0;
+    std::int64_t judged = 0;
+    std::int64_t adequate = 0;
+    for (const CohortTrainee& trainee : in.trainees) {
+      people += trainee.group == g ? 1 : 0;
+      const auto course = failed.find(trainee.code);
+      if (trainee.group == g && course != failed.end()) {
+        ++judged;
+        adequate += lcCusum(course->second, design).competentAt ? 1 : 0;
+      }
+    }
+    Text score = Text::tr("none");
+    for (const GroupSummary& summary : in.summaries) {
+      if (summary.group == g && summary.occasion + 1 == in.occasions.size()) {
+        score = Text::verbatim("%1 [%2; %3]", formatFixed(summary.mean, kPointDecimals),
+                               formatFixed(summary.min, kPointDecimals),
+                               formatFixed(summary.max, kPointDecimals));
+      }
+    }
+    table.rows.push_back(
+        {in.groups[g].name, std::to_string(people), score,
+         judged == 0 ? Text::tr("did not train there") : Text::tr("%1 of %2", adequate, judged)});
+    table.provenance.n += people;
+  }
+  table.notes = {Text::tr(
+      "Adequate: LC-CUSUM has shown a failure rate of %1 or less; \"not shown\" is not the same as failed.",
+      formatFixed(design.adequate, 2))};
+  return table;
+}
+
+ReportTable signatureTable() {
+  ReportTable table;
+  table.id = "table-signatures";
+  table.title = Text::tr("Signatures");
+  table.columns = {Text::tr("Name"), Text::tr("Role"), Text::tr("Date"), Text::tr("Signature")};
+  for (std::size_t i = 0; i < kSignatures; ++i) {
+    table.rows.push_back({Text::verbatim("____________________"), Text::verbatim("______________"),
+                          Text::verbatim("____________"), Text::verbatim("________________________")});
+  }
+  return table;
+}
+
+}  // namespace
+
+ReportSection boardSection(const CohortInputs& in, const StudyAnalysis& study) {
+  ReportSection section;
+  section.title = Text::tr("At a glance");
+  section.paragraphs = {questionOf(in), peopleOf(in), answerOf(in, study)};
+  std::size_t largest = 0;
+  for (const GroupSummary& summary : in.summaries) {
+    largest = std::max(largest, static_cast<std::size_t>(summary.trainees));
+  }
+  section.paragraphs.push_back(Text::tr(
+      "What this does not show: with at most %1 trainees a group only large differences can be found, "
+      "and a difference that was not shown is no evidence of equality. Marks on a training arm say "
+      "nothing about patients.",
+      largest));
+  if (in.demonstration) {
+    section.paragraphs.push_back(
+        Text::tr("All people and marks here are simulated: nothing may be concluded."));
+  }
+  if (std::optional<ReportFigure> figure = answerFigure(in, study)) {
+    section.figures.push_back(std::move(*figure));
+  }
+  section.tables = {standardTable(in), signatureTable()};
+  return section;
+}
+
+}  // namespace torsio
