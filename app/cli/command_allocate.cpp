@@ -365,7 +365,8 @@ void addAllocate(CLI::App& program) {
       ->check(CLI::Validator(seedProblem, "UINT64"));
   command->add_option("--salt", arguments->salt, "256 bits in hexadecimal; without it they are drawn")
       ->check(CLI::Validator(saltProblem, "HEX"));
-  command->add_option("--head", arguments->head, "With --replay: the head that was kept elsewhere, in quotes");
+  command->add_option("--head", arguments->head,
+                      "With --replay: the head that was kept elsewhere, in quotes");
   command->add_option("--replay", arguments->replay, "Repeat an allocation and compare: exit code 13");
   command->callback([arguments] { run(*arguments); });
 }

@@ -123,13 +123,16 @@ void enrolDesign(const CompetenceArguments& arguments) {
 
 void addNumbers(CLI::App& command, const std::shared_ptr<CompetenceArguments>& arguments) {
   CompetenceDesign& design = arguments->design;
-  command.add_option("--adequate", design.adequate, "Failure rate of a trainee who is able")->capture_default_str();
-  command.add_option("--inadequate", design.inadequate, "Failure rate of one who is not")->capture_default_str();
+  command.add_option("--adequate", design.adequate, "Failure rate of a trainee who is able")
+      ->capture_default_str();
+  command.add_option("--inadequate", design.inadequate, "Failure rate of one who is not")
+      ->capture_default_str();
   command.add_option("--attempts", design.attempts, "Attempts within which the error rates are promised")
       ->capture_default_str();
   command.add_option("--false-pass", design.falsePassMost, "Largest share of inadequate trainees that pass")
       ->capture_default_str();
-  command.add_option("--false-fail", design.falseFailMost, "Largest share of adequate trainees that do not pass")
+  command
+      .add_option("--false-fail", design.falseFailMost, "Largest share of adequate trainees that do not pass")
       ->capture_default_str();
   command.add_option("--tolerance", arguments->tolerance_deg, "Degrees; without it that of the exercise");
 }
@@ -145,8 +148,8 @@ void addSignIn(CLI::App& command, const std::shared_ptr<CompetenceArguments>& ar
 
 void addCompetence(CLI::App& program) {
   auto arguments = std::make_shared<CompetenceArguments>();
-  CLI::App* competence =
-      program.add_subcommand("competence", "By what trainees are held to be able, and how often that is wrong");
+  CLI::App* competence = program.add_subcommand(
+      "competence", "By what trainees are held to be able, and how often that is wrong");
   competence->require_subcommand(1);
 
   CLI::App* command = competence->add_subcommand("plan", "Chooses the limit and prints both error rates");

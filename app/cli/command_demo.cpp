@@ -68,11 +68,13 @@ void addDemo(CLI::App& program) {
   command->add_option("--out", arguments->out, "Folder for cohort.pdf, cohort.csv and torsio.sqlite")
       ->required();
   command->add_option("--seed", arguments->seed, "Same seed, same results")->capture_default_str();
-  command->add_option("--shorten", arguments->shorten,
-                      "Training time is shortened by this factor, however few twists remain (usually 60)")
+  command
+      ->add_option("--shorten", arguments->shorten,
+                   "Training time is shortened by this factor, however few twists remain (usually 60)")
       ->check(CLI::Range(1, 600));
-  command->add_option("--twists", arguments->twists,
-                      "Twists in every phase at least (usually 10; none with --shorten or --full)")
+  command
+      ->add_option("--twists", arguments->twists,
+                   "Twists in every phase at least (usually 10; none with --shorten or --full)")
       ->check(CLI::Range(0, 200));
   command->add_option("--language", arguments->language, "Language of the report; the table stays English")
       ->check(CLI::IsMember(reportLanguages()))

@@ -33,8 +33,7 @@ CompetenceRun runOf(const TrainingModule& module, const TrialDigest& digest) {
   const AttemptMeasures measures = measuresFrom(digest);
   CompetenceRun run;
   run.untwisting = measures.values.contains(kDetorsionDoneMetric);
-  run.passed =
-      passesModule(module, measures.values, measures.twistsOnTarget(), std::ssize(measures.twists));
+  run.passed = passesModule(module, measures.values, measures.twistsOnTarget(), std::ssize(measures.twists));
   run.withinLimits = keeps(measures.values, "force.peak", digest.forceLimit_N) &&
                      keeps(measures.values, "torque.peak", digest.torqueLimit_Nm);
   run.tolerance_rad = digest.tolerance_rad;
@@ -89,12 +88,12 @@ CompetenceVerdict competenceOf(Connection& connection, const std::string& traine
     began_us = began_us.value_or(trial.startedUtc_us);
     runs.push_back(runOf(module, digestOf(connection, trial, rules, now_us)));
   }
-  const CompetenceDesign design =
-      designInForce(CompetenceRepository(connection).ofModule(module.id),
-                    shippedCompetence(module.id, module.tolerance_rad), began_us);
+  const CompetenceDesign design = designInForce(CompetenceRepository(connection).ofModule(module.id),
+                                                shippedCompetence(module.id, module.tolerance_rad), began_us);
   CompetenceVerdict verdict = judgeCompetence(design, failedAttempts(design, runs));
-  verdict.untwisting = std::any_of(runs.begin(), runs.end(), [](const CompetenceRun& r) { return r.untwisting; }) ||
-                       asksForUntwisting(module);
+  verdict.untwisting =
+      std::any_of(runs.begin(), runs.end(), [](const CompetenceRun& r) { return r.untwisting; }) ||
+      asksForUntwisting(module);
   return verdict;
 }
 
@@ -129,7 +128,8 @@ std::vector<CohortCompetence> competenceOfCohort(Connection& connection, const C
       one.withinAttempts = verdict.errors.attempts;
       one.designVersion = verdict.design.version;
       one.design = competenceDesignText(verdict.design, verdict.untwisting);
-      one.errors = competenceErrorText(verdict.design, competenceErrors(verdict.design, verdict.design.attempts));
+      one.errors =
+          competenceErrorText(verdict.design, competenceErrors(verdict.design, verdict.design.attempts));
       all.push_back(std::move(one));
     }
   }

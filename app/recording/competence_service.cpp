@@ -28,7 +28,8 @@ TrainingModule publishedModule(Connection& connection, const ModuleId& moduleId)
   CurriculumRepository repository(connection);
   for (const Curriculum& curriculum : repository.curricula()) {
     for (const CurriculumVersionId& id : repository.versionIds(curriculum.id)) {
-      for (TrainingModule& module : repository.version(id).value().modules) {
+      CurriculumVersion version = repository.version(id).value();
+      for (TrainingModule& module : version.modules) {
         if (module.id == moduleId) {
           return std::move(module);
         }
@@ -94,7 +95,8 @@ std::vector<ExerciseDesigns> competenceDesigns(SessionContext& session,
       const CurriculumVersion version = repository.version(id).value();
       for (const TrainingModule& module : version.modules) {
         all.push_back({module.id, curriculum.name, version.number, module.code, module.title,
-                       asksForUntwisting(module),                       shippedCompetence(module.id, module.tolerance_rad), designs.ofModule(module.id)});
+                       asksForUntwisting(module), shippedCompetence(module.id, module.tolerance_rad),
+                       designs.ofModule(module.id)});
       }
     }
   }

@@ -38,8 +38,8 @@ CompetenceDesign registerCompetence(SessionContext& session, const CompetenceDes
 /// Fewer experts say too little of what experts do.
 inline constexpr std::size_t kFewestExperts = 8;
 
-/// Derives a tolerance from experts: the people of a cohort, each with the mean absolute error, in degrees, of
-/// the twists made at the scene and pattern of an exercise. kCurriculumEdit. Throws Error{kBadData} for an
+/// Derives a tolerance from experts: the people of a cohort, each with the mean absolute error, in degrees,
+/// of the twists made at the scene and pattern of an exercise. kCurriculumEdit. Throws Error{kBadData} for an
 /// unknown exercise, or with fewer than kFewestExperts who have a finished run there.
 [[nodiscard]] ProficiencyThreshold expertTolerance_deg(SessionContext& session, const ModuleId& moduleId,
                                                        const CohortId& expertCohortId);

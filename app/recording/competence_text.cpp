@@ -20,7 +20,8 @@ Text competenceDesignText(const CompetenceDesign& design, bool untwisting) {
   const Text which =
       design.version > 0
           ? Text::tr("Competence design, version %1", design.version)
-          : Text::tr("Competence design shipped with the exercise (none was registered before the first attempt)");
+          : Text::tr(
+                "Competence design shipped with the exercise (none was registered before the first attempt)");
   return Text::tr(
       "%1: success is %2; able once the LC-CUSUM of failure rates %3 against %4 reaches %5, planned for %6 "
       "attempts.",
@@ -30,7 +31,8 @@ Text competenceDesignText(const CompetenceDesign& design, bool untwisting) {
 
 Text competenceErrorText(const CompetenceDesign& design, const CompetenceErrors& errors) {
   return Text::tr(
-      "Within %1 attempts, %2 of trainees who fail %3 of their attempts are held to be able (false pass), and "
+      "Within %1 attempts, %2 of trainees who fail %3 of their attempts are held to be able (false pass), "
+      "and "
       "%4 of those who fail only %5 are not (false fail).",
       errors.attempts, percentText(errors.falsePass), percentText(design.inadequate),
       percentText(errors.falseFail), percentText(design.adequate));

@@ -19,8 +19,8 @@ struct ScriptedTrial {
   double duration_s = 20.0;      ///< of an organ that is undone at least until it has been left alone
   double practisedBefore_min = 0.0;
   double practiceScale = 1.0;  ///< minutes of practice that one minute of the trial stands for
-  /// Twists that the hand makes at least: the trial is longer when it needs to be, and then stands for the same
-  /// practice as a whole.
+  /// Twists that the hand makes at least: the trial is longer when it needs to be, and then stands for the
+  /// same practice as a whole.
   std::size_t fewestTwists = 0;
   /// Turns that the hand leaves out at the end of an untwisting; the first one is always made.
   std::size_t turnsLeftOut = 0;

@@ -45,7 +45,7 @@ struct Trend {
   std::optional<double> distance{};  ///< to the threshold from the last value; at most 0: reached
   std::vector<TrendCurvePoint> curve{};
   std::optional<double> asymptote{};
-  std::string noCurveReason{};  ///< in words, when curve is empty
+  std::string noCurveReason{};     ///< in words, when curve is empty
   CompetenceVerdict competence{};  ///< level, design and error rates
   std::optional<std::int64_t> attemptsLeft{};
 };

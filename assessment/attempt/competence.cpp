@@ -34,7 +34,8 @@ void requireSoundNumbers(const CompetenceDesign& design) {
   requireShare(design.falseFailMost, Text::tr("largest false fail"));
   if (!(design.inadequate > design.adequate)) {
     throw Error(ErrorCode::kBadParameter, Text::tr("must be greater than the adequate one"),
-                Text::tr("inadequate failure rate"), Text::tr("Give two rates that differ, such as 0.1 and 0.3"));
+                Text::tr("inadequate failure rate"),
+                Text::tr("Give two rates that differ, such as 0.1 and 0.3"));
   }
   if (design.attempts < 1 || design.attempts > kMostCompetenceAttempts) {
     throw Error(ErrorCode::kBadParameter, Text::tr("must lie between 1 and %1", kMostCompetenceAttempts),
@@ -48,7 +49,8 @@ void requireSoundNumbers(const CompetenceDesign& design) {
 
 Text percent(double share) {
   const double tenths = std::round(1000.0 * share);
-  return Text::verbatim("%1.%2 %", static_cast<std::int64_t>(tenths) / 10, static_cast<std::int64_t>(tenths) % 10);
+  return Text::verbatim("%1.%2 %", static_cast<std::int64_t>(tenths) / 10,
+                        static_cast<std::int64_t>(tenths) % 10);
 }
 
 }  // namespace
@@ -67,8 +69,9 @@ CompetenceDesign plannedCompetence(CompetenceDesign design) {
   const std::optional<double> limit =
       chooseLcCusumLimit(design.adequate, design.inadequate, n, design.falsePassMost);
   if (!limit) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("no limit keeps the largest false pass within these attempts"),
-                Text::tr("competence design"), Text::tr("Plan more attempts, or rates that lie farther apart"));
+    throw Error(
+        ErrorCode::kBadParameter, Text::tr("no limit keeps the largest false pass within these attempts"),
+        Text::tr("competence design"), Text::tr("Plan more attempts, or rates that lie farther apart"));
   }
   design.limit = *limit;
   return design;
@@ -84,10 +87,11 @@ CompetencePreview previewOfCompetence(const CompetenceDesign& design) {
 void requireFalseFailKept(const CompetenceDesign& design) {
   const CompetenceErrors errors = competenceErrors(design, design.attempts);
   if (errors.falseFail > design.falseFailMost) {
-    throw Error(ErrorCode::kBadParameter,
-                Text::tr("%1 of the adequate trainees would not pass within %2 attempts; at most %3 are wanted",
-                         percent(errors.falseFail), design.attempts, percent(design.falseFailMost)),
-                Text::tr("competence design"), Text::tr("Plan more attempts, or rates that lie farther apart"));
+    throw Error(
+        ErrorCode::kBadParameter,
+        Text::tr("%1 of the adequate trainees would not pass within %2 attempts; at most %3 are wanted",
+                 percent(errors.falseFail), design.attempts, percent(design.falseFailMost)),
+        Text::tr("competence design"), Text::tr("Plan more attempts, or rates that lie farther apart"));
   }
 }
 

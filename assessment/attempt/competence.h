@@ -54,9 +54,9 @@ void requireFalseFailKept(const CompetenceDesign& design);
 /// One run that counts.
 struct CompetenceRun {
   bool untwisting = false;
-  bool passed = false;        ///< of an untwisting: by the rules of its exercise
-  bool withinLimits = true;   ///< kept the limits of force and torque of the exercise
-  double tolerance_rad = 0.0; ///< by which `twists` were judged
+  bool passed = false;         ///< of an untwisting: by the rules of its exercise
+  bool withinLimits = true;    ///< kept the limits of force and torque of the exercise
+  double tolerance_rad = 0.0;  ///< by which `twists` were judged
   std::vector<JudgedTwist> twists{};
 };
 
@@ -85,9 +85,9 @@ struct CompetenceVerdict {
   bool untwisting = false;  ///< an attempt is a whole untwisting
   std::size_t attempts = 0;
   std::size_t failed = 0;
-  std::size_t attemptsUntilLevel = 0;    ///< of kNotShown
-  std::vector<double> sums{};            ///< one an attempt: LC-CUSUM until able, the relapse watch after
-  std::optional<std::size_t> ableAt{};   ///< number of the attempt, from 1
+  std::size_t attemptsUntilLevel = 0;   ///< of kNotShown
+  std::vector<double> sums{};           ///< one an attempt: LC-CUSUM until able, the relapse watch after
+  std::optional<std::size_t> ableAt{};  ///< number of the attempt, from 1
   friend bool operator==(const CompetenceVerdict&, const CompetenceVerdict&) = default;
 };
 

@@ -216,9 +216,10 @@ ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study) {
     addEffect(Text::tr("group"), *got->group, table);
   }
   addEffect(Text::tr("occasion"), got->time, table);
-  table.notes = {Text::tr(
-      "The interaction is the question: whether the groups take different courses. Greenhouse-Geisser epsilon %1.",
-      formatFixed(got->sphericity.greenhouseGeisser, kDecimals))};
+  table.notes = {
+      Text::tr("The interaction is the question: whether the groups take different courses. "
+               "Greenhouse-Geisser epsilon %1.",
+               formatFixed(got->sphericity.greenhouseGeisser, kDecimals))};
   return table;
 }
 

@@ -246,9 +246,10 @@ void addCompetence(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
     rows.place.item = one.trainee;
     rows.place.group = in.groups[one.group].name.str();
     rows.place.index = one.exercise.str();
-    rows.place.flags = joinFlags(commonFlags(in), one.designVersion > 0 ? std::vector<std::string>{}
-                                                                        : std::vector<std::string>{
-                                                                              "design shipped with the exercise"});
+    rows.place.flags =
+        joinFlags(commonFlags(in), one.designVersion > 0
+                                       ? std::vector<std::string>{}
+                                       : std::vector<std::string>{"design shipped with the exercise"});
     rows.addText("level", one.level.str(), one.attempts);
     rows.add("failed", static_cast<double>(one.failed), one.attempts);
     rows.add("able", one.able ? 1.0 : 0.0, one.attempts);

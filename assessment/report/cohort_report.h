@@ -51,14 +51,14 @@ struct CohortAllocation {
   Text generator;
   std::uint64_t seed = 0;
   std::string commitment;
-  bool replayed = false;  ///< the sequence was repeated from the seed and found the same
-  Facts design;           ///< strata, block sizes ...
-  bool sealed = false;    ///< the seed has not been revealed yet and is not printed
-  bool replayDiffers = false;             ///< it was repeated, and something was found to differ
-  std::int64_t lockedUtc_us = 0;          ///< when the commitment was made; 0: not known
-  std::int64_t enrolledBeforeLock = 0;    ///< trainees enrolled at that time or before
-  std::int64_t allocatedBeforeLock = 0;   ///< trainees allocated before that time
-  std::int64_t movedByHand = 0;           ///< allocations that are not as drawn
+  bool replayed = false;                 ///< the sequence was repeated from the seed and found the same
+  Facts design;                          ///< strata, block sizes ...
+  bool sealed = false;                   ///< the seed has not been revealed yet and is not printed
+  bool replayDiffers = false;            ///< it was repeated, and something was found to differ
+  std::int64_t lockedUtc_us = 0;         ///< when the commitment was made; 0: not known
+  std::int64_t enrolledBeforeLock = 0;   ///< trainees enrolled at that time or before
+  std::int64_t allocatedBeforeLock = 0;  ///< trainees allocated before that time
+  std::int64_t movedByHand = 0;          ///< allocations that are not as drawn
 };
 
 /// The named state of the data that the report is made from.

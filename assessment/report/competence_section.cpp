@@ -56,9 +56,10 @@ ReportFigure sumsFigure(const CohortInputs& in) {
     figure.series.push_back(std::move(series));
   }
   figure.references = {{1.0, Text::tr("able")}};
-  figure.notes = {Text::tr(
-      "A success raises the sum, a failure lowers it, never below zero. A line ends where it reaches the limit: "
-      "the trainee is held to be able from there on, with the error rates stated above.")};
+  figure.notes = {
+      Text::tr("A success raises the sum, a failure lowers it, never below zero. A line ends where it "
+               "reaches the limit: "
+               "the trainee is held to be able from there on, with the error rates stated above.")};
   return figure;
 }
 
@@ -98,9 +99,9 @@ ReportTable countsTable(const CohortInputs& in) {
   auto table = competenceItem<ReportTable>(in, "table-competence-groups", Text::tr("Competence by group"));
   table.columns = {Text::tr("Exercise"), Text::tr("Group"), Text::tr("Able now and not able, trainees")};
   for (const auto& [place, counts] : cells) {
-    table.rows.push_back({titles[place.first], in.groups[place.second].name,
-                          countsText({{Text::tr("able"), counts.able}, {Text::tr("not able"), counts.notAble}},
-                                     in.identity)});
+    table.rows.push_back(
+        {titles[place.first], in.groups[place.second].name,
+         countsText({{Text::tr("able"), counts.able}, {Text::tr("not able"), counts.notAble}}, in.identity)});
   }
   return table;
 }

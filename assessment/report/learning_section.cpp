@@ -125,8 +125,7 @@ ReportTable learningTable(const CohortInputs& in, const std::vector<Course>& all
     const std::span<const double> values(error);
     const Outcome<LearningCurve> fit = fitLearningCurve(LearningFamily::kExponential, number, error);
     table.rows.push_back(
-        {in.groups[course.group].name, course.trainee, std::to_string(error.size()),
-         std::to_string(onTarget),
+        {in.groups[course.group].name, course.trainee, std::to_string(error.size()), std::to_string(onTarget),
          half > 0 ? Text(formatFixed(meanOf(values.first(half)), 2)) : Text::tr("too few"),
          formatFixed(meanOf(values.subspan(half)), 2),
          fit ? Text(formatFixed(fit->asymptote, 2)) : Text::tr("not fitted: %1", Text(fit.reason()))});
@@ -171,8 +170,9 @@ GroupTimes timesOf(const CohortInputs& in, std::size_t group) {
 }
 
 ReportTable doseTable(const CohortInputs& in) {
-  ReportTable table = itemOf<ReportTable>(in, "table-dose", Text::tr("Time spent training and resting"),
-                                          Text::tr("plan of the arms; times noted; lengths of the recordings"));
+  ReportTable table =
+      itemOf<ReportTable>(in, "table-dose", Text::tr("Time spent training and resting"),
+                          Text::tr("plan of the arms; times noted; lengths of the recordings"));
   table.columns = {Text::tr("Group"),
                    Text::tr("Trainees"),
                    Text::tr("Virtual, planned (min)"),
@@ -193,21 +193,22 @@ ReportTable doseTable(const CohortInputs& in) {
       continue;
     }
     const auto count = static_cast<double>(sum.trainees);
-    table.rows.push_back({in.groups[g].name, std::to_string(sum.trainees),
-                          planned(in.groups[g].plannedVirtual_min), formatFixed(sum.noted.virtual_min / count, 1),
-                          formatFixed(sum.recorded_min / count, 2), planned(in.groups[g].plannedReal_min),
-                          formatFixed(sum.noted.real_min / count, 1), std::to_string(sum.rested),
-                          formatFixed(sum.noted.rest_min, 1)});
+    table.rows.push_back(
+        {in.groups[g].name, std::to_string(sum.trainees), planned(in.groups[g].plannedVirtual_min),
+         formatFixed(sum.noted.virtual_min / count, 1), formatFixed(sum.recorded_min / count, 2),
+         planned(in.groups[g].plannedReal_min), formatFixed(sum.noted.real_min / count, 1),
+         std::to_string(sum.rested), formatFixed(sum.noted.rest_min, 1)});
     table.provenance.n += sum.trainees;
     noted += sum.noted.virtual_min;
     recorded += sum.recorded_min;
   }
   table.notes = {Text::tr("Rest stops the clock of the training phases.")};
   if (noted > 0.0) {
-    table.notes.push_back(Text::tr(
-        "Recordings make up %1 % of the time noted on the simulator; the rest was spent between the runs, or is "
-        "not recorded.",
-        formatFixed(100.0 * recorded / noted, 1)));
+    table.notes.push_back(
+        Text::tr("Recordings make up %1 % of the time noted on the simulator; the rest was spent between the "
+                 "runs, or is "
+                 "not recorded.",
+                 formatFixed(100.0 * recorded / noted, 1)));
   }
   return table;
 }

@@ -99,9 +99,10 @@ ReportTable sourcesTable(const CohortInputs& in) {
     const auto open = std::count_if(in.trials.begin(), in.trials.end(),
                                     [](const TrialSummaryRow& trial) { return trial.contentHash.empty(); });
     table.notes.push_back(
-        open == 0 ? Text::tr("Every recording is sealed in the record by its content hash; it can be replayed and "
-                             "compared bit for bit (torsio replay TRIAL --verify).")
-                  : Text::tr("%1 recordings have no content hash: nothing shows that they are unchanged.", open));
+        open == 0
+            ? Text::tr("Every recording is sealed in the record by its content hash; it can be replayed and "
+                       "compared bit for bit (torsio replay TRIAL --verify).")
+            : Text::tr("%1 recordings have no content hash: nothing shows that they are unchanged.", open));
   }
   if (in.notAssessable > 0) {
     table.notes.push_back(

@@ -70,10 +70,12 @@ ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study) 
   figure.series = {series};
   figure.notes = {
       allMarksGiven(in)
-          ? Text::tr("Strictest first. Scores are not corrected for severity: every trainee is scored by the same "
-                     "raters, so that it does not change their order.")
-          : Text::tr("Strictest first. Scores are not corrected for severity, and not every trainee is scored by "
-                     "the same raters: a strict or lenient rater may change their order.")};
+          ? Text::tr(
+                "Strictest first. Scores are not corrected for severity: every trainee is scored by the same "
+                "raters, so that it does not change their order.")
+          : Text::tr(
+                "Strictest first. Scores are not corrected for severity, and not every trainee is scored by "
+                "the same raters: a strict or lenient rater may change their order.")};
   return figure;
 }
 

@@ -20,13 +20,15 @@ Text waysSentence(const MarkWays& ways) {
   const std::int64_t all = ways.blinded + ways.live + ways.entered;
   if (ways.blinded == all) {
     return Text::tr(
-        "Raters were blinded: all %1 marks of the training study were given on recordings under a case label, "
+        "Raters were blinded: all %1 marks of the training study were given on recordings under a case "
+        "label, "
         "without name, group or occasion.",
         all);
   }
   if (ways.live == all) {
     return Text::tr(
-        "Raters were not blinded: all %1 marks of the training study were given live at the real arm, where the "
+        "Raters were not blinded: all %1 marks of the training study were given live at the real arm, where "
+        "the "
         "rater sees the trainee.",
         all);
   }
@@ -37,8 +39,10 @@ Text waysSentence(const MarkWays& ways) {
         all);
   }
   return Text::tr(
-      "Raters were blinded in part: of %1 marks of the training study %2 were given on recordings under a case "
-      "label, %3 live at the real arm, where the rater sees the trainee, and %4 were entered without a sheet of "
+      "Raters were blinded in part: of %1 marks of the training study %2 were given on recordings under a "
+      "case "
+      "label, %3 live at the real arm, where the rater sees the trainee, and %4 were entered without a sheet "
+      "of "
       "the desk.",
       all, ways.blinded, ways.live, ways.entered);
 }
@@ -64,19 +68,20 @@ std::vector<Text> blindingSentences(const CohortInputs& in) {
     return sentences;
   }
   const auto models = static_cast<std::int64_t>(in.evaluations.size());
-  sentences.push_back(
-      in.modelsHidden == models
-          ? Text::tr("All %1 models stood before their raters under hidden labels.", models)
-          : Text::tr("%1 of %2 models stood before their raters under hidden labels.", in.modelsHidden, models));
+  sentences.push_back(in.modelsHidden == models
+                          ? Text::tr("All %1 models stood before their raters under hidden labels.", models)
+                          : Text::tr("%1 of %2 models stood before their raters under hidden labels.",
+                                     in.modelsHidden, models));
   const std::set<std::string> raters = modelRaters(in);
   const auto both = std::count_if(in.trainees.begin(), in.trainees.end(), [&](const CohortTrainee& trainee) {
     return raters.contains(trainee.code);
   });
   if (both > 0) {
-    sentences.push_back(Text::tr(
-        "%1 trainees of this cohort are raters of the models as well: their marks are not independent of their "
-        "training.",
-        both));
+    sentences.push_back(
+        Text::tr("%1 trainees of this cohort are raters of the models as well: their marks are not "
+                 "independent of their "
+                 "training.",
+                 both));
   }
   return sentences;
 }
@@ -109,7 +114,8 @@ Text powerSentence(const CohortInputs& in) {
   const auto n = static_cast<double>(smallest);
   return Text::tr(
       "The groups have %1 trainees. Two groups of %2 have a power of %3 in a two-sided t test at 5 % for a "
-      "difference of 0.8 standard deviations, and detect one of %4 with a power of 0.80. A difference that is "
+      "difference of 0.8 standard deviations, and detect one of %4 with a power of 0.80. A difference that "
+      "is "
       "not significant is no evidence of equality.",
       listed(sizes), smallest, formatFixed(powerTwoSampleT(n, kLargeEffect), 2),
       formatFixed(detectableTwoSampleT(n, kUsualPower), 2));
@@ -124,8 +130,8 @@ Text commitmentSentence(const CohortAllocation& drawn) {
   }
   const std::string locked = formatUtc(drawn.lockedUtc_us);
   if (drawn.allocatedBeforeLock > 0) {
-    return Text::tr("Commitment to the seed: %1, made %2, after %3 trainees had been allocated.", drawn.commitment,
-                    locked, drawn.allocatedBeforeLock);
+    return Text::tr("Commitment to the seed: %1, made %2, after %3 trainees had been allocated.",
+                    drawn.commitment, locked, drawn.allocatedBeforeLock);
   }
   if (drawn.enrolledBeforeLock > 0) {
     return Text::tr(
@@ -133,7 +139,8 @@ Text commitmentSentence(const CohortAllocation& drawn) {
         "enrolled.",
         drawn.commitment, locked, drawn.enrolledBeforeLock);
   }
-  return Text::tr("Commitment to the seed: %1, made %2, before the first enrolment.", drawn.commitment, locked);
+  return Text::tr("Commitment to the seed: %1, made %2, before the first enrolment.", drawn.commitment,
+                  locked);
 }
 
 Text replaySentence(const CohortAllocation& drawn) {
@@ -159,12 +166,14 @@ Text marksSentence(const CohortInputs& in) {
   const std::string hi = formatFixed(pointsFromSteps(in.trainingScale.hi, in.trainingScale), 0);
   if (in.trainingMarks.empty() || allMarksGiven(in)) {
     return Text::tr(
-        "%1 physicians scored every trainee at %2 occasions on a scale from %3 to %4. A trainee's score is the "
+        "%1 physicians scored every trainee at %2 occasions on a scale from %3 to %4. A trainee's score is "
+        "the "
         "plain mean of these marks.",
         in.trainingRaters, in.occasions.size(), lo, hi);
   }
   return Text::tr(
-      "%1 physicians gave %2 marks at %3 occasions on a scale from %4 to %5; not every physician scored every "
+      "%1 physicians gave %2 marks at %3 occasions on a scale from %4 to %5; not every physician scored "
+      "every "
       "trainee at every occasion. A trainee's score is the plain mean of the marks at hand.",
       in.trainingRaters, in.trainingMarks.size(), in.occasions.size(), lo, hi);
 }

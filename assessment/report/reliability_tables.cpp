@@ -52,14 +52,16 @@ std::optional<int> ratersNeeded(const GStudy& found) {
 
 Text neededSentence(const GStudy& found) {
   const std::optional<int> needed = ratersNeeded(found);
-  return needed ? Text::tr("%1 raters are the fewest whose mean has a dependability of 0.80 or more.", *needed)
-                : Text::tr("Not even %1 raters would give a dependability of 0.80.", kMostRaters);
+  return needed
+             ? Text::tr("%1 raters are the fewest whose mean has a dependability of 0.80 or more.", *needed)
+             : Text::tr("Not even %1 raters would give a dependability of 0.80.", kMostRaters);
 }
 
 ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study) {
   auto table = itemOf<ReportTable>(in, "table-raters-needed", Text::tr("How many raters are needed"),
                                    Text::tr("G-study of trainees x raters, last occasion; D-study"));
-  table.columns = {Text::tr("Raters"), Text::tr("Dependability (level)"), Text::tr("Generalizability (order)"),
+  table.columns = {Text::tr("Raters"), Text::tr("Dependability (level)"),
+                   Text::tr("Generalizability (order)"),
                    Text::tr("Standard error of the mean mark (points)")};
   const NumberTable marks = completeRows(study);
   const Outcome<GStudy> found = gStudyPR(marks);
@@ -103,8 +105,9 @@ CategoryRatings categoriesOf(const StudyAnalysis& study, int& highest) {
   for (const auto& row : study.occasions.back().marks) {
     ratings.emplace_back();
     for (const std::optional<double>& mark : row) {
-      ratings.back().push_back(mark ? std::optional(static_cast<int>(std::distance(used.begin(), used.find(*mark))))
-                                    : std::nullopt);
+      ratings.back().push_back(
+          mark ? std::optional(static_cast<int>(std::distance(used.begin(), used.find(*mark))))
+               : std::nullopt);
     }
   }
   return ratings;
@@ -114,8 +117,8 @@ ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study) {
   auto table = itemOf<ReportTable>(in, "table-rasch", Text::tr("Raters on one scale, last occasion"),
                                    Text::tr("many-facet Rasch model, joint maximum likelihood"));
   table.individual = true;
-  table.columns = {Text::tr("Rater"), Text::tr("Severity (logits)"), Text::tr("Standard error"), Text::tr("Infit"),
-                   Text::tr("Outfit")};
+  table.columns = {Text::tr("Rater"), Text::tr("Severity (logits)"), Text::tr("Standard error"),
+                   Text::tr("Infit"), Text::tr("Outfit")};
   table.provenance.n = study.occasions.back().n;
   table.provenance.missing = study.occasions.back().missing;
   int highest = 0;
@@ -135,11 +138,12 @@ ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study) {
   };
   for (std::size_t r = 0; r < study.raters.size(); ++r) {
     const RaschRater& rater = found->raters[r];
-    table.rows.push_back(
-        {study.raters[r], shown(rater.severity), shown(rater.error), shown(rater.infit), shown(rater.outfit)});
+    table.rows.push_back({study.raters[r], shown(rater.severity), shown(rater.error), shown(rater.infit),
+                          shown(rater.outfit)});
   }
   table.notes = {Text::tr(
-      "Positive: stricter. Severities sum to zero. Infit and outfit are about 1 where a rater's marks follow the "
+      "Positive: stricter. Severities sum to zero. Infit and outfit are about 1 where a rater's marks follow "
+      "the "
       "model; the marks that occur, in their order, are its categories. Joint estimates lie somewhat too far "
       "apart.")};
   return table;
@@ -181,15 +185,17 @@ std::vector<ReportTable> reliabilityTables(const CohortInputs& in, const StudyAn
 }
 
 std::optional<ReportTable> withinGroupsTable(const CohortInputs& in, const StudyAnalysis& study) {
-  const bool whole = study.scores.size() >= 2 && !study.wholeGains.empty() &&
-                     std::all_of(study.scores.begin(), study.scores.end(), [](const auto& at) { return at.has_value(); });
+  const bool whole =
+      study.scores.size() >= 2 && !study.wholeGains.empty() &&
+      std::all_of(study.scores.begin(), study.scores.end(), [](const auto& at) { return at.has_value(); });
   if (!whole) {
     return std::nullopt;
   }
   auto table = itemOf<ReportTable>(in, "table-within-groups", Text::tr("What each group gained by itself"),
                                    Text::tr("exact signed ranks; Friedman; bootstrap of the median, BCa"));
-  table.columns = {Text::tr("Group"), Text::tr("Trainees"), Text::tr("Median gain [95 %] (points)"),
-                   Text::tr("Signed ranks V"), Text::tr("p (exact)"), Text::tr("p (Friedman, all occasions)")};
+  table.columns = {
+      Text::tr("Group"),          Text::tr("Trainees"),  Text::tr("Median gain [95 %] (points)"),
+      Text::tr("Signed ranks V"), Text::tr("p (exact)"), Text::tr("p (Friedman, all occasions)")};
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     const std::vector<double>& before = (*study.scores.front())[g];
     const std::vector<double>& after = (*study.scores.back())[g];
@@ -203,8 +209,9 @@ std::optional<ReportTable> withinGroupsTable(const CohortInputs& in, const Study
                           ranks ? Text(formatP(ranks->pTwoSided)) : Text(""), friedmanText(study, g)});
     table.provenance.n += std::ssize(gains);
   }
-  table.notes = {Text::tr(
-      "A gain within a group shows no effect of its training: repetition alone may give it. Compare the groups.")};
+  table.notes = {
+      Text::tr("A gain within a group shows no effect of its training: repetition alone may give it. Compare "
+               "the groups.")};
   return table;
 }
 

@@ -23,7 +23,8 @@ namespace torsio {
 [[nodiscard]] ReportSection provenanceSection(const CohortInputs& inputs);
 
 /// Returns what more or fewer raters would give, and each rater's severity on one scale.
-[[nodiscard]] std::vector<ReportTable> reliabilityTables(const CohortInputs& inputs, const StudyAnalysis& study);
+[[nodiscard]] std::vector<ReportTable> reliabilityTables(const CohortInputs& inputs,
+                                                         const StudyAnalysis& study);
 /// Returns what each group gained by itself; empty: scores are missing.
 [[nodiscard]] std::optional<ReportTable> withinGroupsTable(const CohortInputs& inputs,
                                                            const StudyAnalysis& study);

@@ -14,10 +14,11 @@ bool isOpen(const CohortInputs& in) {
 
 void withholdMarks(CohortInputs& out, std::vector<Text>& left) {
   if (!out.trainingMarks.empty()) {
-    left.push_back(Text::tr(
-        "The training study is not shown: %1 of %2 sheets that raters were asked for are present. Marks and means "
-        "appear once all are, or once the data set is frozen.",
-        out.sheetsPresent, out.sheetsAsked));
+    left.push_back(
+        Text::tr("The training study is not shown: %1 of %2 sheets that raters were asked for are present. "
+                 "Marks and means "
+                 "appear once all are, or once the data set is frozen.",
+                 out.sheetsPresent, out.sheetsAsked));
   }
   out.scores.clear();
   out.summaries.clear();
@@ -52,10 +53,10 @@ void withholdSmallCells(CohortInputs& out, std::vector<Text>& left) {
   std::erase_if(out.scores, fewMarks);
   std::erase_if(out.trainingMarks, fewMarks);
   if (out.scores.size() + out.summaries.size() < before) {
-    left.push_back(
-        Text::tr("Scores of fewer than %1 marks, and means of fewer than %1 trainees or with such a score among "
-                 "them, are left out: a single mark could be read from them.",
-                 kFewestMarks));
+    left.push_back(Text::tr(
+        "Scores of fewer than %1 marks, and means of fewer than %1 trainees or with such a score among "
+        "them, are left out: a single mark could be read from them.",
+        kFewestMarks));
   }
 }
 

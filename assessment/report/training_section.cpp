@@ -61,8 +61,8 @@ ReportFigure scoresFigure(const CohortInputs& in, std::size_t occasion) {
     }
     out.series.push_back(series);
   }
-  out.notes = {Text::tr(
-      "Corresponds to Fig. %1 of the paper. A score is the mean over the raters.", 20 + occasion)};
+  out.notes = {
+      Text::tr("Corresponds to Fig. %1 of the paper. A score is the mean over the raters.", 20 + occasion)};
   out.provenance = provenance(in, Text::tr("mean over raters"), n);
   out.provenance.missing = std::ssize(in.trainees) - n;
   return out;
@@ -241,12 +241,13 @@ Text shorteningSentence(const CohortInputs& in) {
   for (const TrialSummaryRow& trial : in.trials) {
     recorded_min += trial.detorsion.empty() ? trial.minutes : 0.0;
   }
-  return noted_min > 0.0 && recorded_min > 0.0
-             ? Text::tr("Training was shortened for this demonstration: %1 minutes of simulated exercise stand for "
-                        "%2 minutes of the protocol (1 : %3).",
-                        formatFixed(recorded_min, 1), formatFixed(noted_min, 1),
-                        formatFixed(noted_min / recorded_min, 1))
-             : Text::tr("Training was shortened for this demonstration.");
+  return noted_min > 0.0 && recorded_min > 0.0 ? Text::tr(
+                                                     "Training was shortened for this demonstration: %1 "
+                                                     "minutes of simulated exercise stand for "
+                                                     "%2 minutes of the protocol (1 : %3).",
+                                                     formatFixed(recorded_min, 1), formatFixed(noted_min, 1),
+                                                     formatFixed(noted_min / recorded_min, 1))
+                                               : Text::tr("Training was shortened for this demonstration.");
 }
 
 }  // namespace

@@ -188,8 +188,9 @@ std::string allocationHead(const Allocation& allocation) {
   appendNumbers(numbers, counts);
   const std::string records = std::to_string(allocation.records.size());
   Digest digest;
-  for (const std::string& part : {allocation.salt, allocation.commitment, records, numbers,
-                                  allocation.records.empty() ? std::string() : allocation.records.back().hash}) {
+  for (const std::string& part :
+       {allocation.salt, allocation.commitment, records, numbers,
+        allocation.records.empty() ? std::string() : allocation.records.back().hash}) {
     digest.update(static_cast<std::int64_t>(part.size()));
     digest.update(part);
   }

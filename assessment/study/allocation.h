@@ -150,7 +150,8 @@ struct Allocation {
 
 /// Returns the head of the chain as one line to be kept elsewhere: "torsio-allocation 1 RECORDS HASH", where
 /// the hash covers salt, commitment, how many records and persons in each arm there are, and the last record.
-/// Records that were cut off or added, and a chain that was written anew with other persons, give another one.
+/// Records that were cut off or added, and a chain that was written anew with other persons, give another
+/// one.
 [[nodiscard]] std::string allocationHead(const Allocation& allocation);
 
 /// Allocates all persons in order; fills in the numbers that are known when everybody is (participants,

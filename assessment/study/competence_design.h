@@ -39,8 +39,8 @@ struct CompetenceDesign {
   std::int64_t attempts = 50;   ///< within which the two error rates are promised
   double falsePassMost = 0.05;  ///< alpha: largest probability that an inadequate trainee passes
   double falseFailMost = 0.10;  ///< beta: largest probability that an adequate trainee does not pass
-  double limit = 4.09;          ///< of the sum: chosen for the other numbers (assessment/attempt/competence.h)
-  std::string reason{};         ///< of kChosen; may say more of the others
+  double limit = 4.09;   ///< of the sum: chosen for the other numbers (assessment/attempt/competence.h)
+  std::string reason{};  ///< of kChosen; may say more of the others
   friend bool operator==(const CompetenceDesign&, const CompetenceDesign&) = default;
 };
 

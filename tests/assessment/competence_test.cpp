@@ -54,8 +54,8 @@ CompetenceDesign designOf(double adequate, double inadequate, std::int64_t count
 }
 
 TEST(Competence, SimulatedErrorRatesMeetThePrintedOnes) {
-  for (const CompetenceDesign& design : {shippedCompetence("m", radians(5.0)), designOf(0.1, 0.4, 30, 0.05),
-                                         designOf(0.05, 0.2, 100, 0.01)}) {
+  for (const CompetenceDesign& design :
+       {shippedCompetence("m", radians(5.0)), designOf(0.1, 0.4, 30, 0.05), designOf(0.05, 0.2, 100, 0.01)}) {
     const CompetenceErrors errors = competenceErrors(design, design.attempts);
     const double pass = declaredAble(design, design.inadequate, design.attempts);
     const double fail = 1.0 - declaredAble(design, design.adequate, design.attempts);

@@ -12,9 +12,9 @@
 namespace torsio {
 namespace {
 
+using testing::demonstrationCohort;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::demonstrationCohort;
 
 /// Everything that a report says in sentences.
 std::string saidBy(const CohortInputs& in) {
@@ -79,7 +79,8 @@ TEST(ReportSentences, TheModelsWereHiddenOrNotAndRatersWereTraineesOrNot) {
 // power.t.test(n = 10, power = 0.8)$delta 1.3249.
 TEST(ReportSentences, ThePowerIsThatOfTheGroupsAtHand) {
   CohortInputs in = demonstrationCohort();
-  EXPECT_THAT(saidBy(in), HasSubstr("The groups have 10, 10, 10 trainees. Two groups of 10 have a power of 0.40"));
+  EXPECT_THAT(saidBy(in),
+              HasSubstr("The groups have 10, 10, 10 trainees. Two groups of 10 have a power of 0.40"));
   EXPECT_THAT(saidBy(in), HasSubstr("detect one of 1.32"));
   const auto fifth = [](const auto& item) { return item.number > 5 && item.group == 1; };
   std::erase_if(in.scores, fifth);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/study/competence_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 
 #include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
+#include "db/repository/study/competence_repository.h"
 #include "sim/base/error.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"

@@ -203,8 +203,10 @@ void addCurriculum(Connection& connection, const std::string& prefix, bool demon
   version.arms = {arm};
   version.plannedOccasions = {{"pre", 0}};
   curricula.addVersion(version, "admin");
-  CompetenceRepository(connection).add(
-      {.moduleId = version.modules[1].id, .registeredUtc_us = kSampleTime_us, .reason = "as the board decided"});
+  CompetenceRepository(connection)
+      .add({.moduleId = version.modules[1].id,
+            .registeredUtc_us = kSampleTime_us,
+            .reason = "as the board decided"});
 }
 
 void addTrialAndMark(Connection& connection, const FullRecord& record, const std::string& prefix,

@@ -368,7 +368,8 @@ QString StationLabels::levelMeaning(const CompetenceVerdict& verdict) {
     case SkillLevel::kNotShown:
       return tr("So few attempts can show nobody to be able.");
     case SkillLevel::kLearning:
-      return tr("Not yet shown to be able. %1 good attempts in a row show it.").arg(fewestForAble(verdict.design));
+      return tr("Not yet shown to be able. %1 good attempts in a row show it.")
+          .arg(fewestForAble(verdict.design));
     case SkillLevel::kSteady:
       return tr("Able, and staying so.");
     case SkillLevel::kWatch:

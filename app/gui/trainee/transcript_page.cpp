@@ -92,8 +92,7 @@ QString TranscriptPage::html(bool paper) const {
     const QString title = toQString(Text(module.step.module.title));
     page += QStringLiteral("<h3>%1</h3>").arg(title.toHtmlEscaped());
     line(tr("%1. Level: %2.")
-             .arg(StationLabels::state(module.step.state),
-                  StationLabels::level(module.competence)));
+             .arg(StationLabels::state(module.step.state), StationLabels::level(module.competence)));
     line(StationLabels::competenceDesign(module.competence) + QLatin1Char(' ') +
          StationLabels::competenceErrors(module.competence));
     if (module.attempts.empty()) {

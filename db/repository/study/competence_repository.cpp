@@ -37,11 +37,11 @@ CompetenceDesign CompetenceRepository::add(CompetenceDesign design) {
   Transaction transaction(connection_);
   const std::vector<CompetenceDesign> before = ofModule(design.moduleId);
   design.version = before.empty() ? 1 : before.back().version + 1;
-  connection_.execute(insertInto("competence_design", kColumns),
-                      {design.moduleId, design.version, design.registeredUtc_us, design.tolerance_rad,
-                       storedText(design.source), design.experts, design.adequate, design.inadequate,
-                       design.attempts, design.falsePassMost, design.falseFailMost, design.limit,
-                       design.reason});
+  connection_.execute(
+      insertInto("competence_design", kColumns),
+      {design.moduleId, design.version, design.registeredUtc_us, design.tolerance_rad,
+       storedText(design.source), design.experts, design.adequate, design.inadequate, design.attempts,
+       design.falsePassMost, design.falseFailMost, design.limit, design.reason});
   transaction.commit();
   return design;
 }

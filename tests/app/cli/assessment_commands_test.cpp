@@ -379,7 +379,8 @@ TEST_F(AssessmentCommands, AllocateSaltsItsCommitmentAndFindsWhatWasCutOffOrCoun
   EXPECT_NE(first["salt"], second["salt"]);
   EXPECT_NE(first["commitment"], second["commitment"]);
   EXPECT_EQ(armsOf(first), armsOf(second));
-  EXPECT_EQ(answer("allocate --seed 5 --salt " + first["salt"].get<std::string>() + " --design " + design), first);
+  EXPECT_EQ(answer("allocate --seed 5 --salt " + first["salt"].get<std::string>() + " --design " + design),
+            first);
   const auto found = [&](const json& changed, const std::string& head = {}) {
     return answer("allocate --replay " + write("changed.json", changed.dump()) +
                       (head.empty() ? "" : " --head '" + head + "'"),

@@ -119,7 +119,8 @@ SessionContext& asTrainee(StudyCentre& centre, const std::string& code) {
       access.addUser({.id = id, .login = code, .personId = trainee.person.id, .roles = {"trainee"}},
                      testing::kStudyPassword);
     }
-    centre.session().setActor({.userId = id, .login = code, .personId = trainee.person.id, .roles = {"trainee"}});
+    centre.session().setActor(
+        {.userId = id, .login = code, .personId = trainee.person.id, .roles = {"trainee"}});
   }
   return centre.session();
 }
@@ -133,14 +134,17 @@ TEST(DemonstrationStudy, ReportAndTraineesScreenSayTheSameOfEverybody) {
   const CohortRow study = cohorts(centre.as("administrator")).front();
   const auto version = CurriculumRepository(centre.connection()).version(study.cohort.curriculumVersionId);
   CompetenceRepository(centre.connection())
-      .add({.moduleId = version->modules.front().id, .registeredUtc_us = 1, .tolerance_rad = 0.1, .limit = 0.5});
+      .add({.moduleId = version->modules.front().id,
+            .registeredUtc_us = 1,
+            .tolerance_rad = 0.1,
+            .limit = 0.5});
   std::size_t compared = 0;
   std::set<std::string> levels;
   for (const CohortRow& row : cohorts(centre.as("administrator"))) {
     SessionContext& administrator = centre.as("administrator");
     TrialDigests digests(centre.assets());
-    const CohortInputs inputs =
-        reportInputs(administrator, {.cohortId = row.cohort.id, .identity = ReportIdentity::kCoded}, digests, {});
+    const CohortInputs inputs = reportInputs(
+        administrator, {.cohortId = row.cohort.id, .identity = ReportIdentity::kCoded}, digests, {});
     EXPECT_FALSE(inputs.competence.empty()) << row.cohort.name;
     for (const CohortCompetence& shown : inputs.competence) {
       SessionContext& session = asTrainee(centre, shown.trainee);

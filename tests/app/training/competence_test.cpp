@@ -52,7 +52,8 @@ TEST(CompetenceDesigns, CountForThoseWhoBeginAfterTheyWereRegistered) {
   centre.passTime_us(kMinute_us);
 
   centre.become("T-01");
-  const CompetenceVerdict before = trend(centre.session(), centre.person(), centre.module("first")).competence;
+  const CompetenceVerdict before =
+      trend(centre.session(), centre.person(), centre.module("first")).competence;
   EXPECT_EQ(before.design.version, 0);
   EXPECT_NE(competenceDesignText(before.design, false).str().find("none was registered"), std::string::npos);
   centre.become("T-02");

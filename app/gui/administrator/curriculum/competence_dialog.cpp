@@ -103,8 +103,9 @@ void CompetenceDialog::build() {
   form->addRow(tr("What it does"), preview_);
   auto* column = new QVBoxLayout(this);
   auto* rule = sentence(this);
-  rule->setText(tr("An attempt is a completed twist, or an untwisting. A design never changes; a new one counts for "
-                   "trainees who begin after it was registered."));
+  rule->setText(
+      tr("An attempt is a completed twist, or an untwisting. A design never changes; a new one counts for "
+         "trainees who begin after it was registered."));
   column->addWidget(rule);
   column->addLayout(form);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
@@ -195,12 +196,14 @@ void CompetenceDialog::showPreview() {
   QString said;
   try {
     const CompetencePreview preview = previewOfCompetence(design);
-    said = tr("Limit %1. %2").arg(preview.design.limit, 0, 'f', 2)
+    said = tr("Limit %1. %2")
+               .arg(preview.design.limit, 0, 'f', 2)
                .arg(toQString(competenceErrorText(preview.design, preview.errors)));
     if (!preview.falseFailKept) {
       ready = false;
-      said += QLatin1Char('\n') + tr("Too many would fail wrongly: plan more attempts, or rates that lie farther "
-                                     "apart.");
+      said +=
+          QLatin1Char('\n') + tr("Too many would fail wrongly: plan more attempts, or rates that lie farther "
+                                 "apart.");
     }
   } catch (const Error& error) {
     ready = false;
@@ -224,12 +227,13 @@ bool CompetenceDialog::takeFromExperts() {
     const ProficiencyThreshold found =
         expertTolerance_deg(shell_.session(), chosen()->moduleId, chosenId(cohort_));
     experts_ = static_cast<std::int64_t>(found.experts);
-    standard_->setText(tr("%1 experts: mean error %2\u00b0, mean and one standard deviation %3\u00b0, bound that "
-                          "covers nine in ten experts %4\u00b0.")
-                           .arg(found.experts)
-                           .arg(found.mean, 0, 'f', 2)
-                           .arg(found.oneDeviation, 0, 'f', 2)
-                           .arg(found.toleranceBound, 0, 'f', 2));
+    standard_->setText(
+        tr("%1 experts: mean error %2\u00b0, mean and one standard deviation %3\u00b0, bound that "
+           "covers nine in ten experts %4\u00b0.")
+            .arg(found.experts)
+            .arg(found.mean, 0, 'f', 2)
+            .arg(found.oneDeviation, 0, 'f', 2)
+            .arg(found.toleranceBound, 0, 'f', 2));
     tolerance_->setValue(found.toleranceBound);
     showPreview();
   });

@@ -115,11 +115,10 @@ void PowerDialog::showAnswer() {
                        ? tr("%1 trainees").arg(whole(size))
                        : tr("%1 trainees in each group; %2 when scores are adjusted for the score before")
                              .arg(whole(size), whole(sizeWithCovariate(size, correlation_->value()))));
-  shown_->setText(
-      tr("power %1 for this effect; with power %2 they detect an effect of %3")
-          .arg(powerOf(design, groups, n, effect_->value(), alpha_->value()), 0, 'f', 2)
-          .arg(power_->value(), 0, 'f', 2)
-          .arg(detectableOf(design, groups, n, power_->value(), alpha_->value()), 0, 'f', 2));
+  shown_->setText(tr("power %1 for this effect; with power %2 they detect an effect of %3")
+                      .arg(powerOf(design, groups, n, effect_->value(), alpha_->value()), 0, 'f', 2)
+                      .arg(power_->value(), 0, 'f', 2)
+                      .arg(detectableOf(design, groups, n, power_->value(), alpha_->value()), 0, 'f', 2));
 }
 
 }  // namespace torsio::gui
