@@ -20,8 +20,6 @@ namespace torsio::cli {
 
 namespace {
 
-constexpr std::size_t kUsualTwists = 10;  // in a phase: enough for a learning curve of everybody
-
 struct DemoArguments {
   std::string out;
   std::uint64_t seed = 1;
@@ -37,7 +35,8 @@ void runDemo(const DemoArguments& arguments) {
   options.out = arguments.out;
   options.seed = arguments.seed;
   options.shortening = arguments.full ? 1 : arguments.shorten.value_or(options.shortening);
-  options.fewestTwists = arguments.twists.value_or(arguments.full || arguments.shorten ? 0 : kUsualTwists);
+  options.fewestTwists =
+      arguments.twists.value_or(arguments.full || arguments.shorten ? 0 : kDemonstrationTwists);
   options.training = sceneRequest(arguments.organ);
   options.example.assets = assetsFolder();
   options.example.id = "stomach";

@@ -14,6 +14,9 @@ namespace torsio {
 
 class Connection;
 
+/// Twists in a phase that give everybody a learning curve, with some to spare.
+inline constexpr std::size_t kDemonstrationTwists = 10;
+
 struct DemonstrationOptions {
   std::filesystem::path out;  ///< folder; made if missing
   std::uint64_t seed = 1;

@@ -31,6 +31,7 @@ DemonstrationUsers fillWithPeople(SessionContext& session, const std::filesystem
   options.training.id = "forearm";
   options.example.assets = assets;
   options.example.id = "stomach";
+  options.fewestTwists = kDemonstrationTwists;
   options.progress = progress;
   static_cast<void>(fillDemonstration(options, session.connectionWithoutRight()));
   // What the trainee and the physician of the demonstration find when they sign in.

@@ -28,7 +28,8 @@ TrainingModule publishedModule(Connection& connection, const ModuleId& moduleId)
   CurriculumRepository repository(connection);
   for (const Curriculum& curriculum : repository.curricula()) {
     for (const CurriculumVersionId& id : repository.versionIds(curriculum.id)) {
-      for (TrainingModule& module : repository.version(id).value().modules) {
+      CurriculumVersion version = repository.version(id).value();
+      for (TrainingModule& module : version.modules) {
         if (module.id == moduleId) {
           return std::move(module);
         }

@@ -210,6 +210,7 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
   inputs.notAssessable = training.notAssessable;
   inputs.markWays = training.ways;
   addSheets(connection, cohortId, inputs);
+  inputs.evaluationRatersAsked = std::ssize(campaign.campaign.raters);
   for (const CampaignModel& model : campaign.campaign.models) {
     inputs.modelsHidden += !model.hiddenLabel.empty() && model.hiddenLabel != model.code ? 1 : 0;
   }

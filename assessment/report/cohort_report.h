@@ -187,9 +187,10 @@ struct CohortInputs {
   bool singleMarks = true;
 
   MarkWays markWays;
-  std::int64_t sheetsAsked = 0;    ///< of raters for this cohort, without those withdrawn
-  std::int64_t sheetsPresent = 0;  ///< of them, submitted
-  std::int64_t modelsHidden = 0;   ///< evaluated models that stood before their raters under a hidden label
+  std::int64_t sheetsAsked = 0;            ///< of raters for this cohort, without those withdrawn
+  std::int64_t sheetsPresent = 0;          ///< of them, submitted
+  std::int64_t evaluationRatersAsked = 0;  ///< raters of the campaign; 0: not known
+  std::int64_t modelsHidden = 0;  ///< evaluated models that stood before their raters under a hidden label
 
   std::int64_t notAssessable = 0;  ///< marks that a rater could not give, with a reason
   std::vector<CohortDose> doses;

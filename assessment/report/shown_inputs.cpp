@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/report/shown_inputs.h"
 
+#include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -24,6 +26,34 @@ void withholdMarks(CohortInputs& out, std::vector<Text>& left) {
   out.summaries.clear();
   out.trainingMarks.clear();
   out.notAssessable = 0;
+}
+
+/// Raters with a mark for every index of every model.
+std::int64_t ratersPresent(const CohortInputs& in) {
+  std::map<std::string, std::size_t> whole;
+  for (const ModelRatings& model : in.ratings) {
+    for (const RaterSheet& sheet : model.sheets) {
+      whole[sheet.rater] += std::all_of(sheet.steps.begin(), sheet.steps.end(),
+                                        [](const auto& steps) { return steps.has_value(); })
+                                ? 1
+                                : 0;
+    }
+  }
+  return std::count_if(whole.begin(), whole.end(),
+                       [&](const auto& rater) { return rater.second == in.ratings.size(); });
+}
+
+void withholdEvaluation(CohortInputs& out, std::vector<Text>& left) {
+  const std::int64_t present = ratersPresent(out);
+  if (out.evaluations.empty() || out.freeze || present >= out.evaluationRatersAsked) {
+    return;
+  }
+  left.push_back(Text::tr(
+      "The evaluation of the models is not shown: %1 of %2 raters who were asked have given all marks. "
+      "Marks and scores appear once all have, or once the data set is frozen.",
+      present, out.evaluationRatersAsked));
+  out.ratings.clear();
+  out.evaluations.clear();
 }
 
 /// Takes away what one or two marks could be read from.
@@ -64,6 +94,7 @@ void withholdSmallCells(CohortInputs& out, std::vector<Text>& left) {
 
 CohortInputs shownInputs(const CohortInputs& inputs, std::vector<Text>& left) {
   CohortInputs out = inputs;
+  withholdEvaluation(out, left);
   if (isOpen(out)) {
     withholdMarks(out, left);
   } else if (!out.singleMarks) {

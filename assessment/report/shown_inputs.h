@@ -12,9 +12,9 @@ namespace torsio {
 inline constexpr std::int64_t kFewestMarks = 3;
 
 /// Returns the inputs without what must not be shown yet: every mark, score and mean of the training study
-/// while its set of sheets is neither complete nor frozen; where single marks may not be seen, scores of
-/// fewer than kFewestMarks raters and means of fewer than kFewestMarks trainees. `left`: one sentence for
-/// each thing that was left out.
+/// while its set of sheets is neither complete nor frozen, and of the models likewise; where single marks may
+/// not be seen, scores of fewer than kFewestMarks raters and means of fewer than kFewestMarks trainees.
+/// `left`: one sentence for each thing that was left out.
 [[nodiscard]] CohortInputs shownInputs(const CohortInputs& inputs, std::vector<Text>& left);
 
 }  // namespace torsio

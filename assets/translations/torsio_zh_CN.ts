@@ -11608,6 +11608,10 @@
         <source>All people and marks here are simulated: nothing may be concluded.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The evaluation of the models is not shown: %1 of %2 raters who were asked have given all marks. Marks and scores appear once all have, or once the data set is frozen.</source>
+        <translation>模型评价未显示：被要求评分的 %2 名评分者中有 %1 名已给出全部评分。全部给出或数据集冻结之后，才显示评分和得分。</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

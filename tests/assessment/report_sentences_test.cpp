@@ -186,6 +186,22 @@ TEST(ShownInputs, NoMarkAndNoMeanIsShownBeforeTheSetIsCompleteOrFrozen) {
   EXPECT_THAT(saidBy(in), Not(HasSubstr("sheets that raters were asked for")));
 }
 
+TEST(ShownInputs, TheModelsAreShownOnceEveryRaterWhoWasAskedHasGivenAllMarks) {
+  CohortInputs in = demonstrationCohort();
+  in.evaluationRatersAsked = 41;
+  EXPECT_EQ(tableIn(cohortReport(in), "table-comprehensive"), nullptr);
+  EXPECT_THAT(saidBy(in), HasSubstr("40 of 41 raters who were asked"));
+  for (const CohortCsvRow& row : cohortCsvRows(in)) {
+    EXPECT_NE(row.section, "evaluation");
+  }
+  in.evaluationRatersAsked = 40;
+  EXPECT_NE(tableIn(cohortReport(in), "table-comprehensive"), nullptr);
+  in.ratings.front().sheets.front().steps.front().reset();
+  EXPECT_EQ(tableIn(cohortReport(in), "table-comprehensive"), nullptr);
+  in.freeze = CohortFreeze{"final", std::string(64, 'b'), 1, "admin", true};
+  EXPECT_NE(tableIn(cohortReport(in), "table-comprehensive"), nullptr);
+}
+
 TEST(ShownInputs, NoSingleMarkLeaksThroughASmallCell) {
   CohortInputs in = demonstrationCohort();
   in.singleMarks = false;

@@ -297,28 +297,26 @@ TEST(CompetenceDialog, PreviewsBothErrorRatesBeforeADesignIsRegistered) {
   desk.centre.as("administrator");
   desk.shell().readRights();
   CompetenceDialog dialog(desk.shell(), version, nullptr);
-  auto* preview = child<QLabel>(dialog, "preview");
-  auto* store = child<QPushButton>(dialog, "register");
-  EXPECT_TRUE(
-      child<QLabel>(dialog, "in-force")->text().contains(QStringLiteral("shipped with the exercise")));
+  auto* preview = &child<QLabel>(dialog, "preview");
+  auto* store = &child<QPushButton>(dialog, "register");
+  EXPECT_TRUE(child<QLabel>(dialog, "in-force").text().contains(QStringLiteral("shipped with the exercise")));
   EXPECT_TRUE(preview->text().contains(QStringLiteral("4.9 %")));
   EXPECT_TRUE(store->isEnabled());
 
-  child<QDoubleSpinBox>(dialog, "inadequate")->setValue(20.0);
+  child<QDoubleSpinBox>(dialog, "inadequate").setValue(20.0);
   EXPECT_TRUE(preview->text().contains(QStringLiteral("50.3 %")));  // of the able would not pass
   EXPECT_FALSE(store->isEnabled());
-  child<QDoubleSpinBox>(dialog, "inadequate")->setValue(5.0);  // below the able
+  child<QDoubleSpinBox>(dialog, "inadequate").setValue(5.0);  // below the able
   EXPECT_FALSE(store->isEnabled());
-  child<QDoubleSpinBox>(dialog, "inadequate")->setValue(40.0);
-  child<QSpinBox>(dialog, "attempts")->setValue(30);
+  child<QDoubleSpinBox>(dialog, "inadequate").setValue(40.0);
+  child<QSpinBox>(dialog, "attempts").setValue(30);
   ASSERT_TRUE(store->isEnabled());
-  child<QComboBox>(dialog, "source")->setCurrentIndex(2);
+  child<QComboBox>(dialog, "source").setCurrentIndex(2);
   EXPECT_FALSE(store->isEnabled());  // chosen by hand: a reason is missing
-  child<QComboBox>(dialog, "source")->setCurrentIndex(0);
+  child<QComboBox>(dialog, "source").setCurrentIndex(0);
   store->click();
 
-  EXPECT_TRUE(child<QLabel>(dialog, "in-force")->text().contains(QStringLiteral("version 1")));
-  desk.centre.session();
+  EXPECT_TRUE(child<QLabel>(dialog, "in-force").text().contains(QStringLiteral("version 1")));
   const ExerciseDesigns stored = competenceDesigns(desk.centre.session(), version).front();
   ASSERT_EQ(stored.registered.size(), 1U);
   EXPECT_EQ(stored.registered.front().attempts, 30);
@@ -329,12 +327,12 @@ TEST(CompetenceDialog, PreviewsBothErrorRatesBeforeADesignIsRegistered) {
 // power.t.test(n = 10, power = 0.8) delta = 1.325.
 TEST(PowerDialog, AnswersAtOnceHowManyTraineesAreNeededAndWhatTheyShow) {
   PowerDialog dialog(nullptr);
-  EXPECT_EQ(child<QLabel>(dialog, "needed")->text(),
+  EXPECT_EQ(child<QLabel>(dialog, "needed").text(),
             QStringLiteral("26 trainees in each group; 20 when scores are adjusted for the score before"));
-  EXPECT_EQ(child<QLabel>(dialog, "shown")->text(),
+  EXPECT_EQ(child<QLabel>(dialog, "shown").text(),
             QStringLiteral("power 0.40 for this effect; with power 0.80 they detect an effect of 1.32"));
-  child<QComboBox>(dialog, "design")->setCurrentIndex(1);
-  EXPECT_EQ(child<QLabel>(dialog, "needed")->text(), QStringLiteral("15 trainees"));  // type = "paired": 14.3
+  child<QComboBox>(dialog, "design").setCurrentIndex(1);
+  EXPECT_EQ(child<QLabel>(dialog, "needed").text(), QStringLiteral("15 trainees"));  // type = "paired": 14.3
 }
 
 }  // namespace

@@ -2,13 +2,16 @@
 // The demonstration as an office sees it: a cohort that followed the paper's protocol from end to end.
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "app/access/first_run.h"
 #include "app/access/settings_service.h"
 #include "app/demonstration/demonstration.h"
+#include "app/recording/competence_service.h"
 #include "app/recording/competence_text.h"
 #include "app/recording/trial_digests.h"
 #include "app/reporting/report_data.h"
@@ -168,6 +171,25 @@ TEST(DemonstrationStudy, ReportAndTraineesScreenSayTheSameOfEverybody) {
   }
   EXPECT_GE(compared, 16U);
   EXPECT_GE(levels.size(), 3U);
+
+  // The people of a cohort as experts: the bound over their own mean errors.
+  TrialDigests digests(centre.assets());
+  std::map<std::string, std::vector<double>> errors;
+  for (const TrialSummaryRow& trial : digests.ofCohort(centre.as("administrator"), study.cohort.id)) {
+    for (const TwistAttempt& twist : trial.attempts) {
+      errors[trial.trainee].push_back(twist.error_deg);
+    }
+  }
+  std::vector<double> means;
+  for (const auto& [code, own] : errors) {
+    means.push_back(std::accumulate(own.begin(), own.end(), 0.0) / static_cast<double>(own.size()));
+  }
+  const ProficiencyThreshold experts =
+      expertTolerance_deg(centre.as("administrator"), version->modules.front().id, study.cohort.id);
+  EXPECT_EQ(experts.experts, means.size());
+  EXPECT_NEAR(experts.mean,
+              std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(means.size()), 1e-9);
+  EXPECT_GT(experts.toleranceBound, experts.oneDeviation);
 }
 
 }  // namespace
