@@ -508,6 +508,93 @@
     </message>
 </context>
 <context>
+    <name>PrintedSheets</name>
+    <message>
+        <source>or exactly: ______</source>
+        <translation>或精确分数：______</translation>
+    </message>
+    <message>
+        <source>cannot be assessed, because: ____________________</source>
+        <translation>无法评分，原因：____________________</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>Sheet: case %1, rater %2</source>
+        <translation>评分表：案例 %1，评分者 %2</translation>
+    </message>
+    <message>
+        <source>%1. Mark one box in each row. Do not write any name on this sheet.</source>
+        <translation>%1。每行勾选一格。请勿在本表上写任何姓名。</translation>
+    </message>
+    <message>
+        <source>Overall mark</source>
+        <translation>总分</translation>
+    </message>
+    <message>
+        <source>Comment: ______________________________________________________________</source>
+        <translation>评语：______________________________________________________________</translation>
+    </message>
+    <message>
+        <source>Date, time: __________________   Signature: ______________________________</source>
+        <translation>日期、时间：__________________   签名：______________________________</translation>
+    </message>
+    <message>
+        <source>Revision %1 of the scoring sheet. Typed in by (1) ______________ and (2) ______________, independently of each other.</source>
+        <translation>评分表第 %1 版。由 (1) ______________ 和 (2) ______________ 各自独立录入。</translation>
+    </message>
+    <message>
+        <source>Call list: %1</source>
+        <translation>呼叫名单：%1</translation>
+    </message>
+    <message>
+        <source>Room: %1. For the office only: raters are told the case, not this list.</source>
+        <translation>房间：%1。仅供办公室使用：评分者只知道案例编号，看不到本名单。</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>序号</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>组别</translation>
+    </message>
+    <message>
+        <source>Now at</source>
+        <translation>当前阶段</translation>
+    </message>
+    <message>
+        <source>Scoring due</source>
+        <translation>待评分时点</translation>
+    </message>
+    <message>
+        <source>Sheets missing</source>
+        <translation>缺评分表</translation>
+    </message>
+    <message>
+        <source>Called at</source>
+        <translation>呼叫时间</translation>
+    </message>
+    <message>
+        <source>Left at</source>
+        <translation>离开时间</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Sheets on paper</source>
+        <translation>纸质评分表</translation>
+    </message>
+</context>
+<context>
     <name>QPlatformTheme</name>
     <message>
         <source>OK</source>
@@ -594,6 +681,43 @@
     <message>
         <source>&amp;Reason</source>
         <translation>原因(&amp;R)</translation>
+    </message>
+</context>
+<context>
+    <name>ReminderText</name>
+    <message>
+        <source>case %1 (late; called %2)</source>
+        <translation>案例 %1（逾期；%2 呼叫）</translation>
+    </message>
+    <message>
+        <source>case %1 (called %2)</source>
+        <translation>案例 %1（%2 呼叫）</translation>
+    </message>
+    <message>
+        <source>case %1</source>
+        <translation>案例 %1</translation>
+    </message>
+    <message>
+        <source>case %1 (late; was due %2)</source>
+        <translation>案例 %1（逾期；应于 %2 前完成）</translation>
+    </message>
+    <message>
+        <source>case %1 (due %2)</source>
+        <translation>案例 %1（%2 前完成）</translation>
+    </message>
+    <message>
+        <source>%1: please submit in Torsio: %2</source>
+        <translation>%1：请在 Torsio 中提交：%2</translation>
+    </message>
+    <message>
+        <source>Nobody owes a sheet.</source>
+        <translation>没有人欠交评分表。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Copied: the sheets that %n rater(s) owe</source>
+        <translation>
+            <numerusform>已复制：%n 名评分者欠交的评分表</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -824,6 +948,10 @@
         <source>Swap</source>
         <translation>互换</translation>
     </message>
+    <message>
+        <source>trained before scoring</source>
+        <translation>评分前已训练</translation>
+    </message>
 </context>
 <context>
     <name>Scoring</name>
@@ -950,6 +1078,14 @@
     <message>
         <source>Assign</source>
         <translation>指派</translation>
+    </message>
+    <message>
+        <source>To be done by the end of</source>
+        <translation>须于此日结束前完成</translation>
+    </message>
+    <message>
+        <source>Deadline</source>
+        <translation>截止日期</translation>
     </message>
 </context>
 <context>
@@ -1639,6 +1775,21 @@
     <message>
         <source>let out first (1 yes, 0 no)</source>
         <translation>先行减压（1 是，0 否）</translation>
+    </message>
+</context>
+<context>
+    <name>TableChoice</name>
+    <message>
+        <source>Table 1,234.5 with commas (*.csv)</source>
+        <translation>逗号分隔表格，1,234.5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Table 1234,5 with semicolons, for Excel in German, French ... (*.csv)</source>
+        <translation>分号分隔表格，1234,5，适用于德语、法语等 Excel (*.csv)</translation>
+    </message>
+    <message>
+        <source>Table with tabulators (*.tsv)</source>
+        <translation>制表符分隔表格 (*.tsv)</translation>
     </message>
 </context>
 <context>
@@ -6976,10 +7127,6 @@
         <translation>论文式 (26) 下的文字指主任医师的评分，但求和遍及全体评分者；此处采用全体评分者，仅在图中注明处单独显示主任医师。</translation>
     </message>
     <message>
-        <source>The times of training are those of the protocol, in full; every second trainee of a group takes the whole rest between the two halves.</source>
-        <translation>训练时间为方案规定的完整时间；每组每两名学员中有一名在两段训练之间完整休息。</translation>
-    </message>
-    <message>
         <source>The trainee is the unit of analysis: marks of several raters for one trainee are averaged first.</source>
         <translation>以学员为分析单位：先对同一学员的多个评分取均值。</translation>
     </message>
@@ -10735,6 +10882,150 @@
         <source>call to the real arm</source>
         <translation>真实手臂呼叫</translation>
     </message>
+    <message>
+        <source>The times of training are those of the protocol, in full: one trainee an hour, six a day; every second trainee of a group takes the whole rest between the two halves.</source>
+        <translation>训练时间完全按方案：每小时一名学员，每天六名；每组每两名学员中有一名在前后两半之间用满全部休息时间。</translation>
+    </message>
+    <message>
+        <source>trained before scoring</source>
+        <translation>评分前已训练</translation>
+    </message>
+    <message>
+        <source>Program file (BLAKE2b)</source>
+        <translation>程序文件（BLAKE2b）</translation>
+    </message>
+    <message>
+        <source>there is no such sheet of the real arm</source>
+        <translation>没有这样的真实手臂评分表</translation>
+    </message>
+    <message>
+        <source>this sheet is in already, or was withdrawn</source>
+        <translation>该评分表已提交或已撤回</translation>
+    </message>
+    <message>
+        <source>Call the trainee on the run day first</source>
+        <translation>请先在运行日页面呼叫该学员</translation>
+    </message>
+    <message>
+        <source>overall mark</source>
+        <translation>总分</translation>
+    </message>
+    <message>
+        <source>no mark of the scale and no reason: %1</source>
+        <translation>既无量表内的分数，也无理由：%1</translation>
+    </message>
+    <message>
+        <source>Type what stands on the paper; where it says nothing, say that as the reason</source>
+        <translation>请录入纸上的内容；若纸上空白，请将此作为理由</translation>
+    </message>
+    <message>
+        <source>%1 of %2 sheets of the occasion &quot;%3&quot; are in</source>
+        <translation>评分时点“%3”的 %2 份评分表已收到 %1 份</translation>
+    </message>
+    <message>
+        <source>Be scored on the real arm first, or say why the training begins nevertheless</source>
+        <translation>请先在真实手臂上接受评分，或说明为何仍要开始训练</translation>
+    </message>
+    <message>
+        <source>%1 points [%2; %3]</source>
+        <translation>%1 分 [%2; %3]</translation>
+    </message>
+    <message>
+        <source>Question: do trainees score differently at the end (%1) who trained in different ways: %2?</source>
+        <translation>问题：训练方式不同的学员在结束时（%1）得分是否不同：%2？</translation>
+    </message>
+    <message>
+        <source>People: %1 trainees in %2 groups, %3 of them withdrew; %4 physicians gave %5 marks; %6 deviations from the protocol were reported.</source>
+        <translation>人员：%1 名学员分为 %2 组，其中 %3 名退出；%4 名医师给出 %5 个分数；报告了 %6 次方案偏离。</translation>
+    </message>
+    <message>
+        <source>Answer: none. The groups are not compared: %1.</source>
+        <translation>答案：无。各组未作比较：%1。</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 after Holm</source>
+        <translation>%1：%2，Holm 校正后 %3</translation>
+    </message>
+    <message>
+        <source>Answer, adjusted for the score before: %1.</source>
+        <translation>答案（按训练前得分校正）：%1。</translation>
+    </message>
+    <message>
+        <source>Answer: none. There is only one group.</source>
+        <translation>答案：无。只有一个组。</translation>
+    </message>
+    <message>
+        <source>Answer: no difference between two groups was shown. The largest, adjusted for the score before: %1, %2. %3</source>
+        <translation>答案：未显示任何两组之间有差异。按训练前得分校正后最大的差异：%1，%2。%3</translation>
+    </message>
+    <message>
+        <source>Every interval holds zero.</source>
+        <translation>所有区间都包含零。</translation>
+    </message>
+    <message>
+        <source>No p value stays below %1 after Holm.</source>
+        <translation>Holm 校正后没有 p 值低于 %1。</translation>
+    </message>
+    <message>
+        <source>The answer: differences between the groups with 95 % intervals</source>
+        <translation>答案：各组之间的差异及 95 % 区间</translation>
+    </message>
+    <message>
+        <source>Scores at the end, and who reached the standard</source>
+        <translation>结束时的得分，以及谁达到了标准</translation>
+    </message>
+    <message>
+        <source>mean of the trainee scores; LC-CUSUM</source>
+        <translation>学员得分的均值；LC-CUSUM</translation>
+    </message>
+    <message>
+        <source>Mean score [lowest; highest]</source>
+        <translation>平均得分 [最低; 最高]</translation>
+    </message>
+    <message>
+        <source>Adequate on the simulator</source>
+        <translation>在模拟器上合格</translation>
+    </message>
+    <message>
+        <source>did not train there</source>
+        <translation>未在模拟器上训练</translation>
+    </message>
+    <message>
+        <source>Adequate: LC-CUSUM has shown a failure rate of %1 or less; &quot;not shown&quot; is not the same as failed.</source>
+        <translation>合格：LC-CUSUM 已显示失败率不高于 %1；“未显示”不等于不合格。</translation>
+    </message>
+    <message>
+        <source>Signatures</source>
+        <translation>签名</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>姓名</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>角色</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Signature</source>
+        <translation>签名</translation>
+    </message>
+    <message>
+        <source>At a glance</source>
+        <translation>概览</translation>
+    </message>
+    <message>
+        <source>What this does not show: with at most %1 trainees a group only large differences can be found, and a difference that was not shown is no evidence of equality. Marks on a training arm say nothing about patients.</source>
+        <translation>本报告不能说明的：每组最多 %1 名学员，只能发现较大的差异；未显示差异并不证明相同。训练手臂上的分数不能说明患者的情况。</translation>
+    </message>
+    <message>
+        <source>All people and marks here are simulated: nothing may be concluded.</source>
+        <translation>此处所有人员和分数均为模拟：不得据此得出任何结论。</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -11332,10 +11623,6 @@ Only an allocator previews, locks and draws. An administrator gives this role to
     <message>
         <source>Export the audit trail</source>
         <translation>导出审计记录</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>表格 (*.csv)</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -15263,6 +15550,101 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::PaperDialog</name>
+    <message>
+        <source>Marks on paper</source>
+        <translation>纸质评分</translation>
+    </message>
+    <message>
+        <source>Two people type each sheet, each for themselves; it counts when both are alike.</source>
+        <translation>每份评分表由两人各自录入；两份一致时才计入。</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>关闭(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Co&amp;mment on the paper</source>
+        <translation>纸上的评语(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep what I typed</source>
+        <translation>保存我录入的内容(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>案例</translation>
+    </message>
+    <message>
+        <source>Rater</source>
+        <translation>评分者</translation>
+    </message>
+    <message>
+        <source>Called</source>
+        <translation>呼叫时间</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>No live sheet is missing. Sheets appear here once their trainee was called.</source>
+        <translation>没有缺少的现场评分表。学员被呼叫后，其评分表会出现在这里。</translation>
+    </message>
+    <message>
+        <source>! typed twice, not alike</source>
+        <translation>! 已录入两次，不一致</translation>
+    </message>
+    <message>
+        <source>◐ typed by you: somebody else has to type it, too</source>
+        <translation>◐ 您已录入：还须由另一人录入</translation>
+    </message>
+    <message>
+        <source>◐ typed once: type it again</source>
+        <translation>◐ 已录入一次：请再录入一次</translation>
+    </message>
+    <message>
+        <source>○ not typed yet</source>
+        <translation>○ 尚未录入</translation>
+    </message>
+    <message>
+        <source>cannot be assessed</source>
+        <translation>无法评分</translation>
+    </message>
+    <message>
+        <source>reason on the paper</source>
+        <translation>纸上的理由</translation>
+    </message>
+    <message>
+        <source>Reason: %1</source>
+        <translation>理由：%1</translation>
+    </message>
+    <message>
+        <source>Choose a sheet at the left</source>
+        <translation>请在左侧选择一份评分表</translation>
+    </message>
+    <message>
+        <source>Case %1, rater %2</source>
+        <translation>案例 %1，评分者 %2</translation>
+    </message>
+    <message>
+        <source>Overall mark</source>
+        <translation>总分</translation>
+    </message>
+    <message>
+        <source>Kept. It counts once somebody else has typed the same.</source>
+        <translation>已保存。另一人录入相同内容后即计入。</translation>
+    </message>
+    <message>
+        <source>Not alike in the rows with a sign: look at the paper again. Nothing counts so far.</source>
+        <translation>带标记的行不一致：请再看一遍纸质表。目前均不计入。</translation>
+    </message>
+    <message>
+        <source>Alike: the sheet counts now.</source>
+        <translation>一致：该评分表现已计入。</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::PasswordPanel</name>
     <message>
         <source>The two are not the same yet</source>
@@ -16215,10 +16597,6 @@ Leave it empty to remove it.</source>
         <translation>PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>Table, comma-separated (*.csv)</source>
-        <translation>逗号分隔表 (*.csv)</translation>
-    </message>
-    <message>
         <source>Writing the report…</source>
         <translation>正在写入报告…</translation>
     </message>
@@ -16440,6 +16818,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>&amp;Restore now</source>
         <translation>立即恢复(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>中心</translation>
+    </message>
+    <message>
+        <source>! This is the backup of another centre: %1. The record of %2 would be gone from here.</source>
+        <translation>! 这是另一中心的备份：%1。%2 的记录将不再保留于此。</translation>
     </message>
 </context>
 <context>
@@ -16723,10 +17109,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Export under codes</source>
         <translation>仅以代码导出</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>表格 (*.csv)</translation>
     </message>
     <message>
         <source>Exporting people</source>
@@ -17083,6 +17465,66 @@ Leave it empty to remove it.</source>
         <source>Call to the arm</source>
         <translation>呼叫到手臂</translation>
     </message>
+    <message>
+        <source>On &amp;paper</source>
+        <translation>纸质(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Print the call list…</source>
+        <translation>打印呼叫名单…</translation>
+    </message>
+    <message>
+        <source>Print sheets for the raters…</source>
+        <translation>打印评分者用表…</translation>
+    </message>
+    <message>
+        <source>Of the chosen trainee; without one, of everybody whose scoring is due</source>
+        <translation>所选学员的；未选时为所有待评分学员的</translation>
+    </message>
+    <message>
+        <source>Type sheets in…</source>
+        <translation>录入纸质评分表…</translation>
+    </message>
+    <message>
+        <source>Copy who owes which sheet</source>
+        <translation>复制欠交名单</translation>
+    </message>
+    <message>
+        <source>Print the call list</source>
+        <translation>打印呼叫名单</translation>
+    </message>
+    <message>
+        <source>Call list %1.pdf</source>
+        <translation>呼叫名单 %1.pdf</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Written: %n trainee(s) to call</source>
+        <translation>
+            <numerusform>已写入：待呼叫学员 %n 名</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No live sheet is missing for what is chosen.</source>
+        <translation>所选范围内没有缺少的现场评分表。</translation>
+    </message>
+    <message>
+        <source>Print sheets on paper</source>
+        <translation>打印纸质评分表</translation>
+    </message>
+    <message>
+        <source>Sheets %1.pdf</source>
+        <translation>评分表 %1.pdf</translation>
+    </message>
+    <message numerus="yes">
+        <source>Written: %n sheet(s), a page each</source>
+        <translation>
+            <numerusform>已写入：%n 份评分表，每份一页</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RunPage</name>
@@ -17314,6 +17756,22 @@ Leave it empty to remove it.</source>
         <source>&amp;Cancel</source>
         <translation>取消(&amp;C)</translation>
     </message>
+    <message>
+        <source>Not scored yet</source>
+        <translation>尚未评分</translation>
+    </message>
+    <message>
+        <source>Only %1 of %2 sheets of this occasion are in, and they cannot be made up for once the training goes on. Fetch the study team. Why does the training begin nevertheless? It is noted as a deviation.</source>
+        <translation>该时点的 %2 份评分表只收到 %1 份，训练继续后将无法补评。请联系研究人员。为何仍要开始训练？这将记录为方案偏离。</translation>
+    </message>
+    <message>
+        <source>Begin nevertheless</source>
+        <translation>仍然开始</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::SceneView</name>
@@ -17464,6 +17922,18 @@ Leave it empty to remove it.</source>
     <message>
         <source>Raters who are asked from now on fill in the new sheet. Sheets that were asked for before stay as they are; both revisions are kept for good.</source>
         <translation>今后受邀的评分者填写新评分表。此前已邀请的评分表保持不变；两个修订版均永久保留。</translation>
+    </message>
+    <message>
+        <source>%1, due %2</source>
+        <translation>%1，截止 %2</translation>
+    </message>
+    <message>
+        <source>Copy re&amp;minders</source>
+        <translation>复制提醒(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Whom to remind of which cases, as a text for your mail</source>
+        <translation>需提醒哪些人提交哪些案例，可直接粘贴到邮件</translation>
     </message>
 </context>
 <context>
