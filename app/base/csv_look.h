@@ -13,9 +13,9 @@ struct CsvLook {
   friend bool operator==(const CsvLook&, const CsvLook&) = default;
 };
 
-/// Writes a table of csvLine() (or of any RFC 4180 text) in another look: cells are parted and quoted anew, and
-/// in cells that are a decimal number and nothing else the decimal mark is changed. A byte order mark stays.
-/// Throws Error{kBadData} when the text is no table.
+/// Writes a table of csvLine() (or of any RFC 4180 text) in another look: cells are parted and quoted anew,
+/// and in cells that are a decimal number and nothing else the decimal mark is changed. A byte order mark
+/// stays. Throws Error{kBadData} when the text is no table.
 [[nodiscard]] std::string csvInLook(const std::string& text, const CsvLook& look);
 
 }  // namespace torsio

@@ -105,8 +105,7 @@ std::vector<DemonstrationTrainee> inOrderOfComing(std::vector<DemonstrationTrain
 std::vector<std::int64_t> demonstrationTimes(const CurriculumVersion& curriculum,
                                              const DemonstrationTrainee& trainee, std::int64_t utc_us) {
   const StudyArm& arm = curriculum.arms.at(trainee.group);
-  const auto turn =
-      static_cast<std::int64_t>((trainee.number - 1) * curriculum.arms.size() + trainee.group);
+  const auto turn = static_cast<std::int64_t>((trainee.number - 1) * curriculum.arms.size() + trainee.group);
   std::int64_t at_us = utc_us + turn / kTraineesADay * kStudyDay_us + turn % kTraineesADay * kStudyHour_us;
   std::vector<std::int64_t> times;
   for (std::size_t i = 0; i < arm.phases.size(); ++i) {
@@ -157,7 +156,8 @@ void storeDemonstrationExposures(Connection& connection, const DemonstrationStud
 
 Text demonstrationTimeRule() {
   return Text::tr(
-      "The times of training are those of the protocol, in full: one trainee an hour, six a day; every second "
+      "The times of training are those of the protocol, in full: one trainee an hour, six a day; every "
+      "second "
       "trainee of a group takes the whole rest between the two halves.");
 }
 

@@ -29,9 +29,9 @@ struct RestorePlan {
   std::int64_t lostPeople = 0;  ///< in the present record, but not in the backup
   std::int64_t lostTrials = 0;
   std::int64_t lostMarks = 0;
-  std::string presentCentre{};  ///< whose record it is
-  std::string backupCentre{};   ///< whose record the backup is
-  bool otherCentre = false;     ///< the backup is not of this centre, whatever it is called
+  std::string presentCentre{};   ///< whose record it is
+  std::string backupCentre{};    ///< whose record the backup is
+  bool otherCentre = false;      ///< the backup is not of this centre, whatever it is called
   std::int64_t erasedSince = 0;  ///< people of the backup who were erased later: they stay erased
 };
 

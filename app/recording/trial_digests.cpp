@@ -79,9 +79,8 @@ std::vector<TrialListing> finishedTrials(Connection& connection, const CohortId&
     return std::tuple(trial.startedUtc_us, phase == phases.end() ? 0 : phase->second, place.group,
                       place.number, trial.trialId.text());
   };
-  std::sort(listed.begin(), listed.end(), [&](const TrialListing& a, const TrialListing& b) {
-    return sequence(a) < sequence(b);
-  });
+  std::sort(listed.begin(), listed.end(),
+            [&](const TrialListing& a, const TrialListing& b) { return sequence(a) < sequence(b); });
   return listed;
 }
 

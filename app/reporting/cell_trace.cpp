@@ -127,7 +127,8 @@ class Tracer {
       });
     } else if (row.section == "agreement" || row.section == "comparison") {
       addAll(step, [&, is = same("training", "score")](const Row& other) {
-        return is(other) && (row.occasion.empty() || row.section == "comparison" || other.occasion == row.occasion);
+        return is(other) &&
+               (row.occasion.empty() || row.section == "comparison" || other.occasion == row.occasion);
       });
     } else if (row.section == "evaluation" && row.statistic == "N_eq27") {
       addAll(step, [&, is = same("evaluation", "composite")](const Row& other) {
@@ -194,8 +195,8 @@ class Tracer {
       return;
     }
     steps.push_back({"case", asked->assignment.caseLabel});
-    TraceStep criteria{"scoring sheet", rubricNames_[rubric->rubricId] + ", revision " +
-                                            std::to_string(rubric->number)};
+    TraceStep criteria{"scoring sheet",
+                       rubricNames_[rubric->rubricId] + ", revision " + std::to_string(rubric->number)};
     for (const RubricLine& line : rubric->rows) {
       for (const SheetRow& answer : sheet->rows) {
         if (answer.code != line.code) {

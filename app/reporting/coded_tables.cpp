@@ -86,7 +86,9 @@ class SheetsOfCohort {
     }
     return all;
   }
-  [[nodiscard]] std::string nameOf(const RubricRevision& revision) const { return names_.at(revision.rubricId); }
+  [[nodiscard]] std::string nameOf(const RubricRevision& revision) const {
+    return names_.at(revision.rubricId);
+  }
 
  private:
   SheetRepository repository_;
@@ -125,8 +127,8 @@ std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
   return write(session, {AuditAction::kTrialExportCoded, AuditObject::kCohort, cohortId}, lines, file, look);
 }
 
-std::size_t exportMarks(SessionContext& session, const CohortId& cohortId,
-                        const std::filesystem::path& file, const CsvLook& look) {
+std::size_t exportMarks(SessionContext& session, const CohortId& cohortId, const std::filesystem::path& file,
+                        const CsvLook& look) {
   session.require(Operation::kMarkViewCoded);
   std::vector<Cells> lines{
       {"trainee", "rater", "occasion", "version", "score", "not_assessable", "trial", "submitted_utc"}};
@@ -166,8 +168,8 @@ std::size_t exportCriteria(SessionContext& session, const CohortId& cohortId,
   return write(session, {AuditAction::kMarkExportCoded, AuditObject::kCohort, cohortId}, lines, file, look);
 }
 
-std::size_t exportRubrics(SessionContext& session, const CohortId& cohortId, const std::filesystem::path& file,
-                          const CsvLook& look) {
+std::size_t exportRubrics(SessionContext& session, const CohortId& cohortId,
+                          const std::filesystem::path& file, const CsvLook& look) {
   session.require(Operation::kMarkViewCoded);
   SheetsOfCohort sheets(session.connection(), cohortId);
   std::vector<Cells> lines{

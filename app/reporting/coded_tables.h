@@ -23,14 +23,14 @@ std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
 std::size_t exportMarks(SessionContext& session, const CohortId& cohortId, const std::filesystem::path& file,
                         const CsvLook& look = {});
 
-/// The sheets behind the marks: one line a mark and criterion, with the scoring sheet, its revision and the hash
-/// of the program. kMarkViewCoded. Returns the number of lines. Throws Error{kFileUnwritable}.
+/// The sheets behind the marks: one line a mark and criterion, with the scoring sheet, its revision and the
+/// hash of the program. kMarkViewCoded. Returns the number of lines. Throws Error{kFileUnwritable}.
 std::size_t exportCriteria(SessionContext& session, const CohortId& cohortId,
                            const std::filesystem::path& file, const CsvLook& look = {});
-/// The scoring sheets that were used in a cohort: one line an anchor (a criterion without one has a line, too).
-/// kMarkViewCoded. Returns the number of lines. Throws Error{kFileUnwritable}.
-std::size_t exportRubrics(SessionContext& session, const CohortId& cohortId, const std::filesystem::path& file,
-                          const CsvLook& look = {});
+/// The scoring sheets that were used in a cohort: one line an anchor (a criterion without one has a line,
+/// too). kMarkViewCoded. Returns the number of lines. Throws Error{kFileUnwritable}.
+std::size_t exportRubrics(SessionContext& session, const CohortId& cohortId,
+                          const std::filesystem::path& file, const CsvLook& look = {});
 
 /// Writes the entries of the audit trail that pass a filter, all of them, newest first, with the codes of
 /// whom they are about, in the same form. Returns how many there are. kAuditView. Throws

@@ -40,7 +40,8 @@ ReportExport exportReport(SessionContext& session, const ReportRequest& request,
   if (format == ReportFormat::kPdf) {
     writePdfReport(cohortReport(inputs), file, wordingIn(language), pages);
   } else {
-    writeFileAtomically(file, csvInLook(std::string(kByteOrderMark) + cohortCsvText(cohortCsvRows(inputs)), look));
+    writeFileAtomically(file,
+                        csvInLook(std::string(kByteOrderMark) + cohortCsvText(cohortCsvRows(inputs)), look));
   }
   const std::string content = readFile(file);
   Digest digest;

@@ -24,10 +24,10 @@ struct ReportExport {
 using ReportPages = std::function<void(std::size_t page, std::size_t pages)>;
 
 /// Writes the report (PDF, in one of reportLanguages() of app/report/wording.h: GUI thread, needs a
-/// QApplication) or its table of numbers (UTF-8 with byte order mark, in the look that is asked for) and keeps
-/// in the audit trail who took out what: cohort, data set, form of identity, format, language, size and hash
-/// of the file; no name. Coded and aggregated: kReportExportCoded; named: kReportExportNamed. `inputs` are
-/// those of `request`. Throws Error{kFileUnwritable}; an older file of that name is then untouched.
+/// QApplication) or its table of numbers (UTF-8 with byte order mark, in the look that is asked for) and
+/// keeps in the audit trail who took out what: cohort, data set, form of identity, format, language, size and
+/// hash of the file; no name. Coded and aggregated: kReportExportCoded; named: kReportExportNamed. `inputs`
+/// are those of `request`. Throws Error{kFileUnwritable}; an older file of that name is then untouched.
 ReportExport exportReport(SessionContext& session, const ReportRequest& request, const CohortInputs& inputs,
                           ReportFormat format, const std::filesystem::path& file,
                           const std::string& language = "en", const ReportPages& pages = {},

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/study/cohort_service.h"
-#include "app/study/scoring_due.h"
 
 #include <algorithm>
 #include <set>
 
 #include <nlohmann/json.hpp>
 
+#include "app/study/scoring_due.h"
 #include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"

@@ -51,8 +51,8 @@ Assignment openLiveSheet(Connection& connection, const AssignmentId& assignmentI
   if (!isOpenLive(*status)) {
     refuse(Text::tr("this sheet is in already, or was withdrawn"), where, Text::tr("Read the list again"));
   }
-  if (!CallRepository(connection).wasCalled(status->assignment.enrolmentId,
-                                            status->assignment.occasionCode)) {
+  if (!CallRepository(connection)
+           .wasCalled(status->assignment.enrolmentId, status->assignment.occasionCode)) {
     refuse(Text::tr("this case has not been called to the real arm yet"), where,
            Text::tr("Call the trainee on the run day first"));
   }
@@ -160,10 +160,12 @@ PaperOutcome enterPaperSheet(SessionContext& session, const AssignmentId& assign
     }
     paper.remove(assignmentId);
     sheets.submit(assignmentId, session.ids().newUuid(), sheet, "", session.now_us());
-    session.note({.action = AuditAction::kSheetSubmit,
-                  .objectKind = AuditObject::kAssignment,
-                  .objectId = assignmentId,
-                  .newJson = nlohmann::json{{"paper", true}, {"typed_by", {entry.enteredBy.text(), user.text()}}}.dump()});
+    session.note(
+        {.action = AuditAction::kSheetSubmit,
+         .objectKind = AuditObject::kAssignment,
+         .objectId = assignmentId,
+         .newJson =
+             nlohmann::json{{"paper", true}, {"typed_by", {entry.enteredBy.text(), user.text()}}}.dump()});
     transaction.commit();
     return PaperOutcome::kCounts;
   }

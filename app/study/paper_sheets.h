@@ -18,9 +18,9 @@ struct PaperCase {
   std::string caseLabel{};
   std::string raterCode{};
   std::int64_t calledUtc_us = 0;
-  bool byMe = false;          ///< typed by who asks
-  std::size_t byOthers = 0;   ///< typed by that many others
-  bool differs = false;       ///< typed by two people, and not alike
+  bool byMe = false;         ///< typed by who asks
+  std::size_t byOthers = 0;  ///< typed by that many others
+  bool differs = false;      ///< typed by two people, and not alike
 };
 /// The live sheets of a cohort that were called and are not in, by case, then rater. kStudySetup.
 [[nodiscard]] std::vector<PaperCase> paperCases(SessionContext& session, const CohortId& cohortId);
@@ -43,9 +43,9 @@ enum class PaperOutcome {
   kCounts,   ///< typed alike by two people: sealed as the rater's mark
 };
 /// Keeps what was read from paper. A mark counts once two people have typed the same marks in every row;
-/// reasons and comments are not compared, those of the second one stay. Audited with both typists once it counts:
-/// like a draft, what one person typed is nobody's record.
-/// kStudySetup. Throws Error like paperForm(); {kBadData}: a row is unanswered or off its scale.
+/// reasons and comments are not compared, those of the second one stay. Audited with both typists once it
+/// counts: like a draft, what one person typed is nobody's record. kStudySetup. Throws Error like
+/// paperForm(); {kBadData}: a row is unanswered or off its scale.
 PaperOutcome enterPaperSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet);
 
 /// A sheet to print: one rater, one case, the rows of the rubric; nothing of trainee, group and stage.

@@ -15,19 +15,19 @@ namespace torsio {
 struct SheetAwaited {
   std::string caseLabel{};
   bool live = false;
-  std::int64_t calledUtc_us = 0;           ///< live: when the trainee stood at the arm
+  std::int64_t calledUtc_us = 0;            ///< live: when the trainee stood at the arm
   std::optional<std::int64_t> dueUtc_us{};  ///< recorded: the deadline
-  bool late = false;  ///< past its deadline, or the call has ended
+  bool late = false;                        ///< past its deadline, or the call has ended
 };
 /// A rater who still owes sheets.
 struct Reminder {
   std::string raterCode{};
-  std::string name{};   ///< empty: who asks may not see names, or none is kept
-  std::string email{};  ///< the same
+  std::string name{};                  ///< empty: who asks may not see names, or none is kept
+  std::string email{};                 ///< the same
   std::vector<SheetAwaited> sheets{};  ///< late ones first, then by label
 };
-/// Whom to remind: of live sheets that were called, and of recorded cases that are open. Raters by code; those
-/// who owe nothing are left out. kStudySetup.
+/// Whom to remind: of live sheets that were called, and of recorded cases that are open. Raters by code;
+/// those who owe nothing are left out. kStudySetup.
 [[nodiscard]] std::vector<Reminder> reminders(SessionContext& session, const CohortId& cohortId);
 
 }  // namespace torsio

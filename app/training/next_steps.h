@@ -53,8 +53,8 @@ struct NextSteps {
   std::int64_t exposureDone_us = 0;
   std::int64_t exposureTotal_us = 0;  ///< 0: the arm has no phases
   bool allPhasesDone = false;
-  std::optional<ScoringDue> scoringDue{};      ///< sheets that should be in before training goes on
-  std::vector<Attempt> interrupted{};  ///< own trials that ended in an interruption, newest first
+  std::optional<ScoringDue> scoringDue{};  ///< sheets that should be in before training goes on
+  std::vector<Attempt> interrupted{};      ///< own trials that ended in an interruption, newest first
   std::size_t unreadRemarks = 0;
 };
 

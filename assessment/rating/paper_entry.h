@@ -20,8 +20,8 @@ struct PaperEntry {
   std::int64_t enteredUtc_us = 0;
 };
 
-/// Codes of the rows (kOverallRow: the overall mark) at which two typed sheets say different things. Words are
-/// not compared: a reason or a comment is typed by hand.
+/// Codes of the rows (kOverallRow: the overall mark) at which two typed sheets say different things. Words
+/// are not compared: a reason or a comment is typed by hand.
 [[nodiscard]] std::vector<std::string> differencesOf(const RubricRevision& rubric, const Sheet& first,
                                                      const Sheet& second);
 /// Codes of the rows that no sheet may leave like this: unanswered, contradicting, outside the scale.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a board reads in a minute: the question, who took part, the answer with its uncertainty, who reached the
-// standard, what this does not show, and where to sign.
+// What a board reads in a minute: the question, who took part, the answer with its uncertainty, who reached
+// the standard, what this does not show, and where to sign.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -44,15 +44,17 @@ Text questionOf(const CohortInputs& in) {
     protocols.push_back(group.protocol.empty() ? group.name
                                                : Text::verbatim("%1 (%2)", group.name, group.protocol));
   }
-  return Text::tr("Question: do trainees score differently at the end (%1) who trained in different ways: %2?",
-                  in.occasions.back(), listed(protocols));
+  return Text::tr(
+      "Question: do trainees score differently at the end (%1) who trained in different ways: %2?",
+      in.occasions.back(), listed(protocols));
 }
 
 Text peopleOf(const CohortInputs& in) {
   const auto withdrew = std::count_if(in.trainees.begin(), in.trainees.end(),
                                       [](const CohortTrainee& trainee) { return trainee.withdrew; });
   return Text::tr(
-      "People: %1 trainees in %2 groups, %3 of them withdrew; %4 physicians gave %5 marks; %6 deviations from "
+      "People: %1 trainees in %2 groups, %3 of them withdrew; %4 physicians gave %5 marks; %6 deviations "
+      "from "
       "the protocol were reported.",
       in.trainees.size(), in.groups.size(), withdrew, in.trainingRaters, in.trainingMarks.size(),
       in.deviations.size());
@@ -69,7 +71,8 @@ Text answerOf(const CohortInputs& in, const StudyAnalysis& study) {
   for (const AdjustedDifference& pair : study.ancova->pairs) {
     allHoldZero = allHoldZero && opensDirection(pair);
     if (pair.pHolm < kSignificant) {
-      differing.push_back(Text::tr("%1: %2, %3 after Holm", pairOf(in, pair), shown(pair), equalsP(pair.pHolm)));
+      differing.push_back(
+          Text::tr("%1: %2, %3 after Holm", pairOf(in, pair), shown(pair), equalsP(pair.pHolm)));
     }
     if (widest == nullptr || std::abs(pair.difference) > std::abs(widest->difference)) {
       widest = &pair;
@@ -82,7 +85,8 @@ Text answerOf(const CohortInputs& in, const StudyAnalysis& study) {
     return Text::tr("Answer: none. There is only one group.");
   }
   return Text::tr(
-      "Answer: no difference between two groups was shown. The largest, adjusted for the score before: %1, %2. "
+      "Answer: no difference between two groups was shown. The largest, adjusted for the score before: %1, "
+      "%2. "
       "%3",
       pairOf(in, *widest), shown(*widest),
       allHoldZero ? Text::tr("Every interval holds zero.")
@@ -146,9 +150,9 @@ ReportTable standardTable(const CohortInputs& in) {
                                formatFixed(summary.max, kPointDecimals));
       }
     }
-    table.rows.push_back({in.groups[g].name, std::to_string(people), score,
-                          judged == 0 ? Text::tr("did not train there")
-                                      : Text::tr("%1 of %2", adequate, judged)});
+    table.rows.push_back(
+        {in.groups[g].name, std::to_string(people), score,
+         judged == 0 ? Text::tr("did not train there") : Text::tr("%1 of %2", adequate, judged)});
     table.provenance.n += people;
   }
   table.notes = {Text::tr(
@@ -179,13 +183,14 @@ ReportSection boardSection(const CohortInputs& in, const StudyAnalysis& study) {
   for (const GroupSummary& summary : in.summaries) {
     largest = std::max(largest, static_cast<std::size_t>(summary.trainees));
   }
-  section.paragraphs.push_back(
-      Text::tr("What this does not show: with at most %1 trainees a group only large differences can be found, "
-               "and a difference that was not shown is no evidence of equality. Marks on a training arm say "
-               "nothing about patients.",
-               largest));
+  section.paragraphs.push_back(Text::tr(
+      "What this does not show: with at most %1 trainees a group only large differences can be found, "
+      "and a difference that was not shown is no evidence of equality. Marks on a training arm say "
+      "nothing about patients.",
+      largest));
   if (in.demonstration) {
-    section.paragraphs.push_back(Text::tr("All people and marks here are simulated: nothing may be concluded."));
+    section.paragraphs.push_back(
+        Text::tr("All people and marks here are simulated: nothing may be concluded."));
   }
   if (std::optional<ReportFigure> figure = answerFigure(in, study)) {
     section.figures.push_back(std::move(*figure));

@@ -91,9 +91,10 @@ TEST(CohortReport, BeginsWithAPageThatABoardReadsInAMinute) {
 
   ASSERT_GE(board.paragraphs.size(), 4U);
   EXPECT_THAT(board.paragraphs[0].str(), ::testing::HasSubstr("do trainees score differently"));
-  EXPECT_THAT(board.paragraphs[1].str(),
-              ::testing::HasSubstr("30 trainees in 3 groups, 0 of them withdrew; 10 physicians gave 900 marks; "
-                                   "1 deviations"));
+  EXPECT_THAT(
+      board.paragraphs[1].str(),
+      ::testing::HasSubstr("30 trainees in 3 groups, 0 of them withdrew; 10 physicians gave 900 marks; "
+                           "1 deviations"));
   ASSERT_EQ(board.figures.size(), 1U);
   EXPECT_EQ(board.figures[0].id, "figure-answer");
   const ReportModel whole = cohortReport(in);

@@ -22,7 +22,10 @@ struct TableKind {
 };
 constexpr std::array kKinds{
     TableKind{"comma", {',', '.'}, QT_TRANSLATE_NOOP("TableChoice", "Table 1,234.5 with commas (*.csv)")},
-    TableKind{"semicolon", {';', ','}, QT_TRANSLATE_NOOP("TableChoice", "Table 1234,5 with semicolons, for Excel in German, French ... (*.csv)")},
+    TableKind{"semicolon",
+              {';', ','},
+              QT_TRANSLATE_NOOP("TableChoice",
+                                "Table 1234,5 with semicolons, for Excel in German, French ... (*.csv)")},
     TableKind{"tab", {'\t', '.'}, QT_TRANSLATE_NOOP("TableChoice", "Table with tabulators (*.tsv)")},
 };
 const QString kKindKey = QStringLiteral("files/table");

@@ -185,8 +185,8 @@ void ScoreRow::keepAnchorRoom() {
   }
   anchor_->ensurePolished();
   const int wide = std::max(1, width() - kMarkWidth - 2 * kSpace);
-  const QRect needed = anchor_->fontMetrics().boundingRect(QRect(0, 0, wide, QWIDGETSIZE_MAX),
-                                                           Qt::TextWordWrap, allAnchors());
+  const QRect needed =
+      anchor_->fontMetrics().boundingRect(QRect(0, 0, wide, QWIDGETSIZE_MAX), Qt::TextWordWrap, allAnchors());
   anchor_->setMinimumHeight(needed.height());
 }
 

@@ -36,8 +36,8 @@ void PaperRepository::put(const PaperEntry& entry) {
                  "assignment_id, entered_by, overall_steps, not_assessable_reason, comment, entered_utc_us"),
       {entry.assignmentId, entry.enteredBy, entry.sheet.overall_steps,
        textOrNull(entry.sheet.notAssessableReason), textOrNull(entry.sheet.comment), entry.enteredUtc_us});
-  Statement insert = connection_.prepare(
-      insertInto("paper_entry_row", "assignment_id, entered_by, row_code, score_steps, not_assessable_reason"));
+  Statement insert = connection_.prepare(insertInto(
+      "paper_entry_row", "assignment_id, entered_by, row_code, score_steps, not_assessable_reason"));
   for (const SheetRow& row : entry.sheet.rows) {
     insert.execute({entry.assignmentId, entry.enteredBy, row.code, row.score_steps,
                     textOrNull(row.notAssessableReason)});
@@ -62,11 +62,12 @@ std::vector<PaperEntry> PaperRepository::of(const AssignmentId& assignmentId) co
 }
 
 std::vector<PaperEntry> PaperRepository::ofCohort(const CohortId& cohortId) const {
-  return selectAll(connection_,
-                   std::string(kSelectEntries) +
-                       " JOIN assignment a ON a.id = n.assignment_id JOIN enrolment e ON e.id = a.enrolment_id"
-                       " WHERE e.cohort_id = ? ORDER BY n.entered_utc_us, n.entered_by",
-                   {cohortId}, readEntry);
+  return selectAll(
+      connection_,
+      std::string(kSelectEntries) +
+          " JOIN assignment a ON a.id = n.assignment_id JOIN enrolment e ON e.id = a.enrolment_id"
+          " WHERE e.cohort_id = ? ORDER BY n.entered_utc_us, n.entered_by",
+      {cohortId}, readEntry);
 }
 
 void PaperRepository::remove(const AssignmentId& assignmentId) {

@@ -166,7 +166,8 @@ TEST(ReportNumbers, OfTheWindowAreThoseOfTheCommandLineInEveryCell) {
   SystemIdSource ids;
   const UserId user(ids.newUuid());
   AccessRepository(connection, PasswordCost::kTest)
-      .addUser({.id = user, .login = "s", .createdUtc_us = 1, .roles = {"statistician"}}, "ten signs and more");
+      .addUser({.id = user, .login = "s", .createdUtc_us = 1, .roles = {"statistician"}},
+               "ten signs and more");
   SessionContext session(connection, ids, {record, "test", {.userId = user, .login = "s"}}, utcNow_us);
   ReportRequest request;
   request.cohortId = StudyRepository(connection).cohorts().at(0).id;
@@ -209,8 +210,9 @@ TEST(ReportNumbers, AreFollowedToTheMarksTheSheetAndTheRecording) {
   };
   const std::vector<std::string> table = lines(folder / "out" / "cohort.csv");
   const auto cellOf = [&](const std::string& part) {
-    const auto line = std::find_if(table.begin(), table.end(),
-                                   [&](const std::string& one) { return one.find(part) != std::string::npos; });
+    const auto line = std::find_if(table.begin(), table.end(), [&](const std::string& one) {
+      return one.find(part) != std::string::npos;
+    });
     EXPECT_NE(line, table.end()) << part;
     std::size_t end = 0;
     for (int comma = 0; comma < 7; ++comma) {

@@ -69,8 +69,9 @@ TEST_F(CarePages, TheBackupOfAnotherCentreIsNamedAndTakesItsNameToRestore) {
   child<QLineEdit>(page, "file").setText(toQString(in("backup.sqlite")));
   click(child<QPushButton>(page, "checkButton"));
 
-  EXPECT_TRUE(child<QLabel>(page, "lossText").text().contains(
-      QStringLiteral("the backup of another centre: Harbour clinic")))
+  EXPECT_TRUE(child<QLabel>(page, "lossText")
+                  .text()
+                  .contains(QStringLiteral("the backup of another centre: Harbour clinic")))
       << child<QLabel>(page, "lossText").text().toStdString();
   child<QLineEdit>(page, "word").setText(QStringLiteral("RESTORE"));
   EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isEnabled());

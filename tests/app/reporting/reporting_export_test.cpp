@@ -151,11 +151,16 @@ TEST(CodedTables, TellTheCriteriaTheAnchorsTheRevisionAndTheBuild) {
 }
 
 TEST(CsvLook, ChangesNumbersAndNothingElse) {
-  const std::string table = "a,b,c\r\n-1.5,\"x; y, \"\"z\"\"\",2026-01-05 08:00 UTC\r\n2.5e-07,v1.2.3,T-1.\r\n";
+  const std::string table =
+      "a,b,c\r\n-1.5,\"x; y, \"\"z\"\"\",2026-01-05 08:00 UTC\r\n2.5e-07,v1.2.3,T-1.\r\n";
   EXPECT_EQ(csvInLook(table, {}), table);
   EXPECT_EQ(csvInLook(table, {';', ','}),
             "a;b;c\r\n-1,5;\"x; y, \"\"z\"\"\";2026-01-05 08:00 UTC\r\n2,5e-07;v1.2.3;T-1.\r\n");
-  EXPECT_EQ(csvInLook("\xEF\xBB\xBF" "a,b\r\n1.5,c\r\n", {'\t', '.'}), "\xEF\xBB\xBF" "a\tb\r\n1.5\tc\r\n");
+  EXPECT_EQ(csvInLook("\xEF\xBB\xBF"
+                      "a,b\r\n1.5,c\r\n",
+                      {'\t', '.'}),
+            "\xEF\xBB\xBF"
+            "a\tb\r\n1.5\tc\r\n");
 }
 
 TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {

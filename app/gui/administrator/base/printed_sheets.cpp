@@ -54,11 +54,13 @@ QString boxes(const ScoreScale& scale) {
 }
 
 QString criterion(const QString& label, const ScoreScale& scale, const std::vector<RubricAnchor>& anchors) {
-  QString html = QStringLiteral("<p style='margin-top:14px; margin-bottom:2px'><b>%1</b> <font color='#555'>%2"
-                                "</font></p><p style='margin:0; line-height:150%'>%3</p>")
-                     .arg(label,
-                          PrintedSheets::tr("%1 to %2").arg(pointsText(scale.lo, scale), pointsText(scale.hi, scale)),
-                          boxes(scale));
+  QString html =
+      QStringLiteral(
+          "<p style='margin-top:14px; margin-bottom:2px'><b>%1</b> <font color='#555'>%2"
+          "</font></p><p style='margin:0; line-height:150%'>%3</p>")
+          .arg(label,
+               PrintedSheets::tr("%1 to %2").arg(pointsText(scale.lo, scale), pointsText(scale.hi, scale)),
+               boxes(scale));
   for (const RubricAnchor& anchor : anchors) {
     html += QStringLiteral("<p style='margin:0; margin-left:14px'><font color='#333'>%1: %2</font></p>")
                 .arg(pointsText(anchor.score_steps, scale), safe(anchor.meaning));
@@ -67,22 +69,27 @@ QString criterion(const QString& label, const ScoreScale& scale, const std::vect
 }
 
 QString sheetHtml(const PaperSheet& sheet, const QString& centre, bool last) {
-  QString html = QStringLiteral("<div%1><h2>%2</h2><p>%3</p>")
-                     .arg(last ? QString() : QStringLiteral(" style='page-break-after:always'"),
-                          PrintedSheets::tr("Sheet: case %1, rater %2").arg(safe(sheet.caseLabel), safe(sheet.raterCode)),
-                          PrintedSheets::tr("%1. Mark one box in each row. Do not write any name on this sheet.")
-                              .arg(centre.toHtmlEscaped()));
+  QString html =
+      QStringLiteral("<div%1><h2>%2</h2><p>%3</p>")
+          .arg(
+              last ? QString() : QStringLiteral(" style='page-break-after:always'"),
+              PrintedSheets::tr("Sheet: case %1, rater %2").arg(safe(sheet.caseLabel), safe(sheet.raterCode)),
+              PrintedSheets::tr("%1. Mark one box in each row. Do not write any name on this sheet.")
+                  .arg(centre.toHtmlEscaped()));
   for (const RubricLine& row : sheet.rubric.rows) {
     html += criterion(safe(row.label), row.scale, row.anchors);
   }
   html += criterion(PrintedSheets::tr("Overall mark"), sheet.rubric.overall, {});
-  html += QStringLiteral("<p style='margin-top:18px'>%1</p><p style='margin-top:22px'>%2</p>"
-                         "<p style='margin-top:26px'><font color='#555'>%3</font></p></div>")
-              .arg(PrintedSheets::tr("Comment: ______________________________________________________________"),
-                   PrintedSheets::tr("Date, time: __________________   Signature: ______________________________"),
-                   PrintedSheets::tr("Revision %1 of the scoring sheet. Typed in by (1) ______________ and (2) "
-                                     "______________, independently of each other.")
-                       .arg(sheet.rubric.number));
+  html +=
+      QStringLiteral(
+          "<p style='margin-top:18px'>%1</p><p style='margin-top:22px'>%2</p>"
+          "<p style='margin-top:26px'><font color='#555'>%3</font></p></div>")
+          .arg(
+              PrintedSheets::tr("Comment: ______________________________________________________________"),
+              PrintedSheets::tr("Date, time: __________________   Signature: ______________________________"),
+              PrintedSheets::tr("Revision %1 of the scoring sheet. Typed in by (1) ______________ and (2) "
+                                "______________, independently of each other.")
+                  .arg(sheet.rubric.number));
   return html;
 }
 
@@ -113,11 +120,13 @@ void print(const QString& html, const QString& title, QPageLayout::Orientation o
 void writeCallList(const std::vector<CallLine>& lines, const QString& cohort, const QString& room,
                    const std::filesystem::path& file) {
   const QString title = PrintedSheets::tr("Call list: %1").arg(cohort);
-  QString html = QStringLiteral("<h2>%1</h2><p>%2</p><table border='1' cellspacing='0' cellpadding='5' "
-                                "width='100%'><tr>")
-                     .arg(title.toHtmlEscaped(),
-                          PrintedSheets::tr("Room: %1. For the office only: raters are told the case, not this list.")
-                              .arg(room.isEmpty() ? QStringLiteral("______________") : room.toHtmlEscaped()));
+  QString html =
+      QStringLiteral(
+          "<h2>%1</h2><p>%2</p><table border='1' cellspacing='0' cellpadding='5' "
+          "width='100%'><tr>")
+          .arg(title.toHtmlEscaped(),
+               PrintedSheets::tr("Room: %1. For the office only: raters are told the case, not this list.")
+                   .arg(room.isEmpty() ? QStringLiteral("______________") : room.toHtmlEscaped()));
   for (const QString& column :
        {PrintedSheets::tr("No."), PrintedSheets::tr("Trainee"), PrintedSheets::tr("Group"),
         PrintedSheets::tr("Now at"), PrintedSheets::tr("Scoring due"), PrintedSheets::tr("Sheets missing"),

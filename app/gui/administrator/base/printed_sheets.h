@@ -23,8 +23,8 @@ struct CallLine {
 /// remarks. Throws Error{kFileUnwritable}.
 void writeCallList(const std::vector<CallLine>& lines, const QString& cohort, const QString& room,
                    const std::filesystem::path& file);
-/// PDF to print on A4, for the raters: a page a sheet with the rows, scales and anchors of the rubric; nothing
-/// says who is scored, of which group, at which stage. Throws Error{kFileUnwritable}.
+/// PDF to print on A4, for the raters: a page a sheet with the rows, scales and anchors of the rubric;
+/// nothing says who is scored, of which group, at which stage. Throws Error{kFileUnwritable}.
 void writePaperSheets(const std::vector<PaperSheet>& sheets, const QString& centre,
                       const std::filesystem::path& file);
 

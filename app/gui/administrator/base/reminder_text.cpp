@@ -20,7 +20,8 @@ struct ReminderText {
 QString caseText(const SheetAwaited& sheet, const QLocale& locale) {
   const QString label = toQString(sheet.caseLabel);
   if (sheet.live) {
-    return (sheet.late ? ReminderText::tr("case %1 (late; called %2)") : ReminderText::tr("case %1 (called %2)"))
+    return (sheet.late ? ReminderText::tr("case %1 (late; called %2)")
+                       : ReminderText::tr("case %1 (called %2)"))
         .arg(label, shownTime(sheet.calledUtc_us, locale));
   }
   if (!sheet.dueUtc_us) {

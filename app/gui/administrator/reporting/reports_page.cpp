@@ -304,9 +304,8 @@ bool ReportsPage::exportTo(ReportFormat format, const std::filesystem::path& fil
   return attempt(
       shell(),
       [&] {
-        const ReportExport done =
-            exportReport(shell().session(), request(), *inputs_, format, file, reportLanguage(), oneMore,
-                         look);
+        const ReportExport done = exportReport(shell().session(), request(), *inputs_, format, file,
+                                               reportLanguage(), oneMore, look);
         shell().notify(tr("Written: %1").arg(toQString(done.file)));
       },
       tr("Cancelled; no file was written"));

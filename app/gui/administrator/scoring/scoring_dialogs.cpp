@@ -70,7 +70,8 @@ std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<Perso
     boxes->addWidget(box);
     points.emplace_back(occasion.code, box);
   }
-  auto* limited = new QCheckBox(translated(QT_TRANSLATE_NOOP("Scoring", "To be done by the end of")), &dialog);
+  auto* limited =
+      new QCheckBox(translated(QT_TRANSLATE_NOOP("Scoring", "To be done by the end of")), &dialog);
   limited->setObjectName(QStringLiteral("limited"));
   auto* due = new QDateEdit(QDate::currentDate().addDays(kUsualDays), &dialog);
   due->setObjectName(QStringLiteral("due"));

@@ -20,8 +20,8 @@ struct RatersAsked {
   std::vector<std::string> occasionCodes{};
   std::optional<std::int64_t> dueUtc_us{};  ///< end of the chosen day; empty: no deadline
 };
-/// Who is asked, at which occasions and until when. Chosen already: those of `matrix` who have open sheets; nobody
-/// when nothing is open. Empty: given up.
+/// Who is asked, at which occasions and until when. Chosen already: those of `matrix` who have open sheets;
+/// nobody when nothing is open. Empty: given up.
 [[nodiscard]] std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<PersonRow>& raters,
                                                       const ScoringMatrix& matrix);
 

@@ -137,11 +137,8 @@ void ScoringPage::showContent() {
                {line.missing == 0 ? QStringLiteral("\u2013") : QString::number(line.missing),
                 static_cast<qlonglong>(line.missing)}}};
       for (const ScoringCell& cell : line.cells) {
-        row.cells.push_back(
-            {stateSign(cell), static_cast<int>(cell.state),
-             cell.assignmentId.empty()
-                 ? tr("not asked")
-                 : cellText(cell)});
+        row.cells.push_back({stateSign(cell), static_cast<int>(cell.state),
+                             cell.assignmentId.empty() ? tr("not asked") : cellText(cell)});
       }
       rows.push_back(std::move(row));
     }

@@ -232,7 +232,8 @@ QString RestorePage::wantedWord() const {
 }
 
 void RestorePage::nameWord() {
-  nameField(wordLabel_, tr("&Type %1 to go on").arg(wantedWord().replace(QLatin1Char('&'), QStringLiteral("&&"))));
+  nameField(wordLabel_,
+            tr("&Type %1 to go on").arg(wantedWord().replace(QLatin1Char('&'), QStringLiteral("&&"))));
 }
 
 void RestorePage::showButtons() {

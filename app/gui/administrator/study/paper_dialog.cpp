@@ -113,7 +113,7 @@ void PaperDialog::read() {
 }
 
 void PaperDialog::addField(int row, const QString& label, const std::string& code, const ScoreScale& scale,
-                         const SheetAnswer& typed, bool differs) {
+                           const SheetAnswer& typed, bool differs) {
   auto* grid = dynamic_cast<QGridLayout*>(scroll_->widget()->layout());
   const double step = 1.0 / static_cast<double>(scale.stepsPerPoint);
   const double lowest = pointsFromSteps(scale.lo, scale);
@@ -212,7 +212,8 @@ void PaperDialog::keep() {
         shell_.notify(tr("Kept. It counts once somebody else has typed the same."));
         break;
       case PaperOutcome::kDiffers:
-        shell_.notify(tr("Not alike in the rows with a sign: look at the paper again. Nothing counts so far."));
+        shell_.notify(
+            tr("Not alike in the rows with a sign: look at the paper again. Nothing counts so far."));
         break;
       case PaperOutcome::kCounts:
         shell_.notify(tr("Alike: the sheet counts now."));

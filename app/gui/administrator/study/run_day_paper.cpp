@@ -51,8 +51,9 @@ void RunDayPage::printSheets() {
       shell().notify(tr("No live sheet is missing for what is chosen."));
       return;
     }
-    const QString file = askFileToSave(this, tr("Print sheets on paper"),
-                                       tr("Sheets %1.pdf").arg(toQString(board_->cohortName)), tr("PDF (*.pdf)"));
+    const QString file =
+        askFileToSave(this, tr("Print sheets on paper"),
+                      tr("Sheets %1.pdf").arg(toQString(board_->cohortName)), tr("PDF (*.pdf)"));
     if (file.isEmpty()) {
       return;
     }
