@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>ReminderText</name>
+    <message numerus="yes">
+        <source>Copied: the sheets that %n rater(s) owe</source>
+        <translation>
+            <numerusform>Copied: the sheets that %n rater owes</numerusform>
+            <numerusform>Copied: the sheets that %n raters owe</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::AllocationPage</name>
     <message numerus="yes">
         <source>%n trainee(s) allocated</source>
@@ -119,23 +129,16 @@
     </message>
     <message numerus="yes">
         <source>Written: %n trainee(s) to call</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Written: %n trainee to call</numerusform>
+            <numerusform>Written: %n trainees to call</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Written: %n sheet(s), a page each</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Copied: the sheets that %n rater(s) owe</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Written: %n sheet, a page each</numerusform>
+            <numerusform>Written: %n sheets, a page each</numerusform>
         </translation>
     </message>
 </context>
@@ -146,13 +149,6 @@
         <translation>
             <numerusform>%n sheet asked for</numerusform>
             <numerusform>%n sheets asked for</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Copied: the sheets that %n rater(s) owe</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
         </translation>
     </message>
 </context>

@@ -511,87 +511,87 @@
     <name>PrintedSheets</name>
     <message>
         <source>or exactly: ______</source>
-        <translation type="unfinished"></translation>
+        <translation>或精确分数：______</translation>
     </message>
     <message>
         <source>cannot be assessed, because: ____________________</source>
-        <translation type="unfinished"></translation>
+        <translation>无法评分，原因：____________________</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation type="unfinished">%1 至 %2</translation>
+        <translation>%1 至 %2</translation>
     </message>
     <message>
         <source>Sheet: case %1, rater %2</source>
-        <translation type="unfinished"></translation>
+        <translation>评分表：案例 %1，评分者 %2</translation>
     </message>
     <message>
         <source>%1. Mark one box in each row. Do not write any name on this sheet.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1。每行勾选一格。请勿在本表上写任何姓名。</translation>
     </message>
     <message>
         <source>Overall mark</source>
-        <translation type="unfinished"></translation>
+        <translation>总分</translation>
     </message>
     <message>
         <source>Comment: ______________________________________________________________</source>
-        <translation type="unfinished"></translation>
+        <translation>评语：______________________________________________________________</translation>
     </message>
     <message>
         <source>Date, time: __________________   Signature: ______________________________</source>
-        <translation type="unfinished"></translation>
+        <translation>日期、时间：__________________   签名：______________________________</translation>
     </message>
     <message>
         <source>Revision %1 of the scoring sheet. Typed in by (1) ______________ and (2) ______________, independently of each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>评分表第 %1 版。由 (1) ______________ 和 (2) ______________ 各自独立录入。</translation>
     </message>
     <message>
         <source>Call list: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>呼叫名单：%1</translation>
     </message>
     <message>
         <source>Room: %1. For the office only: raters are told the case, not this list.</source>
-        <translation type="unfinished"></translation>
+        <translation>房间：%1。仅供办公室使用：评分者只知道案例编号，看不到本名单。</translation>
     </message>
     <message>
         <source>No.</source>
-        <translation type="unfinished">序号</translation>
+        <translation>序号</translation>
     </message>
     <message>
         <source>Trainee</source>
-        <translation type="unfinished">学员</translation>
+        <translation>学员</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished">组别</translation>
+        <translation>组别</translation>
     </message>
     <message>
         <source>Now at</source>
-        <translation type="unfinished">当前阶段</translation>
+        <translation>当前阶段</translation>
     </message>
     <message>
         <source>Scoring due</source>
-        <translation type="unfinished">待评分时点</translation>
+        <translation>待评分时点</translation>
     </message>
     <message>
         <source>Sheets missing</source>
-        <translation type="unfinished">缺评分表</translation>
+        <translation>缺评分表</translation>
     </message>
     <message>
         <source>Called at</source>
-        <translation type="unfinished"></translation>
+        <translation>呼叫时间</translation>
     </message>
     <message>
         <source>Left at</source>
-        <translation type="unfinished"></translation>
+        <translation>离开时间</translation>
     </message>
     <message>
         <source>Remarks</source>
-        <translation type="unfinished">评语</translation>
+        <translation>备注</translation>
     </message>
     <message>
         <source>Sheets on paper</source>
-        <translation type="unfinished"></translation>
+        <translation>纸质评分表</translation>
     </message>
 </context>
 <context>
@@ -687,27 +687,37 @@
     <name>ReminderText</name>
     <message>
         <source>case %1 (late; called %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>案例 %1（逾期；%2 呼叫）</translation>
     </message>
     <message>
         <source>case %1 (called %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>案例 %1（%2 呼叫）</translation>
     </message>
     <message>
         <source>case %1</source>
-        <translation type="unfinished">案例 %1</translation>
+        <translation>案例 %1</translation>
     </message>
     <message>
         <source>case %1 (late; was due %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>案例 %1（逾期；应于 %2 前完成）</translation>
     </message>
     <message>
         <source>case %1 (due %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>案例 %1（%2 前完成）</translation>
     </message>
     <message>
         <source>%1: please submit in Torsio: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：请在 Torsio 中提交：%2</translation>
+    </message>
+    <message>
+        <source>Nobody owes a sheet.</source>
+        <translation>没有人欠交评分表。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Copied: the sheets that %n rater(s) owe</source>
+        <translation>
+            <numerusform>已复制：%n 名评分者欠交的评分表</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -940,7 +950,7 @@
     </message>
     <message>
         <source>trained before scoring</source>
-        <translation type="unfinished"></translation>
+        <translation>评分前已训练</translation>
     </message>
 </context>
 <context>
@@ -1071,11 +1081,11 @@
     </message>
     <message>
         <source>To be done by the end of</source>
-        <translation type="unfinished"></translation>
+        <translation>须于此日结束前完成</translation>
     </message>
     <message>
         <source>Deadline</source>
-        <translation type="unfinished"></translation>
+        <translation>截止日期</translation>
     </message>
 </context>
 <context>
@@ -1787,15 +1797,15 @@
     <name>TableChoice</name>
     <message>
         <source>Table 1,234.5 with commas (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>逗号分隔表格，1,234.5 (*.csv)</translation>
     </message>
     <message>
         <source>Table 1234,5 with semicolons, for Excel in German, French ... (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>分号分隔表格，1234,5，适用于德语、法语等 Excel (*.csv)</translation>
     </message>
     <message>
         <source>Table with tabulators (*.tsv)</source>
-        <translation type="unfinished"></translation>
+        <translation>制表符分隔表格 (*.tsv)</translation>
     </message>
 </context>
 <context>
@@ -11466,147 +11476,147 @@
     </message>
     <message>
         <source>The times of training are those of the protocol, in full: one trainee an hour, six a day; every second trainee of a group takes the whole rest between the two halves.</source>
-        <translation type="unfinished"></translation>
+        <translation>训练时间完全按方案：每小时一名学员，每天六名；每组每两名学员中有一名在前后两半之间用满全部休息时间。</translation>
     </message>
     <message>
         <source>trained before scoring</source>
-        <translation type="unfinished"></translation>
+        <translation>评分前已训练</translation>
     </message>
     <message>
         <source>Program file (BLAKE2b)</source>
-        <translation type="unfinished"></translation>
+        <translation>程序文件（BLAKE2b）</translation>
     </message>
     <message>
         <source>there is no such sheet of the real arm</source>
-        <translation type="unfinished"></translation>
+        <translation>没有这样的真实手臂评分表</translation>
     </message>
     <message>
         <source>this sheet is in already, or was withdrawn</source>
-        <translation type="unfinished"></translation>
+        <translation>该评分表已提交或已撤回</translation>
     </message>
     <message>
         <source>Call the trainee on the run day first</source>
-        <translation type="unfinished"></translation>
+        <translation>请先在运行日页面呼叫该学员</translation>
     </message>
     <message>
         <source>overall mark</source>
-        <translation type="unfinished"></translation>
+        <translation>总分</translation>
     </message>
     <message>
         <source>no mark of the scale and no reason: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>既无量表内的分数，也无理由：%1</translation>
     </message>
     <message>
         <source>Type what stands on the paper; where it says nothing, say that as the reason</source>
-        <translation type="unfinished"></translation>
+        <translation>请录入纸上的内容；若纸上空白，请将此作为理由</translation>
     </message>
     <message>
         <source>%1 of %2 sheets of the occasion &quot;%3&quot; are in</source>
-        <translation type="unfinished"></translation>
+        <translation>评分时点“%3”的 %2 份评分表已收到 %1 份</translation>
     </message>
     <message>
         <source>Be scored on the real arm first, or say why the training begins nevertheless</source>
-        <translation type="unfinished"></translation>
+        <translation>请先在真实手臂上接受评分，或说明为何仍要开始训练</translation>
     </message>
     <message>
         <source>%1 points [%2; %3]</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 分 [%2; %3]</translation>
     </message>
     <message>
         <source>Question: do trainees score differently at the end (%1) who trained in different ways: %2?</source>
-        <translation type="unfinished"></translation>
+        <translation>问题：训练方式不同的学员在结束时（%1）得分是否不同：%2？</translation>
     </message>
     <message>
         <source>People: %1 trainees in %2 groups, %3 of them withdrew; %4 physicians gave %5 marks; %6 deviations from the protocol were reported.</source>
-        <translation type="unfinished"></translation>
+        <translation>人员：%1 名学员分为 %2 组，其中 %3 名退出；%4 名医师给出 %5 个分数；报告了 %6 次方案偏离。</translation>
     </message>
     <message>
         <source>Answer: none. The groups are not compared: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>答案：无。各组未作比较：%1。</translation>
     </message>
     <message>
         <source>%1: %2, %3 after Holm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2，Holm 校正后 %3</translation>
     </message>
     <message>
         <source>Answer, adjusted for the score before: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>答案（按训练前得分校正）：%1。</translation>
     </message>
     <message>
         <source>Answer: none. There is only one group.</source>
-        <translation type="unfinished"></translation>
+        <translation>答案：无。只有一个组。</translation>
     </message>
     <message>
         <source>Answer: no difference between two groups was shown. The largest, adjusted for the score before: %1, %2. %3</source>
-        <translation type="unfinished"></translation>
+        <translation>答案：未显示任何两组之间有差异。按训练前得分校正后最大的差异：%1，%2。%3</translation>
     </message>
     <message>
         <source>Every interval holds zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有区间都包含零。</translation>
     </message>
     <message>
         <source>No p value stays below %1 after Holm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Holm 校正后没有 p 值低于 %1。</translation>
     </message>
     <message>
         <source>The answer: differences between the groups with 95 % intervals</source>
-        <translation type="unfinished"></translation>
+        <translation>答案：各组之间的差异及 95 % 区间</translation>
     </message>
     <message>
         <source>Scores at the end, and who reached the standard</source>
-        <translation type="unfinished"></translation>
+        <translation>结束时的得分，以及谁达到了标准</translation>
     </message>
     <message>
         <source>mean of the trainee scores; LC-CUSUM</source>
-        <translation type="unfinished"></translation>
+        <translation>学员得分的均值；LC-CUSUM</translation>
     </message>
     <message>
         <source>Mean score [lowest; highest]</source>
-        <translation type="unfinished"></translation>
+        <translation>平均得分 [最低; 最高]</translation>
     </message>
     <message>
         <source>Adequate on the simulator</source>
-        <translation type="unfinished"></translation>
+        <translation>在模拟器上合格</translation>
     </message>
     <message>
         <source>did not train there</source>
-        <translation type="unfinished"></translation>
+        <translation>未在模拟器上训练</translation>
     </message>
     <message>
         <source>Adequate: LC-CUSUM has shown a failure rate of %1 or less; &quot;not shown&quot; is not the same as failed.</source>
-        <translation type="unfinished"></translation>
+        <translation>合格：LC-CUSUM 已显示失败率不高于 %1；“未显示”不等于不合格。</translation>
     </message>
     <message>
         <source>Signatures</source>
-        <translation type="unfinished"></translation>
+        <translation>签名</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">名称</translation>
+        <translation>姓名</translation>
     </message>
     <message>
         <source>Role</source>
-        <translation type="unfinished">角色</translation>
+        <translation>角色</translation>
     </message>
     <message>
         <source>Date</source>
-        <translation type="unfinished"></translation>
+        <translation>日期</translation>
     </message>
     <message>
         <source>Signature</source>
-        <translation type="unfinished"></translation>
+        <translation>签名</translation>
     </message>
     <message>
         <source>At a glance</source>
-        <translation type="unfinished"></translation>
+        <translation>概览</translation>
     </message>
     <message>
         <source>What this does not show: with at most %1 trainees a group only large differences can be found, and a difference that was not shown is no evidence of equality. Marks on a training arm say nothing about patients.</source>
-        <translation type="unfinished"></translation>
+        <translation>本报告不能说明的：每组最多 %1 名学员，只能发现较大的差异；未显示差异并不证明相同。训练手臂上的分数不能说明患者的情况。</translation>
     </message>
     <message>
         <source>All people and marks here are simulated: nothing may be concluded.</source>
-        <translation type="unfinished"></translation>
+        <translation>此处所有人员和分数均为模拟：不得据此得出任何结论。</translation>
     </message>
     <message>
         <source>The evaluation of the models is not shown: %1 of %2 raters who were asked have given all marks. Marks and scores appear once all have, or once the data set is frozen.</source>
@@ -16317,95 +16327,95 @@ Leave it empty to remove it.</source>
     <name>torsio::gui::PaperDialog</name>
     <message>
         <source>Marks on paper</source>
-        <translation type="unfinished"></translation>
+        <translation>纸质评分</translation>
     </message>
     <message>
         <source>Two people type each sheet, each for themselves; it counts when both are alike.</source>
-        <translation type="unfinished"></translation>
+        <translation>每份评分表由两人各自录入；两份一致时才计入。</translation>
     </message>
     <message>
         <source>C&amp;lose</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭(&amp;L)</translation>
     </message>
     <message>
         <source>Co&amp;mment on the paper</source>
-        <translation type="unfinished"></translation>
+        <translation>纸上的评语(&amp;M)</translation>
     </message>
     <message>
         <source>&amp;Keep what I typed</source>
-        <translation type="unfinished"></translation>
+        <translation>保存我录入的内容(&amp;K)</translation>
     </message>
     <message>
         <source>Case</source>
-        <translation type="unfinished">案例</translation>
+        <translation>案例</translation>
     </message>
     <message>
         <source>Rater</source>
-        <translation type="unfinished">评分者</translation>
+        <translation>评分者</translation>
     </message>
     <message>
         <source>Called</source>
-        <translation type="unfinished"></translation>
+        <translation>呼叫时间</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished">状态</translation>
+        <translation>状态</translation>
     </message>
     <message>
         <source>No live sheet is missing. Sheets appear here once their trainee was called.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有缺少的现场评分表。学员被呼叫后，其评分表会出现在这里。</translation>
     </message>
     <message>
         <source>! typed twice, not alike</source>
-        <translation type="unfinished"></translation>
+        <translation>! 已录入两次，不一致</translation>
     </message>
     <message>
         <source>◐ typed by you: somebody else has to type it, too</source>
-        <translation type="unfinished"></translation>
+        <translation>◐ 您已录入：还须由另一人录入</translation>
     </message>
     <message>
         <source>◐ typed once: type it again</source>
-        <translation type="unfinished"></translation>
+        <translation>◐ 已录入一次：请再录入一次</translation>
     </message>
     <message>
         <source>○ not typed yet</source>
-        <translation type="unfinished"></translation>
+        <translation>○ 尚未录入</translation>
     </message>
     <message>
         <source>cannot be assessed</source>
-        <translation type="unfinished"></translation>
+        <translation>无法评分</translation>
     </message>
     <message>
         <source>reason on the paper</source>
-        <translation type="unfinished"></translation>
+        <translation>纸上的理由</translation>
     </message>
     <message>
         <source>Reason: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>理由：%1</translation>
     </message>
     <message>
         <source>Choose a sheet at the left</source>
-        <translation type="unfinished"></translation>
+        <translation>请在左侧选择一份评分表</translation>
     </message>
     <message>
         <source>Case %1, rater %2</source>
-        <translation type="unfinished"></translation>
+        <translation>案例 %1，评分者 %2</translation>
     </message>
     <message>
         <source>Overall mark</source>
-        <translation type="unfinished"></translation>
+        <translation>总分</translation>
     </message>
     <message>
         <source>Kept. It counts once somebody else has typed the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存。另一人录入相同内容后即计入。</translation>
     </message>
     <message>
         <source>Not alike in the rows with a sign: look at the paper again. Nothing counts so far.</source>
-        <translation type="unfinished"></translation>
+        <translation>带标记的行不一致：请再看一遍纸质表。目前均不计入。</translation>
     </message>
     <message>
         <source>Alike: the sheet counts now.</source>
-        <translation type="unfinished"></translation>
+        <translation>一致：该评分表现已计入。</translation>
     </message>
 </context>
 <context>
@@ -17688,11 +17698,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Centre</source>
-        <translation type="unfinished">中心</translation>
+        <translation>中心</translation>
     </message>
     <message>
         <source>! This is the backup of another centre: %1. The record of %2 would be gone from here.</source>
-        <translation type="unfinished"></translation>
+        <translation>! 这是另一中心的备份：%1。%2 的记录将不再保留于此。</translation>
     </message>
 </context>
 <context>
@@ -18334,72 +18344,62 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>On &amp;paper</source>
-        <translation type="unfinished">纸质签署(&amp;P)</translation>
+        <translation>纸质(&amp;P)</translation>
     </message>
     <message>
         <source>Print the call list…</source>
-        <translation type="unfinished"></translation>
+        <translation>打印呼叫名单…</translation>
     </message>
     <message>
         <source>Print sheets for the raters…</source>
-        <translation type="unfinished"></translation>
+        <translation>打印评分者用表…</translation>
     </message>
     <message>
         <source>Of the chosen trainee; without one, of everybody whose scoring is due</source>
-        <translation type="unfinished"></translation>
+        <translation>所选学员的；未选时为所有待评分学员的</translation>
     </message>
     <message>
         <source>Type sheets in…</source>
-        <translation type="unfinished"></translation>
+        <translation>录入纸质评分表…</translation>
     </message>
     <message>
         <source>Copy who owes which sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>复制欠交名单</translation>
     </message>
     <message>
         <source>Print the call list</source>
-        <translation type="unfinished"></translation>
+        <translation>打印呼叫名单</translation>
     </message>
     <message>
         <source>Call list %1.pdf</source>
-        <translation type="unfinished"></translation>
+        <translation>呼叫名单 %1.pdf</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
-        <translation type="unfinished">PDF (*.pdf)</translation>
+        <translation>PDF (*.pdf)</translation>
     </message>
     <message numerus="yes">
         <source>Written: %n trainee(s) to call</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已写入：待呼叫学员 %n 名</numerusform>
         </translation>
     </message>
     <message>
         <source>No live sheet is missing for what is chosen.</source>
-        <translation type="unfinished"></translation>
+        <translation>所选范围内没有缺少的现场评分表。</translation>
     </message>
     <message>
         <source>Print sheets on paper</source>
-        <translation type="unfinished"></translation>
+        <translation>打印纸质评分表</translation>
     </message>
     <message>
         <source>Sheets %1.pdf</source>
-        <translation type="unfinished"></translation>
+        <translation>评分表 %1.pdf</translation>
     </message>
     <message numerus="yes">
         <source>Written: %n sheet(s), a page each</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Nobody owes a sheet.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>Copied: the sheets that %n rater(s) owe</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已写入：%n 份评分表，每份一页</numerusform>
         </translation>
     </message>
 </context>
@@ -18643,19 +18643,19 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Not scored yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未评分</translation>
     </message>
     <message>
         <source>Only %1 of %2 sheets of this occasion are in, and they cannot be made up for once the training goes on. Fetch the study team. Why does the training begin nevertheless? It is noted as a deviation.</source>
-        <translation type="unfinished"></translation>
+        <translation>该时点的 %2 份评分表只收到 %1 份，训练继续后将无法补评。请联系研究人员。为何仍要开始训练？这将记录为方案偏离。</translation>
     </message>
     <message>
         <source>Begin nevertheless</source>
-        <translation type="unfinished"></translation>
+        <translation>仍然开始</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished">上一步</translation>
+        <translation>返回</translation>
     </message>
 </context>
 <context>
@@ -18810,25 +18810,15 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>%1, due %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nobody owes a sheet.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>Copied: the sheets that %n rater(s) owe</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-        </translation>
+        <translation>%1，截止 %2</translation>
     </message>
     <message>
         <source>Copy re&amp;minders</source>
-        <translation type="unfinished"></translation>
+        <translation>复制提醒(&amp;M)</translation>
     </message>
     <message>
         <source>Whom to remind of which cases, as a text for your mail</source>
-        <translation type="unfinished"></translation>
+        <translation>需提醒哪些人提交哪些案例，可直接粘贴到邮件</translation>
     </message>
 </context>
 <context>

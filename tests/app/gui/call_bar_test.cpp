@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The office calls trainees from the board of the day.
+#include <QAction>
+#include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
+#include <QTableView>
 #include <QTest>
+#include <QTimer>
 #include <gtest/gtest.h>
 
+#include "app/gui/administrator/base/printed_sheets.h"
 #include "app/gui/administrator/study/run_day_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
@@ -15,8 +23,10 @@
 #include "app/review/case_sheet.h"
 #include "app/study/cohort_service.h"
 #include "app/study/live_call.h"
+#include "app/study/paper_sheets.h"
 #include "app/study/scoring_plan.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "sim/base/file_io.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {
@@ -25,6 +35,16 @@ namespace {
 using testing::AdministratorDesk;
 using testing::answer;
 using testing::press;
+
+int pagesOf(const std::filesystem::path& pdf) {
+  const std::string text = readFile(pdf);
+  int pages = 0;
+  for (std::size_t at = text.find("/Type /Page\n"); at != std::string::npos;
+       at = text.find("/Type /Page\n", at + 1)) {
+    ++pages;
+  }
+  return pages;
+}
 
 class CallsFromTheBoard : public ::testing::Test {
  protected:
@@ -103,6 +123,45 @@ TEST_F(CallsFromTheBoard, TheChosenTraineeIsCalledByTheButtonAndNotDueNeedsAReas
   ASSERT_EQ(calls().size(), 1U);
   EXPECT_EQ(calls()[0].occasion.code, "post");
   EXPECT_EQ(deviations(office_.centre.session(), cohort_).size(), 1U);
+}
+
+TEST_F(CallsFromTheBoard, ASheetOnPaperIsTypedInAndWaitsForASecondPerson) {
+  typeCode(QStringLiteral("t-01"));
+  QString said;
+  QTimer::singleShot(0, [&said] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    auto& table = child<DataTable>(*dialog, "cases");
+    EXPECT_EQ(table.visibleRows(), 2);
+    EXPECT_FALSE(table.asText().contains(QStringLiteral("T-01"))) << "the case, never who";
+    table.view().selectRow(0);
+    for (QDoubleSpinBox* mark : dialog->findChildren<QDoubleSpinBox*>()) {
+      EXPECT_EQ(mark->value(), mark->minimum()) << "nothing is filled in";
+      mark->setValue(7.0);
+    }
+    child<QPushButton>(*dialog, "keep").click();
+    said = table.asText();
+    dialog->reject();
+  });
+  page_->findChild<QAction*>(QStringLiteral("typeSheets"))->trigger();
+
+  EXPECT_TRUE(said.contains(QStringLiteral("typed by you: somebody else has to type it, too")))
+      << said.toStdString();
+  EXPECT_EQ(calls()[0].submitted, 0U);
+}
+
+TEST_F(CallsFromTheBoard, PrintedSheetsAndCallListsAreFilesOfPages) {
+  typeCode(QStringLiteral("t-01"));
+  const std::vector<PaperSheet> sheets = paperSheets(office_.centre.as("administrator"), cohort_, {}, "pre");
+  ASSERT_EQ(sheets.size(), 6U);
+  const std::filesystem::path folder = office_.centre.folder();
+
+  writePaperSheets(sheets, QStringLiteral("Skills lab"), folder / "sheets.pdf");
+  writeCallList({{"T-01", "G1", "virtual 0-20 min", "before", 2}}, QStringLiteral("Study"), {},
+                folder / "calls.pdf");
+
+  EXPECT_EQ(pagesOf(folder / "sheets.pdf"), 6) << "a page a sheet";
+  EXPECT_EQ(pagesOf(folder / "calls.pdf"), 1);
 }
 
 TEST_F(CallsFromTheBoard, SheetsThatComeInAreSeenWithoutATouch) {

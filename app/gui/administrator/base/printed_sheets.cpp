@@ -20,8 +20,8 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kDotsPerInch = 150;
-constexpr double kMargin_mm = 15.0;
+constexpr int kSheetDots = 150;
+constexpr double kSheetMargin_mm = 15.0;
 constexpr double kLetters_pt = 10.0;
 constexpr std::int64_t kMostBoxes = 25;
 
@@ -99,10 +99,10 @@ void print(const QString& html, const QString& title, QPageLayout::Orientation o
   out.open(QIODevice::WriteOnly);
   {
     QPdfWriter writer(&out);
-    writer.setResolution(kDotsPerInch);
+    writer.setResolution(kSheetDots);
     writer.setTitle(title);
     writer.setPageLayout(QPageLayout(QPageSize(QPageSize::A4), orientation,
-                                     QMarginsF(kMargin_mm, kMargin_mm, kMargin_mm, kMargin_mm),
+                                     QMarginsF(kSheetMargin_mm, kSheetMargin_mm, kSheetMargin_mm, kSheetMargin_mm),
                                      QPageLayout::Millimeter));
     QTextDocument document;
     QFont font = typeface();

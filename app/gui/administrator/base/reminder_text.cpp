@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/administrator/base/reminder_text.h"
 
+#include <QClipboard>
 #include <QCoreApplication>
+#include <QGuiApplication>
 #include <QStringList>
 
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/base/shell_context.h"
 
 namespace torsio::gui {
 
@@ -47,6 +50,17 @@ QString reminderText(const std::vector<Reminder>& owed, const QLocale& locale) {
     lines << ReminderText::tr("%1: please submit in Torsio: %2").arg(whom, cases.join(QStringLiteral(", ")));
   }
   return lines.join(QLatin1Char('\n'));
+}
+
+void copyReminders(ShellContext& shell, const CohortId& cohortId, const QLocale& locale) {
+  const std::vector<Reminder> owed = reminders(shell.session(), cohortId);
+  if (owed.empty()) {
+    shell.notify(ReminderText::tr("Nobody owes a sheet."));
+    return;
+  }
+  QGuiApplication::clipboard()->setText(reminderText(owed, locale));
+  shell.notify(
+      ReminderText::tr("Copied: the sheets that %n rater(s) owe", nullptr, static_cast<int>(owed.size())));
 }
 
 }  // namespace torsio::gui

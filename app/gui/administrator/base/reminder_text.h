@@ -7,10 +7,16 @@
 #include <QString>
 
 #include "app/study/reminders.h"
+#include "sim/base/ids.h"
 
 namespace torsio::gui {
 
+class ShellContext;
+
 /// Plain text to paste into messages, a rater a line: whom, which cases, since when. No trainee, no stage.
 [[nodiscard]] QString reminderText(const std::vector<Reminder>& owed, const QLocale& locale);
+
+/// Puts that text of a cohort on the clipboard and says so. GUI thread. Throws Error.
+void copyReminders(ShellContext& shell, const CohortId& cohortId, const QLocale& locale);
 
 }  // namespace torsio::gui

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/administrator/scoring/scoring_page.h"
 
-#include <QClipboard>
 #include <QComboBox>
-#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -21,7 +19,6 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/people/people_service.h"
-#include "app/study/reminders.h"
 #include "app/study/rubric_service.h"
 #include "assessment/people/person.h"
 #include "sim/base/error.h"
@@ -161,15 +158,7 @@ QString ScoringPage::cellText(const ScoringCell& cell) const {
 }
 
 void ScoringPage::copyReminders() {
-  attempt(shell(), [&] {
-    const std::vector<Reminder> owed = reminders(shell().session(), chosenId(cohort_));
-    if (owed.empty()) {
-      shell().notify(tr("Nobody owes a sheet."));
-      return;
-    }
-    QGuiApplication::clipboard()->setText(reminderText(owed, locale()));
-    shell().notify(tr("Copied: the sheets that %n rater(s) owe", nullptr, static_cast<int>(owed.size())));
-  });
+  attempt(shell(), [&] { gui::copyReminders(shell(), chosenId(cohort_), locale()); });
 }
 
 void ScoringPage::showButtons() {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The run day on paper: lists and sheets to print, reminders to copy.
-#include <QClipboard>
 #include <QComboBox>
-#include <QGuiApplication>
 #include <QLineEdit>
 
 #include "app/gui/administrator/base/administrator_parts.h"
@@ -17,7 +15,6 @@
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/study/paper_sheets.h"
-#include "app/study/reminders.h"
 
 namespace torsio::gui {
 
@@ -74,15 +71,7 @@ void RunDayPage::typeSheets() {
 }
 
 void RunDayPage::copyReminders() {
-  attempt(shell(), [&] {
-    const std::vector<Reminder> owed = reminders(shell().session(), chosenId(cohort_));
-    if (owed.empty()) {
-      shell().notify(tr("Nobody owes a sheet."));
-      return;
-    }
-    QGuiApplication::clipboard()->setText(reminderText(owed, locale()));
-    shell().notify(tr("Copied: the sheets that %n rater(s) owe", nullptr, static_cast<int>(owed.size())));
-  });
+  attempt(shell(), [&] { gui::copyReminders(shell(), chosenId(cohort_), locale()); });
 }
 
 }  // namespace torsio::gui
