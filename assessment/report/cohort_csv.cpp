@@ -5,6 +5,7 @@
 #include <string>
 
 #include "assessment/report/aggregated_inputs.h"
+#include "assessment/report/analysis_tables.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
 #include "sim/base/text_list.h"
@@ -210,19 +211,23 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, std::vect
   rows.place.section = "comparison";
   rows.place.item = "all";
   rows.place.occasion = in.occasions.back().str();
-  rows.place.flags = joinFlags(commonFlags(in), {});
-  const auto n = std::ssize(in.trainees);
+  rows.place.flags =
+      joinFlags(commonFlags(in),
+                study.asPlanned() ? std::vector<std::string>{} : std::vector<std::string>{"complete cases"});
+  const std::int64_t n = comparedTrainees(study);
   rows.add("ancova_f", study.ancova->group.f, n);
   rows.add("ancova_p", study.ancova->group.p, n);
   rows.add("ancova_slope", study.ancova->slope, n);
+  if (study.ancova->equalSlopes) {
+    rows.add("ancova_equal_slopes_p", study.ancova->equalSlopes->p, n);
+  }
   for (std::size_t g = 0; g < study.ancova->adjusted.size(); ++g) {
     rows.place.group = in.groups[g].name.str();
     rows.addInterval("adjusted_mean", study.ancova->adjusted[g].mean, study.ancova->adjusted[g].interval, n);
   }
-  const Groups& after = *study.scores.back();
+  const Groups& after = study.ends.after;
   for (const AdjustedDifference& pair : study.ancova->pairs) {
-    rows.place.group =
-        Text::verbatim("%1 - %2", in.groups[pair.first].name, in.groups[pair.second].name).str();
+    rows.place.group = pairName(in, pair.first, pair.second).str();
     rows.addInterval("adjusted_difference", pair.difference, pair.interval, n);
     rows.add("t", pair.t, n);
     rows.add("p", pair.p, n);
@@ -235,6 +240,32 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, std::vect
   if (study.course && study.course->interaction) {
     rows.add("mixed_interaction_f", study.course->interaction->f, n);
     rows.add("mixed_interaction_p", study.course->interaction->p, n);
+  }
+}
+
+/// The comparison where marks are missing: the mixed model, and how far the missing ones could move it.
+void addMixedModel(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
+  Rows rows(out);
+  rows.place.section = "comparison";
+  rows.place.item = "all";
+  rows.place.occasion = in.occasions.back().str();
+  rows.place.flags = joinFlags(commonFlags(in), {"marks missing"});
+  const std::int64_t n = comparedTrainees(study);
+  if (study.mixed) {
+    for (const MixedComparison::Pair& pair : study.mixed->pairs) {
+      rows.place.group = pairName(in, pair.first, pair.second).str();
+      rows.addInterval("mixed_model_difference", pair.difference.value, pair.difference.interval, n);
+      rows.add("mixed_model_df", pair.difference.df, n);
+      rows.add("mixed_model_p", pair.difference.p, n);
+      rows.add("mixed_model_p_holm", pair.pHolm, n);
+    }
+  }
+  for (const MissingBounds& pair : study.bounds) {
+    rows.place.group = pairName(in, pair.first, pair.second).str();
+    if (pair.worst && pair.best) {
+      rows.add("bound_worst", pair.worst->difference, n);
+      rows.add("bound_best", pair.best->difference, n);
+    }
   }
 }
 
@@ -286,6 +317,7 @@ std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
     const StudyAnalysis study = analyseStudy(in);
     addAgreement(in, study, rows);
     addComparison(in, study, rows);
+    addMixedModel(in, study, rows);
   }
   addTrials(in, rows);
   addDeviations(in, rows);
