@@ -8,6 +8,7 @@
 
 #include "app/cli/agreement_methods.h"
 #include "app/cli/json_output.h"
+#include "assessment/statistics/missing_marks.h"
 #include "assessment/statistics/reliability.h"
 
 namespace torsio::cli {
@@ -45,7 +46,25 @@ Json formsJson(const Outcome<IccResult>& icc) {
 
 Json measurementErrorJson(const Outcome<IccResult>& icc) {
   return outcomeJson(icc, [](const IccResult& result) {
-    return Json{{"agreement", result.semAgreement}, {"consistency", result.semConsistency}};
+    return Json{{"agreement", result.semAgreement},
+                {"consistency", result.semConsistency},
+                {"agreement_of_mean", result.semMean}};
+  });
+}
+
+/// Reliability by restricted maximum likelihood, which marks that are missing do not stop.
+Json reliabilityJson(const RatingGrid& grid) {
+  return outcomeJson(holedReliability(grid.ratersByTarget), [](const HoledReliability& result) {
+    return Json{{"marks", result.marks},
+                {"raters_of_mean", result.usualRaters},
+                {"variances",
+                 {{"targets", result.varianceTargets},
+                  {"raters", result.varianceRaters},
+                  {"error", result.varianceResidual}}},
+                {"one_rater", result.single},
+                {"mean", result.mean},
+                {"sem", result.semSingle},
+                {"sem_of_mean", result.semMean}};
   });
 }
 
@@ -146,6 +165,7 @@ Json intraclassJson(const RatingGrid& grid) {
                 {"error", result.varianceResidual}};
   });
   out["sem"] = measurementErrorJson(icc);
+  out["reml"] = reliabilityJson(grid);
   return out;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -23,6 +25,10 @@ using Json = nlohmann::ordered_json;
 struct CompareArguments {
   std::string file;
   std::string occasion;
+  std::string covariate;
+  std::optional<double> margin;
+  std::optional<double> lowest;
+  std::optional<double> highest;
   std::string adjust = "holm";
   std::string paired;     ///< empty: groups are compared
   std::string bootstrap;  ///< empty: none
@@ -46,9 +52,12 @@ Json groupsJson(const Study& study, const Groups& groups) {
     if (const std::optional<Text> reason = beyondArithmetic(groups[g])) {
       entry["mean"] = undefinedJson(reason->str());
       entry["sd"] = undefinedJson(reason->str());
+      entry["interval"] = undefinedJson(reason->str());
     } else {
       entry["mean"] = groups[g].empty() ? undefinedJson("nobody has a score") : Json(meanOf(groups[g]));
       entry["sd"] = numberJson(sampleDeviation(groups[g]), "fewer than two scores");
+      const std::optional<Interval> interval = meanInterval(groups[g]);
+      entry["interval"] = interval ? intervalJson(*interval) : undefinedJson("fewer than two scores");
     }
     out.push_back(std::move(entry));
   }
@@ -57,7 +66,7 @@ Json groupsJson(const Study& study, const Groups& groups) {
 
 /// What --paired prints: the same subjects at two or more occasions.
 void comparePaired(const CompareArguments& arguments) {
-  const CsvTable table = CsvTable::read(arguments.file, {"subject", "occasion", "score"}, {"group"});
+  const CsvTable table = CsvTable::read(arguments.file, {"subject", "occasion", "score"}, {"group", "rater"});
   noteIgnoredColumns(table);
   const Study study = readStudy(table);
   if (study.occasions.size() < 2) {
@@ -65,7 +74,7 @@ void comparePaired(const CompareArguments& arguments) {
                 Text::verbatim("Give the scores of at least two occasions"));
   }
   Json out{{"paired", arguments.paired}};
-  out["groups"] = pairedJson(study, kPairedTests.at(arguments.paired));
+  out["groups"] = pairedJson(study, kPairedTests.at(arguments.paired), arguments.request.seed);
   if (!arguments.bootstrap.empty()) {
     out["bootstrap"] = bootstrapJson(study.groups, gainsOf(study), arguments.request);
   }
@@ -74,20 +83,62 @@ void comparePaired(const CompareArguments& arguments) {
   printJson(out);
 }
 
+std::string occasionOr(const Study& study, const CsvTable& table, const std::string& wanted,
+                       const std::string& otherwise, const char* option) {
+  if (wanted.empty()) {
+    return otherwise;
+  }
+  if (std::find(study.occasions.begin(), study.occasions.end(), wanted) == study.occasions.end()) {
+    throw Error(ErrorCode::kBadParameter, "the table has no occasion \"" + wanted + "\"", table.name(),
+                Text::verbatim("Give one of its occasions after %1", option));
+  }
+  return wanted;
+}
+
+/// Which occasion is compared, and which one it is adjusted for; said aloud, as the wrong way round reverses
+/// it.
+CovarianceRequest covarianceRequest(const CompareArguments& arguments, const Study& study,
+                                    const CsvTable& table) {
+  CovarianceRequest request;
+  request.outcome = occasionOr(study, table, arguments.occasion, study.occasions.back(), "--occasion");
+  request.covariate = occasionOr(study, table, arguments.covariate, study.occasions.front(), "--covariate");
+  request.margin = arguments.margin;
+  if (arguments.lowest) {
+    if (!(*arguments.lowest < *arguments.highest)) {
+      throw Error(ErrorCode::kBadParameter, Text::verbatim("the lowest mark is not below the highest"),
+                  Text::verbatim("compare-groups"),
+                  Text::verbatim("Give for example --lowest 1 --highest 10"));
+    }
+    request.scale = Interval{*arguments.lowest, *arguments.highest};
+  }
+  if (!arguments.covariate.empty() && request.covariate == request.outcome) {
+    throw Error(ErrorCode::kBadParameter,
+                "the scores at \"" + request.outcome + "\" cannot adjust themselves", table.name(),
+                Text::verbatim("Give two occasions after --occasion and --covariate"));
+  }
+  if (arguments.covariate.empty() && study.occasions.size() > 1 && request.covariate != request.outcome) {
+    std::cerr << "torsio: " << table.name() << ": \"" << request.outcome << "\" is adjusted for \""
+              << request.covariate << "\", the first occasion of the file; --covariate names another\n";
+  }
+  return request;
+}
+
 void compareGroups(const CompareArguments& arguments) {
-  const CsvTable table = CsvTable::read(arguments.file, {"subject", "group", "score"}, {"occasion"});
+  const CsvTable table = CsvTable::read(arguments.file, {"subject", "group", "score"}, {"occasion", "rater"});
   noteIgnoredColumns(table);
   const Study study = readStudy(table);
-  const std::string occasion = arguments.occasion.empty() ? study.occasions.back() : arguments.occasion;
-  if (std::find(study.occasions.begin(), study.occasions.end(), occasion) == study.occasions.end()) {
-    throw Error(ErrorCode::kBadParameter, "the table has no occasion \"" + occasion + "\"", table.name(),
-                Text::verbatim("Give one of its occasions after --occasion"));
-  }
-  const Groups groups = scoresAt(study, occasion);
+  const CovarianceRequest request = covarianceRequest(arguments, study, table);
+  const Groups groups = scoresAt(study, request.outcome);
   Json out;
-  addGroupTests(out, study.groups, groups, kAdjustments.at(arguments.adjust));
+  addGroupTests(out, study.groups, groups,
+                {kAdjustments.at(arguments.adjust), arguments.margin, arguments.request.seed});
   if (study.occasions.size() > 1) {
-    out["ancova"] = ancovaJson(study);
+    const bool adjustable = request.covariate != request.outcome;
+    const std::string reason = "the occasion that is compared is the first: --covariate names another";
+    out["ancova"] = adjustable ? ancovaJson(study, request) : undefinedJson(reason);
+    if (table.has("rater")) {
+      out["mixed_model"] = adjustable ? mixedModelJson(study, request) : undefinedJson(reason);
+    }
     out["mixed_anova"] = mixedAnovaJson(study);
   }
   if (!arguments.bootstrap.empty()) {
@@ -96,7 +147,7 @@ void compareGroups(const CompareArguments& arguments) {
   out["groups"] = groupsJson(study, groups);
   if (table.has("occasion")) {
     out["occasions"] = study.occasions;
-    out["occasion"] = occasion;
+    out["occasion"] = request.outcome;
   }
   out["confidence"] = kUsualConfidence;
   printJson(out);
@@ -104,14 +155,14 @@ void compareGroups(const CompareArguments& arguments) {
 
 /// Options that would be ignored in silence.
 void requireOptionsThatCount(const CLI::App& command) {
-  for (const char* name : {"--resamples", "--seed", "--every-resample"}) {
+  for (const char* name : {"--resamples", "--every-resample"}) {
     if (command.count(name) > 0 && command.count("--bootstrap") == 0) {
       throw Error(ErrorCode::kUsage, std::string(name) + " belongs to a bootstrap",
                   Text::verbatim("compare-groups"),
                   Text::verbatim("Give --bootstrap mean or --bootstrap median too"));
     }
   }
-  for (const char* name : {"--occasion", "--adjust"}) {
+  for (const char* name : {"--occasion", "--covariate", "--margin", "--lowest", "--highest", "--adjust"}) {
     if (command.count(name) > 0 && command.count("--paired") > 0) {
       throw Error(ErrorCode::kUsage, std::string(name) + " belongs to a comparison between groups",
                   Text::verbatim("compare-groups --paired"), Text::verbatim("Leave one of the two out"));
@@ -127,7 +178,10 @@ void addResampling(CLI::App& command, CompareArguments& arguments) {
   command.add_option("--resamples", arguments.request.resamples, "Of the bootstrap")
       ->check(CLI::Range(99, 1'000'000))
       ->capture_default_str();
-  command.add_option("--seed", arguments.request.seed, "Of the bootstrap")->capture_default_str();
+  command
+      .add_option("--seed", arguments.request.seed,
+                  "Of the bootstrap, and of permutations that are too many to count")
+      ->capture_default_str();
   command.add_flag("--every-resample", arguments.request.everyResample,
                    "Every resample instead of a random choice: up to seven subjects");
 }
@@ -138,10 +192,21 @@ void addCompareGroups(CLI::App& program) {
   auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command =
       program.add_subcommand("compare-groups", "Tests and effect sizes between groups and occasions");
-  command->add_option("FILE", arguments->file, "CSV with the columns subject,group,score and maybe occasion")
+  command->add_option("FILE", arguments->file, "CSV: subject,group,score and maybe occasion,rater")
       ->required();
   command->add_option("--occasion", arguments->occasion,
                       "Occasion at which the groups are compared; default: the last of the file");
+  command->add_option("--covariate", arguments->covariate,
+                      "Occasion whose scores adjust the comparison; default: the first of the file");
+  command
+      ->add_option("--margin", arguments->margin,
+                   "Largest difference that does not matter: tests equivalence, in the unit of the scores")
+      ->check(CLI::PositiveNumber);
+  auto* lowest = command->add_option("--lowest", arguments->lowest,
+                                     "Lowest mark of the scale, for bounds on what missing marks can do");
+  auto* highest = command->add_option("--highest", arguments->highest, "Highest mark of the scale");
+  lowest->needs(highest);
+  highest->needs(lowest);
   command->add_option("--adjust", arguments->adjust, "Adjustment of p over the pairs of more than two groups")
       ->check(CLI::IsMember(kAdjustments))
       ->capture_default_str();

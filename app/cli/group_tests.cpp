@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests between groups of subjects: compare-groups without --paired.
+// Tests between groups of subjects at one occasion: compare-groups without --paired.
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -7,9 +9,7 @@
 
 #include "app/cli/comparison_methods.h"
 #include "app/cli/json_output.h"
-#include "assessment/statistics/ancova.h"
 #include "assessment/statistics/descriptive.h"
-#include "assessment/statistics/mixed_anova.h"
 #include "assessment/statistics/multiplicity.h"
 #include "assessment/statistics/rank_tests.h"
 
@@ -72,7 +72,7 @@ Json mannWhitneyJson(const Pair& pair) {
   });
 }
 
-Json permutationJson(const Pair& pair) {
+Json permutationJson(const Pair& pair, const MonteCarlo& choice) {
   std::vector<double> all(pair.x.begin(), pair.x.end());
   all.insert(all.end(), pair.y.begin(), pair.y.end());
   const auto whole = asWholeNumbers(all);
@@ -80,13 +80,14 @@ Json permutationJson(const Pair& pair) {
     return undefinedJson("the scores have more than six decimals, so they cannot be counted exactly");
   }
   const std::span<const std::int64_t> counts(*whole);
-  return outcomeJson(permutationTest(counts.first(pair.x.size()), counts.subspan(pair.x.size())),
+  return outcomeJson(permutationTest(counts.first(pair.x.size()), counts.subspan(pair.x.size()), choice),
                      [&](const PermutationTest& test) {
                        Json out = testJson(meanOf(pair.x) - meanOf(pair.y),
                                            undefinedJson("a permutation test has none"), test.p,
                                            hedgesJson(pair.x, pair.y), noInterval());
                        out["count"] = test.count;
                        out["total"] = test.total;
+                       addMonteCarlo(test.exact, test.error, choice, out);
                        return out;
                      });
 }
@@ -94,16 +95,32 @@ Json permutationJson(const Pair& pair) {
 /// The comparisons between groups at one occasion.
 class Comparison {
  public:
-  Comparison(const std::vector<std::string>& names, const Groups& groups, Adjustment adjustment)
-      : names_(names), groups_(groups), adjustment_(adjustment) {}
+  Comparison(const std::vector<std::string>& names, const Groups& groups, const GroupRequest& request)
+      : names_(names), groups_(groups), request_(request) {}
 
   void addTo(Json& out) const {
-    out["welch_t"] = pairs([](const Pair& p) { return tTestJson(welchT(p.x, p.y), p); });
+    out["welch_t"] = pairs([this](const Pair& p) {
+      const Outcome<TTest> test = welchT(p.x, p.y);
+      Json entry = tTestJson(test, p);
+      if (test && request_.margin) {
+        entry["equivalence"] = equivalenceJson(test->difference, test->error, test->df, *request_.margin);
+      }
+      return entry;
+    });
     out["student_t"] = pairs([](const Pair& p) { return tTestJson(studentT(p.x, p.y), p); });
     out["welch_anova"] = welchAnovaJson();
     out["anova"] = anovaJson();
     out["mann_whitney"] = pairs(mannWhitneyJson);
-    out["permutation"] = pairs(permutationJson);
+    double size = 0.0;
+    double count = 0.0;
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      for (std::size_t j = i + 1; j < groups_.size(); ++j) {
+        size = std::max(size, static_cast<double>(std::min(groups_[i].size(), groups_[j].size())));
+        count += 1.0;
+      }
+    }
+    const MonteCarlo choice = permutationsWithin(request_.seed, size, count);
+    out["permutation"] = pairs([&](const Pair& pair) { return permutationJson(pair, choice); });
     out["kruskal_wallis"] = kruskalWallisJson();
     out["games_howell"] = rangePairsJson(gamesHowellPairs(groups_));
     out["tukey"] = rangePairsJson(tukeyPairs(groups_));
@@ -142,12 +159,12 @@ class Comparison {
       }
     }
     const std::vector<double> holm = adjustHolm(p);
-    const std::vector<double> chosen = adjusted(adjustment_, p);
+    const std::vector<double> chosen = adjusted(request_.adjustment, p);
     std::size_t at = 0;
     for (Json& entry : list) {
       if (entry.contains("p")) {
         entry["p_holm"] = holm[at];
-        if (adjustment_ != Adjustment::kHolm) {
+        if (request_.adjustment != Adjustment::kHolm) {
           entry["p_adjusted"] = chosen[at];
         }
         ++at;
@@ -227,96 +244,37 @@ class Comparison {
 
   const std::vector<std::string>& names_;
   const Groups& groups_;
-  Adjustment adjustment_;
+  const GroupRequest& request_;
 };
-
-Json effectJson(const std::optional<AnovaEffect>& effect) {
-  if (!effect) {
-    return undefinedJson("there is only one group");
-  }
-  Json out = testJson(effect->f, {effect->df, effect->dfError}, effect->p,
-                      namedValue("generalised_eta_squared", effect->generalizedEtaSquared), noInterval());
-  out["partial_eta_squared"] = effect->partialEtaSquared;
-  if (effect->pGreenhouseGeisser) {
-    out["p_greenhouse_geisser"] = *effect->pGreenhouseGeisser;
-  }
-  if (effect->pHuynhFeldt) {
-    out["p_huynh_feldt"] = *effect->pHuynhFeldt;
-  }
-  return out;
-}
 
 }  // namespace
 
 void addGroupTests(Json& out, const std::vector<std::string>& names, const Groups& groups,
-                   Adjustment adjustment) {
-  Comparison(names, groups, adjustment).addTo(out);
+                   const GroupRequest& request) {
+  Comparison(names, groups, request).addTo(out);
 }
 
-Json ancovaJson(const Study& study) {
-  Groups before(study.groups.size());
-  Groups after(study.groups.size());
-  std::size_t left = 0;
-  for (std::size_t g = 0; g < study.groups.size(); ++g) {
-    const CompleteSubjects complete =
-        completeSubjects(study, g, {study.occasions.front(), study.occasions.back()});
-    left += complete.leftOut;
-    for (const std::vector<double>& scores : complete.scores) {
-      before[g].push_back(scores.front());
-      after[g].push_back(scores.back());
-    }
-  }
-  return outcomeJson(ancova(before, after), [&](const Ancova& result) {
-    Json out = testJson(result.group.f, {result.group.df1, result.group.df2}, result.group.p,
-                        namedValue("partial_eta_squared", result.partialEtaSquared), noInterval());
-    out["covariate"] = study.occasions.front();
-    out["outcome"] = study.occasions.back();
-    out["left_out"] = left;
-    out["slope"] = result.slope;
-    out["slope_error"] = result.slopeError;
-    out["adjusted_means"] = Json::array();
-    for (std::size_t g = 0; g < result.adjusted.size(); ++g) {
-      out["adjusted_means"].push_back({{"group", study.groups[g]},
-                                       {"mean", result.adjusted[g].mean},
-                                       {"interval", intervalJson(result.adjusted[g].interval)}});
-    }
-    out["pairs"] = Json::array();
-    for (const AdjustedDifference& pair : result.pairs) {
-      out["pairs"].push_back({{"groups", {study.groups[pair.first], study.groups[pair.second]}},
-                              {"statistic", pair.t},
-                              {"df", result.residualDf},
-                              {"p", pair.p},
-                              {"p_holm", pair.pHolm},
-                              {"difference", pair.difference},
-                              {"interval", intervalJson(pair.interval)}});
-    }
-    out["equal_slopes"] = outcomeJson(result.equalSlopes, [](const FTest& test) {
-      return Json{{"statistic", test.f}, {"df", {test.df1, test.df2}}, {"p", test.p}};
-    });
-    return out;
-  });
+MonteCarlo permutationsWithin(std::uint64_t seed, double size, double tests) {
+  constexpr double kMostDraws = 2e7;
+  constexpr double kFewest = 999.0;
+  constexpr double kMost = 99'999.0;
+  constexpr double kMostAdditions = 1e9;
+  const double each = std::max(1.0, tests);
+  MonteCarlo out;
+  out.seed = seed;
+  out.draws = static_cast<std::int64_t>(
+      std::clamp(std::floor(kMostDraws / (std::max(1.0, size) * each)), kFewest, kMost));
+  out.mostAdditions = static_cast<std::int64_t>(kMostAdditions / each);
+  return out;
 }
 
-Json mixedAnovaJson(const Study& study) {
-  std::vector<NumberTable> tables;
-  std::size_t left = 0;
-  for (std::size_t g = 0; g < study.groups.size(); ++g) {
-    const CompleteSubjects complete = completeSubjects(study, g, study.occasions);
-    left += complete.leftOut;
-    tables.emplace_back(complete.scores);
+void addMonteCarlo(bool exact, double error, const MonteCarlo& choice, Json& out) {
+  out["exact"] = exact;
+  if (!exact) {
+    out["monte_carlo_error"] = error;
+    out["draws"] = choice.draws;
+    out["seed"] = choice.seed;
   }
-  return outcomeJson(mixedAnova(tables), [&](const MixedAnova& result) {
-    Json out;
-    out["group"] = effectJson(result.group);
-    out["time"] = effectJson(result.time);
-    out["interaction"] = effectJson(result.interaction);
-    out["sphericity"] = {{"greenhouse_geisser", result.sphericity.greenhouseGeisser},
-                         {"huynh_feldt", result.sphericity.huynhFeldt},
-                         {"mauchly_w", result.sphericity.mauchlyW},
-                         {"mauchly_p", result.sphericity.mauchlyP}};
-    out["left_out"] = left;
-    return out;
-  });
 }
 
 }  // namespace torsio::cli

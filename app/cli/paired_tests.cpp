@@ -69,9 +69,9 @@ Json tJson(const PairedScores& pairs) {
   });
 }
 
-Json signedRankJson(const WholeDifferences& differences) {
+Json signedRankJson(const WholeDifferences& differences, const MonteCarlo& choice) {
   const std::vector<double> steps(differences.steps.begin(), differences.steps.end());
-  return outcomeJson(signedRank(steps), [&](const SignedRank& test) {
+  return outcomeJson(signedRank(steps, choice), [&](const SignedRank& test) {
     const double n = static_cast<double>(test.n);
     const double highest = 0.5 * n * (n + 1.0);
     Json out = testJson(test.v, undefinedJson("a rank test has none"), test.pTwoSided,
@@ -80,12 +80,13 @@ Json signedRankJson(const WholeDifferences& differences) {
     out["p_greater"] = test.pGreater;
     out["hodges_lehmann"] = test.hodgesLehmann * differences.step;
     out["zeros"] = test.zeros;
+    addMonteCarlo(test.exact, test.error, choice, out);
     return out;
   });
 }
 
-Json pairedPermutationJson(const WholeDifferences& differences) {
-  return outcomeJson(pairedPermutationTest(differences.steps), [&](const PermutationTest& test) {
+Json pairedPermutationJson(const WholeDifferences& differences, const MonteCarlo& choice) {
+  return outcomeJson(pairedPermutationTest(differences.steps, choice), [&](const PermutationTest& test) {
     double sum = 0.0;
     for (const std::int64_t step : differences.steps) {
       sum += static_cast<double>(step);
@@ -95,6 +96,7 @@ Json pairedPermutationJson(const WholeDifferences& differences) {
                         noInterval());
     out["count"] = test.count;
     out["total"] = test.total;
+    addMonteCarlo(test.exact, test.error, choice, out);
     return out;
   });
 }
@@ -118,7 +120,7 @@ Json friedmanJson(const std::vector<std::vector<double>>& scores, const std::vec
 }
 
 Json testOf(PairedTest test, const std::vector<std::vector<double>>& scores,
-            const std::vector<std::string>& occasions) {
+            const std::vector<std::string>& occasions, const MonteCarlo& choice) {
   if (test == PairedTest::kFriedman) {
     return friedmanJson(scores, occasions);
   }
@@ -133,7 +135,8 @@ Json testOf(PairedTest test, const std::vector<std::vector<double>>& scores,
   if (differences->steps.empty()) {
     return undefinedJson("nobody has a score at both occasions");
   }
-  return test == PairedTest::kSignedRank ? signedRankJson(*differences) : pairedPermutationJson(*differences);
+  return test == PairedTest::kSignedRank ? signedRankJson(*differences, choice)
+                                         : pairedPermutationJson(*differences, choice);
 }
 
 Json correlationJson(const PairedScores& pairs) {
@@ -176,15 +179,19 @@ Json bootstrapOf(const std::vector<double>& values, const BootstrapRequest& requ
 
 }  // namespace
 
-Json pairedJson(const Study& study, PairedTest test) {
+Json pairedJson(const Study& study, PairedTest test, std::uint64_t seed) {
   const bool all = test == PairedTest::kFriedman;
   const std::vector<std::string> occasions =
       all ? study.occasions : std::vector<std::string>{study.occasions.front(), study.occasions.back()};
   Json list = Json::array();
   for (std::size_t g = 0; g < study.groups.size(); ++g) {
     const CompleteSubjects complete = completeSubjects(study, g, occasions);
-    Json entry{{"group", study.groups[g]}, {"n", complete.scores.size()}, {"left_out", complete.leftOut}};
-    entry["test"] = testOf(test, complete.scores, occasions);
+    Json entry{
+        {"group", study.groups[g]}, {"n", complete.scores.size()}, {"left_out", complete.leftOut.size()}};
+    entry["left_out_subjects"] = complete.leftOut;
+    const double size = static_cast<double>(complete.scores.size());
+    const MonteCarlo choice = permutationsWithin(seed, size, static_cast<double>(study.groups.size()));
+    entry["test"] = testOf(test, complete.scores, occasions, choice);
     entry["correlation"] = correlationJson(firstAndLast(complete.scores));
     list.push_back(std::move(entry));
   }

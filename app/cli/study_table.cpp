@@ -1,62 +1,80 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/study_table.h"
 
-#include <algorithm>
 #include <utility>
+
+#include "app/cli/name_places.h"
 
 namespace torsio::cli {
 
 namespace {
 
-template <class Items, class Same>
-std::size_t place(Items& items, const Same& same, typename Items::value_type item) {
-  const auto found = std::find_if(items.begin(), items.end(), same);
-  if (found != items.end()) {
-    return static_cast<std::size_t>(found - items.begin());
-  }
-  items.push_back(std::move(item));
-  return items.size() - 1;
-}
-
-std::size_t placeName(std::vector<std::string>& names, const std::string& name) {
-  return place(
-      names, [&](const std::string& other) { return other == name; }, name);
-}
-
 std::string textOr(const CsvTable& table, std::size_t row, const char* column, const char* otherwise) {
   return table.has(column) ? table.text(row, column) : otherwise;
+}
+
+/// Refuses a score that was given already.
+void refuseSecond(const CsvTable& table, std::size_t row, std::size_t firstRow) {
+  const bool rated = table.has("rater");
+  std::string what = "subject \"" + table.text(row, "subject") + "\" has a second score";
+  if (table.has("occasion")) {
+    what += " at occasion \"" + table.text(row, "occasion") + "\"";
+  }
+  if (rated) {
+    what += " by rater \"" + table.text(row, "rater") + "\"";
+  }
+  table.refuse(row, what + ", first in " + table.where(firstRow),
+               rated
+                   ? Text::verbatim("Keep one score for each subject, occasion and rater")
+                   : Text::verbatim("Give one score for each subject and occasion, or the raters in a column "
+                                    "\"rater\""));
 }
 
 }  // namespace
 
 Study readStudy(const CsvTable& table) {
+  const bool rated = table.has("rater");
+  NamePlaces groups;
+  NamePlaces occasions;
+  NamePlaces raters;
+  NamePlaces subjects;
   Study study;
-  std::map<std::pair<std::string, std::string>, std::size_t> rowOf;
+  std::map<std::pair<std::size_t, std::string>, std::map<std::size_t, std::size_t>> rowOf;  // last: by rater
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const std::string& name = table.text(row, "subject");
     const std::string occasion = textOr(table, row, "occasion", "only");
-    const std::size_t group = placeName(study.groups, textOr(table, row, "group", "all"));
-    placeName(study.occasions, occasion);
-    const auto [first, isNew] = rowOf.emplace(std::pair{name, occasion}, row);
-    if (!isNew) {
-      table.refuse(
-          row,
-          "subject \"" + name + "\" has a second score" +
-              (table.has("occasion") ? " at occasion \"" + occasion + "\"" : "") + ", first in " +
-              table.where(first->second),
-          Text::verbatim("Average marks over the raters first: one score for each subject and occasion"));
+    const std::size_t group = groups(textOr(table, row, "group", "all"));
+    occasions(occasion);
+    const std::size_t rater = rated ? raters(table.text(row, "rater")) : 0;
+    const std::size_t s = subjects(name);
+    if (s == study.subjects.size()) {
+      study.subjects.push_back({.name = name, .group = group, .row = row});
     }
-    const std::size_t s = place(
-        study.subjects, [&](const Subject& other) { return other.name == name; },
-        Subject{name, group, row, {}});
+    const auto [first, isNew] = rowOf[{s, occasion}].emplace(rater, row);
+    if (!isNew) {
+      refuseSecond(table, row, first->second);
+    }
     if (study.subjects[s].group != group) {
       table.refuse(row,
-                   "subject \"" + name + "\" is in group \"" + study.groups[group] +
+                   "subject \"" + name + "\" is in group \"" + groups.names()[group] +
                        "\", but in another in " + table.where(study.subjects[s].row),
                    Text::verbatim("A subject belongs to one group"));
     }
-    if (const auto score = table.numberIfGiven(row, "score")) {
-      study.subjects[s].scores[occasion] = *score;
+  }
+  study.groups = groups.names();
+  study.occasions = occasions.names();
+  study.raters = raters.names();
+  for (const auto& [at, rows] : rowOf) {
+    std::vector<std::optional<double>> marks(rated ? study.raters.size() : 1);
+    for (const auto& [rater, row] : rows) {
+      marks[rater] = table.numberIfGiven(row, "score");
+    }
+    Subject& subject = study.subjects[at.first];
+    if (const std::optional<double> score = meanMark(marks)) {
+      subject.scores[at.second] = *score;
+    }
+    if (rated) {
+      subject.marks[at.second] = std::move(marks);
     }
   }
   return study;
@@ -88,8 +106,23 @@ CompleteSubjects completeSubjects(const Study& study, std::size_t group,
     if (row.size() == occasions.size()) {
       out.scores.push_back(std::move(row));
     } else {
-      ++out.leftOut;
+      out.leftOut.push_back(subject.name);
     }
+  }
+  return out;
+}
+
+std::vector<MarkedTrainee> markedSubjects(const Study& study, const std::string& before,
+                                          const std::string& after) {
+  const std::vector<std::optional<double>> none(study.raters.size());
+  const auto at = [&](const Subject& subject, const std::string& occasion) {
+    const auto found = subject.marks.find(occasion);
+    return found == subject.marks.end() ? none : found->second;
+  };
+  std::vector<MarkedTrainee> out;
+  out.reserve(study.subjects.size());
+  for (const Subject& subject : study.subjects) {
+    out.push_back({subject.group, at(subject, before), at(subject, after)});
   }
   return out;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "assessment/report/aggregated_inputs.h"
+#include "assessment/report/analysis_tables.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
 #include "assessment/report/shown_inputs.h"
@@ -212,19 +213,23 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, std::vect
   rows.place.section = "comparison";
   rows.place.item = "all";
   rows.place.occasion = in.occasions.back().str();
-  rows.place.flags = joinFlags(commonFlags(in), {});
-  const auto n = std::ssize(in.trainees);
+  rows.place.flags =
+      joinFlags(commonFlags(in),
+                study.asPlanned() ? std::vector<std::string>{} : std::vector<std::string>{"complete cases"});
+  const std::int64_t n = comparedTrainees(study);
   rows.add("ancova_f", study.ancova->group.f, n);
   rows.add("ancova_p", study.ancova->group.p, n);
   rows.add("ancova_slope", study.ancova->slope, n);
+  if (study.ancova->equalSlopes) {
+    rows.add("ancova_equal_slopes_p", study.ancova->equalSlopes->p, n);
+  }
   for (std::size_t g = 0; g < study.ancova->adjusted.size(); ++g) {
     rows.place.group = in.groups[g].name.str();
     rows.addInterval("adjusted_mean", study.ancova->adjusted[g].mean, study.ancova->adjusted[g].interval, n);
   }
-  const Groups& after = *study.scores.back();
+  const Groups& after = study.ends.after;
   for (const AdjustedDifference& pair : study.ancova->pairs) {
-    rows.place.group =
-        Text::verbatim("%1 - %2", in.groups[pair.first].name, in.groups[pair.second].name).str();
+    rows.place.group = pairName(in, pair.first, pair.second).str();
     rows.addInterval("adjusted_difference", pair.difference, pair.interval, n);
     rows.add("t", pair.t, n);
     rows.add("p", pair.p, n);
@@ -260,6 +265,32 @@ void addCompetence(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
     rows.add("false_pass", one.falsePass, one.withinAttempts);
     rows.add("false_fail", one.falseFail, one.withinAttempts);
     rows.add("design_version", static_cast<double>(one.designVersion), one.attempts);
+  }
+}
+
+/// The comparison where marks are missing: the mixed model, and how far the missing ones could move it.
+void addMixedModel(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
+  Rows rows(out);
+  rows.place.section = "comparison";
+  rows.place.item = "all";
+  rows.place.occasion = in.occasions.back().str();
+  rows.place.flags = joinFlags(commonFlags(in), {"marks missing"});
+  const std::int64_t n = comparedTrainees(study);
+  if (study.mixed) {
+    for (const MixedComparison::Pair& pair : study.mixed->pairs) {
+      rows.place.group = pairName(in, pair.first, pair.second).str();
+      rows.addInterval("mixed_model_difference", pair.difference.value, pair.difference.interval, n);
+      rows.add("mixed_model_df", pair.difference.df, n);
+      rows.add("mixed_model_p", pair.difference.p, n);
+      rows.add("mixed_model_p_holm", pair.pHolm, n);
+    }
+  }
+  for (const MissingBounds& pair : study.bounds) {
+    rows.place.group = pairName(in, pair.first, pair.second).str();
+    if (pair.worst && pair.best) {
+      rows.add("bound_worst", pair.worst->difference, n);
+      rows.add("bound_best", pair.best->difference, n);
+    }
   }
 }
 
@@ -313,6 +344,7 @@ std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
     const StudyAnalysis study = analyseStudy(in);
     addAgreement(in, study, rows);
     addComparison(in, study, rows);
+    addMixedModel(in, study, rows);
   }
   addTrials(in, rows);
   addCompetence(in, rows);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 
 #include "assessment/report/number_format.h"
 #include "assessment/report/record_sentences.h"
@@ -83,14 +84,12 @@ ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study) 
 std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const StudyAnalysis& study) {
   ReportFigure figure = individualItem<ReportFigure>(
       in, "figure-bland-altman", Text::tr("Each mark against the other raters, last occasion"),
-      Text::tr("Bland and Altman, each rater against the mean of the others"));
+      Text::tr("each mark against the mean of the others, limits for repeated measures"));
   figure.kind = FigureKind::kScatter;
   figure.xLabel = Text::tr("mean of own mark and the others' mean (points)");
   figure.yLabel = Text::tr("own minus others' mean");
   FigureSeries series;
   series.name = Text::tr("one mark");
-  std::vector<double> own;
-  std::vector<double> panel;
   for (const std::vector<std::optional<double>>& row : study.occasions.back().marks) {
     for (std::size_t r = 0; r < row.size(); ++r) {
       if (!row[r]) {
@@ -100,25 +99,29 @@ std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Stud
       if (!others) {
         continue;
       }
-      own.push_back(*row[r]);
-      panel.push_back(*others);
-      series.x.push_back(0.5 * (own.back() + panel.back()));
-      series.y.emplace_back(own.back() - panel.back());
+      series.x.push_back(0.5 * (*row[r] + *others));
+      series.y.emplace_back(*row[r] - *others);
     }
   }
-  const Outcome<BlandAltmanResult> limits = blandAltman(own, panel);
-  if (!limits) {
+  const Outcome<HoledReliability>& variances = study.occasions.back().reliability;
+  if (!variances || variances->usualRaters < 2) {
     return std::nullopt;
   }
+  // A trainee has several of these differences, so that they are not independent: the limits come from the
+  // variances of raters and rest, for one more rater against the mean of the usual number of others.
+  const double others = static_cast<double>(variances->usualRaters) - 1.0;
+  const double reach = kAgreementLimit * std::sqrt((variances->varianceRaters + variances->varianceResidual) *
+                                                   (1.0 + 1.0 / others));
   figure.series = {series};
-  figure.references = {{limits->meanDifference, Text::tr("mean")},
-                       {limits->limits.lower, Text::tr("lower limit")},
-                       {limits->limits.upper, Text::tr("upper limit")}};
-  figure.provenance.n = limits->n > 0 ? static_cast<std::int64_t>(limits->n) : 0;
+  figure.references = {
+      {0.0, Text::tr("as the others")}, {-reach, Text::tr("lower limit")}, {reach, Text::tr("upper limit")}};
+  figure.provenance.n = std::ssize(series.x);
   figure.provenance.missing = study.occasions.back().missing;
   figure.notes = {
-      Text::tr("Limits: mean difference plus and minus 1.96 standard deviations, %1 to %2 points.",
-               formatFixed(limits->limits.lower, 2), formatFixed(limits->limits.upper, 2))};
+      Text::tr("Limits for repeated measures: plus and minus 1.96 standard deviations of one rater's mark "
+               "about the mean "
+               "of %1 others, %2 points, from the variances of raters and rest over all trainees.",
+               variances->usualRaters - 1, formatFixed(reach, 2))};
   return figure;
 }
 
@@ -131,7 +134,7 @@ ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study) {
   for (const RaterSeverity& rater : study.severity) {
     const auto at = static_cast<std::size_t>(
         std::lower_bound(study.raters.begin(), study.raters.end(), rater.rater) - study.raters.begin());
-    Text limits = Text::tr("marks are missing");
+    Text limits = Text::tr("too few trainees with every mark");
     if (at < study.againstPanel.size()) {
       limits = study.againstPanel[at]
                    ? Text::tr("%1 to %2", formatFixed(study.againstPanel[at]->limits.lower, kRaterDecimals),

@@ -15,9 +15,12 @@ std::string withInterval(double value, const std::optional<Interval>& interval) 
   if (!interval) {
     return formatFixed(value, kLabelDecimals);
   }
-  return filledIn("%1 [%2, %3]",
-                  {formatFixed(value, kLabelDecimals), formatFixed(interval->lower, kLabelDecimals),
-                   formatFixed(interval->upper, kLabelDecimals)});
+  return filledIn("%1 %2", {formatFixed(value, kLabelDecimals), intervalText(*interval)});
+}
+
+std::string intervalText(const Interval& interval) {
+  return filledIn("[%1, %2]",
+                  {formatFixed(interval.lower, kLabelDecimals), formatFixed(interval.upper, kLabelDecimals)});
 }
 
 Text notDefined(const Text& reason) {

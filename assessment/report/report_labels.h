@@ -13,6 +13,8 @@ namespace torsio {
 /// Formats a value with its interval, "1.234 [1.000, 1.500]", three decimals; the value alone without an
 /// interval.
 [[nodiscard]] std::string withInterval(double value, const std::optional<Interval>& interval);
+/// Formats an interval alone, "[1.000, 1.500]", three decimals.
+[[nodiscard]] std::string intervalText(const Interval& interval);
 /// Says why a statistic is missing: "not defined: every rating is the same". `reason` is that of an
 /// Outcome.
 [[nodiscard]] Text notDefined(const Text& reason);

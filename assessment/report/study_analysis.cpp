@@ -38,20 +38,26 @@ void gatherMarks(const CohortInputs& in, StudyAnalysis& out) {
   }
 }
 
-std::optional<NumberTable> complete(const OccasionMarks& occasion) {
-  if (occasion.missing > 0 || occasion.marks.empty()) {
-    return std::nullopt;
-  }
-  NumberTable table(occasion.marks.size(), occasion.marks.front().size());
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    for (std::size_t r = 0; r < table.columns(); ++r) {
-      table.at(i, r) = *occasion.marks[i][r];
+/// The trainees whom every rater scored; `only`: those of one group.
+NumberTable complete(const OccasionMarks& occasion, const std::vector<std::size_t>& groupOf,
+                     std::optional<std::size_t> only = std::nullopt) {
+  std::vector<std::vector<double>> rows;
+  for (std::size_t i = 0; i < occasion.marks.size(); ++i) {
+    const std::vector<std::optional<double>>& marks = occasion.marks[i];
+    if ((only && groupOf[i] != *only) ||
+        !std::all_of(marks.begin(), marks.end(), [](const auto& mark) { return mark.has_value(); })) {
+      continue;
+    }
+    rows.emplace_back();
+    for (const std::optional<double>& mark : marks) {
+      rows.back().push_back(*mark);
     }
   }
-  return table;
+  return NumberTable(rows);
 }
 
-void measureAgreement(OccasionMarks& occasion) {
+void measureAgreement(const CohortInputs& in, const std::vector<std::size_t>& groupOf,
+                      OccasionMarks& occasion) {
   IncompleteRatings byRater(occasion.marks.empty() ? 0 : occasion.marks.front().size(),
                             std::vector<std::optional<double>>(occasion.marks.size()));
   for (std::size_t i = 0; i < occasion.marks.size(); ++i) {
@@ -60,10 +66,15 @@ void measureAgreement(OccasionMarks& occasion) {
       ++(occasion.marks[i][r] ? occasion.n : occasion.missing);
     }
   }
-  const std::optional<NumberTable> table = complete(occasion);
-  occasion.icc =
-      table ? intraclassCorrelation(*table) : Outcome<IccResult>::undefined(Text::tr("marks are missing"));
+  const NumberTable table = complete(occasion, groupOf);
+  occasion.completeTrainees = static_cast<std::int64_t>(table.rows());
+  occasion.icc = intraclassCorrelation(table);
   occasion.alpha = krippendorffAlpha(byRater, AlphaMetric::kInterval);
+  occasion.reliability = holedReliability(byRater);
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    const NumberTable within = complete(occasion, groupOf, g);
+    occasion.groups.push_back({g, static_cast<std::int64_t>(within.rows()), intraclassCorrelation(within)});
+  }
 }
 
 /// Differences from the mean of the other raters, averaged over a trainee's scoring points first: the trainee
@@ -101,45 +112,88 @@ std::vector<RaterSeverity> severities(const StudyAnalysis& study) {
   return out;
 }
 
-/// Scores of every scoring point by group, in the order of the trainee codes.
-std::vector<std::optional<Groups>> scoresByGroup(const CohortInputs& in) {
-  std::vector<std::size_t> members(in.groups.size(), 0);
+/// Marks at the first and the last occasion of everybody who was allocated, by code.
+struct Ends {
+  std::vector<std::string> codes;
+  std::vector<MarkedTrainee> trainees;
+};
+
+Ends endsOf(const CohortInputs& in, const StudyAnalysis& study) {
+  std::map<std::string, std::size_t> groupOf;
   for (const CohortTrainee& trainee : in.trainees) {
-    ++members[trainee.group];
+    groupOf[trainee.code] = trainee.group;
   }
-  std::vector<std::vector<std::map<std::string, double>>> found(
-      in.occasions.size(), std::vector<std::map<std::string, double>>(in.groups.size()));
-  for (const TraineeScore& score : in.scores) {
-    found[score.occasion][score.group][score.trainee] = score.score;
+  for (const TrainingMark& mark : in.trainingMarks) {
+    groupOf[mark.trainee] = mark.group;
   }
-  std::vector<std::optional<Groups>> out;
-  for (const auto& occasion : found) {
-    Groups groups;
-    bool whole = true;
-    for (std::size_t g = 0; g < occasion.size(); ++g) {
-      whole = whole && occasion[g].size() == members[g];
-      groups.emplace_back();
-      for (const auto& [code, score] : occasion[g]) {
-        groups.back().push_back(score);
-      }
-    }
-    out.push_back(whole ? std::optional<Groups>(std::move(groups)) : std::nullopt);
+  const std::vector<std::optional<double>> none(study.raters.size());
+  Ends out;
+  for (const auto& [code, group] : groupOf) {
+    const std::size_t at = rank(study.trainees, code);
+    const bool marked = at < study.trainees.size() && study.trainees[at] == code;
+    out.codes.push_back(code);
+    out.trainees.push_back({group, marked ? study.occasions.front().marks[at] : none,
+                            marked ? study.occasions.back().marks[at] : none});
   }
   return out;
 }
 
-Outcome<MixedAnova> courseOf(const std::vector<std::optional<Groups>>& scores, std::size_t groupCount) {
-  std::vector<NumberTable> groups;
-  for (std::size_t g = 0; g < groupCount; ++g) {
-    NumberTable table((*scores.front())[g].size(), scores.size());
-    for (std::size_t t = 0; t < scores.size(); ++t) {
-      for (std::size_t i = 0; i < table.rows(); ++i) {
-        table.at(i, t) = (*scores[t])[g][i];
+void compareEnds(const CohortInputs& in, StudyAnalysis& out) {
+  const Ends ends = endsOf(in, out);
+  out.ends = completeCases(ends.trainees, in.groups.size());
+  const std::vector<MissingCount> counts = missingMarks(ends.trainees);
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const bool leftOut = std::binary_search(out.ends.leftOut.begin(), out.ends.leftOut.end(), i);
+    out.endMissing += static_cast<std::int64_t>(counts[i].before + counts[i].after);
+    if (leftOut || counts[i].before + counts[i].after > 0) {
+      out.missing.push_back({ends.codes[i], ends.trainees[i].group, counts[i], leftOut});
+    }
+  }
+  out.endMarks = out.occasions.front().n + out.occasions.back().n;
+  out.ancova = ancova(out.ends.before, out.ends.after);
+  if (out.ancova && out.ancova->equalSlopes && out.ancova->equalSlopes->p < kSlopesDiffer) {
+    out.slopes = separateSlopes(out.ends.before, out.ends.after, usualBaselines(out.ends.before));
+  }
+  if (!out.asPlanned()) {
+    out.mixed = mixedComparison(ends.trainees, in.groups.size());
+    out.bounds =
+        missingBounds(ends.trainees, in.groups.size(), pointsFromSteps(in.trainingScale.lo, in.trainingScale),
+                      pointsFromSteps(in.trainingScale.hi, in.trainingScale));
+  }
+}
+
+/// The course over the occasions of the trainees with a score at each.
+void followCourse(const CohortInputs& in, StudyAnalysis& out) {
+  std::map<std::string, std::vector<std::optional<double>>> byTrainee;
+  std::map<std::string, std::size_t> groupOf;
+  for (const CohortTrainee& trainee : in.trainees) {
+    byTrainee[trainee.code].resize(in.occasions.size());
+    groupOf[trainee.code] = trainee.group;
+  }
+  for (const TraineeScore& score : in.scores) {
+    byTrainee[score.trainee].resize(in.occasions.size());
+    byTrainee[score.trainee][score.occasion] = score.score;
+    groupOf[score.trainee] = score.group;
+  }
+  std::vector<std::vector<std::vector<double>>> rows(in.groups.size());
+  for (const auto& [code, scores] : byTrainee) {
+    std::vector<double> row;
+    for (const std::optional<double>& score : scores) {
+      if (score) {
+        row.push_back(*score);
       }
     }
-    groups.push_back(std::move(table));
+    if (row.size() == in.occasions.size()) {
+      rows[groupOf[code]].push_back(std::move(row));
+    } else {
+      out.leftOutOfCourse.push_back(code);
+    }
   }
-  return mixedAnova(groups);
+  std::vector<NumberTable> groups;
+  for (const std::vector<std::vector<double>>& group : rows) {
+    groups.emplace_back(group);
+  }
+  out.course = mixedAnova(groups);
 }
 
 }  // namespace
@@ -159,34 +213,33 @@ std::optional<double> meanOfOthers(const std::vector<std::optional<double>>& mar
 StudyAnalysis analyseStudy(const CohortInputs& in) {
   StudyAnalysis out;
   gatherMarks(in, out);
+  std::vector<std::size_t> groupOf(out.trainees.size(), 0);
+  for (const TrainingMark& mark : in.trainingMarks) {
+    groupOf[rank(out.trainees, mark.trainee)] = mark.group;
+  }
   for (OccasionMarks& occasion : out.occasions) {
-    measureAgreement(occasion);
+    measureAgreement(in, groupOf, occasion);
   }
   out.severity = severities(out);
-  if (!out.occasions.empty()) {
-    if (const std::optional<NumberTable> last = complete(out.occasions.back());
-        last && last->columns() >= 2) {
-      out.againstPanel = blandAltmanAgainstPanel(*last);
-    }
-  }
-  out.scores = scoresByGroup(in);
-  const bool whole = out.scores.size() >= 2 && std::all_of(out.scores.begin(), out.scores.end(),
-                                                           [](const auto& at) { return at.has_value(); });
-  if (!whole) {
+  if (out.occasions.empty()) {
     return out;
   }
-  out.ancova = ancova(*out.scores.front(), *out.scores.back());
-  out.course = courseOf(out.scores, in.groups.size());
+  if (const NumberTable last = complete(out.occasions.back(), groupOf);
+      last.rows() >= 2 && last.columns() >= 2) {
+    out.againstPanel = blandAltmanAgainstPanel(last);
+  }
+  if (out.occasions.size() < 2) {
+    return out;
+  }
+  compareEnds(in, out);
+  followCourse(in, out);
   Groups gains;
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     const auto exact = exactGains(in.scores, 0, in.occasions.size() - 1, g);
     if (!exact) {
       return out;
     }
-    gains.emplace_back();
-    for (const std::int64_t gain : *exact) {
-      gains.back().push_back(static_cast<double>(gain));
-    }
+    gains.emplace_back(exact->begin(), exact->end());
   }
   out.wholeGains = {std::move(gains)};
   return out;

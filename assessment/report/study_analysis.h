@@ -10,11 +10,19 @@
 #include "assessment/report/cohort_report.h"
 #include "assessment/statistics/ancova.h"
 #include "assessment/statistics/categorical_agreement.h"
+#include "assessment/statistics/missing_marks.h"
 #include "assessment/statistics/mixed_anova.h"
 #include "assessment/statistics/rank_tests.h"
 #include "assessment/statistics/reliability.h"
 
 namespace torsio {
+
+/// Agreement of the raters in one group at one occasion.
+struct GroupAgreement {
+  std::size_t group = 0;
+  std::int64_t trainees = 0;  ///< with a mark of every rater
+  Outcome<IccResult> icc = Outcome<IccResult>::undefined(Text::tr("not computed"));
+};
 
 /// The marks of one occasion, trainees x raters in the order of StudyAnalysis; a mark that was not given is
 /// empty.
@@ -22,8 +30,19 @@ struct OccasionMarks {
   std::vector<std::vector<std::optional<double>>> marks;
   std::int64_t n = 0;
   std::int64_t missing = 0;
+  std::int64_t completeTrainees = 0;  ///< with a mark of every rater: what `icc` is made from
   Outcome<IccResult> icc = Outcome<IccResult>::undefined(Text::tr("not computed"));
+  std::vector<GroupAgreement> groups;
+  Outcome<HoledReliability> reliability = Outcome<HoledReliability>::undefined(Text::tr("not computed"));
   Outcome<KrippendorffResult> alpha = Outcome<KrippendorffResult>::undefined(Text::tr("not computed"));
+};
+
+/// A trainee of whom marks or scores are missing at the first or the last occasion.
+struct MissingTrainee {
+  std::string trainee;
+  std::size_t group = 0;
+  MissingCount marks;
+  bool leftOut = false;  ///< without any mark at one of the two
 };
 
 /// How far a rater scores above (positive: lenient) or below the others, over all trainees and occasions
@@ -37,16 +56,27 @@ struct RaterSeverity {
 
 /// Analysis of the training marks for the report, its figures and its table of numbers; computed once.
 struct StudyAnalysis {
-  std::vector<std::string> trainees;  ///< codes, ascending
+  std::vector<std::string> trainees;  ///< codes of those with a mark, ascending
   std::vector<std::string> raters;
   std::vector<OccasionMarks> occasions;
   std::vector<RaterSeverity> severity;                   ///< in the order of the raters
-  std::vector<Outcome<BlandAltmanResult>> againstPanel;  ///< last scoring point; empty with marks missing
-  std::vector<std::optional<Groups>> scores;             ///< by scoring point; empty when a trainee lacks one
-  Outcome<Ancova> ancova = Outcome<Ancova>::undefined(Text::tr("scores are missing at some scoring point"));
-  Outcome<MixedAnova> course =
-      Outcome<MixedAnova>::undefined(Text::tr("scores are missing at some scoring point"));
+  std::vector<Outcome<BlandAltmanResult>> againstPanel;  ///< last occasion; trainees with every rater's mark
+  CompleteCases ends;                   ///< scores before and at the end, of the trainees with both
+  std::vector<MissingTrainee> missing;  ///< by code
+  std::int64_t endMarks = 0;            ///< given at the first and the last occasion
+  std::int64_t endMissing = 0;          ///< missing there
+  Outcome<Ancova> ancova = Outcome<Ancova>::undefined(Text::tr("there are fewer than two occasions"));
+  Outcome<SeparateSlopes> slopes = Outcome<SeparateSlopes>::undefined(
+      Text::tr("the slopes do not differ"));  ///< where the test of equal slopes asks for it
+  Outcome<MixedComparison> mixed =
+      Outcome<MixedComparison>::undefined(Text::tr("no mark is missing"));  ///< where one is missing
+  std::vector<MissingBounds> bounds;                                        ///< likewise
+  Outcome<MixedAnova> course = Outcome<MixedAnova>::undefined(Text::tr("there are fewer than two occasions"));
+  std::vector<std::string> leftOutOfCourse;  ///< codes of those without a score at some occasion
   std::vector<Groups> wholeGains;  ///< one entry: exact gains by group; none when they cannot be formed
+
+  /// Whether the planned analysis, of covariance, has every mark it was planned with.
+  [[nodiscard]] bool asPlanned() const noexcept { return missing.empty(); }
 };
 
 /// Gives the mean of the marks that others than `rater` gave a trainee, points; empty: nobody else scored.

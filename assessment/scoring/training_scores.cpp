@@ -188,34 +188,25 @@ std::vector<GroupSummary> groupSummaries(const ScoreScale& scale, std::span<cons
 
 std::optional<std::vector<std::int64_t>> exactGains(std::span<const TraineeScore> scores, std::size_t from,
                                                     std::size_t to, std::size_t group) {
-  std::map<std::string, std::int64_t> before;
-  std::map<std::string, std::int64_t> after;
-  std::optional<std::int64_t> raters;
+  std::int64_t common = 1;
   for (const TraineeScore& score : scores) {
-    if (raters && *raters != score.n) {
+    common = std::lcm(common, score.n);
+    if (common > kMaxCommonRaters) {
       return std::nullopt;
     }
-    raters = score.n;
-    if (score.group != group) {
-      continue;
-    }
-    if (score.occasion == from) {
-      before[score.trainee] = score.sum_steps;
-    }
-    if (score.occasion == to) {
-      after[score.trainee] = score.sum_steps;
+  }
+  std::map<std::string, std::int64_t> before;
+  std::map<std::string, std::int64_t> after;
+  for (const TraineeScore& score : scores) {
+    if (score.group == group && (score.occasion == from || score.occasion == to)) {
+      (score.occasion == from ? before : after)[score.trainee] = score.sum_steps * (common / score.n);
     }
   }
   std::vector<std::int64_t> gains;
   for (const auto& [trainee, sum] : before) {
-    const auto at = after.find(trainee);
-    if (at == after.end()) {
-      return std::nullopt;
+    if (const auto at = after.find(trainee); at != after.end()) {
+      gains.push_back(at->second - sum);
     }
-    gains.push_back(at->second - sum);
-  }
-  if (gains.size() != after.size()) {
-    return std::nullopt;
   }
   return gains;
 }

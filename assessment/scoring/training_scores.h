@@ -62,9 +62,9 @@ struct GroupSummary {
 [[nodiscard]] std::vector<GroupSummary> groupSummaries(const ScoreScale& scale,
                                                        std::span<const TrainingMark> marks);
 
-/// Returns gains (last minus first occasion) as whole numbers that order exactly like the true differences:
-/// the difference of sums when all trainees have the same number of raters. Empty otherwise, or when an
-/// occasion is missing. Differences of doubles would break existing ties.
+/// Returns gains (occasion `to` minus `from`) of the trainees of a group with both, by code, as whole numbers
+/// that order exactly like the true differences, in every group alike: differences of doubles would break
+/// existing ties. Empty when the numbers of raters have no common multiple within a million.
 [[nodiscard]] std::optional<std::vector<std::int64_t>> exactGains(std::span<const TraineeScore> scores,
                                                                   std::size_t from, std::size_t to,
                                                                   std::size_t group);

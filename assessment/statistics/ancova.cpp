@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/statistics/ancova.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/distributions.h"
@@ -35,6 +37,36 @@ Moments momentsOf(const std::vector<double>& x, const std::vector<double>& y) {
   return m;
 }
 
+Interval around(double middle, double reach) {
+  return {middle - reach, middle + reach};
+}
+
+double quantileOf(double confidence, double df) {
+  return tQuantile(0.5 * (1.0 + confidence), df);
+}
+
+/// The level at which each of `number` intervals stands when all of them are to hold with `confidence`.
+double bonferroni(double confidence, std::size_t number) {
+  return 1.0 - (1.0 - confidence) / static_cast<double>(number);
+}
+
+/// Why scores cannot be compared at all.
+std::optional<Text> notComparable(const Groups& before, const Groups& after) {
+  TORSIO_EXPECTS(before.size() == after.size());
+  for (const Groups* scores : {&before, &after}) {
+    if (std::optional<Text> reason = beyondArithmetic(*scores)) {
+      return reason;
+    }
+  }
+  if (before.size() < 2) {
+    return Text::tr("there are fewer than two groups");
+  }
+  if (std::any_of(before.begin(), before.end(), [](const auto& group) { return group.empty(); })) {
+    return Text::tr("a group is empty");
+  }
+  return std::nullopt;
+}
+
 Outcome<FTest> slopesTest(const std::vector<Moments>& groups, double residual, double n) {
   const double k = static_cast<double>(groups.size());
   double separate = 0.0;
@@ -55,50 +87,72 @@ Outcome<FTest> slopesTest(const std::vector<Moments>& groups, double residual, d
   return test;
 }
 
-void addPairs(const std::vector<Moments>& groups, const Moments& within, double t, Ancova& out) {
+void addHolm(std::span<const double> p, std::span<AdjustedDifference* const> pairs) {
+  const std::vector<double> adjusted = adjustHolm(p);
+  for (std::size_t i = 0; i < adjusted.size(); ++i) {
+    pairs[i]->pHolm = adjusted[i];
+  }
+}
+
+AdjustedDifference tested(std::size_t first, std::size_t second, double difference, double error, double df) {
+  AdjustedDifference out;
+  out.first = first;
+  out.second = second;
+  out.difference = difference;
+  out.error = error;
+  out.t = difference / error;
+  out.p = tTwoSided(out.t, df);
+  return out;
+}
+
+void addPairs(const std::vector<Moments>& groups, const Moments& within, double confidence, Ancova& out) {
+  const double t = quantileOf(confidence, out.residualDf);
+  const std::size_t number = groups.size() * (groups.size() - 1) / 2;
+  const double wide = quantileOf(bonferroni(confidence, number), out.residualDf);
   std::vector<double> p;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     for (std::size_t j = i + 1; j < groups.size(); ++j) {
-      AdjustedDifference pair;
-      pair.first = i;
-      pair.second = j;
-      pair.difference = out.adjusted[i].mean - out.adjusted[j].mean;
       const double shift = groups[i].meanX - groups[j].meanX;
-      pair.error = std::sqrt(out.residualVariance *
-                             (1.0 / groups[i].n + 1.0 / groups[j].n + shift * shift / within.xx));
-      pair.t = pair.difference / pair.error;
-      pair.p = tTwoSided(pair.t, out.residualDf);
-      pair.interval = {pair.difference - t * pair.error, pair.difference + t * pair.error};
+      const double error = std::sqrt(out.residualVariance *
+                                     (1.0 / groups[i].n + 1.0 / groups[j].n + shift * shift / within.xx));
+      AdjustedDifference pair =
+          tested(i, j, out.adjusted[i].mean - out.adjusted[j].mean, error, out.residualDf);
+      pair.interval = around(pair.difference, t * error);
+      pair.simultaneous = around(pair.difference, wide * error);
       p.push_back(pair.p);
       out.pairs.push_back(pair);
     }
   }
-  const std::vector<double> adjusted = adjustHolm(p);
-  for (std::size_t i = 0; i < adjusted.size(); ++i) {
-    out.pairs[i].pHolm = adjusted[i];
+  std::vector<AdjustedDifference*> pairs;
+  for (AdjustedDifference& pair : out.pairs) {
+    pairs.push_back(&pair);
+  }
+  addHolm(p, pairs);
+}
+
+void addResiduals(const Groups& before, const Groups& after, const std::vector<Moments>& groups,
+                  Ancova& out) {
+  for (std::size_t g = 0; g < before.size(); ++g) {
+    out.fitted.emplace_back();
+    out.residuals.emplace_back();
+    for (std::size_t i = 0; i < before[g].size(); ++i) {
+      out.fitted[g].push_back(groups[g].meanY + out.slope * (before[g][i] - groups[g].meanX));
+      out.residuals[g].push_back(after[g][i] - out.fitted[g][i]);
+    }
   }
 }
 
 }  // namespace
 
 Outcome<Ancova> ancova(const Groups& before, const Groups& after, double confidence) {
-  TORSIO_EXPECTS(before.size() == after.size());
-  for (const Groups* scores : {&before, &after}) {
-    if (const std::optional<Text> reason = beyondArithmetic(*scores)) {
-      return Outcome<Ancova>::undefined(*reason);
-    }
-  }
-  if (before.size() < 2) {
-    return Outcome<Ancova>::undefined(Text::tr("there are fewer than two groups"));
+  if (const std::optional<Text> reason = notComparable(before, after)) {
+    return Outcome<Ancova>::undefined(*reason);
   }
   std::vector<Moments> groups;
   Moments within;
   std::vector<double> allX;
   std::vector<double> allY;
   for (std::size_t g = 0; g < before.size(); ++g) {
-    if (before[g].empty()) {
-      return Outcome<Ancova>::undefined(Text::tr("a group is empty"));
-    }
     groups.push_back(momentsOf(before[g], after[g]));
     within.xx += groups.back().xx;
     within.xy += groups.back().xy;
@@ -129,17 +183,154 @@ Outcome<Ancova> ancova(const Groups& before, const Groups& after, double confide
   out.group.f = (withoutGroups - residual) / out.group.df1 / out.residualVariance;
   out.group.p = fUpper(std::max(0.0, out.group.f), out.group.df1, out.group.df2);
   out.partialEtaSquared = (withoutGroups - residual) / withoutGroups;
-  const double t = tQuantile(0.5 * (1.0 + confidence), out.residualDf);
+  const double t = quantileOf(confidence, out.residualDf);
   for (const Moments& m : groups) {
     AdjustedMean adjusted;
     const double shift = m.meanX - total.meanX;
     adjusted.mean = m.meanY - out.slope * shift;
     adjusted.error = std::sqrt(out.residualVariance * (1.0 / m.n + shift * shift / within.xx));
-    adjusted.interval = {adjusted.mean - t * adjusted.error, adjusted.mean + t * adjusted.error};
+    adjusted.interval = around(adjusted.mean, t * adjusted.error);
     out.adjusted.push_back(adjusted);
   }
-  addPairs(groups, within, t, out);
+  addPairs(groups, within, confidence, out);
+  addResiduals(before, after, groups, out);
   out.equalSlopes = slopesTest(groups, residual, total.n);
+  return out;
+}
+
+namespace {
+
+/// Two groups with slopes of their own: difference at x is level + slope x, with its variance likewise.
+struct TwoLines {
+  double level = 0.0;
+  double slope = 0.0;
+  double varianceConstant = 0.0;  ///< variance of the difference at x: constant + linear x + square x^2
+  double varianceLinear = 0.0;
+  double varianceSquare = 0.0;
+
+  [[nodiscard]] double at(double x) const { return level + slope * x; }
+  [[nodiscard]] double variance(double x) const {
+    return varianceConstant + x * (varianceLinear + x * varianceSquare);
+  }
+};
+
+/// Lines about `origin`, near the scores, so that no digits are lost far from 0.
+TwoLines twoLines(const Moments& a, const Moments& b, double variance, double origin) {
+  TwoLines out;
+  for (const auto& [m, sign] : {std::pair{&a, 1.0}, std::pair{&b, -1.0}}) {
+    const double slope = m->xy / m->xx;
+    const double middle = m->meanX - origin;
+    out.level += sign * (m->meanY - slope * middle);
+    out.slope += sign * slope;
+    out.varianceConstant += variance * (1.0 / m->n + middle * middle / m->xx);
+    out.varianceLinear -= 2.0 * variance * middle / m->xx;
+    out.varianceSquare += variance / m->xx;
+  }
+  return out;
+}
+
+/// Where (level + slope x)^2 > t^2 variance(x).
+SignificantRegion regionOf(const TwoLines& lines, double t, double origin) {
+  const double a = lines.slope * lines.slope - t * t * lines.varianceSquare;
+  const double b = 2.0 * lines.level * lines.slope - t * t * lines.varianceLinear;
+  const double c = lines.level * lines.level - t * t * lines.varianceConstant;
+  const double discriminant = b * b - 4.0 * a * c;
+  SignificantRegion out;
+  if (discriminant <= 0.0 || a == 0.0) {
+    out.everywhere = a > 0.0 && discriminant < 0.0;
+    return out;
+  }
+  const double far = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+  const double one = far / a;
+  const double other = c / far;
+  const Interval roots{origin + std::min(one, other), origin + std::max(one, other)};
+  (a > 0.0 ? out.outside : out.inside) = roots;
+  return out;
+}
+
+}  // namespace
+
+Outcome<SeparateSlopes> separateSlopes(const Groups& before, const Groups& after,
+                                       std::span<const double> baselines, double confidence) {
+  using Undefined = Outcome<SeparateSlopes>;
+  if (const std::optional<Text> reason = notComparable(before, after)) {
+    return Undefined::undefined(*reason);
+  }
+  SeparateSlopes out;
+  out.baselines.assign(baselines.begin(), baselines.end());
+  std::vector<Moments> groups;
+  double residual = 0.0;
+  double total = 0.0;
+  for (std::size_t g = 0; g < before.size(); ++g) {
+    const Moments m = momentsOf(before[g], after[g]);
+    if (m.xx == 0.0) {
+      return Undefined::undefined(Text::tr("the scores before do not vary in one group"));
+    }
+    out.slopes.push_back(m.xy / m.xx);
+    residual += m.yy - m.xy * m.xy / m.xx;
+    total += m.n;
+    groups.push_back(m);
+  }
+  out.residualDf = total - 2.0 * static_cast<double>(groups.size());
+  if (out.residualDf <= 0.0 || !(residual > 0.0)) {
+    return Undefined::undefined(Text::tr("too few trainees for separate slopes"));
+  }
+  out.residualVariance = residual / out.residualDf;
+  for (const Moments& m : groups) {
+    out.slopeErrors.push_back(std::sqrt(out.residualVariance / m.xx));
+  }
+  const double t = quantileOf(confidence, out.residualDf);
+  const std::size_t number = groups.size() * (groups.size() - 1) / 2 * baselines.size();
+  const double wide = number > 0 ? quantileOf(bonferroni(confidence, number), out.residualDf) : t;
+  std::vector<double> p;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    for (std::size_t j = i + 1; j < groups.size(); ++j) {
+      const double origin = 0.5 * (groups[i].meanX + groups[j].meanX);
+      const TwoLines lines = twoLines(groups[i], groups[j], out.residualVariance, origin);
+      SlopesPair pair{i, j, {}, regionOf(lines, t, origin)};
+      for (const double x : baselines) {
+        AdjustedDifference at =
+            tested(i, j, lines.at(x - origin), std::sqrt(lines.variance(x - origin)), out.residualDf);
+        at.interval = around(at.difference, t * at.error);
+        at.simultaneous = around(at.difference, wide * at.error);
+        p.push_back(at.p);
+        pair.at.push_back(at);
+      }
+      out.pairs.push_back(std::move(pair));
+    }
+  }
+  std::vector<AdjustedDifference*> all;
+  for (SlopesPair& pair : out.pairs) {
+    for (AdjustedDifference& at : pair.at) {
+      all.push_back(&at);
+    }
+  }
+  addHolm(p, all);
+  return out;
+}
+
+std::vector<double> usualBaselines(const Groups& before) {
+  std::vector<double> all;
+  for (const std::vector<double>& group : before) {
+    all.insert(all.end(), group.begin(), group.end());
+  }
+  const double mean = meanOf(all);
+  const double deviation = *sampleDeviation(all);
+  return {mean - deviation, mean, mean + deviation};
+}
+
+Equivalence equivalence(double difference, double error, double df, double margin, double alpha) {
+  TORSIO_EXPECTS(error > 0.0 && margin > 0.0 && alpha > 0.0 && alpha < 0.5);
+  const auto upper = [df](double t) {  // P(T >= t)
+    const double half = 0.5 * tTwoSided(t, df);
+    return t > 0.0 ? half : 1.0 - half;
+  };
+  Equivalence out;
+  out.margin = margin;
+  out.pBelow = upper((difference + margin) / error);
+  out.pAbove = upper((margin - difference) / error);
+  out.p = std::max(out.pBelow, out.pAbove);
+  out.interval = around(difference, tQuantile(1.0 - alpha, df) * error);
   return out;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "assessment/statistics/mean_tests.h"
@@ -23,7 +25,8 @@ struct AdjustedDifference {
   double t = 0.0;
   double p = 0.0;
   double pHolm = 0.0;
-  Interval interval;  ///< not adjusted for the number of pairs
+  Interval interval;      ///< not adjusted for the number of pairs
+  Interval simultaneous;  ///< Bonferroni over the pairs: all hold together with the confidence or more
 };
 
 /// Analysis of covariance: score after on score before and group, one pooled slope. The primary analysis of
@@ -38,6 +41,8 @@ struct Ancova {
   std::vector<AdjustedDifference> pairs;  ///< (0,1), (0,2), ..., (1,2)
   Outcome<FTest> equalSlopes = Outcome<FTest>::undefined(Text::tr("not computed"));
   double partialEtaSquared = 0.0;
+  Groups fitted;     ///< what the model says for each trainee
+  Groups residuals;  ///< score after minus fitted
 };
 
 /// Compares groups by analysis of covariance. `before[g][i]` and `after[g][i]` belong to the same trainee;
@@ -45,5 +50,56 @@ struct Ancova {
 /// trainees, or when the scores before do not vary within groups.
 [[nodiscard]] Outcome<Ancova> ancova(const Groups& before, const Groups& after,
                                      double confidence = kUsualConfidence);
+
+/// Level of the test of equal slopes below which the analysis with separate slopes is made as well.
+inline constexpr double kSlopesDiffer = 0.05;
+
+/// Where on the scale of the scores before two groups differ (Johnson and Neyman 1936), at the confidence of
+/// the analysis, not adjusted for the number of pairs.
+struct SignificantRegion {
+  std::optional<Interval> inside;   ///< they differ between these scores
+  std::optional<Interval> outside;  ///< they differ below the lower and above the upper one
+  bool everywhere = false;          ///< at any score; none of the three: nowhere
+};
+
+/// Two groups at stated scores before.
+struct SlopesPair {
+  std::size_t first = 0;
+  std::size_t second = 0;
+  std::vector<AdjustedDifference> at;  ///< in the order of SeparateSlopes::baselines; pHolm over all of these
+  SignificantRegion region;
+};
+
+/// Analysis of covariance with a slope for each group: what a difference is then depends on the score before.
+struct SeparateSlopes {
+  std::vector<double> slopes;
+  std::vector<double> slopeErrors;
+  double residualVariance = 0.0;
+  double residualDf = 0.0;
+  std::vector<double> baselines;
+  std::vector<SlopesPair> pairs;
+};
+
+/// Compares groups at each of `baselines`, with separate slopes and one residual variance. Undefined as
+/// ancova(), and when the scores before do not vary in one group.
+[[nodiscard]] Outcome<SeparateSlopes> separateSlopes(const Groups& before, const Groups& after,
+                                                     std::span<const double> baselines,
+                                                     double confidence = kUsualConfidence);
+
+/// Returns the mean of all scores before, and one standard deviation below and above it, ascending. There are
+/// at least two scores.
+[[nodiscard]] std::vector<double> usualBaselines(const Groups& before);
+
+/// Two one-sided tests (Schuirmann 1987) that a difference lies within a margin around 0.
+struct Equivalence {
+  double margin = 0.0;
+  double pBelow = 0.0;  ///< of a difference of -margin or less
+  double pAbove = 0.0;  ///< of a difference of margin or more
+  double p = 0.0;       ///< the larger of the two: small says that the difference lies within the margin
+  Interval interval;    ///< with confidence 1 - 2 alpha; within the margin exactly where p < alpha
+};
+/// Tests a difference with its standard error and degrees of freedom. `margin` and `error` > 0.
+[[nodiscard]] Equivalence equivalence(double difference, double error, double df, double margin,
+                                      double alpha = 1.0 - kUsualConfidence);
 
 }  // namespace torsio

@@ -92,6 +92,16 @@ Outcome<TTest> pairedT(std::span<const double> x, std::span<const double> y, dou
   return finished(meanOf(differences), std::sqrt(variance / countOf(x)), countOf(x) - 1.0, confidence);
 }
 
+std::optional<Interval> meanInterval(std::span<const double> values, double confidence) {
+  const std::optional<double> deviation = sampleDeviation(values);
+  if (!deviation) {
+    return std::nullopt;
+  }
+  const double n = countOf(values);
+  const double reach = tQuantile(0.5 * (1.0 + confidence), n - 1.0) * *deviation / std::sqrt(n);
+  return Interval{meanOf(values) - reach, meanOf(values) + reach};
+}
+
 Outcome<HedgesG> hedgesG(std::span<const double> x, std::span<const double> y, double confidence) {
   if (const std::optional<Text> reason = beyondArithmetic(x, y)) {
     return Outcome<HedgesG>::undefined(*reason);

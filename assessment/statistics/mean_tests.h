@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,11 @@ struct TTest {
 /// differences that do not vary.
 [[nodiscard]] Outcome<TTest> pairedT(std::span<const double> x, std::span<const double> y,
                                      double confidence = kUsualConfidence);
+
+/// Returns the interval of one mean by Student's t; empty for fewer than two values. The values can be
+/// squared.
+[[nodiscard]] std::optional<Interval> meanInterval(std::span<const double> values,
+                                                   double confidence = kUsualConfidence);
 
 /// Standardised difference with the pooled standard deviation, corrected for small groups.
 struct HedgesG {

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "assessment/statistics/binomial_count.h"
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/distributions.h"
+#include "assessment/statistics/pair_order.h"
+#include "sim/base/random.h"
 
 namespace torsio {
 
@@ -23,7 +26,8 @@ struct SubsetSums {
   std::int64_t total = 0;
 };
 
-std::optional<SubsetSums> subsetSums(std::vector<std::int64_t> values, std::size_t size) {
+std::optional<SubsetSums> subsetSums(std::vector<std::int64_t> values, std::size_t size,
+                                     std::int64_t mostAdditions = std::numeric_limits<std::int64_t>::max()) {
   const std::optional<std::int64_t> total =
       binomialCount(static_cast<std::int64_t>(values.size()), static_cast<std::int64_t>(size));
   if (!total) {
@@ -37,7 +41,8 @@ std::optional<SubsetSums> subsetSums(std::vector<std::int64_t> values, std::size
   std::vector<std::int64_t> below(values.size() + 1, 0);  // sums of the smallest
   std::partial_sum(values.begin(), values.end(), below.begin() + 1);
   const std::int64_t largest = below.back() - below[values.size() - size];
-  if ((largest + 1) * static_cast<std::int64_t>(size + 1) > kTableLimit) {
+  if ((largest + 1) * static_cast<std::int64_t>(size + 1) > kTableLimit ||
+      (largest + 1) * static_cast<std::int64_t>(size + 1) > mostAdditions / std::ssize(values)) {
     return std::nullopt;
   }
   const auto width = static_cast<std::size_t>(largest) + 1;
@@ -86,20 +91,26 @@ void addExactMannWhitney(const std::optional<SubsetSums>& sums, const DoubledRan
   out.pGreater = static_cast<double>(greater) / static_cast<double>(sums->total);
 }
 
+double medianDifference(std::span<const double> x, std::span<const double> y) {
+  const PairDifferences all(x, y);
+  return medianBy(all.count(), [&](std::int64_t rank) { return all.at(rank); });
+}
+
 /// Order statistics of the differences that the exact distribution of U without ties leaves uncertain.
 std::optional<Interval> shiftInterval(const std::optional<SubsetSums>& sums, const DoubledRanks& ranks,
-                                      std::size_t n1, std::size_t n2, std::vector<double> differences,
+                                      std::span<const double> x, std::span<const double> y,
                                       double confidence) {
   if (!sums || ranks.tieTerm != 0) {
     return std::nullopt;
   }
   const double tail = 0.5 * (1.0 - confidence);
   // Without ties the doubled rank sums are even and U = (sum - smallest) / 2.
-  const auto smallest = static_cast<std::int64_t>(n1 * (n1 + 1));
+  const auto smallest = static_cast<std::int64_t>(x.size() * (x.size() + 1));
   double below = 0.0;
-  std::size_t c = 0;
-  for (; c <= n1 * n2; ++c) {
-    const std::int64_t sum = smallest + 2 * static_cast<std::int64_t>(c) - sums->offset;
+  std::int64_t c = 0;
+  const PairDifferences all(x, y);
+  for (; c <= all.count(); ++c) {
+    const std::int64_t sum = smallest + 2 * c - sums->offset;
     below +=
         static_cast<double>(sums->counts[static_cast<std::size_t>(sum)]) / static_cast<double>(sums->total);
     if (below > tail) {
@@ -109,8 +120,7 @@ std::optional<Interval> shiftInterval(const std::optional<SubsetSums>& sums, con
   if (c == 0) {
     return std::nullopt;
   }
-  std::sort(differences.begin(), differences.end());
-  return Interval{differences[c - 1], differences[differences.size() - c]};
+  return Interval{all.at(c - 1), all.at(all.count() - c)};
 }
 
 }  // namespace
@@ -148,26 +158,73 @@ Outcome<MannWhitney> mannWhitney(std::span<const double> x, std::span<const doub
   out.pCorrected = std::min(1.0, normalTwoSided(out.zCorrected));
   const std::optional<SubsetSums> sums = subsetSums(ranks.ranks, x.size());
   addExactMannWhitney(sums, ranks, x.size(), doubledSum, out);
-  std::vector<double> differences;
-  for (const double a : x) {
-    for (const double b : y) {
-      differences.push_back(a - b);
-    }
-  }
-  out.hodgesLehmann = medianOf(differences);
-  out.hodgesLehmannInterval = shiftInterval(sums, ranks, x.size(), y.size(), differences, confidence);
+  out.hodgesLehmann = medianDifference(x, y);
+  out.hodgesLehmannInterval = shiftInterval(sums, ranks, x, y, confidence);
   return out;
 }
 
-Outcome<PermutationTest> permutationTest(std::span<const std::int64_t> x, std::span<const std::int64_t> y) {
+namespace {
+
+/// A p value of random arrangements: the one observed counts among them, so that it is never 0.
+void setRandom(std::int64_t count, std::int64_t draws, PermutationTest& out) {
+  out.exact = false;
+  out.count = count;
+  out.total = draws;
+  out.p = static_cast<double>(count + 1) / static_cast<double>(draws + 1);
+  out.error = std::sqrt(out.p * (1.0 - out.p) / static_cast<double>(draws + 1));
+}
+
+/// Draws `size` of the values at a time, with sums above those of the smallest value.
+Outcome<PermutationTest> randomSplits(std::vector<std::int64_t> values, std::size_t first,
+                                      const MonteCarlo& choice) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const std::int64_t low = *least;
+  const double n = static_cast<double>(values.size());
+  constexpr double kLargest = 9e18;
+  if ((static_cast<double>(*most) - static_cast<double>(low)) * n * n > kLargest) {
+    return Outcome<PermutationTest>::undefined(Text::tr("the numbers are too large to add up exactly"));
+  }
+  for (std::int64_t& value : values) {
+    value -= low;
+  }
+  const std::int64_t total = std::accumulate(values.begin(), values.end(), std::int64_t{0});
+  std::int64_t sum =
+      std::accumulate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(first), std::int64_t{0});
+  const std::size_t size = std::min(first, values.size() - first);
+  if (size != first) {
+    sum = total - sum;
+  }
+  const auto distanceOf = [&](std::int64_t of) {
+    return std::abs(std::ssize(values) * of - static_cast<std::int64_t>(size) * total);
+  };
+  const std::int64_t observed = distanceOf(sum);
+  Random random(choice.seed);
+  std::int64_t count = 0;
+  for (std::int64_t draw = 0; draw < choice.draws; ++draw) {
+    std::int64_t drawn = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      std::swap(values[i], values[i + random.bounded(values.size() - i)]);
+      drawn += values[i];
+    }
+    count += distanceOf(drawn) >= observed ? 1 : 0;
+  }
+  PermutationTest out;
+  setRandom(count, choice.draws, out);
+  return out;
+}
+
+}  // namespace
+
+Outcome<PermutationTest> permutationTest(std::span<const std::int64_t> x, std::span<const std::int64_t> y,
+                                         const MonteCarlo& otherwise) {
   if (x.empty() || y.empty()) {
     return Outcome<PermutationTest>::undefined(Text::tr("a group is empty"));
   }
   std::vector<std::int64_t> all(x.begin(), x.end());
   all.insert(all.end(), y.begin(), y.end());
-  const std::optional<SubsetSums> sums = subsetSums(all, x.size());
+  const std::optional<SubsetSums> sums = subsetSums(all, x.size(), otherwise.mostAdditions);
   if (!sums) {
-    return Outcome<PermutationTest>::undefined(Text::tr("there are too many arrangements to count"));
+    return randomSplits(std::move(all), x.size(), otherwise);
   }
   const std::int64_t total = std::accumulate(all.begin(), all.end(), std::int64_t{0});
   const auto n = static_cast<std::int64_t>(all.size());
@@ -204,25 +261,66 @@ std::optional<std::vector<std::int64_t>> signSums(const std::vector<std::int64_t
   return counts;
 }
 
+/// How often random signs bring the sum of the positive ones as far from its middle as `doubled` (twice that
+/// sum less all) lies, and how often to `positive` or more.
+struct RandomSigns {
+  std::int64_t two = 0;
+  std::int64_t greater = 0;
+};
+
+RandomSigns randomSigns(const std::vector<std::int64_t>& magnitudes, std::int64_t positive,
+                        const MonteCarlo& choice) {
+  const std::int64_t total = std::accumulate(magnitudes.begin(), magnitudes.end(), std::int64_t{0});
+  const std::int64_t observed = std::abs(2 * positive - total);
+  Random random(choice.seed);
+  RandomSigns out;
+  constexpr int kBits = 64;
+  for (std::int64_t draw = 0; draw < choice.draws; ++draw) {
+    std::int64_t sum = 0;
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < magnitudes.size(); ++i) {
+      bits = i % kBits == 0 ? random.next() : bits >> 1U;
+      sum += -static_cast<std::int64_t>(bits & 1U) & magnitudes[i];
+    }
+    out.two += std::abs(2 * sum - total) >= observed ? 1 : 0;
+    out.greater += sum >= positive ? 1 : 0;
+  }
+  return out;
+}
+
+/// Whether twice the sum of magnitudes is a whole number that the machine knows.
+bool canBeAdded(const std::vector<std::int64_t>& magnitudes) {
+  constexpr double kLargest = 4e18;
+  return std::accumulate(magnitudes.begin(), magnitudes.end(), 0.0,
+                         [](double sum, std::int64_t m) { return sum + static_cast<double>(m); }) < kLargest;
+}
+
 }  // namespace
 
-Outcome<PermutationTest> pairedPermutationTest(std::span<const std::int64_t> differences) {
+Outcome<PermutationTest> pairedPermutationTest(std::span<const std::int64_t> differences,
+                                               const MonteCarlo& otherwise) {
   if (differences.empty()) {
     return Outcome<PermutationTest>::undefined(Text::tr("there are no pairs"));
   }
   std::vector<std::int64_t> magnitudes;
-  std::int64_t positive = 0;
   for (const std::int64_t d : differences) {
     magnitudes.push_back(std::abs(d));
+  }
+  if (!canBeAdded(magnitudes)) {
+    return Outcome<PermutationTest>::undefined(Text::tr("the numbers are too large to add up exactly"));
+  }
+  std::int64_t positive = 0;
+  for (const std::int64_t d : differences) {
     positive += std::max<std::int64_t>(d, 0);
   }
   const std::optional<std::vector<std::int64_t>> counts = signSums(magnitudes);
+  PermutationTest out;
   if (!counts) {
-    return Outcome<PermutationTest>::undefined(Text::tr("there are too many sign changes to count"));
+    setRandom(randomSigns(magnitudes, positive, otherwise).two, otherwise.draws, out);
+    return out;
   }
   const auto total = static_cast<std::int64_t>(counts->size()) - 1;
   const std::int64_t observed = std::abs(2 * positive - total);
-  PermutationTest out;
   out.total = std::int64_t{1} << differences.size();
   for (std::size_t sum = 0; sum < counts->size(); ++sum) {
     if (std::abs(2 * static_cast<std::int64_t>(sum) - total) >= observed) {
@@ -233,7 +331,42 @@ Outcome<PermutationTest> pairedPermutationTest(std::span<const std::int64_t> dif
   return out;
 }
 
-Outcome<SignedRank> signedRank(std::span<const double> differences) {
+namespace {
+
+void setSignedRankP(const std::vector<std::int64_t>& ranks, std::int64_t doubledV,
+                    const MonteCarlo& otherwise, SignedRank& out) {
+  const std::optional<std::vector<std::int64_t>> counts = signSums(ranks);
+  if (!counts) {
+    const RandomSigns random = randomSigns(ranks, doubledV, otherwise);
+    PermutationTest test;
+    setRandom(random.greater, otherwise.draws, test);
+    out.pGreater = test.p;
+    setRandom(random.two, otherwise.draws, test);
+    out.pTwoSided = test.p;
+    out.error = test.error;
+    out.exact = false;
+    return;
+  }
+  const auto total = static_cast<std::int64_t>(counts->size()) - 1;
+  const std::int64_t observed = std::abs(2 * doubledV - total);
+  std::int64_t two = 0;
+  std::int64_t greater = 0;
+  for (std::size_t sum = 0; sum < counts->size(); ++sum) {
+    if (std::abs(2 * static_cast<std::int64_t>(sum) - total) >= observed) {
+      two += (*counts)[sum];
+    }
+    if (static_cast<std::int64_t>(sum) >= doubledV) {
+      greater += (*counts)[sum];
+    }
+  }
+  const double choices = std::ldexp(1.0, static_cast<int>(ranks.size()));
+  out.pTwoSided = static_cast<double>(two) / choices;
+  out.pGreater = static_cast<double>(greater) / choices;
+}
+
+}  // namespace
+
+Outcome<SignedRank> signedRank(std::span<const double> differences, const MonteCarlo& otherwise) {
   if (const std::optional<Text> reason = beyondArithmetic(differences)) {
     return Outcome<SignedRank>::undefined(*reason);
   }
@@ -253,10 +386,6 @@ Outcome<SignedRank> signedRank(std::span<const double> differences) {
     return Outcome<SignedRank>::undefined(Text::tr("every difference is zero"));
   }
   const DoubledRanks ranks = doubledRanks(magnitudes);
-  const std::optional<std::vector<std::int64_t>> counts = signSums(ranks.ranks);
-  if (!counts) {
-    return Outcome<SignedRank>::undefined(Text::tr("there are too many differences to count"));
-  }
   std::int64_t doubledV = 0;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (kept[i] > 0.0) {
@@ -264,28 +393,8 @@ Outcome<SignedRank> signedRank(std::span<const double> differences) {
     }
   }
   out.v = 0.5 * static_cast<double>(doubledV);
-  const auto total = static_cast<std::int64_t>(counts->size()) - 1;
-  const std::int64_t observed = std::abs(2 * doubledV - total);
-  std::int64_t two = 0;
-  std::int64_t greater = 0;
-  for (std::size_t sum = 0; sum < counts->size(); ++sum) {
-    if (std::abs(2 * static_cast<std::int64_t>(sum) - total) >= observed) {
-      two += (*counts)[sum];
-    }
-    if (static_cast<std::int64_t>(sum) >= doubledV) {
-      greater += (*counts)[sum];
-    }
-  }
-  const double choices = std::ldexp(1.0, static_cast<int>(kept.size()));
-  out.pTwoSided = static_cast<double>(two) / choices;
-  out.pGreater = static_cast<double>(greater) / choices;
-  std::vector<double> means;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    for (std::size_t j = i; j < kept.size(); ++j) {
-      means.push_back(0.5 * (kept[i] + kept[j]));
-    }
-  }
-  out.hodgesLehmann = medianOf(means);
+  setSignedRankP(ranks.ranks, doubledV, otherwise, out);
+  out.hodgesLehmann = medianOfPairMeans(kept);
   return out;
 }
 

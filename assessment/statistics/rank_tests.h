@@ -38,17 +38,29 @@ struct MannWhitney {
 [[nodiscard]] Outcome<MannWhitney> mannWhitney(std::span<const double> x, std::span<const double> y,
                                                double confidence = kUsualConfidence);
 
+/// Random arrangements in place of all where these are too many to count.
+struct MonteCarlo {
+  std::uint64_t seed = 1;
+  std::int64_t draws = 99'999;
+  std::int64_t mostAdditions = 2'000'000'000;  ///< that counting may take; more: random ones
+};
+
 struct PermutationTest {
   std::int64_t count = 0;  ///< arrangements at least as extreme, both sides
   std::int64_t total = 0;
-  double p = 0.0;
+  double p = 0.0;      ///< count / total; of random arrangements (count + 1) / (total + 1)
+  bool exact = true;   ///< every arrangement was counted; else `total` random ones
+  double error = 0.0;  ///< standard error of p by the random choice; 0 where exact
 };
 /// Tests the difference of means of whole numbers over all arrangements, by dynamic programming; never a
-/// difference of doubles. Undefined when the sums are too large or the arrangements too many to count.
+/// difference of doubles. Where the arrangements are too many to count, random ones stand for them. Undefined
+/// for an empty group and when the sums are too large.
 [[nodiscard]] Outcome<PermutationTest> permutationTest(std::span<const std::int64_t> x,
-                                                       std::span<const std::int64_t> y);
-/// Tests paired differences over all changes of sign.
-[[nodiscard]] Outcome<PermutationTest> pairedPermutationTest(std::span<const std::int64_t> differences);
+                                                       std::span<const std::int64_t> y,
+                                                       const MonteCarlo& otherwise = {});
+/// Tests paired differences over all changes of sign, likewise.
+[[nodiscard]] Outcome<PermutationTest> pairedPermutationTest(std::span<const std::int64_t> differences,
+                                                             const MonteCarlo& otherwise = {});
 
 struct SignedRank {
   double v = 0.0;         ///< sum of the ranks of positive differences
@@ -56,11 +68,15 @@ struct SignedRank {
   std::size_t zeros = 0;  ///< left out (Wilcoxon)
   double pTwoSided = 0.0;
   double pGreater = 0.0;
+  bool exact = true;           ///< every change of sign was counted; else random ones
+  double error = 0.0;          ///< standard error of pTwoSided by the random choice; 0 where exact
   double hodgesLehmann = 0.0;  ///< median of the pairwise means of differences
 };
-/// Tests paired differences by Wilcoxon's signed ranks, exact also with ties. `differences` must be free of
-/// rounding noise. Undefined when all are zero or n > 60.
-[[nodiscard]] Outcome<SignedRank> signedRank(std::span<const double> differences);
+/// Tests paired differences by Wilcoxon's signed ranks, exact also with ties; where the changes of sign are
+/// too many to count, random ones stand for them. `differences` must be free of rounding noise. Undefined
+/// when all are zero.
+[[nodiscard]] Outcome<SignedRank> signedRank(std::span<const double> differences,
+                                             const MonteCarlo& otherwise = {});
 
 struct DunnPair {
   std::size_t first = 0;

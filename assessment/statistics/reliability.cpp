@@ -172,6 +172,7 @@ Outcome<IccResult> intraclassCorrelation(const NumberTable& ratings, double conf
   out.varianceResidual = out.ems;
   out.semConsistency = std::sqrt(out.ems);
   out.semAgreement = std::sqrt(std::max(0.0, out.varianceRaters) + out.ems);
+  out.semMean = out.semAgreement / std::sqrt(ss.k);
   return out;
 }
 

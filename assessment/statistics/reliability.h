@@ -41,6 +41,7 @@ struct IccResult {
   double varianceResidual = 0.0;
   double semConsistency = 0.0;  ///< sqrt(EMS), in score points
   double semAgreement = 0.0;    ///< sqrt(rater variance + EMS); negative rater variance counts as 0
+  double semMean = 0.0;         ///< semAgreement / sqrt(k): of the mean over the raters
 };
 
 /// Computes the six intraclass correlations. `ratings`: targets x raters, complete. Raters that differ by

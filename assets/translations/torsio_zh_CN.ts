@@ -6223,10 +6223,6 @@
         <translation>整行偏浅或偏深，说明该评分者较严或较宽。空格表示未给出评分。</translation>
     </message>
     <message>
-        <source>A second look beside the analysis of covariance, which is the primary one. Gains are ranked as whole numbers.</source>
-        <translation>作为主要分析（协方差分析）之外的补充分析。提高值按整数排秩。</translation>
-    </message>
-    <message>
         <source>Agreement and comparisons</source>
         <translation>一致性与组间比较</translation>
     </message>
@@ -6261,10 +6257,6 @@
     <message>
         <source>Bland and Altman against the mean of the others, last occasion</source>
         <translation>末次评分时点，与其余评分者均值的 Bland-Altman 分析</translation>
-    </message>
-    <message>
-        <source>Bland and Altman, each rater against the mean of the others</source>
-        <translation>Bland-Altman 分析，各评分者与其余评分者均值比较</translation>
     </message>
     <message>
         <source>Block sizes</source>
@@ -6415,10 +6407,6 @@
         <translation>方案偏离明细</translation>
     </message>
     <message>
-        <source>Difference [95 %]</source>
-        <translation>差值 [95 %]</translation>
-    </message>
-    <message>
         <source>Difference of mean ranks</source>
         <translation>平均秩次之差</translation>
     </message>
@@ -6507,10 +6495,6 @@
         <translation>模型评价</translation>
     </message>
     <message>
-        <source>First group minus second group. An interval that crosses zero leaves the direction open.</source>
-        <translation>前一组减后一组。区间跨过零时，差异方向尚不能确定。</translation>
-    </message>
-    <message>
         <source>Flags</source>
         <translation>标志</translation>
     </message>
@@ -6571,10 +6555,6 @@
         <translation>组数</translation>
     </message>
     <message>
-        <source>Groups are not compared: scores are missing at some occasion.</source>
-        <translation>未作组间比较：某些评分时点缺少得分。</translation>
-    </message>
-    <message>
         <source>Hash of the source</source>
         <translation>来源的哈希</translation>
     </message>
@@ -6585,10 +6565,6 @@
     <message>
         <source>Hedges g [95 %]</source>
         <translation>Hedges g [95 %]</translation>
-    </message>
-    <message>
-        <source>Hedges g of the end scores [95 %]</source>
-        <translation>结束时得分的 Hedges g [95 %]</translation>
     </message>
     <message>
         <source>Hedges g, interval from the noncentral t distribution</source>
@@ -6665,10 +6641,6 @@
     <message>
         <source>Limits of agreement, last occasion</source>
         <translation>一致性界限（末次评分时点）</translation>
-    </message>
-    <message>
-        <source>Limits: mean difference plus and minus 1.96 standard deviations, %1 to %2 points.</source>
-        <translation>界限：平均差 ± 1.96 个标准差，%1 至 %2 分。</translation>
     </message>
     <message>
         <source>List its levels.</source>
@@ -6967,10 +6939,6 @@
         <translation>M 的标准误</translation>
     </message>
     <message>
-        <source>SEM (points)</source>
-        <translation>SEM（分）</translation>
-    </message>
-    <message>
         <source>Sample variance</source>
         <translation>样本方差</translation>
     </message>
@@ -7053,14 +7021,6 @@
     <message>
         <source>Test of equal slopes not defined: %1.</source>
         <translation>斜率相等检验无定义：%1。</translation>
-    </message>
-    <message>
-        <source>Test of equal slopes: %1.</source>
-        <translation>斜率相等检验：%1。</translation>
-    </message>
-    <message>
-        <source>The analysis of covariance is the primary comparison; the others are given beside it. The trainee is the unit of analysis. p values are adjusted by Holm&apos;s method where it is said.</source>
-        <translation>协方差分析为主要比较，其余分析为补充。以学员为分析单位。注明之处的 p 值经 Holm 法校正。</translation>
     </message>
     <message>
         <source>The evaluation of the models is left out: a class has fewer than %1 raters.</source>
@@ -7491,10 +7451,6 @@
         <translation>评分（分）</translation>
     </message>
     <message>
-        <source>marks are missing</source>
-        <translation>评分有缺失</translation>
-    </message>
-    <message>
         <source>marks as submitted</source>
         <translation>提交的评分</translation>
     </message>
@@ -7913,18 +7869,6 @@
     <message>
         <source>there are too few trainees for the number of occasions</source>
         <translation>相对于评分时点数学员过少</translation>
-    </message>
-    <message>
-        <source>there are too many arrangements to count</source>
-        <translation>排列过多，无法计数</translation>
-    </message>
-    <message>
-        <source>there are too many differences to count</source>
-        <translation>差值过多，无法计数</translation>
-    </message>
-    <message>
-        <source>there are too many sign changes to count</source>
-        <translation>符号变化过多，无法计数</translation>
     </message>
     <message>
         <source>there is no residual variation</source>
@@ -8697,10 +8641,6 @@
     <message>
         <source>Cohort report</source>
         <translation>批次报告</translation>
-    </message>
-    <message>
-        <source>scores are missing at some scoring point</source>
-        <translation>某个评分时点缺少得分</translation>
     </message>
     <message>
         <source>no start converges</source>
@@ -11621,6 +11561,350 @@
     <message>
         <source>The evaluation of the models is not shown: %1 of %2 raters who were asked have given all marks. Marks and scores appear once all have, or once the data set is frozen.</source>
         <translation>模型评价未显示：被要求评分的 %2 名评分者中有 %1 名已给出全部评分。全部给出或数据集冻结之后，才显示评分和得分。</translation>
+    </message>
+    <message>
+        <source>SEM of one rater (points)</source>
+        <translation>单个评分者的测量标准误（分）</translation>
+    </message>
+    <message>
+        <source>SEM of the mean (points)</source>
+        <translation>均值的测量标准误（分）</translation>
+    </message>
+    <message>
+        <source>%1, every mark</source>
+        <translation>%1，全部评分</translation>
+    </message>
+    <message>
+        <source>Marks are missing: the first line of an occasion is made from the trainees whom every rater scored, the second from every mark, with variances by restricted maximum likelihood.</source>
+        <translation>有评分缺失：每个评分时点的第一行仅含所有评分者都评过的学员，第二行使用全部评分，方差由限制性极大似然估计。</translation>
+    </message>
+    <message>
+        <source>Agreement of the raters within each group</source>
+        <translation>各组内的评分者一致性</translation>
+    </message>
+    <message>
+        <source>Shrout and Fleiss ICC(2,1), ICC(2,k), each group alone</source>
+        <translation>Shrout-Fleiss 组内相关系数 ICC(2,1)、ICC(2,k)，逐组计算</translation>
+    </message>
+    <message>
+        <source>Differences between the groups make raters agree in the table above. What counts for comparing trainees of one group stands here.</source>
+        <translation>上表的一致性部分来自组间差异。比较同组学员时应看本表。</translation>
+    </message>
+    <message>
+        <source>Left out, without a score at every occasion: %1.</source>
+        <translation>未纳入（并非每个评分时点都有得分）：%1。</translation>
+    </message>
+    <message>
+        <source>%1 trainees</source>
+        <translation>%1 名学员</translation>
+    </message>
+    <message>
+        <source>A second look beside the primary comparison. Gains are ranked as whole numbers, of the trainees with a score at both occasions.</source>
+        <translation>主要比较之外的补充分析。提高值按整数排秩，只含两个评分时点都有得分的学员。</translation>
+    </message>
+    <message>
+        <source>The trainee is the unit of analysis. p values are adjusted by Holm&apos;s method where it is said.</source>
+        <translation>以学员为分析单位。注明之处，p 值按 Holm 法校正。</translation>
+    </message>
+    <message>
+        <source>Groups are not compared: there are fewer than two occasions.</source>
+        <translation>未作组间比较：评分时点少于两个。</translation>
+    </message>
+    <message>
+        <source>for a score before between %1 and %2</source>
+        <translation>训练前得分在 %1 与 %2 之间时</translation>
+    </message>
+    <message>
+        <source>for a score before below %1 or above %2</source>
+        <translation>训练前得分低于 %1 或高于 %2 时</translation>
+    </message>
+    <message>
+        <source>for every score before</source>
+        <translation>任何训练前得分</translation>
+    </message>
+    <message>
+        <source>for no score before</source>
+        <translation>没有任何训练前得分</translation>
+    </message>
+    <message>
+        <source>Test of equal slopes: %1; one slope for all groups is kept.</source>
+        <translation>斜率相等检验：%1；各组沿用同一斜率。</translation>
+    </message>
+    <message>
+        <source>Test of equal slopes: %1. The slopes differ, so that a difference depends on the score before: read the table with a slope for each group in place of this one.</source>
+        <translation>斜率相等检验：%1。各组斜率不同，差异随训练前得分而变：请改看各组斜率分开的表。</translation>
+    </message>
+    <message>
+        <source>Mean scores of the groups</source>
+        <translation>各组平均得分</translation>
+    </message>
+    <message>
+        <source>mean over trainees, Student&apos;s t</source>
+        <translation>学员均值，Student t 区间</translation>
+    </message>
+    <message>
+        <source>Mean [95 %, not adjusted]</source>
+        <translation>均值 [95 %，未校正]</translation>
+    </message>
+    <message>
+        <source>Standard deviation</source>
+        <translation>标准差</translation>
+    </message>
+    <message>
+        <source>Every trainee with a score at the occasion. Intervals of single means that overlap do not say that the means agree: look at the differences.</source>
+        <translation>包括该评分时点有得分的全部学员。单个均值的区间重叠并不说明均值相同，请看差异。</translation>
+    </message>
+    <message>
+        <source>Difference [95 %, not adjusted]</source>
+        <translation>差异 [95 %，未校正]</translation>
+    </message>
+    <message>
+        <source>[95 %, all pairs together]</source>
+        <translation>[95 %，所有配对同时成立]</translation>
+    </message>
+    <message>
+        <source>Hedges g of the end scores [95 %, not adjusted]</source>
+        <translation>结束得分的 Hedges g [95 %，未校正]</translation>
+    </message>
+    <message>
+        <source>Intervals of all pairs together are widened after Bonferroni: all of them hold at once with 95 % or more. They are wider than Holm&apos;s p values ask for.</source>
+        <translation>“所有配对同时成立”的区间按 Bonferroni 法加宽：全部同时成立的概率不低于 95 %，比 Holm 法 p 值所要求的更宽。</translation>
+    </message>
+    <message>
+        <source>Scores at the end where each group has a slope of its own</source>
+        <translation>各组斜率分开时的结束得分</translation>
+    </message>
+    <message>
+        <source>analysis of covariance, separate slopes; Johnson and Neyman</source>
+        <translation>协方差分析，斜率分开；Johnson-Neyman 法</translation>
+    </message>
+    <message>
+        <source>Score before</source>
+        <translation>训练前得分</translation>
+    </message>
+    <message>
+        <source>Differ (5 %)</source>
+        <translation>有差异（5 %）</translation>
+    </message>
+    <message>
+        <source>Slopes: %1. Stated scores before: the mean of all and one standard deviation to either side. p (Holm) over all rows. This analysis was not planned: the test of equal slopes asked for it.</source>
+        <translation>斜率：%1。所取训练前得分为全体均值及其上下各一个标准差。p（Holm）对所有行校正。本分析不在计划之内，由斜率相等检验引出。</translation>
+    </message>
+    <message>
+        <source>linear mixed model; analysis of covariance, one pooled slope</source>
+        <translation>线性混合模型；协方差分析，共用一个斜率</translation>
+    </message>
+    <message>
+        <source>complete cases [95 %]</source>
+        <translation>完整病例 [95 %]</translation>
+    </message>
+    <message>
+        <source>mixed model, primary [95 %]</source>
+        <translation>混合模型，主要分析 [95 %]</translation>
+    </message>
+    <message>
+        <source>First group minus second group. An interval that crosses zero leaves the direction open. Intervals are not adjusted for the number of pairs.</source>
+        <translation>第一组减第二组。跨过零的区间不能确定方向。区间未按配对数校正。</translation>
+    </message>
+    <message>
+        <source>Residuals of the analysis of covariance</source>
+        <translation>协方差分析的残差</translation>
+    </message>
+    <message>
+        <source>score at the end minus what the model says</source>
+        <translation>结束得分减模型预测值</translation>
+    </message>
+    <message>
+        <source>Residuals beside those of a normal distribution</source>
+        <translation>残差与正态分布的对照</translation>
+    </message>
+    <message>
+        <source>residuals in order against normal quantiles at (i - 0.5) / n</source>
+        <translation>按大小排列的残差与 (i - 0.5) / n 处的正态分位数</translation>
+    </message>
+    <message>
+        <source>what the model says (points)</source>
+        <translation>模型预测值（分）</translation>
+    </message>
+    <message>
+        <source>residual (points)</source>
+        <translation>残差（分）</translation>
+    </message>
+    <message>
+        <source>as the model says</source>
+        <translation>与模型一致</translation>
+    </message>
+    <message>
+        <source>normal quantile times standard deviation (points)</source>
+        <translation>正态分位数乘标准差（分）</translation>
+    </message>
+    <message>
+        <source>A fan or a bow says that spread or slope are not as the model takes them.</source>
+        <translation>若呈扇形或弓形，说明离散度或斜率与模型假设不符。</translation>
+    </message>
+    <message>
+        <source>Normal residuals lie along the diagonal. Shapiro and Wilk: W = %1, %2; for looking at, not for choosing a test.</source>
+        <translation>正态残差落在对角线上。Shapiro-Wilk：W = %1，%2；仅供查看，不用于选择检验。</translation>
+    </message>
+    <message>
+        <source>Normal residuals lie along the diagonal.</source>
+        <translation>正态残差落在对角线上。</translation>
+    </message>
+    <message>
+        <source>Planned and used: the analysis of covariance of the score at the end on the score before. No mark of the first and the last occasion is missing.</source>
+        <translation>计划与实际采用的分析：以训练前得分为协变量的结束得分协方差分析。首末两个评分时点没有评分缺失。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 marks of the first and the last occasion are missing</source>
+        <translation>首末两个评分时点的 %2 个评分中缺失 %1 个</translation>
+    </message>
+    <message>
+        <source>Planned: the analysis of covariance of the score at the end on the score before. %1, so the linear mixed model is the primary comparison here: it takes every mark at the end that was given. The planned analysis stands beside it, of the %2 trainees with a score at both occasions.</source>
+        <translation>计划的分析：以训练前得分为协变量的结束得分协方差分析。%1，因此此处以线性混合模型为主要比较，它使用结束时给出的每一个评分。计划的分析并列给出，含两个评分时点都有得分的 %2 名学员。</translation>
+    </message>
+    <message>
+        <source>Planned: the analysis of covariance of the score at the end on the score before. %1. The linear mixed model that would take every mark is not defined (%2), so the planned analysis is used, of the %3 trainees with a score at both occasions.</source>
+        <translation>计划的分析：以训练前得分为协变量的结束得分协方差分析。%1。可使用每个评分的线性混合模型无法定义（%2），因此采用计划的分析，含两个评分时点都有得分的 %3 名学员。</translation>
+    </message>
+    <message>
+        <source>Left out of both, without any mark at one of the two: %1.</source>
+        <translation>两种分析均未纳入（其中一个评分时点没有任何评分）：%1。</translation>
+    </message>
+    <message>
+        <source>Both take it that whether a mark is missing does not depend on what it would have been, once group and score before are known. The table of bounds says what the missing marks could do at worst.</source>
+        <translation>两种分析都假定：在已知组别和训练前得分时，评分是否缺失与其本来的数值无关。界限表说明缺失评分在最坏情况下的影响。</translation>
+    </message>
+    <message>
+        <source>Trainees of whom marks are missing</source>
+        <translation>有评分缺失的学员</translation>
+    </message>
+    <message>
+        <source>Marks missing before</source>
+        <translation>训练前缺失评分数</translation>
+    </message>
+    <message>
+        <source>Marks missing at the end</source>
+        <translation>结束时缺失评分数</translation>
+    </message>
+    <message>
+        <source>Compared</source>
+        <translation>参与比较</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>Missing: short of the number of marks that most trainees have at that occasion.</source>
+        <translation>缺失：少于该评分时点多数学员的评分数。</translation>
+    </message>
+    <message>
+        <source>Marks at the end, adjusted for the score before: every mark given</source>
+        <translation>结束时评分，以训练前得分校正：使用给出的每个评分</translation>
+    </message>
+    <message>
+        <source>linear mixed model, restricted maximum likelihood</source>
+        <translation>线性混合模型，限制性极大似然</translation>
+    </message>
+    <message>
+        <source>Mark at the end on group and mean mark before (fixed), trainee and rater (random, crossed); %1 marks of %2 trainees. Degrees of freedom after Satterthwaite.</source>
+        <translation>结束时评分对组别和训练前平均评分（固定效应）、学员和评分者（随机、交叉）建模；%2 名学员的 %1 个评分。自由度按 Satterthwaite 法。</translation>
+    </message>
+    <message>
+        <source>Adjusted means: %1.</source>
+        <translation>校正均值：%1。</translation>
+    </message>
+    <message>
+        <source>Variances: trainees %1, raters %2, residual %3 (points squared). Slope on the score before: %4.</source>
+        <translation>方差：学员 %1，评分者 %2，残差 %3（分的平方）。对训练前得分的斜率：%4。</translation>
+    </message>
+    <message>
+        <source>Effect of the group: F(%1, %2) = %3, %4.</source>
+        <translation>组别效应：F(%1, %2) = %3，%4。</translation>
+    </message>
+    <message>
+        <source>What the missing marks could do at worst</source>
+        <translation>缺失评分在最坏情况下的影响</translation>
+    </message>
+    <message>
+        <source>analysis of covariance, missing marks at the ends of the scale</source>
+        <translation>协方差分析，缺失评分取量表两端</translation>
+    </message>
+    <message>
+        <source>Worst for the first group [95 %]</source>
+        <translation>对第一组最不利 [95 %]</translation>
+    </message>
+    <message>
+        <source>Best for the first group [95 %]</source>
+        <translation>对第一组最有利 [95 %]</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>first is better whatever is missing</source>
+        <translation>无论缺失为何，第一组更好</translation>
+    </message>
+    <message>
+        <source>second is better whatever is missing</source>
+        <translation>无论缺失为何，第二组更好</translation>
+    </message>
+    <message>
+        <source>not decided</source>
+        <translation>未定</translation>
+    </message>
+    <message>
+        <source>Every missing mark at the end is taken as the lowest of the scale in one group and as the highest in the other. Who has no score before is given the mean of the others.</source>
+        <translation>结束时的每个缺失评分在一组取量表最低分、在另一组取最高分。没有训练前得分者取其他人的均值。</translation>
+    </message>
+    <message>
+        <source>each mark against the mean of the others, limits for repeated measures</source>
+        <translation>每个评分与其余评分者均值的比较，重复测量的界限</translation>
+    </message>
+    <message>
+        <source>Limits for repeated measures: plus and minus 1.96 standard deviations of one rater&apos;s mark about the mean of %1 others, %2 points, from the variances of raters and rest over all trainees.</source>
+        <translation>重复测量的界限：单个评分者的评分相对于另外 %1 名评分者均值的正负 1.96 个标准差，即 %2 分，由全体学员的评分者方差和残差方差得出。</translation>
+    </message>
+    <message>
+        <source>too few trainees with every mark</source>
+        <translation>评分齐全的学员太少</translation>
+    </message>
+    <message>
+        <source>the slopes do not differ</source>
+        <translation>斜率没有差异</translation>
+    </message>
+    <message>
+        <source>no mark is missing</source>
+        <translation>没有评分缺失</translation>
+    </message>
+    <message>
+        <source>there are too few marks to tell trainees, raters and error apart</source>
+        <translation>评分太少，无法区分学员、评分者与误差</translation>
+    </message>
+    <message>
+        <source>the marks leave no residual</source>
+        <translation>评分没有残差</translation>
+    </message>
+    <message>
+        <source>the marks leave no residual, or the fit does not settle</source>
+        <translation>评分没有残差，或拟合不收敛</translation>
+    </message>
+    <message>
+        <source>the marks do not tell the variances apart</source>
+        <translation>评分无法区分各方差</translation>
+    </message>
+    <message>
+        <source>there are too few degrees of freedom</source>
+        <translation>自由度太少</translation>
+    </message>
+    <message>
+        <source>the numbers are too large to add up exactly</source>
+        <translation>数值太大，无法精确相加</translation>
     </message>
 </context>
 <context>

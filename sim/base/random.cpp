@@ -10,10 +10,14 @@ namespace torsio {
 
 std::uint64_t Random::bounded(std::uint64_t n) {
   TORSIO_EXPECTS(n >= 1);
-  const std::uint64_t remainder = (0 - n) % n;  // 2^64 mod n
   std::uint64_t x = engine_();
-  // Values from 2^64 - remainder upwards would favour the small results.
-  while (remainder != 0 && x >= 0 - remainder) {
+  // Values from 2^64 - remainder upwards would favour the small results. The remainder, 2^64 mod n, is below
+  // n, so that the division is needed for the largest values only.
+  while (x >= 0 - n) {
+    const std::uint64_t remainder = (0 - n) % n;
+    if (remainder == 0 || x < 0 - remainder) {
+      break;
+    }
     x = engine_();
   }
   return x % n;

@@ -2,6 +2,8 @@
 #include "assessment/report/cohort_report.h"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -137,10 +139,14 @@ TEST(CohortReport, ComparesGroupsAndRatersWhenTheMarksAreGiven) {
   for (const ReportTable& table : section->tables) {
     ids.push_back(table.id);
   }
-  EXPECT_THAT(ids, ::testing::ElementsAre("table-agreement", "table-ancova", "table-mixed-anova",
-                                          "table-gains", "table-friedman", "table-within-groups"));
+  EXPECT_THAT(ids, ::testing::ElementsAre("table-agreement", "table-agreement-groups", "table-means",
+                                          "table-ancova", "table-mixed-anova", "table-gains",
+                                          "table-friedman", "table-within-groups"));
   EXPECT_EQ(section->tables[0].rows.size(), 3U);
-  EXPECT_EQ(section->tables[1].rows.size(), 3U);
+  EXPECT_EQ(section->tables[1].rows.size(), 9U);  // occasions x groups
+  EXPECT_EQ(section->tables[2].rows.size(), 9U);
+  EXPECT_EQ(section->tables[3].rows.size(), 3U);
+  EXPECT_THAT(section->paragraphs[1].str(), ::testing::HasSubstr("Planned and used"));
   for (const ReportTable& table : section->tables) {
     for (const std::vector<Text>& row : table.rows) {
       for (const Text& cell : row) {
@@ -317,16 +323,127 @@ TEST(CohortReport, SingleMarksAreLeftOutForWhoMayNotSeeThem) {
   }
 }
 
-TEST(CohortReport, SaysWhyAgreementIsNotDefinedWhenMarksAreMissing) {
-  CohortInputs in = demonstrationCohort();
-  in.trainingMarks.pop_back();
-  for (const ReportSection& section : cohortReport(in).sections) {
+std::string textOf(const ReportModel& report) {
+  std::string all;
+  for (const ReportSection& section : report.sections) {
+    for (const Text& paragraph : section.paragraphs) {
+      all += paragraph.str() + "\n";
+    }
+  }
+  return all;
+}
+
+const ReportTable* tableOf(const ReportModel& report, const std::string& id) {
+  for (const ReportSection& section : report.sections) {
     for (const ReportTable& table : section.tables) {
-      if (table.id == "table-agreement") {
-        EXPECT_THAT(table.rows[2][1].str(), ::testing::HasSubstr("marks are missing"));
-        EXPECT_EQ(table.provenance.missing, 1);
+      if (table.id == id) {
+        return &table;
       }
     }
+  }
+  return nullptr;
+}
+
+/// Takes marks out and computes the scores anew.
+CohortInputs without(const std::function<bool(const TrainingMark&)>& missing) {
+  CohortInputs in = demonstrationCohort();
+  std::erase_if(in.trainingMarks, missing);
+  in.scores = traineeScores(in.trainingScale, in.trainingMarks);
+  in.summaries = groupSummaries(in.trainingScale, in.trainingMarks);
+  return in;
+}
+
+TEST(CohortReport, OneMissingMarkTakesNothingOut) {
+  const std::string whose = demonstrationCohort().trainingMarks.back().trainee;
+  const std::string by = demonstrationCohort().trainingMarks.back().rater;
+  const CohortInputs in = without([&](const TrainingMark& mark) {
+    return mark.trainee == whose && mark.rater == by && mark.occasion == 2;
+  });
+  const ReportModel report = cohortReport(in);
+  for (const char* id : {"table-ancova", "table-mixed-model", "table-bounds", "table-missing",
+                         "table-mixed-anova", "table-gains", "table-agreement"}) {
+    const ReportTable* table = tableOf(report, id);
+    ASSERT_NE(table, nullptr) << id;
+    for (const std::vector<Text>& row : table->rows) {
+      for (const Text& cell : row) {
+        EXPECT_THAT(cell.str(), ::testing::Not(::testing::HasSubstr("not defined"))) << id;
+      }
+    }
+  }
+  const ReportTable& agreement = *tableOf(report, "table-agreement");
+  ASSERT_EQ(agreement.rows.size(), 4U);  // the last occasion has a second line
+  EXPECT_EQ(agreement.rows[2][1].str(), "29");
+  EXPECT_EQ(agreement.rows[3][1].str(), "30");
+  EXPECT_EQ(agreement.provenance.missing, 1);
+  EXPECT_EQ(tableOf(report, "table-missing")->rows.size(), 1U);
+  EXPECT_EQ(tableOf(report, "table-missing")->rows[0][0].str(), whose);
+  EXPECT_EQ(tableOf(report, "table-missing")->rows[0][4].str(), "yes");
+  EXPECT_THAT(textOf(report), ::testing::HasSubstr("1 of 600 marks of the first and the last occasion are "
+                                                   "missing, so the linear mixed model is the primary"));
+  EXPECT_THAT(textOf(report), ::testing::Not(::testing::HasSubstr("Left out of both")));
+  ASSERT_NE(find(report, "figure-differences"), nullptr);
+  EXPECT_EQ(find(report, "figure-differences")->series.size(), 2U);
+}
+
+TEST(CohortReport, NamesWhoIsLeftOutByCode) {
+  const std::string whose = demonstrationCohort().trainees[3].code;
+  CohortInputs in =
+      without([&](const TrainingMark& mark) { return mark.trainee == whose && mark.occasion == 2; });
+  const ReportModel report = cohortReport(in);
+  EXPECT_THAT(textOf(report), ::testing::HasSubstr("without any mark at one of the two: " + whose));
+  EXPECT_EQ(tableOf(report, "table-ancova")->provenance.n, 29);
+  EXPECT_EQ(tableOf(report, "table-ancova")->provenance.missing, 10);
+  EXPECT_EQ(tableOf(report, "table-missing")->rows[0][4].str(), "no");
+  EXPECT_THAT(tableOf(report, "table-mixed-anova")->notes.back().str(), ::testing::HasSubstr(whose));
+
+  in.identity = ReportIdentity::kAggregated;
+  const ReportModel aggregated = cohortReport(in);
+  EXPECT_EQ(textOf(aggregated).find(whose), std::string::npos);
+  EXPECT_EQ(tableOf(aggregated, "table-missing"), nullptr);
+  EXPECT_EQ(find(aggregated, "figure-residuals"), nullptr);
+}
+
+TEST(CohortReport, SlopesThatDifferAreAnalysedAsWell) {
+  CohortInputs in = demonstrationCohort();
+  EXPECT_EQ(tableOf(cohortReport(in), "table-slopes"), nullptr);
+  std::map<std::string, double> before;
+  for (const TraineeScore& score : in.scores) {
+    if (score.occasion == 0) {
+      before[score.trainee] = score.score;
+    }
+  }
+  for (TrainingMark& mark : in.trainingMarks) {  // the first group: whoever was bad before is good at the end
+    if (mark.group == 0 && mark.occasion == 2) {
+      mark.steps = std::clamp<std::int64_t>(90 - static_cast<std::int64_t>(8.0 * before[mark.trainee]) +
+                                                static_cast<std::int64_t>(mark.rater.back() % 3),
+                                            in.trainingScale.lo, in.trainingScale.hi);
+    }
+  }
+  in.scores = traineeScores(in.trainingScale, in.trainingMarks);
+  in.summaries = groupSummaries(in.trainingScale, in.trainingMarks);
+  const ReportModel report = cohortReport(in);
+  const ReportTable* slopes = tableOf(report, "table-slopes");
+  ASSERT_NE(slopes, nullptr);
+  EXPECT_EQ(slopes->rows.size(), 9U);  // pairs x stated scores before
+  EXPECT_THAT(tableOf(report, "table-ancova")->notes[1].str(), ::testing::HasSubstr("The slopes differ"));
+}
+
+TEST(CohortReport, ShowsTheResidualsOfTheComparison) {
+  const ReportModel report = cohortReport(demonstrationCohort());
+  for (const char* id : {"figure-residuals", "figure-qq"}) {
+    const ReportFigure* figure = find(report, id);
+    ASSERT_NE(figure, nullptr) << id;
+    std::size_t points = 0;
+    double sum = 0.0;
+    for (const FigureSeries& series : figure->series) {
+      ASSERT_EQ(series.x.size(), series.y.size());
+      points += series.x.size();
+      for (const std::optional<double>& residual : series.y) {
+        sum += *residual;
+      }
+    }
+    EXPECT_EQ(points, 30U);
+    EXPECT_NEAR(sum, 0.0, 1e-9);
   }
 }
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What the R commands of cases.tsv use: the tables, and the formulas that no package of Debian has to nine digits.
-suppressMessages({library(psych); library(car); library(coin)})
+suppressMessages({library(psych); library(car); library(coin); library(lme4); library(lmerTest)})
 
 rows <- function(name) read.csv(file.path(folder, "tables", paste0(name, ".csv")))
 # A row for each target, a column for each rater, as in the file; empty marks are NA.
@@ -160,4 +160,86 @@ m25 <- function(model, index) {
 s26 <- function(model, index) {
   d <- rows("marks"); d <- d[d$model == model & d$index == index, ]
   mean((d$score - m25(model, index))^2)
+}
+# Marks with holes: lme4's model, mark after ~ group + mean mark before + (1 | subject) + (1 | rater). lme4 stops some 1e-8 from
+# the minimum and lmerTest differentiates numerically; Newton's steps on the restricted likelihood in full matrices settle both.
+# settled() fails where its result is further than 1e-4 from theirs.
+holed <- function(name) {
+  d <- rows(name); d <- d[!is.na(d$score), ]; d$group <- factor(d$group, unique(rows(name)$group))
+  before <- tapply(d$score[d$occasion == "before"], d$subject[d$occasion == "before"], mean)
+  d <- d[d$occasion == "after" & d$subject %in% names(before), ]
+  d$before <- as.vector(before[d$subject])
+  d$before <- d$before - mean(d$before[!duplicated(d$subject)])
+  d
+}
+settled <- function(name, formula = score ~ 0 + group + before + (1 | subject) + (1 | rater), d = holed(name)) {
+  fit <- suppressMessages(lmerTest::lmer(formula, d))
+  x <- model.matrix(fit); y <- d$score; v <- list(diag(length(y)), tcrossprod(model.matrix(~ 0 + subject, d)), tcrossprod(model.matrix(~ 0 + rater, d)))
+  start <- as.data.frame(lme4::VarCorr(fit)); start <- start$vcov[match(c("Residual", "subject", "rater"), start$grp)]
+  v <- v[start > 0]; s <- start[start > 0]
+  parts <- function() {
+    w <- solve(Reduce("+", Map("*", s, v))); c <- solve(t(x) %*% w %*% x); p <- w - w %*% x %*% c %*% t(x) %*% w
+    pv <- lapply(v, function(one) p %*% one); py <- p %*% y
+    list(w = w, c = c, slope = sapply(pv, function(one) sum(diag(one))) - sapply(v, function(one) sum(py * (one %*% py))),
+         curvature = outer(seq_along(v), seq_along(v), Vectorize(function(i, j) 2 * sum(py * (v[[i]] %*% p %*% v[[j]] %*% py)) - sum(pv[[i]] * t(pv[[j]])))))
+  }
+  for (i in 1:8) { at <- parts(); s <- s - solve(at$curvature, at$slope) }
+  at <- parts(); b <- as.vector(at$c %*% t(x) %*% at$w %*% y)
+  slopes <- lapply(v, function(one) at$c %*% t(x) %*% at$w %*% one %*% at$w %*% x %*% at$c)
+  variance <- numeric(3); variance[start > 0] <- s
+  all <- summary(fit)$coefficients
+  stopifnot(max(abs(b / all[, 1] - 1), abs(sqrt(diag(at$c)) / all[, 2] - 1), abs(sapply(seq_along(b), function(i) of_contrast(list(c = at$c, slopes = slopes, a = 2 * solve(at$curvature)), replace(0 * b, i, 1))$df) / all[, 3] - 1)) < 1e-4)
+  list(b = b, c = at$c, slopes = slopes, a = 2 * solve(at$curvature), variance = variance, criterion = as.vector(lme4::REMLcrit(fit)))
+}
+of_contrast <- function(m, l) {
+  variance <- sum(l * (m$c %*% l)); g <- sapply(m$slopes, function(one) sum(l * (one %*% l)))
+  list(value = if (is.null(m$b)) NA else sum(l * m$b), error = sqrt(variance), df = 2 * variance^2 / sum(g * (m$a %*% g)))
+}
+mixed_model <- function(name, l) { r <- of_contrast(settled(name), l); r$t <- r$value / r$error; r$p <- 2 * pt(-abs(r$t), r$df); r$reach <- qt(0.975, r$df) * r$error; r }
+# Fai and Cornelius' degrees of freedom, as lmerTest's anova() has them.
+mixed_f <- function(name) {
+  m <- settled(name); q <- length(m$b) - 2; l <- cbind(1, -diag(q), 0)
+  e <- eigen(l %*% m$c %*% t(l)); nu <- apply(t(e$vectors) %*% l, 1, function(row) of_contrast(m, row)$df)
+  f <- sum((t(e$vectors) %*% l %*% m$b)^2 / e$values) / q
+  s <- sum(nu / (nu - 2)); df <- if (diff(range(nu)) < 1e-8) mean(nu) else 2 * s / (s - q)
+  list(f = f, df = df, p = pf(f, q, df, lower.tail = FALSE))
+}
+reliability <- function(name) {
+  d <- rows(name); d <- d[!is.na(d$score), ]; d$subject <- d$target
+  m <- settled(name, score ~ 1 + (1 | subject) + (1 | rater), d); v <- m$variance; k <- as.numeric(names(which.max(table(table(d$target)))))
+  list(single = v[2] / sum(v), mean = v[2] / (v[2] + (v[1] + v[3]) / k), variance = v, sem = sqrt(v[1] + v[3]))
+}
+# Complete cases: mean marks of who has one at both occasions.
+complete_cases <- function(name) { d <- holed(name); a <- aggregate(score ~ subject + group + before, d, mean); a }
+# Analysis of covariance of a table with two occasions; slopes of their own; where two groups differ (Johnson & Neyman 1936).
+two_occasions <- function(name) {
+  w <- reshape(rows(name), idvar = c("subject", "group"), timevar = "occasion", direction = "wide")
+  names(w) <- sub("score.", "", names(w), fixed = TRUE); w$group <- factor(w$group, unique(w$group)); w
+}
+separate <- function(name) lm(after ~ 0 + group + group:before, two_occasions(name))
+at_baseline <- function(name, a, b, deviations) {
+  w <- two_occasions(name); m <- separate(name); k <- nlevels(w$group)
+  x <- mean(w$before) + deviations * sd(w$before); l <- numeric(2 * k); l[c(a, b)] <- c(1, -1); l[k + c(a, b)] <- c(x, -x)
+  e <- sqrt(sum(l * (vcov(m) %*% l))); d <- sum(l * coef(m))
+  list(difference = d, error = e, t = d / e, p = 2 * pt(-abs(d / e), df.residual(m)), reach = qt(0.975, df.residual(m)) * e)
+}
+neyman <- function(name, a, b) {
+  m <- separate(name); k <- nlevels(two_occasions(name)$group); v <- vcov(m); t2 <- qt(0.975, df.residual(m))^2
+  l0 <- numeric(2 * k); l0[c(a, b)] <- c(1, -1); l1 <- numeric(2 * k); l1[k + c(a, b)] <- c(1, -1)
+  q <- function(u, w) sum(u * coef(m)) * sum(w * coef(m)) - t2 * sum(u * (v %*% w))
+  z <- c(q(l0, l0), 2 * q(l0, l1), q(l1, l1)); f <- function(x) z[1] + x * (z[2] + x * z[3])
+  sort(sapply(Re(polyroot(z)), function(x) { for (i in 1:5) x <- x - f(x) / (z[2] + 2 * x * z[3]); x }))
+}
+tost <- function(d, e, df, margin) max(pt((d + margin) / e, df, lower.tail = FALSE), pt((d - margin) / e, df))
+# All marks short of the usual five are as low as the scale goes in one group, as high in the other.
+bound <- function(name, a, b, usual, low, high) {
+  d <- rows(name); d$group <- factor(d$group, unique(d$group)); g <- levels(d$group)
+  one <- function(s) {
+    x <- d$score[d$subject == s & d$occasion == "before" & !is.na(d$score)]; y <- d$score[d$subject == s & d$occasion == "after" & !is.na(d$score)]
+    of <- as.character(d$group[d$subject == s][1]); fill <- if (of == g[a]) low else if (of == g[b]) high else NULL
+    data.frame(group = of, before = mean(x), after = mean(c(y, rep(fill, usual - length(y)))))
+  }
+  w <- do.call(rbind, lapply(unique(d$subject), one)); w$before[is.nan(w$before)] <- mean(w$before, na.rm = TRUE)
+  w <- w[!is.nan(w$after), ]; w$group <- factor(w$group, g)
+  m <- lm(after ~ 0 + group + before, w); coef(m)[[a]] - coef(m)[[b]]
 }

@@ -316,7 +316,7 @@ TEST_F(StatisticsCommands, OptionsOfAnotherMethodAreRefused) {
   expectRefused("agreement --lowest 0 --ratings " + file, {"--lowest", "--method rasch"}, ErrorCode::kUsage);
   expectRefused("agreement --method kappa --seed 2 --ratings " + file, {"--seed"}, ErrorCode::kUsage);
   expectRefused("agreement --method cohen --ratings " + file, {"cohen"}, ErrorCode::kUsage);
-  expectRefused("compare-groups --seed 2 " + file, {"--seed", "--bootstrap"}, ErrorCode::kUsage);
+  expectRefused("compare-groups --resamples 200 " + file, {"--resamples", "--bootstrap"}, ErrorCode::kUsage);
   expectRefused("compare-groups --paired t --adjust holm " + file, {"--adjust"}, ErrorCode::kUsage);
   expectRefused("power --test t --n 10 --effect 1 --groups 3", {"--groups", "anova"}, ErrorCode::kUsage);
   expectRefused("standard-setting --method angoff --log " + file, {"--log", "proficiency"},

@@ -37,6 +37,9 @@ std::vector<Command> commands() {
        {"", "--paired t", "--paired signed-rank", "--paired permutation", "--paired friedman"}) {
     all.push_back({std::string("compare-groups %1 ") + options, "subject,group,occasion,score"});
   }
+  for (const char* options : {"", "--lowest 1 --highest 10 --margin 2", "--paired t"}) {
+    all.push_back({std::string("compare-groups %1 ") + options, "subject,group,occasion,rater,score"});
+  }
   for (const char* options : {"", "--threshold 5 --target 4 --sigma 1"}) {
     all.push_back({std::string("learning %1 ") + options, "subject,attempt,value"});
   }
@@ -111,8 +114,9 @@ class RandomTable {
     if (name == "expert") {
       return "e" + std::to_string(i) + "-" + std::to_string(j);
     }
+    const bool rated = command_.columns.find("occasion,rater") != std::string::npos;
     if (name == "rater" || name == "item" || name == "occasion") {
-      return name.substr(0, 1) + std::to_string(j);
+      return name.substr(0, 1) + std::to_string(!rated ? j : name == "rater" ? j / 2 : j % 2);
     }
     if (name == "group") {
       const bool named = command_.arguments.find("contrasting") != std::string::npos;

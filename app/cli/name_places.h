@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace torsio::cli {
+
+/// Names in the order in which a file brings them, each once, found in constant time. Private to app/cli.
+class NamePlaces {
+ public:
+  /// Returns the place of a name, to which it is added when it is new.
+  std::size_t operator()(const std::string& name) {
+    const auto [at, isNew] = places_.emplace(name, names_.size());
+    if (isNew) {
+      names_.push_back(name);
+    }
+    return at->second;
+  }
+  [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
+
+ private:
+  std::vector<std::string> names_;
+  std::unordered_map<std::string, std::size_t> places_;
+};
+
+}  // namespace torsio::cli

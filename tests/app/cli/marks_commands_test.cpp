@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// compare-groups on marks by rater: missing marks, covariates, margins, permutations that are too many.
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/app/cli/table_commands.h"
+
+namespace torsio {
+namespace {
+
+using nlohmann::json;
+using MarksCommands = test::TableCommands;
+
+/// Two groups of six, three raters; `hole`: rows that are left empty.
+std::string marks(const std::vector<std::string>& holes = {}) {
+  std::string table = "subject,group,occasion,rater,score\n";
+  for (int i = 0; i < 12; ++i) {
+    for (const char* occasion : {"before", "after"}) {
+      for (int r = 0; r < 3; ++r) {
+        const std::string key = "s" + std::to_string(i) + "," + occasion + ",r" + std::to_string(r);
+        const bool hole = std::find(holes.begin(), holes.end(), key) != holes.end();
+        const int later = occasion[0] == 'a' ? 2 + 3 * (i % 2) + (i * 5) % 3 : 0;
+        const int mark = 10 + (i * 7) % 11 + later + 2 * r + (i * 3 + r * 5) % 4;
+        table += "s" + std::to_string(i) + ",g" + std::to_string(i % 2) + "," + occasion + ",r" +
+                 std::to_string(r) + "," + (hole ? "" : std::to_string(mark)) + "\n";
+      }
+    }
+  }
+  return table;
+}
+
+TEST_F(MarksCommands, NameWhoseMarksAreMissingAndCompareAllTheSame) {
+  const json out =
+      answer("compare-groups --lowest 1 --highest 60 --margin 4 " +
+             write("marks.csv", marks({"s3,after,r1", "s4,after,r0", "s4,after,r1", "s4,after,r2"})));
+  const json& mixed = out["mixed_model"];
+  EXPECT_EQ(mixed["left_out_subjects"], json::array({"s4"}));
+  EXPECT_EQ(out["ancova"]["left_out_subjects"], json::array({"s4"}));
+  EXPECT_EQ(mixed["subjects"], 11);
+  EXPECT_EQ(mixed["marks"], 32);
+  ASSERT_EQ(mixed["missing_marks"].size(), 2U);
+  EXPECT_EQ(mixed["missing_marks"][0]["subject"], "s3");
+  EXPECT_EQ(mixed["missing_marks"][1]["outcome"], 3);
+  const json& pair = mixed["pairs"][0];
+  EXPECT_LT(pair["interval"]["lower"], pair["estimate"]);
+  EXPECT_LE(mixed["bounds"][0]["worst"]["difference"], pair["estimate"]);
+  EXPECT_GE(mixed["bounds"][0]["best"]["difference"], pair["estimate"]);
+  EXPECT_EQ(pair["equivalence"]["margin"], 4.0);
+  EXPECT_EQ(out["welch_t"]["equivalence"]["margin"], 4.0);
+}
+
+TEST_F(MarksCommands, OfEveryMarkAreComparedAsTheirMeansAre) {
+  const json out = answer("compare-groups " + write("marks.csv", marks()));
+  EXPECT_NEAR(out["mixed_model"]["pairs"][0]["p"].get<double>(), out["ancova"]["pairs"][0]["p"].get<double>(),
+              1e-8);
+  EXPECT_TRUE(out["mixed_model"]["missing_marks"].empty());
+  EXPECT_EQ(out["ancova"]["left_out"], 0);
+}
+
+TEST_F(MarksCommands, SayWhichOccasionAdjustsBeforeItReverses) {
+  const std::string file = write("marks.csv", marks());
+  const test::ProgramRun silent = test::runTorsio("compare-groups " + file, folder_);
+  EXPECT_NE(silent.err.find("\"after\" is adjusted for \"before\""), std::string::npos) << silent.err;
+  const test::ProgramRun named = test::runTorsio("compare-groups --covariate before " + file, folder_);
+  EXPECT_EQ(named.err, "");
+  EXPECT_EQ(silent.out, named.out);
+  const json reversed = answer("compare-groups --occasion before --covariate after " + file);
+  EXPECT_EQ(reversed["ancova"]["covariate"], "after");
+  EXPECT_EQ(reversed["ancova"]["outcome"], "before");
+  EXPECT_TRUE(answer("compare-groups --occasion before " + file)["ancova"].contains("undefined"));
+  expectRefused("compare-groups --covariate later " + file, {"later", "--covariate"},
+                ErrorCode::kBadParameter);
+  expectRefused("compare-groups --covariate after " + file, {"adjust themselves"}, ErrorCode::kBadParameter);
+  expectRefused("compare-groups --lowest 5 --highest 2 " + file, {"lowest"}, ErrorCode::kBadParameter);
+}
+
+TEST_F(MarksCommands, RefuseASecondMarkOfOneRater) {
+  expectRefused("compare-groups " + write("twice.csv", "subject,group,rater,score\na,x,r,1\na,x,r,2\n"),
+                {"line 3", "second score", "rater \"r\""});
+}
+
+TEST_F(MarksCommands, PermutationsThatAreTooManySayHowFarTheyMayBeOff) {
+  std::string table = "subject,group,score\n";
+  for (int i = 0; i < 160; ++i) {
+    table += "s" + std::to_string(i) + ",g" + std::to_string(i % 2) + "," +
+             std::to_string((i * 37) % 101 + 12 * (i % 2)) + "\n";
+  }
+  const std::string file = write("many.csv", table);
+  const json first = answer("compare-groups " + file)["permutation"];
+  EXPECT_EQ(first["exact"], false);
+  EXPECT_EQ(first["seed"], 1);
+  EXPECT_GT(first["monte_carlo_error"], 0.0);
+  const double t = answer("compare-groups " + file)["student_t"]["p"];
+  EXPECT_NEAR(first["p"].get<double>(), t, 0.01);
+  const json other = answer("compare-groups --seed 2 " + file)["permutation"];
+  EXPECT_NEAR(other["p"].get<double>(), first["p"].get<double>(),
+              6.0 * first["monte_carlo_error"].get<double>());
+  EXPECT_EQ(first, answer("compare-groups " + file)["permutation"]);
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How often each 95 % interval holds the true value: 10,000 simulated sets of the stated size and shape.
+// Prints the table of docs/assessment.md. No test: `ninja torsio_coverage`, then run it (some minutes).
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "assessment/statistics/ancova.h"
+#include "assessment/statistics/descriptive.h"
+#include "assessment/statistics/mean_tests.h"
+#include "assessment/statistics/missing_marks.h"
+#include "assessment/statistics/rank_tests.h"
+#include "assessment/statistics/reliability.h"
+#include "assessment/statistics/resampling.h"
+#include "sim/base/random.h"
+
+namespace torsio {
+namespace {
+
+enum class Shape { kNormal, kSkewed, kUniform };
+
+/// Mean 0, standard deviation 1.
+double draw(Random& random, Shape shape) {
+  switch (shape) {
+    case Shape::kNormal:
+      return random.normal();
+    case Shape::kSkewed:  // exponential
+      return -std::log(1.0 - random.uniform()) - 1.0;
+    case Shape::kUniform:
+      return std::sqrt(12.0) * (random.uniform() - 0.5);
+  }
+  return 0.0;
+}
+
+std::vector<double> sample(Random& random, Shape shape, int n, double mean = 0.0, double sd = 1.0) {
+  std::vector<double> out;
+  for (int i = 0; i < n; ++i) {
+    out.push_back(mean + sd * draw(random, shape));
+  }
+  return out;
+}
+
+/// One set: 1 the interval holds the truth, 0 it does not, -1 it is not defined.
+using Trial = std::function<int(Random&, Shape)>;
+
+int holds(const Interval& interval, double truth) {
+  return interval.lower <= truth && truth <= interval.upper ? 1 : 0;
+}
+
+struct Case {
+  std::string interval;
+  std::string size;
+  Trial trial;
+};
+
+/// Targets x raters: standard deviation 1 of the targets, 0.5 of the raters, 0.7 of the rest.
+NumberTable ratings(Random& random, Shape shape, std::size_t targets, std::size_t raters) {
+  NumberTable out(targets, raters);
+  const std::vector<double> severity = sample(random, shape, static_cast<int>(raters), 0.0, 0.5);
+  for (std::size_t i = 0; i < targets; ++i) {
+    const double level = draw(random, shape);
+    for (std::size_t r = 0; r < raters; ++r) {
+      out.at(i, r) = level + severity[r] + 0.7 * draw(random, shape);
+    }
+  }
+  return out;
+}
+
+struct Study {
+  Groups before;
+  Groups after;
+};
+
+/// Three groups; the second is better by 0.5 at the end. `slope` of the second group differs by `more`.
+Study study(Random& random, Shape shape, int n, double more = 0.0) {
+  Study out;
+  for (int g = 0; g < 3; ++g) {
+    out.before.push_back(sample(random, shape, n, 5.0));
+    out.after.emplace_back();
+    for (const double x : out.before.back()) {
+      out.after.back().push_back(1.0 + (0.8 + (g == 1 ? more : 0.0)) * (x - 5.0) + (g == 1 ? 0.5 : 0.0) +
+                                 0.6 * draw(random, shape));
+    }
+  }
+  return out;
+}
+
+/// Marks of three groups of ten by five raters, each missing with probability 0.15.
+std::vector<MarkedTrainee> marked(Random& random, Shape shape) {
+  const std::vector<double> severity = sample(random, shape, 5, 0.0, 0.5);
+  std::vector<MarkedTrainee> out;
+  for (std::size_t i = 0; i < 30; ++i) {
+    MarkedTrainee trainee;
+    trainee.group = i % 3;
+    const double score = draw(random, shape);
+    const double later = 0.8 * score + (trainee.group == 1 ? 0.5 : 0.0) + 0.5 * draw(random, shape);
+    for (const double rater : severity) {
+      trainee.before.emplace_back(score);  // known: an error of the covariate would bias the truth itself
+      const double mark = later + rater + 0.7 * draw(random, shape);
+      trainee.after.push_back(random.uniform() < 0.15 ? std::nullopt : std::optional(mark));
+    }
+    out.push_back(std::move(trainee));
+  }
+  return out;
+}
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const int n : {5, 10, 40}) {
+    all.push_back({"mean, Student", std::to_string(n), [n](Random& random, Shape shape) {
+                     return holds(*meanInterval(sample(random, shape, n)), 0.0);
+                   }});
+  }
+  for (const int n : {10, 40}) {
+    const std::string size = "2 x " + std::to_string(n);
+    all.push_back({"difference, Student", size, [n](Random& random, Shape shape) {
+                     return holds(studentT(sample(random, shape, n, 0.5), sample(random, shape, n))->interval,
+                                  0.5);
+                   }});
+    all.push_back({"difference, Welch, SD 1 and 2", size, [n](Random& random, Shape shape) {
+                     return holds(
+                         welchT(sample(random, shape, n, 0.5), sample(random, shape, n, 0.0, 2.0))->interval,
+                         0.5);
+                   }});
+    all.push_back({"Hedges g, noncentral t", size, [n](Random& random, Shape shape) {
+                     return holds(hedgesG(sample(random, shape, n, 0.8), sample(random, shape, n))->interval,
+                                  0.8);
+                   }});
+    all.push_back({"shift, Hodges-Lehmann", size, [n](Random& random, Shape shape) {
+                     const auto test = mannWhitney(sample(random, shape, n, 0.5), sample(random, shape, n));
+                     return test && test->hodgesLehmannInterval ? holds(*test->hodgesLehmannInterval, 0.5)
+                                                                : -1;
+                   }});
+    all.push_back(
+        {"adjusted difference, ANCOVA", "3 x " + std::to_string(n), [n](Random& random, Shape shape) {
+           const Study of = study(random, shape, n);
+           return holds(ancova(of.before, of.after)->pairs[0].interval, -0.5);
+         }});
+    all.push_back({"all three adjusted differences, Bonferroni", "3 x " + std::to_string(n),
+                   [n](Random& random, Shape shape) {
+                     const Study of = study(random, shape, n);
+                     const Outcome<Ancova> test = ancova(of.before, of.after);
+                     return holds(test->pairs[0].simultaneous, -0.5) *
+                            holds(test->pairs[1].simultaneous, 0.0) * holds(test->pairs[2].simultaneous, 0.5);
+                   }});
+    all.push_back({"difference at a score before, separate slopes", "3 x " + std::to_string(n),
+                   [n](Random& random, Shape shape) {
+                     const Study of = study(random, shape, n, 0.5);
+                     const std::vector<double> at{6.0};
+                     return holds(separateSlopes(of.before, of.after, at)->pairs[0].at[0].interval, -1.0);
+                   }});
+    all.push_back({"all pairs, Tukey", "3 x " + std::to_string(n), [n](Random& random, Shape shape) {
+                     const Groups groups{sample(random, shape, n), sample(random, shape, n, 0.5),
+                                         sample(random, shape, n)};
+                     const auto pairs = tukeyPairs(groups);
+                     return holds((*pairs)[0].interval, 0.5) * holds((*pairs)[1].interval, 0.0) *
+                            holds((*pairs)[2].interval, -0.5);
+                   }});
+    all.push_back(
+        {"all pairs, Games-Howell, SD 1, 2, 3", "3 x " + std::to_string(n), [n](Random& random, Shape shape) {
+           const Groups groups{sample(random, shape, n), sample(random, shape, n, 0.5, 2.0),
+                               sample(random, shape, n, 0.0, 3.0)};
+           const auto pairs = gamesHowellPairs(groups);
+           return holds((*pairs)[0].interval, 0.5) * holds((*pairs)[1].interval, 0.0) *
+                  holds((*pairs)[2].interval, -0.5);
+         }});
+    all.push_back({"correlation 0.6, Fisher", std::to_string(n), [n](Random& random, Shape shape) {
+                     const std::vector<double> x = sample(random, shape, n);
+                     std::vector<double> y;
+                     for (const double value : x) {
+                       y.push_back(0.6 * value + 0.8 * draw(random, shape));
+                     }
+                     return holds(*pearson(x, y)->fisherInterval, 0.6);
+                   }});
+    for (const char* which : {"percentile", "basic", "BCa"}) {
+      all.push_back({std::string("mean, bootstrap ") + which, std::to_string(n),
+                     [n, which = std::string(which)](Random& random, Shape shape) {
+                       const std::vector<double> x = sample(random, shape, n);
+                       const ResampledStatistic mean = [&](std::span<const std::size_t> rows) {
+                         double sum = 0.0;
+                         for (const std::size_t row : rows) {
+                           sum += x[row];
+                         }
+                         return sum / static_cast<double>(rows.size());
+                       };
+                       const auto result = bootstrap(x.size(), mean, {random.next(), 999, false, 0.95});
+                       if (!result) {
+                         return -1;
+                       }
+                       return holds(which == "percentile" ? result->percentile
+                                    : which == "basic"    ? result->basic
+                                                          : result->bca,
+                                    0.0);
+                     }});
+    }
+    all.push_back({"Bland-Altman lower limit", std::to_string(n), [n](Random& random, Shape shape) {
+                     const std::vector<double> x = sample(random, shape, n);
+                     std::vector<double> zero(x.size(), 0.0);
+                     return holds(blandAltman(x, zero)->lowerLimitInterval, -kAgreementLimit);
+                   }});
+  }
+  const double single = 1.0 / (1.0 + 0.25 + 0.49);
+  for (const auto& [targets, raters] : {std::pair{10, 4}, std::pair{30, 10}}) {
+    const std::string size = std::to_string(targets) + " x " + std::to_string(raters);
+    const auto form = [=](IccForm IccResult::*of, double truth) {
+      return [=](Random& random, Shape shape) {
+        const auto icc = intraclassCorrelation(
+            ratings(random, shape, static_cast<std::size_t>(targets), static_cast<std::size_t>(raters)));
+        return icc && ((*icc).*of).interval ? holds(*((*icc).*of).interval, truth) : -1;
+      };
+    };
+    const double k = raters;
+    all.push_back({"ICC(2,1)", size, form(&IccResult::agreementSingle, single)});
+    all.push_back({"ICC(2,k)", size, form(&IccResult::agreementMean, 1.0 / (1.0 + (0.25 + 0.49) / k))});
+    all.push_back({"ICC(3,1)", size, form(&IccResult::consistencySingle, 1.0 / 1.49)});
+    all.push_back({"Cronbach alpha, Feldt", size, [=](Random& random, Shape shape) {
+                     const auto alpha = cronbachAlpha(ratings(
+                         random, shape, static_cast<std::size_t>(targets), static_cast<std::size_t>(raters)));
+                     return alpha ? holds(alpha->interval, 1.0 / (1.0 + 0.49 / k)) : -1;
+                   }});
+  }
+  all.push_back(
+      {"difference, mixed model, 15 % missing", "3 x 10, 5 raters", [](Random& random, Shape shape) {
+         const auto model = mixedComparison(marked(random, shape), 3);
+         return model ? holds(model->pairs[0].difference.interval, -0.5) : -1;
+       }});
+  return all;
+}
+
+int run(int sets) {
+  std::printf("| interval | n | normal | skewed | uniform |\n|---|---|---|---|---|\n");
+  std::uint64_t stream = 0;
+  for (const Case& one : cases()) {
+    std::printf("| %s | %s |", one.interval.c_str(), one.size.c_str());
+    for (const Shape shape : {Shape::kNormal, Shape::kSkewed, Shape::kUniform}) {
+      Random random = Random::forStream(1, ++stream);
+      int defined = 0;
+      int held = 0;
+      for (int set = 0; set < sets; ++set) {
+        const int result = one.trial(random, shape);
+        defined += result >= 0 ? 1 : 0;
+        held += result == 1 ? 1 : 0;
+      }
+      std::printf(" %.1f", 100.0 * held / std::max(1, defined));
+      if (defined < sets) {
+        std::printf(" (%d undefined)", sets - defined);
+      }
+      std::printf(" |");
+      std::fflush(stdout);
+    }
+    std::printf("\n");
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace torsio
+
+int main(int count, char** arguments) {
+  constexpr int kSets = 10'000;
+  return torsio::run(count > 1 ? std::atoi(arguments[1]) : kSets);
+}
