@@ -16,7 +16,8 @@ constexpr int kPlacesTried = 32;
 
 }  // namespace
 
-HollowMap::HollowMap(const SectionLattice& lattice, const HollowOrgan& organ, const OrganState& state) noexcept
+HollowMap::HollowMap(const SectionLattice& lattice, const HollowOrgan& organ,
+                     const OrganState& state) noexcept
     : lattice_(lattice), organ_(organ), angle_rad_(state.twist.graspAngle_rad) {
   for (int span = 0; span < organ.spans(); ++span) {
     organ.sectionsOf(span, state, profiles_[static_cast<std::size_t>(span)]);

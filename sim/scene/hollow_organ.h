@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/staged_turn.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/scene/organ_state.h"
 #include "sim/tissue/hollow/wrung_organ.h"
@@ -79,6 +80,7 @@ struct Detorsion {
   PerfusionParameters vessels;
   BaseFriction base;
   DetorsionLimits limits;
+  TurnStages stages;        ///< in which it is to be undone
   double timeScale = 60.0;  ///< seconds of the tissue for a second of the hand
   std::string briefing;     ///< what is twisted, what surgeons do, what harms; empty: nothing is said
   std::string validity;     ///< in plain words: what of this is measured, sourced, assumed

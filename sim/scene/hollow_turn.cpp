@@ -61,7 +61,8 @@ void HollowOrgan::drawLine(const SectionLattice& lattice) {
 }
 
 // Two strands that are wound round each other at a distance A from their line come no nearer than 2 A as long
-// as they rise by at least A for each radian: d^2 = 2 A^2 (1 + cos x) + (rise x)^2, x their difference in turn.
+// as they rise by at least A for each radian: d^2 = 2 A^2 (1 + cos x) + (rise x)^2, x their difference in
+// turn.
 void HollowOrgan::measureRoom(const SectionLattice& lattice) {
   const auto heightAt = [this](double share) {
     const double at = share * static_cast<double>(kWallPlaces - 1);
@@ -77,8 +78,8 @@ void HollowOrgan::measureRoom(const SectionLattice& lattice) {
       const Vec3 way_m = lattice.frameAt(fraction * length_m_).centre_m - line_.point_m;
       arm_m += 0.5 * norm(way_m - dot(way_m, line_.direction) * line_.direction);
     }
-    const double rise_m = heightAt((static_cast<double>(i) + 1.0) / kCells) -
-                          heightAt(static_cast<double>(i) / kCells);
+    const double rise_m =
+        heightAt((static_cast<double>(i) + 1.0) / kCells) - heightAt(static_cast<double>(i) / kCells);
     room_rad_[i] = arm_m > 0.0 ? rise_m / arm_m : 0.0;
   }
 }
@@ -142,8 +143,8 @@ TwistLine HollowOrgan::lineOf(const TwistLine& own, const Place& place) const no
   }
   const double x = place.share;
   if (detorsion_.spans.size() < 2) {
-    // Late, so that the narrow places, where most of the turn is, keep their own axis. The line is that of the
-    // mobile end: a bend before it turns with the mobile part.
+    // Late, so that the narrow places, where most of the turn is, keep their own axis. The line is that of
+    // the mobile end: a bend before it turns with the mobile part.
     return {own.point_m, normalized(own.direction + (x * x * x * x) * (line_.direction - own.direction))};
   }
   // As far beside its own axis as the mobile end's, in an even way: a section that tips fast runs into its

@@ -25,9 +25,12 @@ const Scene& twoLimbs() {
     Scene scene = barScene();
     scene.pattern.graspArc = 0.5;
     scene.pattern.detorsion = std::make_shared<const Detorsion>(limbs);
-    scene.hollow = std::make_shared<const HollowOrgan>(HollowOrgan::Parts{
-        .lattice = &scene.lattice(), .shearModulus_Pa = kBarShear_Pa, .graspArc = 0.5, .detorsion = limbs,
-        .vertices_m = scene.mesh.vertices_m});
+    scene.hollow =
+        std::make_shared<const HollowOrgan>(HollowOrgan::Parts{.lattice = &scene.lattice(),
+                                                               .shearModulus_Pa = kBarShear_Pa,
+                                                               .graspArc = 0.5,
+                                                               .detorsion = limbs,
+                                                               .vertices_m = scene.mesh.vertices_m});
     return scene;
   }();
   return kScene;

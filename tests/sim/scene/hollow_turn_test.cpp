@@ -2,6 +2,7 @@
 // How the shipped hollow organs go round: rigidly in the mobile part, nowhere through themselves.
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,12 +17,18 @@
 namespace torsio {
 namespace {
 
-Scene twistedOrgan(const std::string& id) {
+/// A shipped organ, loaded once.
+const Scene& twistedOrgan(const std::string& id) {
+  static std::map<std::string, Scene> loaded;
+  const auto found = loaded.find(id);
+  if (found != loaded.end()) {
+    return found->second;
+  }
   SceneRequest request;
   request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
   request.id = id;
   request.pattern = "detorse";
-  return loadScene(request);
+  return loaded.emplace(id, loadScene(request)).first->second;
 }
 
 std::vector<Vec3> smoothAt(const Scene& scene, const OrganState& lies) {
@@ -44,8 +51,8 @@ std::vector<double> wayOf(const Scene& scene, double step_rad) {
   return angles;
 }
 
-/// Least det F against the square of the section's own narrowing, on the axis and at 0.5 and 0.95 of the way to
-/// the surface: how much of their distance neighbouring sections keep.
+/// Least det F against the square of the section's own narrowing, on the axis and at 0.5 and 0.95 of the way
+/// to the surface: how much of their distance neighbouring sections keep.
 double leastRoomBetweenSections(const Scene& scene, const OrganState& lies) {
   constexpr double kDifference_m = 1e-7;
   const SectionLattice& lattice = scene.lattice();
@@ -55,8 +62,8 @@ double leastRoomBetweenSections(const Scene& scene, const OrganState& lies) {
     const auto column = [&](const Vec3& step) {
       return (map.forward(p + step) - map.forward(p - step)) / (2.0 * kDifference_m);
     };
-    const double determinant =
-        dot(column({kDifference_m, 0, 0}), cross(column({0, kDifference_m, 0}), column({0, 0, kDifference_m})));
+    const double determinant = dot(column({kDifference_m, 0, 0}),
+                                   cross(column({0, kDifference_m, 0}), column({0, 0, kDifference_m})));
     const double radius = map.section(scene.hollow->turningPlace(lattice.nearestArc_m(p), p)).radius;
     least = std::min(least, determinant / (radius * radius));
   };
@@ -128,7 +135,7 @@ double nearestOf(const Strand& strand) {
 class HollowTurn : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(HollowTurn, FoldsNoTissueHoweverFarItIsTurned) {
-  const Scene scene = twistedOrgan(GetParam());
+  const Scene& scene = twistedOrgan(GetParam());
   const FoldCheck check(scene.mesh, scene.lattice());
   const double most_rad = scene.hollow->detorsion().start.most_rad;
 
@@ -145,7 +152,7 @@ TEST_P(HollowTurn, FoldsNoTissueHoweverFarItIsTurned) {
 }
 
 TEST_P(HollowTurn, SectionsKeepAFifthOfTheirDistanceAtLeast) {
-  const Scene scene = twistedOrgan(GetParam());
+  const Scene& scene = twistedOrgan(GetParam());
 
   for (const double angle_rad : wayOf(scene, radians(30.0))) {
     EXPECT_GE(leastRoomBetweenSections(scene, scene.stateAt(angle_rad)), kLeastDeterminant)
@@ -154,7 +161,7 @@ TEST_P(HollowTurn, SectionsKeepAFifthOfTheirDistanceAtLeast) {
 }
 
 TEST_P(HollowTurn, NoTwoPartsComeNearerThanTheirRadii) {
-  const Scene scene = twistedOrgan(GetParam());
+  const Scene& scene = twistedOrgan(GetParam());
 
   for (const double angle_rad : wayOf(scene, radians(15.0))) {
     OrganState lies = scene.stateAt(angle_rad);
@@ -165,7 +172,7 @@ TEST_P(HollowTurn, NoTwoPartsComeNearerThanTheirRadii) {
 }
 
 TEST_P(HollowTurn, TheMobilePartKeepsItsShapeAndItsDistanceFromItsLine) {
-  const Scene scene = twistedOrgan(GetParam());
+  const Scene& scene = twistedOrgan(GetParam());
   const OrganState lies = scene.stateAt(radians(130.0));
   const std::vector<Vec3> moved_m = smoothAt(scene, lies);
   const TwistLine& line = scene.hollow->line();
@@ -186,7 +193,7 @@ TEST_P(HollowTurn, TheMobilePartKeepsItsShapeAndItsDistanceFromItsLine) {
 }
 
 TEST_P(HollowTurn, FindsItsWayBackFromEveryVertex) {
-  const Scene scene = twistedOrgan(GetParam());
+  const Scene& scene = twistedOrgan(GetParam());
   const OrganState lies = scene.stateAt(radians(150.0));
   const HollowMap map(scene.lattice(), *scene.hollow, lies);
 
@@ -197,7 +204,7 @@ TEST_P(HollowTurn, FindsItsWayBackFromEveryVertex) {
 }
 
 TEST_P(HollowTurn, AtRestNoVertexMovesByABit) {
-  const Scene scene = twistedOrgan(GetParam());
+  const Scene& scene = twistedOrgan(GetParam());
   const TwistVertex& vertex = scene.hollow->vertices().front();
   const HollowOrgan& organ = *scene.hollow;
 

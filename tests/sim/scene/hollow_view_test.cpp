@@ -99,8 +99,8 @@ std::vector<float> tubeBlock(Isa isa, float mirror, bool wound) {
                                         {0.8F, -0.15F, -0.05F},
                                         {0.2F, 0.1F, 0.0F},
                                         {mirror * 0.1F, mirror * 0.05F, mirror * -0.02F}}};
-  const HollowFrame frame{cells.data(),         3.0F, {0.1F, 0.0F, 0.3F}, {0.6F, 0.0F, 0.8F},
-                          {0.8F, 0.0F, -0.6F}, {0.0F, 1.0F, 0.0F}};
+  const HollowFrame frame{
+      cells.data(), 3.0F, {0.1F, 0.0F, 0.3F}, {0.6F, 0.0F, 0.8F}, {0.8F, 0.0F, -0.6F}, {0.0F, 1.0F, 0.0F}};
   const std::vector<int> firstRows{0};
   KernelBuffer<float> in(16 * 16);
   KernelBuffer<float> out(3 * 16);
@@ -157,10 +157,9 @@ TEST(HollowKernel, ATubeWithoutFoldsOrTurnStaysWhereItIs) {
       in[9 * 16 + i] = 1.0F;
     }
 
-    twistKernels(isa).hollowWound(in.data(), firstRows.data(), 1,
-                                  {cells.data(), 3.0F, {}, {0.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F},
-                                   {0.0F, 1.0F, 0.0F}},
-                                  out.data());
+    twistKernels(isa).hollowWound(
+        in.data(), firstRows.data(), 1,
+        {cells.data(), 3.0F, {}, {0.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}}, out.data());
 
     for (std::size_t i = 0; i < 16; ++i) {
       EXPECT_EQ(out[i], in[i]) << i;
