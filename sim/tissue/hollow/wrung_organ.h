@@ -48,8 +48,8 @@ class WrungOrgan {
   /// Number of places of a profile: at equal shares of the length, both ends among them.
   static constexpr std::size_t kPlaces = 65;
   using Profile = std::array<WrungPlace, kPlaces>;
-  /// Writes how the wall lies at all places of a profile: placeAt() up to rounding, for a fraction of its time;
-  /// without shift, which is 0. In the tick.
+  /// Writes how the wall lies at all places of a profile: placeAt() up to rounding, for a fraction of its
+  /// time; without shift, which is 0. In the tick.
   void profileAt(double angle_rad, double pressure_Pa, Profile& profile) const noexcept;
   /// Returns the pressure at an angle when the gas cannot leave: (p_atm + p) V stays what it was at
   /// `filled_Pa` and angle 0. 30 queries.

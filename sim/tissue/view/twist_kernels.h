@@ -85,11 +85,11 @@ struct TwistKernels {
   /// Moves vertices by the paper's linear rotation. in: rest[3] tangentCrossRadius[3] unitAngle arc lift[3]
   /// = 11 x 16 a block; out: 3 x 16.
   void (*paperLinear)(const float* in, int blocks, const PaperFrame& frame, float* out);
-  /// Moves vertices of a span with its folds, each about an axis through its own section's centre. in: foot[3]
-  /// still[3] across[3] axis[3] lean round[2] place = 16 x 16 a block. What is radius times `across` and
-  /// `still`, which no radius touches, turns about `axis`; `lean`: the part of the vertex that grows along the
-  /// axis; `foot`: the rest; m. `round`: cosine and sine of the ridge angle times the number of waves; `place`:
-  /// rows from the middle of the cells firstRows[block], -1 .. 1. out: 3 x 16.
+  /// Moves vertices of a span with its folds, each about an axis through its own section's centre. in:
+  /// foot[3] still[3] across[3] axis[3] lean round[2] place = 16 x 16 a block. What is radius times `across`
+  /// and `still`, which no radius touches, turns about `axis`; `lean`: the part of the vertex that grows
+  /// along the axis; `foot`: the rest; m. `round`: cosine and sine of the ridge angle times the number of
+  /// waves; `place`: rows from the middle of the cells firstRows[block], -1 .. 1. out: 3 x 16.
   void (*hollowOwn)(const float* in, const int* firstRows, int blocks, const HollowFrame& frame, float* out);
   /// Moves vertices of limbs that are wound round the line of the frame. in: foot[3] across[3] aside[3]
   /// round[2] place = 12 x 16 a block, vectors along first, second, direction of the frame; `foot`: on the

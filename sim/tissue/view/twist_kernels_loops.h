@@ -61,8 +61,7 @@ inline SineCosine shortSineCosine(float y, float factor) {
   const float zz = z * z;
   const float w = r * 3.14159265F;
   const float s = w + (w * z) * ((-1.64483679F + z * 0.80970003F) + zz * -0.177781807F);
-  const float c =
-      (1.0F + z * -4.93479552F) + zz * ((4.05845134F + z * -1.33209385F) + zz * 0.22008062F);
+  const float c = (1.0F + z * -4.93479552F) + zz * ((4.05845134F + z * -1.33209385F) + zz * 0.22008062F);
   return {f * s, f * c};
 }
 
