@@ -26,6 +26,10 @@ std::optional<DetorsionRules> detorsionRulesOf(const std::string& parametersJson
     rules.bruise_Pa = limits.at("bruise_pa").get<double>();
     rules.pull_N = limits.at("pull_n").get<double>();
     rules.timeScale = detorsion.at("time_scale").get<double>();
+    if (detorsion.contains("stages")) {
+      const nlohmann::json& stages = detorsion.at("stages");
+      rules.stages = {stages.at("turn_rad").get<double>(), stages.at("rest_s").get<double>()};
+    }
     rules.vent = detorsion.contains("wall") && detorsion.at("wall").at("vent").get<bool>();
     return rules;
   } catch (const std::exception&) {

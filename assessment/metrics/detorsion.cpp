@@ -45,6 +45,7 @@ class DetorsionMeasurer {
 
   void run() {
     measureTurning();
+    measureStages();
     measureGrips();
     measureBlood();
     measureLoads();
@@ -111,6 +112,21 @@ class DetorsionMeasurer {
       set("detorse.vented_first",
           Outcome<double>::undefined(Text::tr("nothing can be let out of this organ")));
     }
+  }
+
+  void measureStages() {
+    if (!rules_.stages.asked()) {
+      const Text notAsked = Text::tr("this organ is not to be undone in stages");
+      set("detorse.longest_stage", Outcome<double>::undefined(notAsked));
+      set("detorse.in_stages", Outcome<double>::undefined(notAsked));
+      return;
+    }
+    StagedTurn staged(rules_.stages, rules_.timeScale);
+    for (std::size_t i = 0; i < ticks_.size(); ++i) {
+      staged.take(at_s(i), ticks_[i].angle_rad);
+    }
+    set("detorse.longest_stage", staged.longest_rad());
+    set("detorse.in_stages", yesNo(staged.longest_rad() <= rules_.stages.turn_rad + kStageTolerance_rad));
   }
 
   void measureGrips() {

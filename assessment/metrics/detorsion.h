@@ -11,6 +11,7 @@
 #include "assessment/metrics/trial_metrics.h"
 #include "sim/base/angle.h"
 #include "sim/base/hollow_pose.h"
+#include "sim/base/staged_turn.h"
 
 namespace torsio {
 
@@ -34,6 +35,7 @@ struct DetorsionRules {
   double pull_N = 10.0;      ///< which sound tissue bears
   double timeScale = 60.0;   ///< seconds of the tissue for a second of the hand
   bool vent = false;         ///< whether the content can be let out
+  TurnStages stages{};       ///< in which it is to be undone
   friend bool operator==(const DetorsionRules&, const DetorsionRules&) = default;
 };
 

@@ -133,6 +133,14 @@ constexpr std::array kCards = std::to_array<MetricCard>({
     {"detorse.vented_first", "Let out first",
      "Whether the content was let out before the organ was turned: 1 yes, 0 no.",
      "way out opened before the first net turn of 15 degrees while held", "1", kTask, kHigher},
+    {"detorse.longest_stage", "Longest turn without a rest",
+     "How far the organ was turned back at most between two rests; where the scene asks for stages.",
+     "max of |phi| where the stage began - |phi|; a stage begins where |phi| stayed within 5 degrees for the "
+     "rest that is asked for",
+     "rad", kTask, kLower},
+    {"detorse.in_stages", "Undone in stages",
+     "Whether no turn without a rest was longer than the scene asks for: 1 yes, 0 no.",
+     "longest turn without a rest <= stage + 15 degrees", "1", kTask, kHigher},
 });
 
 }  // namespace

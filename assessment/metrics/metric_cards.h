@@ -57,7 +57,7 @@ inline constexpr const char* kDetorsionDoneMetric = "detorse.done";
 /// Whether a metric answers a question: 1 is yes, 0 is no. It has neither scale nor learning curve.
 [[nodiscard]] constexpr bool isAnswerMetric(std::string_view id) noexcept {
   return id == kDetorsionDoneMetric || id == "detorse.relapse" || id == "detorse.first_direction" ||
-         id == "detorse.vented_first";
+         id == "detorse.vented_first" || id == "detorse.in_stages";
 }
 
 /// Name of a metric in English: of its card, or of the two above; the id itself when there is none.

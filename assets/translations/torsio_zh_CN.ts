@@ -1573,6 +1573,14 @@
         <source>Able before, not now. Practise until the level is steady again.</source>
         <translation>此前已胜任，现在不再是。请练习到水平重新稳定。</translation>
     </message>
+    <message>
+        <source>Longest turn without a rest</source>
+        <translation>未停歇的最大复位转角</translation>
+    </message>
+    <message>
+        <source>Undone in stages</source>
+        <translation>分阶段复位</translation>
+    </message>
 </context>
 <context>
     <name>Study</name>
@@ -1791,6 +1799,14 @@
     <message>
         <source>let out first (1 yes, 0 no)</source>
         <translation>先行减压（1 是，0 否）</translation>
+    </message>
+    <message>
+        <source>longest turn without a rest</source>
+        <translation>未停歇的最大复位转角</translation>
+    </message>
+    <message>
+        <source>undone in stages (1 yes, 0 no)</source>
+        <translation>分阶段复位（1 是，0 否）</translation>
     </message>
 </context>
 <context>
@@ -10271,10 +10287,6 @@
         <translation>肠胃扭转与睾丸扭转：复位</translation>
     </message>
     <message>
-        <source>A left testis is twisted by one to two turns, mostly inwards; one in five turned outwards. Open it like a book: turn the left one clockwise as seen from below, and back at once if the torque rises. Pain goes before the twist has gone: turn until nothing is left and check the flow. Eight hours cost the testis.</source>
-        <translation>左侧睾丸扭转一到两圈，多向内侧，五分之一向外侧。像翻书一样打开：从下方看，左侧顺时针转；力矩增大就立即反向。疼痛会先于扭转消失：要转到完全复位，并检查血流。八小时可失去睾丸。</translation>
-    </message>
-    <message>
         <source>A loop of small bowel is twisted by half a turn to a whole one, either way. Find out which: turned the wrong way, the torque rises and the bowel darkens. Surgeons turn the loop back gently, let it rest under warm cloths and look for colour, pulse and movement before they judge it. Hard jaws bruise ischaemic bowel at half the pressure.</source>
         <translation>一段小肠袢扭转半圈至一整圈，方向不定。先查明方向：转错时力矩增大、肠管变暗。外科医生轻柔地把肠袢转回，用温盐水纱布敷一会儿，看颜色、搏动和蠕动后再判断。缺血的肠管只要一半的压力就会被钳伤。</translation>
     </message>
@@ -10467,24 +10479,8 @@
         <translation>%1 上没有服务应答</translation>
     </message>
     <message>
-        <source>A loop of small bowel of 27 mm width, wrung between its two feet and the part in the hand. The mobile part turns as a whole about the organ&apos;s own axis and the spans beside it are wrung; limbs do not wind round each other, the mesentery is not drawn. The law of the wall was checked for length over radius 3 to 12 and wall over radius 0.03 to 0.1. The limbs are 82 mm long on a mean radius of 12 mm (6.8) with a wall over radius of 0.085 to 0.105: inside, the narrowest places 5 % beyond. Pressure times radius over stiffness times wall is 0.9, held against a second computation up to 0.5 only. The lumen shuts near 200 degrees. Wall, pressure, stiffness of the wall, friction and the length of the vessels are assumed; the limits of the jaw and the time to loss are sourced (pig jejunum). Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
-        <translation>一段宽 27 mm 的小肠袢，在两个肠脚与手中部分之间被拧转。活动部分作为整体绕器官自身的轴线转动，两侧的肠段被拧转；各肢不会相互缠绕，系膜未画出。管壁定律在长度与半径之比 3 至 12、壁厚与半径之比 0.03 至 0.1 的范围内验证过。两肢长 82 mm，平均半径 12 mm（比值 6.8），壁厚与半径之比为 0.085 至 0.105：在范围之内，最窄处超出 5%。压力乘半径除以刚度与壁厚之积为 0.9，而与另一种计算的对照只做到 0.5。肠腔在约 200 度时闭合。壁厚、压力、管壁刚度、摩擦和血管长度为假设值；器械钳口的限值和坏死时间有文献来源（猪空肠）。血流与扭转角的关系只在睾丸上测量过，此处借用。颜色不能证明组织存活。仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
-    </message>
-    <message>
-        <source>A stomach that is held at pylorus and cardia; the body between is in the hand. The mobile part turns as a whole about the organ&apos;s own axis and the spans beside it are wrung; limbs do not wind round each other, the mesentery is not drawn. In a patient the greater curvature swings about the straight line between cardia and pylorus; here the body turns about the stomach&apos;s own curved axis, and antrum and upper body are wrung. The law of the wall was checked for length over radius 3 to 12 and wall over radius 0.03 to 0.1. The antrum is 92 mm long on a mean radius of 24 mm (3.9) with a wall over radius of 0.06 to 0.35, the upper body 92 mm on 35 mm (2.6) with 0.05 to 0.07: the thick antrum and the short body lie outside. Pressure times radius over stiffness times wall is 2.5 and 3.8 at 8 mmHg, held against a second computation up to 0.5 only. The lumen shuts between 85 and 110 degrees, earlier than the 180 of surgeons, because two short stretches take the whole turn. Thickness and the pressure of a fasted stomach are sourced; the pressure of the volvulus, the stiffness of the wall, friction and vessels are assumed. Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
-        <translation>胃固定在幽门和贲门，中间的胃体握在手中。活动部分作为整体绕器官自身的轴线转动，两侧的胃段被拧转；各肢不会相互缠绕，系膜未画出。在患者体内，胃大弯绕贲门与幽门之间的直线翻转；此处胃体绕胃自身弯曲的轴线转动，胃窦和胃体上部被拧转。管壁定律在长度与半径之比 3 至 12、壁厚与半径之比 0.03 至 0.1 的范围内验证过。胃窦长 92 mm，平均半径 24 mm（比值 3.9），壁厚与半径之比为 0.06 至 0.35；胃体上部长 92 mm，半径 35 mm（比值 2.6），壁厚与半径之比为 0.05 至 0.07：较厚的胃窦和较短的胃体在范围之外。8 mmHg 时压力乘半径除以刚度与壁厚之积为 2.5 和 3.8，而与另一种计算的对照只做到 0.5。胃腔在 85 至 110 度之间闭合，早于外科医生所说的 180 度，因为全部转角由两段较短的胃承担。壁厚和空腹时的胃内压有文献来源；扭转时的压力、管壁刚度、摩擦和血管为假设值。血流与扭转角的关系只在睾丸上测量过，此处借用。颜色不能证明组织存活。仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
-    </message>
-    <message>
         <source>A stomach that is held at the cardia; antrum and pylorus are in the hand and turn on the body. In a patient the antrum swings up about the short axis through the middle of both curvatures and the body kinks; the model has no such hinge: it turns the antrum about the stomach&apos;s own axis and wrings the body between cardia and antrum, with the same order of steps and the same blood. The law of the wall was checked for length over radius 3 to 12 and wall over radius 0.03 to 0.1. The body is 124 mm long on a mean radius of 34 mm (3.6) with a wall over radius of 0.05 to 0.07: inside. Pressure times radius over stiffness times wall is 2.8 at 6 mmHg, held against a second computation up to 0.5 only. The lumen shuts near 150 degrees. Thickness and the pressure of a fasted stomach are sourced; the pressure of the volvulus, the stiffness of the wall, friction and vessels are assumed. Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
         <translation>胃固定在贲门；胃窦和幽门握在手中，相对胃体转动。在患者体内，胃窦绕穿过大小弯中点的短轴向上翻起，胃体折叠；模型没有这样的铰链：它让胃窦绕胃自身的轴线转动，拧转贲门与胃窦之间的胃体，步骤顺序和血流变化相同。管壁定律在长度与半径之比 3 至 12、壁厚与半径之比 0.03 至 0.1 的范围内验证过。胃体长 124 mm，平均半径 34 mm（比值 3.6），壁厚与半径之比为 0.05 至 0.07：在范围之内。6 mmHg 时压力乘半径除以刚度与壁厚之积为 2.8，而与另一种计算的对照只做到 0.5。胃腔在约 150 度时闭合。壁厚和空腹时的胃内压有文献来源；扭转时的压力、管壁刚度、摩擦和血管为假设值。血流与扭转角的关系只在睾丸上测量过，此处借用。颜色不能证明组织存活。仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
-    </message>
-    <message>
-        <source>A testis turns on its cord as it does in a patient. The cord is solid, of radius 6 mm and 60 mm long with an assumed shear modulus of 10 kPa (0.34 N mm a radian), without wall, lumen or folds: patency stays 1. Vessels: the only organ whose flow against the angle was measured, on rats and rams. 27.5 % keep a rest of torsion where pain goes at 360 degrees: check the flow. Colour is no proof of life. Stiffness, adhesion and fingers are assumed; for training the hand and the order of steps, nothing about one patient.</source>
-        <translation>睾丸在精索上转动，与患者体内一样。精索为实心，半径 6 mm，长 60 mm，剪切模量假设为 10 kPa（每弧度 0.34 N mm），没有管壁、管腔和皱褶：通畅度始终为 1。血管：这是唯一测量过血流与扭转角关系的器官，数据来自大鼠和公羊。疼痛在 360 度时即可消失，而 27.5% 的患者仍有残余扭转：应检查血流。颜色不能证明组织存活。刚度、粘连和手指为假设值；仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
-    </message>
-    <message>
-        <source>An omega loop of sigmoid whose two limbs are wrung between the feet on the root and the top in the hand. The mobile part turns as a whole about the organ&apos;s own axis and the spans beside it are wrung; limbs do not wind round each other, the mesentery is not drawn. In a patient the limbs also cross. The law of the wall was checked for length over radius 3 to 12 and wall over radius 0.03 to 0.1. The limbs are 198 mm long on a mean radius of 32 mm (6.3) with a wall over radius of 0.055 to 0.099: inside. Pressure times radius over stiffness times wall is 3.1 at 15 mmHg, held against a second computation up to 0.5 only. The lumen shuts near 140 degrees; letting gas out takes the peak torque from 131 to 27 N mm. Wall, pressure, stiffness, friction and vessels are assumed; pull and jaw are sourced. Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
-        <translation>一段 Ω 形的乙状结肠袢，两肢在系膜根部的肠脚与手中的袢顶之间被拧转。活动部分作为整体绕器官自身的轴线转动，两侧的肠段被拧转；各肢不会相互缠绕，系膜未画出。在患者体内，两肢还会交叉。管壁定律在长度与半径之比 3 至 12、壁厚与半径之比 0.03 至 0.1 的范围内验证过。两肢长 198 mm，平均半径 32 mm（比值 6.3），壁厚与半径之比为 0.055 至 0.099：在范围之内。15 mmHg 时压力乘半径除以刚度与壁厚之积为 3.1，而与另一种计算的对照只做到 0.5。肠腔在约 140 度时闭合；排气使最大力矩从 131 降到 27 N mm。壁厚、压力、刚度、摩擦和血管为假设值；牵拉和钳口的限值有文献来源。血流与扭转角的关系只在睾丸上测量过，此处借用。颜色不能证明组织存活。仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
     </message>
     <message>
         <source>Combined, 120 degrees</source>
@@ -11905,6 +11901,30 @@
     <message>
         <source>the numbers are too large to add up exactly</source>
         <translation>数值太大，无法精确相加</translation>
+    </message>
+    <message>
+        <source>this organ is not to be undone in stages</source>
+        <translation>该器官不要求分阶段复位</translation>
+    </message>
+    <message>
+        <source>A left testis is twisted by one to two turns, mostly inwards; one in five turned outwards. Open it like a book: turn the left one clockwise as seen from below, and back at once if the torque rises. Pain goes before the twist has gone: turn until nothing is left and check the flow. After a whole turn let it rest for five minutes before you turn on. Eight hours cost the testis.</source>
+        <translation>左侧睾丸扭转一到两圈，多向内侧，五分之一向外侧。像翻书一样打开：从下方看，左侧顺时针转；力矩增大就立即反向。疼痛会先于扭转消失：要转到完全复位，并检查血流。每转一整圈后，先停歇五分钟再继续。八小时可失去睾丸。</translation>
+    </message>
+    <message>
+        <source>A loop of small bowel of 27 mm width, wrung between its two feet and the part in the hand. The mobile part turns as a whole about the straight line between its ends and the limbs are wrung; they do not wind round each other, the mesentery is not drawn. The law of the wall was checked for length over radius 3 to 12 and wall over radius 0.03 to 0.1. The limbs are 82 mm long on a mean radius of 12 mm (6.8) with a wall over radius of 0.085 to 0.105: inside, the narrowest places 5 % beyond. Pressure times radius over stiffness times wall is 0.9, held against a second computation up to 0.5 only. The lumen shuts near 200 degrees. Wall, pressure, stiffness of the wall, friction and the length of the vessels are assumed; the limits of the jaw and the time to loss are sourced (pig jejunum). Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
+        <translation>一段宽 27 mm 的小肠袢，在两个肠脚与手中部分之间被拧转。活动部分作为整体绕其两端之间的直线转动，两肢被拧转；两肢不会相互缠绕，系膜未画出。管壁定律在长度与半径之比 3 至 12、壁厚与半径之比 0.03 至 0.1 的范围内验证过。两肢长 82 mm，平均半径 12 mm（比值 6.8），壁厚与半径之比为 0.085 至 0.105：在范围之内，最窄处超出 5%。压力乘半径除以刚度与壁厚之积为 0.9，而与另一种计算的对照只做到 0.5。肠腔在约 200 度时闭合。壁厚、压力、管壁刚度、摩擦和血管长度为假设值；器械钳口的限值和坏死时间有文献来源（猪空肠）。血流与扭转角的关系只在睾丸上测量过，此处借用。颜色不能证明组织存活。仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
+    </message>
+    <message>
+        <source>A stomach that is held at pylorus and cardia; the body between is in the hand. The mobile part turns as a whole about the straight line between its ends, antrum and upper body are wrung about their own curved axis; the mesentery is not drawn. In a patient the greater curvature swings about the straight line between cardia and pylorus. The law of the wall was checked for length over radius 3 to 12 and wall over radius 0.03 to 0.1. The antrum is 92 mm long on a mean radius of 24 mm (3.9) with a wall over radius of 0.06 to 0.35, the upper body 92 mm on 35 mm (2.6) with 0.05 to 0.07: the thick antrum and the short body lie outside. Pressure times radius over stiffness times wall is 2.5 and 3.8 at 8 mmHg, held against a second computation up to 0.5 only. The lumen shuts between 85 and 110 degrees, earlier than the 180 of surgeons, because two short stretches take the whole turn. Thickness and the pressure of a fasted stomach are sourced; the pressure of the volvulus, the stiffness of the wall, friction and vessels are assumed. Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
+        <translation>胃固定在幽门和贲门，中间的胃体握在手中。活动部分作为整体绕其两端之间的直线转动，胃窦和胃体上部绕各自弯曲的轴线被拧转；系膜未画出。在患者体内，胃大弯绕贲门与幽门之间的直线翻转。管壁定律在长度与半径之比 3 至 12、壁厚与半径之比 0.03 至 0.1 的范围内验证过。胃窦长 92 mm，平均半径 24 mm（比值 3.9），壁厚与半径之比为 0.06 至 0.35；胃体上部长 92 mm，半径 35 mm（比值 2.6），壁厚与半径之比为 0.05 至 0.07：较厚的胃窦和较短的胃体在范围之外。8 mmHg 时压力乘半径除以刚度与壁厚之积为 2.5 和 3.8，而与另一种计算的对照只做到 0.5。胃腔在 85 至 110 度之间闭合，早于外科医生所说的 180 度，因为全部转角由两段较短的胃承担。壁厚和空腹时的胃内压有文献来源；扭转时的压力、管壁刚度、摩擦和血管为假设值。血流与扭转角的关系只在睾丸上测量过，此处借用。颜色不能证明组织存活。仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
+    </message>
+    <message>
+        <source>A testis turns on its cord as it does in a patient. The cord is solid, of radius 6 mm and 60 mm long with an assumed shear modulus of 10 kPa (0.34 N mm a radian), without wall, lumen or folds: patency stays 1. Vessels: the only organ whose flow against the angle was measured, on rats and rams. 27.5 % keep a rest of torsion where pain goes at 360 degrees: check the flow. The rest after a whole turn comes from rat ovaries; by how much it helps is not known, and the dose does not count it. Colour is no proof of life. Stiffness, adhesion and fingers are assumed; for training the hand and the order of steps, nothing about one patient.</source>
+        <translation>睾丸在精索上转动，与患者体内一样。精索为实心，半径 6 mm，长 60 mm，剪切模量假设为 10 kPa（每弧度 0.34 N mm），没有管壁、管腔和皱褶：通畅度始终为 1。血管：这是唯一测量过血流与扭转角关系的器官，数据来自大鼠和公羊。疼痛在 360 度时即可消失，而 27.5% 的患者仍有残余扭转：应检查血流。每转一整圈后停歇的做法来自大鼠卵巢；效果有多大尚不清楚，缺血剂量不计入。颜色不能证明组织存活。刚度、粘连和手指为假设值；仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
+    </message>
+    <message>
+        <source>An omega loop of sigmoid whose two limbs are wrung between the feet on the root and the top in the hand. The top turns as a whole about the line from the root to it; the limbs are wrung and lie wound round each other. That they press on each other adds no torque here, as it would in a patient, and the mesentery is not drawn. The law of the wall was checked for length over radius 3 to 12 and wall over radius 0.03 to 0.1. The limbs are 198 mm long on a mean radius of 32 mm (6.3) with a wall over radius of 0.055 to 0.099: inside. Pressure times radius over stiffness times wall is 3.1 at 15 mmHg, held against a second computation up to 0.5 only. The lumen shuts near 140 degrees; letting gas out takes the peak torque from 131 to 27 N mm. Wall, pressure, stiffness, friction and vessels are assumed; pull and jaw are sourced. Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
+        <translation>一段 Ω 形的乙状结肠袢，两肢在系膜根部的肠脚与手中的袢顶之间被拧转。袢顶作为整体绕根部到袢顶的直线转动；两肢被拧转并相互缠绕。在患者体内两肢会相互挤压而增加力矩，此处不计；系膜未画出。管壁定律在长度与半径之比 3 至 12、壁厚与半径之比 0.03 至 0.1 的范围内验证过。两肢长 198 mm，平均半径 32 mm（比值 6.3），壁厚与半径之比为 0.055 至 0.099：在范围之内。15 mmHg 时压力乘半径除以刚度与壁厚之积为 3.1，而与另一种计算的对照只做到 0.5。肠腔在约 140 度时闭合；排气使最大力矩从 131 降到 27 N mm。壁厚、压力、刚度、摩擦和血管为假设值；牵拉和钳口的限值有文献来源。血流与扭转角的关系只在睾丸上测量过，此处借用。颜色不能证明组织存活。仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
     </message>
 </context>
 <context>
@@ -14257,6 +14277,14 @@ MSM = 质点弹簧</translation>
         <source>Enough blood flowed from the beginning on.</source>
         <translation>血流从一开始就足够。</translation>
     </message>
+    <message>
+        <source>Undone in stages: at most %1 without a rest.</source>
+        <translation>已分阶段复位：未停歇时最多转 %1。</translation>
+    </message>
+    <message>
+        <source>Turned back by %1 without a rest: let the blood return in stages.</source>
+        <translation>未停歇就转回了 %1：应分阶段让血流恢复。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::DetorsionPanel</name>
@@ -14463,6 +14491,14 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Holding. Turn, set the clip (C), then grip anew.</source>
         <translation>已抓住。转动，上夹子 (C)，再重新抓持。</translation>
+    </message>
+    <message>
+        <source>Rest of the tissue</source>
+        <translation>组织停歇</translation>
+    </message>
+    <message>
+        <source>Turned back by %1°. Set the clip and let it rest: %2 of %3 s</source>
+        <translation>已转回 %1°。请夹住并让组织停歇：%2 / %3 s</translation>
     </message>
 </context>
 <context>

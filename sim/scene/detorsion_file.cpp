@@ -185,6 +185,16 @@ DetorsionLimits readLimits(JsonFields& parent) {
   return limits;
 }
 
+TurnStages readStages(JsonFields& parent) {
+  constexpr double kSecondsPerMinute = 60.0;
+  JsonFields fields(parent.child("stages"), parent.where() + " stages");
+  TurnStages stages;
+  stages.turn_rad = radians(fields.number("turn_deg", 30.0, kMostTwist_deg));
+  stages.rest_s = kSecondsPerMinute * fields.number("rest_min", 0.1, 600.0);
+  readSource(fields);
+  return stages;
+}
+
 Detorsion readDetorsion(JsonFields& pattern) {
   JsonFields fields(pattern.child("detorsion"), pattern.where() + " detorsion");
   Detorsion detorsion;
@@ -203,6 +213,9 @@ Detorsion readDetorsion(JsonFields& pattern) {
   detorsion.vessels = readPedicle(fields);
   detorsion.base = readBase(fields);
   detorsion.limits = readLimits(fields);
+  if (fields.has("stages")) {
+    detorsion.stages = readStages(fields);
+  }
   detorsion.timeScale = fields.number("time_scale", 1.0, 3600.0, detorsion.timeScale);
   detorsion.briefing = fields.text("briefing", "");
   detorsion.validity = fields.text("validity");

@@ -16,15 +16,11 @@ constexpr int kPlacesTried = 32;
 
 }  // namespace
 
-HollowMap::HollowMap(const TwistModel& model, const HollowOrgan& organ, const OrganState& state) noexcept
-    : model_(model), organ_(organ), angle_rad_(state.twist.graspAngle_rad) {
+HollowMap::HollowMap(const SectionLattice& lattice, const HollowOrgan& organ,
+                     const OrganState& state) noexcept
+    : lattice_(lattice), organ_(organ), angle_rad_(state.twist.graspAngle_rad) {
   for (int span = 0; span < organ.spans(); ++span) {
-    Profile& profile = profiles_[static_cast<std::size_t>(span)];
-    for (std::size_t i = 0; i < kPlaces; ++i) {
-      profile[i] = organ.sectionIn(span, static_cast<double>(i) / static_cast<double>(kPlaces - 1), state);
-    }
-    profile.front() = {};
-    profile.back() = {angle_rad_, 1.0};
+    organ.sectionsOf(span, state, profiles_[static_cast<std::size_t>(span)]);
   }
 }
 
@@ -32,9 +28,10 @@ HollowOrgan::Section HollowMap::section(const HollowOrgan::Place& place) const n
   if (place.span < 0) {
     return {angle_rad_, 1.0};
   }
-  const Profile& profile = profiles_[static_cast<std::size_t>(place.span)];
-  const double at = place.share * static_cast<double>(kPlaces - 1);
-  const std::size_t cell = std::min(static_cast<std::size_t>(at), kPlaces - 2);
+  const HollowOrgan::Sections& profile = profiles_[static_cast<std::size_t>(place.span)];
+  constexpr std::size_t kCells = HollowOrgan::kPlaces - 1;
+  const double at = place.share * static_cast<double>(kCells);
+  const std::size_t cell = std::min(static_cast<std::size_t>(at), kCells - 1);
   const double share = at - static_cast<double>(cell);
   const HollowOrgan::Section& low = profile[cell];
   const HollowOrgan::Section& high = profile[cell + 1];
@@ -48,12 +45,12 @@ Vec3 HollowMap::vertex(const TwistVertex& vertex) const noexcept {
 }
 
 TwistLine HollowMap::ownAxis(double arc_m) const noexcept {
-  const AxisFrame frame = model_.graspFrame(arc_m);
+  const AxisFrame frame = lattice_.frameAt(arc_m);
   return {frame.centre_m, frame.tangent};
 }
 
 Vec3 HollowMap::forward(const Vec3& rest_m) const noexcept {
-  const double arc_m = model_.tables().arcs.arcAt(model_.lattice(), rest_m);
+  const double arc_m = lattice_.nearestArc_m(rest_m);
   const HollowOrgan::Place place = organ_.turningPlace(arc_m, rest_m);
   return organ_.moved(rest_m, ownAxis(arc_m), place, section(place), {});
 }
@@ -65,7 +62,7 @@ Vec3 HollowMap::unwound(const Vec3& deformed_m, double arc_m) const noexcept {
 
 // Zero when the point, turned back as one of this arc length, has this arc length.
 double HollowMap::miss(const Vec3& deformed_m, double arc_m) const noexcept {
-  return model_.tables().arcs.arcAt(model_.lattice(), unwound(deformed_m, arc_m)) - arc_m;
+  return lattice_.nearestArc_m(unwound(deformed_m, arc_m)) - arc_m;
 }
 
 // Secant steps from an arc length, as TwistMap::backward; the best arc length met counts.
@@ -102,8 +99,8 @@ Vec3 HollowMap::backward(const Vec3& deformed_m) const noexcept {
   const double length_m = organ_.length_m();
   const double good_m = kGoodInverse * length_m;
   const Vec3 asMobile_m = organ_.movedBack(deformed_m, {}, {}, {angle_rad_, 1.0});
-  Found best = solve(deformed_m, model_.lattice().nearestArc_m(asMobile_m));
-  const Found other = solve(deformed_m, model_.lattice().nearestArc_m(deformed_m));
+  Found best = solve(deformed_m, lattice_.nearestArc_m(asMobile_m));
+  const Found other = solve(deformed_m, lattice_.nearestArc_m(deformed_m));
   const auto away_m = [&](const Found& found) {
     return norm(unwound(deformed_m, found.arc_m) - ownAxis(found.arc_m).point_m);
   };

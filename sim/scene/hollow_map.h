@@ -15,7 +15,7 @@ namespace torsio {
 /// Lives on the stack of a query; noexcept, allocation-free, portable arithmetic only.
 class HollowMap {
  public:
-  HollowMap(const TwistModel& model, const HollowOrgan& organ, const OrganState& state) noexcept;
+  HollowMap(const SectionLattice& lattice, const HollowOrgan& organ, const OrganState& state) noexcept;
 
   /// Returns how a section at a place is turned.
   [[nodiscard]] HollowOrgan::Section section(const HollowOrgan::Place& place) const noexcept;
@@ -28,8 +28,6 @@ class HollowMap {
   [[nodiscard]] Vec3 vertex(const TwistVertex& vertex) const noexcept;
 
  private:
-  static constexpr std::size_t kPlaces = 65;  // of a span, at equal shares
-  using Profile = std::array<HollowOrgan::Section, kPlaces>;
   /// An arc length, and by how much it misses.
   struct Found {
     double arc_m = 0.0;
@@ -40,10 +38,10 @@ class HollowMap {
   [[nodiscard]] Vec3 unwound(const Vec3& deformed_m, double arc_m) const noexcept;
   [[nodiscard]] double miss(const Vec3& deformed_m, double arc_m) const noexcept;
 
-  const TwistModel& model_;
+  const SectionLattice& lattice_;
   const HollowOrgan& organ_;
   double angle_rad_ = 0.0;
-  std::array<Profile, 2> profiles_;  // of the spans
+  std::array<HollowOrgan::Sections, 2> profiles_;  // of the spans
 };
 
 }  // namespace torsio

@@ -67,7 +67,15 @@ HollowOrgan::HollowOrgan(const Parts& parts)
     fillMobilePart(parts);
   }
   basePeak_Nm_ = peakTorque_Nm(detorsion_.wall.pressure_Pa);
+  for (const Vec3& vertex_m : parts.vertices_m) {
+    const double arc_m = parts.lattice->nearestArc_m(vertex_m);
+    const AxisFrame frame = parts.lattice->frameAt(arc_m);
+    vertices_.push_back({vertex_m, {frame.centre_m, frame.tangent}, arc_m});
+  }
   drawLine(*parts.lattice);
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    free_[i] = freeShareOf(static_cast<double>(i) / static_cast<double>(kPlaces - 1));
+  }
 }
 
 void HollowOrgan::solveLimbs(const Parts& parts) {
@@ -220,8 +228,36 @@ HollowOrgan::Section HollowOrgan::sectionIn(int span, double share, const OrganS
     return {angle_rad * share, 1.0};
   }
   const WrungPlace place = wrung->placeAt(share, angle_rad, state.hollow.reading.pressure_Pa);
-  const double free = freeShare(share, wound_ ? kWoundShare : kClampedShare);
-  return {angle_rad * place.turn, 1.0 + (place.radius - 1.0) * free};
+  return {angle_rad * place.turn, 1.0 + (place.radius - 1.0) * freeShareOf(share)};
+}
+
+double HollowOrgan::freeShareOf(double share) const noexcept {
+  return freeShare(share, wound_ ? kWoundShare : kClampedShare);
+}
+
+void HollowOrgan::sectionsOf(int span, const OrganState& state, Sections& sections) const noexcept {
+  WrungOrgan::Profile walls;
+  sectionsOf(span, state, sections, walls);
+}
+
+void HollowOrgan::sectionsOf(int span, const OrganState& state, Sections& sections,
+                             WrungOrgan::Profile& walls) const noexcept {
+  const double angle_rad = state.twist.graspAngle_rad;
+  const WrungOrgan* wrung = tube(span);
+  if (wrung != nullptr) {
+    wrung->profileAt(angle_rad, state.hollow.reading.pressure_Pa, walls);
+  }
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    const double even = static_cast<double>(i) / static_cast<double>(kPlaces - 1);
+    sections[i] = wrung == nullptr
+                      ? Section{angle_rad * even, 1.0}
+                      : Section{angle_rad * walls[i].turn, 1.0 + (walls[i].radius - 1.0) * free_[i]};
+  }
+  sections.front() = {};
+  sections.back() = {angle_rad, 1.0};
+  if (wound_) {
+    wind(sections);
+  }
 }
 
 HollowOrgan::Section HollowOrgan::sectionAt(double arc_m, const OrganState& state) const noexcept {

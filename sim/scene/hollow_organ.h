@@ -4,9 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "sim/base/staged_turn.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/scene/organ_state.h"
 #include "sim/tissue/hollow/wrung_organ.h"
@@ -78,6 +80,7 @@ struct Detorsion {
   PerfusionParameters vessels;
   BaseFriction base;
   DetorsionLimits limits;
+  TurnStages stages;        ///< in which it is to be undone
   double timeScale = 60.0;  ///< seconds of the tissue for a second of the hand
   std::string briefing;     ///< what is twisted, what surgeons do, what harms; empty: nothing is said
   std::string validity;     ///< in plain words: what of this is measured, sourced, assumed
@@ -93,6 +96,7 @@ class HollowOrgan {
     double shearModulus_Pa = 0.0;
     double graspArc = 0.5;  ///< where the pattern grips, as a fraction of the length
     Detorsion detorsion;
+    std::span<const Vec3> vertices_m{};  ///< of the mesh that is moved; needed by the constructor only
   };
   /// Solves the tables of the spans, each in a thread, one that is like another only once; at most 1 s.
   /// Throws Error{kBadParameter} for a wall or a vessel out of range, or a grasp off the mobile part.
@@ -144,16 +148,26 @@ class HollowOrgan {
   };
   /// Returns how a section lies at a share of a span, 0 held to 1 mobile. In the tick.
   [[nodiscard]] Section sectionIn(int span, double share, const OrganState& state) const noexcept;
+  static constexpr std::size_t kPlaces = WrungOrgan::kPlaces;
+  /// How the sections of a span lie at equal shares, from the held one, which lies at rest, to the mobile
+  /// part.
+  using Sections = std::array<Section, kPlaces>;
+  /// Writes the sections of a span. Limbs that are wound round each other share their turn out along their
+  /// height, and are drawn together, so that they do not run through each other. In the tick.
+  void sectionsOf(int span, const OrganState& state, Sections& sections) const noexcept;
+  /// Writes the sections of a span and how its wall lies there; of a cord `walls` stays. In the tick.
+  void sectionsOf(int span, const OrganState& state, Sections& sections,
+                  WrungOrgan::Profile& walls) const noexcept;
   /// Returns how the section at an arc length lies. In the tick.
   [[nodiscard]] Section sectionAt(double arc_m, const OrganState& state) const noexcept;
   /// Returns the place whose turn and shrinking a point has, at rest or as it lies: that of its arc length;
   /// of limbs that are wound round each other that of its height along the line, which winding keeps. So no
   /// two of its points meet. In the tick.
   [[nodiscard]] Place turningPlace(double arc_m, const Vec3& point_m) const noexcept;
-  /// What a fold adds to a point of a section, about the section's own axis.
+  /// What a fold adds to a point of a section.
   struct Fold {
-    double turn_rad = 0.0;
-    double radius = 1.0;
+    double turn_rad = 0.0;  ///< with the section; of wound limbs about the section's own axis
+    double radius = 1.0;    ///< about the section's own axis
   };
   /// Returns where a point of a section goes (docs/model.md H.8). The mobile part turns rigidly about
   /// line(). A section of a span shrinks and turns about its own axis, whose direction goes over into that of
@@ -167,6 +181,10 @@ class HollowOrgan {
   /// Returns the point that moved() without a fold takes to this one. In the tick.
   [[nodiscard]] Vec3 movedBack(const Vec3& deformed_m, const TwistLine& own, const Place& place,
                                const Section& section) const noexcept;
+  /// Returns the vertices of the mesh, each with the section that it belongs to: that of the foot of its
+  /// perpendicular on the centreline. Sections of the lattice are neither plane nor upright: turned unlike
+  /// their neighbours they would run through one another.
+  [[nodiscard]] const std::vector<TwistVertex>& vertices() const noexcept { return vertices_; }
   /// Returns the line that the mobile part turns about: of two spans of a tube that runs on through it the
   /// chord between their mobile ends; of a loop's limbs that stand side by side from between their held to
   /// between their mobile ends; of one span its axis at its mobile end.
@@ -196,6 +214,9 @@ class HollowOrgan {
   void fillMobilePart(const Parts& parts);
   [[nodiscard]] double volume_m3(double angle_rad, double pressure_Pa) const noexcept;
   void drawLine(const SectionLattice& lattice);
+  [[nodiscard]] double freeShareOf(double share) const noexcept;
+  void measureRoom(const SectionLattice& lattice);
+  void wind(Sections& sections) const noexcept;
 
   Detorsion detorsion_;
   Perfusion vessels_;
@@ -209,6 +230,10 @@ class HollowOrgan {
   double highestPressure_Pa_ = 0.0;
   TwistLine line_;
   bool wound_ = false;
+  std::vector<TwistVertex> vertices_;
+  std::array<double, kPlaces> free_{};           // freeShareOf at equal shares
+  std::array<double, kPlaces - 1> room_rad_{};   // between equal shares, of limbs at their distance at rest
+  std::array<Vec3, 2> ends_{};                   // tangents at the mobile ends
   std::array<double, kWallPlaces> heights_m_{};  // along the line, of limbs wound round each other
 };
 

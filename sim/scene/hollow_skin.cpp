@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "sim/base/angle.h"
-#include "sim/tissue/hollow/fold_field.h"
 
 namespace torsio {
 
@@ -16,75 +15,70 @@ HollowSkin::HollowSkin(const HollowOrgan& organ, const OrganState& state) noexce
 }
 
 void HollowSkin::fill(int span, const OrganState& state, Limb& limb) const noexcept {
+  WrungOrgan::Profile walls;
+  organ_.sectionsOf(span, state, limb.sections, walls);
   const WrungOrgan* tube = organ_.tube(span);
-  const double pressure_Pa = state.hollow.reading.pressure_Pa;
-  limb.waves = tube != nullptr ? drawnWaves(tube->waves(pressure_Pa)) : kFewestDrawnWaves;
-  for (std::size_t i = 0; i < kPlaces; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(kPlaces - 1);
-    const HollowOrgan::Section section = organ_.sectionIn(span, share, state);
-    Place& place = limb.places[i];
-    place.turn_rad = section.turn_rad;
-    place.radius = section.radius;
-    if (tube != nullptr) {
-      const WrungPlace wrung = tube->placeAt(share, angle_rad_, pressure_Pa);
-      place.amplitude = foldAmplitude(limb.waves, wrung.slack);
-      place.crest_rad = wrung.foldTurn;
-    }
+  if (tube == nullptr) {
+    return;
   }
-  limb.places.front() = {};
-  limb.places.back().turn_rad = angle_rad_;
+  limb.waves = drawnWaves(tube->waves(state.hollow.reading.pressure_Pa));
+  for (std::size_t i = 1; i < kPlaces; ++i) {
+    limb.folds[i] = foldPhase({limb.waves, foldAmplitude(limb.waves, walls[i].slack), walls[i].foldTurn});
+  }
 }
 
 HollowSkin::Place HollowSkin::placeAt(const Limb& limb, double share) const noexcept {
   const double at = share * static_cast<double>(kPlaces - 1);
   const std::size_t cell = std::min(static_cast<std::size_t>(at), kPlaces - 2);
   const double rest = at - static_cast<double>(cell);
-  const Place& low = limb.places[cell];
-  const Place& high = limb.places[cell + 1];
   const auto mix = [rest](double from, double to) { return from + rest * (to - from); };
-  return {mix(low.turn_rad, high.turn_rad), mix(low.radius, high.radius), mix(low.amplitude, high.amplitude),
-          mix(low.crest_rad, high.crest_rad)};
+  const HollowOrgan::Section& low = limb.sections[cell];
+  const HollowOrgan::Section& high = limb.sections[cell + 1];
+  const FoldPhase& before = limb.folds[cell];
+  const FoldPhase& after = limb.folds[cell + 1];
+  return {{mix(low.turn_rad, high.turn_rad), mix(low.radius, high.radius)},
+          {mix(before.even, after.even), mix(before.odd, after.odd)}};
 }
 
 void HollowSkin::write(int span, Cells& cells) const noexcept {
   const Limb& limb = limbs_[static_cast<std::size_t>(span)];
-  const double wavesPerHalfTurn = limb.waves / kPi;
+  const auto line = [](double low, double middle, double high) -> KinkedLine {
+    const double before = middle - low;
+    const double after = high - middle;
+    return {static_cast<float>(middle), static_cast<float>(0.5 * (before + after)),
+            static_cast<float>(0.5 * (after - before))};
+  };
+  constexpr double kHalfTurns = 1.0 / kPi;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const Place& low = limb.places[i];
-    const Place& middle = limb.places[i + 1];
-    const Place& high = limb.places[i + 2];
-    const auto line = [&](double Place::*what, double unit) -> KinkedLine {
-      const double before = middle.*what - low.*what;
-      const double after = high.*what - middle.*what;
-      return {static_cast<float>(unit * (middle.*what)), static_cast<float>(0.5 * unit * (before + after)),
-              static_cast<float>(0.5 * unit * (after - before))};
-    };
-    cells[i] = {line(&Place::turn_rad, 1.0 / kPi), line(&Place::radius, 1.0), line(&Place::amplitude, 1.0),
-                line(&Place::crest_rad, wavesPerHalfTurn)};
+    const HollowOrgan::Section* section = &limb.sections[i];
+    const FoldPhase* fold = &limb.folds[i];
+    cells[i] = {line(kHalfTurns * section[0].turn_rad, kHalfTurns * section[1].turn_rad,
+                     kHalfTurns * section[2].turn_rad),
+                line(section[0].radius, section[1].radius, section[2].radius),
+                line(fold[0].even, fold[1].even, fold[2].even), line(fold[0].odd, fold[1].odd, fold[2].odd)};
   }
 }
 
 bool HollowSkin::rests() const noexcept {
-  const auto still = [](const Place& place) {
-    return place.turn_rad == 0.0 && place.radius == 1.0 && place.amplitude == 0.0;
+  const auto still = [](const Limb& limb) {
+    return std::all_of(limb.sections.begin(), limb.sections.end(),
+                       [](const HollowOrgan::Section& s) { return s.turn_rad == 0.0 && s.radius == 1.0; }) &&
+           std::all_of(limb.folds.begin(), limb.folds.end(),
+                       [](const FoldPhase& fold) { return fold.even == 0.0 && fold.odd == 0.0; });
   };
-  return angle_rad_ == 0.0 && std::all_of(limbs_.begin(), limbs_.end(), [&](const Limb& limb) {
-           return std::all_of(limb.places.begin(), limb.places.end(), still);
-         });
+  return angle_rad_ == 0.0 && std::all_of(limbs_.begin(), limbs_.end(), still);
 }
 
 // Folds belong where the wall is narrower: at the place whose turn and radius the vertex has.
 Vec3 HollowSkin::vertex(const TwistVertex& vertex, double round_rad) const noexcept {
   const HollowOrgan::Place where = organ_.turningPlace(vertex.arc_m, vertex.rest_m);
-  Place place{angle_rad_, 1.0, 0.0, 0.0};
-  FoldedPoint fold;
-  if (where.span >= 0) {
-    const Limb& limb = limbs_[static_cast<std::size_t>(where.span)];
-    place = placeAt(limb, where.share);
-    fold = foldedPoint({limb.waves, place.amplitude, place.crest_rad}, round_rad);
+  if (where.span < 0) {
+    return organ_.moved(vertex.rest_m, vertex.line, where, {angle_rad_, 1.0}, {});
   }
-  return organ_.moved(vertex.rest_m, vertex.line, where, {place.turn_rad, place.radius},
-                      {fold.turn_rad, fold.radius});
+  const Limb& limb = limbs_[static_cast<std::size_t>(where.span)];
+  const Place place = placeAt(limb, where.share);
+  const FoldedPoint fold = foldedPoint(limb.waves, place.fold, roundWave(limb.waves, round_rad));
+  return organ_.moved(vertex.rest_m, vertex.line, where, place.section, {fold.turn_rad, fold.radius});
 }
 
 }  // namespace torsio

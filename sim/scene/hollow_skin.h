@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "sim/scene/hollow_organ.h"
+#include "sim/tissue/hollow/fold_field.h"
 #include "sim/tissue/twist/twist_model_tables.h"
 #include "sim/tissue/view/twist_kernels.h"
 
@@ -19,7 +20,7 @@ class HollowSkin {
   /// Returns where a vertex goes; `round_rad`: its ridge angle.
   [[nodiscard]] Vec3 vertex(const TwistVertex& vertex, double round_rad) const noexcept;
 
-  static constexpr std::size_t kPlaces = 65;  ///< of a span, at equal shares, as HollowMap
+  static constexpr std::size_t kPlaces = HollowOrgan::kPlaces;  ///< of a span, at equal shares
   using Cells = std::array<HollowCells, kPlaces - 2>;
   /// Writes the places of a span as the kernels read them: each two neighbouring cells.
   void write(int span, Cells& cells) const noexcept;
@@ -29,15 +30,14 @@ class HollowSkin {
   [[nodiscard]] bool rests() const noexcept;
 
  private:
-  struct Place {
-    double turn_rad = 0.0;
-    double radius = 1.0;
-    double amplitude = 0.0;
-    double crest_rad = 0.0;
-  };
   struct Limb {
-    int waves = 3;
-    std::array<Place, kPlaces> places{};
+    int waves = kFewestDrawnWaves;
+    HollowOrgan::Sections sections{};
+    std::array<FoldPhase, kPlaces> folds{};
+  };
+  struct Place {
+    HollowOrgan::Section section;
+    FoldPhase fold;
   };
   void fill(int span, const OrganState& state, Limb& limb) const noexcept;
   [[nodiscard]] Place placeAt(const Limb& limb, double share) const noexcept;

@@ -11,6 +11,11 @@ namespace torsio {
 
 namespace {
 
+constexpr double kRoomLeft = 1.02;        // of the turn
+constexpr double kNarrowestWound = 0.36;  // of the radius at rest: that of a packed wall, about
+constexpr double kDrawing = 0.1;          // of the way to it, in a step
+constexpr int kDrawings = 40;
+
 /// Turns a point about a line and draws it nearer; one that is not moved keeps its bits.
 Vec3 turnedAbout(const Vec3& x, const TwistLine& line, double angle_rad, double radius) noexcept {
   if (angle_rad == 0.0 && radius == 1.0) {
@@ -28,10 +33,12 @@ void HollowOrgan::drawLine(const SectionLattice& lattice) {
   const auto frameAt = [&](double fraction) { return lattice.frameAt(fraction * length_m_); };
   const AxisFrame end = frameAt(detorsion_.spans.front().mobile);
   line_ = {end.centre_m, end.tangent};
+  ends_[0] = end.tangent;
   if (detorsion_.spans.size() < 2) {
     return;
   }
   const AxisFrame other = frameAt(detorsion_.spans.back().mobile);
+  ends_[1] = other.tangent;
   wound_ = dot(end.tangent, other.tangent) < 0.0;
   if (wound_) {
     const Vec3 foot_m = 0.5 * (frameAt(detorsion_.spans.front().held).centre_m +
@@ -46,9 +53,70 @@ void HollowOrgan::drawLine(const SectionLattice& lattice) {
       }
       heights_m_[i] = std::max(0.5 * sum_m, i > 0 ? heights_m_[i - 1] : 0.5 * sum_m);
     }
+    measureRoom(lattice);
   } else {
     const Vec3 chord = normalized(other.centre_m - end.centre_m);
     line_.direction = dot(chord, end.tangent) < 0.0 ? -1.0 * chord : chord;
+  }
+}
+
+// Two strands that are wound round each other at a distance A from their line come no nearer than 2 A as long
+// as they rise by at least A for each radian: d^2 = 2 A^2 (1 + cos x) + (rise x)^2, x their difference in
+// turn.
+void HollowOrgan::measureRoom(const SectionLattice& lattice) {
+  const auto heightAt = [this](double share) {
+    const double at = share * static_cast<double>(kWallPlaces - 1);
+    const std::size_t cell = std::min(static_cast<std::size_t>(at), kWallPlaces - 2);
+    return heights_m_[cell] + (at - static_cast<double>(cell)) * (heights_m_[cell + 1] - heights_m_[cell]);
+  };
+  constexpr auto kCells = static_cast<double>(kPlaces - 1);
+  for (std::size_t i = 0; i + 1 < kPlaces; ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / kCells;
+    double arm_m = 0.0;
+    for (const WrungSpan& span : detorsion_.spans) {
+      const double fraction = span.held + share * (span.mobile - span.held);
+      const Vec3 way_m = lattice.frameAt(fraction * length_m_).centre_m - line_.point_m;
+      arm_m += 0.5 * norm(way_m - dot(way_m, line_.direction) * line_.direction);
+    }
+    const double rise_m =
+        heightAt((static_cast<double>(i) + 1.0) / kCells) - heightAt(static_cast<double>(i) / kCells);
+    room_rad_[i] = arm_m > 0.0 ? rise_m / arm_m : 0.0;
+  }
+}
+
+void HollowOrgan::wind(Sections& sections) const noexcept {
+  const double angle_rad = sections.back().turn_rad;
+  const double way = angle_rad < 0.0 ? -1.0 : 1.0;
+  const auto roomOf = [&](std::size_t i) {
+    return 2.0 * room_rad_[i] / (sections[i].radius + sections[i + 1].radius);
+  };
+  const auto wholeRoom = [&] {
+    double room_rad = 0.0;
+    for (std::size_t i = 0; i + 1 < kPlaces; ++i) {
+      room_rad += roomOf(i);
+    }
+    return room_rad;
+  };
+  // Limbs that have no room for the turn are drawn together where they are free to.
+  for (int step = 0; step < kDrawings && wholeRoom() < kRoomLeft * std::abs(angle_rad); ++step) {
+    for (std::size_t i = 0; i < kPlaces; ++i) {
+      const double narrowest = std::min(sections[i].radius, kNarrowestWound);
+      sections[i].radius += kDrawing * free_[i] * (narrowest - sections[i].radius);
+    }
+  }
+  std::array<double, kPlaces - 1> turn_rad{};
+  double over_rad = 0.0;
+  double left_rad = 0.0;
+  for (std::size_t i = 0; i + 1 < kPlaces; ++i) {
+    const double wanted_rad = way * (sections[i + 1].turn_rad - sections[i].turn_rad);
+    turn_rad[i] = std::min(wanted_rad, roomOf(i));
+    over_rad += wanted_rad - turn_rad[i];
+    left_rad += roomOf(i) - turn_rad[i];
+  }
+  const double share = left_rad > 0.0 ? over_rad / left_rad : 0.0;
+  for (std::size_t i = 0; i + 2 < kPlaces; ++i) {
+    const double more_rad = share * (roomOf(i) - turn_rad[i]);
+    sections[i + 1].turn_rad = sections[i].turn_rad + way * (turn_rad[i] + more_rad);
   }
 }
 
@@ -73,17 +141,26 @@ TwistLine HollowOrgan::lineOf(const TwistLine& own, const Place& place) const no
   if (wound_ || place.span < 0) {
     return line_;
   }
-  // Late, so that the narrow places, where most of the turn is, keep their own axis.
-  const double square = place.share * place.share;
-  const double towards = square * square;
-  return {own.point_m, normalized(own.direction + towards * (line_.direction - own.direction))};
+  const double x = place.share;
+  if (detorsion_.spans.size() < 2) {
+    // Late, so that the narrow places, where most of the turn is, keep their own axis. The line is that of
+    // the mobile end: a bend before it turns with the mobile part.
+    return {own.point_m, normalized(own.direction + (x * x * x * x) * (line_.direction - own.direction))};
+  }
+  // As far beside its own axis as the mobile end's, in an even way: a section that tips fast runs into its
+  // neighbour on the inner side of a bend.
+  const Vec3 beside = line_.direction - ends_[static_cast<std::size_t>(place.span)];
+  return {own.point_m, normalized(own.direction + (x * x * (3.0 - 2.0 * x)) * beside)};
 }
 
 Vec3 HollowOrgan::moved(const Vec3& rest_m, const TwistLine& own, const Place& place, const Section& section,
                         const Fold& fold) const noexcept {
-  const double ownRadius = wound_ ? fold.radius : section.radius * fold.radius;
-  const Vec3 shaped_m = turnedAbout(rest_m, own, fold.turn_rad, ownRadius);
-  return turnedAbout(shaped_m, lineOf(own, place), section.turn_rad, wound_ ? section.radius : 1.0);
+  if (wound_) {
+    const Vec3 folded_m = turnedAbout(rest_m, own, fold.turn_rad, fold.radius);
+    return turnedAbout(folded_m, line_, section.turn_rad, section.radius);
+  }
+  const Vec3 shaped_m = turnedAbout(rest_m, own, 0.0, section.radius * fold.radius);
+  return turnedAbout(shaped_m, lineOf(own, place), section.turn_rad + fold.turn_rad, 1.0);
 }
 
 Vec3 HollowOrgan::movedBack(const Vec3& deformed_m, const TwistLine& own, const Place& place,

@@ -15,8 +15,8 @@ namespace torsio {
 namespace {
 
 constexpr std::size_t kLanes = static_cast<std::size_t>(kKernelBlock);
-constexpr std::size_t kOwnStreams = 15;
-constexpr std::size_t kWoundStreams = 11;
+constexpr std::size_t kOwnStreams = 16;
+constexpr std::size_t kWoundStreams = 12;
 constexpr std::size_t kLastRows = HollowSkin::kPlaces - 3;  // where the last three begin
 
 void putLane(float* lane, const Vec3& v) {
@@ -39,11 +39,14 @@ HollowView::HollowView(std::shared_ptr<const Scene> scene, Isa isa)
     : scene_(std::move(scene)), isa_(isa), slots_(scene_->mesh.vertices_m.size()) {
   TORSIO_EXPECTS(scene_->hollow != nullptr);
   const HollowOrgan& organ = *scene_->hollow;
+  const AxisFrame frame = organ.graspFrame(organ.line().point_m);
+  first_ = frame.e1;
+  second_ = frame.e2;
   spans_.resize(organ.wound() ? 1 : static_cast<std::size_t>(organ.spans()));
   std::vector<std::size_t> still;
   std::vector<std::size_t> mobile;
   std::vector<std::vector<Entry>> wrung(spans_.size());
-  const std::vector<TwistVertex>& vertices = scene_->model.tables().vertices;
+  const std::vector<TwistVertex>& vertices = organ.vertices();
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     const HollowOrgan::Place place = organ.turningPlace(vertices[v].arc_m, vertices[v].rest_m);
     if (place.span < 0) {
@@ -103,10 +106,12 @@ void HollowView::laySpan(std::vector<Entry> entries, Span& span) {
   }
   span.firstBlock = blocks_;
   span.in = KernelBuffer<float>(blocks.size() * streams() * kLanes);
+  span.rounds_rad.resize(blocks.size() * kLanes);
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       const Entry& entry = blocks[k][std::min(lane, blocks[k].size() - 1)];
       putSpanVertex(entry, span.firstRows[k], &span.in[k * streams() * kLanes + lane]);
+      span.rounds_rad[k * kLanes + lane] = scene_->lattice().vertexCoordinates()[entry.vertex].angle_rad;
     }
     for (std::size_t lane = 0; lane < blocks[k].size(); ++lane) {
       slots_[blocks[k][lane].vertex] = slotOf(blocks_ + k, lane);
@@ -118,23 +123,39 @@ void HollowView::laySpan(std::vector<Entry> entries, Span& span) {
 
 void HollowView::putSpanVertex(const Entry& entry, int firstRow, float* lane) const {
   const HollowOrgan& organ = *scene_->hollow;
-  const TwistVertex& vertex = scene_->model.tables().vertices[entry.vertex];
+  const TwistVertex& vertex = organ.vertices()[entry.vertex];
   const TwistLine& own = vertex.line;
   const Vec3 u = vertex.rest_m - own.point_m;
-  const double height_m = dot(own.direction, u);
-  const Vec3 across = u - height_m * own.direction;
-  const HollowOrgan::Place place = organ.turningPlace(vertex.arc_m, vertex.rest_m);
-  const TwistLine turning = organ.lineOf(own, place);
-  putLane(lane, organ.wound() ? vertex.rest_m - across - turning.point_m : own.point_m);
-  putLane(lane + 3 * kLanes, across);
-  putLane(lane + 6 * kLanes, own.direction);
-  if (!organ.wound()) {
+  const Vec3 along = dot(own.direction, u) * own.direction;
+  const Vec3 across = u - along;
+  const TwistLine turning = organ.lineOf(own, organ.turningPlace(vertex.arc_m, vertex.rest_m));
+  if (organ.wound()) {
+    const auto inFrame = [this](const Vec3& v) -> Vec3 {
+      return {dot(first_, v), dot(second_, v), dot(scene_->hollow->line().direction, v)};
+    };
+    putLane(lane, inFrame(vertex.rest_m - across - turning.point_m));
+    putLane(lane + 3 * kLanes, inFrame(across));
+    putLane(lane + 6 * kLanes, inFrame(cross(own.direction, across)));
+  } else {
+    const auto onAxis = [&turning](const Vec3& v) { return dot(turning.direction, v); };
+    putLane(lane, own.point_m + onAxis(along) * turning.direction);
+    putLane(lane + 3 * kLanes, along - onAxis(along) * turning.direction);
+    putLane(lane + 6 * kLanes, across - onAxis(across) * turning.direction);
     putLane(lane + 9 * kLanes, turning.direction);
-    lane[12 * kLanes] = static_cast<float>(height_m);
+    lane[12 * kLanes] = static_cast<float>(onAxis(across));
   }
-  const double round_rad = scene_->lattice().vertexCoordinates()[entry.vertex].angle_rad;
-  lane[(streams() - 2) * kLanes] = static_cast<float>(round_rad / kPi);
   lane[(streams() - 1) * kLanes] = static_cast<float>(entry.row - (firstRow + 1));
+}
+
+void HollowView::putWaves(Span& span, int waves) noexcept {
+  const std::size_t cosines = (streams() - 3) * kLanes;
+  for (std::size_t k = 0; k < span.rounds_rad.size(); ++k) {
+    const RoundWave wave = roundWave(waves, span.rounds_rad[k]);
+    float* lane = &span.in[k / kLanes * streams() * kLanes + k % kLanes + cosines];
+    lane[0] = static_cast<float>(wave.cos);
+    lane[kLanes] = static_cast<float>(wave.sin);
+  }
+  span.waves = waves;
 }
 
 void HollowView::moveMobile(double angle_rad) noexcept {
@@ -160,13 +181,19 @@ void HollowView::moveMobile(double angle_rad) noexcept {
 void HollowView::moveSpan(const HollowSkin& skin, int index) noexcept {
   Span& span = spans_[static_cast<std::size_t>(index)];
   skin.write(index, span.cells);
-  const TwistLine& line = scene_->hollow->line();
-  const HollowFrame frame{span.cells.data(),
-                          static_cast<float>(skin.waves(index)),
-                          {static_cast<float>(line.point_m.x), static_cast<float>(line.point_m.y),
-                           static_cast<float>(line.point_m.z)},
-                          {static_cast<float>(line.direction.x), static_cast<float>(line.direction.y),
-                           static_cast<float>(line.direction.z)}};
+  if (span.waves != skin.waves(index)) {
+    putWaves(span, skin.waves(index));
+  }
+  HollowFrame frame{span.cells.data(), static_cast<float>(skin.waves(index))};
+  const auto put = [](const Vec3& v, float* out) {
+    out[0] = static_cast<float>(v.x);
+    out[1] = static_cast<float>(v.y);
+    out[2] = static_cast<float>(v.z);
+  };
+  put(scene_->hollow->line().point_m, frame.point);
+  put(scene_->hollow->line().direction, frame.direction);
+  put(first_, frame.first);
+  put(second_, frame.second);
   const TwistKernels& kernels = twistKernels(isa_);
   (scene_->hollow->wound() ? kernels.hollowWound : kernels.hollowOwn)(
       span.in.data(), span.firstRows.data(), static_cast<int>(span.firstRows.size()), frame,

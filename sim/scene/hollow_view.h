@@ -42,6 +42,8 @@ class HollowView {
   struct Span {
     KernelBuffer<float> in;
     std::vector<int> firstRows;
+    std::vector<double> rounds_rad;  // ridge angle, one a lane
+    int waves = 0;                   // for which `in` is written
     std::size_t firstBlock = 0;
     HollowSkin::Cells cells{};
   };
@@ -49,12 +51,15 @@ class HollowView {
   void layMobile(std::span<const std::size_t> vertices);
   void laySpan(std::vector<Entry> entries, Span& span);
   void putSpanVertex(const Entry& entry, int firstRow, float* lane) const;
+  void putWaves(Span& span, int waves) noexcept;
   void moveSpan(const HollowSkin& skin, int index) noexcept;
   void moveMobile(double angle_rad) noexcept;
   [[nodiscard]] std::size_t streams() const noexcept;
 
   std::shared_ptr<const Scene> scene_;
   Isa isa_;
+  Vec3 first_;  // across the organ's line, with second_ a right-handed frame
+  Vec3 second_;
   std::size_t blocks_ = 0;
   std::size_t bytes_ = 0;
   std::size_t stillBlocks_ = 0;

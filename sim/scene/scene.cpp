@@ -114,7 +114,8 @@ void applyWishes(SceneDescription& scene, const SceneRequest& request) {
 
 /// The wall of an organ that came twisted; null where the pattern is to be twisted.
 std::shared_ptr<const HollowOrgan> hollowOf(const SceneDescription& scene, const SceneRequest& request,
-                                            const TwistPattern& pattern, const TwistModel& model) {
+                                            const TwistPattern& pattern, const TwistModel& model,
+                                            const TriangleMesh& mesh) {
   if (!pattern.detorsion) {
     return nullptr;
   }
@@ -128,7 +129,8 @@ std::shared_ptr<const HollowOrgan> hollowOf(const SceneDescription& scene, const
       HollowOrgan::Parts{.lattice = &model.lattice(),
                          .shearModulus_Pa = model.material().shearModulus_Pa,
                          .graspArc = pattern.graspArc,
-                         .detorsion = *pattern.detorsion});
+                         .detorsion = *pattern.detorsion,
+                         .vertices_m = mesh.vertices_m});
 }
 
 }  // namespace
@@ -184,7 +186,7 @@ Scene loadScene(const SceneRequest& request) {
                                                            .graspArc = pattern.graspArc,
                                                            .targetAngle_rad = pattern.targetAngle_rad});
   }
-  std::shared_ptr<const HollowOrgan> hollow = hollowOf(description, request, pattern, model);
+  std::shared_ptr<const HollowOrgan> hollow = hollowOf(description, request, pattern, model, mesh);
   std::string parameters =
       parametersText(description, pattern, request.organFile.has_value(), request.tissue);
   Digest digest;

@@ -196,6 +196,9 @@ Json toJson(const Detorsion& detorsion) {
                   {"relapse_from_rad", detorsion.base.relapseFrom_rad},
                   {"relapse_time_s", detorsion.base.relapseTime_s}};
   json["limits"] = toJson(detorsion.limits);
+  if (detorsion.stages.asked()) {
+    json["stages"] = {{"turn_rad", detorsion.stages.turn_rad}, {"rest_s", detorsion.stages.rest_s}};
+  }
   json["time_scale"] = detorsion.timeScale;
   return json;
 }

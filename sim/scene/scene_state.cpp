@@ -14,7 +14,7 @@ namespace torsio {
 
 Vec3 Scene::toDeformed_m(const Vec3& rest_m, const OrganState& state) const noexcept {
   if (hollow) {
-    return HollowMap(model, *hollow, state).forward(rest_m);
+    return HollowMap(lattice(), *hollow, state).forward(rest_m);
   }
   if (!rod) {
     return model.toDeformed_m(rest_m, state.twist);
@@ -25,7 +25,7 @@ Vec3 Scene::toDeformed_m(const Vec3& rest_m, const OrganState& state) const noex
 void Scene::deform(const OrganState& state, std::span<Vec3> out_m) const noexcept {
   if (hollow) {
     const HollowSkin skin(*hollow, state);
-    const std::vector<TwistVertex>& vertices = model.tables().vertices;
+    const std::vector<TwistVertex>& vertices = hollow->vertices();
     const auto places = lattice().vertexCoordinates();
     for (std::size_t i = 0; i < out_m.size() && i < vertices.size(); ++i) {
       out_m[i] = skin.vertex(vertices[i], places[i].angle_rad);

@@ -23,6 +23,7 @@ constexpr double kProbe_m = 0.004;
 constexpr double kSmallestArm_m = 0.008;  // nearer to the axis a twist has no lever
 // An end section may lie within its cap: the hand grasps a little inside.
 constexpr double kEndMargin = 0.02;
+constexpr double kRestShare = 1.1;  // of the rest that is asked for
 
 struct Candidate {
   Vec3 point_m;
@@ -159,9 +160,19 @@ HandTask detorseTask(const Scene& scene, std::uint64_t seed) {
   const double start_rad = start.twist.graspAngle_rad;
   const int turns = std::max(1, static_cast<int>(std::ceil(std::abs(start_rad) / kHandTurn_rad)));
   const std::vector<Vec3> outline_m = outlineAt(scene, arc_m);
+  const Detorsion& detorsion = scene.hollow->detorsion();
+  double stage_rad = 0.0;
   for (int i = 0; i < turns; ++i) {
     const double left_rad = start_rad * (turns - i) / turns;
-    task.turns.push_back({outwardPoint(scene, task, outline_m, best.outwards, left_rad), -start_rad / turns});
+    HandTurn turn{outwardPoint(scene, task, outline_m, best.outwards, left_rad), -start_rad / turns};
+    stage_rad += std::abs(turn.angle_rad);
+    const bool rests = detorsion.stages.asked() && i + 1 < turns &&
+                       stage_rad + std::abs(turn.angle_rad) > detorsion.stages.turn_rad;
+    if (rests) {
+      turn.rest_s = kRestShare * detorsion.stages.rest_s / detorsion.timeScale;
+      stage_rad = 0.0;
+    }
+    task.turns.push_back(turn);
   }
   task.graspPoint_m = task.turns.front().graspPoint_m;
   task.closure = carefulClosure(scene.hollow->detorsion().limits, start.hollow.reading.dose);

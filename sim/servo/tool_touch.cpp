@@ -256,7 +256,7 @@ auto askDeformed(const Scene& scene, const OrganState& organ, const Ask& ask) no
   }
   const TwistModel::Tables& tables = scene.model.tables();
   if (scene.hollow) {
-    const WrungVertices moved{HollowMap(scene.model, *scene.hollow, organ), tables.vertices};
+    const WrungVertices moved{HollowMap(scene.lattice(), *scene.hollow, organ), scene.hollow->vertices()};
     DeformedSurface surface(scene.collision.patches(), {&moved, &WrungVertices::at});
     return ask(surface, [&](const Vec3& at_m) { return moved.map.backward(at_m); });
   }

@@ -276,6 +276,67 @@ TEST(Detorsion, LettingOutCountsOnlyBeforeTheTurn) {
   EXPECT_FALSE(before.measured().at("detorse.vented_first"));
 }
 
+// 720 degrees in two stages of 360, five minutes of rest between them; sixty seconds of the tissue a second.
+constexpr TurnStages kWholeTurns{radians(360.0), 300.0};
+
+TEST(Detorsion, AnOrganThatRestsAfterAWholeTurnIsUndoneInStages) {
+  const DetorsionRules rules{.stages = kWholeTurns};
+  Untwisting run(-720.0);
+  run.pass(1).hand(true).turnTo(-365.0, 2000).hand(false).clip(true).pass(5000);
+  run.clip(false).hand(true).turnTo(0.0, 2000);
+
+  EXPECT_NEAR(*run.measured(rules).at("detorse.longest_stage"), radians(365.0), 1e-9);
+  EXPECT_EQ(*run.measured(rules).at("detorse.in_stages"), 1.0);
+}
+
+TEST(Detorsion, ARestThatIsTooShortOrInMotionBeginsNoStage) {
+  const DetorsionRules rules{.stages = kWholeTurns};
+  Untwisting hasty(720.0);
+  hasty.pass(1).hand(true).turnTo(365.0, 2000).pass(4900).turnTo(0.0, 2000);
+  Untwisting slow(720.0);
+  slow.hand(true).turnTo(0.0, 30000);
+
+  EXPECT_NEAR(*hasty.measured(rules).at("detorse.longest_stage"), radians(720.0), 1e-9);
+  EXPECT_EQ(*hasty.measured(rules).at("detorse.in_stages"), 0.0);
+  EXPECT_EQ(*slow.measured(rules).at("detorse.in_stages"), 0.0);
+}
+
+TEST(Detorsion, WhatTurnsBackMeanwhileBelongsToTheStage) {
+  const DetorsionRules rules{.stages = kWholeTurns};
+  Untwisting run(400.0);
+  run.pass(1).hand(true).turnTo(200.0, 1000).hand(false).turnTo(390.0, 1000).hand(true).turnTo(100.0, 1000);
+
+  EXPECT_NEAR(*run.measured(rules).at("detorse.longest_stage"), radians(300.0), 1e-9);
+}
+
+TEST(Detorsion, StagesAreUndefinedWhereNoneAreAskedFor) {
+  Untwisting run(720.0);
+  run.hand(true).turnTo(0.0, 1000);
+
+  EXPECT_FALSE(run.measured().at("detorse.in_stages"));
+  EXPECT_FALSE(run.measured().at("detorse.longest_stage"));
+}
+
+TEST(StagedTurn, IsDueBeforeAHandLeavesTheStageAndNoMoreOnceItHasRested) {
+  StagedTurn staged(kWholeTurns, 60.0);
+  staged.take(0.0, radians(720.0));
+  EXPECT_FALSE(staged.due());
+  staged.take(0.5, radians(520.0));
+  EXPECT_FALSE(staged.due());
+  staged.take(1.0, radians(370.0));
+  EXPECT_TRUE(staged.due());
+  staged.take(4.0, radians(369.0));
+  EXPECT_NEAR(staged.still_s(), 180.0, 1e-9);
+  staged.take(6.1, radians(369.0));
+  EXPECT_FALSE(staged.due());
+  EXPECT_NEAR(staged.stage_rad(), 0.0, 1e-12);
+  EXPECT_NEAR(staged.longest_rad(), radians(351.0), 1e-12);
+  StagedTurn nearlyDone(kWholeTurns, 60.0);
+  nearlyDone.take(0.0, radians(360.0));
+  nearlyDone.take(1.0, radians(50.0));
+  EXPECT_FALSE(nearlyDone.due());  // what is left belongs to the same stage
+}
+
 TEST(Detorsion, AHandThatTurns155DegreesMustGripSoOftenAgain) {
   EXPECT_EQ(leastRegrips(radians(90.0)), 0.0);
   EXPECT_EQ(leastRegrips(radians(155.0)), 0.0);
@@ -298,7 +359,7 @@ TEST(Detorsion, HasAValueOrAReasonForEachOfItsCards) {
       EXPECT_TRUE(got.at(card.id) || !got.at(card.id).reason().str().empty()) << card.id;
     }
   }
-  EXPECT_EQ(got.values.size(), 16U);
+  EXPECT_EQ(got.values.size(), 18U);
   EXPECT_FALSE(got.at("detorse.first_direction"));  // it did not come twisted
 }
 

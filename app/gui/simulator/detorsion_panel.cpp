@@ -79,6 +79,13 @@ DetorsionPanel::DetorsionPanel(QWidget* parent) : QWidget(parent), card_(new Car
   compression_->setWordWrap(true);
   card_->content()->addWidget(compression_);
   createButtons();
+  restText_ = new QLabel(card_);
+  restText_->setObjectName(QStringLiteral("restText"));
+  restText_->setWordWrap(true);
+  rest_ = new QProgressBar(card_);
+  rest_->setObjectName(QStringLiteral("rest"));
+  rest_->setTextVisible(false);
+  rest_->setRange(0, kBar);
   handsOffText_ = new QLabel(card_);
   handsOffText_->setObjectName(QStringLiteral("handsOffText"));
   handsOffText_->setWordWrap(true);
@@ -90,7 +97,8 @@ DetorsionPanel::DetorsionPanel(QWidget* parent) : QWidget(parent), card_(new Car
   warning_->setObjectName(QStringLiteral("tissueWarning"));
   warning_->setProperty("caution", true);
   warning_->setWordWrap(true);
-  for (QWidget* widget : std::initializer_list<QWidget*>{handsOffText_, handsOff_, warning_}) {
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{restText_, rest_, handsOffText_, handsOff_, warning_}) {
     card_->content()->addWidget(widget);
     widget->hide();
   }
@@ -171,6 +179,7 @@ void DetorsionPanel::setScene(const Scene* scene) {
     detorsion_ = scene->hollow->detorsion();
   }
   shown_ = {};
+  stages_ = StagedTurn(detorsion_.stages, detorsion_.timeScale);
   handsOffSince_us_ = -1;
   retranslate();
   setVisible(present_);
@@ -224,6 +233,7 @@ void DetorsionPanel::retranslate() {
                         .arg(percent(cost.deviation)));
   }
   checking_->setAccessibleName(tr("Progress of the check"));
+  rest_->setAccessibleName(tr("Rest of the tissue"));
   handsOff_->setAccessibleName(tr("Time with hands off"));
   warning_->setAccessibleName(tr("Warning"));
   show(shown_);
@@ -276,6 +286,7 @@ void DetorsionPanel::show(const LiveState& state) {
   }
   showRows();
   showCheck();
+  showRest();
   showHandsOff();
   showWarning();
   enable();
@@ -342,6 +353,33 @@ QString DetorsionPanel::cue() const {
     return tr("The twist grows. Turn the other way round.");
   }
   return tr("Holding. Turn, set the clip (C), then grip anew.");
+}
+
+void DetorsionPanel::showRest() {
+  const HollowPose& pose = shown_.hollow;
+  if (!pose.present || !detorsion_.stages.asked()) {
+    restText_->hide();
+    rest_->hide();
+    return;
+  }
+  const double now_s = static_cast<double>(shown_.time_us) * 1e-6;
+  if (pose.scaled_s <= 0.0 || now_s < restTaken_s_) {
+    stages_ = StagedTurn(detorsion_.stages, detorsion_.timeScale);  // a new trial, or a replay that goes back
+  }
+  restTaken_s_ = now_s;
+  stages_.take(now_s, shown_.response.angle_rad);
+  const bool due = stages_.due();
+  restText_->setVisible(due);
+  rest_->setVisible(due);
+  if (due) {
+    const double whole_s = detorsion_.stages.rest_s / detorsion_.timeScale;
+    const double still_s = std::min(stages_.still_s() / detorsion_.timeScale, whole_s);
+    rest_->setValue(static_cast<int>(kBar * still_s / whole_s));
+    setText(restText_, tr("Turned back by %1°. Set the clip and let it rest: %2 of %3 s")
+                           .arg(degrees(stages_.stage_rad()), 0, 'f', 0)
+                           .arg(std::floor(still_s), 0, 'f', 0)
+                           .arg(whole_s, 0, 'f', 0));
+  }
 }
 
 void DetorsionPanel::showHandsOff() {

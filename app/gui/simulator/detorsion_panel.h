@@ -66,6 +66,7 @@ class DetorsionPanel : public QWidget {
   void addKey(int key, const std::function<void()>& action);
   void showRows();
   void showCheck();
+  void showRest();
   void showHandsOff();
   void showWarning();
   [[nodiscard]] bool liesWithinLimits() const;
@@ -76,6 +77,8 @@ class DetorsionPanel : public QWidget {
   bool usable_ = true;
   LiveState shown_;
   std::int64_t handsOffSince_us_ = -1;
+  StagedTurn stages_{{}, 1.0};
+  double restTaken_s_ = 0.0;   // when stages_ was last told
   double heldFrom_rad_ = 0.0;  // how far the organ was turned when the jaw took hold of it
   Card* card_;
   Row angle_;
@@ -89,6 +92,8 @@ class DetorsionPanel : public QWidget {
   QPushButton* check_;
   std::vector<std::pair<FlowCheck, QAction*>> checks_;
   QProgressBar* checking_;
+  QLabel* restText_;
+  QProgressBar* rest_;
   QLabel* handsOffText_;
   QProgressBar* handsOff_;
   QLabel* warning_;

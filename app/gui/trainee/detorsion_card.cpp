@@ -142,6 +142,13 @@ QStringList DetorsionCard::verdicts(const DetorsionStory& story) {
     out << tr("Between grips %1 were lost again: set the clip before you let go.")
                .arg(shown("detorse.slip_back", *slip));
   }
+  const auto stage = measureOf(story, "detorse.longest_stage");
+  if (const auto staged = measureOf(story, "detorse.in_stages"); staged && stage) {
+    const QString size = shown("detorse.longest_stage", *stage);
+    out << (*staged != 0.0
+                ? tr("Undone in stages: at most %1 without a rest.").arg(size)
+                : tr("Turned back by %1 without a rest: let the blood return in stages.").arg(size));
+  }
   if (const auto over_s = measureOf(story, "detorse.overload_time"); over_s && *over_s > 0.0) {
     out << tr("The tissue was loaded beyond what it bears for %1.")
                .arg(shown("detorse.overload_time", *over_s));

@@ -27,7 +27,7 @@ struct MetricLabels {
   double scale;      ///< SI to shown
   int decimals;
 };
-constexpr std::array<MetricLabels, 37> kMetrics{{
+constexpr std::array<MetricLabels, 39> kMetrics{{
     {"twist.on_target", QT_TRANSLATE_NOOP("StationLabels", "Twists on target"), "%", 100.0, 0},
     {"twist.targets_reached", QT_TRANSLATE_NOOP("StationLabels", "Targets reached"), "", 1.0, 0},
     {"time.total", QT_TRANSLATE_NOOP("StationLabels", "Time of a twist"), "s", 1.0, 1},
@@ -69,6 +69,9 @@ constexpr std::array<MetricLabels, 37> kMetrics{{
     {"detorse.overload_time", QT_TRANSLATE_NOOP("StationLabels", "Time of overload"), "s", 1.0, 1},
     {"detorse.min_patency", QT_TRANSLATE_NOOP("StationLabels", "Least patency"), "%", 100.0, 0},
     {"detorse.vented_first", QT_TRANSLATE_NOOP("StationLabels", "Let out first"), "", 1.0, 0},
+    {"detorse.longest_stage", QT_TRANSLATE_NOOP("StationLabels", "Longest turn without a rest"), "\u00b0",
+     kDegreesPerRadian, 0},
+    {"detorse.in_stages", QT_TRANSLATE_NOOP("StationLabels", "Undone in stages"), "", 1.0, 0},
 }};
 
 const MetricLabels* wordsOf(const std::string& id) {

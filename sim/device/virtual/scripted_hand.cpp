@@ -171,7 +171,7 @@ ScriptedHand::Cycle ScriptedHand::plan(double begin_s, double skill, const HandT
   lasts_s[kOpen] = motion.jaw_s;
   lasts_s[kLift] = kLift_s;
   lasts_s[kReturn] = std::max(motion.reach_s, std::abs(cycle.held_rad) / kReturn_rad_per_s);
-  lasts_s[kPause] = kPause_s;
+  lasts_s[kPause] = kPause_s + turn.rest_s;
   cycle.begins_s[0] = begin_s;
   for (std::size_t leg = 0; leg < kLegs; ++leg) {
     cycle.begins_s[leg + 1] = cycle.begins_s[leg] + lasts_s[leg];

@@ -16,6 +16,7 @@ namespace torsio {
 struct HandTurn {
   Vec3 graspPoint_m;       ///< on the surface as it lies then
   double angle_rad = 0.0;  ///< by which the hand turns
+  double rest_s = 0.0;     ///< how much longer than usual the hand waits afterwards
 };
 
 /// Task of a scripted hand as plain geometry in the world frame; handTask (sim/servo/hand_task.h) makes it

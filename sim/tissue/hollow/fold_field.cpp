@@ -95,14 +95,28 @@ double foldAmplitude(int waves, double slack) noexcept {
   return table.amplitudes[cell] + share * (table.amplitudes[cell + 1] - table.amplitudes[cell]);
 }
 
-FoldedPoint foldedPoint(const FoldWaves& folds, double round_rad) noexcept {
+FoldPhase foldPhase(const FoldWaves& folds) noexcept {
   if (folds.amplitude == 0.0) {
     return {};
   }
-  const double n = folds.waves;
-  const SinCos a = portableSinCos(n * (round_rad - folds.crest_rad));
-  const double eps = folds.amplitude;
-  return {1.0 + eps * a.cos, -eps / n * a.sin + eps * eps * secondOrder(n) / n * a.sin * a.cos};
+  const SinCos a = portableSinCos(folds.waves * folds.crest_rad);
+  return {folds.amplitude * a.cos, folds.amplitude * a.sin};
+}
+
+RoundWave roundWave(int waves, double round_rad) noexcept {
+  const SinCos a = portableSinCos(waves * round_rad);
+  return {a.cos, a.sin};
+}
+
+FoldedPoint foldedPoint(int waves, const FoldPhase& phase, const RoundWave& round) noexcept {
+  const double n = waves;
+  const double up = phase.even * round.cos + phase.odd * round.sin;
+  const double aside = phase.even * round.sin - phase.odd * round.cos;
+  return {1.0 + up, aside * (secondOrder(n) * up - 1.0) / n};
+}
+
+FoldedPoint foldedPoint(const FoldWaves& folds, double round_rad) noexcept {
+  return foldedPoint(folds.waves, foldPhase(folds), roundWave(folds.waves, round_rad));
 }
 
 }  // namespace torsio

@@ -34,8 +34,26 @@ struct FoldedPoint {
   double turn_rad = 0.0;
 };
 
+/// How deep folds are at a place and where their first crest lies, as the two parts of a wave:
+/// eps cos(waves chi), eps sin(waves chi). Places in between are mixed from such parts, so that no angle has
+/// to be taken there.
+struct FoldPhase {
+  double even = 0.0;
+  double odd = 0.0;
+};
+[[nodiscard]] FoldPhase foldPhase(const FoldWaves& folds) noexcept;
+
+/// A wave round the section at an angle: cos(waves angle), sin(waves angle).
+struct RoundWave {
+  double cos = 1.0;
+  double sin = 0.0;
+};
+[[nodiscard]] RoundWave roundWave(int waves, double round_rad) noexcept;
+
 /// Computes where the point at an angle round the section lies; without an amplitude exactly where it was.
 /// Inextensible to first order in the amplitude, evenly stretched to second.
+[[nodiscard]] FoldedPoint foldedPoint(int waves, const FoldPhase& phase, const RoundWave& round) noexcept;
+/// The same of folds that are not mixed.
 [[nodiscard]] FoldedPoint foldedPoint(const FoldWaves& folds, double round_rad) noexcept;
 
 }  // namespace torsio

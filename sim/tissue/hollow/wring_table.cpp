@@ -309,6 +309,33 @@ WrungPlace WringTable::placeAt(double share, double angle_rad, double pressure) 
   return place;
 }
 
+void WringTable::placesAt(double angle_rad, double pressure, std::span<WrungPlace> places) const noexcept {
+  const Cell cell = cellAt(angle_rad, pressure);
+  const std::size_t nodes = cell.rows.low->places.size() / kAngles;
+  const std::size_t begin = cell.angle * nodes;
+  const WrungPlace* low = cell.rows.low->places.data() + begin;
+  const WrungPlace* high = cell.rows.high->places.data() + begin;
+  const auto nodeAt = [&](std::size_t i) {
+    return between(between(low[i], low[nodes + i], cell.share), between(high[i], high[nodes + i], cell.share),
+                   cell.rows.share);
+  };
+  // Each node once: places follow one another along the tube.
+  std::size_t node = 0;
+  WrungPlace from = nodeAt(0);
+  WrungPlace to = nodeAt(1);
+  const double step =
+      static_cast<double>(nodes - 1) / static_cast<double>(std::max<std::size_t>(places.size(), 2) - 1);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double along = std::min(static_cast<double>(i) * step, static_cast<double>(nodes - 1));
+    for (; node + 2 < nodes && along >= static_cast<double>(node + 1); ++node) {
+      from = to;
+      to = nodeAt(node + 2);
+    }
+    places[i] = between(from, to, along - static_cast<double>(node));
+    places[i].foldTurn = angle_rad < 0.0 ? -places[i].foldTurn : places[i].foldTurn;
+  }
+}
+
 double WringTable::closing_rad(double pressure) const noexcept {
   const Between rows = rowsAt(pressure);
   return rows.low->closing + rows.share * (rows.high->closing - rows.low->closing);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "sim/tissue/hollow/wrung_tube.h"
@@ -44,6 +45,9 @@ class WringTable {
   [[nodiscard]] WrungState at(double angle_rad, double pressure) const noexcept;
   /// Returns how the tube lies at a share of its length, 0 at the fixed end. In the tick, as at().
   [[nodiscard]] WrungPlace placeAt(double share, double angle_rad, double pressure) const noexcept;
+  /// Writes how the tube lies at equal shares of its length, both ends among them: placeAt() up to rounding,
+  /// for a fraction of its time.
+  void placesAt(double angle_rad, double pressure, std::span<WrungPlace> places) const noexcept;
   /// Returns the angle at which the narrowest place is packed with wall.
   [[nodiscard]] double closing_rad(double pressure) const noexcept;
   /// Returns the largest torque on the way to closing.

@@ -93,7 +93,12 @@ WrungOrgan::WrungOrgan(Unloaded tube, const HollowContent& content)
       unit_m_(tube.radius_m),
       plainStiffness_Nm_per_rad_(tube.plainStiffness_Nm_per_rad),
       wall_(std::move(tube.wall)),
-      table_(wall_, content.highestPressure_Pa / content.shearModulus_Pa) {}
+      table_(wall_, content.highestPressure_Pa / content.shearModulus_Pa) {
+  Profile drawn;
+  table_.placesAt(0.0, rest_Pa_ / shear_Pa_, drawn);
+  std::transform(drawn.begin(), drawn.end(), drawnRadius_.begin(),
+                 [](const WrungPlace& place) { return place.radius; });
+}
 
 WrungState WrungOrgan::at(double angle_rad, double pressure_Pa) const noexcept {
   WrungState state = table_.at(angle_rad, pressure_Pa / shear_Pa_);
@@ -110,6 +115,14 @@ WrungPlace WrungOrgan::placeAt(double share, double angle_rad, double pressure_P
   place.radius /= drawn.radius;
   place.shift = unit_m_ * (place.shift - drawn.shift);
   return place;
+}
+
+void WrungOrgan::profileAt(double angle_rad, double pressure_Pa, Profile& profile) const noexcept {
+  table_.placesAt(angle_rad, pressure_Pa / shear_Pa_, profile);
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    profile[i].radius /= drawnRadius_[i];
+    profile[i].shift = 0.0;
+  }
 }
 
 double WrungOrgan::sealedPressure_Pa(double angle_rad, double filled_Pa) const noexcept {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -43,6 +45,12 @@ class WrungOrgan {
   /// drawn, exactly 1 at rest pressure without an angle; its shift along the axis against that, m. In the
   /// tick, as at().
   [[nodiscard]] WrungPlace placeAt(double share, double angle_rad, double pressure_Pa) const noexcept;
+  /// Number of places of a profile: at equal shares of the length, both ends among them.
+  static constexpr std::size_t kPlaces = 65;
+  using Profile = std::array<WrungPlace, kPlaces>;
+  /// Writes how the wall lies at all places of a profile: placeAt() up to rounding, for a fraction of its
+  /// time; without shift, which is 0. In the tick.
+  void profileAt(double angle_rad, double pressure_Pa, Profile& profile) const noexcept;
   /// Returns the pressure at an angle when the gas cannot leave: (p_atm + p) V stays what it was at
   /// `filled_Pa` and angle 0. 30 queries.
   [[nodiscard]] double sealedPressure_Pa(double angle_rad, double filled_Pa) const noexcept;
@@ -75,6 +83,7 @@ class WrungOrgan {
   double plainStiffness_Nm_per_rad_ = 0.0;
   TubeWall wall_;
   WringTable table_;
+  std::array<double, kPlaces> drawnRadius_{};  // of the organ as drawn, at the places of a profile
 };
 
 }  // namespace torsio

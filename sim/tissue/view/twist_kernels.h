@@ -41,10 +41,10 @@ struct KinkedLine {
 
 /// Two neighbouring cells of a span of a wrung hollow organ, as a frame of it is drawn.
 struct HollowCells {
-  KinkedLine turn;       ///< of the section, in half turns
-  KinkedLine radius;     ///< mean, against rest
-  KinkedLine amplitude;  ///< of the folds, against the mean radius
-  KinkedLine crest;      ///< waves times the angle to which the first crest has gone, in half turns
+  KinkedLine turn;    ///< of the section, in half turns
+  KinkedLine radius;  ///< mean, against rest
+  KinkedLine even;    ///< depth of the folds against the mean radius, times the cosine of their phase
+  KinkedLine odd;     ///< the same times the sine
 };
 
 /// One frame of a span of a hollow organ (docs/model.md H.8).
@@ -53,6 +53,8 @@ struct HollowFrame {
   float waves = 3.0F;                  ///< folds round the tube
   float point[3] = {};                 ///< of the line that wound limbs turn about, m
   float direction[3] = {};             ///< of that line
+  float first[3] = {};                 ///< across it, of length 1
+  float second[3] = {};                ///< direction x first
 };
 
 /// Component kriging of a set of key points as the paper prints it (Eq. 15): for each vertex eight weights
@@ -83,13 +85,15 @@ struct TwistKernels {
   /// Moves vertices by the paper's linear rotation. in: rest[3] tangentCrossRadius[3] unitAngle arc lift[3]
   /// = 11 x 16 a block; out: 3 x 16.
   void (*paperLinear)(const float* in, int blocks, const PaperFrame& frame, float* out);
-  /// Moves vertices of a span with its folds, each about the axis of its own section. in: centre[3] across[3]
-  /// own[3] axis[3] height round place = 15 x 16 a block; `own`: the section's tangent, `axis`: what it turns
-  /// about; `height` along the tangent from the centre, m; `round`: ridge angle in half turns; `place`: rows
-  /// from the middle of the cells firstRows[block], -1 .. 1. out: 3 x 16.
+  /// Moves vertices of a span with its folds, each about an axis through its own section's centre. in:
+  /// foot[3] still[3] across[3] axis[3] lean round[2] place = 16 x 16 a block. What is radius times `across`
+  /// and `still`, which no radius touches, turns about `axis`; `lean`: the part of the vertex that grows
+  /// along the axis; `foot`: the rest; m. `round`: cosine and sine of the ridge angle times the number of
+  /// waves; `place`: rows from the middle of the cells firstRows[block], -1 .. 1. out: 3 x 16.
   void (*hollowOwn)(const float* in, const int* firstRows, int blocks, const HollowFrame& frame, float* out);
-  /// Moves vertices of limbs that are wound round the line of the frame. in: foot[3] across[3] own[3] round
-  /// place = 11 x 16 a block; `foot`: on the section's axis, against the point of the line. out: 3 x 16.
+  /// Moves vertices of limbs that are wound round the line of the frame. in: foot[3] across[3] aside[3]
+  /// round[2] place = 12 x 16 a block, vectors along first, second, direction of the frame; `foot`: on the
+  /// section's axis, against the point of the line; `aside`: tangent x across. out: 3 x 16.
   void (*hollowWound)(const float* in, const int* firstRows, int blocks, const HollowFrame& frame,
                       float* out);
   /// Moves a lattice section by section, each section padded to whole blocks of 3 x 16; motions: 12 numbers

@@ -50,6 +50,21 @@ inline SineCosine sineCosineOfHalfTurns(float y, float pi) {
   return {flipped(s, parity), flipped(c, parity)};
 }
 
+// The same with a term less in each sum, times a factor: error below 1e-6, a tenth of a micrometre at the arm
+// of an organ.
+inline SineCosine shortSineCosine(float y, float factor) {
+  const float kRound = 12582912.0F;
+  const float sum = y + kRound;
+  const float f = flipped(factor, __builtin_bit_cast(unsigned, sum));
+  const float r = y - (sum - kRound);
+  const float z = r * r;
+  const float zz = z * z;
+  const float w = r * 3.14159265F;
+  const float s = w + (w * z) * ((-1.64483679F + z * 0.80970003F) + zz * -0.177781807F);
+  const float c = (1.0F + z * -4.93479552F) + zz * ((4.05845134F + z * -1.33209385F) + zz * 0.22008062F);
+  return {f * s, f * c};
+}
+
 inline float smaller(float a, float b) {
   return a < b ? a : b;
 }
@@ -188,98 +203,86 @@ inline float magnitude(float value) {
 
 // What the number of folds says, the same in a whole frame.
 struct Waves {
-  float count;
   float inverse;
   float second;  // of the second-order sway, over the count
 };
 
 inline Waves wavesOf(const HollowFrame& f) {
-  return {f.waves, 1.0F / f.waves, (0.5F + 0.25F * f.waves * f.waves) / f.waves};
+  return {1.0F / f.waves, (0.5F + 0.25F * f.waves * f.waves) / f.waves};
 }
 
-// Where a point of a folded section lies: shares of `across` and of own x across. The fold turns by at most
-// 0.35 rad: short sums, error below 1.3e-7.
+// Where a point of a folded section lies: how far out, against 1, and by what angle round.
 struct Folded {
-  float across;
-  float aside;
+  float up;
+  float turn;
 };
 
-inline Folded foldedAt(const HollowCells& b, const Waves& w, float round, float place, float away) {
-  const float eps = along(b.amplitude, place, away);
-  const SineCosine wave = sineCosineOfHalfTurns(w.count * round - along(b.crest, place, away), 3.14159265F);
-  const float turn = (eps * wave.sine) * (eps * w.second * wave.cosine - w.inverse);
-  const float radius = 1.0F + eps * wave.cosine;
-  const float z = turn * turn;
-  const float sine = turn + turn * z * (-0.166666667F + z * 8.33333333e-3F);
-  const float cosine = 1.0F + z * (-0.5F + z * (0.0416666667F + z * -1.38888889e-3F));
-  return {radius * cosine, radius * sine};
+inline Folded foldedAt(const HollowCells& b, const Waves& w, float cosine, float sine, float place,
+                       float away) {
+  const float even = along(b.even, place, away);
+  const float odd = along(b.odd, place, away);
+  const float up = even * cosine + odd * sine;
+  const float aside = even * sine - odd * cosine;
+  return {up, aside * (w.second * up - w.inverse)};
 }
 
 void hollowOwn(const float* __restrict in, const int* __restrict firstRows, int blocks,
                const HollowFrame& frame, float* __restrict out) {
-  const Waves w = wavesOf(frame);
+  const Waves waves = wavesOf(frame);
+  const Waves w = {waves.inverse * 0.318309886F, waves.second * 0.318309886F};  // in half turns
   for (int block = 0; block < blocks; ++block) {
-    const float* __restrict v = in + static_cast<long long>(block) * (15 * 16);
+    const float* __restrict v = in + static_cast<long long>(block) * (16 * 16);
     float* __restrict o = out + static_cast<long long>(block) * (3 * 16);
     const HollowCells b = frame.cells[firstRows[block]];
     TORSIO_VECTOR_LOOP
     for (int i = 0; i < 16; ++i) {
-      const float place = v[224 + i];
+      const float place = v[240 + i];
       const float away = magnitude(place);
-      const Folded fold = foldedAt(b, w, v[208 + i], place, away);
+      const Folded fold = foldedAt(b, w, v[208 + i], v[224 + i], place, away);
       const float mean = along(b.radius, place, away);
-      const SineCosine turn = sineCosineOfHalfTurns(along(b.turn, place, away), 3.14159265F);
-      const float across = mean * fold.across;
-      const float aside = mean * fold.aside;
-      const float ax = v[48 + i];
-      const float ay = v[64 + i];
-      const float az = v[80 + i];
-      const float dx = v[96 + i];
-      const float dy = v[112 + i];
-      const float dz = v[128 + i];
+      const float radius = mean + mean * fold.up;
+      const SineCosine turn = shortSineCosine(along(b.turn, place, away) + fold.turn, 1.0F);
       const float ex = v[144 + i];
       const float ey = v[160 + i];
       const float ez = v[176 + i];
-      const float h = v[192 + i];
-      const float x = h * dx + across * ax + aside * (dy * az - dz * ay);
-      const float y = h * dy + across * ay + aside * (dz * ax - dx * az);
-      const float z = h * dz + across * az + aside * (dx * ay - dy * ax);
-      const float rest = (1.0F - turn.cosine) * (ex * x + ey * y + ez * z);
-      o[i] = v[i] + (rest * ex + turn.cosine * x + turn.sine * (ey * z - ez * y));
-      o[16 + i] = v[16 + i] + (rest * ey + turn.cosine * y + turn.sine * (ez * x - ex * z));
-      o[32 + i] = v[32 + i] + (rest * ez + turn.cosine * z + turn.sine * (ex * y - ey * x));
+      const float x = v[48 + i] + radius * v[96 + i];
+      const float y = v[64 + i] + radius * v[112 + i];
+      const float z = v[80 + i] + radius * v[128 + i];
+      const float lift = radius * v[192 + i];
+      o[i] = v[i] + lift * ex + turn.cosine * x + turn.sine * (ey * z - ez * y);
+      o[16 + i] = v[16 + i] + lift * ey + turn.cosine * y + turn.sine * (ez * x - ex * z);
+      o[32 + i] = v[32 + i] + lift * ez + turn.cosine * z + turn.sine * (ex * y - ey * x);
     }
   }
 }
 
+// The fold turns by at most 0.35 rad: short sums, error below 3e-6, a tenth of a micrometre at its radius.
 void hollowWound(const float* __restrict in, const int* __restrict firstRows, int blocks,
                  const HollowFrame& frame, float* __restrict out) {
   const HollowFrame f = frame;
-  const float ex = f.direction[0];
-  const float ey = f.direction[1];
-  const float ez = f.direction[2];
   const Waves w = wavesOf(f);
   for (int block = 0; block < blocks; ++block) {
-    const float* __restrict v = in + static_cast<long long>(block) * (11 * 16);
+    const float* __restrict v = in + static_cast<long long>(block) * (12 * 16);
     float* __restrict o = out + static_cast<long long>(block) * (3 * 16);
     const HollowCells b = f.cells[firstRows[block]];
     TORSIO_VECTOR_LOOP
     for (int i = 0; i < 16; ++i) {
-      const float place = v[160 + i];
+      const float place = v[176 + i];
       const float away = magnitude(place);
-      const Folded fold = foldedAt(b, w, v[144 + i], place, away);
-      const float mean = along(b.radius, place, away);
-      const SineCosine turn = sineCosineOfHalfTurns(along(b.turn, place, away), 3.14159265F);
-      const Across a = tangentCrossRadius(v, i);
-      const float x = v[i] + fold.across * v[48 + i] + fold.aside * a.x;
-      const float y = v[16 + i] + fold.across * v[64 + i] + fold.aside * a.y;
-      const float z = v[32 + i] + fold.across * v[80 + i] + fold.aside * a.z;
-      const float cosine = mean * turn.cosine;
-      const float sine = mean * turn.sine;
-      const float rest = (1.0F - cosine) * (ex * x + ey * y + ez * z);
-      o[i] = f.point[0] + (rest * ex + cosine * x + sine * (ey * z - ez * y));
-      o[16 + i] = f.point[1] + (rest * ey + cosine * y + sine * (ez * x - ex * z));
-      o[32 + i] = f.point[2] + (rest * ez + cosine * z + sine * (ex * y - ey * x));
+      const Folded fold = foldedAt(b, w, v[144 + i], v[160 + i], place, away);
+      const float zz = fold.turn * fold.turn;
+      const float radius = 1.0F + fold.up;
+      const float aside = radius * (fold.turn + fold.turn * zz * (-0.166666667F + zz * 8.33333333e-3F));
+      const float across = radius * (1.0F + zz * (-0.5F + zz * 0.0416666667F));
+      const float x = v[i] + across * v[48 + i] + aside * v[96 + i];
+      const float y = v[16 + i] + across * v[64 + i] + aside * v[112 + i];
+      const float z = v[32 + i] + across * v[80 + i] + aside * v[128 + i];
+      const SineCosine turn = shortSineCosine(along(b.turn, place, away), along(b.radius, place, away));
+      const float p = turn.cosine * x - turn.sine * y;
+      const float q = turn.sine * x + turn.cosine * y;
+      o[i] = f.point[0] + f.first[0] * p + f.second[0] * q + f.direction[0] * z;
+      o[16 + i] = f.point[1] + f.first[1] * p + f.second[1] * q + f.direction[1] * z;
+      o[32 + i] = f.point[2] + f.first[2] * p + f.second[2] * q + f.direction[2] * z;
     }
   }
 }

@@ -71,6 +71,16 @@ TEST(DetorsionRules, ASolidCordHasNothingToLetOut) {
   EXPECT_FALSE(rules->vent);
 }
 
+TEST(DetorsionRules, KnowTheStagesThatTheSceneAskedFor) {
+  Detorsion staged = sigmoid();
+  staged.stages = {radians(360.0), 300.0};
+
+  const auto rules = detorsionRulesOf(storedWith(std::make_shared<const Detorsion>(staged)));
+
+  ASSERT_TRUE(rules);
+  EXPECT_EQ(rules->stages, staged.stages);
+}
+
 TEST(DetorsionRules, AreNoneForATwistAndForParametersThatNobodyKnows) {
   EXPECT_FALSE(detorsionRulesOf(storedWith(nullptr)));
   EXPECT_FALSE(detorsionRulesOf("{\"detorsion\": {\"limits\": {}}}"));

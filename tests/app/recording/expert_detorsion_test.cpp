@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/recording/expert_run.h"
+#include "sim/base/staged_turn.h"
 #include "sim/record/sample_codec.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene_file.h"
@@ -35,6 +36,16 @@ TEST_P(ExpertDetorsion, IsDoneAndLeavesNoMark) {
   EXPECT_LE(std::abs(last.response.angle_rad), limits.residual_rad);
   EXPECT_GE(last.hollow.flow, limits.flow);
   EXPECT_GE(last.hollow.patency, limits.patency);
+  StagedTurn staged(scene.hollow->detorsion().stages, scene.hollow->detorsion().timeScale);
+  std::int64_t ticks = 0;
+  for (const TrialChunk& chunk : trial.chunks) {
+    for (const Sample& sample : decodeChunk(chunk)) {
+      staged.take(1e-3 * static_cast<double>(ticks++), sample.response.angle_rad);
+    }
+  }
+  if (scene.hollow->detorsion().stages.asked()) {
+    EXPECT_LE(staged.longest_rad(), scene.hollow->detorsion().stages.turn_rad + kStageTolerance_rad);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, ExpertDetorsion,

@@ -143,6 +143,20 @@ TEST_F(DetorsionFile, RefusesWhatNoOrganHasNamingTheField) {
   expectRefusal("wall", [](Json& p) { p["detorsion"].erase("wall"); });
 }
 
+TEST_F(DetorsionFile, ReadsTheStagesInWhichAnOrganIsToBeUndone) {
+  const TurnStages none = readSceneFile(assets_, "sigmoid").patterns[0].pattern.detorsion->stages;
+  const TurnStages testis = readSceneFile(assets_, "testis").patterns[0].pattern.detorsion->stages;
+  const auto with = [](const Json& stages) {
+    return [stages](Json& p) { p["detorsion"]["stages"] = stages; };
+  };
+
+  EXPECT_FALSE(none.asked());
+  EXPECT_EQ(testis, (TurnStages{radians(360.0), 300.0}));
+  expectRefusal("rest_min", with({{"turn_deg", 360}, {"rest_min", 0}, {"source", "x"}}));
+  expectRefusal("turn_deg", with({{"turn_deg", 1}, {"rest_min", 5}, {"source", "x"}}));
+  expectRefusal("source", with({{"turn_deg", 360}, {"rest_min", 5}}));
+}
+
 TEST_F(DetorsionFile, RefusesSpansThatLeaveNoMobilePart) {
   for (const char* spans :
        {"[]", "[[0.2, 0.21]]", "[[0, 1.2]]", "[[0, 0.6], [1, 0.5]]", "[[0, 0.3], [0.4, 0.7]]",

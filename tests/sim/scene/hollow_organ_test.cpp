@@ -25,8 +25,12 @@ const Scene& twoLimbs() {
     Scene scene = barScene();
     scene.pattern.graspArc = 0.5;
     scene.pattern.detorsion = std::make_shared<const Detorsion>(limbs);
-    scene.hollow = std::make_shared<const HollowOrgan>(HollowOrgan::Parts{
-        .lattice = &scene.lattice(), .shearModulus_Pa = kBarShear_Pa, .graspArc = 0.5, .detorsion = limbs});
+    scene.hollow =
+        std::make_shared<const HollowOrgan>(HollowOrgan::Parts{.lattice = &scene.lattice(),
+                                                               .shearModulus_Pa = kBarShear_Pa,
+                                                               .graspArc = 0.5,
+                                                               .detorsion = limbs,
+                                                               .vertices_m = scene.mesh.vertices_m});
     return scene;
   }();
   return kScene;
@@ -180,7 +184,7 @@ TEST(HollowMap, MapsBackWhatItMapsForward) {
   const Scene& scene = twoLimbs();
   for (const double angle_deg : {-300.0, 40.0, 120.0, 360.0}) {
     const OrganState state = scene.stateAt(radians(angle_deg));
-    const HollowMap map(scene.model, *scene.hollow, state);
+    const HollowMap map(scene.lattice(), *scene.hollow, state);
     for (const double height_m : {0.01, 0.045, 0.08, 0.12, 0.2}) {
       const Vec3 rest_m{0.03, 0.02, height_m};
 

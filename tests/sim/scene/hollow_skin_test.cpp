@@ -32,7 +32,7 @@ std::vector<double> radiiAt(double angle_rad) {
   const std::vector<Vec3> drawn_m = drawnAt(angle_rad);
   std::vector<double> radii;
   for (std::size_t i = 0; i < drawn_m.size(); ++i) {
-    const TwistVertex& vertex = wrungBar().model.tables().vertices[i];
+    const TwistVertex& vertex = wrungBar().hollow->vertices()[i];
     const auto distance = [&](const Vec3& x) {
       return norm(cross(vertex.line.direction, x - vertex.line.point_m));
     };
@@ -50,9 +50,9 @@ TEST(HollowSkin, BeforeTheFoldsIsTheSmoothMap) {
   const std::vector<Vec3> drawn_m = drawnAt(angle_rad);
 
   const OrganState state = wrungBar().stateAt(angle_rad);
-  const HollowMap smooth(wrungBar().model, *wrungBar().hollow, state);
+  const HollowMap smooth(wrungBar().lattice(), *wrungBar().hollow, state);
   for (std::size_t i = 0; i < drawn_m.size(); ++i) {
-    EXPECT_LT(norm(drawn_m[i] - smooth.vertex(wrungBar().model.tables().vertices[i])), 2e-5) << i;
+    EXPECT_LT(norm(drawn_m[i] - smooth.vertex(wrungBar().hollow->vertices()[i])), 2e-5) << i;
   }
 }
 
@@ -64,7 +64,7 @@ TEST(HollowSkin, HasANeckWithFoldsWhereItIsWrungAlone) {
   double most = 0.0;  // in the neck
   for (std::size_t i = 0; i < radii.size(); ++i) {
     least = std::min(least, radii[i]);
-    const double arc = wrungBar().model.tables().vertices[i].arc_m / wrungBar().lattice().length_m();
+    const double arc = wrungBar().hollow->vertices()[i].arc_m / wrungBar().lattice().length_m();
     if (arc > 0.26 && arc < 0.30 && radii[i] < 1.0) {
       most = std::max(most, radii[i]);
     }

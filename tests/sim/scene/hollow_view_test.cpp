@@ -98,23 +98,30 @@ std::vector<float> tubeBlock(Isa isa, float mirror, bool wound) {
   const std::vector<HollowCells> cells{{{mirror * 0.4F, mirror * 0.25F, mirror * 0.05F},
                                         {0.8F, -0.15F, -0.05F},
                                         {0.2F, 0.1F, 0.0F},
-                                        {mirror * 0.3F, mirror * 0.15F, mirror * -0.05F}}};
-  const HollowFrame frame{cells.data(), 3.0F, {0.1F, 0.0F, 0.3F}, {0.6F, 0.0F, 0.8F}};
+                                        {mirror * 0.1F, mirror * 0.05F, mirror * -0.02F}}};
+  const HollowFrame frame{
+      cells.data(), 3.0F, {0.1F, 0.0F, 0.3F}, {0.6F, 0.0F, 0.8F}, {0.8F, 0.0F, -0.6F}, {0.0F, 1.0F, 0.0F}};
   const std::vector<int> firstRows{0};
-  KernelBuffer<float> in(15 * 16);
+  KernelBuffer<float> in(16 * 16);
   KernelBuffer<float> out(3 * 16);
+  const std::size_t across = wound ? 3 : 6;
   for (std::size_t i = 0; i < 16; ++i) {
     const float angle = 0.39F * static_cast<float>(i);
     float* lane = &in[i];
-    lane[3 * 16] = 0.04F * std::cos(angle);
-    lane[4 * 16] = mirror * 0.04F * std::sin(angle);
-    lane[8 * 16] = 1.0F;
-    if (!wound) {
+    lane[across * 16] = 0.04F * std::cos(angle);
+    lane[(across + 1) * 16] = mirror * 0.04F * std::sin(angle);
+    if (wound) {
+      lane[6 * 16] = mirror * -0.04F * std::sin(angle);
+      lane[7 * 16] = 0.04F * std::cos(angle);
+    } else {
+      lane[3 * 16] = 0.002F;
       lane[9 * 16] = 0.6F;
       lane[11 * 16] = 0.8F;
+      lane[12 * 16] = 0.01F;
     }
-    lane[(wound ? 9 : 13) * 16] = mirror * angle / 3.14159265F;
-    lane[(wound ? 10 : 14) * 16] = -1.0F + 0.125F * static_cast<float>(i);
+    lane[(wound ? 9 : 13) * 16] = std::cos(3.0F * angle);
+    lane[(wound ? 10 : 14) * 16] = mirror * std::sin(3.0F * angle);
+    lane[(wound ? 11 : 15) * 16] = -1.0F + 0.125F * static_cast<float>(i);
   }
   const TwistKernels& kernels = twistKernels(isa);
   (wound ? kernels.hollowWound : kernels.hollowOwn)(in.data(), firstRows.data(), 1, frame, out.data());
@@ -139,18 +146,20 @@ TEST(HollowKernel, AMirroredOrganIsDrawnMirrored) {
 
 TEST(HollowKernel, ATubeWithoutFoldsOrTurnStaysWhereItIs) {
   for (const Isa isa : usableIsas()) {
-    KernelBuffer<float> in(11 * 16);
+    KernelBuffer<float> in(12 * 16);
     KernelBuffer<float> out(3 * 16);
     const std::vector<HollowCells> cells{{{}, {1.0F, 0.0F, 0.0F}, {}, {}}};
     const std::vector<int> firstRows{0};
     for (std::size_t i = 0; i < 16; ++i) {
       in[i] = 0.02F * static_cast<float>(i);
       in[4 * 16 + i] = 0.03F;
-      in[8 * 16 + i] = 1.0F;
+      in[6 * 16 + i] = -0.03F;
+      in[9 * 16 + i] = 1.0F;
     }
 
-    twistKernels(isa).hollowWound(in.data(), firstRows.data(), 1,
-                                  {cells.data(), 3.0F, {}, {0.0F, 0.0F, 1.0F}}, out.data());
+    twistKernels(isa).hollowWound(
+        in.data(), firstRows.data(), 1,
+        {cells.data(), 3.0F, {}, {0.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}}, out.data());
 
     for (std::size_t i = 0; i < 16; ++i) {
       EXPECT_EQ(out[i], in[i]) << i;

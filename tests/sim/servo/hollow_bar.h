@@ -54,7 +54,8 @@ inline Scene hollowScene(const Detorsion& detorsion) {
   scene.hollow = std::make_shared<const HollowOrgan>(HollowOrgan::Parts{.lattice = &scene.lattice(),
                                                                         .shearModulus_Pa = kBarShear_Pa,
                                                                         .graspArc = scene.pattern.graspArc,
-                                                                        .detorsion = detorsion});
+                                                                        .detorsion = detorsion,
+                                                                        .vertices_m = scene.mesh.vertices_m});
   return scene;
 }
 

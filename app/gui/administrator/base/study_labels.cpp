@@ -149,6 +149,8 @@ std::vector<std::pair<std::string, QString>> masteryMetrics() {
       {"detorse.peak_jaw", QT_TRANSLATE_NOOP("Study", "peak pressure of the jaw")},
       {"detorse.overload_time", QT_TRANSLATE_NOOP("Study", "time of overload")},
       {"detorse.vented_first", QT_TRANSLATE_NOOP("Study", "let out first (1 yes, 0 no)")},
+      {"detorse.longest_stage", QT_TRANSLATE_NOOP("Study", "longest turn without a rest")},
+      {"detorse.in_stages", QT_TRANSLATE_NOOP("Study", "undone in stages (1 yes, 0 no)")},
   };
   std::vector<std::pair<std::string, QString>> out;
   for (const auto& [id, name] : kNames) {
