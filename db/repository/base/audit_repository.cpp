@@ -12,6 +12,7 @@ constexpr const char* kColumns =
     "sequence, at_utc_us, actor, station, action, object_kind, object_id, old_json, new_json, reason,"
     " object_hash, previous_hash, entry_hash";
 constexpr const char* kInTime = " WHERE at_utc_us >= ? AND at_utc_us <= ?";
+constexpr const char* kActs = " AND action <> 'record.seal'";  // seals of rows tell of no act of anybody
 
 AuditEntry entryOf(RowReader& row) {
   return {.sequence = row.int64(),
@@ -61,7 +62,7 @@ std::string auditHash(const AuditEntry& entry) {
   return digest.hex();
 }
 
-void AuditRepository::append(std::span<const NewAuditEntry> entries) {
+std::int64_t AuditRepository::append(std::span<const NewAuditEntry> entries) {
   Transaction transaction(connection_);
   if (connection_.engine() == Engine::kPostgresql) {
     // SQLite holds its one write lock already.
@@ -84,6 +85,7 @@ void AuditRepository::append(std::span<const NewAuditEntry> entries) {
     previous = entry.entryHash;
   }
   transaction.commit();
+  return sequence;
 }
 
 std::vector<AuditEntry> AuditRepository::entries(const AuditFilter& filter) {
@@ -100,6 +102,7 @@ std::vector<AuditEntry> AuditRepository::entries(const AuditFilter& filter) {
     where += " AND object_id = ?";
     values.emplace_back(filter.objectId);
   }
+  where += kActs;
   values.emplace_back(filter.limit);
   return selectAll(
       connection_,
@@ -117,7 +120,7 @@ void AuditRepository::forEach(const std::function<void(const AuditEntry&)>& take
 }
 
 std::int64_t AuditRepository::count(std::int64_t fromUtc_us, std::int64_t toUtc_us) const {
-  return selectFirst(connection_, std::string("SELECT count(*) FROM audit_entry") + kInTime,
+  return selectFirst(connection_, std::string("SELECT count(*) FROM audit_entry") + kInTime + kActs,
                      {fromUtc_us, toUtc_us}, readInt64)
       .value_or(0);
 }

@@ -22,11 +22,13 @@ class AuditRepository {
  public:
   explicit AuditRepository(Connection& connection) : connection_(connection) {}
 
-  /// One transaction, or part of the one that is open. Stations wait for each other here.
-  void append(std::span<const NewAuditEntry> entries);
-  void append(const NewAuditEntry& entry) { append(std::span(&entry, 1)); }
+  /// One transaction, or part of the one that is open. Stations wait for each other here. Returns the
+  /// number of the newest entry.
+  std::int64_t append(std::span<const NewAuditEntry> entries);
+  std::int64_t append(const NewAuditEntry& entry) { return append(std::span(&entry, 1)); }
+  /// Newest first; without the seals of rows (AuditAction::kRecordSeal), which tell of no act of anybody.
   [[nodiscard]] std::vector<AuditEntry> entries(const AuditFilter& filter = {});
-  /// Entries of a time, both ends included.
+  /// Entries of a time, both ends included; without the seals of rows.
   [[nodiscard]] std::int64_t count(std::int64_t fromUtc_us, std::int64_t toUtc_us = INT64_MAX) const;
 
   /// Gives every entry of the chain to `take`, oldest first, one at a time.

@@ -126,6 +126,8 @@ inline constexpr std::array kPersonRules{
     PersonRule{"retention_rule", ""},
     PersonRule{"role", ""},
     PersonRule{"role_operation", ""},
+    PersonRule{"row_seal", ""},
+    PersonRule{"seal_salt", ""},
     PersonRule{"rubric", ""},
     PersonRule{"rubric_anchor", ""},
     PersonRule{"rubric_revision", ""},
