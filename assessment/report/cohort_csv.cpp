@@ -289,6 +289,13 @@ std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
   }
   addTrials(in, rows);
   addDeviations(in, rows);
+  if (!in.auditHead.empty()) {
+    Rows record(rows);
+    record.place.section = "record";
+    record.place.item = "audit_trail";
+    record.place.flags = formatUtc(in.createdUtc_us);
+    record.addText("head", in.auditHead, in.auditEntries);
+  }
   if (!inputs.singleMarks) {
     std::erase_if(rows, [](const CohortCsvRow& row) {
       return row.statistic == "mark" || row.statistic == "rater_mark";

@@ -10735,6 +10735,94 @@
         <source>call to the real arm</source>
         <translation>真实手臂呼叫</translation>
     </message>
+    <message>
+        <source>Rows of the record sealed</source>
+        <translation>记录中的行已封存</translation>
+    </message>
+    <message>
+        <source>sealed rows</source>
+        <translation>封存的行</translation>
+    </message>
+    <message>
+        <source>Audit trail</source>
+        <translation>审计记录</translation>
+    </message>
+    <message>
+        <source>%1 entries at %2</source>
+        <translation>%2 时共 %1 条</translation>
+    </message>
+    <message>
+        <source>Head of the audit trail</source>
+        <translation>审计记录的末端哈希</translation>
+    </message>
+    <message>
+        <source>backup</source>
+        <translation>备份</translation>
+    </message>
+    <message>
+        <source>record before a restore</source>
+        <translation>还原之前的记录</translation>
+    </message>
+    <message>
+        <source>record before a new schema</source>
+        <translation>数据库结构升级之前的记录</translation>
+    </message>
+    <message>
+        <source>package about the person</source>
+        <translation>此人的资料包</translation>
+    </message>
+    <message>
+        <source>the column %1 was altered on its way into the record; nothing was kept</source>
+        <translation>列 %1 在写入记录途中被改动；未保存任何内容</translation>
+    </message>
+    <message>
+        <source>Run torsio audit verify: a trigger may do this</source>
+        <translation>运行 torsio audit verify：可能是触发器所为</translation>
+    </message>
+    <message>
+        <source>seals a change of which the trail does not tell</source>
+        <translation>封存了审计记录中没有的更改</translation>
+    </message>
+    <message>
+        <source>belongs to no seal</source>
+        <translation>不属于任何封存</translation>
+    </message>
+    <message>
+        <source>is sealed, but this version knows no such table</source>
+        <translation>已封存，但此版本不认识该表</translation>
+    </message>
+    <message>
+        <source>its seals were changed</source>
+        <translation>其封存已被改动</translation>
+    </message>
+    <message>
+        <source>its seal belongs to no entry</source>
+        <translation>其封存不属于任何条目</translation>
+    </message>
+    <message>
+        <source>tells of an erase that did not take place</source>
+        <translation>记述了并未发生的抹除</translation>
+    </message>
+    <message>
+        <source>tells of a removal that did not take place</source>
+        <translation>记述了并未发生的移除</translation>
+    </message>
+    <message>
+        <source>is there, but was never recorded</source>
+        <translation>存在，但从未被记录</translation>
+    </message>
+    <message>
+        <source>differs from what was recorded</source>
+        <translation>与所记录的不同</translation>
+    </message>
+    <message>
+        <source>is gone, but what belongs to it is there</source>
+        <translation>已不存在，但属于它的内容仍在</translation>
+    </message>
+    <message>
+        <source>was recorded, but is gone</source>
+        <translation>曾被记录，但已不存在</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -14476,6 +14564,10 @@ Leave it empty to remove it.</source>
         <source>The database refused %1 entries of this station for good. Please tell whoever looks after it</source>
         <translation>数据库彻底拒绝了本训练台的 %1 条记录。请告知管理人员</translation>
     </message>
+    <message>
+        <source>The head of the audit trail was not kept: %1</source>
+        <translation>未能保存审计记录的末端：%1</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::MaintenancePage</name>
@@ -16787,6 +16879,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>C&amp;onsents…</source>
         <translation>知情同意(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>%1 at %2: %3, to be deleted by %4</source>
+        <translation>%1，位于 %2：%3，应于 %4 前删除</translation>
+    </message>
+    <message>
+        <source>These copies still hold this person; Torsio deletes none of them:</source>
+        <translation>以下副本仍包含此人的资料；Torsio 不会删除它们：</translation>
     </message>
 </context>
 <context>

@@ -112,6 +112,19 @@ CREATE TABLE erasure (
 );
 {{append_only erasure}}
 
+-- Where the record, or all about one person (person_id), was copied to, so that an erase can say who still holds it.
+-- gone_utc_us: when it was seen to be there no more.
+CREATE TABLE record_copy (
+  id TEXT PRIMARY KEY,
+  kind TEXT NOT NULL CHECK (kind IN ('backup', 'before_restore', 'before_schema', 'package')),
+  place TEXT NOT NULL,
+  station TEXT NOT NULL,
+  person_id TEXT REFERENCES person (id),
+  made_utc_us BIGINT NOT NULL,
+  gone_utc_us BIGINT
+);
+CREATE INDEX record_copy_person ON record_copy (person_id);
+
 -- Who may sign in and do what; the audit trail.
 
 CREATE TABLE role (

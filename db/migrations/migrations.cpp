@@ -11,6 +11,7 @@
 #include "db/migrations/dialect.h"
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/record_exchange.h"
+#include "db/repository/base/copy_register.h"
 #include "db/repository/base/row_ledger.h"
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
@@ -228,8 +229,15 @@ Connection openRecord(const std::string& locator, OpenMode mode, const Migration
   Connection connection = openDatabase(locator, mode);
   const std::vector<Migration> migrations = embeddedMigrations();
   if (mode != OpenMode::kReadOnly) {
-    migrate(connection, migrations, options);
+    const MigrationReport report = migrate(connection, migrations, options);
     sealChanges(connection);
+    if (report.backup) {
+      CopyRegister(connection)
+          .add({.kind = CopyKind::kBeforeSchema,
+                .place = std::filesystem::absolute(*report.backup).string(),
+                .station = options.station,
+                .madeUtc_us = options.now_us != 0 ? options.now_us : utcNow_us()});
+    }
     return connection;
   }
   const SchemaState state = checkSchema(connection, migrations);

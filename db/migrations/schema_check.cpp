@@ -26,8 +26,8 @@ Parts partsFrom(Connection& connection, const char* sql) {
 
 Parts sqliteParts(Connection& connection) {
   return partsFrom(connection,
-                   "SELECT type || ' ' || name, coalesce(sql, '') FROM sqlite_master"
-                   " WHERE name NOT LIKE 'sqlite\\_%' ESCAPE '\\'");
+                   "SELECT type || ' ' || name, tbl_name || ' ' || coalesce(sql, '') FROM sqlite_master"
+                   " WHERE name NOT LIKE 'sqlite\\_stat%' ESCAPE '\\'");
 }
 
 /// Who may do what, and which steps were applied: rows that the steps fill, and nothing else.

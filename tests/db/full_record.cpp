@@ -36,6 +36,7 @@ namespace {
 const std::map<std::string, Value> kRuled{{"kind", "virtual"},
                                           {"state", "active"},
                                           {"retention_hold.kind", "lock"},
+                                          {"record_copy.kind", "backup"},
                                           {"curriculum_state.state", "running"},
                                           {"consent.purpose", "video"},
                                           {"trial_remark.purpose", "remark"},

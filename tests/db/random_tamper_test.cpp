@@ -67,7 +67,8 @@ class Changer {
   /// Another value of the same kind.
   Value other(const Value& value) {
     if (const auto* number = std::get_if<std::int64_t>(&value.storage())) {
-      return *number == 0 || *number == 1 ? 1 - *number : *number + 1 - 2 * static_cast<std::int64_t>(below(2));
+      return *number == 0 || *number == 1 ? 1 - *number
+                                          : *number + 1 - 2 * static_cast<std::int64_t>(below(2));
     }
     if (const auto* flag = std::get_if<bool>(&value.storage())) {
       return !*flag;
@@ -109,9 +110,8 @@ TEST_F(RandomTamper, EveryChangeOfAnyColumnIsFound) {
   disarm(behind);
   const std::set<std::string> before = findingsIn(behind);
   std::vector<SchemaTable> tables = tablesInReferenceOrder(behind);
-  tables.push_back({"schema_migration",
-                    {{"version"}, {"name"}, {"description"}, {"checksum"}, {"compatible_from"}},
-                    {}});
+  tables.push_back(
+      {"schema_migration", {{"version"}, {"name"}, {"description"}, {"checksum"}, {"compatible_from"}}, {}});
   Changer changer(20251121);
   int made = 0;
   std::map<std::string, int> leftOut;
@@ -143,11 +143,12 @@ TEST_F(RandomTamper, EveryChangeOfAnyColumnIsFound) {
       }
       for (const std::string& key : columnsOf(rule.key)) {
         where += (where.empty() ? " WHERE " : " AND ") + key + " = ?";
-        values.push_back(row[static_cast<std::size_t>(
-            std::find(names.begin(), names.end(), key) - names.begin())]);
+        values.push_back(
+            row[static_cast<std::size_t>(std::find(names.begin(), names.end(), key) - names.begin())]);
       }
     }
-    const Value was = row[static_cast<std::size_t>(std::find(names.begin(), names.end(), column) - names.begin())];
+    const Value was =
+        row[static_cast<std::size_t>(std::find(names.begin(), names.end(), column) - names.begin())];
     values.insert(values.begin(), changer.other(was));
     try {
       behind.prepare("UPDATE " + table.name + " SET " + column + " = ?" + where).execute(values);
@@ -175,7 +176,8 @@ TEST_F(RandomTamper, EveryChangeOfAnyColumnIsFound) {
 /// All that a file says: its schema and the hash of every table.
 std::vector<std::string> contentOf(Connection& connection) {
   std::vector<std::string> content = selectAll(
-      connection, "SELECT coalesce(type, '') || coalesce(name, '') || coalesce(sql, '') FROM sqlite_master ORDER BY 1",
+      connection,
+      "SELECT coalesce(type, '') || coalesce(name, '') || coalesce(sql, '') FROM sqlite_master ORDER BY 1",
       {}, readText);
   const Transaction look(connection, Transaction::Purpose::kLook);
   for (SchemaTable& table : tablesInReferenceOrder(connection)) {
@@ -187,8 +189,9 @@ std::vector<std::string> contentOf(Connection& connection) {
     const TableDigest digest = digestOf(connection, table);
     content.push_back(digest.table + " " + std::to_string(digest.rows) + " " + digest.hash);
   }
-  content.push_back(selectAll(connection, "SELECT name || checksum || compatible_from FROM schema_migration", {}, readText)
-                        .at(0));
+  content.push_back(
+      selectAll(connection, "SELECT name || checksum || compatible_from FROM schema_migration", {}, readText)
+          .at(0));
   return content;
 }
 
@@ -234,7 +237,8 @@ TEST_F(RandomTamper, EveryFlippedByteIsFoundOrWithoutEffect) {
     }
     found += tells ? 1 : 0;
     without += same ? 1 : 0;
-    EXPECT_TRUE(tells || same) << "byte " << at << " of " << bytes.size();
+    EXPECT_TRUE(tells || same) << "byte " << at << " of " << bytes.size() << ": "
+                               << sound.substr(at - std::min<std::size_t>(at, 60), 120);
   }
   std::cout << found << " flipped bytes found, " << without << " without effect\n";
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every change of a row that a report reads is sealed in its own transaction.
+#include "db/repository/base/row_ledger.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -13,7 +15,6 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/changed_statement.h"
-#include "db/repository/base/row_ledger.h"
 #include "db/repository/base/row_seal.h"
 #include "db/repository/base/seal_rules.h"
 #include "db/repository/people/people_repository.h"
@@ -49,8 +50,8 @@ TEST_F(RowLedgerTest, EveryTableHasOneRuleAndEveryColumnThatItNamesExists) {
   std::map<std::string, const SealRule*> rules;
   for (const SealRule& rule : kSealRules) {
     EXPECT_TRUE(rules.emplace(rule.table, &rule).second) << "two rules: " << rule.table;
-    const bool explained = rule.sealing == Sealing::kElsewhere || rule.sealing == Sealing::kNot ||
-                           !rule.unsealed.empty();
+    const bool explained =
+        rule.sealing == Sealing::kElsewhere || rule.sealing == Sealing::kNot || !rule.unsealed.empty();
     EXPECT_EQ(explained, !rule.reason.empty()) << rule.table << ": what is not sealed needs its reason";
   }
   for (const SchemaTable& table : tables) {
@@ -142,25 +143,30 @@ TEST_F(RowLedgerTest, EveryWayToChangeARowIsSealed) {
   Connection connection = openWithSchema();
   const FullRecord record(connection, "real", false);
 
-  connection.execute("INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)"
-                     " ON CONFLICT (name) DO UPDATE SET value = excluded.value",
-                     {"a", "1", 1});
-  connection.execute("INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)"
-                     " ON CONFLICT (name) DO UPDATE SET value = excluded.value",
-                     {"a", "2", 2});
+  connection.execute(
+      "INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)"
+      " ON CONFLICT (name) DO UPDATE SET value = excluded.value",
+      {"a", "1", 1});
+  connection.execute(
+      "INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)"
+      " ON CONFLICT (name) DO UPDATE SET value = excluded.value",
+      {"a", "2", 2});
   connection.execute("INSERT INTO setting (name, value, changed_utc_us) VALUES ('b', 'literal', 1)");
-  connection.execute("INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)"
-                     " ON CONFLICT (name) DO NOTHING",
-                     {"b", "never", 2});
-  connection.execute("INSERT INTO setting (name, value, changed_utc_us) SELECT name || '2', value, 3 FROM setting"
-                     " WHERE name = ?",
-                     {"b"});
+  connection.execute(
+      "INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)"
+      " ON CONFLICT (name) DO NOTHING",
+      {"b", "never", 2});
+  connection.execute(
+      "INSERT INTO setting (name, value, changed_utc_us) SELECT name || '2', value, 3 FROM setting"
+      " WHERE name = ?",
+      {"b"});
   connection.execute("UPDATE setting SET value = value || '!' WHERE name = 'b'");
   connection.execute("DELETE FROM setting WHERE name = 'a'");
 
   EXPECT_EQ(allFindings(connection), std::vector<std::string>{});
-  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM row_seal WHERE table_name = 'setting' AND row_key ="
-                                   " 'a' AND removed"),
+  EXPECT_EQ(numberFrom(connection,
+                       "SELECT count(*) FROM row_seal WHERE table_name = 'setting' AND row_key ="
+                       " 'a' AND removed"),
             1);
 }
 
@@ -191,8 +197,7 @@ TEST_F(RowLedgerTest, SealsHoldNothingOfAPersonAndTheSaltGoesWithThem) {
 
   EXPECT_EQ(saltsOf(), 0);
   EXPECT_TRUE(verifyAuditTrail(connection).empty());
-  for (const std::string& hash :
-       selectAll(connection, "SELECT personal_hash FROM row_seal", {}, readText)) {
+  for (const std::string& hash : selectAll(connection, "SELECT personal_hash FROM row_seal", {}, readText)) {
     EXPECT_TRUE(hash.empty() || hash.size() == 64U);
   }
 }
@@ -200,7 +205,8 @@ TEST_F(RowLedgerTest, SealsHoldNothingOfAPersonAndTheSaltGoesWithThem) {
 TEST_F(RowLedgerTest, AnUpgradeSealsWhatIsThereAndSaysSince) {
   Connection old = open();
   migrate(old, embeddedMigrations(), {.softwareVersion = "older"});
-  old.execute("INSERT INTO centre (id, name, created_utc_us, demonstration) VALUES ('c', 'clinic', 1, ?)", {false});
+  old.execute("INSERT INTO centre (id, name, created_utc_us, demonstration) VALUES ('c', 'clinic', 1, ?)",
+              {false});
   ASSERT_FALSE(verifyAuditTrail(old).empty());
   std::vector<Migration> steps = embeddedMigrations();
   steps.push_back({.version = steps.back().version + 1,
@@ -222,20 +228,23 @@ TEST_F(RowLedgerTest, AnUpgradeSealsWhatIsThereAndSaysSince) {
 
 TEST(ChangedStatementTest, ReadsWhatTheRepositoriesWrite) {
   const auto insert = changedBy(
-      "INSERT INTO mark_release (cohort_id, occasion, sequence) VALUES (?, ?, (SELECT COALESCE(MAX(r.sequence), 0)"
+      "INSERT INTO mark_release (cohort_id, occasion, sequence) VALUES (?, ?, (SELECT "
+      "COALESCE(MAX(r.sequence), 0)"
       " + 1 FROM mark_release r WHERE r.cohort_id = ?))");
   ASSERT_TRUE(insert);
   EXPECT_EQ(insert->table, "mark_release");
   EXPECT_EQ(insert->placeholderOf("occasion"), 1);
   EXPECT_EQ(insert->placeholderOf("sequence"), -1);
 
-  const auto update = changedBy("UPDATE app_user SET state = 'a, b', failed_count = 0, pin_hash = ? WHERE id = ?");
+  const auto update =
+      changedBy("UPDATE app_user SET state = 'a, b', failed_count = 0, pin_hash = ? WHERE id = ?");
   ASSERT_TRUE(update);
   EXPECT_EQ(update->columns.size(), 3U);
   EXPECT_EQ(update->placeholderOf("pin_hash"), 0);
 
   const auto replace = changedBy(
-      "INSERT INTO setting (name, value) VALUES (?, ?) ON CONFLICT (name) DO UPDATE SET value = excluded.value");
+      "INSERT INTO setting (name, value) VALUES (?, ?) ON CONFLICT (name) DO UPDATE SET value = "
+      "excluded.value");
   ASSERT_TRUE(replace);
   EXPECT_EQ(replace->onConflict, ChangedStatement::OnConflict::kUpdate);
   EXPECT_EQ(replace->replaced, std::vector<std::string>{"value"});

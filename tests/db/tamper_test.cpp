@@ -246,21 +246,24 @@ INSTANTIATE_TEST_SUITE_P(
             {"INSERT INTO erasure_gate (id, reason, opened_utc_us) VALUES ('x', 'none', 1)",
              "UPDATE training_mark SET score_steps = 100", "DELETE FROM erasure_gate"},
             "training_mark"},
-        Act{"MovedToAnotherArm", {"UPDATE enrolment SET group_id = 'one group' WHERE id = 'two enrolment'"}, "enrolment"},
+        Act{"MovedToAnotherArm",
+            {"UPDATE enrolment SET group_id = 'one group' WHERE id = 'two enrolment'"},
+            "enrolment"},
         Act{"EnrolmentsOfTrialsSwapped",
-            {"UPDATE trial SET enrolment_id = CASE enrolment_id WHEN 'one enrolment' THEN 'two enrolment' ELSE"
+            {"UPDATE trial SET enrolment_id = CASE enrolment_id WHEN 'one enrolment' THEN 'two enrolment' "
+             "ELSE"
              " 'one enrolment' END"},
             "trial"},
-        Act{"NamesSwapped",
-            {"UPDATE person_identity SET full_name = full_name || ' '"},
-            "person_identity"},
+        Act{"NamesSwapped", {"UPDATE person_identity SET full_name = full_name || ' '"}, "person_identity"},
         Act{"PasswordHashSet", {"UPDATE app_user SET password_hash = 'known'"}, "app_user"},
-        Act{"RoleGiven", {"INSERT INTO user_role (user_id, role_code) SELECT id, 'allocator' FROM app_user"},
+        Act{"RoleGiven",
+            {"INSERT INTO user_role (user_id, role_code) SELECT id, 'allocator' FROM app_user"},
             "user_role"},
         Act{"CommentsEmptied", {"UPDATE training_mark SET comment = NULL"}, "training_mark"},
         Act{"RowOfASheetChanged", {"UPDATE training_mark_row SET score_steps = 10"}, "training_mark"},
         Act{"RowOfASheetTakenAway", {"DELETE FROM training_mark_row"}, "training_mark"},
-        Act{"DigestsHalved", {"UPDATE trial_digest SET mean_absolute_error_deg = mean_absolute_error_deg / 2"},
+        Act{"DigestsHalved",
+            {"UPDATE trial_digest SET mean_absolute_error_deg = mean_absolute_error_deg / 2"},
             "trial_digest"},
         Act{"WeightOfAClass", {"UPDATE evaluation_class SET weight_milli = 1"}, "evaluation_class"},
         Act{"WeightOfAnIndex", {"UPDATE evaluation_index SET weight_milli = 1"}, "evaluation_index"},
@@ -270,12 +273,18 @@ INSTANTIATE_TEST_SUITE_P(
         Act{"SettingChanged", {"UPDATE setting SET value = 'other'"}, "setting"},
         Act{"CallMoved", {"UPDATE live_call SET occasion = 'mid'"}, "live_call"},
         Act{"OccasionRenamed", {"UPDATE occasion SET label = 'later' WHERE code = 'pre'"}, "occasion"},
-        Act{"SaltForgotten", {"DELETE FROM seal_salt WHERE table_name = 'person_identity'"}, "person_identity"},
-        Act{"SaltAdded", {"INSERT INTO seal_salt (table_name, row_key, salt) VALUES ('trial', 'x', 'y')"},
+        Act{"SaltForgotten",
+            {"DELETE FROM seal_salt WHERE table_name = 'person_identity'"},
+            "person_identity"},
+        Act{"SaltAdded",
+            {"INSERT INTO seal_salt (table_name, row_key, salt) VALUES ('trial', 'x', 'y')"},
             "seal_salt"},
-        Act{"SealTakenAway", {"DELETE FROM row_seal WHERE entry_sequence = (SELECT min(entry_sequence) FROM row_seal)"}, "row_seal"},
-        Act{"Tombstone", {"INSERT INTO erasure (person_id, requested_by, reason, erased_utc_us) VALUES"
-                          " ('free', 'x', 'y', 1)"},
+        Act{"SealTakenAway",
+            {"DELETE FROM row_seal WHERE entry_sequence = (SELECT min(entry_sequence) FROM row_seal)"},
+            "row_seal"},
+        Act{"Tombstone",
+            {"INSERT INTO erasure (person_id, requested_by, reason, erased_utc_us) VALUES"
+             " ('free', 'x', 'y', 1)"},
             "erasure"}),
     [](const ::testing::TestParamInfo<Act>& act) { return std::string(act.param.name); });
 
@@ -288,20 +297,23 @@ TEST_F(TamperTest, TwoNamesThatWereSwappedAreFound) {
   ASSERT_TRUE(verifyAuditTrail(*connection_).empty());
 
   connection_->executeVerbatim(
-      "UPDATE person_identity SET full_name = CASE full_name WHEN 'Hua Tuo' THEN 'Bian Que' ELSE 'Hua Tuo' END");
+      "UPDATE person_identity SET full_name = CASE full_name WHEN 'Hua Tuo' THEN 'Bian Que' ELSE 'Hua Tuo' "
+      "END");
 
   EXPECT_EQ(verifyAuditTrail(*connection_).size(), 2U);
 }
 
 TEST_F(TamperTest, AnEraseInTheTrailExcusesNoOtherChangeOfTheRow) {
   const std::string trainee =
-      selectAll(*connection_, "SELECT trainee_id FROM enrolment e JOIN training_mark m ON m.enrolment_id = e.id", {},
+      selectAll(*connection_,
+                "SELECT trainee_id FROM enrolment e JOIN training_mark m ON m.enrolment_id = e.id", {},
                 readText)
           .at(0);
   disarm(*connection_);
   connection_->executeVerbatim("UPDATE training_mark SET score_steps = 90, comment = NULL");
-  connection_->executeVerbatim("INSERT INTO erasure (person_id, requested_by, reason, erased_utc_us) VALUES ('" +
-                               trainee + "', 'x', 'y', 1)");
+  connection_->executeVerbatim(
+      "INSERT INTO erasure (person_id, requested_by, reason, erased_utc_us) VALUES ('" + trainee +
+      "', 'x', 'y', 1)");
 
   forgeSeals(*connection_, AuditAction::kPersonErase, AuditObject::kPerson, trainee);
 
@@ -320,7 +332,8 @@ TEST_F(TamperTest, ARemovalOfTheDemonstrationExcusesNoRealMark) {
 TEST_F(TamperTest, ATombstoneWithoutItsEntryIsFoundEvenWithASeal) {
   disarm(*connection_);
   connection_->executeVerbatim(
-      "INSERT INTO erasure (person_id, requested_by, reason, erased_utc_us) SELECT person_id, 'x', 'y', 1 FROM"
+      "INSERT INTO erasure (person_id, requested_by, reason, erased_utc_us) SELECT person_id, 'x', 'y', 1 "
+      "FROM"
       " trainee");
 
   forgeSeals(*connection_, AuditAction::kPersonChange, AuditObject::kPerson, "p");

@@ -37,8 +37,9 @@ std::map<Key, RowSeal> newestSeals(Connection& connection) {
 
 std::map<Key, std::string> saltsIn(Connection& connection) {
   std::map<Key, std::string> salts;
-  forEachSelected(connection, "SELECT table_name, row_key, salt FROM seal_salt",
-                  [&](const Statement& row) { salts[{row.text(0), row.text(1)}] = row.text(2); });
+  forEachSelected(connection, "SELECT table_name, row_key, salt FROM seal_salt", [&](const Statement& row) {
+    salts[{row.text(0), row.text(1)}] = row.text(2);
+  });
   return salts;
 }
 
@@ -120,7 +121,8 @@ void rewriteTrail(Connection& connection) {
   Transaction transaction(connection);
   for (const RowSeal& seal : missingSeals(connection)) {
     connection.execute(
-        "UPDATE row_seal SET row_hash = ?, personal_hash = ?, removed = ? WHERE table_name = ? AND row_key = ?",
+        "UPDATE row_seal SET row_hash = ?, personal_hash = ?, removed = ? WHERE table_name = ? AND row_key = "
+        "?",
         {seal.rowHash, seal.personalHash, seal.removed, seal.table, seal.key});
     connection.execute("UPDATE seal_salt SET salt = ? WHERE table_name = ? AND row_key = ?",
                        {seal.salt, seal.table, seal.key});

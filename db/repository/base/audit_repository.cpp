@@ -68,13 +68,7 @@ std::int64_t AuditRepository::append(std::span<const NewAuditEntry> entries) {
     // SQLite holds its one write lock already.
     connection_.executeVerbatim("LOCK TABLE audit_entry IN SHARE ROW EXCLUSIVE MODE");
   }
-  auto [sequence, previous] =
-      selectFirst(connection_, "SELECT sequence, entry_hash FROM audit_entry ORDER BY sequence DESC LIMIT 1",
-                  {},
-                  [](RowReader& row) {
-                    return std::pair<std::int64_t, std::string>{row.int64(), row.text()};
-                  })
-          .value_or(std::pair<std::int64_t, std::string>{});
+  auto [sequence, previous] = head();
   Statement insert = connection_.prepare(insertInto("audit_entry", kColumns));
   for (const NewAuditEntry& added : entries) {
     AuditEntry entry = following(added, ++sequence, previous);
@@ -123,6 +117,15 @@ std::int64_t AuditRepository::count(std::int64_t fromUtc_us, std::int64_t toUtc_
   return selectFirst(connection_, std::string("SELECT count(*) FROM audit_entry") + kInTime + kActs,
                      {fromUtc_us, toUtc_us}, readInt64)
       .value_or(0);
+}
+
+TrailHead AuditRepository::head() const {
+  return selectFirst(connection_,
+                     "SELECT sequence, entry_hash FROM audit_entry ORDER BY sequence DESC LIMIT 1", {},
+                     [](RowReader& row) {
+                       return TrailHead{row.int64(), row.text()};
+                     })
+      .value_or(TrailHead{});
 }
 
 std::int64_t AuditRepository::length() const {

@@ -14,8 +14,11 @@
 
 namespace torsio {
 
-/// Action of an entry that tells of a sealed row which went with the demonstration data: it is not missed.
-inline constexpr const char* kDemonstrationRemoved = "demonstration.remove";
+/// How long the trail is, and the hash of its newest entry; both empty: nothing was noted yet.
+struct TrailHead {
+  std::int64_t length = 0;
+  std::string hash{};
+};
 
 /// The hash-chained trail. append() belongs into the transaction of the change that it tells of.
 class AuditRepository {
@@ -33,6 +36,8 @@ class AuditRepository {
 
   /// Gives every entry of the chain to `take`, oldest first, one at a time.
   void forEach(const std::function<void(const AuditEntry&)>& take) const;
+  /// The newest entry: what a head that is kept elsewhere names.
+  [[nodiscard]] TrailHead head() const;
   /// Entries in the chain.
   [[nodiscard]] std::int64_t length() const;
 

@@ -173,8 +173,8 @@ class Sealer {
       seals_.push_back({.table = std::string(rule.table), .key = std::move(text), .removed = true});
       return;
     }
-    seals_.push_back(sealedRow(readerOf(rule).shape(), *row, sealOf(readerOf(rule).shape().kept(*row),
-                                                                    partsOfRow(rule, key))));
+    seals_.push_back(sealedRow(readerOf(rule).shape(), *row,
+                               sealOf(readerOf(rule).shape().kept(*row), partsOfRow(rule, key))));
   }
 
   std::vector<Digest::Value> partsOfRow(const SealRule& rule, std::span<const Value> key) {
@@ -220,7 +220,8 @@ class RowLedger : public ChangeWatch {
       return std::make_shared<LedgerPlan>(std::move(*change), nullptr);
     }
     const SealRule* rule = sealRuleOf(change->table);
-    if (rule == nullptr || (change->kind == ChangedStatement::Kind::kUpdate && onlyUnsealed(*change, *rule))) {
+    if (rule == nullptr ||
+        (change->kind == ChangedStatement::Kind::kUpdate && onlyUnsealed(*change, *rule))) {
       return nullptr;
     }
     return std::make_shared<LedgerPlan>(std::move(*change), rule);
@@ -291,7 +292,9 @@ class RowLedger : public ChangeWatch {
     };
     const Value time = given("at_utc_us");
     const auto* at = std::get_if<std::int64_t>(&time.storage());
-    last_ = {.atUtc_us = at == nullptr ? 0 : *at, .actor = text(given("actor")), .station = text(given("station"))};
+    last_ = {.atUtc_us = at == nullptr ? 0 : *at,
+             .actor = text(given("actor")),
+             .station = text(given("station"))};
   }
 
   void touch(const LedgerPlan& plan, std::vector<Value> key, std::span<const Value> bound) {
@@ -380,14 +383,14 @@ void writeSeals(Connection& connection, const std::vector<RowSeal>& seals, const
                                              .reason = author.reason,
                                              .objectHash = digest.hex()});
   Statement insert = connection.prepare(insertInto("row_seal", kSealColumns));
-  Statement salt = connection.prepare(
-      insertInto("seal_salt", "table_name, row_key, salt") +
-      " ON CONFLICT (table_name, row_key) DO UPDATE SET salt = excluded.salt");
+  Statement salt =
+      connection.prepare(insertInto("seal_salt", "table_name, row_key, salt") +
+                         " ON CONFLICT (table_name, row_key) DO UPDATE SET salt = excluded.salt");
   Statement forget = connection.prepare("DELETE FROM seal_salt WHERE table_name = ? AND row_key = ?");
   position = 0;
   for (const RowSeal& seal : seals) {
-    insert.execute({sequence, ++position, seal.table, seal.key, seal.removed, seal.rowHash,
-                    seal.personalHash, seal.simulated});
+    insert.execute({sequence, ++position, seal.table, seal.key, seal.removed, seal.rowHash, seal.personalHash,
+                    seal.simulated});
     if (!seal.salt.empty()) {
       salt.execute({seal.table, seal.key, seal.salt});
     } else if (!sealRuleOf(seal.table)->personal.empty()) {
@@ -399,9 +402,8 @@ void writeSeals(Connection& connection, const std::vector<RowSeal>& seals, const
 std::int64_t sealUnsealed(Connection& connection, const std::string& reason, std::int64_t utc_us) {
   Transaction transaction(connection);
   std::unordered_set<std::string> sealed;
-  forEachSelected(connection, "SELECT table_name, row_key FROM row_seal", [&](const Statement& row) {
-    sealed.insert(row.text(0) + "/" + row.text(1));
-  });
+  forEachSelected(connection, "SELECT table_name, row_key FROM row_seal",
+                  [&](const Statement& row) { sealed.insert(row.text(0) + "/" + row.text(1)); });
   std::vector<RowSeal> seals;
   for (const SealRule& rule : kSealRules) {
     if (rule.sealing != Sealing::kOnce && rule.sealing != Sealing::kEachChange) {

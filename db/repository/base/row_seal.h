@@ -28,7 +28,12 @@ struct RowSeal {
 class SealDigest {
  public:
   void add(std::int64_t position, const RowSeal& seal) {
-    digest_.add(position).add(seal.table).add(seal.key).add(seal.removed).add(seal.rowHash).add(seal.personalHash);
+    digest_.add(position)
+        .add(seal.table)
+        .add(seal.key)
+        .add(seal.removed)
+        .add(seal.rowHash)
+        .add(seal.personalHash);
     digest_.add(seal.simulated);
   }
   [[nodiscard]] std::string hex() const { return digest_.hex(); }

@@ -30,7 +30,8 @@ struct SealRule {
 namespace seal_reasons {
 inline constexpr std::string_view kDraft =
     "being written; counts for nothing until it is submitted, and that is sealed";
-inline constexpr std::string_view kSchema = "the check of the schema compares it with the steps of the program";
+inline constexpr std::string_view kSchema =
+    "the check of the schema compares it with the steps of the program";
 inline constexpr std::string_view kChain = "the chain of the audit trail and its seals are walked";
 }  // namespace seal_reasons
 
@@ -51,14 +52,10 @@ inline constexpr std::array kSealRules{
     SealRule{"retention_rule", Sealing::kEachChange, "category"},
     SealRule{"retention_hold", Sealing::kOnce, "person_id, sequence"},
     SealRule{"erasure", Sealing::kOnce, "person_id"},
-    SealRule{.table = "role",
-             .sealing = Sealing::kElsewhere,
-             .key = "code",
-             .reason = seal_reasons::kSchema},
-    SealRule{.table = "operation",
-             .sealing = Sealing::kElsewhere,
-             .key = "code",
-             .reason = seal_reasons::kSchema},
+    SealRule{"record_copy", Sealing::kEachChange, "id"},
+    SealRule{.table = "role", .sealing = Sealing::kElsewhere, .key = "code", .reason = seal_reasons::kSchema},
+    SealRule{
+        .table = "operation", .sealing = Sealing::kElsewhere, .key = "code", .reason = seal_reasons::kSchema},
     SealRule{.table = "role_operation",
              .sealing = Sealing::kElsewhere,
              .key = "role_code, operation_code",

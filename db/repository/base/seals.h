@@ -10,8 +10,8 @@
 
 namespace torsio {
 
-/// What frozen data name a row by: the hash of every submitted training mark with its rows, as the tables have
-/// them now; `ids` empty: of all. Without the comment, which may be erased.
+/// What frozen data name a row by: the hash of every submitted training mark with its rows, as the tables
+/// have them now; `ids` empty: of all. Without the comment, which may be erased.
 [[nodiscard]] std::map<std::string, std::string> markHashes(Connection& connection,
                                                             std::span<const MarkId> ids = {});
 [[nodiscard]] std::map<std::string, std::string> evaluationMarkHashes(

@@ -94,6 +94,7 @@ inline constexpr std::array kPersonRules{
     PersonRule{"exposure", person_conditions::kAsTrainee},
     PersonRule{"deviation", person_conditions::kAsTrainee, OnErase::kClear, "description = NULL"},
     PersonRule{"erasure", "person_id = ?"},
+    PersonRule{"record_copy", "person_id = ?"},
     // Nobody's data: what the centre plans, names and computes over many.
     PersonRule{"allocation_design", ""},
     PersonRule{"allocation_seed", ""},

@@ -124,12 +124,12 @@ void RatingRepository::submit(std::span<const SubmittedMark> marks) {
   std::vector<NewAuditEntry> entries;
   for (const SubmittedMark& mark : added) {
     NewAuditEntry entry{.atUtc_us = mark.submittedUtc_us,
-                       .actor = mark.raterId,
-                       .station = station_,
-                       .action = mark.version == 1 ? AuditAction::kMarkSubmit : AuditAction::kMarkAmend,
-                       .objectKind = AuditObject::kTrainingMark,
-                       .objectId = mark.id,
-                       .reason = mark.amendReason};
+                        .actor = mark.raterId,
+                        .station = station_,
+                        .action = mark.version == 1 ? AuditAction::kMarkSubmit : AuditAction::kMarkAmend,
+                        .objectKind = AuditObject::kTrainingMark,
+                        .objectId = mark.id,
+                        .reason = mark.amendReason};
     entries.push_back(entry);
   }
   AuditRepository(connection_).append(entries);

@@ -59,8 +59,8 @@ void checkTrials(Connection& connection, const std::set<std::string>& erased,
                  std::vector<AuditFinding>& findings, const VerifyProgress& progress) {
   const std::vector<EndedTrial> trials =
       selectAll(connection,
-                "SELECT t.id, t.trainee_id FROM trial_end e JOIN trial t ON t.id = e.trial_id ORDER BY t.id", {},
-                [](RowReader& row) {
+                "SELECT t.id, t.trainee_id FROM trial_end e JOIN trial t ON t.id = e.trial_id ORDER BY t.id",
+                {}, [](RowReader& row) {
                   return EndedTrial{row.text(), row.text()};
                 });
   TrialRepository repository(connection);

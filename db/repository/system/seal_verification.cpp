@@ -35,8 +35,7 @@ void SealVerification::take(const AuditEntry& entry) {
     if (isAct(entry, AuditAction::kPersonErase, AuditObject::kPerson)) {
       act.erased = entry.objectId;
     }
-    act.removesDemonstration =
-        isAct(entry, AuditAction::kDemonstrationRemove, AuditObject::kDemonstration);
+    act.removesDemonstration = isAct(entry, AuditAction::kDemonstrationRemove, AuditObject::kDemonstration);
     recent_.push_back(std::move(act));
     return;
   }
@@ -58,9 +57,8 @@ void SealVerification::take(const AuditEntry& entry) {
 }
 
 void SealVerification::compareRows() {
-  forEachSelected(connection_, "SELECT table_name, row_key, salt FROM seal_salt", [&](const Statement& row) {
-    salts_[row.text(0)][row.text(1)] = row.text(2);
-  });
+  forEachSelected(connection_, "SELECT table_name, row_key, salt FROM seal_salt",
+                  [&](const Statement& row) { salts_[row.text(0)][row.text(1)] = row.text(2); });
   for (const SchemaTable& table : tablesInReferenceOrder(connection_)) {
     if (table.has("demonstration")) {
       flagged_.insert(table.name);
@@ -106,28 +104,27 @@ void SealVerification::readSeals() {
     digest = {};
     ++entry;
   };
-  forEachSelected(
-      connection_,
-      std::string("SELECT ") + kSealColumns + " FROM row_seal ORDER BY entry_sequence, position",
-      [&](const Statement& statement) {
-        RowReader row(statement);
-        const std::int64_t sequence = row.int64();
-        const std::int64_t position = row.int64();
-        RowSeal seal{.table = row.text(), .key = row.text()};
-        seal.removed = row.boolean();
-        seal.rowHash = row.text();
-        seal.personalHash = row.text();
-        seal.simulated = row.boolean();
-        while (entry != entries_.end() && entry->sequence < sequence) {
-          finish();
-        }
-        if (entry == entries_.end() || entry->sequence != sequence) {
-          report(sequence, seal.table, seal.key, Text::tr("its seal belongs to no entry"));
-          return;
-        }
-        digest.add(position, seal);
-        apply(*entry, seal);
-      });
+  forEachSelected(connection_,
+                  std::string("SELECT ") + kSealColumns + " FROM row_seal ORDER BY entry_sequence, position",
+                  [&](const Statement& statement) {
+                    RowReader row(statement);
+                    const std::int64_t sequence = row.int64();
+                    const std::int64_t position = row.int64();
+                    RowSeal seal{.table = row.text(), .key = row.text()};
+                    seal.removed = row.boolean();
+                    seal.rowHash = row.text();
+                    seal.personalHash = row.text();
+                    seal.simulated = row.boolean();
+                    while (entry != entries_.end() && entry->sequence < sequence) {
+                      finish();
+                    }
+                    if (entry == entries_.end() || entry->sequence != sequence) {
+                      report(sequence, seal.table, seal.key, Text::tr("its seal belongs to no entry"));
+                      return;
+                    }
+                    digest.add(position, seal);
+                    apply(*entry, seal);
+                  });
   while (entry != entries_.end()) {
     finish();
   }
@@ -183,10 +180,10 @@ bool SealVerification::concernsErased(const SealEntry& entry, const RowSeal& sea
       const auto marks = std::count(rule->condition.begin(), rule->condition.end(), '?');
       const std::vector<Value> values(static_cast<std::size_t>(marks), Value(person));
       const std::string key = columnsOf(sealRuleOf(seal.table)->key).front();
-      for (std::string& id : selectAll(
-               connection_,
-               "SELECT " + key + " FROM " + seal.table + " WHERE " + std::string(rule->condition), values,
-               readText)) {
+      for (std::string& id :
+           selectAll(connection_,
+                     "SELECT " + key + " FROM " + seal.table + " WHERE " + std::string(rule->condition),
+                     values, readText)) {
         keys->second.insert(std::move(id));
       }
     }

@@ -247,12 +247,12 @@ void TrialRepository::end(const TrialId& trialId, const std::string& station, co
     return;
   }
   NewAuditEntry entry{.atUtc_us = now_us,
-                     .actor = "torsio",
-                     .station = station,
-                     .action = summary.outcome == TrialOutcome::kCompleted ? AuditAction::kTrialFinish
-                                                                           : AuditAction::kTrialInterrupted,
-                     .objectKind = AuditObject::kTrial,
-                     .objectId = trialId};
+                      .actor = "torsio",
+                      .station = station,
+                      .action = summary.outcome == TrialOutcome::kCompleted ? AuditAction::kTrialFinish
+                                                                            : AuditAction::kTrialInterrupted,
+                      .objectKind = AuditObject::kTrial,
+                      .objectId = trialId};
   AuditRepository(connection_).append(entry);
   transaction.commit();
 }
