@@ -44,6 +44,16 @@ void setStationAnchor(const StationAnchor& anchor) {
   stored.setValue(QLatin1String(kKey), textOf(anchor.key));
 }
 
+bool remindOfKey() {
+  QSettings stored = settings();
+  const QString told = QStringLiteral("told_of_no_key");
+  if (!stored.value(QLatin1String(kKey)).toString().isEmpty() || stored.value(told).toBool()) {
+    return false;
+  }
+  stored.setValue(told, true);
+  return true;
+}
+
 void witnessHead(Connection& connection, std::int64_t now_us) {
   const StationAnchor anchor = stationAnchor();
   if (!anchor.witness.empty()) {

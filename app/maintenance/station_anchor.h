@@ -20,6 +20,9 @@ struct StationAnchor {
 /// Throws Error (kFileUnwritable, kFileMissing, kBadData) when the witness is a database or the key none.
 void setStationAnchor(const StationAnchor& anchor);
 
+/// True once at a station without a key, so that it is told once.
+[[nodiscard]] bool remindOfKey();
+
 /// Adds the head of the record to the witness file of this station; does nothing where none is set. Throws
 /// Error, DbError.
 void witnessHead(Connection& connection, std::int64_t now_us);

@@ -14813,6 +14813,14 @@ Leave it empty to remove it.</source>
         <source>How long records are kept, and on what lawful basis</source>
         <translation>记录保存多久，依据何种法律依据</translation>
     </message>
+    <message>
+        <source>Head of the audit trail, to be kept elsewhere: %1</source>
+        <translation>审计记录的末端，请另处保存：%1</translation>
+    </message>
+    <message>
+        <source>No key signs the heads of this station, so whoever can change the place where they are kept can replace them. torsio audit key makes one, torsio audit station sets it.</source>
+        <translation>本站的末端没有密钥签名，能改动其保存位置的人就能替换它们。用 torsio audit key 生成密钥，用 torsio audit station 设置。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::MarkerEditor</name>

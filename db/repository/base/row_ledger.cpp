@@ -60,12 +60,18 @@ class LedgerPlan : public ChangeWatch::Plan {
   std::string keyColumns;    // empty: the statement gives the key
 };
 
+/// What one statement gave for a row.
+struct Given {
+  std::shared_ptr<const LedgerPlan> plan;
+  std::vector<Value> bound;
+};
+
 /// One row that the transaction touched.
 struct Touched {
   const SealRule* rule = nullptr;
   std::vector<Value> key;
-  std::map<std::string, std::optional<Value>> given;  // empty: the database computed it
-  bool whole = false;                                 // added: what was not given is null
+  std::vector<Given> given{};  // in their order
+  bool whole = false;          // added: what was not given is null
   bool gone = false;
 };
 
@@ -74,7 +80,8 @@ class RowByKey {
  public:
   RowByKey(Connection& connection, const SealRule& rule)
       : statement_(connection.prepare("SELECT * FROM " + std::string(rule.table) + conditionOf(rule.key))),
-        rule_(rule) {}
+        rule_(rule),
+        parts_(rulesOfParts(rule.table)) {}
 
   std::optional<std::vector<Value>> read(std::span<const Value> key) {
     statement_.execute(key);
@@ -88,6 +95,7 @@ class RowByKey {
     TORSIO_EXPECTS(!statement_.step());
     return values;
   }
+  [[nodiscard]] const std::vector<const SealRule*>& parts() const { return parts_; }
   /// After a row was read.
   [[nodiscard]] const SealShape& shape() const { return *shape_; }
 
@@ -102,6 +110,7 @@ class RowByKey {
 
   Statement statement_;
   const SealRule& rule_;
+  std::vector<const SealRule*> parts_;
   std::optional<SealShape> shape_;
 };
 
@@ -118,16 +127,52 @@ bool sameGiven(const Value& given, const Value& read) {
               std::string(touched.rule->table), Text::tr("Run torsio audit verify: a trigger may do this"));
 }
 
-void requireAsGiven(const Touched& touched, const SealShape& shape, std::span<const Value> row) {
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    const std::string& column = shape.columns()[i];
-    const auto given = touched.given.find(column);
-    if (given == touched.given.end() ? touched.whole && !sameStored(Value(), row[i])
-                                     : given->second && !sameGiven(*given->second, row[i])) {
-      altered(touched, column);
+/// Compares rows with what was given for them.
+class GivenRows {
+ public:
+  void require(const Touched& touched, const SealShape& shape, std::span<const Value> row) {
+    static const Value kNull;
+    static const Value kComputed;  // only its place counts
+    expected_.assign(row.size(), touched.whole ? &kNull : &kComputed);
+    for (const Given& given : touched.given) {
+      const std::vector<ChangedStatement::Column>& columns = given.plan->change.columns;
+      const std::vector<std::size_t>& places = placesOf(*given.plan, shape);
+      for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (places[i] < row.size()) {
+          const int placeholder = columns[i].placeholder;
+          expected_[places[i]] =
+              placeholder < 0 ? &kComputed : &given.bound[static_cast<std::size_t>(placeholder)];
+        }
+      }
+    }
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (expected_[i] != &kComputed && !sameGiven(*expected_[i], row[i])) {
+        altered(touched, shape.columns()[i]);
+      }
     }
   }
-}
+
+ private:
+  /// Where the columns of a statement stand in a row; behind its end: the statement keeps what is there.
+  const std::vector<std::size_t>& placesOf(const LedgerPlan& plan, const SealShape& shape) {
+    const auto [found, first] = places_.try_emplace(&plan);
+    if (first) {
+      const bool replaces = plan.change.onConflict == ChangedStatement::OnConflict::kUpdate;
+      for (const ChangedStatement::Column& column : plan.change.columns) {
+        const auto& replaced = plan.change.replaced;
+        const bool kept =
+            replaces && std::find(replaced.begin(), replaced.end(), column.name) == replaced.end();
+        const auto at = std::find(shape.columns().begin(), shape.columns().end(), column.name);
+        found->second.push_back(
+            static_cast<std::size_t>((kept ? shape.columns().end() : at) - shape.columns().begin()));
+      }
+    }
+    return found->second;
+  }
+
+  std::vector<const Value*> expected_;
+  std::unordered_map<const LedgerPlan*, std::vector<std::size_t>> places_;
+};
 
 /// Makes the seals of the rows that one transaction touched.
 class Sealer {
@@ -142,7 +187,7 @@ class Sealer {
       altered(touched, std::string(touched.rule->key));
     }
     if (row) {
-      requireAsGiven(touched, reader.shape(), *row);
+      given_.require(touched, reader.shape(), *row);
     }
     if (touched.rule->sealing != Sealing::kWithParent) {
       add(*touched.rule, touched.key, row);
@@ -166,7 +211,8 @@ class Sealer {
 
   void add(const SealRule& rule, std::span<const Value> key, const std::optional<std::vector<Value>>& row) {
     std::string text = keyText(key);
-    if (!sealed_[&rule].insert(text).second) {
+    // A row that others go into is named by each of them.
+    if (!readerOf(rule).parts().empty() && !sealed_[&rule].insert(text).second) {
       return;
     }
     if (!row) {
@@ -179,7 +225,7 @@ class Sealer {
 
   std::vector<Digest::Value> partsOfRow(const SealRule& rule, std::span<const Value> key) {
     std::vector<Digest::Value> parts;
-    for (const SealRule* part : rulesOfParts(rule.table)) {
+    for (const SealRule* part : readerOf(rule).parts()) {
       auto found = partStatements_.find(part);
       if (found == partStatements_.end()) {
         const std::string column = columnsOf(part->key).front();
@@ -202,6 +248,7 @@ class Sealer {
   }
 
   Connection& connection_;
+  GivenRows given_;
   std::map<const SealRule*, RowByKey> readers_;
   std::map<const SealRule*, Statement> partStatements_;
   std::map<const SealRule*, SealShape> shapes_;
@@ -229,7 +276,8 @@ class RowLedger : public ChangeWatch {
 
   void changed(const std::shared_ptr<const Plan>& plan, std::span<const Value> bound, const Rows& returned,
                std::int64_t rows) override {
-    const auto& ledger = static_cast<const LedgerPlan&>(*plan);  // planOf() makes no other
+    const auto known = std::static_pointer_cast<const LedgerPlan>(plan);  // planOf() makes no other
+    const LedgerPlan& ledger = *known;
     if (ledger.sealRule == nullptr) {
       noteEntry(ledger.change, bound);
       return;
@@ -240,12 +288,12 @@ class RowLedger : public ChangeWatch {
         for (const int placeholder : ledger.keys) {
           key.push_back(bound[static_cast<std::size_t>(placeholder)]);
         }
-        touch(ledger, std::move(key), bound);
+        touch(known, std::move(key), bound);
       }
       return;
     }
     for (const std::vector<Value>& key : returned) {
-      touch(ledger, key, bound);
+      touch(known, key, bound);
     }
   }
 
@@ -297,37 +345,27 @@ class RowLedger : public ChangeWatch {
              .station = text(given("station"))};
   }
 
-  void touch(const LedgerPlan& plan, std::vector<Value> key, std::span<const Value> bound) {
-    std::string place(plan.sealRule->table);
+  void touch(const std::shared_ptr<const LedgerPlan>& plan, std::vector<Value> key,
+             std::span<const Value> bound) {
+    std::string place(plan->sealRule->table);
     place.append("/").append(keyText(key));
     const auto [found, first] = places_.try_emplace(std::move(place), touched_.size());
     if (first) {
-      touched_.push_back({.rule = plan.sealRule, .key = std::move(key), .given = {}});
+      touched_.push_back({.rule = plan->sealRule, .key = std::move(key)});
     }
     Touched& row = touched_[found->second];
     using Kind = ChangedStatement::Kind;
-    if (plan.change.kind == Kind::kDelete) {
+    if (plan->change.kind == Kind::kDelete) {
       row.given.clear();
       row.whole = false;
       row.gone = true;
       return;
     }
-    const bool replaces = plan.change.onConflict == ChangedStatement::OnConflict::kUpdate;
-    if (plan.change.kind == Kind::kInsert) {
-      row.whole = !replaces;
+    if (plan->change.kind == Kind::kInsert) {
+      row.whole = plan->change.onConflict != ChangedStatement::OnConflict::kUpdate;
       row.gone = false;
     }
-    for (const ChangedStatement::Column& column : plan.change.columns) {
-      if (replaces && std::find(plan.change.replaced.begin(), plan.change.replaced.end(), column.name) ==
-                          plan.change.replaced.end()) {
-        continue;
-      }
-      std::optional<Value>& given = row.given[column.name];
-      given.reset();
-      if (column.placeholder >= 0) {
-        given = bound[static_cast<std::size_t>(column.placeholder)];
-      }
-    }
+    row.given.push_back({plan, {bound.begin(), bound.end()}});
   }
 
   struct Author {
