@@ -3,6 +3,7 @@
 
 #include "assessment/people/account.h"
 #include "assessment/people/person.h"
+#include "db/migrations/schema_check.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
@@ -42,6 +43,9 @@ std::map<std::string, std::string> auditSubjectCodes(SessionContext& session, st
 std::vector<AuditFinding> verifyAudit(SessionContext& session) {
   session.require(Operation::kAuditView);
   std::vector<AuditFinding> findings = verifyAuditTrail(session.connection());
+  for (const SchemaFinding& finding : schemaFindings(session.connection())) {
+    findings.push_back({0, "schema", finding.part, finding.what});
+  }
   session.note({.action = AuditAction::kAuditVerify,
                 .objectKind = AuditObject::kAuditEntry,
                 .newJson = R"({"findings":)" + std::to_string(findings.size()) + "}"});

@@ -22,6 +22,7 @@ namespace torsio {
 Connection openUpToDate(const std::string& locator) {
   MigrationOptions options;
   options.softwareVersion = softwareVersion();
+  options.station = stationName();
   return openRecord(locator, OpenMode::kCreate, options);
 }
 

@@ -11,6 +11,7 @@
 #include "app/cli/json_output.h"
 #include "app/maintenance/anchor.h"
 #include "app/maintenance/database_maintenance.h"
+#include "app/maintenance/station_anchor.h"
 #include "assessment/people/audit_entry.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
@@ -77,7 +78,7 @@ void verify(const AuditArguments& arguments) {
     }
     if (check.audit.empty()) {
       std::cout << "The audit trail is whole: " << check.auditEntries
-                << " entries; every mark and every trial is as it was recorded.\n";
+                << " entries; every sealed row and every recording is as it was recorded.\n";
     }
   }
   if (!check.audit.empty()) {
@@ -102,6 +103,18 @@ void printHead(const AuditArguments& arguments) {
   }
 }
 
+void setStation(const AuditArguments& arguments) {
+  StationAnchor anchor = stationAnchor();
+  if (!arguments.witness.empty() || !arguments.key.empty()) {
+    anchor.witness = arguments.witness.empty() ? anchor.witness.string() : arguments.witness;
+    anchor.key = arguments.key.empty() ? anchor.key.string() : arguments.key;
+    setStationAnchor(anchor);
+    anchor = stationAnchor();
+  }
+  std::cout << "Witness file: " << (anchor.witness.empty() ? "none" : anchor.witness.string()) << "\n"
+            << "Key: " << (anchor.key.empty() ? "none, heads are not signed" : anchor.key.string()) << "\n";
+}
+
 void makeKey(const AuditArguments& arguments) {
   std::cout << "Public key: " << makeAnchorKey(arguments.file) << "\n"
             << "Keep " << arguments.file
@@ -118,7 +131,8 @@ void addAudit(CLI::App& program) {
     command.add_option("--database", arguments->database, "SQLite file or postgresql://... address")
         ->capture_default_str();
   };
-  CLI::App* command = audit->add_subcommand("verify", "Finds any change to audit entries, marks or trials");
+  CLI::App* command =
+      audit->add_subcommand("verify", "Finds any change to the audit trail and to what reports read");
   addDatabase(*command);
   command->add_option("--since", arguments->since, "A line of torsio audit head, in quotes");
   command->add_option("--witness", arguments->witness, "File of such lines");
@@ -132,6 +146,12 @@ void addAudit(CLI::App& program) {
   command->add_option("--key", arguments->key, "File of the key that signs it");
   command->add_option("--witness", arguments->witness, "File that the line is added to");
   command->callback([arguments] { printHead(*arguments); });
+
+  command = audit->add_subcommand("station", "Shows or sets where this station keeps heads, and its key");
+  command->add_option("--witness", arguments->witness,
+                      "File that gets a head at each sign-out of an administrator");
+  command->add_option("--key", arguments->key, "File of the key that signs them");
+  command->callback([arguments] { setStation(*arguments); });
 
   command = audit->add_subcommand("key", "Makes a key that signs heads, in a file of its own");
   command->add_option("FILE", arguments->file, "The new file")->required();

@@ -9,9 +9,12 @@
 #include "app/cli/commands.h"
 #include "app/cli/progress_line.h"
 #include "app/maintenance/anchor.h"
+#include "app/maintenance/copies.h"
 #include "app/maintenance/database_copy.h"
 #include "app/maintenance/database_maintenance.h"
+#include "app/maintenance/station_anchor.h"
 #include "assessment/people/audit_entry.h"
+#include "assessment/report/number_format.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
 
@@ -47,12 +50,37 @@ void requireSound(const DatabaseCheck& check, const std::string& remedy) {
               remedy);
 }
 
+/// Every place that holds the record besides itself, with the day by which it should be gone.
+void printCopies(const DbArguments& arguments) {
+  for (const ListedCopy& listed : copiesOf(arguments.database)) {
+    const RecordCopy& copy = listed.copy;
+    std::cout << "  " << copyKindLabel(copy.kind).english() << " at " << copy.station << ": " << copy.place
+              << ", made " << formatUtc(copy.madeUtc_us) << ", to be deleted by "
+              << formatUtc(listed.dueUtc_us) << "\n";
+  }
+}
+
 void backUp(const DbArguments& arguments) {
   const BackupContent content = backUpDatabase(arguments.database, arguments.file,
                                                arguments.replace ? Replace::kBackup : Replace::kNothing);
   std::cout << "Backup written and checked: " << arguments.file << "\n";
   printContent(content);
-  std::cout << "  " << anchoredHead(arguments.file, {}, utcNow_us()) << "\n";
+  const StationAnchor anchor = stationAnchor();
+  std::cout << "  " << anchoredHead(arguments.file, anchor.key, utcNow_us()) << "\n";
+  if (anchor.key.empty()) {
+    std::cerr
+        << "torsio: this head is not signed: whoever can change the place where it is kept can replace it. "
+           "torsio audit key FILE makes a key, torsio audit station sets it\n";
+  }
+  printCopies(arguments);
+}
+
+void listCopies(const DbArguments& arguments) {
+  if (copiesOf(arguments.database).empty()) {
+    std::cout << "No copy of this record is known.\n";
+    return;
+  }
+  printCopies(arguments);
 }
 
 void verify(const DbArguments& arguments) {
@@ -123,6 +151,10 @@ void addDb(CLI::App& program) {
   command->add_option("FILE", arguments->file, "The backup")->required();
   addDatabase(*command, arguments);
   command->callback([arguments] { restore(*arguments); });
+
+  command = db->add_subcommand("copies", "Lists the places that hold this record besides itself");
+  addDatabase(*command, arguments);
+  command->callback([arguments] { listCopies(*arguments); });
 
   command = db->add_subcommand("check", "Looks for damage, and for anything changed behind the audit trail");
   addDatabase(*command, arguments);

@@ -141,14 +141,12 @@ std::string publicAnchorKey(const fs::path& file) {
 
 std::string anchoredHead(const std::string& locator, const fs::path& key, std::int64_t now_us) {
   Connection connection = openRecord(locator, OpenMode::kReadOnly);
-  Head head{.utc_us = now_us};
-  AuditRepository(connection).forEach([&head](const AuditEntry& entry) {
-    head.length = entry.sequence;
-    head.hash = entry.entryHash;
-  });
-  if (head.hash.empty()) {
-    head.hash = kNone;
-  }
+  return anchoredHead(connection, key, now_us);
+}
+
+std::string anchoredHead(Connection& connection, const fs::path& key, std::int64_t now_us) {
+  const TrailHead newest = AuditRepository(connection).head();
+  Head head{.length = newest.length, .hash = newest.length == 0 ? kNone : newest.hash, .utc_us = now_us};
   if (!key.empty()) {
     const SecretKey secret = readKey(key);
     const std::string text = head.signedText();

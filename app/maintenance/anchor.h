@@ -9,6 +9,8 @@
 
 namespace torsio {
 
+class Connection;
+
 /// Makes a new key that signs heads of the audit trail (Ed25519) in a file of its own that nobody else can
 /// read. Returns its public part, 64 hexadecimal digits, by which signatures are checked. Throws Error
 /// (kFileUnwritable) when the file exists.
@@ -21,6 +23,8 @@ namespace torsio {
 /// SIGNATURE", time in microseconds since 1970 UTC; "-" for the last two when `key` is empty. Throws Error,
 /// DbError.
 [[nodiscard]] std::string anchoredHead(const std::string& locator, const std::filesystem::path& key,
+                                       std::int64_t now_us);
+[[nodiscard]] std::string anchoredHead(Connection& connection, const std::filesystem::path& key,
                                        std::int64_t now_us);
 /// Adds a line to a witness file; makes the file. Throws Error (kFileUnwritable).
 void appendToWitness(const std::filesystem::path& witness, const std::string& head);

@@ -9,6 +9,7 @@
 #include <QLockFile>
 #include <QTemporaryDir>
 
+#include "app/maintenance/copies.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/connection/locator.h"
@@ -17,6 +18,7 @@
 #include "db/migrations/schema_check.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/audit_verification.h"
+#include "sim/base/clock.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -122,6 +124,9 @@ BackupContent backUpDatabase(const std::string& locator, const fs::path& target,
   sweepLeftovers(locator);
   {
     Connection connection = openRecord(locator, OpenMode::kReadWrite);
+    requireReplaceable(target, replace);
+    registerCopy(connection, CopyKind::kBackup, target,
+                 utcNow_us());  // so that the backup itself tells of it
     backupSqlite(connection, target, replace);
   }
   return checkBackup(target);
@@ -182,7 +187,12 @@ Restored restoreDatabase(const fs::path& backup, const std::string& locator) {
     throw Error(ErrorCode::kVerifyFailed, Text::tr("the backup is not sound, so nothing was restored"),
                 backup.string(), Text::tr("Run torsio db verify on it, and use an older backup"));
   }
-  return {tested.content, restoreSqlite(backup, parseLocator(locator).file)};
+  Restored restored{tested.content, restoreSqlite(backup, parseLocator(locator).file)};
+  if (!restored.before.empty()) {
+    registerCopyIn(locator, CopyKind::kBeforeRestore, restored.before);
+  }
+  registerCopyIn(locator, CopyKind::kBackup, backup);
+  return restored;
 }
 
 DatabaseCheck checkDatabase(const std::string& locator) {
@@ -197,9 +207,13 @@ BackupContent backUpDatabase(SessionContext& session, const fs::path& target,
     requireSqlite(session.key().locator, Text::tr("Use pg_dump --format=custom --file=FILE on the server"));
   }
   // Before the copy, so that the backup itself tells of it.
+  requireReplaceable(target, Replace::kBackup);
+  Transaction together(session.connection());
+  registerCopy(session.connection(), CopyKind::kBackup, target, session.now_us());
   session.note({.action = AuditAction::kDatabaseBackup,
                 .objectKind = AuditObject::kDatabase,
                 .objectId = target.filename().string()});
+  together.commit();
   tellProgress(progress, Text::tr("Copying the record while others work"), 0.0);
   backupSqlite(session.connection(), target, Replace::kBackup);
   tellProgress(progress, Text::tr("Reading the backup from end to end"), 0.6);

@@ -7,8 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/maintenance/copies.h"
 #include "db/connection/connection.h"
 #include "db/migrations/compaction.h"
+#include "db/repository/base/audit_repository.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/digest.h"
@@ -105,7 +107,8 @@ bool writeRecording(Connection& connection, const TrialId& trialId, const fs::pa
   return true;
 }
 
-void writeManifest(const fs::path& folder, const PersonId& personId, std::int64_t now_us) {
+void writeManifest(const fs::path& folder, const PersonId& personId, const TrailHead& head,
+                   std::int64_t now_us) {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.is_regular_file()) {
@@ -122,7 +125,10 @@ void writeManifest(const fs::path& folder, const PersonId& personId, std::int64_
                     {"bytes", bytes.size()},
                     {"blake2b_256", digest.hex()}});
   }
-  const Json manifest{{"person", personId}, {"made_utc_us", now_us}, {"files", std::move(list)}};
+  const Json manifest{{"person", personId},
+                      {"made_utc_us", now_us},
+                      {"audit_trail", {{"entries", head.length}, {"head", head.hash}}},
+                      {"files", std::move(list)}};
   writeFileAtomically(folder / "manifest.json", manifest.dump(2) + "\n");
 }
 
@@ -176,11 +182,14 @@ PersonPackage exportPersonPackage(SessionContext& session, const PersonId& perso
     }
   }
   writeFileAtomically(making.path() / "README.txt", std::string_view(kReadme));
-  writeManifest(making.path(), personId, session.now_us());
+  writeManifest(making.path(), personId, AuditRepository(session.connection()).head(), session.now_us());
+  Transaction together(session.connection());
+  registerCopy(session.connection(), CopyKind::kPackage, folder, session.now_us(), personId);
   session.note({.action = AuditAction::kPersonExport,
                 .objectKind = AuditObject::kPerson,
                 .objectId = personId,
                 .reason = reason});
+  together.commit();
   std::error_code failed;
   fs::rename(making.path(), folder, failed);
   if (failed) {

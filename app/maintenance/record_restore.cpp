@@ -10,6 +10,7 @@
 #include <QDateTime>
 
 #include "app/base/build_info.h"
+#include "app/maintenance/copies.h"
 #include "app/maintenance/database_maintenance.h"
 #include "app/maintenance/others_at_work.h"
 #include "db/connection/connection.h"
@@ -173,6 +174,8 @@ void bringToday(SessionContext& session, const fs::path& ready, const RestorePla
   for (const Erasure& erasure : erasedSince(session.connection(), copy)) {
     erasePerson(copy, erasure.personId, erasure.requestedBy, erasure.reason, erasure.erasedUtc_us);
   }
+  registerCopy(copy, CopyKind::kBeforeRestore, safety, session.now_us());
+  registerCopy(copy, CopyKind::kBackup, plan.backup, session.now_us());
   tell(session, copy, AuditAction::kDatabaseRestore, plan, safety);
 }
 

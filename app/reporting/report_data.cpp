@@ -13,6 +13,7 @@
 #include "assessment/study/cohort.h"
 #include "assessment/study/demonstration_marks.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/audit_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/sheet_repository.h"
@@ -164,6 +165,9 @@ CohortInputs reportInputs(SessionContext& session, const ReportRequest& request,
   CohortInputs inputs = cohortInputs(connection, cohort.id, campaign, training);
   inputs.title = cohort.name;
   inputs.createdUtc_us = session.now_us();
+  const TrailHead head = AuditRepository(connection).head();
+  inputs.auditEntries = head.length;
+  inputs.auditHead = head.hash;
   inputs.demonstration = cohort.demonstration || campaign.campaign.demonstration;
   inputs.identity = request.identity;
   if (!cohort.description.empty()) {

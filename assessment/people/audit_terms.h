@@ -118,6 +118,7 @@ enum class AuditAction : std::uint8_t {
   kDatabaseSwitch,
   kDatabaseJoin,
   kDemonstrationRemove,
+  kRecordSeal,
   kEnd,  ///< how many there are; noted by nobody and always the last
 };
 
@@ -151,6 +152,7 @@ enum class AuditObject : std::uint8_t {
   kRaterWarmup,
   kReferenceRun,
   kRetentionRule,
+  kRowSeal,
   kRubricRevision,
   kSetting,
   kTrainingMark,
@@ -272,6 +274,7 @@ inline constexpr auto kAuditActions = std::to_array<Term<AuditAction>>({
     {AuditAction::kDatabaseSwitch, "database.switch", Text::tr("Station turned to the server")},
     {AuditAction::kDatabaseJoin, "database.join", Text::tr("Station joined the record of a server")},
     {AuditAction::kDemonstrationRemove, "demonstration.remove", Text::tr("Demonstration data removed")},
+    {AuditAction::kRecordSeal, "record.seal", Text::tr("Rows of the record sealed")},
 });
 
 /// The texts of the kinds of objects: in the database (mostly the table of the object) and in English.
@@ -304,6 +307,7 @@ inline constexpr auto kAuditObjects = std::to_array<Term<AuditObject>>({
     {AuditObject::kRaterWarmup, "rater_warmup", Text::tr("rater calibration")},
     {AuditObject::kReferenceRun, "reference_run", Text::tr("reference run")},
     {AuditObject::kRetentionRule, "retention_rule", Text::tr("rule for keeping records")},
+    {AuditObject::kRowSeal, "row_seal", Text::tr("sealed rows")},
     {AuditObject::kRubricRevision, "rubric_revision", Text::tr("rubric")},
     {AuditObject::kSetting, "setting", Text::tr("setting")},
     {AuditObject::kTrainingMark, "training_mark", Text::tr("mark")},

@@ -357,6 +357,13 @@ std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
     sheets.add("sheets_asked", static_cast<double>(inputs.sheetsAsked), inputs.sheetsAsked);
     sheets.add("sheets_present", static_cast<double>(inputs.sheetsPresent), inputs.sheetsAsked);
   }
+  if (!in.auditHead.empty()) {
+    Rows record(rows);
+    record.place.section = "record";
+    record.place.item = "audit_trail";
+    record.place.flags = formatUtc(in.createdUtc_us);
+    record.addText("head", in.auditHead, in.auditEntries);
+  }
   if (!inputs.singleMarks) {
     std::erase_if(rows, [](const CohortCsvRow& row) {
       return row.statistic == "mark" || row.statistic == "rater_mark";

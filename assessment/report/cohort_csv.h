@@ -10,8 +10,9 @@ namespace torsio {
 
 /// One row of cohort.csv: one number with everything that says what it is. Empty fields do not apply.
 struct CohortCsvRow {
-  std::string section;  ///< "evaluation", "training", "agreement", "comparison", "trial", "deviation"
-  std::string item;     ///< rater, trainee or trial; "all" for a summary
+  std::string
+      section;       ///< "evaluation", "training", "agreement", "comparison", "trial", "deviation", "record"
+  std::string item;  ///< rater, trainee or trial; "all" for a summary
   std::string group;
   std::string model;
   std::string index;  ///< of the instrument; a rater's code for "rater_mark"; the number of a twist

@@ -360,6 +360,11 @@ void addCover(const CohortInputs& in, ReportModel& report) {
                        {Text::tr("Recorded trials"), std::to_string(in.trials.size())},
                        {Text::tr("Evaluated models"), std::to_string(in.evaluations.size())}});
   report.facts.insert(report.facts.end(), in.facts.begin(), in.facts.end());
+  if (!in.auditHead.empty()) {
+    report.facts.emplace_back(Text::tr("Audit trail"),
+                              Text::tr("%1 entries at %2", in.auditEntries, formatUtc(in.createdUtc_us)));
+    report.facts.emplace_back(Text::tr("Head of the audit trail"), in.auditHead);
+  }
 }
 
 ReportModel reportOf(const CohortInputs& in) {

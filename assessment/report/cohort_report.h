@@ -156,6 +156,8 @@ struct CohortInputs {
   std::string centre;
   std::string softwareVersion;
   std::int64_t createdUtc_us = 0;
+  std::int64_t auditEntries = 0;  ///< length of the audit trail then
+  std::string auditHead;          ///< hash of its newest entry; empty: nothing was noted yet
   bool demonstration = false;
   std::vector<Text> simulated;           ///< what of this is simulated and by which rule
   Facts facts;                           ///< further lines for the cover

@@ -11926,6 +11926,94 @@
         <source>An omega loop of sigmoid whose two limbs are wrung between the feet on the root and the top in the hand. The top turns as a whole about the line from the root to it; the limbs are wrung and lie wound round each other. That they press on each other adds no torque here, as it would in a patient, and the mesentery is not drawn. The law of the wall was checked for length over radius 3 to 12 and wall over radius 0.03 to 0.1. The limbs are 198 mm long on a mean radius of 32 mm (6.3) with a wall over radius of 0.055 to 0.099: inside. Pressure times radius over stiffness times wall is 3.1 at 15 mmHg, held against a second computation up to 0.5 only. The lumen shuts near 140 degrees; letting gas out takes the peak torque from 131 to 27 N mm. Wall, pressure, stiffness, friction and vessels are assumed; pull and jaw are sourced. Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
         <translation>一段 Ω 形的乙状结肠袢，两肢在系膜根部的肠脚与手中的袢顶之间被拧转。袢顶作为整体绕根部到袢顶的直线转动；两肢被拧转并相互缠绕。在患者体内两肢会相互挤压而增加力矩，此处不计；系膜未画出。管壁定律在长度与半径之比 3 至 12、壁厚与半径之比 0.03 至 0.1 的范围内验证过。两肢长 198 mm，平均半径 32 mm（比值 6.3），壁厚与半径之比为 0.055 至 0.099：在范围之内。15 mmHg 时压力乘半径除以刚度与壁厚之积为 3.1，而与另一种计算的对照只做到 0.5。肠腔在约 140 度时闭合；排气使最大力矩从 131 降到 27 N mm。壁厚、压力、刚度、摩擦和血管为假设值；牵拉和钳口的限值有文献来源。血流与扭转角的关系只在睾丸上测量过，此处借用。颜色不能证明组织存活。仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
     </message>
+    <message>
+        <source>Rows of the record sealed</source>
+        <translation>记录中的行已封存</translation>
+    </message>
+    <message>
+        <source>sealed rows</source>
+        <translation>封存的行</translation>
+    </message>
+    <message>
+        <source>backup</source>
+        <translation>备份</translation>
+    </message>
+    <message>
+        <source>record before a restore</source>
+        <translation>还原之前的记录</translation>
+    </message>
+    <message>
+        <source>record before a new schema</source>
+        <translation>数据库结构升级之前的记录</translation>
+    </message>
+    <message>
+        <source>package about the person</source>
+        <translation>此人的资料包</translation>
+    </message>
+    <message>
+        <source>Audit trail</source>
+        <translation>审计记录</translation>
+    </message>
+    <message>
+        <source>%1 entries at %2</source>
+        <translation>%2 时共 %1 条</translation>
+    </message>
+    <message>
+        <source>Head of the audit trail</source>
+        <translation>审计记录的末端哈希</translation>
+    </message>
+    <message>
+        <source>the column %1 was altered on its way into the record; nothing was kept</source>
+        <translation>列 %1 在写入记录途中被改动；未保存任何内容</translation>
+    </message>
+    <message>
+        <source>Run torsio audit verify: a trigger may do this</source>
+        <translation>运行 torsio audit verify：可能是触发器所为</translation>
+    </message>
+    <message>
+        <source>seals a change of which the trail does not tell</source>
+        <translation>封存了审计记录中没有的更改</translation>
+    </message>
+    <message>
+        <source>belongs to no seal</source>
+        <translation>不属于任何封存</translation>
+    </message>
+    <message>
+        <source>is sealed, but this version knows no such table</source>
+        <translation>已封存，但此版本不认识该表</translation>
+    </message>
+    <message>
+        <source>its seals were changed</source>
+        <translation>其封存已被改动</translation>
+    </message>
+    <message>
+        <source>its seal belongs to no entry</source>
+        <translation>其封存不属于任何条目</translation>
+    </message>
+    <message>
+        <source>tells of an erase that did not take place</source>
+        <translation>记述了并未发生的抹除</translation>
+    </message>
+    <message>
+        <source>tells of a removal that did not take place</source>
+        <translation>记述了并未发生的移除</translation>
+    </message>
+    <message>
+        <source>is there, but was never recorded</source>
+        <translation>存在，但从未被记录</translation>
+    </message>
+    <message>
+        <source>differs from what was recorded</source>
+        <translation>与所记录的不同</translation>
+    </message>
+    <message>
+        <source>is gone, but what belongs to it is there</source>
+        <translation>已不存在，但属于它的内容仍在</translation>
+    </message>
+    <message>
+        <source>was recorded, but is gone</source>
+        <translation>曾被记录，但已不存在</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -15857,6 +15945,10 @@ Leave it empty to remove it.</source>
         <source>The database refused %1 entries of this station for good. Please tell whoever looks after it</source>
         <translation>数据库彻底拒绝了本训练台的 %1 条记录。请告知管理人员</translation>
     </message>
+    <message>
+        <source>The head of the audit trail was not kept: %1</source>
+        <translation>未能保存审计记录的末端：%1</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::MaintenancePage</name>
@@ -16101,6 +16193,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>How long records are kept, and on what lawful basis</source>
         <translation>记录保存多久，依据何种法律依据</translation>
+    </message>
+    <message>
+        <source>Head of the audit trail, to be kept elsewhere: %1</source>
+        <translation>审计记录的末端，请另处保存：%1</translation>
+    </message>
+    <message>
+        <source>No key signs the heads of this station, so whoever can change the place where they are kept can replace them. torsio audit key makes one, torsio audit station sets it.</source>
+        <translation>本站的末端没有密钥签名，能改动其保存位置的人就能替换它们。用 torsio audit key 生成密钥，用 torsio audit station 设置。</translation>
     </message>
 </context>
 <context>
@@ -18366,6 +18466,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>C&amp;onsents…</source>
         <translation>知情同意(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>%1 at %2: %3, to be deleted by %4</source>
+        <translation>%1，位于 %2：%3，应于 %4 前删除</translation>
+    </message>
+    <message>
+        <source>These copies still hold this person; Torsio deletes none of them:</source>
+        <translation>以下副本仍包含此人的资料；Torsio 不会删除它们：</translation>
     </message>
 </context>
 <context>

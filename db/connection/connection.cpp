@@ -11,6 +11,7 @@
 #include <QSqlRecord>
 #include <QVariant>
 
+#include "db/connection/change_watch.h"
 #include "db/connection/connection_state.h"
 #include "sim/base/contracts.h"
 
@@ -64,6 +65,8 @@ class Statement::Query {
   std::string text;
   QSqlQuery query;
   std::int64_t affectedRows = 0;
+  std::shared_ptr<const ChangeWatch::Plan> plan;  // null: nobody watches what it changes
+  std::vector<Value> bound;                       // with a plan only
 };
 
 Statement::Statement(std::unique_ptr<Query> query) : query_(std::move(query)) {}
@@ -73,10 +76,28 @@ Statement::~Statement() = default;
 
 Statement& Statement::bind(int position, const Value& value) {
   query_->query.bindValue(position, toVariant(value));
+  if (query_->plan) {
+    const auto index = static_cast<std::size_t>(position);
+    if (query_->bound.size() <= index) {
+      query_->bound.resize(index + 1);
+    }
+    query_->bound[index] = value;
+  }
   return *this;
 }
 
 void Statement::execute() {
+  if (!query_->plan || query_->state->depth > 0) {
+    run();
+    return;
+  }
+  Connection connection(query_->state);
+  Transaction alone(connection);
+  run();
+  alone.commit();
+}
+
+void Statement::run() {
   TORSIO_EXPECTS(!query_->state->broken);
   if (!query_->query.exec()) {
     const QSqlError error = query_->query.lastError();
@@ -84,6 +105,24 @@ void Statement::execute() {
     query_->state->fail(query_->text, error);
   }
   query_->affectedRows = query_->query.numRowsAffected();
+  if (query_->plan) {
+    ChangeWatch::Rows returned;
+    if (query_->query.isSelect()) {
+      const int columns = columnCount();
+      while (step()) {
+        std::vector<Value>& row = returned.emplace_back();
+        for (int column = 0; column < columns; ++column) {
+          row.push_back(value(column));
+        }
+      }
+      query_->affectedRows = static_cast<std::int64_t>(returned.size());
+    }
+    query_->query.finish();
+    if (query_->state->watch) {
+      query_->state->watch->changed(query_->plan, query_->bound, returned, query_->affectedRows);
+    }
+    return;
+  }
   // SQLite refuses COMMIT while a statement is in progress, even one without rows to read.
   if (!query_->query.isSelect()) {
     query_->query.finish();
@@ -194,7 +233,19 @@ Statement Connection::prepare(std::string_view sql) {
   if (state_->observer) {
     state_->observer(sql);
   }
-  return Statement(std::make_unique<Statement::Query>(state_, sql, Statement::Query::Start::kPrepare));
+  std::shared_ptr<const ChangeWatch::Plan> plan = state_->watch ? state_->watch->planOf(sql) : nullptr;
+  std::string longer;
+  if (plan && !plan->returning().empty()) {
+    longer.append(sql).append(" RETURNING ").append(plan->returning());
+    sql = longer;
+  }
+  auto query = std::make_unique<Statement::Query>(state_, sql, Statement::Query::Start::kPrepare);
+  query->plan = std::move(plan);
+  return Statement(std::move(query));
+}
+
+std::shared_ptr<ChangeWatch> Connection::watchChanges(std::shared_ptr<ChangeWatch> watch) {
+  return std::exchange(state_->watch, std::move(watch));
 }
 
 Statement Connection::selectVerbatim(std::string_view sql) {
@@ -235,9 +286,9 @@ Connection openDatabase(const std::string& locator, OpenMode mode, int busyTimeo
   return connection;
 }
 
-Transaction::Transaction(Connection& connection) : state_(connection.state_) {
+Transaction::Transaction(Connection& connection, Purpose purpose) : state_(connection.state_) {
   if (state_->depth == 0) {
-    state_->begin();
+    state_->begin(purpose);
   }
   ++state_->depth;
 }
@@ -265,9 +316,16 @@ void Transaction::commit() {
                   Text::tr("an earlier step of this change failed: nothing was kept"), state_->location,
                   Text::tr("Repeat the whole change"));
   }
+  if (state_->watch) {
+    Connection connection(state_);
+    state_->watch->beforeCommit(connection);
+  }
   state_->commit();  // throws: the destructor then rolls back
   open_ = false;
   state_->depth = 0;
+  if (state_->watch) {
+    state_->watch->forget();
+  }
 }
 
 }  // namespace torsio

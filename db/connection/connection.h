@@ -14,6 +14,7 @@
 
 namespace torsio {
 
+class ChangeWatch;
 class ConnectionState;  // QtSql lives behind it (connection_state.h)
 class Statement;
 
@@ -51,6 +52,10 @@ class Connection {
   /// (kShowStatements), query plans.
   void observeStatements(std::function<void(std::string_view)> observer);
 
+  /// Has `watch` hear what statements that are prepared from now on change; null: nobody. Returns the watch
+  /// before. Not inside a transaction that changed something.
+  std::shared_ptr<ChangeWatch> watchChanges(std::shared_ptr<ChangeWatch> watch);
+
   [[nodiscard]] Engine engine() const noexcept;
   /// For messages; never contains a password.
   [[nodiscard]] const std::string& location() const noexcept;
@@ -59,6 +64,7 @@ class Connection {
   [[nodiscard]] bool inTransaction() const noexcept;
 
  private:
+  friend class Statement;
   friend class Transaction;
   friend Connection openDatabase(const std::string& locator, OpenMode mode, int busyTimeout_ms);
   explicit Connection(std::shared_ptr<ConnectionState> state);
@@ -118,6 +124,7 @@ class Statement {
   friend class Connection;
   class Query;
   explicit Statement(std::unique_ptr<Query> query);
+  void run();
   std::unique_ptr<Query> query_;
 };
 
@@ -126,8 +133,12 @@ class Statement {
 /// given up, the outer one cannot be committed any more.
 class Transaction {
  public:
+  enum class Purpose {
+    kChange,
+    kLook,  ///< nothing is written: all that is read is of one moment, and nobody waits for it
+  };
   /// SQLite takes the write lock at once (BEGIN IMMEDIATE), so that it waits here and never in the middle.
-  explicit Transaction(Connection& connection);
+  explicit Transaction(Connection& connection, Purpose purpose = Purpose::kChange);
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
   ~Transaction();

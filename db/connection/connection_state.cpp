@@ -12,6 +12,7 @@
 #include <QSqlQuery>
 #include <QVariant>
 
+#include "db/connection/change_watch.h"
 #include "sim/base/contracts.h"
 
 namespace torsio {
@@ -232,12 +233,18 @@ void ConnectionState::run(std::string_view sql) {
   }
 }
 
-void ConnectionState::begin() {
+void ConnectionState::begin(Transaction::Purpose purpose) {
   broken = false;
+  const bool looks = purpose == Transaction::Purpose::kLook;
   if (engine == Engine::kSqlite) {
-    run(readOnly ? "BEGIN" : "BEGIN IMMEDIATE");
-  } else if (!database_->transaction()) {
+    run(readOnly || looks ? "BEGIN" : "BEGIN IMMEDIATE");
+    return;
+  }
+  if (!database_->transaction()) {
     fail("BEGIN", database_->lastError());
+  }
+  if (looks) {
+    run("SET TRANSACTION ISOLATION LEVEL REPEATABLE READ");
   }
 }
 
@@ -269,6 +276,9 @@ void ConnectionState::leave() noexcept {
   abandon();
   depth = 0;
   broken = false;
+  if (watch) {
+    watch->forget();
+  }
 }
 
 }  // namespace torsio

@@ -30,7 +30,7 @@ class ConnectionState {
   /// Throws the DbError for `error`, and remembers that the open transaction is lost.
   [[noreturn]] void fail(std::string_view sql, const QSqlError& error);
 
-  void begin();
+  void begin(Transaction::Purpose purpose);
   void commit();
   /// Rolls back at once; what still belongs to the transaction is refused until it is left.
   void abandon() noexcept;
@@ -42,6 +42,7 @@ class ConnectionState {
   bool readOnly = false;
   int depth = 0;  ///< open transactions, the inner ones joined
   std::function<void(std::string_view)> observer;
+  std::shared_ptr<ChangeWatch> watch;
   bool broken = false;  ///< the open transaction was rolled back already
 
  private:

@@ -112,6 +112,19 @@ CREATE TABLE erasure (
 );
 {{append_only erasure}}
 
+-- Where the record, or all about one person (person_id), was copied to, so that an erase can say who still holds it.
+-- gone_utc_us: when it was seen to be there no more.
+CREATE TABLE record_copy (
+  id TEXT PRIMARY KEY,
+  kind TEXT NOT NULL CHECK (kind IN ('backup', 'before_restore', 'before_schema', 'package')),
+  place TEXT NOT NULL,
+  station TEXT NOT NULL,
+  person_id TEXT REFERENCES person (id),
+  made_utc_us BIGINT NOT NULL,
+  gone_utc_us BIGINT
+);
+CREATE INDEX record_copy_person ON record_copy (person_id);
+
 -- Who may sign in and do what; the audit trail.
 
 CREATE TABLE role (
@@ -257,6 +270,30 @@ CREATE TABLE audit_entry (
 CREATE INDEX audit_entry_object ON audit_entry (object_kind, object_id);
 CREATE INDEX audit_entry_time ON audit_entry (at_utc_us);
 {{immutable audit_entry}}
+
+-- What each transaction made of the rows that a report reads: a hash over the row, sealed by the entry of the trail
+-- that the transaction wrote. personal_hash: over what an erase takes, with a salt. No names, so that it stays whole.
+CREATE TABLE row_seal (
+  entry_sequence BIGINT NOT NULL REFERENCES audit_entry (sequence),
+  position BIGINT NOT NULL,
+  table_name TEXT NOT NULL,
+  row_key TEXT NOT NULL,
+  removed BOOLEAN NOT NULL,
+  row_hash TEXT NOT NULL,
+  personal_hash TEXT NOT NULL,
+  simulated BOOLEAN NOT NULL,
+  PRIMARY KEY (entry_sequence, position)
+);
+{{immutable row_seal}}
+
+-- The salt of a row's newest personal_hash: replaced with every seal and gone when the row is erased, so that nobody
+-- can try out names on the hashes that stay.
+CREATE TABLE seal_salt (
+  table_name TEXT NOT NULL,
+  row_key TEXT NOT NULL,
+  salt TEXT NOT NULL,
+  PRIMARY KEY (table_name, row_key)
+);
 
 -- Curricula.
 
@@ -891,8 +928,7 @@ CREATE TABLE draft_viewing (
   worked_us BIGINT NOT NULL
 );
 
--- One row a trainee, rater and scoring point; a correction is a new version. comment_hash: what of the comment went
--- into the seal of the mark, so that the seal still fits after the comment was erased.
+-- One row a trainee, rater and scoring point; a correction is a new version.
 CREATE TABLE training_mark (
   id TEXT PRIMARY KEY,
   enrolment_id TEXT NOT NULL REFERENCES enrolment (id),
@@ -910,7 +946,6 @@ CREATE TABLE training_mark (
   submitted_utc_us BIGINT NOT NULL,
   demonstration BOOLEAN NOT NULL,
   assignment_id TEXT REFERENCES assignment (id),
-  comment_hash TEXT,
   UNIQUE (enrolment_id, rater_id, occasion, version),
   CHECK (score_steps BETWEEN scale_lo_steps AND scale_hi_steps),
   CHECK ((score_steps IS NULL) = (not_assessable_reason IS NOT NULL)),

@@ -48,24 +48,6 @@ SqliteHead headOf(const fs::path& file) {
   return found;
 }
 
-void requireReplaceable(const fs::path& target, Replace replace) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(target, ignored);
-  if (!fs::exists(status)) {
-    return;
-  }
-  const SqliteHead head = fs::is_regular_file(status) ? headOf(target) : SqliteHead{};
-  if (!fs::is_regular_file(status) ||
-      (head.database && (head.writeAheadLog || head.application != kBackupMark))) {
-    throw Error(ErrorCode::kFileUnwritable, Text::tr("is no backup, so it is never replaced by one"),
-                target.string(), Text::tr("Name another file"));
-  }
-  if (replace == Replace::kNothing) {
-    throw Error(ErrorCode::kFileUnwritable, Text::tr("exists already"), target.string(),
-                Text::tr("Name another file, or give --replace"));
-  }
-}
-
 std::int64_t rowsOf(Connection& connection, const char* table) {
   Statement row = connection.prepare(std::string("SELECT count(*) FROM ") + table);
   row.execute();
@@ -102,6 +84,24 @@ void moveLogs(const fs::path& from, const fs::path& to) {
 }
 
 }  // namespace
+
+void requireReplaceable(const fs::path& target, Replace replace) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(target, ignored);
+  if (!fs::exists(status)) {
+    return;
+  }
+  const SqliteHead head = fs::is_regular_file(status) ? headOf(target) : SqliteHead{};
+  if (!fs::is_regular_file(status) ||
+      (head.database && (head.writeAheadLog || head.application != kBackupMark))) {
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("is no backup, so it is never replaced by one"),
+                target.string(), Text::tr("Name another file"));
+  }
+  if (replace == Replace::kNothing) {
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("exists already"), target.string(),
+                Text::tr("Name another file, or give --replace"));
+  }
+}
 
 std::vector<std::string> integrityFindings(Connection& connection) {
   std::vector<std::string> findings;

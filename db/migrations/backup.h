@@ -19,6 +19,8 @@ enum class Replace { kNothing, kBackup };
 /// it is a database but no backup: a record is never replaced by one.
 void backupSqlite(Connection& connection, const std::filesystem::path& target,
                   Replace replace = Replace::kNothing);
+/// Throws what backupSqlite() would when `target` must stay.
+void requireReplaceable(const std::filesystem::path& target, Replace replace);
 
 /// What a backup holds, after it was read from end to end.
 struct BackupContent {

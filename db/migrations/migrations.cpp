@@ -11,6 +11,8 @@
 #include "db/migrations/dialect.h"
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/record_exchange.h"
+#include "db/repository/base/copy_register.h"
+#include "db/repository/base/row_ledger.h"
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
 #include "sim/base/digest.h"
@@ -37,6 +39,9 @@ constexpr const char* kBookkeeping =
     " software_version TEXT NOT NULL,"
     " applied_utc_us BIGINT NOT NULL)";
 
+// Reason of the entry that seals what an older version left unsealed.
+constexpr const char* kSealedOnUpgrade = "sealed on upgrade, not before";
+
 struct AppliedStep {
   std::int64_t version = 0;
   std::int64_t compatibleFrom = 0;
@@ -49,11 +54,15 @@ std::int64_t countOf(Connection& connection, std::string_view sql) {
   return query.step() ? query.int64(0) : 0;
 }
 
-bool hasBookkeeping(Connection& connection) {
+bool hasTable(Connection& connection, const std::string& name) {
   return countOf(connection, connection.engine() == Engine::kSqlite
-                                 ? "SELECT count(*) FROM sqlite_master WHERE name = 'schema_migration'"
-                                 : "SELECT count(*) FROM pg_tables WHERE tablename = 'schema_migration' "
-                                   "AND schemaname = current_schema()") > 0;
+                                 ? "SELECT count(*) FROM sqlite_master WHERE name = '" + name + "'"
+                                 : "SELECT count(*) FROM pg_tables WHERE tablename = '" + name +
+                                       "' AND schemaname = current_schema()") > 0;
+}
+
+bool hasBookkeeping(Connection& connection) {
+  return hasTable(connection, "schema_migration");
 }
 
 /// Tables that are not ours; an SQLite file of another program must never be migrated.
@@ -104,11 +113,15 @@ void applyStep(Connection& connection, const Migration& step, const MigrationOpt
   for (const std::string& sql : statementsFor(connection.engine(), step.sql, step.name)) {
     connection.executeVerbatim(sql);
   }
+  const std::int64_t now_us = options.now_us != 0 ? options.now_us : utcNow_us();
   connection.execute(
       "INSERT INTO schema_migration (version, name, description, checksum, compatible_from, software_version,"
       " applied_utc_us) VALUES (?, ?, ?, ?, ?, ?, ?)",
       {step.version, step.name, step.description, step.checksum, step.compatibleFrom, options.softwareVersion,
-       options.now_us != 0 ? options.now_us : utcNow_us()});
+       now_us});
+  if (!applied.empty() && hasTable(connection, "row_seal")) {
+    sealUnsealed(connection, kSealedOnUpgrade, now_us);
+  }
   transaction.commit();
 }
 
@@ -216,7 +229,15 @@ Connection openRecord(const std::string& locator, OpenMode mode, const Migration
   Connection connection = openDatabase(locator, mode);
   const std::vector<Migration> migrations = embeddedMigrations();
   if (mode != OpenMode::kReadOnly) {
-    migrate(connection, migrations, options);
+    const MigrationReport report = migrate(connection, migrations, options);
+    sealChanges(connection);
+    if (report.backup) {
+      CopyRegister(connection)
+          .add({.kind = CopyKind::kBeforeSchema,
+                .place = std::filesystem::absolute(*report.backup).string(),
+                .station = options.station,
+                .madeUtc_us = options.now_us != 0 ? options.now_us : utcNow_us()});
+    }
     return connection;
   }
   const SchemaState state = checkSchema(connection, migrations);

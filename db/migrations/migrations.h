@@ -43,6 +43,7 @@ struct MigrationOptions {
   std::string softwareVersion = "unknown";
   std::int64_t now_us = 0;  ///< wall clock; 0: the machine's
   bool backup = true;       ///< of an existing SQLite file, before the first step
+  std::string station{};    ///< this machine, for the register of copies
 };
 
 struct MigrationReport {
@@ -52,12 +53,14 @@ struct MigrationReport {
 };
 
 /// Applies the missing steps, each in one transaction of its own; a step that fails leaves the database at
-/// the step before. Two programs that start at once do not disturb each other. Within a Transaction of the
-/// caller all steps are kept with it or not at all (then without `backup`). Throws Error, DbError.
+/// the step before. A step on an existing record seals in its transaction what has no seal yet. Two programs
+/// that start at once do not disturb each other. Within a Transaction of the caller all steps are kept with
+/// it or not at all (then without `backup`). Throws Error, DbError.
 MigrationReport migrate(Connection& connection, const std::vector<Migration>& migrations,
                         const MigrationOptions& options);
 
-/// openDatabase, checkSchema and, unless `mode` is read-only, migrate with the embedded steps.
+/// openDatabase, checkSchema and, unless `mode` is read-only, migrate with the embedded steps; changes are
+/// sealed from then on (db/repository/base/row_ledger.h).
 [[nodiscard]] Connection openRecord(const std::string& locator, OpenMode mode,
                                     const MigrationOptions& options = {});
 

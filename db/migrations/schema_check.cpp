@@ -26,23 +26,20 @@ Parts partsFrom(Connection& connection, const char* sql) {
 
 Parts sqliteParts(Connection& connection) {
   return partsFrom(connection,
-                   "SELECT type || ' ' || name, coalesce(sql, '') FROM sqlite_master"
-                   " WHERE name NOT LIKE 'sqlite\\_%' ESCAPE '\\'");
+                   "SELECT type || ' ' || name, tbl_name || ' ' || coalesce(sql, '') FROM sqlite_master"
+                   " WHERE name NOT LIKE 'sqlite\\_stat%' ESCAPE '\\'");
 }
 
-/// Who may do what: rows that the steps fill, and nothing else.
+/// Who may do what, and which steps were applied: rows that the steps fill, and nothing else.
 Parts rightsIn(Connection& connection) {
   Parts parts =
       partsFrom(connection, "SELECT 'right ' || role_code || ' ' || operation_code, '' FROM role_operation");
   parts.merge(partsFrom(connection, "SELECT 'role ' || code, label FROM role"));
   parts.merge(partsFrom(connection, "SELECT 'operation ' || code, label FROM operation"));
+  parts.merge(partsFrom(connection,
+                        "SELECT 'step ' || version, name || ' ' || compatible_from || ' ' || checksum || ' '"
+                        " || description FROM schema_migration"));
   return parts;
-}
-
-Connection freshRecord() {
-  Connection fresh = openDatabase(":memory:", OpenMode::kCreate);
-  migrate(fresh, embeddedMigrations(), {.backup = false});
-  return fresh;
 }
 
 /// A trigger is "on" for every session, and its function has the body that the step gives it.
@@ -78,6 +75,12 @@ Parts expectedOnPostgresql() {
 }
 
 }  // namespace
+
+Connection freshRecord() {
+  Connection fresh = openDatabase(":memory:", OpenMode::kCreate);
+  migrate(fresh, embeddedMigrations(), {.backup = false});
+  return fresh;
+}
 
 std::vector<SchemaFinding> schemaFindings(Connection& connection) {
   const bool sqlite = connection.engine() == Engine::kSqlite;

@@ -20,4 +20,7 @@ struct SchemaFinding {
 /// differs, or the record is newer.
 [[nodiscard]] std::vector<SchemaFinding> schemaFindings(Connection& connection);
 
+/// A record in memory as the steps make it, with no row but theirs.
+[[nodiscard]] Connection freshRecord();
+
 }  // namespace torsio

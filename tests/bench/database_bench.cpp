@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The record on the real clock, as large as a centre ever gets (10,000 trainees, 100,000 marks) in an SQLite
-// file: how long one second of samples takes to be safe on the disk, and how long the lists take to open. The
-// last column is the ratio to one STREAM triad over a million doubles on this machine.
+// file: how long one second of samples takes to be safe on the disk, how long the lists take to open, what it
+// costs to verify all of it, and what the seals add to the storing of a trial. The last column is the ratio
+// to one STREAM triad over a million doubles on this machine.
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -11,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <sys/resource.h>
 #include <vector>
 
 #include <QCoreApplication>
@@ -19,12 +21,16 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/id_source.h"
+#include "db/repository/base/row_ledger.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
+#include "db/repository/system/audit_verification.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/ids.h"
+#include "sim/record/content_hash.h"
+#include "sim/record/sample_codec.h"
 #include "tests/db/large_record.h"
 
 namespace torsio {
@@ -35,10 +41,15 @@ namespace fs = std::filesystem;
 constexpr std::size_t kTriadDoubles = 1'000'000;
 constexpr std::int64_t kSeconds = 600;
 constexpr std::size_t kSecond_bytes = 16'000;  // what an hour of 60 MB leaves for each
-constexpr int kTrials = 2'000;
+constexpr int kTrials = 10'000;
 constexpr int kOpenings = 21;
 constexpr double kInsertLimit_ms = 20.0;
 constexpr double kListLimit_ms = 100.0;
+constexpr double kVerifyLimit_s = 6.0;  // of processor
+constexpr double kVerifyLimit_MB = 200.0;
+constexpr int kStoredTrials = 60;
+constexpr std::int64_t kStoredSeconds = 60;
+constexpr double kSealShare = 1.10;  // of the processor time without seals
 
 double time_ms(const std::function<void()>& action) {
   const auto begun = std::chrono::steady_clock::now();
@@ -90,17 +101,72 @@ struct Bench {
   }
 };
 
-/// Finished trials without samples, for the lists.
+double processor_s(const std::function<void()>& action) {
+  const std::clock_t begun = std::clock();
+  action();
+  return static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
+}
+
+/// The most memory that this program ever held.
+double peak_MB() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1e3;
+}
+
+/// Finished trials of one second, for the lists and to be verified.
 void addTrials(Connection& connection, SampleRecord& sample) {
   Transaction transaction(connection);
   TrialRepository trials(connection, {.station = "room 1", .enrolmentId = sample.enrolments[0].id});
   for (int i = 0; i < kTrials; ++i) {
     TrialHeader header = sampleHeader(sample.ids.newUuid(), "T-01");
     header.startedUtc_us += i;
+    TrialChunk chunk = sampleChunk(0, kSecond_bytes);
+    chunk.digest = chunkDigest(chunk);
+    ContentHash hash(header);
+    hash.add(chunk);
     trials.begin(header);
-    trials.finish({});
+    trials.append(chunk);
+    trials.finish({.samples = chunk.samples, .contentHash = hash.hex()});
   }
   transaction.commit();
+}
+
+void verifyAll(Bench& bench, Connection& connection) {
+  const double before_MB = peak_MB();
+  std::size_t findings = 0;
+  const double took_s = processor_s([&] { findings = verifyAuditTrail(connection).size(); });
+  const double held_MB = peak_MB() - before_MB;
+  std::printf(
+      "verification of all of it                  %8.2f s of processor, limit %.0f s; %.0f MB more, limit"
+      " %.0f MB; %zu findings\n",
+      took_s, kVerifyLimit_s, held_MB, kVerifyLimit_MB, findings);
+  bench.sound = bench.sound && took_s <= kVerifyLimit_s && held_MB <= kVerifyLimit_MB && findings == 0;
+}
+
+/// Trials of a minute as the recorder stores them, each second by itself.
+void storeTrials(Connection& connection, SampleRecord& sample) {
+  for (int i = 0; i < kStoredTrials; ++i) {
+    TrialRepository trials(connection, {.station = "room 1"});
+    trials.begin(sampleHeader(sample.ids.newUuid(), "T-01"));
+    for (std::int64_t second = 0; second < kStoredSeconds; ++second) {
+      trials.append(sampleChunk(second, kSecond_bytes));
+    }
+    trials.finish({});
+  }
+}
+
+void compareStoring(Bench& bench, Connection& connection, SampleRecord& sample) {
+  double sealed_s = 0.0;
+  double plain_s = 0.0;
+  for (int turn = 0; turn < 3; ++turn) {
+    sealed_s += processor_s([&] { storeTrials(connection, sample); });
+    const UnsealedCopy none(connection);
+    plain_s += processor_s([&] { storeTrials(connection, sample); });
+  }
+  std::printf("storing a trial of a minute                seals take %.3f of the time without, limit %.2f\n",
+              sealed_s / plain_s, kSealShare);
+  bench.sound = bench.sound && sealed_s / plain_s <= kSealShare;
 }
 
 void insertSeconds(Bench& bench, Connection& connection, SampleRecord& sample) {
@@ -136,7 +202,9 @@ bool run(const std::string& file) {
              [&] { (void)SheetRepository(connection).queue(sample.chiefs[0].person.id); });
   bench.list("audit trail of trials",
              [&] { (void)AuditRepository(connection).entries({.objectKind = AuditObject::kTrial}); });
+  verifyAll(bench, connection);
   insertSeconds(bench, connection, sample);
+  compareStoring(bench, connection, sample);
   return bench.sound;
 }
 

@@ -161,22 +161,23 @@ TEST_F(AuditRepositoryTest, SealsEachMarkAndFindsOneThatWasChanged) {
   EXPECT_TRUE(verifyAuditTrail(connection).empty());
   dropTriggers(connection, "training_mark");
 
-  connection.execute("UPDATE training_mark SET score_steps = ?", {100});
+  Connection behind = open();  // as somebody with another tool
+  behind.execute("UPDATE training_mark SET score_steps = ?", {100});
   const std::vector<AuditFinding> changed = verifyAuditTrail(connection);
   ASSERT_EQ(changed.size(), 1U);
   EXPECT_EQ(changed[0].objectId, id);
 
-  connection.execute("UPDATE training_mark SET score_steps = ?, comment = ?", {40, "wild"});
+  behind.execute("UPDATE training_mark SET score_steps = ?, comment = ?", {40, "wild"});
   ASSERT_EQ(verifyAuditTrail(connection).size(), 1U);
 
-  connection.execute("DELETE FROM training_mark");
+  behind.execute("DELETE FROM training_mark");
   EXPECT_EQ(verifyAuditTrail(connection).at(0).what, "was recorded, but is gone");
 }
 
 TEST_F(AuditRepositoryTest, FindsAMarkThatWasSlippedIn) {
   Connection connection = openWithSchema();
   const SampleRecord sample(connection, 1);
-  connection.execute(
+  open().execute(
       "INSERT INTO training_mark (id, enrolment_id, rater_id, occasion, version, score_steps, "
       "scale_lo_steps,"
       " scale_hi_steps, steps_per_point, submitted_utc_us, demonstration)"

@@ -5,6 +5,7 @@
 #include "assessment/rating/campaign.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
+#include "db/repository/base/audit_repository.h"
 #include "sim/base/error.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
@@ -175,7 +176,7 @@ TEST_F(EvaluationRepositoryTest, ABatchGivenAgainAfterALostAnswerIsStoredOnce) {
   evaluations.submit(campaign.id, marks);
 
   EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM evaluation_mark"), 2);
-  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM audit_entry"), 2);
+  EXPECT_EQ(AuditRepository(connection).count(0), 2);
   marks[0].score_steps = 51;
   EXPECT_EQ(faultFrom([&] { evaluations.submit(campaign.id, marks); }), DbFault::kUnique);
 }

@@ -14,6 +14,7 @@
 #include "assessment/rating/sheet.h"
 #include "assessment/study/cohort.h"
 #include "assessment/study/curriculum.h"
+#include "db/repository/base/audit_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
@@ -36,6 +37,7 @@ namespace {
 const std::map<std::string, Value> kRuled{{"kind", "virtual"},
                                           {"state", "active"},
                                           {"retention_hold.kind", "lock"},
+                                          {"record_copy.kind", "backup"},
                                           {"curriculum_state.state", "running"},
                                           {"consent.purpose", "video"},
                                           {"trial_remark.purpose", "remark"},
@@ -49,8 +51,8 @@ const std::map<std::string, Value> kRuled{{"kind", "virtual"},
                                           {"amend_reason", Value()}};
 
 /// Tables that stay empty, or that the migrations fill.
-const std::set<std::string> kLeftAlone{"erasure_gate", "audit_entry",    "role",
-                                       "operation",    "role_operation", "occasion"};
+const std::set<std::string> kLeftAlone{"erasure_gate", "audit_entry", "row_seal",       "seal_salt",
+                                       "role",         "operation",   "role_operation", "occasion"};
 
 std::map<std::string, std::string> typesOf(Connection& connection, const std::string& table) {
   std::map<std::string, std::string> types;
@@ -296,6 +298,14 @@ FullRecord::FullRecord(Connection& connection, const std::string& prefix, bool d
   for (const SchemaTable& table : tablesInReferenceOrder(connection)) {
     filler.fill(table);
   }
+  // The tombstone that was made up needs its entry.
+  AuditRepository(connection)
+      .append({.atUtc_us = kSampleTime_us,
+               .actor = prefix + " user",
+               .station = "office",
+               .action = AuditAction::kPersonErase,
+               .objectKind = AuditObject::kPerson,
+               .objectId = raterId});
   transaction.commit();
 }
 

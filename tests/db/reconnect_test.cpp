@@ -6,6 +6,7 @@
 #include "assessment/rating/mark.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
+#include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/system/audit_verification.h"
@@ -130,13 +131,13 @@ TEST_F(ReconnectTest, ACallerMaySubmitTheSameMarkAgainOverANewConnection) {
   mark.score_steps = 73;
   mark.submittedUtc_us = kSampleTime_us;
   {
-    Connection lost = openDatabase(locatorToLose(), OpenMode::kReadWrite);
+    Connection lost = openRecord(locatorToLose(), OpenMode::kReadWrite);
     RatingRepository(lost).submit(std::span(&mark, 1));  // kept, but the answer never arrives
     endConnection(connection);
     EXPECT_EQ(faultFrom([&] { RatingRepository(lost).submit(std::span(&mark, 1)); }), DbFault::kUnreachable);
   }
 
-  Connection again = open();
+  Connection again = openWithSchema();
   RatingRepository(again).submit(std::span(&mark, 1));
 
   EXPECT_EQ(RatingRepository(connection).marks(sample.cohort.id).size(), 1U);

@@ -7,6 +7,7 @@
 #include "assessment/rating/sheet.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
+#include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
@@ -171,7 +172,7 @@ TEST_F(SheetRepositoryTest, SubmittingAgainAfterALostAnswerSealsOnce) {
   desk.sheets.submit(id, second, better, "looked again", kSampleTime_us + 2);
 
   EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM training_mark"), 2);
-  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM audit_entry"), 2);
+  EXPECT_EQ(AuditRepository(connection).count(0), 2);
   EXPECT_EQ(desk.sheets.submitted(id)->overall_steps, 80);
 }
 

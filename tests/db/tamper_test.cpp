@@ -10,14 +10,18 @@
 #include "assessment/people/audit_entry.h"
 #include "assessment/rating/mark.h"
 #include "db/connection/connection.h"
+#include "db/connection/row_reader.h"
 #include "db/migrations/schema_check.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
+#include "tests/db/full_record.h"
 #include "tests/db/sample_record.h"
+#include "tests/db/tampering.h"
 #include "tests/db/test_database.h"
 
 namespace torsio {
@@ -32,16 +36,22 @@ class TamperTest : public DatabaseTest {
       return;
     }
     connection_.emplace(openWithSchema());
-    SampleRecord sample(*connection_, 2);
-    SubmittedMark mark;
-    mark.id = sample.ids.newUuid();
-    mark.enrolmentId = sample.enrolments[0].id;
-    mark.raterId = sample.chiefs[0].person.id;
-    mark.occasionCode = "pre";
-    mark.score_steps = 40;
-    mark.submittedUtc_us = kSampleTime_us;
+    sample_.emplace(*connection_, 2);
+    const SubmittedMark mark = markOf(0);
     RatingRepository(*connection_, "ward").submit(std::span(&mark, 1));
     markId_ = mark.id;
+  }
+  /// Of one of the two trainees.
+  [[nodiscard]] SubmittedMark markOf(std::size_t trainee) {
+    SubmittedMark mark;
+    mark.id = sample_->ids.newUuid();
+    mark.enrolmentId = sample_->enrolments[trainee].id;
+    mark.raterId = sample_->chiefs[0].person.id;
+    mark.occasionCode = "pre";
+    mark.score_steps = 40;
+    mark.comment = "steady";
+    mark.submittedUtc_us = kSampleTime_us;
+    return mark;
   }
   void TearDown() override {
     connection_.reset();
@@ -74,6 +84,7 @@ class TamperTest : public DatabaseTest {
   }
 
   std::optional<Connection> connection_;
+  std::optional<SampleRecord> sample_;
   std::string markId_;
 };
 
@@ -130,9 +141,10 @@ TEST_F(TamperTest, AChangedMarkWithASecondSealIsFound) {
   dropTriggers("training_mark");
   connection_->executeVerbatim("UPDATE training_mark SET score_steps = 90");
   forgeEntry(AuditAction::kMarkSubmit, std::string(64, 'a'));
-
-  EXPECT_TRUE(finds("seals a row otherwise that was sealed before"));
   EXPECT_TRUE(finds("differs from what was recorded"));
+
+  forgeSeals(*connection_, AuditAction::kMarkAmend, AuditObject::kTrainingMark, markId_);
+  EXPECT_TRUE(finds("seals a row otherwise that was sealed before"));
 }
 
 TEST_F(TamperTest, ADeletedMarkWithAnEntryOfItsRemovalIsFound) {
@@ -140,7 +152,6 @@ TEST_F(TamperTest, ADeletedMarkWithAnEntryOfItsRemovalIsFound) {
   connection_->executeVerbatim("DELETE FROM training_mark");
   forgeEntry(AuditAction::kDemonstrationRemove, "");
 
-  EXPECT_TRUE(finds("tells of a removal that did not take place"));
   EXPECT_TRUE(finds("was recorded, but is gone"));
 }
 
@@ -174,6 +185,160 @@ TEST_F(TamperTest, ARightThatWasGivenToTraineesIsNamed) {
   ASSERT_EQ(findings.size(), 2U);
   EXPECT_EQ(findings[0].part, "right administrator audit.view");
   EXPECT_EQ(findings[1].part, "right trainee user.manage");
+}
+
+TEST_F(TamperTest, WhatATriggerAltersOnItsWayIsRefused) {
+  if (onPostgresql()) {
+    connection_->executeVerbatim(
+        "CREATE FUNCTION raise_score() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN NEW.score_steps = 99;"
+        " RETURN NEW; END $$");
+    connection_->executeVerbatim(
+        "CREATE TRIGGER raise_score BEFORE INSERT ON training_mark FOR EACH ROW EXECUTE FUNCTION "
+        "raise_score()");
+  } else {
+    connection_->executeVerbatim("DROP TRIGGER training_mark_no_UPDATE");
+    connection_->executeVerbatim(
+        "CREATE TRIGGER raise_score AFTER INSERT ON training_mark BEGIN UPDATE training_mark SET score_steps "
+        "= 99 WHERE id = NEW.id; END");
+  }
+  const SubmittedMark mark = markOf(1);
+
+  const Refusal refusal =
+      refusalFrom([&] { RatingRepository(*connection_, "ward").submit(std::span(&mark, 1)); });
+
+  EXPECT_EQ(refusal.code, ErrorCode::kVerifyFailed);
+  EXPECT_NE(refusal.text.find("score_steps"), std::string::npos) << refusal.text;
+  EXPECT_EQ(numberFrom(*connection_, "SELECT count(*) FROM training_mark"), 1);
+}
+
+/// One thing that somebody does to the tables with another tool, and the table that a finding must name.
+struct Act {
+  const char* name;
+  std::vector<std::string> statements;
+  const char* found;
+};
+
+/// A record with a row in every table, twice.
+class TamperWithRows : public DatabaseTest, public ::testing::WithParamInterface<Act> {};
+
+TEST_P(TamperWithRows, IsFound) {
+  Connection connection = openWithSchema();
+  const FullRecord one(connection, "one", false);
+  const FullRecord two(connection, "two", false);
+  ASSERT_EQ(allFindings(connection), std::vector<std::string>{});
+  Connection behind = open();
+  disarm(behind);
+
+  for (const std::string& statement : GetParam().statements) {
+    behind.executeVerbatim(statement);
+  }
+
+  const std::vector<AuditFinding> findings = verifyAuditTrail(behind);
+  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const AuditFinding& finding) {
+    return finding.objectKind == GetParam().found;
+  })) << (findings.empty() ? "nothing found" : findings[0].objectKind + ": " + findings[0].what);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Acts, TamperWithRows,
+    ::testing::Values(
+        Act{"GateOpenedUpdatedClosed",
+            {"INSERT INTO erasure_gate (id, reason, opened_utc_us) VALUES ('x', 'none', 1)",
+             "UPDATE training_mark SET score_steps = 100", "DELETE FROM erasure_gate"},
+            "training_mark"},
+        Act{"MovedToAnotherArm",
+            {"UPDATE enrolment SET group_id = 'one group' WHERE id = 'two enrolment'"},
+            "enrolment"},
+        Act{"EnrolmentsOfTrialsSwapped",
+            {"UPDATE trial SET enrolment_id = CASE enrolment_id WHEN 'one enrolment' THEN 'two enrolment' "
+             "ELSE"
+             " 'one enrolment' END"},
+            "trial"},
+        Act{"NamesSwapped", {"UPDATE person_identity SET full_name = full_name || ' '"}, "person_identity"},
+        Act{"PasswordHashSet", {"UPDATE app_user SET password_hash = 'known'"}, "app_user"},
+        Act{"RoleGiven",
+            {"INSERT INTO user_role (user_id, role_code) SELECT id, 'allocator' FROM app_user"},
+            "user_role"},
+        Act{"CommentsEmptied", {"UPDATE training_mark SET comment = NULL"}, "training_mark"},
+        Act{"RowOfASheetChanged", {"UPDATE training_mark_row SET score_steps = 10"}, "training_mark"},
+        Act{"RowOfASheetTakenAway", {"DELETE FROM training_mark_row"}, "training_mark"},
+        Act{"DigestsHalved",
+            {"UPDATE trial_digest SET mean_absolute_error_deg = mean_absolute_error_deg / 2"},
+            "trial_digest"},
+        Act{"WeightOfAClass", {"UPDATE evaluation_class SET weight_milli = 1"}, "evaluation_class"},
+        Act{"WeightOfAnIndex", {"UPDATE evaluation_index SET weight_milli = 1"}, "evaluation_index"},
+        Act{"ResultRaised", {"UPDATE training_result SET mean = mean + 1"}, "assessment_run"},
+        Act{"ConsentGranted", {"UPDATE consent SET granted = NOT granted"}, "consent"},
+        Act{"ExposureStretched", {"UPDATE exposure SET duration_us = duration_us + 1"}, "exposure"},
+        Act{"SettingChanged", {"UPDATE setting SET value = 'other'"}, "setting"},
+        Act{"CallMoved", {"UPDATE live_call SET occasion = 'mid'"}, "live_call"},
+        Act{"OccasionRenamed", {"UPDATE occasion SET label = 'later' WHERE code = 'pre'"}, "occasion"},
+        Act{"SaltForgotten",
+            {"DELETE FROM seal_salt WHERE table_name = 'person_identity'"},
+            "person_identity"},
+        Act{"SaltAdded",
+            {"INSERT INTO seal_salt (table_name, row_key, salt) VALUES ('trial', 'x', 'y')"},
+            "seal_salt"},
+        Act{"SealTakenAway",
+            {"DELETE FROM row_seal WHERE entry_sequence = (SELECT min(entry_sequence) FROM row_seal)"},
+            "row_seal"},
+        Act{"Tombstone",
+            {"INSERT INTO erasure (person_id, requested_by, reason, erased_utc_us) VALUES"
+             " ('free', 'x', 'y', 1)"},
+            "erasure"}),
+    [](const ::testing::TestParamInfo<Act>& act) { return std::string(act.param.name); });
+
+TEST_F(TamperTest, TwoNamesThatWereSwappedAreFound) {
+  PeopleRepository people(*connection_);
+  const std::vector<std::string> ids =
+      selectAll(*connection_, "SELECT person_id FROM trainee ORDER BY person_id", {}, readText);
+  people.setIdentity({ids[0], "Hua Tuo", "", "1"});
+  people.setIdentity({ids[1], "Bian Que", "", "2"});
+  ASSERT_TRUE(verifyAuditTrail(*connection_).empty());
+
+  connection_->executeVerbatim(
+      "UPDATE person_identity SET full_name = CASE full_name WHEN 'Hua Tuo' THEN 'Bian Que' ELSE 'Hua Tuo' "
+      "END");
+
+  EXPECT_EQ(verifyAuditTrail(*connection_).size(), 2U);
+}
+
+TEST_F(TamperTest, AnEraseInTheTrailExcusesNoOtherChangeOfTheRow) {
+  const std::string trainee =
+      selectAll(*connection_,
+                "SELECT trainee_id FROM enrolment e JOIN training_mark m ON m.enrolment_id = e.id", {},
+                readText)
+          .at(0);
+  disarm(*connection_);
+  connection_->executeVerbatim("UPDATE training_mark SET score_steps = 90, comment = NULL");
+  connection_->executeVerbatim(
+      "INSERT INTO erasure (person_id, requested_by, reason, erased_utc_us) VALUES ('" + trainee +
+      "', 'x', 'y', 1)");
+
+  forgeSeals(*connection_, AuditAction::kPersonErase, AuditObject::kPerson, trainee);
+
+  EXPECT_TRUE(finds("seals a row otherwise that was sealed before"));
+}
+
+TEST_F(TamperTest, ARemovalOfTheDemonstrationExcusesNoRealMark) {
+  disarm(*connection_);
+  connection_->executeVerbatim("DELETE FROM training_mark");
+
+  forgeSeals(*connection_, AuditAction::kDemonstrationRemove, AuditObject::kDemonstration, "");
+
+  EXPECT_TRUE(finds("tells of a removal that did not take place"));
+}
+
+TEST_F(TamperTest, ATombstoneWithoutItsEntryIsFoundEvenWithASeal) {
+  disarm(*connection_);
+  connection_->executeVerbatim(
+      "INSERT INTO erasure (person_id, requested_by, reason, erased_utc_us) SELECT person_id, 'x', 'y', 1 "
+      "FROM"
+      " trainee");
+
+  forgeSeals(*connection_, AuditAction::kPersonChange, AuditObject::kPerson, "p");
+
+  EXPECT_TRUE(finds("tells of an erase that did not take place"));
 }
 
 TEST_F(TamperTest, AGateThatWasLeftOpenIsFound) {

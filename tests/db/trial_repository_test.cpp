@@ -8,6 +8,7 @@
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/connection/row_reader.h"
+#include "db/repository/base/audit_repository.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/base/stored_term.h"
 #include "db/repository/study/curriculum_repository.h"
@@ -232,7 +233,7 @@ TEST_F(TrialRepositoryTest, StoresOnceWhatItIsGivenAgainAfterALostAnswer) {
   EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM trial"), 1);
   EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM trial_chunk"), 1);
   EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM trial_end"), 1);
-  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM audit_entry"), 1);
+  EXPECT_EQ(AuditRepository(connection).count(0), 1);
 }
 
 TEST_F(TrialRepositoryTest, RefusesTheSameIdWithOtherContentAndSaysSo) {
@@ -291,7 +292,7 @@ TEST_F(TrialRepositoryTest, AFileCompletesWhatTheDatabaseHasOfItsTrial) {
 
   EXPECT_EQ(trials.load(trial.header.trialId).chunks.size(), 3U);
   EXPECT_EQ(trials.context(trial.header.trialId)->enrolmentId, sample.enrolments[0].id);
-  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM audit_entry"), 1);
+  EXPECT_EQ(AuditRepository(connection).count(0), 1);
 }
 
 TEST_F(TrialRepositoryTest, AFileOfATrialThatWasClosedWithoutItIsRefused) {

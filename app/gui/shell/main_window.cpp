@@ -22,6 +22,7 @@
 #include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/shell/trouble_panel.h"
+#include "app/maintenance/station_anchor.h"
 #include "app/recording/station_writer.h"
 
 namespace torsio::gui {
@@ -268,10 +269,11 @@ void MainWindow::reconnect() {
   }
 }
 
-void MainWindow::forgetActor() {
+QString MainWindow::forgetActor() {
   if (!session_ || session_->actor().userId.empty()) {
-    return;
+    return {};
   }
+  const bool office = session_->actor().hasRole("administrator");
   try {
     if (line_ && !line_->answers()) {
       line_->write([](SessionContext& own) { torsio::signOut(own); });
@@ -281,7 +283,17 @@ void MainWindow::forgetActor() {
     }
   } catch (...) {
     session_->setActor({});  // the audit trail cannot be written; nobody stays signed in for that
+    return {};
   }
+  if (!office || (line_ && !line_->answers())) {
+    return {};
+  }
+  try {
+    witnessHead(session_->connectionWithoutRight(), session_->now_us());
+  } catch (const std::exception& error) {
+    return tr("The head of the audit trail was not kept: %1").arg(QString::fromUtf8(error.what()));
+  }
+  return {};
 }
 
 QString MainWindow::userId() const {

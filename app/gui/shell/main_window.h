@@ -99,7 +99,8 @@ class MainWindow : public QWidget {
   void startLine();
   void showAnswers(bool answers);
   void reconnect();
-  void forgetActor();
+  /// What went wrong with the head of the audit trail that is kept when an administrator leaves; else empty.
+  QString forgetActor();
   void tellKept();
   void tryPassword(const QString& login, const QString& password);
   void tryPin(const QString& login, const QString& pin);

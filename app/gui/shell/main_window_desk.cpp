@@ -96,9 +96,11 @@ bool MainWindow::signOut(const QString& reason) {
     return false;
   }
   leaveDesk();
-  forgetActor();
+  const QString notKept = forgetActor();
   enterSignIn();
-  if (!reason.isEmpty()) {
+  if (!notKept.isEmpty()) {
+    signIn_->say(notKept, true);
+  } else if (!reason.isEmpty()) {
     signIn_->say(reason, false);
   }
   return true;

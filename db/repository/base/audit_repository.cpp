@@ -12,6 +12,7 @@ constexpr const char* kColumns =
     "sequence, at_utc_us, actor, station, action, object_kind, object_id, old_json, new_json, reason,"
     " object_hash, previous_hash, entry_hash";
 constexpr const char* kInTime = " WHERE at_utc_us >= ? AND at_utc_us <= ?";
+constexpr const char* kActs = " AND action <> 'record.seal'";  // seals of rows tell of no act of anybody
 
 AuditEntry entryOf(RowReader& row) {
   return {.sequence = row.int64(),
@@ -61,19 +62,13 @@ std::string auditHash(const AuditEntry& entry) {
   return digest.hex();
 }
 
-void AuditRepository::append(std::span<const NewAuditEntry> entries) {
+std::int64_t AuditRepository::append(std::span<const NewAuditEntry> entries) {
   Transaction transaction(connection_);
   if (connection_.engine() == Engine::kPostgresql) {
     // SQLite holds its one write lock already.
     connection_.executeVerbatim("LOCK TABLE audit_entry IN SHARE ROW EXCLUSIVE MODE");
   }
-  auto [sequence, previous] =
-      selectFirst(connection_, "SELECT sequence, entry_hash FROM audit_entry ORDER BY sequence DESC LIMIT 1",
-                  {},
-                  [](RowReader& row) {
-                    return std::pair<std::int64_t, std::string>{row.int64(), row.text()};
-                  })
-          .value_or(std::pair<std::int64_t, std::string>{});
+  auto [sequence, previous] = head();
   Statement insert = connection_.prepare(insertInto("audit_entry", kColumns));
   for (const NewAuditEntry& added : entries) {
     AuditEntry entry = following(added, ++sequence, previous);
@@ -84,6 +79,7 @@ void AuditRepository::append(std::span<const NewAuditEntry> entries) {
     previous = entry.entryHash;
   }
   transaction.commit();
+  return sequence;
 }
 
 std::vector<AuditEntry> AuditRepository::entries(const AuditFilter& filter) {
@@ -100,6 +96,7 @@ std::vector<AuditEntry> AuditRepository::entries(const AuditFilter& filter) {
     where += " AND object_id = ?";
     values.emplace_back(filter.objectId);
   }
+  where += kActs;
   values.emplace_back(filter.limit);
   return selectAll(
       connection_,
@@ -117,9 +114,18 @@ void AuditRepository::forEach(const std::function<void(const AuditEntry&)>& take
 }
 
 std::int64_t AuditRepository::count(std::int64_t fromUtc_us, std::int64_t toUtc_us) const {
-  return selectFirst(connection_, std::string("SELECT count(*) FROM audit_entry") + kInTime,
+  return selectFirst(connection_, std::string("SELECT count(*) FROM audit_entry") + kInTime + kActs,
                      {fromUtc_us, toUtc_us}, readInt64)
       .value_or(0);
+}
+
+TrailHead AuditRepository::head() const {
+  return selectFirst(connection_,
+                     "SELECT sequence, entry_hash FROM audit_entry ORDER BY sequence DESC LIMIT 1", {},
+                     [](RowReader& row) {
+                       return TrailHead{row.int64(), row.text()};
+                     })
+      .value_or(TrailHead{});
 }
 
 std::int64_t AuditRepository::length() const {

@@ -50,18 +50,14 @@ void addScale(FieldDigest& digest, RowReader& row) {
 
 }  // namespace
 
-std::string textHash(const std::string& text) {
-  return text.empty() ? std::string() : FieldDigest("torsio text 1").add(text).hex();
-}
-
 std::map<std::string, std::string> markHashes(Connection& connection, std::span<const MarkId> ids) {
   std::map<std::string, FieldDigest> digests;
   const std::string marks =
       "SELECT id, enrolment_id, rater_id, occasion, version, trial_id, score_steps, scale_lo_steps,"
-      " scale_hi_steps, steps_per_point, not_assessable_reason, comment_hash, amend_reason, submitted_utc_us,"
+      " scale_hi_steps, steps_per_point, not_assessable_reason, amend_reason, submitted_utc_us,"
       " demonstration, assignment_id FROM training_mark";
   forEachRow(connection, marks, "id", ids, "id", [&](RowReader& mark) {
-    FieldDigest digest("torsio training mark 1");
+    FieldDigest digest("torsio training mark 2");
     const std::string id = mark.text();
     digest.add(id).add(mark.text());  // enrolment
     digest.add(mark.text());          // rater
@@ -71,7 +67,6 @@ std::map<std::string, std::string> markHashes(Connection& connection, std::span<
     addMaybe(digest, mark.maybeInt64());
     addScale(digest, mark);
     digest.add(mark.text());  // why it is not assessable
-    digest.add(mark.text());  // hash of the comment
     digest.add(mark.text());  // why it was amended
     digest.add(mark.int64());
     digest.add(mark.boolean());

@@ -10,9 +10,8 @@
 
 namespace torsio {
 
-/// What can be sealed are rows on which careers hang: training marks, evaluation marks and trials. The hash
-/// of every submitted training mark with its rows, as the tables have them now; `markId` empty: of all. A
-/// comment enters by its stored hash, so that it may be erased.
+/// What frozen data name a row by: the hash of every submitted training mark with its rows, as the tables
+/// have them now; `ids` empty: of all. Without the comment, which may be erased.
 [[nodiscard]] std::map<std::string, std::string> markHashes(Connection& connection,
                                                             std::span<const MarkId> ids = {});
 [[nodiscard]] std::map<std::string, std::string> evaluationMarkHashes(
@@ -20,8 +19,5 @@ namespace torsio {
 /// Of every trial that has ended: its closing row with the content hash.
 [[nodiscard]] std::map<std::string, std::string> trialHashes(Connection& connection,
                                                              std::span<const TrialId> ids = {});
-
-/// Hash of a free text; empty for an empty text.
-[[nodiscard]] std::string textHash(const std::string& text);
 
 }  // namespace torsio

@@ -96,6 +96,7 @@ inline constexpr std::array kPersonRules{
     PersonRule{"exposure", person_conditions::kAsTrainee},
     PersonRule{"deviation", person_conditions::kAsTrainee, OnErase::kClear, "description = NULL"},
     PersonRule{"erasure", "person_id = ?"},
+    PersonRule{"record_copy", "person_id = ?"},
     // Nobody's data: what the centre plans, names and computes over many.
     PersonRule{"allocation_design", ""},
     PersonRule{"allocation_seed", ""},
@@ -129,6 +130,8 @@ inline constexpr std::array kPersonRules{
     PersonRule{"retention_rule", ""},
     PersonRule{"role", ""},
     PersonRule{"role_operation", ""},
+    PersonRule{"row_seal", ""},
+    PersonRule{"seal_salt", ""},
     PersonRule{"rubric", ""},
     PersonRule{"rubric_anchor", ""},
     PersonRule{"rubric_revision", ""},

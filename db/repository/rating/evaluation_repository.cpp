@@ -7,7 +7,6 @@
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
-#include "db/repository/base/seals.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
 
@@ -174,7 +173,6 @@ void EvaluationRepository::submit(const CampaignId& campaignId, std::span<const 
       insertInto("evaluation_mark",
                  "id, campaign_id, rater_id, model_code, index_number, version, score_steps, amend_reason,"
                  " submitted_utc_us, demonstration"));
-  std::vector<EvaluationMarkId> ids;
   std::vector<const EvaluationMark*> added;
   for (const EvaluationMark& mark : marks) {
     if (!isOnScale(mark.score_steps, scale)) {
@@ -189,28 +187,25 @@ void EvaluationRepository::submit(const CampaignId& campaignId, std::span<const 
     insert.execute({mark.id, campaignId, mark.raterId, mark.modelCode, mark.indexNumber, mark.version,
                     mark.score_steps, textOrNull(mark.amendReason), mark.submittedUtc_us,
                     mark.demonstration});
-    ids.push_back(mark.id);
     added.push_back(&mark);
   }
   if (added.empty()) {
     transaction.commit();
     return;
   }
-  const std::map<std::string, std::string> hashes = evaluationMarkHashes(connection_, ids);
-  std::vector<NewAuditEntry> seals;
+  std::vector<NewAuditEntry> entries;
   for (const EvaluationMark* mark : added) {
-    NewAuditEntry seal{
+    NewAuditEntry entry{
         .atUtc_us = mark->submittedUtc_us,
         .actor = mark->raterId,
         .station = station_,
         .action = mark->version == 1 ? AuditAction::kEvaluationSubmit : AuditAction::kEvaluationAmend,
         .objectKind = AuditObject::kEvaluationMark,
         .objectId = mark->id,
-        .reason = mark->amendReason,
-        .objectHash = hashes.at(mark->id)};
-    seals.push_back(seal);
+        .reason = mark->amendReason};
+    entries.push_back(entry);
   }
-  AuditRepository(connection_).append(seals);
+  AuditRepository(connection_).append(entries);
   transaction.commit();
 }
 

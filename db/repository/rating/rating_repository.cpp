@@ -8,7 +8,6 @@
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
-#include "db/repository/base/seals.h"
 #include "sim/base/ids.h"
 
 namespace torsio {
@@ -46,8 +45,7 @@ SubmittedMark markOf(RowReader& row) {
           .numberInGroup = row.int64()};
 }
 
-/// Of a mark that is stored already: refuses another one under its id. When it was submitted does not count,
-/// and a comment may have been erased since: its hash is there.
+/// Of a mark that is stored already: refuses another one under its id. When it was submitted does not count.
 void requireSameMark(Connection& connection, const SubmittedMark& mark) {
   using Kind = IdempotentColumn::Kind;
   const std::array<IdempotentColumn, 16> columns{
@@ -66,7 +64,7 @@ void requireSameMark(Connection& connection, const SubmittedMark& mark) {
        {"submitted_utc_us", mark.submittedUtc_us, Kind::kIgnored},
        {"demonstration", mark.demonstration},
        {"assignment_id", textOrNull(mark.assignmentId)},
-       {"comment_hash", textOrNull(textHash(mark.comment))}}};
+       {"comment", textOrNull(mark.comment)}}};
   insertIdempotent(connection, "training_mark", columns, Text::tr("this mark"));
   const std::vector<MarkRow> stored =
       selectAll(connection,
@@ -109,7 +107,7 @@ void RatingRepository::submit(std::span<const SubmittedMark> marks) {
       insertInto("training_mark",
                  "id, enrolment_id, rater_id, occasion, version, trial_id, score_steps,"
                  " scale_lo_steps, scale_hi_steps, steps_per_point, not_assessable_reason, comment,"
-                 " amend_reason, submitted_utc_us, demonstration, assignment_id, comment_hash"));
+                 " amend_reason, submitted_utc_us, demonstration, assignment_id"));
   Statement insertRow = connection_.prepare(
       insertInto("training_mark_row", "mark_id, revision_id, row_code, score_steps, not_assessable_reason"));
   for (const SubmittedMark& mark : added) {
@@ -117,31 +115,24 @@ void RatingRepository::submit(std::span<const SubmittedMark> marks) {
                     textOrNull(mark.trialId), mark.score_steps, mark.scale.lo, mark.scale.hi,
                     mark.scale.stepsPerPoint, textOrNull(mark.notAssessableReason), textOrNull(mark.comment),
                     textOrNull(mark.amendReason), mark.submittedUtc_us, mark.demonstration,
-                    textOrNull(mark.assignmentId), textOrNull(textHash(mark.comment))});
+                    textOrNull(mark.assignmentId)});
     for (const MarkRow& row : mark.rows) {
       insertRow.execute(
           {mark.id, row.rubricRevisionId, row.rowCode, row.score_steps, textOrNull(row.notAssessableReason)});
     }
   }
-  std::vector<MarkId> ids;
-  ids.reserve(added.size());
+  std::vector<NewAuditEntry> entries;
   for (const SubmittedMark& mark : added) {
-    ids.push_back(mark.id);
+    NewAuditEntry entry{.atUtc_us = mark.submittedUtc_us,
+                        .actor = mark.raterId,
+                        .station = station_,
+                        .action = mark.version == 1 ? AuditAction::kMarkSubmit : AuditAction::kMarkAmend,
+                        .objectKind = AuditObject::kTrainingMark,
+                        .objectId = mark.id,
+                        .reason = mark.amendReason};
+    entries.push_back(entry);
   }
-  const std::map<std::string, std::string> hashes = markHashes(connection_, ids);
-  std::vector<NewAuditEntry> seals;
-  for (const SubmittedMark& mark : added) {
-    NewAuditEntry seal{.atUtc_us = mark.submittedUtc_us,
-                       .actor = mark.raterId,
-                       .station = station_,
-                       .action = mark.version == 1 ? AuditAction::kMarkSubmit : AuditAction::kMarkAmend,
-                       .objectKind = AuditObject::kTrainingMark,
-                       .objectId = mark.id,
-                       .reason = mark.amendReason,
-                       .objectHash = hashes.at(mark.id)};
-    seals.push_back(seal);
-  }
-  AuditRepository(connection_).append(seals);
+  AuditRepository(connection_).append(entries);
   transaction.commit();
 }
 

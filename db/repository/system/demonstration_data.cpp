@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/system/demonstration_data.h"
 
-#include <array>
 #include <map>
 
 #include "assessment/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
-#include "db/repository/base/seals.h"
 #include "db/repository/system/schema_tables.h"
 #include "sim/base/error.h"
 
@@ -93,31 +91,6 @@ std::vector<DemonstrationUse> usesOf(Connection& connection, const std::vector<S
   return uses;
 }
 
-/// Entries for the sealed rows that go, so that the trail does not miss them.
-std::vector<NewAuditEntry> farewells(Connection& connection, const Conditions& conditions,
-                                     const NewAuditEntry& pattern) {
-  struct Sealed {
-    AuditObject kind;
-    const char* table;
-    const char* id;
-  };
-  constexpr std::array<Sealed, 3> kSealed{{{AuditObject::kTrainingMark, "training_mark", "id"},
-                                           {AuditObject::kEvaluationMark, "evaluation_mark", "id"},
-                                           {AuditObject::kTrial, "trial_end", "trial_id"}}};
-  std::vector<NewAuditEntry> entries;
-  for (const Sealed& sealed : kSealed) {
-    const std::string select = std::string("SELECT ") + sealed.id + " FROM " + sealed.table + " WHERE " +
-                               conditions.at(sealed.table) + " ORDER BY " + sealed.id;
-    for (const std::string& id : selectAll(connection, select, {}, readText)) {
-      NewAuditEntry entry = pattern;
-      entry.objectKind = sealed.kind;
-      entry.objectId = id;
-      entries.push_back(entry);
-    }
-  }
-  return entries;
-}
-
 void refuseUses(Connection& connection, const std::vector<DemonstrationUse>& uses) {
   if (uses.empty()) {
     return;
@@ -169,7 +142,6 @@ std::vector<DemonstrationRows> removeDemonstration(Connection& connection, const
                       .action = AuditAction::kDemonstrationRemove,
                       .objectKind = AuditObject::kDemonstration,
                       .reason = reason};
-  std::vector<NewAuditEntry> entries = farewells(connection, conditions, entry);
 
   constexpr const char* kGate = "demonstration";
   connection.execute(insertInto("erasure_gate", "id, reason, opened_utc_us"), {kGate, reason, utc_us});
@@ -191,8 +163,7 @@ std::vector<DemonstrationRows> removeDemonstration(Connection& connection, const
   }
   connection.execute("DELETE FROM erasure_gate WHERE id = ?", {kGate});
   entry.newJson = R"({"rows_removed":)" + std::to_string(all) + "}";
-  entries.push_back(entry);
-  AuditRepository(connection).append(entries);
+  AuditRepository(connection).append(entry);
   transaction.commit();
   return removed;
 }

@@ -8,6 +8,7 @@
 #include "db/connection/connection.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/base/row_ledger.h"
 #include "db/repository/system/audit_verification.h"
 #include "sim/base/error.h"
 
@@ -139,6 +140,7 @@ CopyReport copyRecord(Connection& from, Connection& to, const CopyProgress& prog
     all += countOf(from, table.name);
   }
 
+  const UnsealedCopy bringsItsSeals(to);
   Transaction writing(to);
   requireFit(from, to, tables);  // again, now that nobody else can write in between
   clearSeeds(to, tables);

@@ -8,7 +8,8 @@
 
 #include "db/connection/connection.h"
 #include "db/connection/row_reader.h"
-#include "db/repository/base/field_digest.h"
+#include "db/repository/base/sealed_row.h"
+#include "db/repository/base/value_digest.h"
 #include "sim/base/contracts.h"
 
 namespace torsio {
@@ -86,38 +87,6 @@ void addTo(Digest::Value& sum, const Digest::Value& part) {
   }
 }
 
-/// Each value goes in with its kind, so that null, 0 and an empty text differ.
-void addValue(Digest& digest, const Value& value, bool boolean) {
-  struct Visitor {
-    Digest& digest;
-    bool boolean;
-    void operator()(std::monostate) const { digest.update(std::int64_t{0}); }
-    void operator()(std::int64_t number) const {
-      digest.update(boolean ? std::int64_t{2} : std::int64_t{1});
-      digest.update(number);
-    }
-    void operator()(bool flag) const {
-      digest.update(std::int64_t{2});
-      digest.update(std::int64_t{flag ? 1 : 0});
-    }
-    void operator()(double number) const {
-      digest.update(std::int64_t{3});
-      digest.update(number);
-    }
-    void operator()(const std::string& text) const {
-      digest.update(std::int64_t{4});
-      digest.update(static_cast<std::int64_t>(text.size()));
-      digest.update(std::string_view(text));
-    }
-    void operator()(const Blob& bytes) const {
-      digest.update(std::int64_t{5});
-      digest.update(static_cast<std::int64_t>(bytes.size()));
-      digest.update(std::span<const std::byte>(bytes));
-    }
-  };
-  std::visit(Visitor{digest, boolean}, value.storage());
-}
-
 }  // namespace
 
 bool SchemaTable::has(const std::string& column) const {
@@ -161,27 +130,7 @@ std::vector<SchemaTable> tablesInReferenceOrder(Connection& connection) {
 
 void forEachRow(Connection& connection, const SchemaTable& table, const std::string& where,
                 const std::function<void(const Statement&)>& read) {
-  TORSIO_EXPECTS(connection.inTransaction());
-  const std::string select = "SELECT " + table.columnList() + " FROM " + table.name + where;
-  if (onSqlite(connection)) {
-    Statement row = connection.prepare(select);
-    row.execute();
-    while (row.step()) {
-      read(row);
-    }
-    return;
-  }
-  // The driver would fetch the whole table at once.
-  connection.executeVerbatim("DECLARE torsio_rows NO SCROLL CURSOR FOR " + select);
-  for (bool more = true; more;) {
-    Statement row = connection.selectVerbatim("FETCH 200 FROM torsio_rows");
-    more = false;
-    while (row.step()) {
-      read(row);
-      more = true;
-    }
-  }
-  connection.executeVerbatim("CLOSE torsio_rows");
+  forEachSelected(connection, "SELECT " + table.columnList() + " FROM " + table.name + where, read);
 }
 
 TableDigest digestOf(Connection& connection, const SchemaTable& table, const std::string& where,

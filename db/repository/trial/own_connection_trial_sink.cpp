@@ -5,6 +5,7 @@
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/connection/locator.h"
+#include "db/repository/base/row_ledger.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/contracts.h"
 
@@ -25,6 +26,7 @@ struct OwnConnectionTrialSink::Open {
             openDatabase(locator, OpenMode::kReadWrite,
                          parseLocator(locator).engine == Engine::kSqlite ? kBusyTimeout_ms : kPatience_ms)),
         repository(connection, context) {
+    sealChanges(connection);
     if (connection.engine() == Engine::kPostgresql) {
       connection.executeVerbatim(kStatementLimit);
     }

@@ -9,7 +9,6 @@
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
-#include "db/repository/base/seals.h"
 #include "db/repository/base/stored_term.h"
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
@@ -247,15 +246,14 @@ void TrialRepository::end(const TrialId& trialId, const std::string& station, co
     transaction.commit();  // its entry in the audit trail came in the same transaction
     return;
   }
-  NewAuditEntry seal{.atUtc_us = now_us,
-                     .actor = "torsio",
-                     .station = station,
-                     .action = summary.outcome == TrialOutcome::kCompleted ? AuditAction::kTrialFinish
-                                                                           : AuditAction::kTrialInterrupted,
-                     .objectKind = AuditObject::kTrial,
-                     .objectId = trialId,
-                     .objectHash = trialHashes(connection_, std::span(&trialId, 1)).at(trialId)};
-  AuditRepository(connection_).append(seal);
+  NewAuditEntry entry{.atUtc_us = now_us,
+                      .actor = "torsio",
+                      .station = station,
+                      .action = summary.outcome == TrialOutcome::kCompleted ? AuditAction::kTrialFinish
+                                                                            : AuditAction::kTrialInterrupted,
+                      .objectKind = AuditObject::kTrial,
+                      .objectId = trialId};
+  AuditRepository(connection_).append(entry);
   transaction.commit();
 }
 

@@ -6,6 +6,7 @@
 #include "app/access/access_service.h"
 #include "app/access/audit_service.h"
 #include "app/access/settings_service.h"
+#include "app/maintenance/copies.h"
 #include "app/maintenance/database_maintenance.h"
 #include "app/maintenance/demonstration_removal.h"
 #include "app/maintenance/others_at_work.h"
@@ -86,6 +87,7 @@ std::vector<ServiceCall> administratorCalls() {
        [](SessionContext& w, Path folder) {
          (void)exportPersonPackage(w, kNoSuch, folder / "package", "asked");
        }},
+      {O::kPersonErase, "copiesHolding", [](SessionContext& w, Path) { (void)copiesHolding(w, kNoSuch); }},
       {O::kPersonErase, "erasePersonRecord",
        [](SessionContext& w, Path) { erasePersonRecord(w, kNoSuch, ""); }},
       {O::kConsentRecord, "recordConsent",

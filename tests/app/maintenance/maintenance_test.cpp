@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <fstream>
 #include <functional>
+#include <set>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/maintenance/copies.h"
 #include "app/maintenance/database_copy.h"
 #include "app/maintenance/database_maintenance.h"
 #include "app/maintenance/demonstration_removal.h"
@@ -24,6 +26,7 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/system/audit_verification.h"
+#include "db/repository/system/setting_repository.h"
 #include "db/repository/trial/station_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/digest.h"
@@ -94,6 +97,29 @@ TEST_F(CareTest, NobodyButTheAdministratorMayDoAnyOfIt) {
   }
   EXPECT_FALSE(fs::exists(in("b.sqlite")));
   EXPECT_FALSE(fs::exists(in("p")));
+}
+
+TEST_F(CareTest, AnEraseCanNameEveryCopyThatStillHoldsThePerson) {
+  SessionContext office = sessionOf("administrator");
+  backUpDatabase(office, in("backup.sqlite"));
+  exportPersonPackage(office, real_.traineeId, in("package"), "asked");
+  exportPersonPackage(office, simulated_.traineeId, in("other"), "asked");
+  SettingRepository(connection_).set("copy_keep_days", "10", now_us_);
+  const auto places = [&] {
+    std::set<std::string> found;
+    for (const ListedCopy& listed : copiesHolding(office, real_.traineeId)) {
+      EXPECT_EQ(listed.dueUtc_us, now_us_ + 10 * std::int64_t{86'400'000'000});
+      EXPECT_EQ(listed.copy.station, stationName());
+      found.insert(listed.copy.place);
+    }
+    return found;
+  };
+
+  EXPECT_EQ(places(), (std::set<std::string>{in("backup.sqlite").string(), in("package").string()}));
+  fs::remove(in("backup.sqlite"));
+  EXPECT_EQ(places(), std::set<std::string>{in("package").string()});
+  EXPECT_EQ(readFile(in("package") / "manifest.json").find("\"entries\": 0"), std::string::npos);
+  EXPECT_TRUE(verifyAuditTrail(connection_).empty());
 }
 
 TEST_F(CareTest, ABackupTellsOfItselfAndPassesItsTestRestore) {

@@ -24,6 +24,8 @@
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "app/maintenance/anchor.h"
+#include "app/maintenance/station_anchor.h"
 
 namespace torsio::gui {
 
@@ -225,16 +227,27 @@ const RetentionItem* MaintenancePage::current() const {
 
 void MaintenancePage::backUp(const std::filesystem::path& file) {
   auto content = std::make_shared<BackupContent>();
+  auto head = std::make_shared<std::string>();
   shell().run(
       tr("Backing up"),
-      [file, content](SessionContext& session, const ProgressCallback& progress) {
+      [file, content, head](SessionContext& session, const ProgressCallback& progress) {
         *content = backUpDatabase(session, file, progress);
+        *head = anchoredHead(file.string(), stationAnchor().key, session.now_us());
       },
-      [this, file, content] {
-        backupText_->setText(tr("\u2713 Written and read back: %1 recordings, %2 marks.\n%3")
-                                 .arg(content->trials)
-                                 .arg(content->marks)
-                                 .arg(toQString(file)));
+      [this, file, content, head] {
+        QString text = tr("\u2713 Written and read back: %1 recordings, %2 marks.\n%3")
+                           .arg(content->trials)
+                           .arg(content->marks)
+                           .arg(toQString(file));
+        text +=
+            QLatin1Char('\n') + tr("Head of the audit trail, to be kept elsewhere: %1").arg(toQString(*head));
+        if (remindOfKey()) {
+          text += QLatin1Char('\n') +
+                  tr("No key signs the heads of this station, so whoever can change the place "
+                     "where they are kept can replace them. torsio audit key makes one, torsio "
+                     "audit station sets it.");
+        }
+        backupText_->setText(text);
       });
 }
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/access/session_context.h"
+#include "assessment/people/record_copy.h"
+#include "sim/base/ids.h"
+
+namespace torsio {
+
+class Connection;
+
+/// How long a copy is kept where the centre set nothing ("copy_keep_days").
+inline constexpr int kCopyKeep_days = 365;
+
+/// A copy with the day on which the centre's rule wants it gone. Torsio deletes no copy by itself.
+struct ListedCopy {
+  RecordCopy copy;
+  std::int64_t dueUtc_us = 0;
+};
+
+/// Puts a copy that was made just now at this machine into the register.
+void registerCopy(Connection& connection, CopyKind kind, const std::filesystem::path& place,
+                  std::int64_t now_us, const PersonId& personId = {});
+
+/// Every place that still holds a person besides the record, newest first; those of this machine that are
+/// there no more are left out and noted as gone. kPersonErase.
+[[nodiscard]] std::vector<ListedCopy> copiesHolding(SessionContext& session, const PersonId& personId);
+/// All copies of the record at `locator`. For the command line, where whoever may read the file may do this;
+/// changes nothing. Throws Error, DbError.
+[[nodiscard]] std::vector<ListedCopy> copiesOf(const std::string& locator);
+
+/// Adds a copy to the register of a record that nobody has open in this program.
+void registerCopyIn(const std::string& locator, CopyKind kind, const std::filesystem::path& place);
+
+}  // namespace torsio

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "db/connection/value.h"
+#include "sim/base/digest.h"
+
+namespace torsio {
+
+/// Adds a value with its kind, so that null, 0 and an empty text differ. `boolean`: the column holds truth
+/// values, which SQLite gives back as 0 and 1.
+void addValue(Digest& digest, const Value& value, bool boolean);
+
+}  // namespace torsio

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "assessment/people/audit_entry.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/row_seal.h"
+
+namespace torsio {
+
+/// Walks the seals of the rows along the audit trail, and then compares the rows with them. take() hears
+/// every entry of the chain, oldest first; then compareRows(). Inside a transaction, in its thread.
+class SealVerification {
+ public:
+  SealVerification(Connection& connection, std::vector<AuditFinding>& findings)
+      : connection_(connection), findings_(findings) {}
+
+  void take(const AuditEntry& entry);
+  /// Reads all seals and all rows. Throws DbError.
+  void compareRows();
+  /// People whose erase stands in the trail, with its tombstone: their recordings are gone with reason.
+  [[nodiscard]] const std::set<std::string>& erased() const { return erased_; }
+
+ private:
+  /// What an entry that seals nothing tells.
+  struct Act {
+    std::string actor;
+    std::string erased{};  // person
+    bool removesDemonstration = false;
+  };
+  /// An entry that seals rows, with what its transaction did besides.
+  struct SealEntry {
+    std::int64_t sequence = 0;
+    std::string hash{};
+    std::set<std::string> erasedPeople{};
+    bool removesDemonstration = false;
+  };
+  /// What the newest seal of a row says.
+  struct Last {
+    std::string rowHash{};
+    std::string personalHash{};
+    bool removed = false;
+    bool simulated = false;
+    bool seen = false;
+  };
+  using Rows = std::unordered_map<std::string, Last>;
+
+  void report(std::int64_t sequence, std::string_view table, const std::string& key, const Phrase& what);
+  void readSeals();
+  void apply(const SealEntry& entry, const RowSeal& seal);
+  void requireGenuine(const SealEntry& entry, const RowSeal& seal, const Last& before);
+  [[nodiscard]] bool concernsErased(const SealEntry& entry, const RowSeal& seal);
+  void readSchemaRows();
+  void compareTable(const SealRule& rule);
+
+  Connection& connection_;
+  std::vector<AuditFinding>& findings_;
+  std::vector<Act> recent_;  // since the last seal
+  std::vector<SealEntry> entries_;
+  std::unordered_map<std::string, Rows> tables_;
+  std::unordered_map<std::string, std::unordered_map<std::string, std::string>> salts_;
+  std::unordered_map<std::string, std::set<std::string>> ofPeople_;  // keys of a person's rows
+  std::set<std::string> flagged_;  // tables whose rows say whether they are simulated
+  std::set<std::string> erased_;
+};
+
+}  // namespace torsio

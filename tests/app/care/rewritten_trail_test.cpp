@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What fits itself and is found by a head that was kept elsewhere, on both engines.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "app/maintenance/anchor.h"
+#include "db/connection/connection.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/record/content_hash.h"
+#include "sim/record/sample_codec.h"
+#include "tests/db/sample_record.h"
+#include "tests/db/tampering.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+/// A record with some marks, and the head of its trail when it had them.
+class RewrittenTrail : public DatabaseTest {
+ protected:
+  void SetUp() override {
+    DatabaseTest::SetUp();
+    if (IsSkipped()) {
+      return;
+    }
+    key_ = (folder_.path() / "key").string();
+    public_ = makeAnchorKey(key_);
+    connection_.emplace(openWithSchema());
+    sample_.emplace(*connection_, 2);
+    submit(1, 0);
+  }
+  void TearDown() override {
+    connection_.reset();
+    DatabaseTest::TearDown();
+  }
+
+  /// Versions `from` .. `from + more` of one mark.
+  void submit(int from, int more) {
+    for (int version = from; version <= from + more; ++version) {
+      SubmittedMark mark;
+      mark.id = "mark " + std::to_string(version);
+      mark.enrolmentId = sample_->enrolments[0].id;
+      mark.raterId = sample_->chiefs[0].person.id;
+      mark.occasionCode = "pre";
+      mark.version = version;
+      mark.score_steps = 40;
+      mark.amendReason = version == 1 ? "" : "looked again";
+      mark.submittedUtc_us = kSampleTime_us + version;
+      RatingRepository(*connection_, "ward").submit(std::span(&mark, 1));
+    }
+  }
+  void recordTrial() {
+    Trial trial;
+    trial.header = sampleHeader("11111111-1111-4111-8111-111111111111", "T-01");
+    TrialChunk chunk = sampleChunk(0, 300);
+    chunk.digest = chunkDigest(chunk);
+    trial.chunks.push_back(chunk);
+    trial.summary.samples = chunk.samples;
+    trial.summary.contentHash = contentHash(trial);
+    TrialRepository(*connection_, {.station = "ward"}).import(trial);
+  }
+  [[nodiscard]] std::string head() const { return anchoredHead(locator(), key_, kSampleTime_us); }
+  [[nodiscard]] std::int64_t length() {
+    return numberFrom(*connection_, "SELECT max(sequence) FROM audit_entry");
+  }
+  /// As somebody with another tool and every guard switched off.
+  [[nodiscard]] Connection pryOpen() const {
+    Connection behind = open();
+    disarm(behind);
+    return behind;
+  }
+  [[nodiscard]] std::size_t foundWith(const std::string& kept) const {
+    return compareWithHeads(locator(), {kept}, public_).size();
+  }
+
+  TemporaryFolder folder_;
+  std::string key_;
+  std::string public_;
+  std::optional<Connection> connection_;
+  std::optional<SampleRecord> sample_;
+};
+
+TEST_F(RewrittenTrail, ARecordThatOnlyGrewFitsItsHead) {
+  const std::string kept = head();
+  submit(2, 3);
+  EXPECT_EQ(foundWith(kept), 0U);
+}
+
+TEST_F(RewrittenTrail, TheNewestEntryDeletedIsFound) {
+  const std::string kept = head();
+  Connection behind = pryOpen();
+
+  behind.executeVerbatim("DELETE FROM audit_entry WHERE sequence = (SELECT max(sequence) FROM audit_entry)");
+
+  EXPECT_EQ(foundWith(kept), 1U);
+}
+
+TEST_F(RewrittenTrail, TheLast40EntriesWithTheirMarksAndTrialsDeletedAreFound) {
+  const std::string before = std::to_string(length());
+  submit(2, 19);
+  recordTrial();
+  ASSERT_GE(length(), std::stoll(before) + 40);
+  const std::string kept = head();
+  Connection behind = pryOpen();
+
+  behind.executeVerbatim("DELETE FROM training_mark WHERE version > 1");
+  for (const char* table : {"trial_chunk", "trial_end"}) {
+    behind.executeVerbatim(std::string("DELETE FROM ") + table);
+  }
+  behind.executeVerbatim("DELETE FROM trial");
+  behind.executeVerbatim("DELETE FROM row_seal WHERE entry_sequence > " + before);
+  behind.executeVerbatim("DELETE FROM audit_entry WHERE sequence > " + before);
+
+  EXPECT_TRUE(verifyAuditTrail(behind).empty()) << "the record alone tells nothing";
+  EXPECT_EQ(foundWith(kept), 1U);
+}
+
+TEST_F(RewrittenTrail, AChangedMarkWithTheWholeChainRewrittenIsFound) {
+  const std::string kept = head();
+  Connection behind = pryOpen();
+  behind.executeVerbatim("UPDATE training_mark SET score_steps = 95");
+  ASSERT_FALSE(verifyAuditTrail(behind).empty());
+
+  rewriteTrail(behind);
+
+  EXPECT_TRUE(verifyAuditTrail(behind).empty()) << "the record alone tells nothing";
+  EXPECT_EQ(foundWith(kept), 1U);
+}
+
+TEST_F(RewrittenTrail, AnOlderRecordPutBackIsFound) {
+  const std::string older = std::to_string(length());
+  submit(2, 1);
+  const std::string kept = head();
+  Connection behind = pryOpen();
+  behind.executeVerbatim("DELETE FROM training_mark WHERE version > 1");
+  behind.executeVerbatim("DELETE FROM row_seal WHERE entry_sequence > " + older);
+  behind.executeVerbatim("DELETE FROM audit_entry WHERE sequence > " + older);
+
+  EXPECT_EQ(foundWith(kept), 1U);
+  EXPECT_EQ(foundWith(head()), 0U);
+}
+
+}  // namespace
+}  // namespace torsio

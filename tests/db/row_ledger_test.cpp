@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every change of a row that a report reads is sealed in its own transaction.
+#include "db/repository/base/row_ledger.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "db/connection/connection.h"
+#include "db/connection/row_reader.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/base/changed_statement.h"
+#include "db/repository/base/row_seal.h"
+#include "db/repository/base/seal_rules.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/people/person_data.h"
+#include "db/repository/people/person_rules.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/system/schema_tables.h"
+#include "tests/db/full_record.h"
+#include "tests/db/sample_record.h"
+#include "tests/db/tampering.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+class RowLedgerTest : public DatabaseTest {};
+
+std::vector<AuditEntry> sealsIn(Connection& connection) {
+  std::vector<AuditEntry> seals;
+  AuditRepository(connection).forEach([&](const AuditEntry& entry) {
+    if (entry.action == storedText(AuditAction::kRecordSeal)) {
+      seals.push_back(entry);
+    }
+  });
+  return seals;
+}
+
+TEST_F(RowLedgerTest, EveryTableHasOneRuleAndEveryColumnThatItNamesExists) {
+  Connection connection = openWithSchema();
+  std::vector<SchemaTable> tables = tablesInReferenceOrder(connection);
+  tables.push_back({"schema_migration", {{"version"}, {"software_version"}, {"applied_utc_us"}}, {}});
+  std::map<std::string, const SealRule*> rules;
+  for (const SealRule& rule : kSealRules) {
+    EXPECT_TRUE(rules.emplace(rule.table, &rule).second) << "two rules: " << rule.table;
+    const bool explained =
+        rule.sealing == Sealing::kElsewhere || rule.sealing == Sealing::kNot || !rule.unsealed.empty();
+    EXPECT_EQ(explained, !rule.reason.empty()) << rule.table << ": what is not sealed needs its reason";
+  }
+  for (const SchemaTable& table : tables) {
+    ASSERT_TRUE(rules.contains(table.name)) << "neither sealed nor listed with a reason: " << table.name;
+    const SealRule& rule = *rules.at(table.name);
+    for (const std::string_view list : {rule.key, rule.personal, rule.unsealed}) {
+      for (const std::string& column : columnsOf(list)) {
+        EXPECT_TRUE(table.has(column)) << table.name << "." << column;
+      }
+    }
+    rules.erase(table.name);
+  }
+  EXPECT_TRUE(rules.empty()) << "no such table: " << rules.begin()->first;
+}
+
+TEST_F(RowLedgerTest, TheKeysOfTheRulesAreThoseOfTheSchema) {
+  if (onPostgresql()) {
+    GTEST_SKIP() << "both engines run the same steps";
+  }
+  Connection connection = openWithSchema();
+  for (const SealRule& rule : kSealRules) {
+    EXPECT_EQ(columnsOf(rule.key),
+              selectAll(connection, "SELECT name FROM pragma_table_info(?) WHERE pk > 0 ORDER BY pk",
+                        {rule.table}, readText))
+        << rule.table;
+  }
+}
+
+TEST_F(RowLedgerTest, WhatAnEraseTakesIsSealedWithASalt) {
+  for (const PersonRule& erased : kPersonRules) {
+    const SealRule* rule = sealRuleOf(erased.table);
+    if (rule == nullptr || erased.onErase != OnErase::kClear) {
+      continue;
+    }
+    const std::vector<std::string> personal = columnsOf(rule->personal);
+    for (const std::string& cleared : columnsOf(erased.cleared)) {
+      const std::string column = cleared.substr(0, cleared.find(' '));
+      EXPECT_TRUE(column == "state" || std::find(personal.begin(), personal.end(), column) != personal.end())
+          << erased.table << "." << column;
+    }
+  }
+}
+
+TEST_F(RowLedgerTest, OneTransactionIsSealedByOneEntryOfItsAuthor) {
+  Connection connection = openWithSchema();
+  const SampleRecord sample(connection, 2);
+  const std::size_t before = sealsIn(connection).size();
+
+  {
+    Transaction together(connection);
+    StudyRepository study(connection);
+    study.setEnrolmentState(sample.enrolments[0].id, EnrolmentState::kCompleted);
+    study.setEnrolmentState(sample.enrolments[1].id, EnrolmentState::kWithdrawn);
+    AuditRepository(connection)
+        .append({.atUtc_us = 77,
+                 .actor = "admin",
+                 .station = "office",
+                 .action = AuditAction::kEnrolmentSetState,
+                 .objectKind = AuditObject::kEnrolment});
+    together.commit();
+  }
+
+  const std::vector<AuditEntry> seals = sealsIn(connection);
+  ASSERT_EQ(seals.size(), before + 1);
+  EXPECT_EQ(seals.back().actor, "admin");
+  EXPECT_EQ(seals.back().station, "office");
+  EXPECT_EQ(seals.back().atUtc_us, 77);
+  EXPECT_EQ(seals.back().newJson, R"({"entries":1,"rows":2})");
+  EXPECT_TRUE(verifyAuditTrail(connection).empty());
+}
+
+TEST_F(RowLedgerTest, AChangeOutsideATransactionIsSealedTooAndOneThatIsGivenUpIsNot) {
+  Connection connection = openWithSchema();
+  const SampleRecord sample(connection, 1);
+  const std::size_t before = sealsIn(connection).size();
+
+  connection.execute("UPDATE enrolment SET state = ? WHERE id = ?", {"completed", sample.enrolments[0].id});
+  {
+    const Transaction givenUp(connection);
+    connection.execute("UPDATE enrolment SET state = ? WHERE id = ?", {"withdrawn", sample.enrolments[0].id});
+  }
+  connection.execute("UPDATE enrolment SET state = ? WHERE id = ?", {"withdrawn", "nobody"});
+
+  EXPECT_EQ(sealsIn(connection).size(), before + 1);
+  EXPECT_TRUE(verifyAuditTrail(connection).empty());
+}
+
+TEST_F(RowLedgerTest, EveryWayToChangeARowIsSealed) {
+  Connection connection = openWithSchema();
+  const FullRecord record(connection, "real", false);
+
+  connection.execute(
+      "INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)"
+      " ON CONFLICT (name) DO UPDATE SET value = excluded.value",
+      {"a", "1", 1});
+  connection.execute(
+      "INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)"
+      " ON CONFLICT (name) DO UPDATE SET value = excluded.value",
+      {"a", "2", 2});
+  connection.execute("INSERT INTO setting (name, value, changed_utc_us) VALUES ('b', 'literal', 1)");
+  connection.execute(
+      "INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)"
+      " ON CONFLICT (name) DO NOTHING",
+      {"b", "never", 2});
+  connection.execute(
+      "INSERT INTO setting (name, value, changed_utc_us) SELECT name || '2', value, 3 FROM setting"
+      " WHERE name = ?",
+      {"b"});
+  connection.execute("UPDATE setting SET value = value || '!' WHERE name = 'b'");
+  connection.execute("DELETE FROM setting WHERE name = 'a'");
+
+  EXPECT_EQ(allFindings(connection), std::vector<std::string>{});
+  EXPECT_EQ(numberFrom(connection,
+                       "SELECT count(*) FROM row_seal WHERE table_name = 'setting' AND row_key ="
+                       " 'a' AND removed"),
+            1);
+}
+
+TEST_F(RowLedgerTest, CountedFailuresOfASignInAreNoChangeThatIsSealed) {
+  Connection connection = openWithSchema();
+  const FullRecord record(connection, "real", false);
+  const std::size_t before = sealsIn(connection).size();
+
+  connection.execute("UPDATE app_user SET failed_count = ?, locked_until_utc_us = ?", {3, 99});
+
+  EXPECT_EQ(sealsIn(connection).size(), before);
+  EXPECT_TRUE(verifyAuditTrail(connection).empty());
+}
+
+TEST_F(RowLedgerTest, SealsHoldNothingOfAPersonAndTheSaltGoesWithThem) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 2);
+  const PersonId person = sample.trainees[0].person.id;
+  PeopleRepository(connection).setIdentity({person, "Hua Tuo", "hua@example.org", "7"});
+  const auto saltsOf = [&] {
+    Statement row = connection.prepare("SELECT count(*) FROM seal_salt WHERE row_key = ?");
+    row.execute({person});
+    return row.step() ? row.int64(0) : -1;
+  };
+  ASSERT_GE(saltsOf(), 1);
+
+  erasePerson(connection, person, "admin", "asked for it", kSampleTime_us);
+
+  EXPECT_EQ(saltsOf(), 0);
+  EXPECT_TRUE(verifyAuditTrail(connection).empty());
+  for (const std::string& hash : selectAll(connection, "SELECT personal_hash FROM row_seal", {}, readText)) {
+    EXPECT_TRUE(hash.empty() || hash.size() == 64U);
+  }
+}
+
+TEST_F(RowLedgerTest, AnUpgradeSealsWhatIsThereAndSaysSince) {
+  Connection old = open();
+  migrate(old, embeddedMigrations(), {.softwareVersion = "older"});
+  old.execute("INSERT INTO centre (id, name, created_utc_us, demonstration) VALUES ('c', 'clinic', 1, ?)",
+              {false});
+  ASSERT_FALSE(verifyAuditTrail(old).empty());
+  std::vector<Migration> steps = embeddedMigrations();
+  steps.push_back({.version = steps.back().version + 1,
+                   .name = "0002_next",
+                   .description = "next",
+                   .sql = "CREATE TABLE later (id TEXT PRIMARY KEY);",
+                   .checksum = "x"});
+
+  migrate(old, steps, {.softwareVersion = "newer", .now_us = 5, .backup = false});
+
+  const std::vector<AuditEntry> seals = sealsIn(old);
+  ASSERT_EQ(seals.size(), 1U);
+  EXPECT_EQ(seals[0].reason, "sealed on upgrade, not before");
+  old.executeVerbatim("UPDATE centre SET name = 'other'");
+  const std::vector<AuditFinding> findings = verifyAuditTrail(old);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].objectKind, "centre");
+}
+
+TEST(ChangedStatementTest, ReadsWhatTheRepositoriesWrite) {
+  const auto insert = changedBy(
+      "INSERT INTO mark_release (cohort_id, occasion, sequence) VALUES (?, ?, (SELECT "
+      "COALESCE(MAX(r.sequence), 0)"
+      " + 1 FROM mark_release r WHERE r.cohort_id = ?))");
+  ASSERT_TRUE(insert);
+  EXPECT_EQ(insert->table, "mark_release");
+  EXPECT_EQ(insert->placeholderOf("occasion"), 1);
+  EXPECT_EQ(insert->placeholderOf("sequence"), -1);
+
+  const auto update =
+      changedBy("UPDATE app_user SET state = 'a, b', failed_count = 0, pin_hash = ? WHERE id = ?");
+  ASSERT_TRUE(update);
+  EXPECT_EQ(update->columns.size(), 3U);
+  EXPECT_EQ(update->placeholderOf("pin_hash"), 0);
+
+  const auto replace = changedBy(
+      "INSERT INTO setting (name, value) VALUES (?, ?) ON CONFLICT (name) DO UPDATE SET value = "
+      "excluded.value");
+  ASSERT_TRUE(replace);
+  EXPECT_EQ(replace->onConflict, ChangedStatement::OnConflict::kUpdate);
+  EXPECT_EQ(replace->replaced, std::vector<std::string>{"value"});
+  EXPECT_FALSE(changedBy("SELECT 1 FROM setting"));
+}
+
+}  // namespace
+}  // namespace torsio
