@@ -165,13 +165,7 @@ Text medianText(const std::vector<double>& gains) {
 }
 
 Text friedmanText(const StudyAnalysis& study, std::size_t group) {
-  NumberTable table((*study.scores.front())[group].size(), study.scores.size());
-  for (std::size_t t = 0; t < study.scores.size(); ++t) {
-    for (std::size_t i = 0; i < table.rows(); ++i) {
-      table.at(i, t) = (*study.scores[t])[group][i];
-    }
-  }
-  const Outcome<Friedman> found = friedman(table);
+  const Outcome<Friedman> found = friedman(study.courses[group]);
   return found ? Text(formatP(found->p)) : notDefined(found.reason());
 }
 
@@ -185,10 +179,7 @@ std::vector<ReportTable> reliabilityTables(const CohortInputs& in, const StudyAn
 }
 
 std::optional<ReportTable> withinGroupsTable(const CohortInputs& in, const StudyAnalysis& study) {
-  const bool whole =
-      study.scores.size() >= 2 && !study.wholeGains.empty() &&
-      std::all_of(study.scores.begin(), study.scores.end(), [](const auto& at) { return at.has_value(); });
-  if (!whole) {
+  if (study.wholeGains.empty()) {
     return std::nullopt;
   }
   auto table = itemOf<ReportTable>(in, "table-within-groups", Text::tr("What each group gained by itself"),
@@ -197,8 +188,8 @@ std::optional<ReportTable> withinGroupsTable(const CohortInputs& in, const Study
       Text::tr("Group"),          Text::tr("Trainees"),  Text::tr("Median gain [95 %] (points)"),
       Text::tr("Signed ranks V"), Text::tr("p (exact)"), Text::tr("p (Friedman, all occasions)")};
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    const std::vector<double>& before = (*study.scores.front())[g];
-    const std::vector<double>& after = (*study.scores.back())[g];
+    const std::vector<double>& before = study.ends.before[g];
+    const std::vector<double>& after = study.ends.after[g];
     std::vector<double> gains;
     for (std::size_t i = 0; i < before.size(); ++i) {
       gains.push_back(after[i] - before[i]);

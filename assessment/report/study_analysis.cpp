@@ -189,11 +189,10 @@ void followCourse(const CohortInputs& in, StudyAnalysis& out) {
       out.leftOutOfCourse.push_back(code);
     }
   }
-  std::vector<NumberTable> groups;
   for (const std::vector<std::vector<double>>& group : rows) {
-    groups.emplace_back(group);
+    out.courses.emplace_back(group);
   }
-  out.course = mixedAnova(groups);
+  out.course = mixedAnova(out.courses);
 }
 
 }  // namespace

@@ -72,6 +72,7 @@ struct StudyAnalysis {
       Outcome<MixedComparison>::undefined(Text::tr("no mark is missing"));  ///< where one is missing
   std::vector<MissingBounds> bounds;                                        ///< likewise
   Outcome<MixedAnova> course = Outcome<MixedAnova>::undefined(Text::tr("there are fewer than two occasions"));
+  std::vector<NumberTable> courses;          ///< by group: trainees with a score at each occasion x occasions
   std::vector<std::string> leftOutOfCourse;  ///< codes of those without a score at some occasion
   std::vector<Groups> wholeGains;  ///< one entry: exact gains by group; none when they cannot be formed
 

@@ -333,17 +333,6 @@ std::string textOf(const ReportModel& report) {
   return all;
 }
 
-const ReportTable* tableOf(const ReportModel& report, const std::string& id) {
-  for (const ReportSection& section : report.sections) {
-    for (const ReportTable& table : section.tables) {
-      if (table.id == id) {
-        return &table;
-      }
-    }
-  }
-  return nullptr;
-}
-
 /// Takes marks out and computes the scores anew.
 CohortInputs without(const std::function<bool(const TrainingMark&)>& missing) {
   CohortInputs in = demonstrationCohort();

@@ -228,8 +228,11 @@ void takeUntwistings(Photographer& photographer, const ScreenshotsRequest& reque
       }
       const UntwistingState wanted = state;
       photographer.take(name, [&, wanted](ThemeKind kind, Language) -> std::unique_ptr<QWidget> {
-        auto window = std::make_unique<SimulatorWindow>(
-            WindowSetup{.assets = request.assets, .theme = kind, .remember = false});
+        WindowSetup setup;
+        setup.assets = request.assets;
+        setup.theme = kind;
+        setup.remember = false;
+        auto window = std::make_unique<SimulatorWindow>(setup);
         window->show();
         window->controller().adopt(scene, *loaded);
         window->controller().freeze(untwistingState(*loaded->scene, wanted));
