@@ -19,7 +19,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kFewRows = 2;
+constexpr int kFewRules = 2;
 constexpr int kMostInARow = 1'000'000;
 
 enum RuleColumn { kMetric, kDirection, kThreshold, kInARow };
@@ -65,7 +65,7 @@ void MasteryTable::fill() {
   for (int row = 0; row < rowCount(); ++row) {
     addFields(row, rules_[static_cast<std::size_t>(row)]);
   }
-  fitRows(this, kFewRows);
+  fitRows(this, kFewRules);
   enableButtons();
 }
 

@@ -21,7 +21,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kListWidth = 190;
+constexpr int kOrderedWidth = 190;
 constexpr int kCodeWidth = 12 * kSpace;
 
 }  // namespace
@@ -34,7 +34,7 @@ OrderedList::OrderedList(const QString& name, QWidget* form, QWidget* parent)
       up_(new QPushButton),
       down_(new QPushButton) {
   list_->setObjectName(name);
-  list_->setMinimumWidth(kListWidth);
+  list_->setMinimumWidth(kOrderedWidth);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setTextElideMode(Qt::ElideRight);
   auto* buttons = new QGridLayout;
