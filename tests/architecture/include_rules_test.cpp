@@ -117,7 +117,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
         "app/maintenance", "app/recording", "app/training", "assessment/people", "sim/device/drivers"}},
       {"app/gui/administrator/study",
        {"app/devices", "app/gui/administrator/base", "app/gui/base", "app/gui/widgets", "app/study",
-        "assessment/study", "sim/base"}},
+        "assessment/rating", "assessment/study", "sim/base"}},
       {"app/gui/base",
        {"app/access", "app/base", "app/gui/widgets", "app/recording", "app/report", "assessment/report",
         "sim/base", "sim/scene"}},
