@@ -163,17 +163,18 @@ std::size_t exportCriteria(SessionContext& session, const CohortId& cohortId,
     if (rubric == nullptr) {
       continue;  // entered without a sheet
     }
-    for (const SheetRow& answer : sheets.rowsOf(mark.assignmentId)) {
-      const auto line = std::find_if(rubric->rows.begin(), rubric->rows.end(),
-                                     [&](const RubricLine& one) { return one.code == answer.code; });
-      if (line == rubric->rows.end()) {
+    const std::vector<SheetRow> answers = sheets.rowsOf(mark.assignmentId);
+    for (const RubricLine& line : rubric->rows) {
+      const auto answer = std::find_if(answers.begin(), answers.end(),
+                                       [&](const SheetRow& one) { return one.code == line.code; });
+      if (answer == answers.end()) {
         continue;
       }
       lines.push_back({mark.traineeCode, mark.raterCode, mark.occasionCode, std::to_string(mark.version),
-                       sheets.nameOf(*rubric), std::to_string(rubric->number), line->code, line->label,
-                       answer.score_steps ? formatExact(pointsFromSteps(*answer.score_steps, line->scale))
-                                          : std::string(),
-                       answer.score_steps ? "no" : "yes", formatUtc(mark.submittedUtc_us), programHash()});
+                       sheets.nameOf(*rubric), std::to_string(rubric->number), line.code, line.label,
+                       answer->score_steps ? formatExact(pointsFromSteps(*answer->score_steps, line.scale))
+                                           : std::string(),
+                       answer->score_steps ? "no" : "yes", formatUtc(mark.submittedUtc_us), programHash()});
     }
   }
   return write(session, {AuditAction::kMarkExportCoded, AuditObject::kCohort, cohortId}, lines, file, look);

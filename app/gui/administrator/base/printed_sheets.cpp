@@ -13,7 +13,7 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/report/typeface.h"
-#include "assessment/scoring/instrument.h"
+#include "assessment/rating/rubric.h"
 #include "sim/base/file_io.h"
 
 namespace torsio::gui {

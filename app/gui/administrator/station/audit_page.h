@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/access/audit_service.h"
-#include "app/base/csv_look.h"
 #include "app/gui/base/page.h"
+#include "app/gui/base/table_choice.h"
 #include "assessment/people/audit_entry.h"
 
 class QComboBox;
