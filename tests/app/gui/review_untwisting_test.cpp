@@ -91,7 +91,7 @@ TEST(TracesOfATwist, ShowTargetToleranceAndLimitsWithinTheirScales) {
 
   EXPECT_EQ(view.laneTexts(),
             (QStringList{QStringLiteral("Angle 0…130°"), QStringLiteral("Torque 0…0.21 N m"),
-                         QStringLiteral("Force 0…10 N")}));
+                         QStringLiteral("Force 0…11 N")}));
   EXPECT_TRUE(view.toolTip().contains(QStringLiteral("tolerance")));
   EXPECT_TRUE(view.toolTip().contains(QStringLiteral("limit")));
 

@@ -315,7 +315,7 @@ TEST(StationPages, TheRunCountsItsTwists) {
   station.openRun(false, [](const Scene& scene, double target_rad) -> std::unique_ptr<HapticDevice> {
     return std::make_unique<ScriptedHand>(practised(scene, target_rad));
   });
-  ASSERT_TRUE(soon([&] { return station.run().runSession() != nullptr && !station.run().fetchesDevice(); }));
+  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
   auto* count = station.find<QLabel>("twistCount");
   EXPECT_EQ(count->text(), QStringLiteral("0 of 3 twists"));
   for (int i = 0; i < 40 && !count->text().startsWith(QLatin1Char('2')); ++i) {
