@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <string>
 #include <sys/resource.h>
@@ -133,6 +134,7 @@ void addTrials(Connection& connection, SampleRecord& sample) {
 }
 
 void verifyAll(Bench& bench, Connection& connection) {
+  std::ofstream("/proc/self/clear_refs") << "5";  // forgets the most that was held so far
   const double before_MB = peak_MB();
   std::size_t findings = 0;
   const double took_s = processor_s([&] { findings = verifyAuditTrail(connection).size(); });

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <charconv>
+#include <optional>
 #include <string_view>
 
 #include <sodium.h>
@@ -54,18 +55,23 @@ void writeSeals(Connection& connection, const std::vector<RowSeal>& seals, const
                                              .reason = author.reason,
                                              .objectHash = digest.hex()});
   Statement insert = connection.prepare(insertInto("row_seal", kSealColumns));
-  Statement salt =
-      connection.prepare(insertInto("seal_salt", "table_name, row_key, salt") +
-                         " ON CONFLICT (table_name, row_key) DO UPDATE SET salt = excluded.salt");
-  Statement forget = connection.prepare("DELETE FROM seal_salt WHERE table_name = ? AND row_key = ?");
+  std::optional<Statement> salt;  // few tables hold anything personal
+  std::optional<Statement> forget;
   position = 0;
   for (const RowSeal& seal : seals) {
     insert.execute({sequence, ++position, seal.table, seal.key, seal.removed, seal.rowHash, seal.personalHash,
                     seal.simulated});
     if (!seal.salt.empty()) {
-      salt.execute({seal.table, seal.key, seal.salt});
+      if (!salt) {
+        salt = connection.prepare(insertInto("seal_salt", "table_name, row_key, salt") +
+                                  " ON CONFLICT (table_name, row_key) DO UPDATE SET salt = excluded.salt");
+      }
+      salt->execute({seal.table, seal.key, seal.salt});
     } else if (!sealRuleOf(seal.table)->personal.empty()) {
-      forget.execute({seal.table, seal.key});
+      if (!forget) {
+        forget = connection.prepare("DELETE FROM seal_salt WHERE table_name = ? AND row_key = ?");
+      }
+      forget->execute({seal.table, seal.key});
     }
   }
 }
