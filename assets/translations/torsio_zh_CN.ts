@@ -12014,6 +12014,10 @@
         <source>was recorded, but is gone</source>
         <translation>曾被记录，但已不存在</translation>
     </message>
+    <message>
+        <source>its list of schema steps was changed</source>
+        <translation>其数据库结构步骤列表已被改动</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

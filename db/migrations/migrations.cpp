@@ -187,6 +187,10 @@ SchemaState checkSchema(Connection& connection, const std::vector<Migration>& mi
     if (step.version > state.known) {
       continue;
     }
+    if (step.version < 1) {
+      throw Error(ErrorCode::kVerifyFailed, Text::tr("its list of schema steps was changed"),
+                  connection.location(), Text::tr("Restore the latest backup"));
+    }
     const Migration& known = migrations[static_cast<std::size_t>(step.version - 1)];
     if (known.checksum != step.checksum) {
       throw Error(

@@ -2,20 +2,13 @@
 #include "db/repository/base/row_ledger.h"
 
 #include <algorithm>
-#include <array>
-#include <deque>
 #include <map>
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
 
-#include <sodium.h>
-
 #include "db/connection/change_watch.h"
-#include "db/connection/row_reader.h"
-#include "db/repository/base/audit_repository.h"
 #include "db/repository/base/changed_statement.h"
-#include "db/repository/base/field_digest.h"
 #include "db/repository/base/insert_idempotent.h"
 #include "db/repository/base/row_seal.h"
 #include "db/repository/base/sealed_row.h"
@@ -28,13 +21,6 @@ namespace torsio {
 namespace {
 
 constexpr std::string_view kTrail = "audit_entry";
-
-std::string newSalt() {
-  TORSIO_EXPECTS(sodium_init() >= 0);
-  std::array<std::uint8_t, 16> bytes{};
-  randombytes_buf(bytes.data(), bytes.size());
-  return toHex(bytes);
-}
 
 /// A statement that changes rows of one table.
 class LedgerPlan : public ChangeWatch::Plan {
@@ -391,50 +377,6 @@ UnsealedCopy::UnsealedCopy(Connection& connection)
 
 UnsealedCopy::~UnsealedCopy() {
   (void)connection_.watchChanges(std::move(watch_));
-}
-
-RowSeal sealedRow(const SealShape& shape, std::span<const Value> row, const std::string& seal) {
-  RowSeal made{.table = std::string(shape.rule().table),
-               .key = shape.keyOf(row),
-               .rowHash = seal,
-               .simulated = shape.simulated(row)};
-  if (shape.hasPersonal(row)) {
-    made.salt = newSalt();
-    made.personalHash = shape.personal(row, made.salt);
-  }
-  return made;
-}
-
-void writeSeals(Connection& connection, const std::vector<RowSeal>& seals, const SealAuthor& author) {
-  SealDigest digest;
-  std::int64_t position = 0;
-  for (const RowSeal& seal : seals) {
-    digest.add(++position, seal);
-  }
-  const std::int64_t sequence = AuditRepository(connection)
-                                    .append({.atUtc_us = author.atUtc_us,
-                                             .actor = author.actor,
-                                             .station = author.station,
-                                             .action = AuditAction::kRecordSeal,
-                                             .objectKind = AuditObject::kRowSeal,
-                                             .newJson = sealedJson(author.entries, seals.size()),
-                                             .reason = author.reason,
-                                             .objectHash = digest.hex()});
-  Statement insert = connection.prepare(insertInto("row_seal", kSealColumns));
-  Statement salt =
-      connection.prepare(insertInto("seal_salt", "table_name, row_key, salt") +
-                         " ON CONFLICT (table_name, row_key) DO UPDATE SET salt = excluded.salt");
-  Statement forget = connection.prepare("DELETE FROM seal_salt WHERE table_name = ? AND row_key = ?");
-  position = 0;
-  for (const RowSeal& seal : seals) {
-    insert.execute({sequence, ++position, seal.table, seal.key, seal.removed, seal.rowHash, seal.personalHash,
-                    seal.simulated});
-    if (!seal.salt.empty()) {
-      salt.execute({seal.table, seal.key, seal.salt});
-    } else if (!sealRuleOf(seal.table)->personal.empty()) {
-      forget.execute({seal.table, seal.key});
-    }
-  }
 }
 
 std::int64_t sealUnsealed(Connection& connection, const std::string& reason, std::int64_t utc_us) {

@@ -63,7 +63,7 @@ void checkTrials(Connection& connection, const std::set<std::string>& erased,
                 {}, [](RowReader& row) {
                   return EndedTrial{row.text(), row.text()};
                 });
-  TrialRepository repository(connection);
+  TrialLoader loader(connection);
   std::int64_t done = 0;
   for (const EndedTrial& trial : trials) {
     if (progress && done % kProgressEvery == 0) {
@@ -74,7 +74,7 @@ void checkTrials(Connection& connection, const std::set<std::string>& erased,
       continue;
     }
     try {
-      verifyContent(repository.load(trial.id));
+      verifyContent(loader.load(trial.id));
     } catch (const Error& error) {
       if (error.code() != ErrorCode::kVerifyFailed) {
         throw;

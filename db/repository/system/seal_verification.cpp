@@ -8,7 +8,6 @@
 #include "db/migrations/schema_check.h"
 #include "db/repository/base/changed_statement.h"
 #include "db/repository/people/person_rules.h"
-#include "db/repository/system/schema_tables.h"
 
 namespace torsio {
 
@@ -59,11 +58,6 @@ void SealVerification::take(const AuditEntry& entry) {
 void SealVerification::compareRows() {
   forEachSelected(connection_, "SELECT table_name, row_key, salt FROM seal_salt",
                   [&](const Statement& row) { salts_[row.text(0)][row.text(1)] = row.text(2); });
-  for (const SchemaTable& table : tablesInReferenceOrder(connection_)) {
-    if (table.has("demonstration")) {
-      flagged_.insert(table.name);
-    }
-  }
   readSchemaRows();
   readSeals();
   for (const SealRule& rule : kSealRules) {
@@ -154,7 +148,7 @@ void SealVerification::requireGenuine(const SealEntry& entry, const RowSeal& sea
     return;
   }
   if (seal.removed) {
-    const bool flagged = before.simulated || !flagged_.contains(seal.table);
+    const bool flagged = before.simulated || !hasFlag(seal.table);
     if (!entry.removesDemonstration || !flagged) {
       report(entry.sequence, seal.table, seal.key, Text::tr("tells of a removal that did not take place"));
     }
@@ -166,6 +160,17 @@ void SealVerification::requireGenuine(const SealEntry& entry, const RowSeal& sea
   if (before.rowHash != seal.rowHash || !concernsErased(entry, seal)) {
     report(entry.sequence, seal.table, seal.key, Text::tr("seals a row otherwise that was sealed before"));
   }
+}
+
+bool SealVerification::hasFlag(const std::string& table) {
+  const auto [flag, first] = flagged_.try_emplace(table, false);
+  if (first) {
+    Statement none = connection_.prepare("SELECT * FROM " + table + " LIMIT 0");
+    none.execute();
+    const std::vector<std::string> columns = columnNamesOf(none);
+    flag->second = std::find(columns.begin(), columns.end(), "demonstration") != columns.end();
+  }
+  return flag->second;
 }
 
 bool SealVerification::concernsErased(const SealEntry& entry, const RowSeal& seal) {

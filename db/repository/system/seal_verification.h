@@ -55,6 +55,8 @@ class SealVerification {
   void readSeals();
   void apply(const SealEntry& entry, const RowSeal& seal);
   void requireGenuine(const SealEntry& entry, const RowSeal& seal, const Last& before);
+  /// Whether the rows of a table say that they are simulated.
+  [[nodiscard]] bool hasFlag(const std::string& table);
   [[nodiscard]] bool concernsErased(const SealEntry& entry, const RowSeal& seal);
   void readSchemaRows();
   void compareTable(const SealRule& rule);
@@ -66,7 +68,7 @@ class SealVerification {
   std::unordered_map<std::string, Rows> tables_;
   std::unordered_map<std::string, std::unordered_map<std::string, std::string>> salts_;
   std::unordered_map<std::string, std::set<std::string>> ofPeople_;  // keys of a person's rows
-  std::set<std::string> flagged_;  // tables whose rows say whether they are simulated
+  std::unordered_map<std::string, bool> flagged_;
   std::set<std::string> erased_;
 };
 

@@ -300,20 +300,28 @@ std::optional<TrialContext> TrialRepository::context(const TrialId& trialId) con
 }
 
 Trial TrialRepository::load(const TrialId& trialId) const {
-  const std::optional<TrialHeader> header = find(trialId);
+  return TrialLoader(connection_).load(trialId);
+}
+
+TrialLoader::TrialLoader(Connection& connection)
+    : header_(connection.prepare(kSelectHeader)),
+      chunks_(connection.prepare(
+          "SELECT chunk_index, first_tick, sample_count, bytes, digest, output_digest FROM trial_chunk"
+          " WHERE trial_id = ? ORDER BY chunk_index")),
+      closing_(connection.prepare("SELECT " + kSummaryColumns + " FROM trial_end e WHERE e.trial_id = ?")) {}
+
+Trial TrialLoader::load(const TrialId& trialId) {
+  header_.execute({trialId});
+  const std::optional<TrialHeader> header = readFirst(header_, headerOf);
   if (!header) {
     throw Error(ErrorCode::kBadData, Text::tr("no such trial"), trialId,
                 Text::tr("List the trials to find its id"));
   }
   Trial trial{.header = *header, .chunks = {}, .summary = {}};
-  trial.chunks =
-      selectAll(connection_,
-                "SELECT chunk_index, first_tick, sample_count, bytes, digest, output_digest FROM trial_chunk"
-                " WHERE trial_id = ? ORDER BY chunk_index",
-                {trialId}, chunkOf);
-  const std::optional<TrialSummary> closing =
-      selectFirst(connection_, "SELECT " + kSummaryColumns + " FROM trial_end e WHERE e.trial_id = ?",
-                  {trialId}, summaryOf);
+  chunks_.execute({trialId});
+  trial.chunks = readRows(chunks_, chunkOf);
+  closing_.execute({trialId});
+  const std::optional<TrialSummary> closing = readFirst(closing_, summaryOf);
   if (closing) {
     trial.summary = *closing;
     return trial;

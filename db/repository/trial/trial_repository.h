@@ -90,4 +90,18 @@ class OwnConnectionTrialSink final : public TrialSink {
   std::unique_ptr<Open> open_;
 };
 
+/// Reads whole trials one after the other with statements that are compiled once. Belongs to the thread of
+/// its connection.
+class TrialLoader {
+ public:
+  explicit TrialLoader(Connection& connection);
+  /// As TrialRepository::load().
+  [[nodiscard]] Trial load(const TrialId& trialId);
+
+ private:
+  Statement header_;
+  Statement chunks_;
+  Statement closing_;
+};
+
 }  // namespace torsio
