@@ -1437,6 +1437,10 @@
         <source>Measured before by version %1 of the definitions: peak force %2, beyond the limits. That is kept and no longer counts.</source>
         <translation>此前按第 %1 版定义测得：最大力 %2，超出限值。该结果予以保留，但不再作数。</translation>
     </message>
+    <message>
+        <source>Peak force of one twist</source>
+        <translation>单次扭转的最大力</translation>
+    </message>
 </context>
 <context>
     <name>Study</name>
