@@ -1581,6 +1581,10 @@
         <source>Undone in stages</source>
         <translation>分阶段复位</translation>
     </message>
+    <message>
+        <source>Peak force of one twist</source>
+        <translation>单次扭转的最大力</translation>
+    </message>
 </context>
 <context>
     <name>Study</name>

@@ -329,7 +329,9 @@ QString StationLabels::earlier(const EarlierMeasure& earlier) {
 }
 
 QString StationLabels::finding(const DebriefFinding& finding, bool strength) {
-  const QString name = metric(finding.metric);
+  // The peak of the run stands in its check; there is one of that name on the page.
+  const QString name =
+      finding.metric == kPeakForceMetric ? tr("Peak force of one twist") : metric(finding.metric);
   const QString own = quantity(finding.metric, finding.value);
   const QString expert = quantity(finding.metric, finding.expert);
   if (strength && finding.merit > kClearlyBetter) {
