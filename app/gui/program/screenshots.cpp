@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/program/screenshots.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include <QApplication>
@@ -16,6 +18,7 @@
 #include "app/access/first_run.h"
 #include "app/base/assets.h"
 #include "app/demonstration/demonstration_accounts.h"
+#include "app/gui/practice/simulator_window.h"
 #include "app/gui/program/all_pages.h"
 #include "app/gui/program/option_refusal.h"
 #include "app/gui/scene/scene_view.h"
@@ -23,11 +26,13 @@
 #include "app/gui/shell/lock_panel.h"
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/sign_in_panel.h"
+#include "app/gui/simulator/untwisting_states.h"
 #include "app/gui/widgets/picture.h"
 #include "app/report/typeface.h"
 #include "assessment/people/account.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/scene/scene.h"
 
 namespace torsio::gui {
 
@@ -198,6 +203,45 @@ void takePanels(Photographer& photographer) {
   });
 }
 
+/// Organs that come twisted, each in the states that it goes through, in the window of free practice. Taken
+/// only when asked for by name: they are many.
+void takeUntwistings(Photographer& photographer, const ScreenshotsRequest& request) {
+  if (request.only.isEmpty()) {
+    return;
+  }
+  constexpr const char* kPattern = "detorse";
+  for (const std::string& id : sceneIds(request.assets)) {
+    const std::vector<std::string> patterns = patternIds(request.assets, id);
+    if (std::find(patterns.begin(), patterns.end(), kPattern) == patterns.end()) {
+      continue;
+    }
+    SceneRequest scene;
+    scene.assets = request.assets;
+    scene.id = id;
+    scene.pattern = kPattern;
+    std::optional<LoadedScene> loaded;
+    for (const auto& [state, stateName] : kUntwistingStates) {
+      const QString name =
+          QStringLiteral("untwisting-%1-%2").arg(QString::fromStdString(id), QLatin1String(stateName));
+      if (photographer.wants(name) && !loaded) {
+        loaded = loadSceneForView(scene);
+      }
+      const UntwistingState wanted = state;
+      photographer.take(name, [&, wanted](ThemeKind kind, Language) -> std::unique_ptr<QWidget> {
+        WindowSetup setup;
+        setup.assets = request.assets;
+        setup.theme = kind;
+        setup.remember = false;
+        auto window = std::make_unique<SimulatorWindow>(setup);
+        window->show();
+        window->controller().adopt(scene, *loaded);
+        window->controller().freeze(untwistingState(*loaded->scene, wanted));
+        return window;
+      });
+    }
+  }
+}
+
 void takePage(Photographer& photographer, const Cast& cast, const std::filesystem::path& assets,
               const ScreenEntry& screen) {
   const std::unique_ptr<SessionContext> session = cast.sessionOf(screen.role);
@@ -248,6 +292,7 @@ int takeAllScreenshots(const ScreenshotsRequest& request) {
   }
   Photographer photographer(request);
   takePanels(photographer);
+  takeUntwistings(photographer, request);
   std::vector<ScreenEntry> pages;
   for (const ScreenEntry& screen : allScreens()) {
     if (photographer.wants(screen.name)) {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pages in states that are worth a picture, on the demonstration cohort.
+#include <algorithm>
+#include <vector>
+
 #include <QCoreApplication>
 #include <QElapsedTimer>
 
@@ -16,6 +19,7 @@
 #include "app/gui/trainee/station_pages.h"
 #include "app/gui/trainee/trend_page.h"
 #include "app/gui/widgets/child.h"
+#include "app/training/attempts.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 
@@ -104,6 +108,14 @@ void showFinding(Page& page) {
   }
 }
 
+/// The last organ that the trainee undid.
+QVariant untwisting(SessionContext& session) {
+  static_cast<void>(laidOut(session));
+  const std::vector<Attempt> attempts = attemptsOf(session, session.actor().personId);
+  const auto last = std::find_if(attempts.rbegin(), attempts.rend(), isUntwisting);
+  return last != attempts.rend() ? QVariant(toQString(last->trialId)) : QVariant();
+}
+
 ScreenEntry screen(const char* name, PageId page, std::function<QVariant(SessionContext&)> argument,
                    std::function<void(Page&)> prepare = {}) {
   return {.name = QLatin1String(name),
@@ -125,6 +137,7 @@ std::vector<ScreenEntry> stationScreens() {
               "station-debrief", PageId::kDebrief,
               [](SessionContext& session) -> QVariant { return toQString(laidOut(session).newestTrialId); },
               showFinding),
+          screen("station-debrief-untwisting", PageId::kDebrief, untwisting),
           screen(
               "station-trend", PageId::kTrend,
               [](SessionContext& session) -> QVariant { return toQString(laidOut(session).firstModuleId); },
