@@ -13,8 +13,7 @@ namespace {
 
 constexpr double kRoomLeft = 1.02;        // of the turn
 constexpr double kNarrowestWound = 0.36;  // of the radius at rest: that of a packed wall, about
-constexpr double kDrawing = 0.1;          // of the way to it, in a step
-constexpr int kDrawings = 40;
+constexpr int kDrawings = 20;             // steps of the way to it
 
 /// Turns a point about a line and draws it nearer; one that is not moved keeps its bits.
 Vec3 turnedAbout(const Vec3& x, const TwistLine& line, double angle_rad, double radius) noexcept {
@@ -98,10 +97,12 @@ void HollowOrgan::wind(Sections& sections) const noexcept {
     return room_rad;
   };
   // Limbs that have no room for the turn are drawn together where they are free to.
-  for (int step = 0; step < kDrawings && wholeRoom() < kRoomLeft * std::abs(angle_rad); ++step) {
+  const Sections alone = sections;
+  for (int step = 1; step <= kDrawings && wholeRoom() < kRoomLeft * std::abs(angle_rad); ++step) {
+    const double drawn = static_cast<double>(step) / kDrawings;
     for (std::size_t i = 0; i < kPlaces; ++i) {
-      const double narrowest = std::min(sections[i].radius, kNarrowestWound);
-      sections[i].radius += kDrawing * free_[i] * (narrowest - sections[i].radius);
+      const double narrowest = std::min(alone[i].radius, kNarrowestWound);
+      sections[i].radius = alone[i].radius + drawn * free_[i] * (narrowest - alone[i].radius);
     }
   }
   std::array<double, kPlaces - 1> turn_rad{};
