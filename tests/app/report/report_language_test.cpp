@@ -99,7 +99,8 @@ void sayAll(const ReportModel& model, const Say& say) {
 QString withoutKeptWords(QString text) {
   static const QRegularExpression kKept(QStringLiteral(
       "Bland-Altman|Biau|Porcher|Shrout-Fleiss|Shrout|Fleiss|Krippendorff|Hedges|Kruskal-Wallis|Dunn|Holm|"
-      "Mann-Whitney|Friedman|Kendall|Greenhouse-Geisser|Hyndman-Fan|Fisher-Yates|Torsio|torsio replay TRIAL "
+      "Mann-Whitney|Friedman|Kendall|Rasch|Greenhouse-Geisser|Hyndman-Fan|Fisher-Yates|Torsio|torsio replay "
+      "TRIAL "
       "--verify|LC-CUSUM|CUSUM|ICC|SEM|FEM|MSM|CSV|III|UTC|min|saint_venant|final|admin|mt19937_64|"
       "(evaluation|training|allocation)-\\d|\\b[0-9a-f]{16,}\\b"));
   return text.remove(kKept);
