@@ -32,7 +32,7 @@ constexpr std::array kCards = std::to_array<MetricCard>({
      "spectral arc length of the angular speed up to 10 Hz, threshold 0.05, padding level 4", "1", kHolding,
      kHigher},
     {"twist.ldlj", "Smoothness (LDLJ)", "Jerkiness of the turning; compare only values with the same filter.",
-     "-ln(T^3 / peak^2 x integral of jerk^2) of the angular speed, filtered at 10 Hz", "1", kHolding,
+     "-ln(T^3 / peak^2 x integral of jerk^2) of the signed angular speed, filtered at 10 Hz", "1", kHolding,
      kHigher},
     {"twist.peaks", "Sub-movements", "Number of separate pushes in the turning.",
      "peaks of angular speed, prominence 5 % of the maximum, 0.1 s apart", "count", kHolding, kLower},

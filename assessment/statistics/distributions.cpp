@@ -121,6 +121,16 @@ double noncentralFCdf(double f, double df1, double df2, double noncentrality) {
 
 double noncentralityOfT(double t, double df, double p) {
   TORSIO_EXPECTS(p > 0.0 && p < 1.0);
+  constexpr double kFar = 5e3;  // beyond, the series of the noncentral distribution loses digits, then ends
+  if (t < -kFar) {
+    return -noncentralityOfT(-t, df, 1.0 - p);
+  }
+  if (t > kFar) {
+    // T = (Z + d) / U <= t where the scale U >= (d + Z) / t. With f the density of U, F(d/t) + f'(d/t) / (2
+    // t^2) = 1 - p up to terms of t^-4.
+    const double u = std::sqrt(bm::quantile(bm::complement(ChiSquared(df), p)) / df);
+    return t * u - ((df - 1.0) / u - df * u) / (2.0 * t);
+  }
   // P(T <= t) falls as the noncentrality rises.
   const auto excess = [&](double d) { return noncentralTCdf(t, df, d) - p; };
   double low = t - 2.0;

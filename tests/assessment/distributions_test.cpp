@@ -169,5 +169,17 @@ TEST(Jackknife, AgreesOnTheLawSchoolData) {
   EXPECT_TRUE(matches(got->acceleration, c.expected.at("a").get<double>(), c.tolerance));
 }
 
+TEST(NoncentralityOfT, IsOneCurveAcrossItsTwoFormulas) {
+  for (const double df : {3.0, 18.0, 200.0}) {
+    for (const double p : {0.025, 0.975}) {
+      const double below = noncentralityOfT(4'999.0, df, p);
+      const double above = noncentralityOfT(5'001.0, df, p);
+      EXPECT_NEAR(above / below, 5'001.0 / 4'999.0, 1e-7) << df << " " << p;
+      EXPECT_NEAR(noncentralityOfT(-5'001.0, df, 1.0 - p), -above, 1e-9 * above);
+    }
+  }
+  EXPECT_GT(noncentralityOfT(1e16, 10.0, 0.025), 1e15);  // groups that hardly vary and lie far apart
+}
+
 }  // namespace
 }  // namespace torsio

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How often each 95 % interval holds the true value: 10,000 simulated sets of the stated size and shape.
-// Prints the table of docs/assessment.md. No test: `ninja torsio_coverage`, then run it (some minutes).
+// Prints a table. No test: `ninja torsio_coverage`, then run it (some minutes).
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
