@@ -26,7 +26,8 @@ Parts partsFrom(Connection& connection, const char* sql) {
 
 Parts sqliteParts(Connection& connection) {
   return partsFrom(connection,
-                   "SELECT type || ' ' || name, tbl_name || ' ' || coalesce(sql, '') FROM sqlite_master"
+                   "SELECT type || ' ' || name, tbl_name || ' ' || coalesce(sql, '') || ' ' || typeof(type)"
+                   " || typeof(name) || typeof(tbl_name) || typeof(sql) FROM sqlite_master"
                    " WHERE name NOT LIKE 'sqlite\\_stat%' ESCAPE '\\'");
 }
 
