@@ -2,7 +2,7 @@
 #include "sim/servo/servo_thread.h"
 
 #include "sim/base/contracts.h"
-#include "sim/servo/deadline.h"
+#include "sim/base/deadline.h"
 
 namespace torsio {
 
