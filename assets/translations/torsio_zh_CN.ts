@@ -10000,14 +10000,6 @@
         <translation>请重新插入设备，运行一次厂商的设置工具，然后再试</translation>
     </message>
     <message>
-        <source>the vendor&apos;s library ended the device process</source>
-        <translation>厂商库使设备进程终止</translation>
-    </message>
-    <message>
-        <source>the vendor&apos;s library does not answer</source>
-        <translation>厂商库没有响应</translation>
-    </message>
-    <message>
         <source>Give multiples of the smallest block.</source>
         <translation>请给出最小区组的整数倍。</translation>
     </message>
@@ -10734,6 +10726,26 @@
     <message>
         <source>call to the real arm</source>
         <translation>真实手臂呼叫</translation>
+    </message>
+    <message>
+        <source>the machine was too busy: the force was cut %1 times, %2 of %3 ticks were skipped</source>
+        <translation>计算机过于繁忙：力中断 %1 次，%3 个周期中有 %2 个被跳过</translation>
+    </message>
+    <message>
+        <source>Close other programs at this station</source>
+        <translation>请关闭本站点上的其他程序</translation>
+    </message>
+    <message>
+        <source>The machine was too busy in trials: %1. Their force was cut for a moment, times in all: %2; they are marked in the data.</source>
+        <translation>有 %1 次记录期间计算机过于繁忙，力共短暂中断 %2 次；这些记录已在数据中标明。</translation>
+    </message>
+    <message>
+        <source>the device process ended before it answered</source>
+        <translation>设备进程在响应之前已终止</translation>
+    </message>
+    <message>
+        <source>the device&apos;s driver does not answer</source>
+        <translation>设备的驱动程序没有响应</translation>
     </message>
 </context>
 <context>
@@ -12722,6 +12734,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Force was shown, not felt: the device of this run gives none. Its measures are computed.</source>
         <translation>力只显示、感觉不到：本次操作的设备不提供力。力的测量值由模型计算。</translation>
+    </message>
+    <message>
+        <source>What was felt was not what was computed all the time: %1. %2.</source>
+        <translation>手上感受到的力并非始终与计算值一致：%1。%2。</translation>
     </message>
 </context>
 <context>
@@ -17083,6 +17099,10 @@ Leave it empty to remove it.</source>
         <source>Call to the arm</source>
         <translation>呼叫到手臂</translation>
     </message>
+    <message>
+        <source>%1, last run: %2. %3.</source>
+        <translation>%1，上一次运行：%2。%3。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RunPage</name>
@@ -18515,6 +18535,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Result</source>
         <translation>结果</translation>
+    </message>
+    <message>
+        <source>force cut by the machine, times: %1</source>
+        <translation>因计算机繁忙力中断 %1 次</translation>
     </message>
 </context>
 <context>

@@ -39,6 +39,10 @@ void ServoThread::stop() noexcept {
   watchdog_.stop();
 }
 
+ServoHealth ServoThread::health() const noexcept {
+  return {realTime(), memoryLocked(), skipped(), loop_.forceCuts()};
+}
+
 void ServoThread::run() noexcept {
   realTime_.store(requestRealTime(), std::memory_order_relaxed);
   const LockedMemory memory(&loop_, sizeof(loop_));

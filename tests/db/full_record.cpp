@@ -4,6 +4,7 @@
 #include <map>
 #include <ostream>
 #include <set>
+#include <span>
 
 #include "assessment/people/person.h"
 #include "assessment/rating/assignment.h"
@@ -14,6 +15,7 @@
 #include "assessment/study/cohort.h"
 #include "assessment/study/curriculum.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
