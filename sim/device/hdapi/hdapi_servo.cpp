@@ -279,7 +279,8 @@ void HdapiServo::judge(std::int64_t now_us) noexcept {
   // A device that refuses a frame goes on with its last force: only the output can be switched off then.
   const bool revoked = revoked_.load(std::memory_order_relaxed);
   if (!revoked) {
-    switchForce(forceWished_.load(std::memory_order_relaxed) && calibration_.calibrated() && !slow &&
+    const bool quick = meter_.values().rate_Hz > 0.0 && !slow;  // not before the rate is known
+    switchForce(forceWished_.load(std::memory_order_relaxed) && calibration_.calibrated() && quick &&
                 !warmStop_ && !endRefused_ && (frameOpen_ || lost()));
   }
   chooseState(slow || warmStop_);
@@ -384,7 +385,7 @@ void HdapiServo::sendForce(std::int64_t now_us) noexcept {
   }
   const bool zero = force_N == std::array<double, 3>{};
   zeroSent_ = zero && taken;
-  if (!zero) {
+  if (!zero && !endRefused_) {
     ++(taken ? snapshot_.forcesSent : snapshot_.forcesRefused);
   }
 }

@@ -69,6 +69,8 @@ class HdapiServo {
   void letGo(bool afterFrame = false) noexcept;
   /// When the vendor's servo called last, by the session's clock; 0: never. Any thread.
   [[nodiscard]] std::int64_t called_us() const noexcept { return called_us_.load(std::memory_order_relaxed); }
+  /// Tells whether the vendor's servo is within a frame. Any thread.
+  [[nodiscard]] bool inFrame() const noexcept { return inFrame_.load(std::memory_order_acquire); }
   /// Tells whether letGo() was done after revokeTick() or a loss.
   [[nodiscard]] bool silent() const noexcept { return silent_.load(std::memory_order_acquire); }
 
@@ -136,7 +138,7 @@ class HdapiServo {
   std::optional<Pose> lastPose_;
   bool started_ = false;
   bool frameOpen_ = false;
-  bool endRefused_ = false;  // the motors go on with the frame before
+  bool endRefused_ = false;    // the motors go on with the frame before
   bool tripped_ = false;       // the device's force protection, this tick
   bool warmStop_ = false;      // HD_WARM_MOTORS, until cold
   bool warm_ = false;          // fold-back with hysteresis

@@ -36,7 +36,7 @@ constexpr std::array<double, 6> kNominalBox_mm{-80.0, -60.0, -35.0, 80.0, 60.0, 
 std::atomic<bool> sessionOpen{false};
 // Time since the servo's last call within which it lets go by itself: its callback comes each millisecond.
 constexpr std::int64_t kServoLetsGo_us = 15'000;
-// Time that it is given in any case.
+// Time that it is given between two frames in any case.
 constexpr std::int64_t kServoMayCall_us = 2'000;
 // Time for a callback that was under way when the task was taken out.
 constexpr auto kCallbackEnds = std::chrono::milliseconds(100);
@@ -364,8 +364,9 @@ void HdapiSession::letGo() noexcept {
     (void)api_.hdScheduleAsynchronous(letGoCallback, entry_, hd::kMaxPriority);
   }
   const std::int64_t silent_us = clock_->now_us() - servo_->called_us();
+  const std::int64_t least_us = servo_->inFrame() ? 0 : kServoMayCall_us;  // a frame that hangs calls nobody
   const auto until = std::chrono::steady_clock::now() +
-                     std::chrono::microseconds(std::max(kServoLetsGo_us - silent_us, kServoMayCall_us));
+                     std::chrono::microseconds(std::max(kServoLetsGo_us - silent_us, least_us));
   while (served_ && !servo_->silent() && std::chrono::steady_clock::now() < until) {
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }

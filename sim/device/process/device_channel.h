@@ -25,7 +25,7 @@ inline constexpr int kChannelFile = 3;
 inline constexpr int kParentFile = 4;
 /// Time without a call of the driver's servo after which the device process lets go by itself: the motors
 /// have their zero 20 ms after the last frame.
-inline constexpr std::int64_t kChildLetsGo_us = 17'000;
+inline constexpr std::int64_t kChildLetsGo_us = 15'000;
 /// Time without one after which the program ends the device process and reports the device lost.
 inline constexpr std::int64_t kChildEnded_us = 100'000;
 
@@ -66,9 +66,9 @@ struct DeviceChannel {
 
 /// What the device process found, in words.
 struct ChannelReport {
-  HdapiLibrary library;  ///< of a driver that needs one, without the functions
+  HdapiLibrary library;     ///< of a driver that needs one, without the functions
   DriverFinding finding{};  ///< of any other, when it was only looked for
-  Text happened;         ///< of an Error, else empty
+  Text happened;            ///< of an Error, else empty
   Text where;
   Text remedy;
   DeviceCapabilities capabilities;

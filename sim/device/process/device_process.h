@@ -34,8 +34,8 @@ struct StylusOpening {
 /// the hand. Takes up to seconds. Throws Error{kDevice}: no device process, no device, no answer, cancelled.
 [[nodiscard]] StylusOpening openStylus(const StylusRequest& request);
 
-/// The same driver with its look and its device in the device process, which knows it by its id: started,
-/// watched and ended in the same way. Where there is no device process (Windows), the driver itself.
+/// Moves the look and the device of a driver into the device process, which knows the driver by its id;
+/// started, watched and ended as a stylus is. Where there is no device process (Windows), the driver itself.
 [[nodiscard]] DeviceDriver hosted(const DeviceDriver& driver);
 
 }  // namespace torsio

@@ -37,6 +37,7 @@ constexpr int kLooksForgiven = static_cast<int>(kChildEnded_us / 5'000);
 constexpr auto kOpens = std::chrono::seconds(15);
 // A device that was lost because its process was ended, or ended by itself: no driver has such a code.
 constexpr std::uint32_t kProcessEnded = 0xffff'ffffU;
+constexpr std::int64_t kLostPatience_us = 200'000;
 constexpr const char* kStylusDriver = "hdapi";
 
 std::string deviceProgram() {
@@ -320,7 +321,12 @@ bool ProcessDevice::close() {
   }
   DeviceChannel& channel = child_->channel();
   channel.closeAsked.store(true);
-  const auto until = steady_clock::now() + std::chrono::microseconds(patience_us_);
+  // A device that was lost was let go of already, or is ended anyway: nobody waits for its library.
+  const std::optional<DeviceSnapshot> last = channel.snapshot.latest();
+  const bool lost = lost_.load() || (last && last->state == DeviceState::kLost);
+  const auto until =
+      steady_clock::now() +
+      std::chrono::microseconds(lost ? std::min(patience_us_, kLostPatience_us) : patience_us_);
   while (!child_->gone() && steady_clock::now() < until) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -370,10 +376,8 @@ StylusOpening openStylus(const StylusRequest& request) {
   asked.workspaceCentre_m = request.options.workspaceCentre_m;
   asked.stylusTip_m = request.options.stylusTip_m;
   asked.onlyLook = request.onlyLibrary;
-  HostedOpening hosted =
-      openHosted(asked, request.options.patience_us, request.cancelled, [](std::uint32_t code) {
-        return hdapiErrorText(code);
-      });
+  HostedOpening hosted = openHosted(asked, request.options.patience_us, request.cancelled,
+                                    [](std::uint32_t code) { return hdapiErrorText(code); });
   return {hosted.report.library, std::move(hosted.device)};
 }
 
@@ -392,7 +396,8 @@ DeviceDriver hosted(const DeviceDriver& driver) {
       return driver.look(request);
     }
     try {
-      return openHosted(asked(request, true), HdapiOptions().patience_us, request.cancelled, {}).report.finding;
+      return openHosted(asked(request, true), HdapiOptions().patience_us, request.cancelled, {})
+          .report.finding;
     } catch (const Error& error) {
       return {false, error.happenedText(), error.remedyText(), {}};
     }

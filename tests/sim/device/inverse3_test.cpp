@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The driver against a service that speaks the documented messages, in this process and in the device process.
+// The driver against a service that speaks the documented messages, in this process and in the device
+// process.
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -295,7 +296,8 @@ TEST_P(Inverse3, AServiceThatHangsHoldsNothingUp) {
   device_->close();
   EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(3));
   service_->hangs = false;
-  EXPECT_TRUE(inTime([this] { return norm(service_->lastForce_N()) == 0.0; })) << "what it finds when it goes on";
+  EXPECT_TRUE(inTime([this] { return norm(service_->lastForce_N()) == 0.0; }))
+      << "what it finds when it goes on";
 }
 
 INSTANTIATE_TEST_SUITE_P(InThisProcess, Inverse3, ::testing::Values(false));

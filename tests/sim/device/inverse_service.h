@@ -22,8 +22,8 @@
 
 namespace torsio::testing {
 
-/// The service of one Inverse3 with a handle, behind Qt's WebSocket server: it says once what is connected and
-/// then answers every command with the state. Its values may be set from any thread.
+/// The service of one Inverse3 with a handle, behind Qt's WebSocket server: it says once what is connected
+/// and then answers every command with the state. Its values may be set from any thread.
 class InverseService {
  public:
   std::atomic<double> x_m{0.0};
@@ -77,7 +77,8 @@ class InverseService {
 
  private:
   void listen() {
-    // A service that answers late gets no force: under test it goes before other work where that is permitted.
+    // A service that answers late gets no force: under test it goes before other work where that is
+    // permitted.
     (void)requestRealTime();
     server_ = std::make_unique<QWebSocketServer>(QStringLiteral("Inverse service"),
                                                  QWebSocketServer::NonSecureMode);
@@ -124,7 +125,8 @@ class InverseService {
     client.sendTextMessage(QString::fromStdString(state.dump()));
   }
   void take(const std::string& text) {
-    const nlohmann::json values = nlohmann::json::parse(text)["inverse3"][0]["commands"]["set_cursor_force"]["values"];
+    const nlohmann::json values =
+        nlohmann::json::parse(text)["inverse3"][0]["commands"]["set_cursor_force"]["values"];
     const std::scoped_lock guard(mutex_);
     told_ = std::chrono::steady_clock::now();
     forces_N_.push_back({values["x"].get<double>(), values["y"].get<double>(), values["z"].get<double>()});

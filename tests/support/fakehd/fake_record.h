@@ -23,13 +23,14 @@ enum class Seen : std::int32_t {
 };
 
 struct SeenEvent {
-  std::atomic<std::int64_t> time_ns;   ///< CLOCK_MONOTONIC, the same in all processes
-  std::atomic<std::int64_t> waited_ns; ///< run-queue waiting of the process's first and servo thread until then
+  std::atomic<std::int64_t> time_ns;  ///< CLOCK_MONOTONIC, the same in all processes
+  std::atomic<std::int64_t>
+      waited_ns;  ///< run-queue waiting of the process's first and servo thread until then
   std::atomic<Seen> what;
 };
 
-/// The file that FAKEHD_RECORD names, mapped by the fake and by the test: it tells what the motors had whoever
-/// was killed. All zero at first.
+/// The file that FAKEHD_RECORD names, mapped by the fake and by the test: it tells what the motors had
+/// whoever was killed. All zero at first.
 struct FakeRecord {
   static constexpr std::size_t kMost = 4096;
   std::atomic<std::int64_t> process;    ///< that loaded the fake
@@ -41,8 +42,8 @@ struct FakeRecord {
   std::array<SeenEvent, kMost> events;
 };
 
-/// Time that a thread of a process has waited for a processor, ns (the second number of its schedstat); 0 where
-/// the system does not say.
+/// Time that a thread of a process has waited for a processor, ns (the second number of its schedstat); 0
+/// where the system does not say.
 std::int64_t waited_ns(std::int64_t process, std::int64_t thread);
 
 }  // namespace fakehd

@@ -88,7 +88,8 @@ void see(Fake& f, Seen what) {
   clock_gettime(CLOCK_MONOTONIC, &now);
   event.what = what;
   event.waited_ns = waited_ns(record->process, record->process) + waited_ns(record->process, record->servo);
-  event.time_ns = 1'000'000'000 * static_cast<std::int64_t>(now.tv_sec) + now.tv_nsec;  // last: now it is whole
+  event.time_ns =
+      1'000'000'000 * static_cast<std::int64_t>(now.tv_sec) + now.tv_nsec;  // last: now it is whole
 }
 
 void seeFault(Fake& f) {
@@ -201,8 +202,8 @@ void readFault(Fake& f) {
   std::istringstream words(environment("FAKEHD_FAULT"));
   Fault fault;
   char colon = 0;
-  if (std::getline(words, fault.function, ':') && words >> fault.fromTick >> colon >> fault.times >> colon >>
-                                                      std::hex >> fault.error.error) {
+  if (std::getline(words, fault.function, ':') &&
+      words >> fault.fromTick >> colon >> fault.times >> colon >> std::hex >> fault.error.error) {
     f.faults.push_back(fault);
   }
 }

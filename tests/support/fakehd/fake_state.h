@@ -96,8 +96,8 @@ struct Fake {
   int dockAtTick = -1;
   int unplugAtTick = -1;
   std::string logFile;
-  std::string hangIn;  // the function that never returns ...
-  int hangAtTick = 0;  // ... from this tick on
+  std::string hangIn;       // the function that never returns ...
+  int hangAtTick = 0;       // ... from this tick on
   bool hangLocked = false;  // ... and holds the library's lock
   std::string crashIn;      // the function that ends the process at that tick ...
   int crashSignal = 0;      // ... by this signal; 0: by exit()

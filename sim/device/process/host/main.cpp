@@ -27,7 +27,8 @@ namespace {
 constexpr int kLook_ms = 1;
 // Time that a teardown may take when nobody waits for it any more.
 constexpr auto kOrphanEnds = std::chrono::seconds(1);
-// Looks in a row without a frame before the driver counts as silent: a machine that stalls both does not count.
+// Looks in a row without a frame before the driver counts as silent: a machine that stalls both does not
+// count.
 constexpr int kLooksForgiven = 10;
 
 void answer(DeviceChannel& channel, const ChannelReport& report, ChannelStage stage) {
@@ -62,7 +63,8 @@ void watch(DeviceChannel& channel, HostedDevice& device) {
   auto lastFrame = std::chrono::steady_clock::now();
   bool letGo = false;
   while (!parentGone() && !channel.closeAsked.load()) {
-    channel.snapshot.publish(device.snapshot());
+    const DeviceSnapshot snapshot = device.snapshot();
+    channel.snapshot.publish(snapshot);
     for (DeviceEvent event; device.nextEvent(event);) {
       channel.events.publish(event);
     }
@@ -72,7 +74,7 @@ void watch(DeviceChannel& channel, HostedDevice& device) {
       frames = seen;
       lastFrame = now;
       still = 0;
-    } else if (++still >= kLooksForgiven && frames > 0 && !letGo &&
+    } else if (++still >= kLooksForgiven && frames > 0 && !letGo && snapshot.state != DeviceState::kLost &&
                now - lastFrame > std::chrono::microseconds(kChildLetsGo_us)) {
       letGo = true;
       device.beginClose();  // in a thread of its own: the driver hangs
