@@ -269,14 +269,16 @@ double endWindow(const std::string& place, int how, double after_s, const std::s
       fakehd::waited_ns(device, device) + fakehd::waited_ns(device, run.record()->servo);
   const std::int64_t killed_ns = now_ns();
   const bool pushed = run.pushedAt(killed_ns);
+  if (!pushed || device <= 0 || run.program() <= 0) {
+    return -3.0;  // nothing to end; kill() takes 0 and -1 for many processes
+  }
   kill(run.program(), how);
   if (how == SIGHUP) {
     kill(static_cast<pid_t>(device), SIGHUP);  // the end of a session goes to all of its processes
   }
   (void)run.watch();
   std::filesystem::remove_all(folder);
-  return !pushed || run.record().last(Seen::kDisable) == nullptr ? -2.0
-                                                                 : run.restAfter_ms(killed_ns, waited_ns);
+  return run.record().last(Seen::kDisable) == nullptr ? -2.0 : run.restAfter_ms(killed_ns, waited_ns);
 }
 
 TEST(KilledWindows, LeaveNoForceAtTheMotorsForMoreThanTwentyMilliseconds) {
