@@ -120,6 +120,10 @@ std::chrono::nanoseconds DeviceProcess::killed(std::chrono::microseconds after) 
       std::this_thread::sleep_for(1ms);
     }
   }
+  if (program < 0) {
+    ADD_FAILURE() << "no process";  // kill() takes -1 for all of them
+    return std::chrono::nanoseconds(0);
+  }
   const auto waited = [&record] {
     const std::int64_t device = record->process;
     return fakehd::waited_ns(device, device) + fakehd::waited_ns(device, record->servo);
