@@ -112,6 +112,7 @@ std::chrono::nanoseconds DeviceProcess::killed(std::chrono::microseconds after) 
   setenv("FAKEHD_RECORD", record_.c_str(), 1);
   const pid_t program = fork();
   if (program == 0) {
+    (void)requestRealTime();  // a force that is renewed late ends
     const StylusOpening opening = openStylus(request());
     opening.driver->enableForce(true);
     opening.driver->serve();
