@@ -210,6 +210,12 @@ void runMetrics(const MetricsArguments& arguments) {
   out["version"] = kMetricsVersion;
   out["samples"] = samples.size();
   out["refused_samples"] = trial.summary.refusedSamples;
+  if (const std::optional<ServoHealth>& health = trial.summary.health) {
+    out["servo"] = {{"real_time_priority", health->priority},
+                    {"memory_locked", health->memory},
+                    {"skipped_ticks", health->skippedTicks},
+                    {"force_cuts", health->forceCuts}};
+  }
   out["lost_samples"] =
       outcomeJson(whole, [](const TrialMetrics& metrics) { return Json(metrics.lostSamples); });
   out["clock"] = measured.deviceClock ? "device" : "ticks";

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/devices/servo_words.h"
 #include "assessment/report/number_format.h"
 #include "sim/base/angle.h"
 #include "sim/base/clock.h"
@@ -281,18 +282,32 @@ class Check {
           Text::tr("the servo goes before other work and stays in memory"));
       return;
     }
-    const Text refused =
-        grant.memory ? Text::tr("the system refuses real-time priority")
-                     : (grant.scheduling ? Text::tr("the system refuses to keep the servo in memory")
-                                         : Text::tr("the system refuses real-time priority and to keep "
-                                                    "the servo in memory"));
+    const Text refused = refusedToServo(grant.scheduling, grant.memory);
     add(calm ? FindingGrade::kGood : FindingGrade::kNote, Text::tr("Scheduling"),
-        calm ? Text::tr("%1; the servo kept its time all the same", refused) : refused,
-        Text::tr("Copy assets/system/torsio-limits.conf to /etc/security/limits.d and log in again"));
+        calm ? Text::tr("%1; the servo kept its time all the same", refused) : refused, grantRealTime());
   }
 
   /// False when the device gives no position that force could be computed from.
   bool judgePosition() {
+    if (!positionIsSound()) {
+      return false;
+    }
+    if (rendersForce()) {
+      judgeStylus();
+    }
+    return true;
+  }
+
+  /// The same of the frames between two instants, the later of which becomes last_.
+  bool soundBetween(const DeviceSnapshot& first, const DeviceSnapshot& now) {
+    last_ = now;
+    validPoses_ = now.validPoses - first.validPoses;
+    invalidPoses_ = now.invalidPoses - first.invalidPoses;
+    refusedFrames_ = now.refusedFrames - first.refusedFrames;
+    return positionIsSound();
+  }
+
+  bool positionIsSound() {
     const std::int64_t frames = validPoses_ + invalidPoses_ + refusedFrames_;
     const auto lost = static_cast<double>(frames - validPoses_);
     if (frames == 0 || lost > kPosesForgiven * static_cast<double>(frames)) {
@@ -307,9 +322,6 @@ class Check {
           Text::tr("the position stands still while the stylus is turned"),
           Text::tr("Calibrate the device again; if it stays so, have it serviced"));
       return false;
-    }
-    if (rendersForce()) {
-      judgeStylus();
     }
     return true;
   }
@@ -364,7 +376,7 @@ class Check {
     }
     device_->write({});
     device_->enableForce(false);
-    if (now.state == DeviceState::kLost || cancelled()) {
+    if (now.state == DeviceState::kLost || cancelled() || !soundBetween(before, now)) {
       return;
     }
     if (!everOn) {

@@ -22,6 +22,8 @@ constexpr std::array<std::pair<const char*, const char*>, 7> kLines{{{"Calibrati
                                                                      {"Force", "force"},
                                                                      {"Motors", "force"}}};
 
+thread_local std::function<bool()> unwantedHere;
+
 const char* lineOf(const std::string& subject) {
   const auto found =
       std::find_if(kLines.begin(), kLines.end(), [&](const auto& line) { return subject == line.first; });
@@ -70,8 +72,16 @@ DeviceProbe hapticProbe(const DeviceChoice& choice) {
   return [request] { return hapticReadiness(checkDevice(request)); };
 }
 
+WhileWanted::WhileWanted(std::function<bool()> unwanted) {
+  unwantedHere = std::move(unwanted);
+}
+
+WhileWanted::~WhileWanted() {
+  unwantedHere = nullptr;
+}
+
 std::unique_ptr<HapticDevice> openHapticDevice(const Scene& scene, const DeviceChoice& choice) {
-  DeviceRequest request = deviceRequest(choice);
+  DeviceRequest request = deviceRequest(choice, unwantedHere);
   const HandTask task = handTask(scene);
   request.workspaceCentre_m = task.graspPoint_m;
   request.start.position_m = task.start_m;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "app/devices/device_check.h"
@@ -20,6 +21,15 @@ namespace torsio {
 [[nodiscard]] DeviceReadiness hapticReadiness(const DeviceCheckResult& check);
 /// Runs the whole check without the force self-test (which wants consent: `torsio device check`).
 [[nodiscard]] DeviceProbe hapticProbe(const DeviceChoice& choice = {});
+
+/// While it lives, openHapticDevice in this thread gives up as soon as `unwanted` says so: a driver may hang.
+class WhileWanted {
+ public:
+  explicit WhileWanted(std::function<bool()> unwanted);
+  ~WhileWanted();
+  WhileWanted(const WhileWanted&) = delete;
+  WhileWanted& operator=(const WhileWanted&) = delete;
+};
 
 /// The haptic device of this station, started with its force on, its workspace centred on the point of the
 /// scene that is to be grasped. Driven over mailboxes by the caller's servo. Takes up to seconds. Throws

@@ -132,6 +132,7 @@ TrialSummaryRow summaryRow(const TrialListing& listing, const TrialDigest& diges
   row.samples = summary.samples;
   row.refusedSamples = summary.refusedSamples;
   row.lateTicks = summary.lateTicks;
+  row.forceCuts = summary.health ? summary.health->forceCuts : 0;
   row.interrupted = summary.outcome == TrialOutcome::kInterrupted;
   row.contentHash = summary.contentHash;
   row.twists = std::ssize(measures.twists);

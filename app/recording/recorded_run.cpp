@@ -106,7 +106,8 @@ RecordingResult RecordedRun::finish(TrialOutcome outcome) {
   if (thread_) {
     thread_->stop();
   }
-  return recorder_->finish(outcome, loop_.lateTicks());
+  return recorder_->finish(outcome, loop_.lateTicks(),
+                           thread_ ? std::optional(thread_->health()) : std::nullopt);
 }
 
 std::unique_ptr<HapticDevice> RecordedRun::releaseDevice() {

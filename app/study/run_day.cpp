@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
+#include "app/devices/servo_words.h"
 #include "app/devices/station_device.h"
 #include "app/scoring/cohort_occasions.h"
 #include "app/study/cohort_service.h"
@@ -195,6 +197,29 @@ RunDayBoard runDayBoard(SessionContext& session, const CohortId& cohortId) {
   return board;
 }
 
+namespace {
+
+/// A run of some other day is no matter of this one.
+constexpr std::int64_t kOfToday_us = 12LL * 3600 * 1'000'000;
+
+std::optional<RunDayAlert> servoAlert(const StationState& station, std::int64_t asOfUtc_us) {
+  if (!station.lastHealth || asOfUtc_us - station.lastEndedUtc_us > kOfToday_us) {
+    return std::nullopt;
+  }
+  const Text trouble = servoTrouble(*station.lastHealth, station.lastTicks);
+  if (trouble.empty()) {
+    return std::nullopt;
+  }
+  return RunDayAlert{.kind = RunDayAlert::Kind::kServoUneven,
+                     .subject = station.station,
+                     .station = station.station,
+                     .sinceUtc_us = station.lastEndedUtc_us,
+                     .reason = trouble,
+                     .remedy = servoRemedy(*station.lastHealth)};
+}
+
+}  // namespace
+
 std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board) {
   using Kind = RunDayAlert::Kind;
   std::vector<RunDayAlert> alerts;
@@ -210,6 +235,9 @@ std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board) {
                           .station = station.station,
                           .sinceUtc_us = device.checkedUtc_us,
                           .reason = device.problem});
+      }
+      if (std::optional<RunDayAlert> uneven = servoAlert(station, board.asOfUtc_us)) {
+        alerts.push_back(std::move(*uneven));
       }
       continue;
     }

@@ -68,6 +68,7 @@ struct RunDayAlert {
   enum class Kind {
     kStationSilent,  ///< no sign of life; `subject` is the station
     kDeviceUnfit,    ///< the last check of a device forbids scored runs; `subject` is the station
+    kServoUneven,    ///< the last run there had its force cut or ticks skipped; `subject` is the station
     kTrialOpen,      ///< a recording runs on a station that gives no sign of life
     kRestTooLong,    ///< longer than the curriculum allows
     kSheetsMissing,  ///< of an occasion that the exposure has passed
@@ -79,7 +80,8 @@ struct RunDayAlert {
   Occasion occasion{};
   std::int64_t sinceUtc_us = 0;
   std::size_t count = 0;
-  Text reason{};  ///< why a device is not fit
+  Text reason{};  ///< why a device is not fit; what was wrong with the run
+  Text remedy{};  ///< what to do about the run
 };
 /// Most urgent first. What does not concern one person counts once: groups that are not drawn, missing sheets
 /// by occasion.

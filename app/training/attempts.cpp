@@ -35,6 +35,7 @@ Attempt measured(SessionContext& session, const TrialListing& listing, ExerciseR
   attempt.mode = listing.attemptMode;
   attempt.startedUtc_us = listing.startedUtc_us;
   attempt.ended = listing.summary.has_value();
+  attempt.forceCuts = listing.summary && listing.summary->health ? listing.summary->health->forceCuts : 0;
   attempt.interrupted = listing.summary && listing.summary->outcome == TrialOutcome::kInterrupted;
   return attempt;
 }

@@ -15,6 +15,7 @@
 #include "assessment/attempt/pass_rule.h"
 #include "assessment/study/protocol_terms.h"
 #include "sim/base/ids.h"
+#include "sim/base/text.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {
@@ -78,6 +79,8 @@ struct Debrief {
   bool interrupted = false;
   bool demonstration = false;
   bool forceFelt = true;  ///< false: computed and shown; its measures are marked
+  Text servoTrouble{};    ///< app/devices/servo_words.h; empty: none
+  Text servoRemedy{};     ///< what to do about it
   bool passed = false;    ///< every check
   double target_rad = 0.0;
   double tolerance_rad = 0.0;

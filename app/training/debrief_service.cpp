@@ -3,6 +3,7 @@
 #include <span>
 #include <utility>
 
+#include "app/devices/servo_words.h"
 #include "app/recording/competence.h"
 #include "app/recording/detorsion_rules.h"
 #include "app/recording/expert_run.h"
@@ -175,6 +176,10 @@ Debrief debrief(SessionContext& session, const TrialId& trialId, const std::file
   out.moduleId = listing.moduleId;
   out.mode = listing.attemptMode;
   out.interrupted = trial.summary.outcome == TrialOutcome::kInterrupted;
+  if (const std::optional<ServoHealth>& health = trial.summary.health) {
+    out.servoTrouble = servoTrouble(*health, trial.summary.samples);
+    out.servoRemedy = servoRemedy(*health);
+  }
   if (module != nullptr) {
     out.moduleTitle = module->title;
     addMastery(*module, attemptOf(session, trialId), attemptsOf(session, record.personId, module->id), out);

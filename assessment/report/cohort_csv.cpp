@@ -167,6 +167,9 @@ void addTrials(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
       rows.add("peak_device_force_N", trial.peakDeviceForce_N, trial.samples);
     }
     rows.add("refused_samples", static_cast<double>(trial.refusedSamples), trial.samples);
+    if (trial.forceCuts > 0) {
+      rows.add("force_cuts", static_cast<double>(trial.forceCuts), trial.samples);
+    }
     for (std::size_t i = 0; i < trial.attempts.size(); ++i) {
       rows.place.index = std::to_string(i + 1);
       rows.add("twist_error_deg", trial.attempts[i].error_deg, 1);

@@ -305,17 +305,27 @@ ReportSection trialsSection(const CohortInputs& in) {
   double minutes = 0.0;
   std::int64_t refused = 0;
   std::int64_t late = 0;
+  std::int64_t cuts = 0;
+  std::int64_t busy = 0;
   std::int64_t samples = 0;
   for (const TrialSummaryRow& trial : in.trials) {
     minutes += trial.minutes;
     refused += trial.refusedSamples;
     late += trial.lateTicks;
+    cuts += trial.forceCuts;
+    busy += trial.forceCuts > 0 ? 1 : 0;
     samples += trial.samples;
   }
   section.paragraphs.push_back(Text::tr(
       "%1 trials were recorded, %2 minutes and %3 samples in all; samples not recorded: %4; late ticks: "
       "%5.",
       in.trials.size(), formatFixed(minutes, 1), samples, refused, late));
+  if (cuts > 0) {
+    section.paragraphs.push_back(Text::tr(
+        "The machine was too busy in trials: %1. Their force was cut for a moment, times in all: %2; "
+        "they are marked in the data.",
+        busy, cuts));
+  }
   if (refused > 0) {
     section.paragraphs.push_back(
         Text::tr("Trials with samples that were not recorded are incomplete and marked in the data."));

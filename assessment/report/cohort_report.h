@@ -117,6 +117,7 @@ struct TrialSummaryRow {
   std::optional<double> peakDeviceForce_N;  ///< that the device was told to give
   std::int64_t refusedSamples = 0;
   std::int64_t lateTicks = 0;
+  std::int64_t forceCuts = 0;  ///< pauses of the servo after which there was no force for a moment
   bool interrupted = false;
   std::string contentHash;
   std::vector<TwistAttempt> attempts;

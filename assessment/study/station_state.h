@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "sim/base/ids.h"
+#include "sim/base/servo_health.h"
 
 namespace torsio {
 
@@ -25,6 +27,9 @@ struct StationState {
   std::string phaseLabel{};              ///< filled when read
   std::int64_t startedUtc_us = 0;        ///< filled when read: of the running trial; 0: none
   bool ended = false;                    ///< filled when read: the trial has its closing row already
+  std::optional<ServoHealth> lastHealth{};  ///< filled when read: of the last run in real time there
+  std::int64_t lastTicks = 0;               ///< filled when read: of that run
+  std::int64_t lastEndedUtc_us = 0;         ///< filled when read: 0: none
 };
 
 /// A station that gave no sign of life for so long is shown as not answering.

@@ -10039,14 +10039,6 @@
         <translation>请重新插入设备，运行一次厂商的设置工具，然后再试</translation>
     </message>
     <message>
-        <source>the vendor&apos;s library ended the device process</source>
-        <translation>厂商库使设备进程终止</translation>
-    </message>
-    <message>
-        <source>the vendor&apos;s library does not answer</source>
-        <translation>厂商库没有响应</translation>
-    </message>
-    <message>
         <source>Give multiples of the smallest block.</source>
         <translation>请给出最小区组的整数倍。</translation>
     </message>
@@ -12021,6 +12013,26 @@
     <message>
         <source>its list of schema steps was changed</source>
         <translation>其数据库结构步骤列表已被改动</translation>
+    </message>
+    <message>
+        <source>the machine was too busy: the force was cut %1 times, %2 of %3 ticks were skipped</source>
+        <translation>计算机过于繁忙：力中断 %1 次，%3 个周期中有 %2 个被跳过</translation>
+    </message>
+    <message>
+        <source>Close other programs at this station</source>
+        <translation>请关闭本站点上的其他程序</translation>
+    </message>
+    <message>
+        <source>The machine was too busy in trials: %1. Their force was cut for a moment, times in all: %2; they are marked in the data.</source>
+        <translation>有 %1 次记录期间计算机过于繁忙，力共短暂中断 %2 次；这些记录已在数据中标明。</translation>
+    </message>
+    <message>
+        <source>the device process ended before it answered</source>
+        <translation>设备进程在响应之前已终止</translation>
+    </message>
+    <message>
+        <source>the device&apos;s driver does not answer</source>
+        <translation>设备的驱动程序没有响应</translation>
     </message>
 </context>
 <context>
@@ -14140,6 +14152,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Judged is the force on the tissue. The device gave at most %1 N of it.</source>
         <translation>评判的是组织所受的力。设备最多输出了其中的 %1 N。</translation>
+    </message>
+    <message>
+        <source>What was felt was not what was computed all the time: %1. %2.</source>
+        <translation>手上感受到的力并非始终与计算值一致：%1。%2。</translation>
     </message>
 </context>
 <context>
@@ -18838,6 +18854,10 @@ Leave it empty to remove it.</source>
             <numerusform>已写入：%n 份评分表，每份一页</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1, last run: %2. %3.</source>
+        <translation>%1，上一次运行：%2。%3。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RunPage</name>
@@ -20314,6 +20334,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Result</source>
         <translation>结果</translation>
+    </message>
+    <message>
+        <source>force cut by the machine, times: %1</source>
+        <translation>因计算机繁忙力中断 %1 次</translation>
     </message>
 </context>
 <context>

@@ -633,11 +633,16 @@ CREATE TABLE trial_chunk (
 );
 {{append_only trial_chunk}}
 
+-- How the machine kept the servo's time: null of a trial that did not run in real time.
 CREATE TABLE trial_end (
   trial_id TEXT PRIMARY KEY REFERENCES trial (id),
   sample_count BIGINT NOT NULL,
   refused_samples BIGINT NOT NULL,
   late_ticks BIGINT NOT NULL,
+  real_time_priority BOOLEAN,
+  memory_locked BOOLEAN,
+  skipped_ticks BIGINT,
+  force_cuts BIGINT,
   outcome TEXT NOT NULL CHECK (outcome IN ('completed', 'interrupted')),
   content_hash TEXT NOT NULL,
   ended_utc_us BIGINT NOT NULL

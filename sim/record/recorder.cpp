@@ -89,7 +89,9 @@ void Recorder::pump() {
   (void)deliver();
 }
 
-RecordingResult Recorder::finish(TrialOutcome outcome, std::int64_t lateTicks) {
+RecordingResult Recorder::finish(TrialOutcome outcome, std::int64_t lateTicks,
+                                 const std::optional<ServoHealth>& health) {
+  result_.summary.health = health;
   result_.summary.outcome = outcome;
   result_.summary.lateTicks = lateTicks;
   if (!thread_.joinable()) {

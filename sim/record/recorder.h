@@ -58,9 +58,10 @@ class Recorder {
   /// Drains the ring and hands complete chunks to the sink; offers once more what the sink refused. A sink
   /// that fails never makes it throw. Not after start().
   void pump();
-  /// Hands the rest and the summary to the sink. Throws Error{kFileUnwritable} when neither sink nor file
-  /// took the trial.
-  [[nodiscard]] RecordingResult finish(TrialOutcome outcome, std::int64_t lateTicks);
+  /// Hands the rest and the summary to the sink. `health`: of a servo that ran in real time. Throws
+  /// Error{kFileUnwritable} when neither sink nor file took the trial.
+  [[nodiscard]] RecordingResult finish(TrialOutcome outcome, std::int64_t lateTicks,
+                                       const std::optional<ServoHealth>& health = {});
 
   /// Returns the number of samples taken from the ring so far. Any thread.
   [[nodiscard]] std::int64_t samples() const noexcept { return taken_.load(std::memory_order_relaxed); }

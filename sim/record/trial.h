@@ -9,6 +9,7 @@
 
 #include "sim/base/ids.h"
 #include "sim/base/live_types.h"
+#include "sim/base/servo_health.h"
 #include "sim/base/tick_period.h"
 #include "sim/base/tissue_model.h"
 
@@ -70,7 +71,8 @@ struct TrialSummary {
   std::int64_t refusedSamples = 0;  ///< not recorded because the ring was full; 0 in a sound trial
   std::int64_t lateTicks = 0;
   TrialOutcome outcome = TrialOutcome::kCompleted;
-  std::string contentHash;  ///< chain over header and all chunk digests
+  std::string contentHash;              ///< chain over header and all chunk digests
+  std::optional<ServoHealth> health{};  ///< empty: not run in real time
 };
 
 /// A recorded trial as plain values.

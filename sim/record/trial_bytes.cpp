@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <type_traits>
 
@@ -26,6 +27,10 @@ class Writer {
 
   /// Tells whether something optional follows: when there is something to say.
   [[nodiscard]] static bool goesOn(bool said) { return said; }
+  template <typename T>
+  [[nodiscard]] static const T& part(const std::optional<T>& whole) {
+    return *whole;
+  }
   void number(std::int64_t value) {
     for (unsigned i = 0; i < 8; ++i) {
       bytes.push_back(static_cast<std::byte>((static_cast<std::uint64_t>(value) >> (8 * i)) & 0xFFU));
@@ -54,6 +59,10 @@ class Reader {
 
   /// Tells whether something optional follows: when there are bytes left.
   [[nodiscard]] bool goesOn(bool) const { return !rest_.empty(); }
+  template <typename T>
+  [[nodiscard]] static T& part(std::optional<T>& whole) {
+    return whole.emplace();
+  }
   void operator()(std::int64_t& value) { value = number(); }
   void operator()(double& value) {
     value = std::bit_cast<double>(number());
@@ -177,6 +186,14 @@ void visitSummary(Visitor& visit, Summary& summary) {
   visit(summary.lateTicks);
   visit(summary.outcome, TrialOutcome::kInterrupted);
   visit(summary.contentHash);
+  // Trials that did not run in real time say nothing of it.
+  if (visit.goesOn(summary.health.has_value())) {
+    auto& health = visit.part(summary.health);
+    visit(health.priority);
+    visit(health.memory);
+    visit(health.skippedTicks);
+    visit(health.forceCuts);
+  }
 }
 
 }  // namespace

@@ -288,6 +288,7 @@ void ServoLoop::countLate(std::int64_t time_us) noexcept {
     if (periods > 1) {
       lateTicks_ += periods - 1;
     }
+    forceCuts_ += time_us - last_us_ > kLongestTickGap_us ? 1 : 0;
   }
   last_us_ = time_us;
 }

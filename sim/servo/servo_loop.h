@@ -91,6 +91,8 @@ class ServoLoop {
   [[nodiscard]] GovernorState governorState() const noexcept { return governor_.state(); }
   /// Returns the number of ticks that did not come in time: whole periods missing between two ticks.
   [[nodiscard]] std::int64_t lateTicks() const noexcept { return lateTicks_; }
+  /// Returns the number of pauses after which the force is zero and comes back by a ramp.
+  [[nodiscard]] std::int64_t forceCuts() const noexcept { return forceCuts_; }
   [[nodiscard]] std::int64_t ticks() const noexcept { return nextTick_; }
 
  private:
@@ -129,6 +131,7 @@ class ServoLoop {
   std::int64_t last_us_ = 0;
   double lastTickDuration_us_ = 0.0;
   std::int64_t lateTicks_ = 0;
+  std::int64_t forceCuts_ = 0;
 };
 
 }  // namespace torsio

@@ -2,7 +2,7 @@
 #include "sim/servo/servo_thread.h"
 
 #include "sim/base/contracts.h"
-#include "sim/servo/deadline.h"
+#include "sim/base/deadline.h"
 
 namespace torsio {
 
@@ -37,6 +37,10 @@ void ServoThread::stop() noexcept {
     thread_.join();
   }
   watchdog_.stop();
+}
+
+ServoHealth ServoThread::health() const noexcept {
+  return {realTime(), memoryLocked(), skipped(), loop_.forceCuts()};
 }
 
 void ServoThread::run() noexcept {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <thread>
 
+#include "sim/base/servo_health.h"
 #include "sim/servo/servo_loop.h"
 #include "sim/servo/servo_watchdog.h"
 #include "sim/servo/timing_histogram.h"
@@ -51,6 +52,8 @@ class ServoThread {
   [[nodiscard]] const TimingHistogram& durationHistogram() const noexcept { return duration_; }
   /// Returns the number of deadlines that were skipped. Any thread.
   [[nodiscard]] std::int64_t skipped() const noexcept { return skipped_.load(std::memory_order_relaxed); }
+  /// Returns how the machine has kept this thread's time. After stop().
+  [[nodiscard]] ServoHealth health() const noexcept;
   /// Returns the number of ticks during which the watchdog had to drop the force. Any thread.
   [[nodiscard]] std::int64_t stalls() const noexcept { return watchdog_.stalls(); }
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "sim/base/contracts.h"
-#include "sim/servo/deadline.h"
+#include "sim/base/deadline.h"
 
 namespace torsio {
 

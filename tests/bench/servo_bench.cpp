@@ -2,8 +2,8 @@
 // One whole tick of the servo, by its stages of the exercise: device, collision against the deformed organ,
 // model, passivity, governor, record into the ring, publish. Prints p50, p99 and p99.9 in wall time and in
 // processor time (what a loaded machine takes away shows in the first only), of each phase in processor time,
-// the ratio to one STREAM triad over the organ's vertices, allocations, locks, and a histogram. Options:
-// seconds of exercise (20).
+// the ratio to one STREAM triad over the organ's vertices, allocations, locks, and a histogram. Then what the
+// device process adds between a sample and its force. Options: seconds of exercise (20).
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -22,6 +22,7 @@
 #include "sim/servo/servo_loop.h"
 #include "sim/servo/timing_histogram.h"
 #include "sim/servo/tool_touch.h"
+#include "tests/bench/relay_bench.h"
 #include "tests/sim/servo/bar_scene.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/lock_count.h"
@@ -31,6 +32,8 @@ namespace {
 
 constexpr double kMedianTarget_us = 100.0;
 constexpr double kP999Target_us = 200.0;
+constexpr double kRelayTarget_us = 100.0;
+constexpr int kExchanges = 100'000;
 
 struct Quantiles {
   double median_us = 0.0;
@@ -173,6 +176,19 @@ void measureAnywhere(const Scene& scene) {
   std::printf("  mean gap %.2f mm\n", 1e3 * sum / kPlaces);
 }
 
+void printRelay() {
+  const RelayTimes times = measureRelay(kExchanges);
+  std::printf("\nthe way through the device process\n  %-28s %8s %8s %8s %8s\n", "", "p50", "p99", "p99.9",
+              "longest");
+  print("device process, processor", times.device_us);
+  print("program, processor", times.program_us);
+  print("sample to force, processor", times.both_us);
+  print("sample to force, wall", times.wall_us);
+  const double p999_us = quantiles(times.both_us).p999_us;
+  std::printf("  p99.9 of the processor time at most %.0f us: %s\n", kRelayTarget_us,
+              p999_us <= kRelayTarget_us ? "met" : "MISSED");
+}
+
 Scene shipped(const std::string& id) {
   SceneRequest request;
   request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
@@ -196,5 +212,6 @@ int main(int argc, char** argv) {
     measure(scene, seconds);
     measureAnywhere(scene);
   }
+  printRelay();
   return 0;
 }

@@ -10,8 +10,10 @@
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/id_source.h"
+#include "db/repository/base/seals.h"
 #include "db/repository/base/stored_term.h"
 #include "db/repository/study/curriculum_repository.h"
+#include "db/repository/trial/station_repository.h"
 #include "sim/base/error.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
@@ -90,6 +92,39 @@ TEST_F(TrialRepositoryTest, ReturnsATrialBitForBit) {
   EXPECT_EQ(trial.summary.lateTicks, 2);
   EXPECT_EQ(trial.summary.outcome, TrialOutcome::kCompleted);
   EXPECT_EQ(trial.summary.contentHash, "hash");
+}
+
+TEST_F(TrialRepositoryTest, KeepsAndSealsHowTheMachineKeptTheTime) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  TrialRepository trials(connection, {"station-1", sample.enrolments[0].id});
+  const TrialHeader uneven = sampleHeader(sample.ids.newUuid(), "T-01");
+  const TrialHeader scripted = sampleHeader(sample.ids.newUuid(), "T-01");
+  const ServoHealth health{.priority = false, .memory = true, .skippedTicks = 12, .forceCuts = 3};
+
+  record(trials, scripted, 1);
+  record(trials, uneven, 1, true);
+  trials.finish({.samples = 1000, .contentHash = "hash", .health = health});
+
+  EXPECT_EQ(trials.load(uneven.trialId).summary.health, health);
+  EXPECT_FALSE(trials.load(scripted.trialId).summary.health.has_value());
+  StationRepository stations(connection);
+  stations.heartbeat({.station = "station-1", .heartbeatUtc_us = 1});
+  stations.heartbeat({.station = "station-2", .heartbeatUtc_us = 1});
+  EXPECT_EQ(stations.board().at(0).lastHealth, health);
+  EXPECT_EQ(stations.board().at(0).lastTicks, 1000);
+  EXPECT_FALSE(stations.board().at(1).lastHealth.has_value());
+  const auto sealOf = [&] {
+    return trialHashes(connection, std::span(&uneven.trialId, 1)).at(uneven.trialId);
+  };
+  const std::string seal = sealOf();
+  connection.executeVerbatim(onPostgresql() ? "DROP TRIGGER trial_end_append_only ON trial_end"
+                                            : "DROP TRIGGER trial_end_no_UPDATE");
+  for (const char* const change : {"force_cuts = 2", "skipped_ticks = 11", "real_time_priority = TRUE"}) {
+    Transaction undone(connection);
+    connection.executeVerbatim(std::string("UPDATE trial_end SET ") + change + " WHERE force_cuts = 3");
+    EXPECT_NE(sealOf(), seal) << change;
+  }
 }
 
 TEST_F(TrialRepositoryTest, RecordsPracticeOfNobody) {

@@ -65,6 +65,7 @@ SimulationController::SimulationController(SceneLoader loader, TrialRecording re
 }
 
 SimulationController::~SimulationController() {
+  ++hapticWanted_;  // what is being opened is not wanted any more
   workers_.clear();
   workers_.waitForDone();
 }

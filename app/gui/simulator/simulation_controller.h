@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <exception>
 #include <functional>
@@ -174,8 +175,8 @@ class SimulationController : public QObject {
   double target_rad_ = 0.0;
   PointerInput pointer_;  // the newest
   SimulationStage stage_;
-  HapticOpener openHaptic_;         // empty: free practice with the pointer
-  std::uint64_t hapticWanted_ = 0;  // number of the newest attempt to open it
+  HapticOpener openHaptic_;                     // empty: free practice with the pointer
+  std::atomic<std::uint64_t> hapticWanted_{0};  // number of the newest attempt to open it
 };
 
 }  // namespace torsio::gui

@@ -2,6 +2,7 @@
 // Of SimulationController: the haptic device, and what happens without it.
 #include <utility>
 
+#include "app/devices/haptic_station.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/simulation_controller.h"
 #include "sim/base/error.h"
@@ -29,6 +30,7 @@ void SimulationController::openHaptic() {
     // In a box, because a queued call must be copyable.
     const auto device = std::make_shared<std::unique_ptr<HapticDevice>>();
     QString problem;
+    const WhileWanted wanted([this, ticket] { return ticket != hapticWanted_; });
     try {
       *device = open(*scene);
     } catch (const Error& error) {

@@ -311,6 +311,13 @@ void DebriefPage::fill() {
         tr("Force was shown, not felt: the device of this run gives none. Its measures are computed."));
     checks_->addWidget(words);
   }
+  if (!debrief_.servoTrouble.empty()) {
+    auto* words = plainLabel(targets_, "quiet");
+    words->setObjectName(QStringLiteral("servoTrouble"));
+    words->setText(tr("What was felt was not what was computed all the time: %1. %2.")
+                       .arg(toQString(debrief_.servoTrouble), toQString(debrief_.servoRemedy)));
+    checks_->addWidget(words);
+  }
   for (const DebriefFinding& finding : debrief_.strengths) {
     addFinding(strengths_, finding, true);
   }

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "app/devices/haptic_station.h"
+
 namespace torsio::gui {
 
 DeviceOpening::DeviceOpening(QObject* parent) : QObject(parent) {
@@ -10,6 +12,7 @@ DeviceOpening::DeviceOpening(QObject* parent) : QObject(parent) {
 }
 
 DeviceOpening::~DeviceOpening() {
+  ++attempt_;
   worker_.clear();
   worker_.waitForDone();
 }
@@ -23,6 +26,7 @@ void DeviceOpening::begin(std::function<std::unique_ptr<HapticDevice>()> open,
     // In a box, because a queued call must be copyable.
     const auto device = std::make_shared<std::unique_ptr<HapticDevice>>();
     std::exception_ptr problem;
+    const WhileWanted wanted([this, attempt] { return attempt != attempt_; });
     try {
       *device = open();
     } catch (...) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <exception>
 #include <functional>
@@ -21,7 +22,7 @@ class DeviceOpening : public QObject {
 
  public:
   explicit DeviceOpening(QObject* parent = nullptr);
-  /// Waits for the driver.
+  /// Gives up, and waits for the driver.
   ~DeviceOpening() override;
 
   /// `open` runs in a worker thread; then, in the GUI thread and unless cancelled, `done` with what it
@@ -35,7 +36,7 @@ class DeviceOpening : public QObject {
 
  private:
   QThreadPool worker_;
-  std::uint64_t attempt_ = 0;  // number of the newest
+  std::atomic<std::uint64_t> attempt_{0};  // number of the newest
   bool going_ = false;
 };
 

@@ -114,7 +114,9 @@ QString TranscriptPage::html(bool paper) const {
                    cell(tr("%1 s").arg(attempt.duration_s, 0, 'f', 0)), cell(StationLabels::result(attempt)),
                    cell(attempt.interrupted ? tr("interrupted")
                         : !attempt.ended    ? tr("running")
-                                            : QString()));
+                        : attempt.forceCuts == 0
+                            ? QString()
+                            : tr("force cut by the machine, times: %1").arg(attempt.forceCuts)));
     }
     page += QStringLiteral("</table>");
   }

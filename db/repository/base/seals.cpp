@@ -118,8 +118,8 @@ std::map<std::string, std::string> evaluationMarkHashes(Connection& connection,
 std::map<std::string, std::string> trialHashes(Connection& connection, std::span<const TrialId> ids) {
   std::map<std::string, std::string> hashes;
   const std::string trials =
-      "SELECT trial_id, sample_count, refused_samples, late_ticks, outcome, content_hash, ended_utc_us"
-      " FROM trial_end";
+      "SELECT trial_id, sample_count, refused_samples, late_ticks, outcome, content_hash, ended_utc_us,"
+      " skipped_ticks, force_cuts, real_time_priority, memory_locked FROM trial_end";
   forEachRow(connection, trials, "trial_id", ids, "trial_id", [&](RowReader& trial) {
     FieldDigest digest("torsio trial end 1");
     const std::string id = trial.text();
@@ -129,6 +129,12 @@ std::map<std::string, std::string> trialHashes(Connection& connection, std::span
     digest.add(trial.text());           // outcome
     digest.add(trial.text());           // content hash
     digest.add(trial.int64());
+    if (trial.nextIsNull()) {
+      trial.skip(4);  // not in real time
+    } else {
+      digest.add(trial.int64()).add(trial.int64());      // skipped ticks, cuts of the force
+      digest.add(trial.boolean()).add(trial.boolean());  // priority, memory
+    }
     hashes[id] = digest.hex();
   });
   return hashes;

@@ -2,6 +2,7 @@
 #include "db/repository/trial/station_repository.h"
 
 #include "db/connection/row_reader.h"
+#include "db/repository/trial/servo_health_columns.h"
 
 namespace torsio {
 
@@ -10,8 +11,13 @@ namespace {
 const std::string kStations =
     "SELECT s.station, s.trial_id, s.user_id, s.software_version, s.heartbeat_utc_us, s.device_json,"
     " s.device_haptic, s.device_light, s.device_problem_json, s.device_checked_utc_us, p.code, t.scene_id,"
-    " t.phase_label, t.started_utc_us, e.trial_id FROM station_state s LEFT JOIN trial t ON t.id = s.trial_id"
-    " LEFT JOIN person p ON p.id = t.trainee_id LEFT JOIN trial_end e ON e.trial_id = s.trial_id";
+    " t.phase_label, t.started_utc_us, e.trial_id, " +
+    servoHealthColumns("h") +
+    ", h.sample_count, h.ended_utc_us FROM station_state s LEFT JOIN trial t ON t.id = s.trial_id"
+    " LEFT JOIN person p ON p.id = t.trainee_id LEFT JOIN trial_end e ON e.trial_id = s.trial_id"
+    " LEFT JOIN trial_end h ON h.trial_id = (SELECT x.trial_id FROM trial y JOIN trial_end x ON"
+    " x.trial_id = y.id WHERE y.station = s.station AND x.skipped_ticks IS NOT NULL"
+    " ORDER BY y.started_utc_us DESC LIMIT 1)";
 
 StationState stateOf(RowReader& row) {
   return {.station = row.text(),
@@ -28,7 +34,10 @@ StationState stateOf(RowReader& row) {
           .sceneId = row.text(),
           .phaseLabel = row.text(),
           .startedUtc_us = row.int64(),
-          .ended = row.hasValue()};
+          .ended = row.hasValue(),
+          .lastHealth = servoHealthOf(row),
+          .lastTicks = row.int64(),
+          .lastEndedUtc_us = row.int64()};
 }
 
 }  // namespace

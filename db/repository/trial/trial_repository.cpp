@@ -10,6 +10,7 @@
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
 #include "db/repository/base/stored_term.h"
+#include "db/repository/trial/servo_health_columns.h"
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
@@ -65,15 +66,16 @@ TrialHeader headerOf(RowReader& row) {
 
 /// The closing row `e` of a trial, as summaryOf() reads it.
 const std::string kSummaryColumns =
-    "e.sample_count, e.refused_samples, e.late_ticks, e.outcome, e.content_hash";
-constexpr int kSummaryColumnCount = 5;
+    "e.sample_count, e.refused_samples, e.late_ticks, e.outcome, e.content_hash, " + servoHealthColumns("e");
+constexpr int kSummaryColumnCount = 5 + kServoHealthColumns;
 
 TrialSummary summaryOf(RowReader& row) {
   return {.samples = row.int64(),
           .refusedSamples = row.int64(),
           .lateTicks = row.int64(),
           .outcome = row.text() == kCompleted ? TrialOutcome::kCompleted : TrialOutcome::kInterrupted,
-          .contentHash = row.text()};
+          .contentHash = row.text(),
+          .health = servoHealthOf(row)};
 }
 
 /// Empty for a trial without its closing row.
@@ -233,13 +235,18 @@ void TrialRepository::import(const Trial& trial) {
 void TrialRepository::end(const TrialId& trialId, const std::string& station, const TrialSummary& summary) {
   Transaction transaction(connection_);
   const std::int64_t now_us = utcNow_us();
-  const std::array<IdempotentColumn, 7> columns{
+  const std::optional<ServoHealth>& health = summary.health;
+  const std::array<IdempotentColumn, 11> columns{
       {{"trial_id", trialId, Kind::kKey},
        {"sample_count", summary.samples},
        {"refused_samples", summary.refusedSamples},
        {"late_ticks", summary.lateTicks},
        {"outcome", summary.outcome == TrialOutcome::kCompleted ? kCompleted : kInterrupted},
        {"content_hash", summary.contentHash},
+       {"real_time_priority", health ? Value(health->priority) : Value()},
+       {"memory_locked", health ? Value(health->memory) : Value()},
+       {"skipped_ticks", health ? Value(health->skippedTicks) : Value()},
+       {"force_cuts", health ? Value(health->forceCuts) : Value()},
        {"ended_utc_us", now_us, Kind::kIgnored}}};
   if (insertIdempotent(connection_, "trial_end", columns, "the end of trial " + trialId) ==
       Inserted::kThereAlready) {

@@ -4,6 +4,7 @@
 #include "sim/base/error.h"
 #include "sim/device/controller/game_controller.h"
 #include "sim/device/inverse3/inverse3_driver.h"
+#include "sim/device/process/device_process.h"
 #include "sim/device/process/stylus_device_driver.h"
 #include "sim/device/spacemouse/spacemouse.h"
 #include "sim/device/virtual/virtual_drivers.h"
@@ -12,8 +13,8 @@ namespace torsio {
 
 const std::vector<DeviceDriver>& deviceDrivers() {
   static const std::vector<DeviceDriver> kDrivers = {
-      stylusDeviceDriver(), inverse3Driver(),     gameControllerDriver(), spaceMouseDriver(),
-      pointerDriver(),      scriptedHandDriver(), replayDriver(),         idleDriver(),
+      stylusDeviceDriver(), hosted(inverse3Driver()), gameControllerDriver(), spaceMouseDriver(),
+      pointerDriver(),      scriptedHandDriver(),     replayDriver(),         idleDriver(),
   };
   return kDrivers;
 }

@@ -17,7 +17,7 @@ HdapiDevice::~HdapiDevice() {
   (void)close();
 }
 
-void HdapiDevice::start(const HdapiTick& tick) {
+void HdapiDevice::start(const DeviceTick& tick) {
   TORSIO_EXPECTS(!started_);
   driven_ = tick.run != nullptr;
   started_ = true;
@@ -77,7 +77,7 @@ DeviceSample HdapiDevice::read(std::int64_t time_us) noexcept {
   if (driven_) {
     sample = session_->servo().current();
   } else {
-    const HdapiServo::Reading reading = session_->servo().newestReading();
+    const MailedReading reading = session_->servo().newestReading();
     sample = reading.sample;
     if (!reading_ || reading.number != lastNumber_) {
       lastNew_us_ = time_us;

@@ -7,8 +7,8 @@
 #include <future>
 #include <memory>
 
-#include "sim/device/haptic_device.h"
 #include "sim/device/hdapi/hdapi_session.h"
+#include "sim/device/hosted_device.h"
 
 namespace torsio {
 
@@ -24,7 +24,7 @@ inline constexpr std::int64_t kServoSilent_us = 500'000;
 ///
 /// - start(tick): the vendor's servo thread calls the tick function inside its own frame, a thousand times a
 ///   second; the tick reads, computes and writes. Least delay.
-/// - start(): the vendor's servo thread exchanges readings and forces with another thread (ServoThread) over
+/// - serve(): the vendor's servo thread exchanges readings and forces with another thread (ServoThread) over
 ///   mailboxes; neither ever waits for the other. One more tick of delay each way.
 ///
 /// Millimetres and device axes become SI and the world frame in hdapi_border.h only; nothing above sees them.
@@ -52,24 +52,20 @@ inline constexpr std::int64_t kServoSilent_us = 500'000;
 ///
 /// start, close and destruction belong to one thread; enableForce, retryCalibration, snapshot and nextEvent
 /// to one (the same or another); read and write to the servo.
-class HdapiDevice final : public HapticDevice {
+class HdapiDevice final : public HostedDevice {
  public:
   /// Opens the device, force off. `api`: complete (HdapiLibrary). Throws Error{kDevice}.
   HdapiDevice(const hd::Api& api, const HdapiOptions& options);
   /// Closes the device as close() does.
   ~HdapiDevice() override;
 
-  /// Starts the servo, driven by `tick` or, without one, over mailboxes. Once. Throws Error{kDevice}.
-  void start(const HdapiTick& tick = {});
-  /// Begins to close in a thread of its own and returns as soon as the tick function will not be called
-  /// again; the library may take longer. Not from within the tick function.
-  void beginClose();
+  void start(const DeviceTick& tick) override;
+  /// Closes in a thread of its own: the library may take longer.
+  void beginClose() override;
   /// beginClose(), then waits, the first time for at most HdapiOptions::patience_us. False when the library
   /// did not let go (unplugged devices block it): the process must end before the device can be opened again.
   bool close() override;
-  void serve() override { start(); }
-  /// Tells, without waiting, whether the library has let go of a device that is being closed.
-  [[nodiscard]] bool released() const;
+  [[nodiscard]] bool released() const override;
 
   /// Asks for force output. Force is granted while the device is calibrated, quick and cool, and always
   /// ramped.
@@ -106,7 +102,7 @@ class HdapiDevice final : public HapticDevice {
   std::uint64_t lastNumber_ = 0;
   std::int64_t lastNew_us_ = 0;
   bool reading_ = false;
-  HdapiForce force_;
+  MailedForce force_;
 };
 
 }  // namespace torsio

@@ -2,6 +2,7 @@
 #include "sim/device/hdapi/hdapi_servo.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <thread>
 
@@ -28,10 +29,12 @@ hd::CallbackCode HdapiServo::frame() noexcept {
   if (lost() || lettingGo_.load(std::memory_order_acquire)) {
     return hd::kCallbackDone;
   }
+  inFrame_.store(true, std::memory_order_release);
   const std::int64_t now_us = clock_.now_us();
+  called_us_.store(now_us, std::memory_order_relaxed);
   if (!started_) {
     begun_us_ = now_us;
-    opened_us_ = now_us;
+    taken_us_ = now_us;
   }
   started_ = true;
   interval_us_ = meter_.begin(now_us);
@@ -56,6 +59,7 @@ hd::CallbackCode HdapiServo::frame() noexcept {
     judge(now_us);
     runTick(now_us);
   }
+  inFrame_.store(false, std::memory_order_release);
   if (lost() || revoked_.load(std::memory_order_relaxed)) {
     letGo(true);
     snapshot_.forceOn = api_.hdIsEnabled(hd::kForceOutput) != 0;
@@ -70,7 +74,7 @@ void HdapiServo::letGo(bool afterFrame) noexcept {
   if (lettingGo_.exchange(true)) {
     return;
   }
-  if (!zeroSent_) {
+  if (!zeroSent_ && !inFrame_.load(std::memory_order_acquire)) {
     if (afterFrame) {
       api_.hdDisable(hd::kOneFrameLimit);
     }
@@ -96,14 +100,19 @@ bool HdapiServo::beginFrame(std::int64_t now_us) noexcept {
   api_.hdBeginFrame(setup_.handle);
   // A frame that was refused must not be ended; after any other error it is open and has to be.
   if (!drain(now_us).any(HdapiErrorClass::kFrame)) {
-    opened_us_ = now_us;
     return true;
   }
+  refuseFrame(now_us);
+  return false;
+}
+
+/// The motors go on with what the last frame gave them: the output is switched off, and a device that refuses
+/// all frames is lost.
+void HdapiServo::refuseFrame(std::int64_t now_us) noexcept {
   ++snapshot_.refusedFrames;
-  if (now_us - opened_us_ >= kFramesRefused_us && !lost()) {
+  if (now_us - taken_us_ >= kFramesRefused_us && !lost()) {
     lose({hd::kFrameError, 0, setup_.handle}, now_us);
   }
-  return false;
 }
 
 void HdapiServo::readDevice(std::int64_t now_us) noexcept {
@@ -270,8 +279,9 @@ void HdapiServo::judge(std::int64_t now_us) noexcept {
   // A device that refuses a frame goes on with its last force: only the output can be switched off then.
   const bool revoked = revoked_.load(std::memory_order_relaxed);
   if (!revoked) {
-    switchForce(forceWished_.load(std::memory_order_relaxed) && calibration_.calibrated() && !slow &&
-                !warmStop_ && (frameOpen_ || lost()));
+    const bool quick = meter_.values().rate_Hz > 0.0 && !slow;  // not before the rate is known
+    switchForce(forceWished_.load(std::memory_order_relaxed) && calibration_.calibrated() && quick &&
+                !warmStop_ && !endRefused_ && (frameOpen_ || lost()));
   }
   chooseState(slow || warmStop_);
 }
@@ -315,7 +325,8 @@ void HdapiServo::runTick(std::int64_t now_us) noexcept {
 void HdapiServo::revokeTick() noexcept {
   revoked_.store(true);
   while (inTick_.load()) {
-    std::this_thread::yield();
+    // Not a yield: whoever waits here may go before the servo, which then would never end its tick.
+    std::this_thread::sleep_for(std::chrono::microseconds(50));
   }
 }
 
@@ -363,10 +374,18 @@ void HdapiServo::sendForce(std::int64_t now_us) noexcept {
   api_.hdSetDoublev(hd::kCurrentForce, force_N.data());
   api_.hdEndFrame(setup_.handle);
   frameOpen_ = false;
-  const bool taken = drain(now_us).count == 0;
+  const HdapiErrors errors = drain(now_us);
+  const bool taken = errors.count == 0;
+  endRefused_ = errors.any(HdapiErrorClass::kFrame);
+  if (endRefused_) {
+    refuseFrame(now_us);
+    switchForce(false);
+  } else {
+    taken_us_ = now_us;
+  }
   const bool zero = force_N == std::array<double, 3>{};
   zeroSent_ = zero && taken;
-  if (!zero) {
+  if (!zero && !endRefused_) {
     ++(taken ? snapshot_.forcesSent : snapshot_.forcesRefused);
   }
 }

@@ -10,6 +10,7 @@
 #include "sim/base/latest_value.h"
 #include "sim/base/live_types.h"
 #include "sim/base/spsc_ring.h"
+#include "sim/device/device_mail.h"
 #include "sim/device/device_state.h"
 #include "sim/device/hdapi/button_filter.h"
 #include "sim/device/hdapi/hdapi_abi.h"
@@ -17,18 +18,12 @@
 #include "sim/device/hdapi/hdapi_calibration.h"
 #include "sim/device/hdapi/hdapi_errors.h"
 #include "sim/device/hdapi/position_liveness.h"
+#include "sim/device/hosted_device.h"
 #include "sim/device/safety/force_gate.h"
 #include "sim/device/safety/force_rise.h"
 #include "sim/device/stylus_roll.h"
 
 namespace torsio {
-
-/// Called once a tick in the vendor's servo thread, between the reading and the sending of a frame. noexcept
-/// by contract; no allocation, no lock.
-struct HdapiTick {
-  void (*run)(void* context, std::int64_t time_us) = nullptr;
-  void* context = nullptr;
-};
 
 /// What the servo thread knows of the device before it starts.
 struct HdapiSetup {
@@ -39,12 +34,6 @@ struct HdapiSetup {
   double maxForce_N = 3.3;
   bool hasTemperature = true;    ///< the library answers when asked for the temperature
   bool hasInkwellSwitch = true;  ///< the library answers when asked for the inkwell switch
-};
-
-/// A force on its way to the device, numbered so that an old one is recognised.
-struct HdapiForce {
-  Vec3 force_N;
-  std::uint64_t number = 0;
 };
 
 /// Age at which a force that was not renewed is no longer sent.
@@ -66,17 +55,22 @@ class HdapiServo {
   HdapiServo(const hd::Api& api, const HdapiSetup& setup, const Clock& clock);
 
   /// Sets the tick function. Any thread, before the scheduler starts.
-  void setTick(const HdapiTick& tick) noexcept { tick_ = tick; }
+  void setTick(const DeviceTick& tick) noexcept { tick_ = tick; }
 
   // --- vendor's servo thread ---
   /// Runs one frame; returns kCallbackDone when the connection is over. Allocates nothing, locks nothing,
   /// logs nothing.
   hd::CallbackCode frame() noexcept;
   /// Lets go of the hand: a frame with zero force, then force output off. Vendor's servo thread, or any other
-  /// one once the servo no longer calls. Once; later calls do nothing.
+  /// one once the servo no longer calls; while a frame of the servo hangs, no other can be opened, and only
+  /// the output is switched off. Once; later calls do nothing.
   /// `afterFrame`: in the tick of a frame that is over, so that a second one needs the library's limit
   /// lifted.
   void letGo(bool afterFrame = false) noexcept;
+  /// When the vendor's servo called last, by the session's clock; 0: never. Any thread.
+  [[nodiscard]] std::int64_t called_us() const noexcept { return called_us_.load(std::memory_order_relaxed); }
+  /// Tells whether the vendor's servo is within a frame. Any thread.
+  [[nodiscard]] bool inFrame() const noexcept { return inFrame_.load(std::memory_order_acquire); }
   /// Tells whether letGo() was done after revokeTick() or a loss.
   [[nodiscard]] bool silent() const noexcept { return silent_.load(std::memory_order_acquire); }
 
@@ -85,12 +79,8 @@ class HdapiServo {
   void send(const Vec3& force_N) noexcept { command_ = {force_N, command_.number + 1}; }
 
   // --- one thread outside ---
-  struct Reading {
-    DeviceSample sample;
-    std::uint64_t number = 0;  ///< of the frame; 0: none yet
-  };
-  [[nodiscard]] Reading newestReading() noexcept { return readings_.latest(); }
-  void publishForce(const HdapiForce& force) noexcept { forces_.publish(force); }
+  [[nodiscard]] MailedReading newestReading() noexcept { return readings_.latest(); }
+  void publishForce(const MailedForce& force) noexcept { forces_.publish(force); }
 
   // --- another thread outside ---
   [[nodiscard]] DeviceSnapshot newestSnapshot() noexcept { return snapshots_.latest(); }
@@ -109,6 +99,7 @@ class HdapiServo {
  private:
   void takeWishes() noexcept;
   [[nodiscard]] bool beginFrame(std::int64_t now_us) noexcept;
+  void refuseFrame(std::int64_t now_us) noexcept;
   void readDevice(std::int64_t now_us) noexcept;
   void readSwitches(std::int64_t now_us) noexcept;
   void readTemperature() noexcept;
@@ -131,7 +122,7 @@ class HdapiServo {
   const hd::Api& api_;
   const HdapiSetup setup_;
   const Clock& clock_;
-  HdapiTick tick_;
+  DeviceTick tick_;
 
   // Servo thread only.
   TickMeter meter_;
@@ -141,18 +132,19 @@ class HdapiServo {
   ButtonFilter buttons_;
   ForceGate gate_;
   DeviceSnapshot snapshot_;
-  HdapiForce command_;
+  MailedForce command_;
   Vec3 rendered_N_;  // by the last frame, over mailboxes
   DeviceReading reading_;
   std::optional<Pose> lastPose_;
   bool started_ = false;
   bool frameOpen_ = false;
+  bool endRefused_ = false;    // the motors go on with the frame before
   bool tripped_ = false;       // the device's force protection, this tick
   bool warmStop_ = false;      // HD_WARM_MOTORS, until cold
   bool warm_ = false;          // fold-back with hysteresis
   bool updateNeeded_ = false;  // hdUpdateCalibration after the frame
   std::int64_t begun_us_ = 0;
-  std::int64_t opened_us_ = 0;  // last frame that was opened
+  std::int64_t taken_us_ = 0;  // last frame that was opened and ended
   std::int64_t interval_us_ = 0;
   std::int64_t lastPose_us_ = 0;
   std::int64_t distrustUntil_us_ = 0;
@@ -162,18 +154,20 @@ class HdapiServo {
   std::uint64_t frames_ = 0;
 
   // Between threads.
-  LatestValue<Reading> readings_;
-  LatestValue<HdapiForce> forces_;
+  LatestValue<MailedReading> readings_;
+  LatestValue<MailedForce> forces_;
   LatestValue<DeviceSnapshot> snapshots_;
   SpscRing<DeviceEvent> events_;
   std::atomic<bool> forceWished_{false};
   std::atomic<bool> calibrationWished_{false};
   std::atomic<bool> dropAsked_{false};
   std::atomic<bool> revoked_{false};
+  std::atomic<bool> inFrame_{false};
   std::atomic<bool> inTick_{false};
   std::atomic<bool> lost_{false};
   std::atomic<bool> silent_{false};
   std::atomic<bool> lettingGo_{false};
+  std::atomic<std::int64_t> called_us_{0};
   std::atomic<bool> zeroSent_{false};  // the last frame carried zero force and was taken
 };
 

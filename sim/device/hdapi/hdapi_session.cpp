@@ -34,8 +34,10 @@ constexpr std::array<double, 6> kNominalBox_mm{-80.0, -60.0, -35.0, 80.0, 60.0, 
 
 // The library keeps one device stack a process: a session that still lets go excludes another one.
 std::atomic<bool> sessionOpen{false};
-// Time for the servo to let go by itself: its callback comes each millisecond.
-constexpr auto kServoLetsGo = std::chrono::milliseconds(15);
+// Time since the servo's last call within which it lets go by itself: its callback comes each millisecond.
+constexpr std::int64_t kServoLetsGo_us = 15'000;
+// Time that it is given between two frames in any case.
+constexpr std::int64_t kServoMayCall_us = 2'000;
 // Time for a callback that was under way when the task was taken out.
 constexpr auto kCallbackEnds = std::chrono::milliseconds(100);
 constexpr std::size_t kLongestText = 120;
@@ -319,7 +321,7 @@ void HdapiSession::calibrateBeforeStart() {
   }
 }
 
-void HdapiSession::start(const HdapiTick& tick) {
+void HdapiSession::start(const DeviceTick& tick) {
   servo_->setTick(tick);
   const auto refuse = [this](Phrase what, const HdapiErrors& errors) {
     const hd::ErrorCode code = errors.worstCode();
@@ -361,7 +363,10 @@ void HdapiSession::letGo() noexcept {
     // Before anything else in the servo's next tick, even when the frame's own task is gone. Does not wait.
     (void)api_.hdScheduleAsynchronous(letGoCallback, entry_, hd::kMaxPriority);
   }
-  const auto until = std::chrono::steady_clock::now() + kServoLetsGo;
+  const std::int64_t silent_us = clock_->now_us() - servo_->called_us();
+  const std::int64_t least_us = servo_->inFrame() ? 0 : kServoMayCall_us;  // a frame that hangs calls nobody
+  const auto until = std::chrono::steady_clock::now() +
+                     std::chrono::microseconds(std::max(kServoLetsGo_us - silent_us, least_us));
   while (served_ && !servo_->silent() && std::chrono::steady_clock::now() < until) {
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
@@ -381,7 +386,7 @@ void HdapiSession::tearDown() noexcept {
       entry_->servo.store(nullptr);
       const auto until = std::chrono::steady_clock::now() + kCallbackEnds;
       while (entry_->inside.load() > 0 && std::chrono::steady_clock::now() < until) {
-        std::this_thread::yield();
+        std::this_thread::sleep_for(std::chrono::microseconds(50));
       }
       if (entry_->inside.load() > 0) {
         (void)servo_.release();  // a callback that hangs still uses it

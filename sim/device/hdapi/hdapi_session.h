@@ -41,7 +41,7 @@ class HdapiSession {
   HdapiSession& operator=(const HdapiSession&) = delete;
 
   /// Starts the vendor's servo loop. Throws Error{kDevice}; then everything is torn down again.
-  void start(const HdapiTick& tick);
+  void start(const DeviceTick& tick);
   /// Ends the session: zero force, stop, unschedule, disable, in this order; once. Blocks as long as the
   /// library does.
   void tearDown() noexcept;

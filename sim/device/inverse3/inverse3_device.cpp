@@ -2,12 +2,14 @@
 #include "sim/device/inverse3/inverse3_device.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "sim/base/angle.h"
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
+#include "sim/base/deadline.h"
 
 namespace torsio {
 
@@ -55,23 +57,33 @@ Inverse3Device::~Inverse3Device() {
   (void)close();
 }
 
-void Inverse3Device::serve() {
+void Inverse3Device::start(const DeviceTick& tick) {
   TORSIO_EXPECTS(!thread_.joinable() && !closed_);
+  tick_ = tick;
   thread_ = std::thread([this] { follow(); });
 }
 
-bool Inverse3Device::close() {
+void Inverse3Device::beginClose() {
   ending_.store(true);
+  while (inTick_.load()) {
+    std::this_thread::sleep_for(std::chrono::microseconds(50));  // it may go before the driver's thread
+  }
+}
+
+bool Inverse3Device::close() {
+  beginClose();
   if (thread_.joinable()) {
     thread_.join();
   }
   closed_ = true;
   service_.reset();
+  released_.store(true, std::memory_order_release);
   return true;
 }
 
 /// The driver's thread, until the end or the loss of the device.
 void Inverse3Device::follow() {
+  (void)requestRealTime(RealTimeRank::kServo);
   const MonotonicClock clock;
   begun_us_ = clock.now_us();
   taken_us_ = begun_us_;
@@ -84,32 +96,53 @@ void Inverse3Device::follow() {
     if (service_->closed() || now_us - taken_us_ > kInverse3Lost_us) {
       break;
     }
-    if (!came) {
-      gate_.close();
-      publish(kDeviceStale, now_us);
-      service_->send(inverse3Force(deviceId_, {}));
-      continue;
+    if (came) {
+      (void)meter.begin(now_us);
     }
-    (void)meter.begin(now_us);
-    const bool valid = take(text, now_us);
-    ++(valid ? state_.validPoses : state_.invalidPoses);
-    if (!valid) {
-      gate_.close();
+    answer(came, text, now_us);
+    if (came) {
+      meter.end(clock.now_us());
+      state_.timing = meter.values();
     }
-    const Vec3 force_N = allowedForce_N(now_us);
-    service_->send(inverse3Force(deviceId_, force_N));
-    state_.forcesSent += norm(force_N) > 0.0 ? 1 : 0;
-    meter.end(clock.now_us());
-    state_.timing = meter.values();
-    publish(valid ? kDeviceOk : kDeviceInvalid, now_us);
+    snapshots_.publish(state_);
   }
   service_->send(inverse3Force(deviceId_, {}));
   if (!ending_.load()) {
     state_.state = DeviceState::kLost;
-    state_.forceOn = false;
     publish(kDeviceLost | kDeviceStale, clock.now_us());
+    runTick(clock.now_us());
+    snapshots_.publish(state_);
     (void)events_.push({DeviceEvent::Kind::kLost, clock.now_us() - begun_us_, 0, 0, 0});
   }
+  released_.store(true, std::memory_order_release);
+}
+
+/// Reads, lets the tick answer, and sends the force; none while nobody knows where the hand is.
+void Inverse3Device::answer(bool came, const std::string& text, std::int64_t now_us) {
+  const bool valid = came && take(text, now_us);
+  if (came) {
+    ++(valid ? state_.validPoses : state_.invalidPoses);
+  }
+  publish(valid ? kDeviceOk : (came ? kDeviceInvalid : kDeviceStale), now_us);
+  runTick(now_us);
+  if (!valid) {
+    gate_.close();
+  }
+  const Vec3 force_N = valid ? allowedForce_N(now_us) : Vec3{};
+  service_->send(inverse3Force(deviceId_, force_N));
+  state_.forcesSent += norm(force_N) > 0.0 ? 1 : 0;
+}
+
+void Inverse3Device::runTick(std::int64_t now_us) {
+  if (tick_.run == nullptr) {
+    return;
+  }
+  // Sequentially consistent: either beginClose() sees this tick and waits, or this tick sees the end.
+  inTick_.store(true);
+  if (!ending_.load()) {
+    tick_.run(tick_.context, now_us - begun_us_);
+  }
+  inTick_.store(false);
 }
 
 bool Inverse3Device::take(const std::string& text, std::int64_t now_us) {
@@ -153,13 +186,14 @@ void Inverse3Device::publish(std::uint32_t trouble, std::int64_t now_us) {
     state_.rollReferenced = true;  // the handle knows its own zero
     state_.forceOn = forceWished_.load(std::memory_order_relaxed);
     state_.state = state_.forceOn ? DeviceState::kRunning : DeviceState::kReady;
+  } else {
+    state_.forceOn = false;
   }
-  snapshots_.publish(state_);
 }
 
 /// The force that may be sent now, N.
 Vec3 Inverse3Device::allowedForce_N(std::int64_t now_us) {
-  const Wanted wanted = forces_.latest();
+  const MailedForce wanted = forces_.latest();
   if (wanted.number != forceNumber_) {
     forceNumber_ = wanted.number;
     forceNew_us_ = now_us;
@@ -194,7 +228,7 @@ DeviceSnapshot Inverse3Device::snapshot() noexcept {
 }
 
 DeviceSample Inverse3Device::read(std::int64_t time_us) noexcept {
-  const Published& newest = readings_.latest();
+  const MailedReading& newest = readings_.latest();
   if (!read_ || newest.number != lastNumber_) {
     lastNew_us_ = time_us;
   }

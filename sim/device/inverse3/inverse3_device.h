@@ -10,7 +10,8 @@
 #include "sim/base/latest_value.h"
 #include "sim/base/spsc_ring.h"
 #include "sim/device/device_driver.h"
-#include "sim/device/haptic_device.h"
+#include "sim/device/device_mail.h"
+#include "sim/device/hosted_device.h"
 #include "sim/device/inverse3/inverse3_messages.h"
 #include "sim/device/inverse3/web_socket.h"
 #include "sim/device/safety/force_gate.h"
@@ -23,8 +24,9 @@ inline constexpr std::int64_t kInverse3Stale_us = 20'000;
 inline constexpr std::int64_t kInverse3Lost_us = 250'000;
 
 /// Haply Inverse3 with a VerseGrip, through the WebSocket of its service. A thread of its own answers every
-/// state of the service with the newest force; readings and forces go over mailboxes. Not confirmed on
-/// hardware: limits are the cautious ones of an unknown model.
+/// state of the service with the newest force; between both it calls the tick, and at least every 5 ms.
+/// Readings and forces go over mailboxes. Not confirmed on hardware: limits are the cautious ones of an
+/// unknown model.
 ///
 /// | channel     | direction | unit | source                                                      |
 /// |-------------|-----------|------|-------------------------------------------------------------|
@@ -39,14 +41,16 @@ inline constexpr std::int64_t kInverse3Lost_us = 250'000;
 /// On any doubt - no reading within 5 ms, an invalid one, no force for kInverse3Stale_us, dropForce, force
 /// not asked for - the service gets zero, and force returns by a ramp (ForceGate). Every way out sends zero
 /// first.
-class Inverse3Device final : public HapticDevice {
+class Inverse3Device final : public HostedDevice {
  public:
   /// `first`: the message in which the service named the device.
   Inverse3Device(std::unique_ptr<WebSocket> service, const Inverse3Message& first,
                  const DeviceRequest& request);
   ~Inverse3Device() override;
 
-  void serve() override;
+  void start(const DeviceTick& tick) override;
+  void beginClose() override;
+  [[nodiscard]] bool released() const override { return released_.load(std::memory_order_acquire); }
   bool close() override;
   void enableForce(bool on) noexcept override { forceWished_.store(on); }
   void dropForce() noexcept override { drops_.fetch_add(1); }
@@ -58,18 +62,12 @@ class Inverse3Device final : public HapticDevice {
   void write(const ForceCommand& command) noexcept override;
 
  private:
-  struct Published {
-    DeviceSample sample;
-    std::uint64_t number = 0;
-  };
-  struct Wanted {
-    Vec3 force_N;
-    std::uint64_t number = 0;
-  };
   void follow();
+  void answer(bool came, const std::string& text, std::int64_t now_us);
   bool take(const std::string& text, std::int64_t now_us);
   void keep(const Inverse3Message& message, std::int64_t now_us);
   void publish(std::uint32_t trouble, std::int64_t now_us);
+  void runTick(std::int64_t now_us);
   [[nodiscard]] Vec3 allowedForce_N(std::int64_t now_us);
 
   std::unique_ptr<WebSocket> service_;  // of the thread, once there is one
@@ -78,17 +76,20 @@ class Inverse3Device final : public HapticDevice {
   DeviceCapabilities capabilities_;
   const Vec3 origin_m_;  // world point of the device's origin
   std::thread thread_;
+  DeviceTick tick_;
   std::atomic<bool> ending_{false};
+  std::atomic<bool> inTick_{false};
+  std::atomic<bool> released_{false};  // the service was sent zero, or is gone
   std::atomic<bool> forceWished_{false};
   std::atomic<std::uint32_t> drops_{0};
-  LatestValue<Published> readings_;
-  LatestValue<Wanted> forces_;
+  LatestValue<MailedReading> readings_;
+  LatestValue<MailedForce> forces_;
   LatestValue<DeviceSnapshot> snapshots_;
   SpscRing<DeviceEvent> events_;
   bool closed_ = false;
   // The device's thread.
   DeviceReading reading_;
-  Published published_;
+  MailedReading published_;
   DeviceSnapshot state_;
   ForceGate gate_;
   std::int64_t begun_us_ = 0;
@@ -99,7 +100,7 @@ class Inverse3Device final : public HapticDevice {
   std::uint32_t dropsSeen_ = 0;
   std::uint64_t droppedNumber_ = 0;
   // The servo's thread.
-  Wanted wanted_;
+  MailedForce wanted_;
   std::uint64_t lastNumber_ = 0;
   std::int64_t lastNew_us_ = 0;
   bool read_ = false;

@@ -60,7 +60,9 @@ DriverFinding lookForInverse3(const DeviceRequest& request) {
   }
 }
 
-std::unique_ptr<HapticDevice> openInverse3(const DeviceRequest& request) {
+}  // namespace
+
+std::unique_ptr<HostedDevice> openInverse3(const DeviceRequest& request) {
   std::unique_ptr<WebSocket> service = connectToService();
   const Inverse3Message message = firstMessage(*service, request.name);
   if (message.deviceId.empty()) {
@@ -69,8 +71,6 @@ std::unique_ptr<HapticDevice> openInverse3(const DeviceRequest& request) {
   }
   return std::make_unique<Inverse3Device>(std::move(service), message, request);
 }
-
-}  // namespace
 
 DeviceDriver inverse3Driver() {
   DeviceDriver driver;

@@ -92,6 +92,9 @@ void texts(Way& way, Report& report) {
   way.list(report.library.absentOptionals);
   way.text(report.library.sentence);
   way.text(report.library.remedy);
+  way.text(report.finding.sentence);
+  way.text(report.finding.remedy);
+  way.list(report.finding.notes);
   way.text(report.happened);
   way.text(report.where);
   way.text(report.remedy);
@@ -112,6 +115,7 @@ std::string packed(const ChannelReport& report) {
   Packer way;
   const DeviceCapabilities& c = report.capabilities;
   way.number(static_cast<double>(report.library.status));
+  way.number(report.finding.available ? 1.0 : 0.0);
   for (const double value :
        {c.maxForce_N, c.continuousForce_N, c.maxStiffness_N_per_m, c.workspaceMin_m.x, c.workspaceMin_m.y,
         c.workspaceMin_m.z, c.workspaceMax_m.x, c.workspaceMax_m.y, c.workspaceMax_m.z}) {
@@ -128,6 +132,7 @@ ChannelReport unpacked(const std::string& bytes) {
   Unpacker way(bytes);
   const std::size_t status = way.count(static_cast<std::size_t>(HdapiLoadStatus::kSymbolMissing));
   report.library.status = static_cast<HdapiLoadStatus>(status);
+  report.finding.available = way.number() == 1.0;
   DeviceCapabilities& c = report.capabilities;
   for (double* value : {&c.maxForce_N, &c.continuousForce_N, &c.maxStiffness_N_per_m, &c.workspaceMin_m.x,
                         &c.workspaceMin_m.y, &c.workspaceMin_m.z, &c.workspaceMax_m.x, &c.workspaceMax_m.y,

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "sim/base/text.h"
-#include "sim/device/hdapi/hdapi_device.h"
+#include "sim/device/device_driver.h"
+#include "sim/device/device_mail.h"
 #include "sim/device/hdapi/hdapi_library.h"
 #include "sim/device/process/shared_events.h"
 #include "sim/device/process/shared_value.h"
@@ -17,27 +18,29 @@ namespace torsio {
 
 /// Version of the memory that the program and its device process share: both are installed together, and a
 /// device process of another build refuses to work.
-inline constexpr std::uint32_t kChannelVersion = 2;
+inline constexpr std::uint32_t kChannelVersion = 3;
 /// File number under which the device process finds the shared memory.
 inline constexpr int kChannelFile = 3;
 /// File number of the pipe whose other end the program holds: when it is closed, the program is gone.
 inline constexpr int kParentFile = 4;
-/// Time without a call of the library's servo after which the device process lets go by itself.
-inline constexpr std::int64_t kChildLetsGo_us = 20'000;
+/// Time without a call of the driver's servo after which the device process lets go by itself: the motors
+/// have their zero 20 ms after the last frame.
+inline constexpr std::int64_t kChildLetsGo_us = 15'000;
 /// Time without one after which the program ends the device process and reports the device lost.
 inline constexpr std::int64_t kChildEnded_us = 100'000;
 
 /// How far the device process has come.
-enum class ChannelStage : std::uint32_t { kStarting, kNoLibrary, kRefused, kOpened, kServing, kServoRefused };
+enum class ChannelStage : std::uint32_t { kStarting, kLooked, kRefused, kOpened, kServing, kServoRefused };
 
 /// What the program asks for. Fixed sizes: nothing here may point anywhere.
 struct ChannelRequest {
+  std::array<char, 32> driver{};  ///< DeviceDriver::id
   std::array<char, 1024> library{};
   std::array<char, 256> deviceName{};
   Quat deviceToWorld;
   Vec3 workspaceCentre_m;
   double stylusTip_m = 0.0;
-  bool onlyLibrary = false;  ///< load the library, open nothing
+  bool onlyLook = false;  ///< look whether it could be opened, open nothing
 };
 
 /// The memory itself, created zeroed by the program.
@@ -51,20 +54,21 @@ struct DeviceChannel {
   std::uint32_t reportLength = 0;
   std::atomic<bool> serveAsked{false};
   std::atomic<bool> closeAsked{false};
-  std::atomic<bool> released{false};  ///< the library let go of the device
+  std::atomic<bool> released{false};  ///< the driver let go of the device
   std::atomic<bool> forceWished{false};
   std::atomic<std::uint32_t> drops{0};   ///< counts requests to let go at once
-  std::atomic<std::uint64_t> frames{0};  ///< counts calls of the library's servo
-  SharedValue<HdapiServo::Reading> reading;
-  SharedValue<HdapiForce> force;
+  std::atomic<std::uint64_t> frames{0};  ///< counts calls of the driver's servo
+  SharedValue<MailedReading> reading;
+  SharedValue<MailedForce> force;
   SharedValue<DeviceSnapshot> snapshot;
   SharedEvents<DeviceEvent, 256> events;
 };
 
 /// What the device process found, in words.
 struct ChannelReport {
-  HdapiLibrary library;  ///< without the functions
-  Text happened;         ///< of an Error, else empty
+  HdapiLibrary library;     ///< of a driver that needs one, without the functions
+  DriverFinding finding{};  ///< of any other, when it was only looked for
+  Text happened;            ///< of an Error, else empty
   Text where;
   Text remedy;
   DeviceCapabilities capabilities;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "sim/device/device_driver.h"
 #include "sim/device/haptic_device.h"
 #include "sim/device/hdapi/hdapi_library.h"
 #include "sim/device/hdapi/hdapi_session.h"
@@ -32,5 +33,9 @@ struct StylusOpening {
 /// process is ended and the device reported lost, and when this process ends in any way the other lets go of
 /// the hand. Takes up to seconds. Throws Error{kDevice}: no device process, no device, no answer, cancelled.
 [[nodiscard]] StylusOpening openStylus(const StylusRequest& request);
+
+/// Moves the look and the device of a driver into the device process, which knows the driver by its id;
+/// started, watched and ended as a stylus is. Where there is no device process (Windows), the driver itself.
+[[nodiscard]] DeviceDriver hosted(const DeviceDriver& driver);
 
 }  // namespace torsio

@@ -14,7 +14,9 @@
 #include <thread>
 #include <unistd.h>
 
+#include "sim/base/deadline.h"
 #include "sim/base/error.h"
+#include "sim/device/hdapi/hdapi_device.h"
 #include "sim/device/hdapi/hdapi_errors.h"
 #include "sim/device/process/device_channel.h"
 #include "sim/device/process/device_process.h"
@@ -33,6 +35,10 @@ constexpr auto kLookEvery = std::chrono::milliseconds(5);
 constexpr int kLooksForgiven = static_cast<int>(kChildEnded_us / 5'000);
 // A library that calibrates or searches takes seconds; more is a hang.
 constexpr auto kOpens = std::chrono::seconds(15);
+// A device that was lost because its process was ended, or ended by itself: no driver has such a code.
+constexpr std::uint32_t kProcessEnded = 0xffff'ffffU;
+constexpr std::int64_t kLostPatience_us = 200'000;
+constexpr const char* kStylusDriver = "hdapi";
 
 std::string deviceProgram() {
   if (const char* const named = std::getenv("TORSIO_DEVICE_PROGRAM"); named != nullptr && *named != '\0') {
@@ -70,7 +76,7 @@ struct OpenFile {
 /// The device process and the memory shared with it.
 class Child {
  public:
-  explicit Child(const StylusRequest& request) {
+  explicit Child(const ChannelRequest& request) {
     OpenFile memory;
     memory.number = memfd_create("torsio-device", MFD_CLOEXEC);
     std::array<int, 2> ends{-1, -1};
@@ -83,12 +89,7 @@ class Child {
              Text::tr("Close other programs and try again"));
     }
     channel_ = new (place) DeviceChannel;
-    copyText(request.library, channel_->request.library);
-    copyText(request.options.deviceName, channel_->request.deviceName);
-    channel_->request.deviceToWorld = request.options.deviceToWorld;
-    channel_->request.workspaceCentre_m = request.options.workspaceCentre_m;
-    channel_->request.onlyLibrary = request.onlyLibrary;
-    channel_->request.stylusTip_m = request.options.stylusTip_m;
+    channel_->request = request;
     OpenFile theirs;
     theirs.number = ends[0];
     ours_.number = ends[1];
@@ -157,11 +158,12 @@ class Child {
 class ProcessDevice final : public HapticDevice {
  public:
   ProcessDevice(std::unique_ptr<Child> child, const ChannelReport& report, std::int64_t patience_us,
-                std::function<bool()> cancelled)
+                std::function<bool()> cancelled, std::function<Text(std::uint32_t)> lossText)
       : child_(std::move(child)),
         report_(report),
         patience_us_(patience_us),
-        cancelled_(std::move(cancelled)) {
+        cancelled_(std::move(cancelled)),
+        lossText_(std::move(lossText)) {
     snapshot_.state = DeviceState::kOpened;
   }
   ~ProcessDevice() override { (void)close(); }
@@ -173,7 +175,12 @@ class ProcessDevice final : public HapticDevice {
   [[nodiscard]] bool nextEvent(DeviceEvent& event) noexcept override {
     return child_->channel().events.next(taken_, event);
   }
-  [[nodiscard]] Text lossText(std::uint32_t code) const override { return hdapiErrorText(code); }
+  [[nodiscard]] Text lossText(std::uint32_t code) const override {
+    if (code == kProcessEnded) {
+      return Text::tr("the device does not answer");
+    }
+    return lossText_ ? lossText_(code) : HapticDevice::lossText(code);
+  }
   [[nodiscard]] const DeviceIdentity& identity() const noexcept override { return report_.identity; }
   [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override {
     return report_.capabilities;
@@ -192,6 +199,7 @@ class ProcessDevice final : public HapticDevice {
   ChannelReport report_;
   const std::int64_t patience_us_;
   std::function<bool()> cancelled_;
+  std::function<Text(std::uint32_t)> lossText_;  // empty: the usual words
   std::thread supervisor_;
   std::atomic<bool> lost_{false};
   std::atomic<bool> ending_{false};
@@ -199,8 +207,8 @@ class ProcessDevice final : public HapticDevice {
   bool released_ = false;
   DeviceSnapshot snapshot_;
   std::uint64_t taken_ = 0;  // events
-  HdapiForce force_;
-  HdapiServo::Reading reading_;
+  MailedForce force_;
+  MailedReading reading_;
   std::int64_t lastNew_us_ = 0;
   bool read_ = false;
 };
@@ -216,7 +224,7 @@ ChannelStage answerOf(Child& child, ChannelStage from, const std::function<bool(
     }
     const Text remedy = Text::tr("Plug the device in again, run the vendor's set-up tool once and try again");
     if (gone) {
-      refuse(Text::tr("the vendor's library ended the device process"), remedy);
+      refuse(Text::tr("the device process ended before it answered"), remedy);
     }
     if (cancelled && cancelled()) {
       child.end();
@@ -224,7 +232,7 @@ ChannelStage answerOf(Child& child, ChannelStage from, const std::function<bool(
     }
     if (steady_clock::now() > until) {
       child.end();
-      refuse(Text::tr("the vendor's library does not answer"), remedy);
+      refuse(Text::tr("the device's driver does not answer"), remedy);
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -245,6 +253,7 @@ void ProcessDevice::serve() {
 }
 
 void ProcessDevice::watch() noexcept {
+  (void)requestRealTime(RealTimeRank::kWatchdog);
   DeviceChannel& channel = child_->channel();
   std::uint64_t frames = 0;
   int still = 0;
@@ -269,17 +278,18 @@ DeviceSnapshot ProcessDevice::snapshot() noexcept {
   }
   if (lost_.load()) {
     snapshot_.state = DeviceState::kLost;
-    snapshot_.lostBecause = snapshot_.lostBecause == hd::kSuccess ? hd::kDeviceFault : snapshot_.lostBecause;
+    snapshot_.lostBecause = snapshot_.lostBecause == 0 ? kProcessEnded : snapshot_.lostBecause;
     snapshot_.forceOn = false;  // its process is gone
   }
   if (closed_) {
     snapshot_.state = DeviceState::kClosed;
+    snapshot_.forceOn = snapshot_.forceOn && !released_;
   }
   return snapshot_;
 }
 
 DeviceSample ProcessDevice::read(std::int64_t time_us) noexcept {
-  const std::optional<HdapiServo::Reading> newest = child_->channel().reading.latest();
+  const std::optional<MailedReading> newest = child_->channel().reading.latest();
   if (!read_ || (newest && newest->number != reading_.number)) {
     lastNew_us_ = time_us;
   }
@@ -311,13 +321,41 @@ bool ProcessDevice::close() {
   }
   DeviceChannel& channel = child_->channel();
   channel.closeAsked.store(true);
-  const auto until = steady_clock::now() + std::chrono::microseconds(patience_us_);
+  // A device that was lost was let go of already, or is ended anyway: nobody waits for its library.
+  const std::optional<DeviceSnapshot> last = channel.snapshot.latest();
+  const bool lost = lost_.load() || (last && last->state == DeviceState::kLost);
+  const auto until =
+      steady_clock::now() +
+      std::chrono::microseconds(lost ? std::min(patience_us_, kLostPatience_us) : patience_us_);
   while (!child_->gone() && steady_clock::now() < until) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   released_ = child_->gone() && !lost_.load() && channel.released.load();
   child_->end();
   return released_;
+}
+
+/// What came of a device process; no device when it only looked, or found no library.
+struct HostedOpening {
+  ChannelReport report;
+  std::unique_ptr<HapticDevice> device;
+};
+
+HostedOpening openHosted(const ChannelRequest& request, std::int64_t patience_us,
+                         const std::function<bool()>& cancelled,
+                         const std::function<Text(std::uint32_t)>& lossText) {
+  auto child = std::make_unique<Child>(request);
+  const ChannelStage stage = answerOf(*child, ChannelStage::kStarting, cancelled);
+  HostedOpening opening{reportOf(child->channel()), nullptr};
+  if (stage == ChannelStage::kRefused) {
+    throw Error(ErrorCode::kDevice, opening.report.happened, Text::tr("haptic device"),
+                opening.report.remedy);
+  }
+  if (stage != ChannelStage::kLooked) {
+    opening.device =
+        std::make_unique<ProcessDevice>(std::move(child), opening.report, patience_us, cancelled, lossText);
+  }
+  return opening;
 }
 
 }  // namespace
@@ -330,18 +368,46 @@ StylusOpening openStylus(const StylusRequest& request) {
     }
     return opening;
   }
-  auto child = std::make_unique<Child>(request);
-  const ChannelStage stage = answerOf(*child, ChannelStage::kStarting, request.cancelled);
-  ChannelReport report = reportOf(child->channel());
-  if (stage == ChannelStage::kRefused) {
-    throw Error(ErrorCode::kDevice, report.happened, Text::tr("haptic device"), report.remedy);
-  }
-  StylusOpening opening{report.library, nullptr};
-  if (stage != ChannelStage::kNoLibrary) {
-    opening.driver = std::make_unique<ProcessDevice>(std::move(child), report, request.options.patience_us,
-                                                     request.cancelled);
-  }
-  return opening;
+  ChannelRequest asked;
+  copyText(kStylusDriver, asked.driver);
+  copyText(request.library, asked.library);
+  copyText(request.options.deviceName, asked.deviceName);
+  asked.deviceToWorld = request.options.deviceToWorld;
+  asked.workspaceCentre_m = request.options.workspaceCentre_m;
+  asked.stylusTip_m = request.options.stylusTip_m;
+  asked.onlyLook = request.onlyLibrary;
+  HostedOpening hosted = openHosted(asked, request.options.patience_us, request.cancelled,
+                                    [](std::uint32_t code) { return hdapiErrorText(code); });
+  return {hosted.report.library, std::move(hosted.device)};
+}
+
+DeviceDriver hosted(const DeviceDriver& driver) {
+  const auto asked = [id = driver.id](const DeviceRequest& request, bool onlyLook) {
+    ChannelRequest channel;
+    copyText(id, channel.driver);
+    copyText(request.name, channel.deviceName);
+    channel.workspaceCentre_m = request.workspaceCentre_m;
+    channel.onlyLook = onlyLook;
+    return channel;
+  };
+  DeviceDriver elsewhere = driver;
+  elsewhere.look = [asked, driver](const DeviceRequest& request) -> DriverFinding {
+    if (request.inThisProcess) {
+      return driver.look(request);
+    }
+    try {
+      return openHosted(asked(request, true), HdapiOptions().patience_us, request.cancelled, {})
+          .report.finding;
+    } catch (const Error& error) {
+      return {false, error.happenedText(), error.remedyText(), {}};
+    }
+  };
+  elsewhere.open = [asked, driver](const DeviceRequest& request) {
+    return request.inThisProcess
+               ? driver.open(request)
+               : openHosted(asked(request, false), HdapiOptions().patience_us, request.cancelled, {}).device;
+  };
+  return elsewhere;
 }
 
 }  // namespace torsio

@@ -12,4 +12,8 @@ StylusOpening openStylus(const StylusRequest& request) {
   return opening;
 }
 
+DeviceDriver hosted(const DeviceDriver& driver) {
+  return driver;
+}
+
 }  // namespace torsio

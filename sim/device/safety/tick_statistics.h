@@ -43,6 +43,8 @@ inline constexpr std::int64_t kServoGap_us = 5'000;
 inline constexpr std::int64_t kServoBudget_us = 500;
 /// Length of the windows over which the rate is judged.
 inline constexpr std::int64_t kRateWindow_us = 500'000;
+/// Length of the first window: no force is rendered before it is over.
+inline constexpr std::int64_t kFirstRateWindow_us = 50'000;
 /// Rate below which no force is rendered (the vendor discourages 500 Hz already).
 inline constexpr double kLowestRate_Hz = 800.0;
 
@@ -70,7 +72,7 @@ class TickMeter {
     ++values_.ticks;
     ++windowTicks_;
     begun_us_ = now_us;
-    if (now_us - window_us_ >= kRateWindow_us) {
+    if (now_us - window_us_ >= (values_.rate_Hz > 0.0 ? kRateWindow_us : kFirstRateWindow_us)) {
       values_.rate_Hz =
           static_cast<double>(windowTicks_ - 1) * 1e6 / static_cast<double>(now_us - window_us_);
       values_.slow = values_.rate_Hz < kLowestRate_Hz;

@@ -463,6 +463,31 @@ TEST(RunDayBoard, TellsOfADeviceThatIsNotFitWhileItsStationAnswers) {
   EXPECT_EQ(runDayAlerts(board).at(0).kind, RunDayAlert::Kind::kStationSilent);
 }
 
+TEST(RunDayBoard, TellsOfAMachineThatCutTheForceInItsLastRunToday) {
+  RunDayBoard board;
+  board.asOfUtc_us = testing::kStudyTime_us;
+  board.stations.push_back({.station = "room 1",
+                            .heartbeatUtc_us = testing::kStudyTime_us,
+                            .lastHealth = ServoHealth{.priority = false, .memory = true, .forceCuts = 2},
+                            .lastTicks = 60'000,
+                            .lastEndedUtc_us = testing::kStudyTime_us - 1});
+  board.stations.push_back(board.stations.front());
+  board.stations.back().lastHealth->forceCuts = 0;
+
+  const std::vector<RunDayAlert> alerts = runDayAlerts(board);
+
+  ASSERT_EQ(alerts.size(), 1U);
+  EXPECT_EQ(alerts.at(0).kind, RunDayAlert::Kind::kServoUneven);
+  EXPECT_NE(alerts.at(0).reason.str().find("cut 2 times"), std::string::npos);
+  EXPECT_NE(alerts.at(0).reason.str().find("refuses real-time priority"), std::string::npos);
+  EXPECT_NE(alerts.at(0).remedy.str().find("torsio-limits.conf"), std::string::npos);
+  board.asOfUtc_us += 13LL * 3600 * 1'000'000;
+  for (StationState& station : board.stations) {
+    station.heartbeatUtc_us = board.asOfUtc_us;
+  }
+  EXPECT_TRUE(runDayAlerts(board).empty()) << "of another day";
+}
+
 TEST(RunDayBoard, NotesASwapForBothOrForNobody) {
   Study study;
   SessionContext& session = study.centre.as("administrator");

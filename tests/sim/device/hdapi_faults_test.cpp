@@ -34,6 +34,22 @@ TEST_F(HdapiFaults, ARefusedFrameSwitchesTheOutputOffInTheSameTick) {
   EXPECT_EQ(events(DeviceEvent::Kind::kLost).size(), 1U);
 }
 
+TEST_F(HdapiFaults, AFrameWhoseEndIsRefusedSwitchesTheOutputOffAndKeepsItOff) {
+  engageAtOneNewton();
+
+  fake.fault("hdEndFrame", 0, -1, hd::kFrameError, 0);
+  for (int tick = 0; tick < 50; ++tick) {
+    fake.run(1);
+    EXPECT_EQ(rendered_N(), Vec3{}) << tick;
+    EXPECT_EQ(fake.force_enabled(), 0) << tick;
+  }
+  EXPECT_NE(device->snapshot().state, DeviceState::kLost);
+  fake.run(60);
+
+  EXPECT_EQ(device->snapshot().state, DeviceState::kLost);
+  EXPECT_EQ(events(DeviceEvent::Kind::kLost).size(), 1U);
+}
+
 TEST_F(HdapiFaults, AFatalErrorAtTheEndOfAFrameSendsZeroAndSwitchesOffInTheSameTick) {
   engageAtOneNewton();
   const int begin = fake.log_count();

@@ -204,7 +204,7 @@ TEST_F(HdapiServes, E2_NeverBlocksTheCallerWhenAnUnpluggedDeviceBlocksTheLibrary
 
 TEST_F(HdapiServes, E2_MarksMailboxReadingsStaleAndThenLostWhenNothingNewComes) {
   open();
-  device->start();
+  device->serve();
   EXPECT_TRUE(device->read(0).status & kDeviceStale);  // no frame yet
   fake.run(3);
   const DeviceSample fresh = device->read(1'000);
@@ -227,7 +227,7 @@ TEST_F(HdapiServes, E2_SendsNoMailboxForceThatIsNotRenewed) {
   fake.set_pose(&pose);
   open();
   device->enableForce(true);
-  device->start();
+  device->serve();
   for (int i = 0; i < 700; ++i) {
     device->write({{0.5, 0.0, 0.0}, 0});
     fake.run(1);

@@ -35,7 +35,7 @@ TEST_F(HdapiThreads, T1_MakesNoDeviceCallOffTheServoThreadInAFullSession) {
 TEST_F(HdapiThreads, T1_HoldsWithAServoThreadOfOurOwnOverMailboxes) {
   open();
   device->enableForce(true);
-  device->start();
+  device->serve();
   std::atomic<bool> stop{false};
   std::atomic<std::int64_t> reads{0};
   std::thread own([&] {
@@ -59,9 +59,9 @@ TEST_F(HdapiThreads, T1_HoldsWithAServoThreadOfOurOwnOverMailboxes) {
 
 TEST(HdapiMailbox, T2_HandsOverAMillionReadingsWithoutTearingOne) {
   constexpr std::int64_t kExchanges = 1'000'000;
-  LatestValue<HdapiServo::Reading> mailbox;
+  LatestValue<MailedReading> mailbox;
   std::thread writer([&mailbox] {
-    HdapiServo::Reading reading;
+    MailedReading reading;
     for (std::int64_t i = 1; i <= kExchanges; ++i) {
       reading.number = static_cast<std::uint64_t>(i);
       reading.sample.time_us = i;
@@ -76,7 +76,7 @@ TEST(HdapiMailbox, T2_HandsOverAMillionReadingsWithoutTearingOne) {
   std::int64_t torn = 0;
   std::int64_t backwards = 0;
   while (last < static_cast<std::uint64_t>(kExchanges)) {
-    const HdapiServo::Reading reading = mailbox.latest();
+    const MailedReading reading = mailbox.latest();
     const auto i = static_cast<std::int64_t>(reading.number);
     const auto short32 = static_cast<std::int32_t>(i);
     if (reading.sample.time_us != i || reading.sample.roll != short32 ||

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The driver against a service behind Qt's own WebSocket server, which speaks the documented messages: it
-// says once what is connected and then answers every command with the state.
-#include <atomic>
+// The driver against a service that speaks the documented messages, in this process and in the device
+// process.
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <memory>
-#include <mutex>
 #include <string>
+#include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
-#include <QThread>
-#include <QTimer>
-#include <QWebSocket>
-#include <QWebSocketServer>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "sim/base/angle.h"
+#include "sim/base/deadline.h"
 #include "sim/base/error.h"
 #include "sim/device/inverse3/inverse3_device.h"
 #include "sim/device/inverse3/inverse3_driver.h"
+#include "sim/device/process/device_process.h"
+#include "tests/sim/device/inverse_service.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/lock_count.h"
 
@@ -29,126 +29,31 @@ namespace torsio {
 namespace {
 
 using Json = nlohmann::json;
-
-/// The service of one Inverse3 with a handle. Its values may be set from any thread.
-class Service {
- public:
-  std::atomic<double> x_m{0.0};
-  std::atomic<double> y_m{-0.14};
-  std::atomic<double> z_m{0.2};
-  std::atomic<double> roll_rad{0.0};  ///< of the handle, about the way it points
-  std::atomic<bool> buttonA{false};
-  std::atomic<bool> connected{true};  ///< the device, to its service
-  std::atomic<bool> silent{false};    ///< answers nothing more
-
-  Service() {
-    context_.moveToThread(&thread_);
-    thread_.start();
-    QMetaObject::invokeMethod(
-        &context_, [this] { listen(); }, Qt::BlockingQueuedConnection);
-    setenv("TORSIO_INVERSE_SERVICE", ("127.0.0.1:" + std::to_string(port_)).c_str(), 1);
-  }
-  ~Service() {
-    end();
-    thread_.quit();
-    thread_.wait();
-    unsetenv("TORSIO_INVERSE_SERVICE");
-  }
-  Service(const Service&) = delete;
-  Service& operator=(const Service&) = delete;
-
-  /// Ends as a service that is stopped.
-  void end() {
-    QMetaObject::invokeMethod(
-        &context_, [this] { server_.reset(); }, Qt::BlockingQueuedConnection);
-  }
-  [[nodiscard]] std::vector<Vec3> forces_N() {
-    const std::scoped_lock guard(mutex_);
-    return forces_N_;
-  }
-  [[nodiscard]] Vec3 lastForce_N() {
-    const std::scoped_lock guard(mutex_);
-    return forces_N_.empty() ? Vec3{} : forces_N_.back();
-  }
-
- private:
-  void listen() {
-    server_ = std::make_unique<QWebSocketServer>(QStringLiteral("Inverse service"),
-                                                 QWebSocketServer::NonSecureMode);
-    server_->listen(QHostAddress::LocalHost, 0);
-    port_ = server_->serverPort();
-    QObject::connect(server_.get(), &QWebSocketServer::newConnection, &context_, [this] {
-      QWebSocket* const client = server_->nextPendingConnection();
-      client->setParent(server_.get());
-      QObject::connect(client, &QWebSocket::textMessageReceived, &context_,
-                       [this, client](const QString& text) {
-                         take(text.toStdString());
-                         QTimer::singleShot(1, client, [this, client] { say(*client); });
-                       });
-      say(*client);
-    });
-  }
-  void say(QWebSocket& client) {
-    if (silent) {
-      return;
-    }
-    Json state;
-    state["inverse3"] = Json::array();
-    if (connected) {
-      state["inverse3"].push_back(
-          {{"device_id", "04BA"},
-           {"config", {{"device_info", {{"firmware_version", "7.1"}}}}},
-           {"state", {{"cursor_position", {{"x", x_m.load()}, {"y", y_m.load()}, {"z", z_m.load()}}}}}});
-    }
-    const double half_rad = 0.5 * roll_rad;
-    state["wireless_verse_grip"] = Json::array(
-        {{{"device_id", "61576"},
-          {"state",
-           {{"orientation", {{"w", std::cos(half_rad)}, {"x", 0.0}, {"y", std::sin(half_rad)}, {"z", 0.0}}},
-            {"buttons", {{"a", buttonA.load()}, {"b", false}, {"c", false}}}}}}});
-    client.sendTextMessage(QString::fromStdString(state.dump()));
-  }
-  void take(const std::string& text) {
-    const Json values = Json::parse(text)["inverse3"][0]["commands"]["set_cursor_force"]["values"];
-    const std::scoped_lock guard(mutex_);
-    forces_N_.push_back({values["x"].get<double>(), values["y"].get<double>(), values["z"].get<double>()});
-  }
-
-  QThread thread_;
-  QObject context_;
-  std::unique_ptr<QWebSocketServer> server_;
-  quint16 port_ = 0;
-  std::mutex mutex_;
-  std::vector<Vec3> forces_N_;
-};
-
-template <typename Condition>
-bool inTime(const Condition& condition) {
-  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (std::chrono::steady_clock::now() < until) {
-    if (condition()) {
-      return true;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return false;
-}
+using testing::inTime;
+using testing::InverseService;
 
 constexpr Vec3 kOrgan_m{0.1, 0.2, 0.3};
 constexpr Vec3 kPush_N{0.4, -0.3, 0.2};
 
-class Inverse3 : public ::testing::Test {
+/// The parameter: whether the driver runs in the device process.
+class Inverse3 : public ::testing::TestWithParam<bool> {
  protected:
-  std::unique_ptr<Service> service_ = std::make_unique<Service>();
+  std::unique_ptr<InverseService> service_ = std::make_unique<InverseService>();
   std::unique_ptr<HapticDevice> device_;
 
+  static void SetUpTestSuite() {
+    setenv("TORSIO_DEVICE_PROGRAM", TORSIO_DEVICE_PROGRAM, 1);
+    (void)requestRealTime();  // a force that is renewed late ends
+  }
+  static DeviceDriver driver() { return hosted(inverse3Driver()); }
   static DeviceRequest request() {
     DeviceRequest request;
     request.workspaceCentre_m = kOrgan_m;
+    request.inThisProcess = !GetParam();
     return request;
   }
   void open() {
-    device_ = inverse3Driver().open(request());
+    device_ = driver().open(request());
     device_->serve();
     ASSERT_TRUE(inTime([this] { return device_->read(0).status == kDeviceOk; }));
   }
@@ -199,8 +104,8 @@ TEST(Inverse3Messages, AForceIsWrittenAsTheServiceTakesIt) {
   EXPECT_EQ(values["z"], 3.0);
 }
 
-TEST_F(Inverse3, IsFoundByItsIdAndSaysThatNobodyHasConfirmedIt) {
-  const DriverFinding found = inverse3Driver().look(request());
+TEST_P(Inverse3, IsFoundByItsIdAndSaysThatNobodyHasConfirmedIt) {
+  const DriverFinding found = driver().look(request());
   open();
 
   EXPECT_TRUE(found.available);
@@ -211,22 +116,22 @@ TEST_F(Inverse3, IsFoundByItsIdAndSaysThatNobodyHasConfirmedIt) {
   EXPECT_NE(device_->identity().notes.at(0).str().find("not confirmed on hardware"), std::string::npos);
 }
 
-TEST_F(Inverse3, WithoutServiceOrDeviceItIsNotThere) {
+TEST_P(Inverse3, WithoutServiceOrDeviceItIsNotThere) {
   service_->connected = false;
-  const DriverFinding noDevice = inverse3Driver().look(request());
+  const DriverFinding noDevice = driver().look(request());
   service_.reset();
   setenv("TORSIO_INVERSE_SERVICE", "127.0.0.1:1", 1);
-  const DriverFinding noService = inverse3Driver().look(request());
+  const DriverFinding noService = driver().look(request());
 
   EXPECT_FALSE(noDevice.available);
   EXPECT_NE(noDevice.sentence.str().find("no such device"), std::string::npos);
   EXPECT_FALSE(noService.available);
   EXPECT_NE(noService.sentence.str().find("127.0.0.1:1"), std::string::npos);
-  EXPECT_THROW(static_cast<void>(inverse3Driver().open(request())), Error);
+  EXPECT_THROW(static_cast<void>(driver().open(request())), Error);
   unsetenv("TORSIO_INVERSE_SERVICE");
 }
 
-TEST_F(Inverse3, ItsCursorMovesTheTipAboutTheOrgan) {
+TEST_P(Inverse3, ItsCursorMovesTheTipAboutTheOrgan) {
   open();
   EXPECT_NEAR(norm(tool().pose.position_m - kOrgan_m), 0.0, 1e-6);
 
@@ -238,7 +143,7 @@ TEST_F(Inverse3, ItsCursorMovesTheTipAboutTheOrgan) {
   }));
 }
 
-TEST_F(Inverse3, TheHandleTurnsTheJawUnwrappedAndItsButtonClosesIt) {
+TEST_P(Inverse3, TheHandleTurnsTheJawUnwrappedAndItsButtonClosesIt) {
   open();
   for (double turn_rad = 0.0; turn_rad < 4.0; turn_rad += 0.5) {
     service_->roll_rad = turn_rad;
@@ -252,7 +157,7 @@ TEST_F(Inverse3, TheHandleTurnsTheJawUnwrappedAndItsButtonClosesIt) {
   EXPECT_NE(tool().buttons & kButtonGrip, 0U);
 }
 
-TEST_F(Inverse3, AForceIsRenderedAfterARampAndOnlyWhenItWasAskedFor) {
+TEST_P(Inverse3, AForceIsRenderedAfterARampAndOnlyWhenItWasAskedFor) {
   open();
   for (int i = 0; i < 100; ++i) {
     device_->write({kPush_N, 0});
@@ -273,7 +178,7 @@ TEST_F(Inverse3, AForceIsRenderedAfterARampAndOnlyWhenItWasAskedFor) {
   EXPECT_LT(longest_N, norm(kPush_N) / 500.0 + 1e-9);
 }
 
-TEST_F(Inverse3, NoMoreThanTheLimitIsSentAndNothingThatIsNoNumber) {
+TEST_P(Inverse3, NoMoreThanTheLimitIsSentAndNothingThatIsNoNumber) {
   open();
   device_->enableForce(true);
 
@@ -286,7 +191,7 @@ TEST_F(Inverse3, NoMoreThanTheLimitIsSentAndNothingThatIsNoNumber) {
   EXPECT_TRUE(inTime([this] { return norm(service_->lastForce_N()) == 0.0; }));
 }
 
-TEST_F(Inverse3, AForceThatIsNotRenewedEnds) {
+TEST_P(Inverse3, AForceThatIsNotRenewedEnds) {
   open();
   device_->enableForce(true);
   ASSERT_TRUE(pushUntilFelt(kPush_N));
@@ -294,7 +199,7 @@ TEST_F(Inverse3, AForceThatIsNotRenewedEnds) {
   EXPECT_TRUE(inTime([this] { return norm(service_->lastForce_N()) == 0.0; }));
 }
 
-TEST_F(Inverse3, ADroppedForceStaysAwayUntilTheNextWriteAndThenReturnsByTheRamp) {
+TEST_P(Inverse3, ADroppedForceStaysAwayUntilTheNextWriteAndThenReturnsByTheRamp) {
   open();
   device_->enableForce(true);
   ASSERT_TRUE(pushUntilFelt(kPush_N));
@@ -308,7 +213,7 @@ TEST_F(Inverse3, ADroppedForceStaysAwayUntilTheNextWriteAndThenReturnsByTheRamp)
   EXPECT_TRUE(pushUntilFelt(kPush_N));
 }
 
-TEST_F(Inverse3, TheServoTakesNoMemoryAndNoLockHere) {
+TEST_P(Inverse3, TheServoTakesNoMemoryAndNoLockHere) {
   open();
   const std::int64_t taken = testing::allocationCount();
   const std::int64_t locked = testing::lockCount();
@@ -323,7 +228,7 @@ TEST_F(Inverse3, TheServoTakesNoMemoryAndNoLockHere) {
   EXPECT_EQ(testing::lockCount() - locked, 0);
 }
 
-TEST_F(Inverse3, ClosingSendsZeroLast) {
+TEST_P(Inverse3, ClosingSendsZeroLast) {
   open();
   device_->enableForce(true);
   ASSERT_TRUE(pushUntilFelt(kPush_N));
@@ -335,7 +240,7 @@ TEST_F(Inverse3, ClosingSendsZeroLast) {
   EXPECT_FALSE(device_->snapshot().forceOn);
 }
 
-TEST_F(Inverse3, AServiceThatEndsOrFallsSilentIsALostDevice) {
+TEST_P(Inverse3, AServiceThatEndsOrFallsSilentIsALostDevice) {
   for (const bool ends : {true, false}) {
     open();
     device_->enableForce(true);
@@ -351,17 +256,75 @@ TEST_F(Inverse3, AServiceThatEndsOrFallsSilentIsALostDevice) {
     EXPECT_FALSE(device_->snapshot().forceOn);
     device_.reset();
     service_.reset();
-    service_ = std::make_unique<Service>();
+    service_ = std::make_unique<InverseService>();
   }
 }
 
-TEST_F(Inverse3, ADeviceThatIsUnpluggedFromItsServiceIsInvalidThenLost) {
+TEST_P(Inverse3, ADeviceThatIsUnpluggedFromItsServiceIsInvalidThenLost) {
   open();
 
   service_->connected = false;
 
   EXPECT_TRUE(inTime([this] { return (device_->read(0).status & kDeviceInvalid) != 0; }));
   EXPECT_TRUE(inTime([this] { return (device_->read(0).status & kDeviceLost) != 0; }));
+}
+
+TEST_P(Inverse3, AServiceThatAnswersRubbishGetsZeroAndIsALostDevice) {
+  open();
+  device_->enableForce(true);
+  ASSERT_TRUE(pushUntilFelt(kPush_N));
+
+  service_->garbles = true;
+
+  EXPECT_TRUE(inTime([this] {
+    device_->write({kPush_N, 0});
+    return norm(service_->lastForce_N()) == 0.0;
+  }));
+  EXPECT_TRUE(inTime([this] { return (device_->read(0).status & kDeviceLost) != 0; }));
+  EXPECT_TRUE(inTime([this] { return device_->snapshot().state == DeviceState::kLost; }));
+}
+
+TEST_P(Inverse3, AServiceThatHangsHoldsNothingUp) {
+  open();
+  device_->enableForce(true);
+  ASSERT_TRUE(pushUntilFelt(kPush_N));
+
+  service_->hangs = true;
+
+  EXPECT_TRUE(inTime([this] { return (device_->read(0).status & kDeviceLost) != 0; }));
+  const auto begun = std::chrono::steady_clock::now();
+  device_->close();
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(3));
+  service_->hangs = false;
+  EXPECT_TRUE(inTime([this] { return norm(service_->lastForce_N()) == 0.0; }))
+      << "what it finds when it goes on";
+}
+
+INSTANTIATE_TEST_SUITE_P(InThisProcess, Inverse3, ::testing::Values(false));
+INSTANTIATE_TEST_SUITE_P(InTheDeviceProcess, Inverse3, ::testing::Values(true));
+
+TEST(Inverse3Process, WhenTheProgramIsKilledTheServiceIsSentZeroAndTheDeviceProcessEnds) {
+  setenv("TORSIO_DEVICE_PROGRAM", TORSIO_DEVICE_PROGRAM, 1);
+  (void)requestRealTime();
+  InverseService service;
+  const pid_t program = fork();
+  if (program == 0) {
+    const std::unique_ptr<HapticDevice> device = hosted(inverse3Driver()).open({});
+    device->serve();
+    device->enableForce(true);
+    for (;;) {
+      device->write({kPush_N, 0});
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  ASSERT_GT(program, 0);
+  EXPECT_TRUE(inTime([&] { return norm(service.lastForce_N() - kPush_N) < 1e-9; }));
+
+  kill(program, SIGKILL);
+  waitpid(program, nullptr, 0);
+
+  EXPECT_TRUE(inTime([&] { return norm(service.lastForce_N()) == 0.0; }));
+  EXPECT_TRUE(inTime([&] { return service.clients() == 0; }));
 }
 
 }  // namespace

@@ -15,6 +15,17 @@ bool nameOpens(const Fake& f, const char* name) {
   return f.onlyName.empty() ? name == nullptr : name != nullptr && f.onlyName == name;
 }
 
+/// A library that unschedules too late: the task is called after it was taken out, and the device with it.
+/// Called with the lock, which the task wants, too.
+void callLate(Fake& f) {
+  const Task task = f.kept;
+  f.spin.unlock();
+  for (int i = 0; i < 5 && task.callback != nullptr; ++i) {
+    (void)task.callback(task.userData);
+  }
+  f.spin.lock();
+}
+
 template <typename T>
 void give(Fake& f, hd::Enum name, T* values) {
   const auto number = f.numbers.find(name);
@@ -38,6 +49,7 @@ hd::Handle hdInitDevice(const char* configName) {
     readEnvironment(f);
   }
   writeLog(f, "hdInitDevice");
+  see(f, Seen::kInit);
   if (!enter(f, __func__)) {
     return hd::kInvalidHandle;
   }
@@ -64,6 +76,7 @@ void hdDisableDevice(hd::Handle device) {
   Fake& f = fake();
   const Guard guard(f.spin);
   writeLog(f, "hdDisableDevice");
+  see(f, Seen::kDisable);
   if (!enter(f, __func__)) {
     return;
   }
@@ -72,6 +85,10 @@ void hdDisableDevice(hd::Handle device) {
   }
   f.initiated = false;
   f.forceEnabled = false;
+  seeMotors(f);
+  if (f.lateCallbacks) {
+    callLate(f);
+  }
 }
 
 void hdMakeCurrentDevice(hd::Handle device) {
@@ -132,6 +149,10 @@ void hdEndFrame(hd::Handle) {
   const bool was = f.commanded != std::array<double, 3>{};
   f.commanded = f.frameForce;
   const bool is = f.commanded != std::array<double, 3>{};
+  if (was && !is) {
+    see(f, Seen::kZeroFrame);
+  }
+  seeMotors(f);
   if (was != is) {
     writeLog(f, is ? "force" : "zero force");
   }
@@ -160,6 +181,8 @@ void hdEnable(hd::Enum capability) {
   f.enabled[capability] = true;
   if (capability == hd::kForceOutput) {
     f.forceEnabled = true;
+    see(f, Seen::kOutputOn);
+    seeMotors(f);
     writeLog(f, "force output on");
   }
 }
@@ -173,6 +196,8 @@ void hdDisable(hd::Enum capability) {
   f.enabled[capability] = false;
   if (capability == hd::kForceOutput) {
     f.forceEnabled = false;
+    see(f, Seen::kOutputOff);
+    seeMotors(f);
     writeLog(f, "force output off");
   }
 }
@@ -321,6 +346,7 @@ void hdStartScheduler() {
   {
     const Guard guard(f.spin);
     writeLog(f, "hdStartScheduler");
+    see(f, Seen::kStart);
     if (!enter(f, __func__, false)) {
       return;
     }
@@ -339,6 +365,7 @@ void hdStopScheduler() {
   {
     const Guard guard(f.spin);
     writeLog(f, "hdStopScheduler");
+    see(f, Seen::kStop);
     if (!enter(f, __func__, false)) {
       return;
     }
@@ -353,6 +380,8 @@ void hdStopScheduler() {
   lock.unlock();
   f.thread.join();
   f.running = false;
+  const Guard guard(f.spin);
+  seeMotors(f);
 }
 
 hd::SchedulerHandle hdScheduleAsynchronous(hd::SchedulerCallback callback, void* userData,
@@ -381,6 +410,10 @@ void hdUnschedule(hd::SchedulerHandle callback) {
   Fake& f = fake();
   const Guard guard(f.spin);
   writeLog(f, "hdUnschedule");
+  see(f, Seen::kUnschedule);
+  if (f.lateCallbacks && f.taskCount > 0) {
+    f.kept = f.tasks[0];
+  }
   if (!enter(f, __func__, false)) {
     return;
   }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <pthread.h>
+#include <sched.h>
+#include <unistd.h>
 
 #include "tests/support/fakehd/fake_state.h"
 
@@ -56,8 +60,39 @@ void place(Fake& f) {
   f.now.buttons = f.buttons;
 }
 
+/// Comes from where it is told within 0.3 s, then presses and slackens a little, twice a second.
+void press(Fake& f) {
+  constexpr double kComes_ticks = 300.0;
+  constexpr double kPi = 3.141592653589793;
+  const double t = static_cast<double>(f.tick.load());
+  const double way = t < kComes_ticks ? t / kComes_ticks
+                                      : 1.0 - 0.01 * (1.0 - std::cos(2.0 * kPi * (t - kComes_ticks) / 500.0));
+  f.pose = {{0, 0, 0}, {0, 0, 0}, 1, {0, 0, 0}};
+  for (std::size_t c = 0; c < 3; ++c) {
+    f.pose.position_mm[c] = f.press_mm[c] + way * (f.press_mm[3 + c] - f.press_mm[c]);
+  }
+}
+
+void lieAboutPose(Fake& f) {
+  auto& transform = f.now.transform;
+  if (f.lie == "nan") {
+    transform[12] = std::nan("");
+  } else if (f.lie == "zero") {
+    transform = {};
+  } else if (f.lie == "mirrored") {
+    for (std::size_t i = 0; i < 3; ++i) {
+      transform[i] = -transform[i];
+    }
+  } else if (f.lie == "huge") {
+    transform[12] = transform[13] = transform[14] = 1e300;
+  } else if (f.lie == "frozen") {
+    f.now.gimbal[2] = 0.001 * static_cast<double>(storyTick(f) - f.lieAtTick);
+    std::copy(f.latched.transform.begin() + 12, f.latched.transform.begin() + 15, transform.begin() + 12);
+  }
+}
+
 void tellStory(Fake& f) {
-  const std::int64_t tick = f.tick.load();
+  const std::int64_t tick = storyTick(f);
   if (f.dockAtTick >= 0 && tick >= f.dockAtTick) {
     f.docked = true;
     f.pose = kInkwellPose;
@@ -67,6 +102,15 @@ void tellStory(Fake& f) {
   }
   if (f.unplugAtTick >= 0 && tick >= f.unplugAtTick) {
     f.unplugged = true;
+    seeFault(f);
+    seeMotors(f);
+  }
+  if (f.dieAtTick >= 0 && tick >= f.dieAtTick) {
+    f.dead = true;
+    seeFault(f);
+  }
+  if (f.presses) {
+    press(f);
   }
 }
 
@@ -121,6 +165,9 @@ void runTick(Fake& f) {
   {
     const Guard guard(f.spin);
     ++f.tick;
+    if (f.record != nullptr) {
+      f.record->ticks = f.tick.load();
+    }
     if (!f.real) {
       f.now_us += f.period_us.load();
     }
@@ -140,6 +187,13 @@ void runTick(Fake& f) {
     const Guard guard(f.spin);
     if (!f.unplugged) {
       place(f);
+      if (!f.lie.empty() && storyTick(f) >= f.lieAtTick) {
+        seeFault(f);
+        lieAboutPose(f);
+      }
+    }
+    if (f.dead) {
+      return;
     }
   }
   for (int i = 0; i < count; ++i) {
@@ -173,6 +227,15 @@ int waitingTasks(Fake& f) {
 
 void servoLoop(Fake& f) {
   f.servo = std::this_thread::get_id();
+  if (f.real) {
+    // As the vendor's own thread: before other work where the system permits it.
+    sched_param rank{};
+    rank.sched_priority = 70;
+    (void)pthread_setschedparam(pthread_self(), SCHED_FIFO, &rank);
+  }
+  if (f.record != nullptr) {
+    f.record->servo = gettid();
+  }
   auto deadline = std::chrono::steady_clock::now();
   std::unique_lock lock(f.mutex);
   while (!f.stop) {

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/fakehd/fake_state.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
+#include <fcntl.h>
+#include <sstream>
+#include <sys/mman.h>
+#include <unistd.h>
 
 namespace fakehd {
 
@@ -62,12 +70,82 @@ void writeLog(const Fake& f, const char* line) {
   }
 }
 
-bool enter(Fake& f, const char* function, bool deviceCall) {
-  if (!f.hangIn.empty() && f.hangIn == function && f.tick >= f.hangAtTick) {
+std::int64_t storyTick(const Fake& f) {
+  return !f.afterPush ? f.tick.load() : (f.pushTick < 0 ? -1 : f.tick - f.pushTick);
+}
+
+void see(Fake& f, Seen what) {
+  FakeRecord* const record = f.record;
+  if (record == nullptr) {
+    return;
+  }
+  const std::int64_t number = record->count.fetch_add(1);
+  if (number >= static_cast<std::int64_t>(FakeRecord::kMost)) {
+    return;
+  }
+  SeenEvent& event = record->events[static_cast<std::size_t>(number)];
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  event.what = what;
+  event.waited_ns = waited_ns(record->process, record->process) + waited_ns(record->process, record->servo);
+  event.time_ns =
+      1'000'000'000 * static_cast<std::int64_t>(now.tv_sec) + now.tv_nsec;  // last: now it is whole
+}
+
+void seeFault(Fake& f) {
+  if (!f.faultSeen) {
+    f.faultSeen = true;
+    see(f, Seen::kFault);
+  }
+}
+
+void seeMotors(Fake& f) {
+  if (f.record == nullptr) {
+    return;
+  }
+  const auto [x, y, z] = rendered(f);
+  const double size_N = std::sqrt(x * x + y * y + z * z);
+  const auto size_uN = std::isfinite(size_N) ? static_cast<std::int64_t>(1e6 * std::min(size_N, 1e6))
+                                             : std::int64_t{1'000'000'000'000};
+  f.record->motors_uN = size_uN;
+  f.record->most_uN = std::max(f.record->most_uN.load(), size_uN);
+  if (f.pushed != (size_uN > 0)) {
+    f.pushed = size_uN > 0;
+    f.pushTick = f.pushTick < 0 ? f.tick.load() : f.pushTick;
+    see(f, f.pushed ? Seen::kPush : Seen::kRest);
+  }
+}
+
+namespace {
+
+/// Never returns, or ends the process, when the story says so.
+void misbehave(Fake& f, const char* function) {
+  if (storyTick(f) < f.hangAtTick) {
+    return;
+  }
+  if (f.crashIn == function) {
+    seeFault(f);
+    if (f.crashSignal == 0) {
+      std::exit(0);
+    }
+    std::signal(f.crashSignal, SIG_DFL);
+    std::raise(f.crashSignal);
+  }
+  if (f.hangIn == function) {
+    seeFault(f);
+    if (!f.hangLocked) {
+      f.spin.unlock();  // whoever calls holds it
+    }
     for (;;) {
       std::this_thread::sleep_for(std::chrono::hours(1));
     }
   }
+}
+
+}  // namespace
+
+bool enter(Fake& f, const char* function, bool deviceCall) {
+  misbehave(f, function);
   const bool servo = onServoThread(f);
   if (f.logCount < kMostCalls) {
     f.log[static_cast<std::size_t>(f.logCount++)] = {function, f.tick.load(), servo ? 1 : 0};
@@ -83,7 +161,7 @@ bool enter(Fake& f, const char* function, bool deviceCall) {
   }
   bool works = true;
   for (Fault& fault : f.faults) {
-    if (fault.function != function || fault.times == 0) {
+    if (fault.function != function || fault.times == 0 || storyTick(f) < fault.fromTick) {
       continue;
     }
     if (fault.skip > 0) {
@@ -94,6 +172,7 @@ bool enter(Fake& f, const char* function, bool deviceCall) {
       --fault.times;
     }
     push(f, fault.error.error, fault.error.internalError);
+    seeFault(f);
     works = false;
   }
   if (f.unplugged && deviceCall) {
@@ -112,7 +191,63 @@ const char* environment(const char* name) {
 
 }  // namespace
 
+namespace {
+
+int numberIn(const char* name, int otherwise) {
+  return *environment(name) != '\0' ? std::atoi(environment(name)) : otherwise;
+}
+
+/// FUNCTION:TICK:TIMES:ERROR, the error in hexadecimal digits.
+void readFault(Fake& f) {
+  std::istringstream words(environment("FAKEHD_FAULT"));
+  Fault fault;
+  char colon = 0;
+  if (std::getline(words, fault.function, ':') &&
+      words >> fault.fromTick >> colon >> fault.times >> colon >> std::hex >> fault.error.error) {
+    f.faults.push_back(fault);
+  }
+}
+
+void readPress(Fake& f) {
+  std::istringstream numbers(environment("FAKEHD_PRESS"));
+  f.presses = true;
+  for (double& number : f.press_mm) {
+    f.presses = f.presses && static_cast<bool>(numbers >> number);
+  }
+}
+
+void openRecord(Fake& f) {
+  const int file = ::open(environment("FAKEHD_RECORD"), O_RDWR);
+  if (file < 0) {
+    return;
+  }
+  void* const place = mmap(nullptr, sizeof(FakeRecord), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  ::close(file);
+  if (place != MAP_FAILED) {
+    f.record = static_cast<FakeRecord*>(place);
+    f.record->process = getpid();
+    f.record->servo = getpid();
+  }
+}
+
+}  // namespace
+
 void readEnvironment(Fake& f) {
+  openRecord(f);
+  readFault(f);
+  readPress(f);
+  f.afterPush = *environment("FAKEHD_AFTER_PUSH") != '\0';
+  f.hangLocked = *environment("FAKEHD_HANG_LOCKED") != '\0';
+  f.crashIn = environment("FAKEHD_CRASH");
+  f.crashSignal = numberIn("FAKEHD_CRASH_SIGNAL", 0);
+  f.dieAtTick = numberIn("FAKEHD_DIE_AT_TICK", -1);
+  f.lie = environment("FAKEHD_LIE");
+  f.lieAtTick = numberIn("FAKEHD_LIE_AT_TICK", 0);
+  f.lateCallbacks = *environment("FAKEHD_LATE_CALLBACKS") != '\0';
+  if (*environment("FAKEHD_MAX_FORCE") != '\0') {
+    f.numbers[hd::kNominalMaxForce] = {std::atof(environment("FAKEHD_MAX_FORCE"))};
+    f.numbers[hd::kNominalMaxContinuousForce] = {std::atof(environment("FAKEHD_MAX_FORCE"))};
+  }
   if (*environment("FAKEHD_NO_DEVICE") != '\0') {
     f.present = false;
   }
@@ -129,20 +264,14 @@ void readEnvironment(Fake& f) {
   if (calibration == "dock") {
     f.calibration = hd::kCalibrationNeedsManualInput;
   }
-  if (*environment("FAKEHD_DOCK_AT_TICK") != '\0') {
-    f.dockAtTick = std::atoi(environment("FAKEHD_DOCK_AT_TICK"));
-  }
-  if (*environment("FAKEHD_UNPLUG_AT_TICK") != '\0') {
-    f.unplugAtTick = std::atoi(environment("FAKEHD_UNPLUG_AT_TICK"));
-  }
-  if (*environment("FAKEHD_TICK_US") != '\0') {
-    f.period_us = std::atoi(environment("FAKEHD_TICK_US"));
-  }
+  f.dockAtTick = numberIn("FAKEHD_DOCK_AT_TICK", f.dockAtTick);
+  f.unplugAtTick = numberIn("FAKEHD_UNPLUG_AT_TICK", f.unplugAtTick);
+  f.period_us = numberIn("FAKEHD_TICK_US", static_cast<int>(f.period_us));
   if (std::string(environment("FAKEHD_POSE")) == "centre") {
     f.pose = {{0, 0, 0}, {0, 0, 0}, 1, {0, 0, 0}};
   }
   f.hangIn = environment("FAKEHD_HANG");
-  f.hangAtTick = std::atoi(environment("FAKEHD_HANG_AT_TICK"));
+  f.hangAtTick = numberIn("FAKEHD_HANG_AT_TICK", 0);
   f.logFile = environment("FAKEHD_LOG");
 }
 

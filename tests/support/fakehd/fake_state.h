@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <map>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "sim/device/hdapi/hdapi_abi.h"
+#include "tests/support/fakehd/fake_record.h"
 #include "tests/support/fakehd/fakehd.h"
 
 /// The inside of the fake vendor library: its state, its servo thread and the bookkeeping of its calls. State
@@ -24,8 +26,9 @@ namespace hd = torsio::hd;
 class SpinLock {
  public:
   void lock() noexcept {
+    // Not a yield alone: whoever holds it may have to let a thread of higher rank go first.
     while (flag_.test_and_set(std::memory_order_acquire)) {
-      std::this_thread::yield();
+      std::this_thread::sleep_for(std::chrono::microseconds(20));
     }
   }
   void unlock() noexcept { flag_.clear(std::memory_order_release); }
@@ -40,6 +43,7 @@ struct Fault {
   int skip = 0;
   int times = 0;
   hd::ErrorInfo error;
+  std::int64_t fromTick = 0;
 };
 
 struct Task {
@@ -92,8 +96,22 @@ struct Fake {
   int dockAtTick = -1;
   int unplugAtTick = -1;
   std::string logFile;
-  std::string hangIn;  // the function that never returns ...
-  int hangAtTick = 0;  // ... from this tick on
+  std::string hangIn;       // the function that never returns ...
+  int hangAtTick = 0;       // ... from this tick on
+  bool hangLocked = false;  // ... and holds the library's lock
+  std::string crashIn;      // the function that ends the process at that tick ...
+  int crashSignal = 0;      // ... by this signal; 0: by exit()
+  int dieAtTick = -1;       // the servo thread calls nobody any more
+  std::string lie;          // what it says of the pose ...
+  int lieAtTick = 0;        // ... from this tick on
+  bool lateCallbacks = false;
+  std::array<double, 6> press_mm{};  // where the tip comes from and where it presses
+  bool presses = false;
+  FakeRecord* record = nullptr;  // null: nobody asks
+  bool faultSeen = false;
+  bool pushed = false;
+  bool afterPush = false;  // the story's ticks count from the first force on
+  std::int64_t pushTick = -1;
 
   // Library.
   std::array<hd::ErrorInfo, kMostErrors> errors{};
@@ -144,6 +162,14 @@ void breakRule(Fake& f, hd::ErrorCode error);
 bool onServoThread(const Fake& f);
 /// One line into the file that FAKEHD_LOG names.
 void writeLog(const Fake& f, const char* line);
+/// The tick of the story; negative: it has not begun.
+std::int64_t storyTick(const Fake& f);
+/// What the record is told, with the time.
+void see(Fake& f, Seen what);
+/// The story's fault has begun.
+void seeFault(Fake& f);
+/// Whether the motors have a force, after whatever may have changed that.
+void seeMotors(Fake& f);
 /// Bookkeeping of one call. False when a fault was scripted for it, or the cable is out: it then does
 /// nothing.
 bool enter(Fake& f, const char* function, bool deviceCall = true);

@@ -11,7 +11,17 @@
 /// the whole program: FAKEHD_NO_DEVICE, FAKEHD_NO_LICENCE, FAKEHD_MODEL, FAKEHD_CALIBRATION=ok|update|dock,
 /// FAKEHD_HANG=hdEndFrame and FAKEHD_HANG_AT_TICK (that function never returns from then on),
 /// FAKEHD_DOCK_AT_TICK, FAKEHD_UNPLUG_AT_TICK, FAKEHD_TICK_US, FAKEHD_POSE=centre, FAKEHD_LOG (file that gets
-/// a line for each call that matters for the order of teardown).
+/// a line for each call that matters for the order of teardown). Also
+///
+/// FAKEHD_RECORD        file of a FakeRecord: what the motors had, and when
+/// FAKEHD_AFTER_PUSH    all ticks of the story count from the first force at the motors
+/// FAKEHD_PRESS         six numbers, mm: where the tip comes from and where it presses
+/// FAKEHD_HANG_LOCKED   what hangs holds the library's lock: every other call hangs, too
+/// FAKEHD_CRASH         function that ends the process at FAKEHD_HANG_AT_TICK, by FAKEHD_CRASH_SIGNAL or
+/// exit(0) FAKEHD_FAULT         FUNCTION:TICK:TIMES:ERROR (times -1: for ever; the error in hexadecimal
+/// digits) FAKEHD_DIE_AT_TICK   the servo thread calls nobody any more FAKEHD_LIE           nan, zero,
+/// mirrored, huge, frozen: of the pose, from FAKEHD_LIE_AT_TICK on FAKEHD_MAX_FORCE     what the device
+/// claims to render, N FAKEHD_LATE_CALLBACKS  calls a task that was taken out, and the device with it
 extern "C" {
 
 /// What the fake's hand does in one tick.

@@ -247,6 +247,9 @@ QString RunDayPage::alertText(const RunDayAlert& alert) const {
     case Kind::kDeviceUnfit:
       return tr("%1: the device is not fit for graded runs: %2.")
           .arg(toQString(alert.subject), toQString(alert.reason));
+    case Kind::kServoUneven:
+      return tr("%1, last run: %2. %3.")
+          .arg(toQString(alert.subject), toQString(alert.reason), toQString(alert.remedy));
     case Kind::kRestTooLong:
       return tr("%1 has rested longer than allowed.").arg(toQString(alert.subject));
     case Kind::kSheetsMissing:

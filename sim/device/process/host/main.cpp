@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// torsio-device: the vendor's library in a process of its own. Started by Torsio, never by hand.
+// torsio-device: the driver of a device that renders force, in a process of its own. Started by Torsio, never
+// by hand.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <memory>
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
 
+#include "sim/base/deadline.h"
 #include "sim/base/error.h"
+#include "sim/device/hdapi/hdapi_device.h"
+#include "sim/device/inverse3/inverse3_driver.h"
 #include "sim/device/process/device_channel.h"
+#include "sim/device/process/device_relay.h"
 
 namespace torsio {
 namespace {
@@ -21,33 +27,9 @@ namespace {
 constexpr int kLook_ms = 1;
 // Time that a teardown may take when nobody waits for it any more.
 constexpr auto kOrphanEnds = std::chrono::seconds(1);
-
-/// The library's servo, between the frame and the shared memory.
-struct Relay {
-  DeviceChannel* channel = nullptr;
-  HdapiDevice* device = nullptr;
-  std::uint64_t seenForce = 0;
-  std::uint32_t seenDrops = 0;
-
-  static void tick(void* context, std::int64_t time_us) noexcept {
-    auto& relay = *static_cast<Relay*>(context);
-    DeviceChannel& channel = *relay.channel;
-    const std::uint64_t number = channel.frames.load(std::memory_order_relaxed) + 1;
-    channel.reading.publish({relay.device->read(time_us), number});
-    channel.frames.store(number, std::memory_order_release);
-    relay.device->enableForce(channel.forceWished.load(std::memory_order_relaxed));
-    const std::uint32_t drops = channel.drops.load(std::memory_order_relaxed);
-    if (drops != relay.seenDrops) {
-      relay.seenDrops = drops;
-      relay.device->dropForce();
-    }
-    const std::optional<HdapiForce> force = channel.force.latest();
-    if (force && force->number != relay.seenForce) {  // one that is not renewed expires in the driver
-      relay.seenForce = force->number;
-      relay.device->write({force->force_N, 0});
-    }
-  }
-};
+// Looks in a row without a frame before the driver counts as silent: a machine that stalls both does not
+// count.
+constexpr int kLooksForgiven = 10;
 
 void answer(DeviceChannel& channel, const ChannelReport& report, ChannelStage stage) {
   const std::string bytes = packed(report);
@@ -62,7 +44,7 @@ bool parentGone() {
 }
 
 /// Ends the process although a teardown hangs.
-void endOrphan(DeviceChannel& channel, HdapiDevice& device) {
+void endOrphan(DeviceChannel& channel, HostedDevice& device) {
   std::thread([&device] { (void)device.close(); }).detach();
   const auto until = std::chrono::steady_clock::now() + kOrphanEnds;
   channel.forceWished.store(false);
@@ -72,13 +54,17 @@ void endOrphan(DeviceChannel& channel, HdapiDevice& device) {
   channel.released.store(device.released());
 }
 
-/// Watches the library's servo and the program until one of them ends.
-void watch(DeviceChannel& channel, HdapiDevice& device) {
+/// Watches the driver's servo and the program until one of them ends. Goes before the servo where the system
+/// permits it.
+void watch(DeviceChannel& channel, HostedDevice& device) {
+  (void)requestRealTime(RealTimeRank::kWatchdog);
   std::uint64_t frames = 0;
+  int still = 0;
   auto lastFrame = std::chrono::steady_clock::now();
   bool letGo = false;
   while (!parentGone() && !channel.closeAsked.load()) {
-    channel.snapshot.publish(device.snapshot());
+    const DeviceSnapshot snapshot = device.snapshot();
+    channel.snapshot.publish(snapshot);
     for (DeviceEvent event; device.nextEvent(event);) {
       channel.events.publish(event);
     }
@@ -87,40 +73,67 @@ void watch(DeviceChannel& channel, HdapiDevice& device) {
     if (seen != frames) {
       frames = seen;
       lastFrame = now;
-    } else if (frames > 0 && !letGo && now - lastFrame > std::chrono::microseconds(kChildLetsGo_us)) {
+      still = 0;
+    } else if (++still >= kLooksForgiven && frames > 0 && !letGo && snapshot.state != DeviceState::kLost &&
+               now - lastFrame > std::chrono::microseconds(kChildLetsGo_us)) {
       letGo = true;
-      device.beginClose();  // in a thread of its own: the library hangs
+      device.beginClose();  // in a thread of its own: the driver hangs
     }
   }
 }
 
+/// Opens what is asked for; null when there is nothing to open and the report says why. Throws
+/// Error{kDevice}.
+std::unique_ptr<HostedDevice> openStylusHere(const ChannelRequest& asked, ChannelReport& report) {
+  report.library = loadHdapi(asked.library.data());
+  if (report.library.status != HdapiLoadStatus::kLoaded || asked.onlyLook) {
+    return nullptr;
+  }
+  HdapiOptions options;
+  options.deviceName = asked.deviceName.data();
+  options.deviceToWorld = asked.deviceToWorld;
+  options.workspaceCentre_m = asked.workspaceCentre_m;
+  options.stylusTip_m = asked.stylusTip_m;
+  return std::make_unique<HdapiDevice>(report.library.api, options);
+}
+
+std::unique_ptr<HostedDevice> openHere(const ChannelRequest& asked, ChannelReport& report) {
+  if (inverse3Driver().id != asked.driver.data()) {
+    return openStylusHere(asked, report);
+  }
+  DeviceRequest request;
+  request.name = asked.deviceName.data();
+  request.workspaceCentre_m = asked.workspaceCentre_m;
+  if (asked.onlyLook) {
+    report.finding = inverse3Driver().look(request);
+    return nullptr;
+  }
+  return openInverse3(request);
+}
+
 int serve(DeviceChannel& channel) {
+  channel.request.driver.back() = '\0';
   channel.request.library.back() = '\0';
   channel.request.deviceName.back() = '\0';
   ChannelReport report;
-  report.library = loadHdapi(channel.request.library.data());
-  if (report.library.status != HdapiLoadStatus::kLoaded || channel.request.onlyLibrary) {
-    answer(channel, report, ChannelStage::kNoLibrary);
-    return 0;
-  }
-  HdapiOptions options;
-  options.deviceName = channel.request.deviceName.data();
-  options.deviceToWorld = channel.request.deviceToWorld;
-  options.workspaceCentre_m = channel.request.workspaceCentre_m;
-  options.stylusTip_m = channel.request.stylusTip_m;
   ChannelStage refusal = ChannelStage::kRefused;
   try {
-    // Never destroyed: a library that hangs may use it until the process ends.
-    auto& device = *new HdapiDevice(report.library.api, options);
+    std::unique_ptr<HostedDevice> opened = openHere(channel.request, report);
+    if (opened == nullptr) {
+      answer(channel, report, ChannelStage::kLooked);
+      return 0;
+    }
+    // Never destroyed: a driver that hangs may use it until the process ends.
+    HostedDevice& device = *opened.release();
     report.capabilities = device.capabilities();
     report.identity = device.identity();
     answer(channel, report, ChannelStage::kOpened);
     refusal = ChannelStage::kServoRefused;
     while (!channel.serveAsked.load() && !channel.closeAsked.load() && !parentGone()) {
     }
-    auto& relay = *new Relay{&channel, &device};
+    auto& relay = *new DeviceRelay{&channel, &device};
     if (channel.serveAsked.load()) {
-      device.start({&Relay::tick, &relay});
+      device.start(relay.asTick());
       channel.stage.store(ChannelStage::kServing);
       watch(channel, device);
     }
@@ -163,6 +176,6 @@ int main() {
     std::this_thread::sleep_for(2 * torsio::kOrphanEnds);
     _exit(0);
   }).detach();
-  // The library's own threads and exit handlers are not waited for.
+  // A library's own threads and exit handlers are not waited for.
   _exit(torsio::serve(channel));
 }

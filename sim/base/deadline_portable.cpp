@@ -2,7 +2,7 @@
 #include <chrono>
 #include <thread>
 
-#include "sim/servo/deadline.h"
+#include "sim/base/deadline.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 #include <sys/prctl.h>
 #endif
 
-#include "sim/servo/deadline.h"
+#include "sim/base/deadline.h"
 
 namespace torsio {
 
