@@ -16,6 +16,7 @@
 #include "db/migrations/migrations.h"
 #include "db/migrations/schema_check.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/people/server_roles.h"
 #include "db/repository/system/audit_verification.h"
 #include "sim/base/error.h"
 
@@ -51,7 +52,7 @@ DatabaseCheck check(Connection& connection, const ProgressCallback& progress = {
       return result;  // a damaged file cannot be read to its end
     }
     tellProgress(progress, Text::tr("Checking the audit trail"), kReferencesShare);
-    const std::vector<SchemaFinding> schema = schemaFindings(connection);
+    const std::vector<SchemaFinding> schema = schemaFindings(connection, serverFunctions());
     result.audit = verifyAuditTrail(connection, [&](std::int64_t done, std::int64_t all) {
       tellProgress(
           progress, Text::tr("Checking recording %1 of %2", done + 1, all),
@@ -117,14 +118,12 @@ void sweepLeftovers(const std::string& locator) {
   }
 }
 
-BackupContent backUpDatabase(const std::string& locator, const fs::path& target, Replace replace) {
+void requireOwnBackups(const std::string& locator) {
   requireSqlite(locator, Text::tr("Use pg_dump --format=custom --file=FILE on the server"));
-  sweepLeftovers(locator);
-  {
-    Connection connection = openRecord(locator, OpenMode::kReadWrite);
-    backupSqlite(connection, target, replace);
-  }
-  return checkBackup(target);
+}
+
+void requireOwnRestore(const std::string& locator) {
+  requireSqlite(locator, Text::tr("Use pg_restore on the server"));
 }
 
 void copyStepwise(const fs::path& from, const fs::path& to, const ProgressCallback& progress) {
@@ -174,34 +173,23 @@ BackupCheck verifyBackup(const fs::path& backup, const ProgressCallback& progres
   return result;
 }
 
-Restored restoreDatabase(const fs::path& backup, const std::string& locator) {
-  requireSqlite(locator, Text::tr("Use pg_restore on the server"));
-  sweepLeftovers(locator);
-  const BackupCheck tested = verifyBackup(backup);
-  if (!tested.database.sound()) {
-    throw Error(ErrorCode::kVerifyFailed, Text::tr("the backup is not sound, so nothing was restored"),
-                backup.string(), Text::tr("Run torsio db verify on it, and use an older backup"));
-  }
-  return {tested.content, restoreSqlite(backup, parseLocator(locator).file)};
-}
-
 DatabaseCheck checkDatabase(const std::string& locator) {
   Connection connection = openRecord(locator, OpenMode::kReadOnly);
   return check(connection);
 }
 
 BackupContent backUpDatabase(SessionContext& session, const fs::path& target,
-                             const ProgressCallback& progress) {
+                             const ProgressCallback& progress, Replace replace) {
   session.require(Operation::kDatabaseBackup);
   if (session.connection().engine() != Engine::kSqlite) {
-    requireSqlite(session.key().locator, Text::tr("Use pg_dump --format=custom --file=FILE on the server"));
+    requireOwnBackups(session.key().locator);
   }
   // Before the copy, so that the backup itself tells of it.
   session.note({.action = AuditAction::kDatabaseBackup,
                 .objectKind = AuditObject::kDatabase,
                 .objectId = target.filename().string()});
   tellProgress(progress, Text::tr("Copying the record while others work"), 0.0);
-  backupSqlite(session.connection(), target, Replace::kBackup);
+  backupSqlite(session.connection(), target, replace);
   tellProgress(progress, Text::tr("Reading the backup from end to end"), 0.6);
   return checkBackup(target);
 }

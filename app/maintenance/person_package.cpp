@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/maintenance/guarded_erase.h"
 #include "db/connection/connection.h"
 #include "db/migrations/compaction.h"
 #include "db/repository/people/person_data.h"
@@ -197,7 +198,7 @@ void erasePersonRecord(SessionContext& session, const PersonId& personId, const 
     throw Error(ErrorCode::kBadParameter, Text::tr("erasing needs a reason"), personId,
                 Text::tr("Say why, for the audit trail"));
   }
-  erasePerson(session.connection(), personId, session.actor().userId, reason, session.now_us());
+  eraseGuarded(session, personId, reason);
   truncateLog(session.connection());
 }
 

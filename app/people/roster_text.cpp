@@ -17,7 +17,8 @@ namespace {
 
 /// The text in UTF-8; empty: it is not in this encoding, or this machine does not know it.
 std::optional<std::string> decoded(std::string_view bytes, const char* encoding) {
-  QStringDecoder decoder(encoding, QStringConverter::Flag::Stateless);  // half a letter at the end is an error
+  QStringDecoder decoder(encoding,
+                         QStringConverter::Flag::Stateless);  // half a letter at the end is an error
   if (!decoder.isValid()) {
     return std::nullopt;
   }
@@ -32,8 +33,8 @@ std::optional<std::string> decoded(std::string_view bytes, const char* encoding)
   return text.toStdString();
 }
 
-/// Letters of simplified Chinese are pairs of bytes that are both beyond A0; in a western text such bytes stand
-/// alone among plain letters.
+/// Letters of simplified Chinese are pairs of bytes that are both beyond A0; in a western text such bytes
+/// stand alone among plain letters.
 bool isPairedChinese(std::string_view bytes) {
   std::size_t pairs = 0;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -60,7 +61,8 @@ RosterText decodeRosterText(std::string_view bytes, const std::string& name) {
     if (auto text = decoded(bytes.substr(2), little ? "UTF-16LE" : "UTF-16BE")) {
       return {std::move(*text), "UTF-16"};
     }
-    refuse(Text::tr("the text begins as UTF-16 and is broken"), name, Text::tr("Save the table as UTF-8 CSV"));
+    refuse(Text::tr("the text begins as UTF-16 and is broken"), name,
+           Text::tr("Save the table as UTF-8 CSV"));
   }
   if (bytes.starts_with("\xEF\xBB\xBF")) {
     bytes.remove_prefix(3);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/access/signing.h"
 #include "assessment/rating/campaign.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
@@ -189,12 +190,19 @@ void submitEvaluation(SessionContext& session, const CampaignId& campaignId, con
   }
   Transaction transaction(session.connection());
   EvaluationRepository(session.connection(), session.station()).submit(campaignId, marks);
+  for (const EvaluationMark& mark : marks) {
+    sign(session, {.kind = SignedKind::kEvaluationMark,
+                   .objectId = mark.id,
+                   .meaning = SignatureMeaning::kScored,
+                   .demonstration = mark.demonstration});
+  }
   DeskRepository(session.connection())
       .removeEvaluationDraft(campaignId, session.actor().personId, open.models[model].code);
   session.note({.action = AuditAction::kEvaluationForm,
                 .objectKind = AuditObject::kEvaluationCampaign,
                 .objectId = campaignId});
   transaction.commit();
+  endSigning(session);
 }
 
 }  // namespace torsio

@@ -177,13 +177,13 @@ LiveCallId callTrainee(SessionContext& session, const CallRequest& request) {
   session.require(Operation::kStudySetup);
   if (request.room.empty()) {
     refuseParameter(Text::tr("a call needs a room"), Text::tr("run day"),
-                Text::tr("Say where the real arm stands"));
+                    Text::tr("Say where the real arm stands"));
   }
   Transaction transaction(session.connection());
   const CallCheck check = checkCall(session, request);
   if (check.objection && request.reason.empty()) {
     refuseParameter(*check.objection, check.occasion.code,
-                Text::tr("Say why the trainee is called nevertheless"));
+                    Text::tr("Say why the trainee is called nevertheless"));
   }
   if (const auto open = alreadyCalled(session, request, check.occasion)) {
     return *open;
@@ -227,7 +227,7 @@ void cancelCall(SessionContext& session, const CohortId& cohortId, const LiveCal
   session.require(Operation::kStudySetup);
   if (reason.empty()) {
     refuseParameter(Text::tr("a call is taken back with a reason only"), callId,
-                Text::tr("Say in a few words why"));
+                    Text::tr("Say in a few words why"));
   }
   Transaction transaction(session.connection());
   const LiveCall call = openCall(session, cohortId, callId);
@@ -298,7 +298,8 @@ EnrolmentId enrolmentWithCode(SessionContext& session, const CohortId& cohortId,
       return enrolment.id;
     }
   }
-  refuse(Text::tr("nobody in this cohort has this code"), code, Text::tr("Scan the card again, or type the code"));
+  refuse(Text::tr("nobody in this cohort has this code"), code,
+         Text::tr("Scan the card again, or type the code"));
 }
 
 }  // namespace torsio

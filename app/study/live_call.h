@@ -39,7 +39,8 @@ struct CallCheck {
 /// no room, or an objection and no reason; {kBadData}: the room or the trainee is at another call.
 LiveCallId callTrainee(SessionContext& session, const CallRequest& request);
 
-/// The trainee has left the arm. Sheets that are not in yet stay open and count as late. Audited. kStudySetup.
+/// The trainee has left the arm. Sheets that are not in yet stay open and count as late. Audited.
+/// kStudySetup.
 void endCall(SessionContext& session, const CohortId& cohortId, const LiveCallId& callId);
 /// Somebody else stood there: the sheets are closed until the next call. Audited. kStudySetup. Throws
 /// Error{kBadData} once a sheet of this call is submitted.

@@ -20,6 +20,23 @@
             <numerusform>⚠ %n findings. Do not report from this record before they are explained.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n entries saved</source>
+        <translation>
+            <numerusform>%n entry saved</numerusform>
+            <numerusform>%n entries saved</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::CallBar</name>
+    <message numerus="yes">
+        <source>and %n more late</source>
+        <translation>
+            <numerusform>and %n more late</numerusform>
+            <numerusform>and %n more late</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::CurriculumEditor</name>

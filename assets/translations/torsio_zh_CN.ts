@@ -502,6 +502,10 @@
         <source>Start passwords: %1</source>
         <translation>初始密码：%1</translation>
     </message>
+    <message>
+        <source>%1. Your way into Torsio. For you alone.</source>
+        <translation>%1。Torsio 登录信息，仅供本人使用。</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -946,6 +950,72 @@
     <message>
         <source>Assign</source>
         <translation>指派</translation>
+    </message>
+</context>
+<context>
+    <name>SecondPerson</name>
+    <message>
+        <source>This is the first half of the start password of %1. Hand it over; the second half comes from the administrator who confirms. It is shown only now.</source>
+        <translation>这是 %1 的初始密码的前半部分，请转交本人；后半部分由确认的管理员给出。仅此时显示。</translation>
+    </message>
+    <message>
+        <source>This is the second half of the start password of %1, behind the first one and a hyphen. Hand it over; the first half comes from whoever asked. It is shown only now.</source>
+        <translation>这是 %1 的初始密码的后半部分，接在前半部分和一个连字符之后。请转交本人；前半部分由申请人给出。仅此时显示。</translation>
+    </message>
+    <message>
+        <source>Hand this start password to %1. It is shown only now, and must be changed at the first sign-in.</source>
+        <translation>请将此初始密码交给 %1。密码只在此时显示，首次登录时必须修改。</translation>
+    </message>
+    <message>
+        <source>Start password</source>
+        <translation>初始密码</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>已复制</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Two people</source>
+        <translation>两人共同完成</translation>
+    </message>
+    <message>
+        <source>This needs two people: you ask for it, and another administrator confirms it. Ask for it now?</source>
+        <translation>此事需要两人：由您提出申请，由另一位管理员确认。现在提出申请吗？</translation>
+    </message>
+    <message>
+        <source>&amp;Ask</source>
+        <translation>申请(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Asked. Another administrator confirms it under Users, Requests</source>
+        <translation>已提出申请。另一位管理员将在“用户”的“申请”中确认</translation>
+    </message>
+</context>
+<context>
+    <name>SignDialog</name>
+    <message>
+        <source>Sign</source>
+        <translation>签名</translation>
+    </message>
+    <message>
+        <source>You sign as %1: “%2”</source>
+        <translation>您以 %1 的身份签名：“%2”</translation>
+    </message>
+    <message>
+        <source>Your &amp;password</source>
+        <translation>您的密码(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Sign</source>
+        <translation>签名(&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -3376,10 +3446,6 @@
         <translation>请对其运行 torsio audit verify 并恢复备份</translation>
     </message>
     <message>
-        <source>Run torsio db verify on it, and use an older backup</source>
-        <translation>请对其运行 torsio db verify，并使用更早的备份</translation>
-    </message>
-    <message>
         <source>Save the table as UTF-8 CSV</source>
         <translation>请将表格保存为 UTF-8 编码的 CSV</translation>
     </message>
@@ -3702,10 +3768,6 @@
     <message>
         <source>Write a whole number from %1 to %2, or leave the cell empty</source>
         <translation>请填写 %1 至 %2 的整数，或将单元格留空</translation>
-    </message>
-    <message>
-        <source>Write it as postgresql://user:password@host:port/database</source>
-        <translation>请写成 postgresql://用户:密码@主机:端口/数据库</translation>
     </message>
     <message>
         <source>Write it in a few words</source>
@@ -10595,6 +10657,426 @@
         <source>the values lie too close together to be squared</source>
         <translation>数值过于接近，无法求平方</translation>
     </message>
+    <message>
+        <source>the same as line %1: taken once</source>
+        <translation>与第 %1 行相同：只导入一次</translation>
+    </message>
+    <message>
+        <source>the text begins as UTF-16 and is broken</source>
+        <translation>文本以 UTF-16 开头，但内容已损坏</translation>
+    </message>
+    <message>
+        <source>the text is in no encoding that a spreadsheet saves</source>
+        <translation>文本的编码不是电子表格软件会保存的任何一种</translation>
+    </message>
+    <message>
+        <source>this case has not been called to the real arm yet</source>
+        <translation>该案例尚未被呼叫到真实手臂</translation>
+    </message>
+    <message>
+        <source>Its sheet opens by itself when the office calls it</source>
+        <translation>管理员呼叫后，其评分表会自动打开</translation>
+    </message>
+    <message>
+        <source>%1 has trained %2 of %3 min</source>
+        <translation>%1 已训练 %2 分钟，应为 %3 分钟</translation>
+    </message>
+    <message>
+        <source>%1 has trained %2 min already</source>
+        <translation>%1 已训练 %2 分钟</translation>
+    </message>
+    <message>
+        <source>Call somebody else</source>
+        <translation>请呼叫其他人</translation>
+    </message>
+    <message>
+        <source>this call has ended already</source>
+        <translation>该呼叫已经结束</translation>
+    </message>
+    <message>
+        <source>Read the board again</source>
+        <translation>请刷新看板</translation>
+    </message>
+    <message>
+        <source>this trainee is called in %1 already</source>
+        <translation>该学员已在 %1 被呼叫</translation>
+    </message>
+    <message>
+        <source>End that call first</source>
+        <translation>请先结束那次呼叫</translation>
+    </message>
+    <message>
+        <source>another trainee is called in this room</source>
+        <translation>该房间已呼叫了另一名学员</translation>
+    </message>
+    <message>
+        <source>no occasion is due</source>
+        <translation>当前没有到期的评分时点</translation>
+    </message>
+    <message>
+        <source>Choose the occasion</source>
+        <translation>请选择评分时点</translation>
+    </message>
+    <message>
+        <source>this cohort has no such occasion</source>
+        <translation>该队列没有这个评分时点</translation>
+    </message>
+    <message>
+        <source>no rater is asked to score %1 on the real arm at the occasion &quot;%2&quot;</source>
+        <translation>未邀请任何评分者在评分时点“%2”于真实手臂上为 %1 评分</translation>
+    </message>
+    <message>
+        <source>the scoring plan</source>
+        <translation>评分计划</translation>
+    </message>
+    <message>
+        <source>Ask raters under Scoring</source>
+        <translation>请在“评分”页邀请评分者</translation>
+    </message>
+    <message>
+        <source>all sheets of the occasion &quot;%1&quot; are in</source>
+        <translation>评分时点“%1”的评分表已全部提交</translation>
+    </message>
+    <message>
+        <source>a call needs a room</source>
+        <translation>呼叫必须指明房间</translation>
+    </message>
+    <message>
+        <source>run day</source>
+        <translation>训练日</translation>
+    </message>
+    <message>
+        <source>Say where the real arm stands</source>
+        <translation>请填写真实手臂所在的房间</translation>
+    </message>
+    <message>
+        <source>Say why the trainee is called nevertheless</source>
+        <translation>请说明为何仍要呼叫该学员</translation>
+    </message>
+    <message>
+        <source>a call is taken back with a reason only</source>
+        <translation>撤回呼叫必须说明原因</translation>
+    </message>
+    <message>
+        <source>a sheet of this call is submitted already</source>
+        <translation>本次呼叫已有评分表提交</translation>
+    </message>
+    <message>
+        <source>End the call and report a deviation</source>
+        <translation>请结束呼叫并登记方案偏离</translation>
+    </message>
+    <message>
+        <source>nobody in this cohort has this code</source>
+        <translation>该队列中没有这个编号</translation>
+    </message>
+    <message>
+        <source>Scan the card again, or type the code</source>
+        <translation>请重新扫描卡片，或手动输入编号</translation>
+    </message>
+    <message>
+        <source>Trainee called to the real arm</source>
+        <translation>学员被呼叫到真实手臂</translation>
+    </message>
+    <message>
+        <source>Call to the real arm ended</source>
+        <translation>真实手臂呼叫结束</translation>
+    </message>
+    <message>
+        <source>Call to the real arm taken back</source>
+        <translation>真实手臂呼叫已撤回</translation>
+    </message>
+    <message>
+        <source>Audit trail exported</source>
+        <translation>审计记录已导出</translation>
+    </message>
+    <message>
+        <source>call to the real arm</source>
+        <translation>真实手臂呼叫</translation>
+    </message>
+    <message>
+        <source>signatures</source>
+        <translation>签名</translation>
+    </message>
+    <message>
+        <source>Choose 0 to %1 minutes</source>
+        <translation>请选择 0 到 %1 分钟</translation>
+    </message>
+    <message>
+        <source>too many failures: wait %1 s</source>
+        <translation>失败次数过多：请等待 %1 秒</translation>
+    </message>
+    <message>
+        <source>Then try again</source>
+        <translation>然后重试</translation>
+    </message>
+    <message>
+        <source>the password is not right</source>
+        <translation>密码不正确</translation>
+    </message>
+    <message>
+        <source>a signature asks for your password</source>
+        <translation>签名需要输入您的密码</translation>
+    </message>
+    <message>
+        <source>signature</source>
+        <translation>签名</translation>
+    </message>
+    <message>
+        <source>Enter your password and submit again</source>
+        <translation>请输入密码后再次提交</translation>
+    </message>
+    <message>
+        <source>you asked for this yourself</source>
+        <translation>这是您自己提出的申请</translation>
+    </message>
+    <message>
+        <source>whoever asked for this may not sign in any more</source>
+        <translation>提出申请的人已不能登录</translation>
+    </message>
+    <message>
+        <source>you asked for this yourself, with another account</source>
+        <translation>这是您用另一个账号提出的申请</translation>
+    </message>
+    <message>
+        <source>an account of the demonstration confirms nothing</source>
+        <translation>演示账户不能确认任何申请</translation>
+    </message>
+    <message>
+        <source>this is your own account</source>
+        <translation>这是您自己的账号</translation>
+    </message>
+    <message>
+        <source>this request is not open any more</source>
+        <translation>该申请已不再有效</translation>
+    </message>
+    <message>
+        <source>two people</source>
+        <translation>两人共同完成</translation>
+    </message>
+    <message>
+        <source>Let another administrator confirm it</source>
+        <translation>请由另一位管理员确认</translation>
+    </message>
+    <message>
+        <source>a request needs a reason</source>
+        <translation>申请需要说明理由</translation>
+    </message>
+    <message>
+        <source>Say why, for whoever confirms it and for the audit trail</source>
+        <translation>请说明理由，供确认人参考并记入审计记录</translation>
+    </message>
+    <message>
+        <source>Let other administrators ask for it and confirm it</source>
+        <translation>请由其他管理员申请和确认</translation>
+    </message>
+    <message>
+        <source>this is asked for already</source>
+        <translation>此事已有申请</translation>
+    </message>
+    <message>
+        <source>Let another administrator confirm it, or take the request back first</source>
+        <translation>请由另一位管理员确认，或先撤回该申请</translation>
+    </message>
+    <message>
+        <source>this needs two people: one asks for it, another confirms it</source>
+        <translation>此事需要两人：一人申请，另一人确认</translation>
+    </message>
+    <message>
+        <source>Ask for it, and let another administrator confirm it under Requests; a small centre can switch this off in its settings</source>
+        <translation>请提出申请，并由另一位管理员在“申请”中确认；小型中心可在设置中关闭此规则</translation>
+    </message>
+    <message>
+        <source>Take the request back</source>
+        <translation>请撤回该申请</translation>
+    </message>
+    <message>
+        <source>this record belongs to another account</source>
+        <translation>该记录属于另一个系统账号</translation>
+    </message>
+    <message>
+        <source>Run the command as its owner, or sign in with --as LOGIN</source>
+        <translation>请以其所有者身份运行命令，或用 --as LOGIN 登录</translation>
+    </message>
+    <message>
+        <source>the start password must be changed first</source>
+        <translation>必须先更改初始密码</translation>
+    </message>
+    <message>
+        <source>Sign in once in the window, and choose a password of your own</source>
+        <translation>请先在窗口中登录一次，并设置自己的密码</translation>
+    </message>
+    <message>
+        <source>sign-in name or password is not right, or the account is disabled</source>
+        <translation>登录名或密码不正确，或账号已停用</translation>
+    </message>
+    <message>
+        <source>Give --as LOGIN, or --as-system as the owner of the record</source>
+        <translation>请给出 --as LOGIN，或以记录所有者身份使用 --as-system</translation>
+    </message>
+    <message>
+        <source>an SQLite file has no roles of its own</source>
+        <translation>SQLite 文件没有自己的角色</translation>
+    </message>
+    <message>
+        <source>Name the address of a PostgreSQL server</source>
+        <translation>请给出 PostgreSQL 服务器的地址</translation>
+    </message>
+    <message>
+        <source>this account does not own the tables of the record</source>
+        <translation>此账号不是记录中各表的所有者</translation>
+    </message>
+    <message>
+        <source>Connect as the owner</source>
+        <translation>请以所有者身份连接</translation>
+    </message>
+    <message>
+        <source>Two people for passwords, roles, erasing, restoring and the allocation</source>
+        <translation>密码、角色、删除、恢复与启封分组须两人共同完成</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>需要</translation>
+    </message>
+    <message>
+        <source>switched off by the centre</source>
+        <translation>已由中心关闭</translation>
+    </message>
+    <message>
+        <source>Marks signed with a password</source>
+        <translation>以密码签名的评分</translation>
+    </message>
+    <message>
+        <source>Signature of the frozen data set</source>
+        <translation>冻结数据集的签名</translation>
+    </message>
+    <message>
+        <source>Roles of the server written</source>
+        <translation>写入服务器角色</translation>
+    </message>
+    <message>
+        <source>Second person asked for</source>
+        <translation>申请第二人确认</translation>
+    </message>
+    <message>
+        <source>Confirmed by a second person</source>
+        <translation>已由第二人确认</translation>
+    </message>
+    <message>
+        <source>Request declined or taken back</source>
+        <translation>申请被拒绝或撤回</translation>
+    </message>
+    <message>
+        <source>Signed</source>
+        <translation>签名</translation>
+    </message>
+    <message>
+        <source>request</source>
+        <translation>申请</translation>
+    </message>
+    <message>
+        <source>New start password</source>
+        <translation>新的初始密码</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation>角色</translation>
+    </message>
+    <message>
+        <source>Erase a person</source>
+        <translation>删除一名人员</translation>
+    </message>
+    <message>
+        <source>Restore a backup</source>
+        <translation>恢复备份</translation>
+    </message>
+    <message>
+        <source>Open the allocation</source>
+        <translation>启封随机分组</translation>
+    </message>
+    <message>
+        <source>One person is enough from now on</source>
+        <translation>今后一人即可</translation>
+    </message>
+    <message>
+        <source>confirmed</source>
+        <translation>已确认</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>已拒绝</translation>
+    </message>
+    <message>
+        <source>I scored this case</source>
+        <translation>我已为此案例评分</translation>
+    </message>
+    <message>
+        <source>I changed my mark of this case</source>
+        <translation>我已更改对此案例的评分</translation>
+    </message>
+    <message>
+        <source>I froze these data</source>
+        <translation>我已冻结这些数据</translation>
+    </message>
+    <message>
+        <source>an address does not hold the parameter %1</source>
+        <translation>地址中不能包含参数 %1</translation>
+    </message>
+    <message>
+        <source>Write the password to the password file of your account (~/.pgpass)</source>
+        <translation>请将密码写入您账号的密码文件（~/.pgpass）</translation>
+    </message>
+    <message>
+        <source>unknown connection parameter %1</source>
+        <translation>未知的连接参数 %1</translation>
+    </message>
+    <message>
+        <source>Known are schema, %1</source>
+        <translation>已知参数有 schema、%1</translation>
+    </message>
+    <message>
+        <source>connection parameter %1 has no value</source>
+        <translation>连接参数 %1 没有值</translation>
+    </message>
+    <message>
+        <source>Give it one, or leave it out</source>
+        <translation>请给出其值，或将其省略</translation>
+    </message>
+    <message>
+        <source>the value of connection parameter %1 cannot be used</source>
+        <translation>连接参数 %1 的值不可用</translation>
+    </message>
+    <message>
+        <source>Choose a name or a path without semicolons and line breaks</source>
+        <translation>请选择不含分号和换行的名称或路径</translation>
+    </message>
+    <message>
+        <source>sslmode cannot be %1</source>
+        <translation>sslmode 不能为 %1</translation>
+    </message>
+    <message>
+        <source>Choose one of %1</source>
+        <translation>请选择其中之一：%1 {1?}</translation>
+    </message>
+    <message>
+        <source>connection parameter %1 is given twice</source>
+        <translation>连接参数 %1 重复给出</translation>
+    </message>
+    <message>
+        <source>Leave one out</source>
+        <translation>请去掉其中一个</translation>
+    </message>
+    <message>
+        <source>Write it as postgresql://user@host:port/database?sslmode=verify-full</source>
+        <translation>请写成 postgresql://user@host:port/database?sslmode=verify-full</translation>
+    </message>
+    <message>
+        <source>this cannot be the role of the stations</source>
+        <translation>此名称不能作为工作站角色</translation>
+    </message>
+    <message>
+        <source>Take a name of lower-case letters, digits and underscores that is not the owner&apos;s</source>
+        <translation>请使用由小写字母、数字和下划线组成、且不同于所有者的名称</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -10657,26 +11139,6 @@
     <message>
         <source>&amp;Reason</source>
         <translation>原因(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Start password</source>
-        <translation>初始密码</translation>
-    </message>
-    <message>
-        <source>Done</source>
-        <translation>完成</translation>
-    </message>
-    <message>
-        <source>Hand this start password to %1. It is shown only now, and must be changed at the first sign-in.</source>
-        <translation>请将此初始密码交给 %1。密码只在此时显示，首次登录时必须修改。</translation>
-    </message>
-    <message>
-        <source>&amp;Copy</source>
-        <translation>复制(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Copied</source>
-        <translation>已复制</translation>
     </message>
 </context>
 <context>
@@ -11163,6 +11625,44 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <source>Show &amp;more of %1</source>
         <translation>显示更多（共 %1 条）(&amp;M)</translation>
     </message>
+    <message>
+        <source>Between two days</source>
+        <translation>两个日期之间</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>至</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>导出(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>All entries of this time as a table (CSV)</source>
+        <translation>将此时段的全部条目导出为表格（CSV）</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entries saved</source>
+        <translation>
+            <numerusform>已保存 %n 条</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export the audit trail</source>
+        <translation>导出审计记录</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::BriefingPage</name>
@@ -11265,6 +11765,99 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
     <message>
         <source>An expert undoes the same organ</source>
         <translation>专家为同一器官复位</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::CallBar</name>
+    <message>
+        <source>what is due</source>
+        <translation>当前到期的</translation>
+    </message>
+    <message>
+        <source>Say in which room the real arm stands.</source>
+        <translation>请填写真实手臂所在的房间。</translation>
+    </message>
+    <message>
+        <source>Call nevertheless</source>
+        <translation>仍然呼叫</translation>
+    </message>
+    <message>
+        <source>%1, and &quot;%2&quot; is to be scored. Why now? It is noted as a deviation.</source>
+        <translation>%1，而将要评分的是“%2”。为何现在呼叫？这会登记为方案偏离。</translation>
+    </message>
+    <message>
+        <source>case %1 · %2 · %3 · %4</source>
+        <translation>案例 %1 · %2 · %3 · %4</translation>
+    </message>
+    <message>
+        <source>! Late: %1</source>
+        <translation>! 逾期：%1</translation>
+    </message>
+    <message>
+        <source>● Called: %1</source>
+        <translation>● 呼叫中：%1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 sheets are in</source>
+        <translation>已提交 %1 份评分表，共 %2 份</translation>
+    </message>
+    <message>
+        <source>missing: %1</source>
+        <translation>未交：%1</translation>
+    </message>
+    <message>
+        <source>Copy reminder</source>
+        <translation>复制提醒</translation>
+    </message>
+    <message>
+        <source>Please submit your sheet of case %1 in Torsio (Live sheet): %2</source>
+        <translation>请在 Torsio 的“现场评分表”中提交案例 %1 的评分表：%2</translation>
+    </message>
+    <message>
+        <source>Copied: paste it into a message to these raters.</source>
+        <translation>已复制：请粘贴到发给这些评分者的消息中。</translation>
+    </message>
+    <message>
+        <source>Wrong person…</source>
+        <translation>叫错人了…</translation>
+    </message>
+    <message>
+        <source>End call</source>
+        <translation>结束呼叫</translation>
+    </message>
+    <message>
+        <source>Take the call back</source>
+        <translation>撤回呼叫</translation>
+    </message>
+    <message>
+        <source>Somebody else than %1 stood at the arm: the sheets are closed again, what was typed is kept for the next call.</source>
+        <translation>站在手臂旁的不是 %1：评分表将重新关闭，已填写的内容保留到下次呼叫。</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more late</source>
+        <translation>
+            <numerusform>另有 %n 个逾期</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Call to the real &amp;arm</source>
+        <translation>呼叫到真实手臂(&amp;A)</translation>
+    </message>
+    <message>
+        <source>R&amp;oom</source>
+        <translation>房间(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;for</source>
+        <translation>评分时点(&amp;F)</translation>
+    </message>
+    <message>
+        <source>code or scan</source>
+        <translation>输入或扫描编号</translation>
+    </message>
+    <message>
+        <source>Call</source>
+        <translation>呼叫</translation>
     </message>
 </context>
 <context>
@@ -13904,14 +14497,6 @@ MSM = 质点弹簧</translation>
         <translation>已提交</translation>
     </message>
     <message>
-        <source>draft</source>
-        <translation>草稿</translation>
-    </message>
-    <message>
-        <source>waiting</source>
-        <translation>待评</translation>
-    </message>
-    <message>
         <source>%1.  Case %2, %3</source>
         <translation>%1.  案例 %2，%3</translation>
     </message>
@@ -13960,10 +14545,6 @@ MSM = 质点弹簧</translation>
         <translation>案例 %1</translation>
     </message>
     <message>
-        <source>No live case</source>
-        <translation>没有现场案例</translation>
-    </message>
-    <message>
         <source>Stop the timer</source>
         <translation>停止计时</translation>
     </message>
@@ -13978,14 +14559,6 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Live sheet</source>
         <translation>现场评分表</translation>
-    </message>
-    <message>
-        <source>Real arm, in running order. Works without a network; every tap is saved.</source>
-        <translation>真实手臂，按出场顺序。无需网络，每次点击即保存。</translation>
-    </message>
-    <message>
-        <source>Real arm, in running order. Every tap is saved on the centre&apos;s server; if it cannot be reached, it is said at once.</source>
-        <translation>真实手臂，按出场顺序。每次点按都保存到中心服务器；若无法连接，会立即提示。</translation>
     </message>
     <message>
         <source>&amp;Amend …</source>
@@ -14014,6 +14587,42 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Not assessable: type why, Enter</source>
         <translation>无法评定：输入原因，回车</translation>
+    </message>
+    <message>
+        <source>Case %1 is called now. What you have begun here is kept: submit it, or choose the case at the left and come back later.</source>
+        <translation>现在呼叫的是案例 %1。您在此处已填写的内容会保留：请提交，或在左侧选择该案例，稍后再回来。</translation>
+    </message>
+    <message>
+        <source>draft, called now</source>
+        <translation>草稿，呼叫中</translation>
+    </message>
+    <message>
+        <source>draft, late</source>
+        <translation>草稿，逾期</translation>
+    </message>
+    <message>
+        <source>called now</source>
+        <translation>呼叫中</translation>
+    </message>
+    <message>
+        <source>late</source>
+        <translation>逾期</translation>
+    </message>
+    <message>
+        <source>Nobody is called yet</source>
+        <translation>尚未呼叫任何人</translation>
+    </message>
+    <message>
+        <source>The sheet opens by itself when the office calls a case.</source>
+        <translation>管理员呼叫案例后，评分表会自动打开。</translation>
+    </message>
+    <message>
+        <source>Real arm: the sheet follows the call. Works without a network; every tap is saved.</source>
+        <translation>真实手臂：评分表随呼叫切换。无需网络；每次点按均会保存。</translation>
+    </message>
+    <message>
+        <source>Real arm: the sheet follows the call. Every tap is saved on the centre&apos;s server; if it cannot be reached, it is said at once.</source>
+        <translation>真实手臂：评分表随呼叫切换。每次点按均保存到中心服务器；无法连接时会立即提示。</translation>
     </message>
 </context>
 <context>
@@ -14820,6 +15429,26 @@ Leave it empty to remove it.</source>
         <source>S&amp;witch this station over</source>
         <translation>切换此工作站(&amp;W)</translation>
     </message>
+    <message>
+        <source>&amp;Encryption</source>
+        <translation>加密(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Certificate of its authorit&amp;y</source>
+        <translation>其颁发机构的证书(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>as the server offers it, unchecked</source>
+        <translation>按服务器提供的方式，不核验</translation>
+    </message>
+    <message>
+        <source>checked: this server and no other</source>
+        <translation>核验：只连接这一台服务器</translation>
+    </message>
+    <message>
+        <source>the account&apos;s own (~/.postgresql/root.crt)</source>
+        <translation>账号自带的证书（~/.postgresql/root.crt）</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::NextStepPage</name>
@@ -15239,10 +15868,6 @@ Leave it empty to remove it.</source>
         <translation>开始第一个案例之前：为参考操作评分，看看与专家组的差距。</translation>
     </message>
     <message>
-        <source>Live cases on the real arm that wait for you: %1.</source>
-        <translation>等待您的真实手臂现场案例：%1。</translation>
-    </message>
-    <message>
         <source>All have submitted. Your marks that differ from the others: %1.</source>
         <translation>所有人均已提交。您与他人差异较大的评分：%1。</translation>
     </message>
@@ -15281,6 +15906,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>Case %1</source>
         <translation>案例 %1</translation>
+    </message>
+    <message>
+        <source>Called to the real arm, your sheet is not in: %1. To be called: %2.</source>
+        <translation>已呼叫到真实手臂、您尚未提交：%1。待呼叫：%2。</translation>
+    </message>
+    <message>
+        <source>Cases that will be called to the real arm: %1. The sheet follows the call.</source>
+        <translation>将被呼叫到真实手臂的案例：%1。评分表会随呼叫打开。</translation>
     </message>
 </context>
 <context>
@@ -16029,6 +16662,109 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::RequestsDialog</name>
+    <message>
+        <source>Requests</source>
+        <translation>申请</translation>
+    </message>
+    <message>
+        <source>&amp;Confirm…</source>
+        <translation>确认(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>What needs two people waits here for two weeks. Nobody confirms what they asked for themselves.</source>
+        <translation>需要两人完成的事项在此等待两周。任何人都不能确认自己提出的申请。</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>事项</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>对象</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation>角色</translation>
+    </message>
+    <message>
+        <source>Asked by</source>
+        <translation>申请人</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>理由</translation>
+    </message>
+    <message>
+        <source>Nothing waits for a second person.</source>
+        <translation>没有等待第二人确认的事项。</translation>
+    </message>
+    <message>
+        <source>&amp;Take back…</source>
+        <translation>撤回(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>&amp;Decline…</source>
+        <translation>拒绝(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Open Maintenance, Restore, and choose the backup %1: that confirms it</source>
+        <translation>请打开“维护”的“恢复”，选择备份 %1：即为确认</translation>
+    </message>
+    <message>
+        <source>The keeper of the allocation opens it on the page Allocation: that confirms it</source>
+        <translation>由分组管理员在“随机分组”页面启封：即为确认</translation>
+    </message>
+    <message>
+        <source>Erase a person</source>
+        <translation>删除一名人员</translation>
+    </message>
+    <message>
+        <source>%1 asks to erase %2: “%3”. The identity is gone for good; marks stay under the code.</source>
+        <translation>%1 申请删除 %2：“%3”。身份信息将永久消失；评分保留在代码之下。</translation>
+    </message>
+    <message>
+        <source>&amp;Erase</source>
+        <translation>删除(&amp;E)</translation>
+    </message>
+    <message>
+        <source>%1 is erased</source>
+        <translation>%1 已删除</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>%1 asks for this: “%2”. Do you know of it, and is it right?</source>
+        <translation>%1 提出此申请：“%2”。您了解此事并认为正确吗？</translation>
+    </message>
+    <message>
+        <source>&amp;Confirm</source>
+        <translation>确认(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Sealing the start password</source>
+        <translation>正在加密初始密码</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>撤回</translation>
+    </message>
+    <message>
+        <source>Decline</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>The request is closed and stays in the audit trail.</source>
+        <translation>该申请将关闭，并保留在审计记录中。</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::RestorePage</name>
     <message>
         <source>Choose a backup</source>
@@ -16149,6 +16885,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>&amp;Restore now</source>
         <translation>立即恢复(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Restore a backup</source>
+        <translation>恢复备份</translation>
+    </message>
+    <message>
+        <source>Why is it restored? Another administrator confirms it.</source>
+        <translation>为什么要恢复？由另一位管理员确认。</translation>
     </message>
 </context>
 <context>
@@ -16521,14 +17265,6 @@ Leave it empty to remove it.</source>
         <translation>状态</translation>
     </message>
     <message>
-        <source>Number</source>
-        <translation>编号</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>备注</translation>
     </message>
@@ -16555,6 +17291,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Importing the roster</source>
         <translation>正在导入名单</translation>
+    </message>
+    <message>
+        <source>The file was read as %1: look at letters with accents.</source>
+        <translation>文件按 %1 编码读取：请检查带重音符号的字母。</translation>
     </message>
 </context>
 <context>
@@ -16791,6 +17531,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>All deviations of this cohort</source>
         <translation>本队列的全部偏离</translation>
+    </message>
+    <message>
+        <source>Call to the arm</source>
+        <translation>呼叫到手臂</translation>
     </message>
 </context>
 <context>
@@ -18024,6 +18768,18 @@ Leave it empty to remove it.</source>
         <source>&amp;Name of the centre</source>
         <translation>中心名称(&amp;N)</translation>
     </message>
+    <message>
+        <source>&amp;Two people for new passwords and roles of those who score or run the study, for erasing, restoring and opening the allocation</source>
+        <translation>评分者和研究管理者的新密码与角色，以及删除、恢复和启封分组，须两人共同完成(&amp;T)</translation>
+    </message>
+    <message>
+        <source>A password that was entered &amp;signs for</source>
+        <translation>输入一次密码可签名(&amp;S)</translation>
+    </message>
+    <message>
+        <source>one signature</source>
+        <translation>一次签名</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::StressLegend</name>
@@ -18524,6 +19280,18 @@ Leave it empty to remove it.</source>
     <message>
         <source>Cancelled; the accounts that were shown stay</source>
         <translation>已取消；已显示的账户仍然有效</translation>
+    </message>
+    <message>
+        <source>Re&amp;quests…</source>
+        <translation>申请(&amp;Q)…</translation>
+    </message>
+    <message>
+        <source>Re&amp;quests (%1)…</source>
+        <translation>申请 (%1)(&amp;Q)…</translation>
+    </message>
+    <message>
+        <source>Another administrator confirms the roles under Requests</source>
+        <translation>由另一位管理员在“申请”中确认角色</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/person_rules.h"
+#include "db/repository/people/server_roles.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
 
@@ -29,6 +30,18 @@ void applyRule(Connection& connection, const PersonRule& rule, const PersonId& p
                               ? "DELETE FROM " + table
                               : "UPDATE " + table + " SET " + std::string(rule.cleared);
   connection.prepare(act + " WHERE " + std::string(rule.condition)).execute(valuesFor(rule, personId));
+}
+
+/// As the owner of the tables. The function of a prepared server does the same (server_roles.cpp).
+void eraseRows(Connection& connection, const PersonId& personId, const std::string& requestedBy,
+               const std::string& reason, std::int64_t utc_us) {
+  connection.execute(insertInto("erasure_gate", "id, reason, opened_utc_us"), {personId, reason, utc_us});
+  for (const PersonRule& rule : kPersonRules) {
+    applyRule(connection, rule, personId);
+  }
+  connection.execute("DELETE FROM erasure_gate WHERE id = ?", {personId});
+  connection.execute(insertInto("erasure", "person_id, requested_by, reason, erased_utc_us"),
+                     {personId, requestedBy, reason, utc_us});
 }
 
 }  // namespace
@@ -68,13 +81,9 @@ void erasePerson(Connection& connection, const PersonId& personId, const std::st
     throw Error(ErrorCode::kBadData, Text::tr("there is no such person, or they were erased already"),
                 Text::tr("erase"), Text::tr("Check the code"));
   }
-  connection.execute(insertInto("erasure_gate", "id, reason, opened_utc_us"), {personId, reason, utc_us});
-  for (const PersonRule& rule : kPersonRules) {
-    applyRule(connection, rule, personId);
+  if (!eraseOnServer(connection, personId, requestedBy, reason, utc_us)) {
+    eraseRows(connection, personId, requestedBy, reason, utc_us);
   }
-  connection.execute("DELETE FROM erasure_gate WHERE id = ?", {personId});
-  connection.execute(insertInto("erasure", "person_id, requested_by, reason, erased_utc_us"),
-                     {personId, requestedBy, reason, utc_us});
   NewAuditEntry entry{.atUtc_us = utc_us,
                       .actor = requestedBy,
                       .station = {},

@@ -10,7 +10,8 @@ namespace torsio {
 namespace {
 
 constexpr const char* kSelectCalls =
-    "SELECT c.id, c.enrolment_id, c.occasion, c.room, c.called_by, c.called_utc_us, c.ended_utc_us, c.cancelled"
+    "SELECT c.id, c.enrolment_id, c.occasion, c.room, c.called_by, c.called_utc_us, c.ended_utc_us, "
+    "c.cancelled"
     " FROM live_call c";
 
 LiveCall readCall(RowReader& row) {

@@ -21,8 +21,10 @@ constexpr std::array kSubjects{
     " JOIN person p ON p.id = e.trainee_id WHERE x.id",
     "SELECT x.id, p.code FROM live_call x JOIN enrolment e ON e.id = x.enrolment_id"
     " JOIN person p ON p.id = e.trainee_id WHERE x.id",
-    "SELECT x.id, p.code || ': ' || x.case_label FROM assignment x JOIN person p ON p.id = x.rater_id WHERE x.id",
-    "SELECT x.id, p.code || ': ' || a.case_label FROM training_mark x JOIN assignment a ON a.id = x.assignment_id"
+    "SELECT x.id, p.code || ': ' || x.case_label FROM assignment x JOIN person p ON p.id = x.rater_id WHERE "
+    "x.id",
+    "SELECT x.id, p.code || ': ' || a.case_label FROM training_mark x JOIN assignment a ON a.id = "
+    "x.assignment_id"
     " JOIN person p ON p.id = x.rater_id WHERE x.id",
     "SELECT x.id, x.name FROM cohort x WHERE x.id",
     "SELECT x.id, x.name FROM curriculum x WHERE x.id",

@@ -124,7 +124,9 @@ TEST_F(CallsFromTheBoard, SheetsThatComeInAreSeenWithoutATouch) {
 
   constexpr int kPatience_ms = 30'000;
   EXPECT_TRUE(QTest::qWaitFor(
-      [&] { return lines().join(QChar(u'\n')).contains(QStringLiteral("1 of 2 sheets are in; missing: R-02")); },
+      [&] {
+        return lines().join(QChar(u'\n')).contains(QStringLiteral("1 of 2 sheets are in; missing: R-02"));
+      },
       kPatience_ms))
       << lines().join(QChar(u'\n')).toStdString();
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The live sheet follows the call of the office.
+#include "app/gui/physician/live_page.h"
+
 #include <QLabel>
 #include <QTest>
 #include <QToolButton>
 #include <gtest/gtest.h>
 
 #include "app/gui/base/translated_text.h"
-#include "app/gui/physician/live_page.h"
 #include "app/gui/widgets/child.h"
 #include "app/study/cohort_service.h"
 #include "app/study/live_call.h"
@@ -16,7 +17,6 @@
 
 namespace torsio::gui {
 namespace {
-
 
 using torsio::testing::ReviewCentre;
 
@@ -95,7 +95,8 @@ TEST_F(LivePageFollows, ALateSheetCanBeHandedInAfterTheCall) {
   for (const QToolButton* button : page.findChildren<QToolButton*>()) {
     lines << button->text();
   }
-  EXPECT_TRUE(lines.join(u'\n').contains(label(0) + QStringLiteral(", late"))) << lines.join(u'\n').toStdString();
+  EXPECT_TRUE(lines.join(u'\n').contains(label(0) + QStringLiteral(", late")))
+      << lines.join(u'\n').toStdString();
   EXPECT_TRUE(lines.join(u'\n').contains(label(1) + QStringLiteral(", called now")));
   scoreAll();
   EXPECT_TRUE(wordsOf(page).contains(label(0)));

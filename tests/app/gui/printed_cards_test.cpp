@@ -27,8 +27,9 @@ TEST(PrintedCards, EveryStartPasswordAndNameIsWhole) {
   const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "cards.pdf";
   std::vector<StartAccount> accounts;
   for (int i = 0; i < 80; ++i) {
-    accounts.push_back({"t-" + std::to_string(i), "trainee", "T-" + std::to_string(i), randomStartPassword(),
-                        "Dr. Maximiliane Alexandra Wolkenstein-Trostburg, Geburtsname M\u00fcller " + std::to_string(i)});
+    accounts.push_back(
+        {"t-" + std::to_string(i), "trainee", "T-" + std::to_string(i), randomStartPassword(),
+         "Dr. Maximiliane Alexandra Wolkenstein-Trostburg, Geburtsname M\u00fcller " + std::to_string(i)});
   }
   accounts[3].startPassword = "WWWWW-MMMMM-WWWWW-MMMMM";  // the widest letters
 

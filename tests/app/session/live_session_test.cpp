@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ten raters, one office and three stages on the real arm, each with a connection of their own, and what goes wrong
-// on such a day: a rater whose machine dies, a call that is made twice, an office that has to sign in anew.
+// Ten raters, one office and three stages on the real arm, each with a connection of their own, and what goes
+// wrong on such a day: a rater whose machine dies, a call that is made twice, an office that has to sign in
+// anew.
 #include <map>
 #include <memory>
 #include <optional>
@@ -113,7 +114,9 @@ class LiveSession : public DatabaseTest {
     const OpenedSheet opened = openSheet(desk(rater), id);
     submitSheet(desk(rater), id, filled(opened, steps), WatchLog());
   }
-  LiveCallId call(std::size_t trainee) { return callTrainee(office(), {cohort_, enrolled_[trainee], {}, kRoom, {}}); }
+  LiveCallId call(std::size_t trainee) {
+    return callTrainee(office(), {cohort_, enrolled_[trainee], {}, kRoom, {}});
+  }
   CalledCase now() { return calledCases(office(), cohort_).front(); }
   void scoreByAll(std::size_t trainee, std::int64_t steps) {
     const LiveCallId id = call(trainee);

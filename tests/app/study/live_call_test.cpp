@@ -54,7 +54,8 @@ class LiveDay : public ::testing::Test {
     return {cohort, enrolled[trainee], occasion, room, reason};
   }
   void train(std::size_t trainee, std::int64_t minutes) {
-    recordExposure(office(), {cohort, enrolled[trainee], "", ExposureKind::kVirtual, 0, minutes * kMinute_us});
+    recordExposure(office(),
+                   {cohort, enrolled[trainee], "", ExposureKind::kVirtual, 0, minutes * kMinute_us});
   }
   std::vector<QueueLine> linesOf(std::size_t chief) { return liveLines(centre.asRater(chiefs[chief])); }
   AssignmentId sheetOf(std::size_t chief, std::size_t trainee, const std::string& occasion) {
@@ -138,15 +139,20 @@ TEST_F(LiveDay, ASheetThatIsNotDueIsNotCalledWithoutAReason) {
 TEST_F(LiveDay, ARoomHoldsOneTraineeAndATraineeStandsInOneRoom) {
   const LiveCallId first = callTrainee(office(), request(0));
   EXPECT_EQ(callTrainee(office(), request(0)), first) << "called again by another hand";
-  EXPECT_NE(refusal([&] { callTrainee(office(), request(1)); }).find("another trainee is called in this room"),
-            std::string::npos);
-  EXPECT_NE(refusal([&] { callTrainee(office(), request(0, {}, {}, "Room 2")); }).find("called in Skills lab"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal([&] { callTrainee(office(), request(1)); }).find("another trainee is called in this room"),
+      std::string::npos);
+  EXPECT_NE(
+      refusal([&] { callTrainee(office(), request(0, {}, {}, "Room 2")); }).find("called in Skills lab"),
+      std::string::npos);
   EXPECT_NE(refusal([&] { callTrainee(office(), request(1, {}, {}, "")); }).find("needs a room"),
             std::string::npos);
   callTrainee(office(), request(1, {}, {}, "Room 2"));
-  const LiveCall same{.id = "another station's", .enrolmentId = enrolled[2], .occasionCode = "pre",
-                      .room = kRoom, .calledUtc_us = 1};
+  const LiveCall same{.id = "another station's",
+                      .enrolmentId = enrolled[2],
+                      .occasionCode = "pre",
+                      .room = kRoom,
+                      .calledUtc_us = 1};
   EXPECT_THROW(CallRepository(centre.connection()).add(std::span(&same, 1)), DbError) << "at the same moment";
   EXPECT_EQ(linesOf(0).size(), 2U);
   endCall(office(), cohort, first);
@@ -175,7 +181,8 @@ TEST_F(LiveDay, ACallOfTheWrongPersonIsTakenBackWhileNobodyHasSubmitted) {
   const LiveCallId wrong = callTrainee(office(), request(0));
   const AssignmentId id = sheetOf(1, 0, "pre");
   saveSheet(centre.asRater(chiefs[1]), id, {.overall_steps = 50}, WatchLog());
-  EXPECT_NE(refusal([&] { cancelCall(office(), cohort, wrong, ""); }).find("with a reason"), std::string::npos);
+  EXPECT_NE(refusal([&] { cancelCall(office(), cohort, wrong, ""); }).find("with a reason"),
+            std::string::npos);
 
   cancelCall(office(), cohort, wrong, "T-02 stood there");
 

@@ -114,10 +114,10 @@ void CallBar::call(const EnrolmentId& enrolmentId) {
     }
     const CallCheck check = checkCall(shell_.session(), request);
     if (check.objection) {
-      const std::optional<std::string> reason = askReason(
-          this, tr("Call nevertheless"),
-          tr("%1, and \"%2\" is to be scored. Why now? It is noted as a deviation.")
-              .arg(toQString(*check.objection), occasionName(check.occasion)));
+      const std::optional<std::string> reason =
+          askReason(this, tr("Call nevertheless"),
+                    tr("%1, and \"%2\" is to be scored. Why now? It is noted as a deviation.")
+                        .arg(toQString(*check.objection), occasionName(check.occasion)));
       if (!reason) {
         return;
       }
@@ -149,9 +149,8 @@ void CallBar::addLine(int row, const CalledCase& called) {
   auto* copy = new QPushButton(tr("Copy reminder"), this);
   copy->setVisible(!called.missing.empty());
   connect(copy, &QPushButton::clicked, this, [this, called] {
-    QGuiApplication::clipboard()->setText(
-        tr("Please submit your sheet of case %1 in Torsio (Live sheet): %2")
-            .arg(toQString(called.caseLabel), joined(called.missing)));
+    QGuiApplication::clipboard()->setText(tr("Please submit your sheet of case %1 in Torsio (Live sheet): %2")
+                                              .arg(toQString(called.caseLabel), joined(called.missing)));
     shell_.notify(tr("Copied: paste it into a message to these raters."));
   });
   auto* wrong = new QPushButton(tr("Wrong person\u2026"), this);
@@ -178,8 +177,8 @@ void CallBar::addLine(int row, const CalledCase& called) {
   wrong->setVisible(open);
   end->setVisible(open);
   int column = 0;
-  for (QWidget* part : {static_cast<QWidget*>(text), static_cast<QWidget*>(copy), static_cast<QWidget*>(wrong),
-                        static_cast<QWidget*>(end)}) {
+  for (QWidget* part : {static_cast<QWidget*>(text), static_cast<QWidget*>(copy),
+                        static_cast<QWidget*>(wrong), static_cast<QWidget*>(end)}) {
     lines_->addWidget(part, row, column++);
     shown_.push_back(part);
   }
