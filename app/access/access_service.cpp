@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/access/two_people.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
@@ -88,7 +89,8 @@ SignInAnswer answer(SessionContext& session, const std::string& login, const Sig
     return answer;
   }
   const UserAccount user = userOf(entrance(session), result.userId);
-  answer.actor = {user.id, user.login, user.personId, user.roles, practiceOnly};
+  answer.actor = {user.id,    user.login,   user.personId,
+                  user.roles, practiceOnly, practiceOnly ? 0 : session.now_us()};
   if (result.outcome == SignIn::kOk) {
     session.setActor(answer.actor);
     session.note({.action = practiceOnly ? AuditAction::kUserSignInPractice : AuditAction::kUserSignIn,
@@ -172,6 +174,15 @@ SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login
   return signedIn;
 }
 
+SignInAnswer checkOwnPassword(SessionContext& session, const std::string& password) {
+  const std::string login = session.actor().login;
+  const SignInResult result = entrance(session).signIn(login, password, session.now_us());
+  if (result.outcome != SignIn::kOk) {
+    noteFailure(session, login, result.outcome, "password");
+  }
+  return {result.outcome, {}, result.waitUntilUtc_us};
+}
+
 void signOut(SessionContext& session) {
   if (!session.actor().userId.empty()) {
     session.note({.action = AuditAction::kUserSignOut,
@@ -183,6 +194,9 @@ void signOut(SessionContext& session) {
 
 UserId addUser(SessionContext& session, const NewUser& user) {
   session.require(Operation::kUserManage);
+  if (givesGuardedRole(session, user.demonstration, {}, user.roles)) {
+    throw SecondPersonNeeded(DutyAct::kGrantRoles, user.login);
+  }
   const UserId id = session.ids().newUuid();
   AccessRepository access = repository(session);
   const SealedSecret password = access.sealPassword(user.login, user.startPassword);
@@ -216,6 +230,9 @@ void setUserRoles(SessionContext& session, const UserId& userId, const std::vect
   if (isActiveAdministrator(before) && !keepsRole) {
     keepAnAdministrator(session, userId);
   }
+  if (givesGuardedRole(session, before.demonstration, before.roles, roles)) {
+    throw SecondPersonNeeded(DutyAct::kGrantRoles, userId);
+  }
   repository(session).setRoles(userId, roles);
   session.note({.action = AuditAction::kUserSetRoles,
                 .objectKind = AuditObject::kAppUser,
@@ -244,7 +261,11 @@ void resetPassword(SessionContext& session, const UserId& userId, const std::str
                    const std::string& reason) {
   session.require(Operation::kUserManage);
   AccessRepository access = repository(session);
-  const SealedSecret password = access.sealPassword(userOf(repository(session), userId).login, startPassword);
+  const UserAccount user = userOf(access, userId);
+  if (passwordNeedsTwo(session, user)) {
+    throw SecondPersonNeeded(DutyAct::kResetPassword, userId);
+  }
+  const SealedSecret password = access.sealPassword(user.login, startPassword);
   Transaction transaction(session.connection());
   access.setPassword(userId, password, true);
   session.note({.action = AuditAction::kUserResetPassword,

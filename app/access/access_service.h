@@ -46,9 +46,13 @@ struct SignInAnswer {
 /// for a weak or unchanged password, {kPermission} when the old one is wrong.
 SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login,
                                const std::string& oldPassword, const std::string& newPassword);
+/// The password of whoever is signed in, asked again; the session stays as it is. A failure counts and is
+/// audited as at the sign-in.
+[[nodiscard]] SignInAnswer checkOwnPassword(SessionContext& session, const std::string& password);
 void signOut(SessionContext& session);
 
-/// A user and a start password that must be changed at the first sign-in. kUserManage.
+/// A user and a start password that must be changed at the first sign-in. kUserManage. Throws
+/// SecondPersonNeeded (two_people.h) where roles are given that need two people: makeUser() asks for them.
 struct NewUser {
   std::string login{};
   PersonId personId{};
@@ -58,11 +62,13 @@ struct NewUser {
 };
 UserId addUser(SessionContext& session, const NewUser& user);
 [[nodiscard]] std::vector<UserAccount> users(SessionContext& session);
-/// At least one active administrator must remain: throws Error{kBadParameter} otherwise.
+/// At least one active administrator must remain: throws Error{kBadParameter} otherwise, SecondPersonNeeded
+/// where roles are given that need two people.
 void setUserRoles(SessionContext& session, const UserId& userId, const std::vector<std::string>& roles,
                   const std::string& reason);
 void setUserActive(SessionContext& session, const UserId& userId, bool active, const std::string& reason);
-/// A new start password, to be changed at the next sign-in.
+/// A new start password, to be changed at the next sign-in. Throws SecondPersonNeeded for whoever has a role
+/// that needs two people.
 void resetPassword(SessionContext& session, const UserId& userId, const std::string& startPassword,
                    const std::string& reason);
 /// One's own station PIN; empty removes it.

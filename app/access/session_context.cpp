@@ -13,6 +13,7 @@
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
+#include "db/repository/people/server_roles.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
@@ -31,6 +32,18 @@ struct SessionContext::Owned {
   Connection connection;
   SystemIdSource ids;
 };
+
+namespace {
+
+/// Who did it, in the audit trail.
+std::string actorText(const Actor& actor) {
+  if (!actor.systemAccount.empty()) {
+    return "system:" + actor.systemAccount;
+  }
+  return actor.userId.empty() ? std::string("torsio") : std::string(actor.userId);
+}
+
+}  // namespace
 
 bool Actor::hasRole(const std::string& role) const {
   return std::find(roles.begin(), roles.end(), role) != roles.end();
@@ -63,6 +76,10 @@ Connection& SessionContext::connection() const {
 }
 
 bool SessionContext::may(Operation operation) const {
+  if (!key_.actor.systemAccount.empty()) {
+    return operation == Operation::kDatabaseBackup || operation == Operation::kDatabaseRestore;
+  }
+  sayWhoAsks(*connection_, key_.actor.practiceOnly ? std::string() : std::string(key_.actor.userId));
   if (key_.actor.userId.empty()) {
     return false;
   }
@@ -102,7 +119,7 @@ void SessionContext::requireOwn(Operation operation, const PersonId& personId) c
 void SessionContext::note(const AuditNote& note) const {
   AuditRepository(*connection_)
       .append({.atUtc_us = now_us(),
-               .actor = key_.actor.userId.empty() ? "torsio" : key_.actor.userId,
+               .actor = actorText(key_.actor),
                .station = key_.station,
                .action = note.action,
                .objectKind = note.objectKind,

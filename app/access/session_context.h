@@ -26,6 +26,11 @@ struct Actor {
   std::vector<std::string> roles{};
   /// Came in with a station PIN: practice without a record and nothing else, whatever the roles say.
   bool practiceOnly = false;
+  /// When the password was shown last, by the clock of the session; 0: never. A signature asks for it.
+  std::int64_t passwordShownUtc_us = 0;
+  /// An account of the operating system that owns the record and takes care of it from the command line
+  /// without signing in: backing up, checking, restoring and moving, and nothing else.
+  std::string systemAccount{};
 
   [[nodiscard]] bool hasRole(const std::string& role) const;
 };
@@ -90,6 +95,9 @@ class SessionContext {
     key_.actor = std::move(actor);
     beginCall();
   }
+
+  /// From now on a signature asks for the password again.
+  void forgetPasswordShown() noexcept { key_.actor.passwordShownUtc_us = 0; }
 
   [[nodiscard]] bool may(Operation operation) const;
   /// Opens connection() to this call, or throws Error{kPermission} that names the operation in words.

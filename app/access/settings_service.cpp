@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/access/two_people.h"
 #include "assessment/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
@@ -49,6 +50,9 @@ void setCentreSetting(SessionContext& session, const std::string& name, const st
     throw Error(ErrorCode::kBadParameter, Text::tr("the value is too long"), name, Text::tr("Shorten it"));
   }
   Transaction transaction(session.connection());
+  if (name == kTwoPeopleSetting && value == "no" && !mayDropTheRule(session)) {
+    requireSecondPerson(session, DutyAct::kOnePerson, name);
+  }
   SettingRepository settings(session.connection());
   const std::string before = settings.value(name).value_or("");
   settings.set(name, value, session.now_us());

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/database_option.h"
 #include "app/cli/json_output.h"
 #include "app/maintenance/anchor.h"
 #include "app/maintenance/database_maintenance.h"
@@ -21,7 +22,7 @@ namespace torsio::cli {
 namespace {
 
 struct AuditArguments {
-  std::string database = "torsio.sqlite";
+  DatabaseOption database;
   std::string file;
   std::string key;
   std::string witness;
@@ -53,12 +54,12 @@ std::vector<AuditFinding> findingsOfHeads(const AuditArguments& arguments) {
   if (heads.empty()) {
     return {};
   }
-  return compareWithHeads(arguments.database, heads,
+  return compareWithHeads(arguments.database.locator(), heads,
                           arguments.key.empty() ? arguments.publicKey : publicAnchorKey(arguments.key));
 }
 
 void verify(const AuditArguments& arguments) {
-  DatabaseCheck check = checkDatabase(arguments.database);
+  DatabaseCheck check = checkDatabase(arguments.database.locator());
   for (AuditFinding& finding : findingsOfHeads(arguments)) {
     check.audit.push_back(std::move(finding));
   }
@@ -91,7 +92,7 @@ void verify(const AuditArguments& arguments) {
 }
 
 void printHead(const AuditArguments& arguments) {
-  const std::string head = anchoredHead(arguments.database, arguments.key, utcNow_us());
+  const std::string head = anchoredHead(arguments.database.locator(), arguments.key, utcNow_us());
   if (!arguments.witness.empty()) {
     appendToWitness(arguments.witness, head);
   }
@@ -128,8 +129,7 @@ void addAudit(CLI::App& program) {
   CLI::App* audit = program.add_subcommand("audit", "The audit trail");
   audit->require_subcommand(1);
   const auto addDatabase = [&arguments](CLI::App& command) {
-    command.add_option("--database", arguments->database, "SQLite file or postgresql://... address")
-        ->capture_default_str();
+    addDatabaseOption(command, arguments->database);
   };
   CLI::App* command =
       audit->add_subcommand("verify", "Finds any change to the audit trail and to what reports read");

@@ -6,12 +6,17 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/care_options.h"
 #include "app/cli/commands.h"
+#include "app/cli/database_option.h"
 #include "app/cli/progress_line.h"
 #include "app/maintenance/anchor.h"
+#include "app/maintenance/care_desk.h"
 #include "app/maintenance/copies.h"
 #include "app/maintenance/database_copy.h"
 #include "app/maintenance/database_maintenance.h"
+#include "app/maintenance/record_restore.h"
+#include "app/maintenance/server_preparation.h"
 #include "app/maintenance/station_anchor.h"
 #include "assessment/people/audit_entry.h"
 #include "assessment/report/number_format.h"
@@ -23,9 +28,11 @@ namespace torsio::cli {
 namespace {
 
 struct DbArguments {
-  std::string database = "torsio.sqlite";
+  DatabaseOption database;
+  CareOptions care;
   std::string file;
   std::string target;
+  std::string role = "torsio_station";
   bool replace = false;
 };
 
@@ -52,7 +59,7 @@ void requireSound(const DatabaseCheck& check, const std::string& remedy) {
 
 /// Every place that holds the record besides itself, with the day by which it should be gone.
 void printCopies(const DbArguments& arguments) {
-  for (const ListedCopy& listed : copiesOf(arguments.database)) {
+  for (const ListedCopy& listed : copiesOf(arguments.database.locator())) {
     const RecordCopy& copy = listed.copy;
     std::cout << "  " << copyKindLabel(copy.kind).english() << " at " << copy.station << ": " << copy.place
               << ", made " << formatUtc(copy.madeUtc_us) << ", to be deleted by "
@@ -61,7 +68,11 @@ void printCopies(const DbArguments& arguments) {
 }
 
 void backUp(const DbArguments& arguments) {
-  const BackupContent content = backUpDatabase(arguments.database, arguments.file,
+  const std::string locator = arguments.database.locator();
+  requireOwnBackups(locator);
+  sweepLeftovers(locator);
+  CareDesk desk(arguments.care.taker(), locator);
+  const BackupContent content = backUpDatabase(desk.session(), arguments.file, {},
                                                arguments.replace ? Replace::kBackup : Replace::kNothing);
   std::cout << "Backup written and checked: " << arguments.file << "\n";
   printContent(content);
@@ -76,7 +87,7 @@ void backUp(const DbArguments& arguments) {
 }
 
 void listCopies(const DbArguments& arguments) {
-  if (copiesOf(arguments.database).empty()) {
+  if (copiesOf(arguments.database.locator()).empty()) {
     std::cout << "No copy of this record is known.\n";
     return;
   }
@@ -92,8 +103,18 @@ void verify(const DbArguments& arguments) {
 }
 
 void restore(const DbArguments& arguments) {
-  const Restored restored = restoreDatabase(arguments.file, arguments.database);
-  std::cout << "Restored " << arguments.database;
+  const std::string file = arguments.database.locator();
+  const Restored restored = restoreRecord(arguments.care.taker(), arguments.file, file);
+  if (restored.plan) {
+    std::cout << "Not in the backup: " << restored.plan->lostPeople << " people, "
+              << restored.plan->lostTrials << " trials, " << restored.plan->lostMarks
+              << " marks; erased again: " << restored.plan->erasedSince << " people\n";
+  }
+  if (!restored.unreadable.empty()) {
+    std::cerr << "torsio: what was there cannot be read (" << restored.unreadable
+              << "); whoever was erased after the backup is in the record again\n";
+  }
+  std::cout << "Restored " << file;
   if (!restored.before.empty()) {
     std::cout << "; what was there is kept as " << restored.before.string();
   }
@@ -102,7 +123,7 @@ void restore(const DbArguments& arguments) {
 }
 
 void check(const DbArguments& arguments) {
-  const DatabaseCheck result = checkDatabase(arguments.database);
+  const DatabaseCheck result = checkDatabase(arguments.database.locator());
   requireSound(result, "Restore the latest backup with torsio db restore");
   std::cout << "The database is sound: schema " << result.schemaVersion << ", " << result.auditEntries
             << " entries of the audit trail fit.\n";
@@ -111,8 +132,9 @@ void check(const DbArguments& arguments) {
 void copy(const DbArguments& arguments) {
   CopyReport report;
   {
+    CareDesk desk(arguments.care.taker(), arguments.file);
     ProgressLine line;
-    report = copyDatabase(arguments.file, arguments.target,
+    report = copyDatabase(desk.session(), arguments.target,
                           [&line](const Progress& progress) { line.show(progress); });
   }
   for (const TableDigest& table : report.tables) {
@@ -125,22 +147,26 @@ void copy(const DbArguments& arguments) {
             << " entries of the audit trail fit.\n";
 }
 
-void addDatabase(CLI::App& command, const std::shared_ptr<DbArguments>& arguments) {
-  command.add_option("--database", arguments->database, "SQLite file or postgresql://... address")
-      ->capture_default_str();
+void prepareServerRoles(const DbArguments& arguments) {
+  prepareServer(arguments.care.taker(), arguments.database.locator(), arguments.role);
+  std::cout << "The roles are written. Stations work as " << arguments.role
+            << "; this account brings the schema up to date, and nobody else uses it.\n"
+            << "Give the role a password: psql -c '\\password " << arguments.role << "'\n";
 }
 
 }  // namespace
 
 void addDb(CLI::App& program) {
   auto arguments = std::make_shared<DbArguments>();
-  CLI::App* db = program.add_subcommand("db", "Care of the database: backup, verify, restore, check, copy");
+  CLI::App* db = program.add_subcommand(
+      "db", "Care of the database: backup, verify, restore, check, copy, copies, prepare-server");
   db->require_subcommand(1);
 
   CLI::App* command = db->add_subcommand("backup", "Copies a database in use into one checked file");
   command->add_option("FILE", arguments->file, "The backup to write")->required();
   command->add_flag("--replace", arguments->replace, "An older backup of that name may go; a record never");
-  addDatabase(*command, arguments);
+  addDatabaseOption(*command, arguments->database);
+  addCareOptions(*command, arguments->care);
   command->callback([arguments] { backUp(*arguments); });
 
   command = db->add_subcommand("verify", "Test restore of a backup: reads all of it and its audit trail");
@@ -149,21 +175,35 @@ void addDb(CLI::App& program) {
 
   command = db->add_subcommand("restore", "Puts a backup in the place of a database that nobody has open");
   command->add_option("FILE", arguments->file, "The backup")->required();
-  addDatabase(*command, arguments);
+  addDatabaseOption(*command, arguments->database);
+  addCareOptions(*command, arguments->care);
+  addSecondPerson(*command, arguments->care);
   command->callback([arguments] { restore(*arguments); });
 
   command = db->add_subcommand("copies", "Lists the places that hold this record besides itself");
-  addDatabase(*command, arguments);
+  addDatabaseOption(*command, arguments->database);
   command->callback([arguments] { listCopies(*arguments); });
 
   command = db->add_subcommand("check", "Looks for damage, and for anything changed behind the audit trail");
-  addDatabase(*command, arguments);
+  addDatabaseOption(*command, arguments->database);
   command->callback([arguments] { check(*arguments); });
 
   command = db->add_subcommand("copy", "Moves a centre to another database: SQLite to PostgreSQL, or back");
-  command->add_option("FROM", arguments->file, "SQLite file or postgresql://... address")->required();
-  command->add_option("TO", arguments->target, "New file or empty database")->required();
+  addDatabaseArgument(*command, "FROM", arguments->file, "SQLite file or postgresql://... address")
+      ->required();
+  addDatabaseArgument(*command, "TO", arguments->target, "New file or empty database")->required();
+  addCareOptions(*command, arguments->care);
   command->callback([arguments] { copy(*arguments); });
+
+  command = db->add_subcommand("prepare-server", "Writes the roles of a PostgreSQL server, as its owner");
+  addDatabaseArgument(*command, "ADDRESS", arguments->database.address, "postgresql://owner@... address")
+      ->required();
+  command->add_flag("--ask-server-password", arguments->database.askPassword,
+                    "Asks at the terminal for the password of the server");
+  command->add_option("--station-role", arguments->role, "The role that stations work as")
+      ->capture_default_str();
+  addCareOptions(*command, arguments->care);
+  command->callback([arguments] { prepareServerRoles(*arguments); });
 }
 
 }  // namespace torsio::cli

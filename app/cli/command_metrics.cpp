@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/database_option.h"
 #include "app/cli/json_output.h"
 #include "app/cli/organ_option.h"
 #include "app/recording/detorsion_rules.h"
@@ -31,7 +32,7 @@ using Json = nlohmann::ordered_json;
 
 struct MetricsArguments {
   std::string trial;
-  std::string database = "torsio.sqlite";
+  DatabaseOption database;
   OrganArguments organ;
   std::optional<double> tolerance_deg;
   std::optional<double> forceLimit_N;
@@ -108,7 +109,7 @@ LoadedRun readRunFile(const std::filesystem::path& file) {
 LoadedRun loadRun(const MetricsArguments& arguments) {
   LoadedRun run = std::filesystem::is_regular_file(arguments.trial)
                       ? readRunFile(arguments.trial)
-                      : loadStoredRun(arguments.database, arguments.trial);
+                      : loadStoredRun(arguments.database.locator(), arguments.trial);
   if (arguments.tolerance_deg) {
     run.rules.tolerance_rad = radians(*arguments.tolerance_deg);
   }
@@ -248,10 +249,7 @@ void addMetrics(CLI::App& program) {
       "metrics", "Measured quantities of a recorded trial and of each twist in it, or of its untwisting");
   command->add_option("TRIAL", arguments->trial, "Id of the trial, or its first characters, or a trial file")
       ->required();
-  command
-      ->add_option("--database", arguments->database,
-                   "SQLite file or postgresql://user:password@host:port/database")
-      ->capture_default_str();
+  addDatabaseOption(*command, arguments->database);
   command
       ->add_option("--tolerance", arguments->tolerance_deg,
                    "About the target angle, degrees, in place of that of the exercise")

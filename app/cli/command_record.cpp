@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/database_option.h"
 #include "app/cli/organ_option.h"
 #include "app/recording/pipeline.h"
 #include "app/recording/recording_host.h"
@@ -23,7 +24,7 @@ namespace torsio::cli {
 namespace {
 
 struct RecordArguments {
-  std::string database;
+  DatabaseOption database;
   std::string model = "twist";
   double duration_s = 20.0;
   std::uint64_t seed = 1;
@@ -35,7 +36,7 @@ void runRecord(const RecordArguments& arguments) {
   SceneRequest request = sceneRequest(arguments.organ);
   request.tissue = tissueModelOf(arguments.model);
   const Scene scene = loadScene(request);
-  const TrialStore store(arguments.database);  // makes the database when there is none
+  const TrialStore store(arguments.database.locator());  // makes the database when there is none
   ScriptedTrial trial;
   trial.recording = {.trialId = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString(),
                      .startedUtc_us = utcNow_us(),
@@ -44,7 +45,8 @@ void runRecord(const RecordArguments& arguments) {
   trial.personSeed = arguments.seed;
   trial.trialSeed = arguments.seed;
   trial.duration_s = arguments.duration_s;
-  const std::unique_ptr<TrialSink> sink = recordingSink(arguments.database, trial.recording.context);
+  const std::unique_ptr<TrialSink> sink =
+      recordingSink(arguments.database.locator(), trial.recording.context);
   const TrialSummary summary = recordScriptedTrial(scene, trial, *sink);
   if (arguments.json) {
     nlohmann::ordered_json out{{"trial", trial.recording.trialId},
@@ -67,10 +69,7 @@ void runRecord(const RecordArguments& arguments) {
 void addRecord(CLI::App& program) {
   auto arguments = std::make_shared<RecordArguments>();
   CLI::App* command = program.add_subcommand("record", "Record a simulated hand that twists an organ");
-  command
-      ->add_option("--database", arguments->database,
-                   "SQLite file or postgresql://user:password@host:port/database")
-      ->required();
+  addDatabaseOption(*command, arguments->database)->required();
   command->add_option("--model", arguments->model, "What answers the hand: twist, fem, msm")
       ->check(CLI::IsMember({"twist", "fem", "msm"}))
       ->capture_default_str();

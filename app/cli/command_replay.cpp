@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/database_option.h"
 #include "app/cli/organ_option.h"
 #include "app/recording/replay_service.h"
 #include "sim/base/error.h"
@@ -17,7 +18,7 @@ namespace {
 
 struct ReplayArguments {
   std::string trial;
-  std::string database = "torsio.sqlite";
+  DatabaseOption database;
   OrganArguments organ;
   bool verify = false;
   bool json = false;
@@ -66,7 +67,7 @@ void print(const ReplayResult& result, bool json) {
 void runReplay(const ReplayArguments& arguments) {
   const SceneRequest scene = sceneRequest(arguments.organ);
   ReplayRequest request;
-  request.database = arguments.database;
+  request.database = arguments.database.locator();
   request.trialId = arguments.trial;
   request.assets = scene.assets;
   request.organFile = scene.organFile;
@@ -87,10 +88,7 @@ void addReplay(CLI::App& program) {
   auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command = program.add_subcommand("replay", "Run a recorded trial again from its device samples");
   command->add_option("TRIAL", arguments->trial, "Id of the trial, or its first characters")->required();
-  command
-      ->add_option("--database", arguments->database,
-                   "SQLite file or postgresql://user:password@host:port/database")
-      ->capture_default_str();
+  addDatabaseOption(*command, arguments->database);
   command->add_option("--organ", arguments->organ.organ, "The mesh file that the trial was recorded on");
   command->add_option("--organ-unit", arguments->organ.unit, "Unit of that file")
       ->check(CLI::IsMember({"mm", "cm", "m"}));

@@ -64,9 +64,7 @@ double fractionOf(const CopyStep& step) {
   return kFrom[phase] + (kFrom[phase + 1] - kFrom[phase]) * part;
 }
 
-}  // namespace
-
-CopyReport copyDatabase(const std::string& from, const std::string& to, const ProgressCallback& progress) {
+void requireOther(const std::string& from, const std::string& to) {
   const Locator source = parseLocator(from);
   const Locator target = parseLocator(to);
   std::error_code ignored;
@@ -75,8 +73,11 @@ CopyReport copyDatabase(const std::string& from, const std::string& to, const Pr
     throw Error(ErrorCode::kUsage, Text::tr("source and target are the same database"), target.shown(),
                 Text::tr("Name another target"));
   }
+}
+
+CopyReport copyAll(const std::string& from, const std::string& to, const ProgressCallback& progress) {
   Connection reading = openRecord(from, OpenMode::kReadOnly);
-  NewFile newFile(target);  // before the connection, so that it is closed first
+  NewFile newFile(parseLocator(to));  // before the connection, so that it is closed first
   Connection writing = openDatabase(to, OpenMode::kCreate);
   Transaction together(writing);  // the tables come with the rows, or neither
   migrate(writing, embeddedMigrations(), {.softwareVersion = softwareVersion(), .backup = false});
@@ -86,6 +87,24 @@ CopyReport copyDatabase(const std::string& from, const std::string& to, const Pr
   together.commit();
   newFile.keep();
   return report;
+}
+
+}  // namespace
+
+CopyReport copyDatabase(SessionContext& session, const std::string& to, const ProgressCallback& progress) {
+  session.require(Operation::kDatabaseRestore);
+  requireOther(session.key().locator, to);
+  AuditNote note{.action = AuditAction::kDatabaseMove,
+                 .objectKind = AuditObject::kDatabase,
+                 .objectId = parseLocator(to).shown()};
+  session.note(note);  // before the copy, so that both tell of it
+  try {
+    return copyAll(session.key().locator, to, progress);
+  } catch (...) {
+    note.action = AuditAction::kDatabaseMoveGivenUp;
+    session.note(note);
+    throw;
+  }
 }
 
 }  // namespace torsio

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "app/access/session_context.h"
 #include "app/base/progress.h"
 #include "db/repository/system/record_copy.h"
 
@@ -12,9 +13,10 @@ namespace torsio {
 /// moment and stays as it is; the target must be a new file or an empty database, and gets all, tables and
 /// rows, in one transaction, or stays as it was.
 /// Counts and hashes of every table are compared, and the audit trail of the target is verified, before the
-/// copy is kept. For the command line. Throws Error: kUsage when both are the same, kBadData when the target
-/// is not empty, kVerifyFailed when the copy differs.
-[[nodiscard]] CopyReport copyDatabase(const std::string& from, const std::string& to,
+/// copy is kept. The source gets an audit entry before, which is copied too, and another when it failed.
+/// kDatabaseRestore. Throws Error: kUsage when both are the same, kBadData when the target is not empty,
+/// kVerifyFailed when the copy differs.
+[[nodiscard]] CopyReport copyDatabase(SessionContext& session, const std::string& to,
                                       const ProgressCallback& progress = {});
 
 }  // namespace torsio

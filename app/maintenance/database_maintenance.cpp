@@ -17,6 +17,7 @@
 #include "db/migrations/migrations.h"
 #include "db/migrations/schema_check.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/people/server_roles.h"
 #include "db/repository/system/audit_verification.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
@@ -53,7 +54,7 @@ DatabaseCheck check(Connection& connection, const ProgressCallback& progress = {
       return result;  // a damaged file cannot be read to its end
     }
     tellProgress(progress, Text::tr("Checking the audit trail"), kReferencesShare);
-    const std::vector<SchemaFinding> schema = schemaFindings(connection);
+    const std::vector<SchemaFinding> schema = schemaFindings(connection, serverFunctions());
     result.audit = verifyAuditTrail(connection, [&](std::int64_t done, std::int64_t all) {
       tellProgress(
           progress, Text::tr("Checking recording %1 of %2", done + 1, all),
@@ -119,17 +120,12 @@ void sweepLeftovers(const std::string& locator) {
   }
 }
 
-BackupContent backUpDatabase(const std::string& locator, const fs::path& target, Replace replace) {
+void requireOwnBackups(const std::string& locator) {
   requireSqlite(locator, Text::tr("Use pg_dump --format=custom --file=FILE on the server"));
-  sweepLeftovers(locator);
-  {
-    Connection connection = openRecord(locator, OpenMode::kReadWrite);
-    requireReplaceable(target, replace);
-    registerCopy(connection, CopyKind::kBackup, target,
-                 utcNow_us());  // so that the backup itself tells of it
-    backupSqlite(connection, target, replace);
-  }
-  return checkBackup(target);
+}
+
+void requireOwnRestore(const std::string& locator) {
+  requireSqlite(locator, Text::tr("Use pg_restore on the server"));
 }
 
 void copyStepwise(const fs::path& from, const fs::path& to, const ProgressCallback& progress) {
@@ -179,35 +175,19 @@ BackupCheck verifyBackup(const fs::path& backup, const ProgressCallback& progres
   return result;
 }
 
-Restored restoreDatabase(const fs::path& backup, const std::string& locator) {
-  requireSqlite(locator, Text::tr("Use pg_restore on the server"));
-  sweepLeftovers(locator);
-  const BackupCheck tested = verifyBackup(backup);
-  if (!tested.database.sound()) {
-    throw Error(ErrorCode::kVerifyFailed, Text::tr("the backup is not sound, so nothing was restored"),
-                backup.string(), Text::tr("Run torsio db verify on it, and use an older backup"));
-  }
-  Restored restored{tested.content, restoreSqlite(backup, parseLocator(locator).file)};
-  if (!restored.before.empty()) {
-    registerCopyIn(locator, CopyKind::kBeforeRestore, restored.before);
-  }
-  registerCopyIn(locator, CopyKind::kBackup, backup);
-  return restored;
-}
-
 DatabaseCheck checkDatabase(const std::string& locator) {
   Connection connection = openRecord(locator, OpenMode::kReadOnly);
   return check(connection);
 }
 
 BackupContent backUpDatabase(SessionContext& session, const fs::path& target,
-                             const ProgressCallback& progress) {
+                             const ProgressCallback& progress, Replace replace) {
   session.require(Operation::kDatabaseBackup);
   if (session.connection().engine() != Engine::kSqlite) {
-    requireSqlite(session.key().locator, Text::tr("Use pg_dump --format=custom --file=FILE on the server"));
+    requireOwnBackups(session.key().locator);
   }
   // Before the copy, so that the backup itself tells of it.
-  requireReplaceable(target, Replace::kBackup);
+  requireReplaceable(target, replace);
   Transaction together(session.connection());
   registerCopy(session.connection(), CopyKind::kBackup, target, session.now_us());
   session.note({.action = AuditAction::kDatabaseBackup,
@@ -215,7 +195,7 @@ BackupContent backUpDatabase(SessionContext& session, const fs::path& target,
                 .objectId = target.filename().string()});
   together.commit();
   tellProgress(progress, Text::tr("Copying the record while others work"), 0.0);
-  backupSqlite(session.connection(), target, Replace::kBackup);
+  backupSqlite(session.connection(), target, replace);
   tellProgress(progress, Text::tr("Reading the backup from end to end"), 0.6);
   return checkBackup(target);
 }

@@ -33,40 +33,29 @@ struct BackupCheck {
   DatabaseCheck database{};
 };
 
-// For the command line, where whoever may read the file may do this. The window goes through the functions
-// that take a SessionContext.
+/// A server has tools of its own: throw Error (kUsage) that names them, for a PostgreSQL address.
+void requireOwnBackups(const std::string& locator);
+void requireOwnRestore(const std::string& locator);
 
-/// Copies the database while others work, into one file that is checked before it gets its name. Throws
-/// Error: kUsage for PostgreSQL (its own pg_dump does it), kFileUnwritable when `target` exists and may not
-/// be replaced.
-BackupContent backUpDatabase(const std::string& locator, const std::filesystem::path& target,
-                             Replace replace = Replace::kNothing);
 /// A test restore: reads all of the backup in a copy of its own, with its audit trail; the file stays as it
 /// is. `look` may read the copy, brought up to date, when it was found sound.
 [[nodiscard]] BackupCheck verifyBackup(const std::filesystem::path& backup,
                                        const ProgressCallback& progress = {},
                                        const std::function<void(Connection&)>& look = {});
-/// What a restore did.
-struct Restored {
-  BackupContent content{};
-  std::filesystem::path before{};  ///< the record as it was; empty: there was none
-};
-
-/// Puts a backup whose content is sound in the place of `locator`; what was there is kept beside it. Throws
-/// Error: kUsage for PostgreSQL, kDatabase when another program has the database open, kVerifyFailed when the
-/// backup is not sound. Nothing is changed then.
-Restored restoreDatabase(const std::filesystem::path& backup, const std::string& locator);
 /// Removes what killed programs left: databases in the making in the folder of the record at `locator`, and
 /// copies of backups that were being checked. Leaves alone what another program is at.
 void sweepLeftovers(const std::string& locator);
 
-/// Opens for reading only; damage is a finding, not an error. For PostgreSQL the server keeps its own files:
-/// schema and audit trail are checked.
+/// Opens for reading only, as whoever may read the file; damage is a finding, not an error. For PostgreSQL
+/// the server keeps its own files: schema and audit trail are checked.
 [[nodiscard]] DatabaseCheck checkDatabase(const std::string& locator);
 
-/// kDatabaseBackup, audited. An older backup of that name is replaced: the dialog has asked. Throws as above.
+/// Copies the database while others work, into one file that is checked before it gets its name; the audit
+/// entry is in the copy, too. By default an older backup of that name goes: the dialog has asked.
+/// kDatabaseBackup. Throws Error: kUsage for PostgreSQL (its own pg_dump does it), kFileUnwritable when
+/// `target` exists and may not be replaced.
 BackupContent backUpDatabase(SessionContext& session, const std::filesystem::path& target,
-                             const ProgressCallback& progress = {});
+                             const ProgressCallback& progress = {}, Replace replace = Replace::kBackup);
 /// kDatabaseBackup, audited with the result.
 [[nodiscard]] DatabaseCheck checkDatabase(SessionContext& session, const ProgressCallback& progress = {});
 

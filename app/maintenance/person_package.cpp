@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/maintenance/copies.h"
+#include "app/maintenance/guarded_erase.h"
 #include "db/connection/connection.h"
 #include "db/migrations/compaction.h"
 #include "db/repository/base/audit_repository.h"
@@ -206,7 +207,7 @@ void erasePersonRecord(SessionContext& session, const PersonId& personId, const 
     throw Error(ErrorCode::kBadParameter, Text::tr("erasing needs a reason"), personId,
                 Text::tr("Say why, for the audit trail"));
   }
-  erasePerson(session.connection(), personId, session.actor().userId, reason, session.now_us());
+  eraseGuarded(session, personId, reason);
   truncateLog(session.connection());
 }
 

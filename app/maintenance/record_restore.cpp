@@ -3,13 +3,18 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
 #include <set>
+#include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <QDateTime>
 
+#include "app/access/two_people.h"
 #include "app/base/build_info.h"
+#include "app/maintenance/care_desk.h"
 #include "app/maintenance/copies.h"
 #include "app/maintenance/database_maintenance.h"
 #include "app/maintenance/others_at_work.h"
@@ -18,6 +23,7 @@
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/people/person_data.h"
+#include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
 
@@ -151,6 +157,45 @@ void requireRoom(const fs::path& record, const fs::path& backup) {
       folder.string(), Text::tr("Free some space on this disk"));
 }
 
+std::string hashOfFile(const fs::path& file) {
+  constexpr std::size_t kPiece_bytes = 1 << 20;
+  std::ifstream in(file, std::ios::binary);
+  Digest digest;
+  for (std::vector<char> piece(kPiece_bytes); in;) {
+    in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    digest.update(std::string_view(piece.data(), static_cast<std::size_t>(in.gcount())));
+  }
+  return digest.hex();
+}
+
+DutyWish wishOf(const fs::path& backup, const std::string& hash) {
+  return {.act = DutyAct::kRestore,
+          .subject = hash,
+          .shown = backup.filename().string(),
+          .reason = "restore from the command line"};
+}
+
+void requireSoundBackup(const BackupCheck& check, const fs::path& backup) {
+  if (!check.database.sound()) {
+    throw Error(ErrorCode::kVerifyFailed, Text::tr("the backup is not sound, so nothing was restored"),
+                backup.string(), Text::tr("Choose an older backup"));
+  }
+}
+
+/// The record at `file` as it is. None, with the reason where there is one, when it cannot be opened.
+std::optional<Connection> presentRecord(const std::string& file, std::string& unreadable) {
+  if (!fs::exists(file)) {
+    return std::nullopt;
+  }
+  (void)foldSqlite(file);  // refuses while another program has it
+  try {
+    return openRecord(file, OpenMode::kReadWrite);
+  } catch (const Error& error) {
+    unreadable = error.what();
+    return std::nullopt;
+  }
+}
+
 /// The audit entry in the trail of `connection`.
 void tell(SessionContext& session, Connection& connection, AuditAction action, const RestorePlan& plan,
           const fs::path& safety) {
@@ -202,11 +247,14 @@ RestorePlan planRestore(SessionContext& session, const fs::path& backup, const P
     plan.lostMarks = missing(present.marks, restored.marks);
     plan.erasedSince = std::ssize(erasedSince(session.connection(), copy));
   });
-  if (!check.database.sound()) {
-    throw Error(ErrorCode::kVerifyFailed, Text::tr("the backup is not sound, so nothing was restored"),
-                backup.string(), Text::tr("Choose an older backup"));
-  }
+  requireSoundBackup(check, backup);
+  plan.backupHash = hashOfFile(backup);
   return plan;
+}
+
+bool mayRestoreNow(SessionContext& session, const RestorePlan& plan) {
+  session.require(Operation::kDatabaseRestore);
+  return secondPersonIsThere(session, DutyAct::kRestore, plan.backupHash);
 }
 
 std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session, const RestorePlan& plan,
@@ -214,6 +262,7 @@ std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session, const R
   session.require(Operation::kDatabaseRestore);
   requireFile(session);
   requireNobodyAtWork(session);
+  requireSecondPerson(session, DutyAct::kRestore, plan.backupHash);
   const fs::path record = session.key().locator;
   requireRoom(record, plan.backup);
   const fs::path safety = safetyName(record, session.now_us());
@@ -242,8 +291,47 @@ const fs::path& PreparedRestore::ready() const noexcept {
   return ready_->path();
 }
 
-void PreparedRestore::takeOver() {
-  replaceSqlite(ready_->path(), target_);
+fs::path PreparedRestore::takeOver() {
+  return replaceSqlite(ready_->path(), target_);
+}
+
+void noteRestore(SessionContext& session, const fs::path& backup) {
+  session.require(Operation::kDatabaseRestore);
+  Transaction transaction(session.connection());
+  requireSecondPerson(session, DutyAct::kRestore, hashOfFile(backup));
+  session.note({.action = AuditAction::kDatabaseRestore,
+                .objectKind = AuditObject::kDatabase,
+                .objectId = backup.filename().string(),
+                .newJson = R"({"present":"unreadable"})"});
+  transaction.commit();
+}
+
+Restored restoreRecord(const CareTaker& taker, const fs::path& backup, const std::string& file) {
+  requireOwnRestore(file);
+  sweepLeftovers(file);
+  Restored restored{.content = checkBackup(backup)};
+  if (std::optional<Connection> present = presentRecord(file, restored.unreadable)) {
+    std::shared_ptr<PreparedRestore> prepared;
+    {
+      CareDesk desk(taker, std::move(*present), file);
+      present.reset();
+      restored.plan = planRestore(desk.session(), backup);
+      desk.handOver(taker, wishOf(backup, restored.plan->backupHash));
+      prepared = prepareRestore(desk.session(), *restored.plan);
+    }
+    restored.before = prepared->takeOver();
+    return restored;
+  }
+  requireSoundBackup(verifyBackup(backup), backup);
+  restored.before = restoreSqlite(backup, file, [&](const fs::path& copy) {
+    CareDesk desk(taker,
+                  openRecord(copy.string(), OpenMode::kReadWrite,
+                             {.softwareVersion = softwareVersion(), .backup = false}),
+                  fs::exists(file) ? file : backup.string());
+    desk.handOver(taker, wishOf(backup, hashOfFile(backup)));
+    noteRestore(desk.session(), backup);
+  });
+  return restored;
 }
 
 }  // namespace torsio

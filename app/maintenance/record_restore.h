@@ -4,10 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/access/session_context.h"
 #include "app/base/progress.h"
+#include "app/maintenance/care_taker.h"
+#include "db/migrations/backup.h"
 
 namespace torsio {
 
@@ -24,6 +27,7 @@ struct RecordExtent {
 /// What a restore would do, told before anything is done.
 struct RestorePlan {
   std::filesystem::path backup{};
+  std::string backupHash{};     ///< of the file's bytes: what two people agree about
   RecordExtent present{};       ///< the record as it is now
   RecordExtent restored{};      ///< as the backup has it
   std::int64_t lostPeople = 0;  ///< in the present record, but not in the backup
@@ -42,6 +46,10 @@ struct RestorePlan {
 [[nodiscard]] RestorePlan planRestore(SessionContext& session, const std::filesystem::path& backup,
                                       const ProgressCallback& progress = {});
 
+/// Whether prepareRestore() would go on: somebody else has asked for this restore, or nobody needs to.
+/// kDatabaseRestore.
+[[nodiscard]] bool mayRestoreNow(SessionContext& session, const RestorePlan& plan);
+
 /// A backup that stands ready beside the record. Removes itself unless it has taken the record's place.
 class PreparedRestore {
  public:
@@ -55,7 +63,8 @@ class PreparedRestore {
   /// Takes the place of the record; what was there is kept as "<record>.before-restore-N" besides. Quick.
   /// Every connection to the record must be closed. Throws Error: kDatabase when somebody has it open,
   /// kFileUnwritable; then the record is as before.
-  void takeOver();
+  /// Returns that name.
+  std::filesystem::path takeOver();
   /// The backup that was made of the record as it was.
   [[nodiscard]] const std::filesystem::path& safety() const noexcept { return safety_; }
 
@@ -68,11 +77,29 @@ class PreparedRestore {
 /// Makes a backup of the record as it is now, checked, with its date in the name, beside the record; then a
 /// checked copy of the planned backup, brought up to date, in which those who were erased since stay erased,
 /// and whose audit trail tells of the restore, who did it and what was lost. The record itself gets an audit
-/// entry and is else unchanged until takeOver(). kDatabaseRestore. Throws as planRestore does, and
-/// kFileUnwritable when there is not enough room; then nothing is left but the finished safety backup, if
-/// any.
+/// entry and is else unchanged until takeOver(). kDatabaseRestore. Throws SecondPersonNeeded (subject: the
+/// hash of the backup) where nobody else has asked for this restore, as planRestore does, and kFileUnwritable
+/// when there is not enough room; then nothing is left but the finished safety backup, if any.
 [[nodiscard]] std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session,
                                                               const RestorePlan& plan,
                                                               const ProgressCallback& progress = {});
+
+/// What a restore without the window did.
+struct Restored {
+  BackupContent content{};
+  std::filesystem::path before{};     ///< the record as it was; empty: there was none
+  std::optional<RestorePlan> plan{};  ///< what was lost; none when there was no record to compare with
+  std::string unreadable{};           ///< why what was there could not be compared; empty: it could
+};
+
+/// Puts a sound backup in the place of the record `file`, as planRestore, prepareRestore and takeOver do.
+/// Where no record can be read, `taker` signs in to the backup, and it cannot be known who was erased since.
+/// Throws Error: kUsage for an address of a server, kPermission, and what those throw; nothing is changed
+/// then.
+Restored restoreRecord(const CareTaker& taker, const std::filesystem::path& backup, const std::string& file);
+
+/// Tells in the restored record that it was restored from `backup`, without a record to compare it with.
+/// kDatabaseRestore.
+void noteRestore(SessionContext& session, const std::filesystem::path& backup);
 
 }  // namespace torsio

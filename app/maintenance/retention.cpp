@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
+#include "app/access/two_people.h"
+#include "app/maintenance/guarded_erase.h"
 #include "db/connection/connection.h"
-#include "db/repository/people/person_data.h"
 #include "db/repository/people/retention_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
@@ -125,12 +126,16 @@ RetentionOutcome eraseDue(SessionContext& session, std::span<const PersonId> per
     (item->held ? outcome.skipped : outcome.erased).push_back(*item);
   }
   for (const RetentionItem& item : outcome.erased) {
+    if (!dryRun && !mayEraseNow(session, item.personId)) {
+      throw SecondPersonNeeded(DutyAct::kErase, item.personId);  // before anybody is erased
+    }
+  }
+  for (const RetentionItem& item : outcome.erased) {
     outcome.recordings += recordingsOf(session.connection(), item.code);
     if (dryRun) {
       continue;
     }
-    erasePerson(session.connection(), item.personId, session.actor().userId,
-                reason + " (retention: " + item.category + ")", session.now_us());
+    eraseGuarded(session, item.personId, reason + " (retention: " + item.category + ")");
   }
   return outcome;
 }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/maintenance/server_move.h"
 
-#include <QUrl>
-#include <QUrlQuery>
-
 #include "app/access/first_run.h"
 #include "app/maintenance/database_copy.h"
 #include "app/maintenance/others_at_work.h"
@@ -22,21 +19,20 @@ std::string locatorOf(const ServerAddress& address, const std::string& password)
     throw Error(ErrorCode::kBadParameter, Text::tr("the address of the server is not complete"), "",
                 Text::tr("Give the computer, the database and the account"));
   }
-  QUrl url;
-  url.setScheme(QStringLiteral("postgresql"));
-  url.setHost(QString::fromStdString(address.host));
-  url.setPort(address.port);
-  url.setPath(QLatin1Char('/') + QString::fromStdString(address.database), QUrl::DecodedMode);
-  url.setUserName(QString::fromStdString(address.user), QUrl::DecodedMode);
-  if (!password.empty()) {
-    url.setPassword(QString::fromStdString(password), QUrl::DecodedMode);
+  Locator server{.engine = Engine::kPostgresql,
+                 .user = address.user,
+                 .password = password,
+                 .host = address.host,
+                 .port = address.port,
+                 .database = address.database,
+                 .schema = address.schema};
+  if (!address.tlsMode.empty()) {
+    server.parameters.push_back({"sslmode", address.tlsMode});
   }
-  if (!address.schema.empty()) {
-    QUrlQuery query;
-    query.addQueryItem(QStringLiteral("schema"), QString::fromStdString(address.schema));
-    url.setQuery(query);
+  if (!address.rootCertificate.empty()) {
+    server.parameters.push_back({"sslrootcert", address.rootCertificate});
   }
-  std::string locator = url.toString(QUrl::FullyEncoded).toStdString();
+  std::string locator = addressOf(server);
   (void)parseLocator(locator);  // refuses what no address can be made of
   return locator;
 }
@@ -147,16 +143,7 @@ CopyReport moveToServer(SessionContext& session, const ServerAddress& address,
     throw Error(ErrorCode::kBadData, check.hindrance, check.location,
                 Text::tr("Let the server's administrator make an empty database"));
   }
-  AuditNote note{
-      .action = AuditAction::kDatabaseMove, .objectKind = AuditObject::kDatabase, .objectId = check.location};
-  session.note(note);  // before the copy, so that both tell of it
-  try {
-    return copyDatabase(session.key().locator, typedLocator(address), partOf(progress, kCopyFrom, 1.0));
-  } catch (...) {
-    note.action = AuditAction::kDatabaseMoveGivenUp;
-    session.note(note);
-    throw;
-  }
+  return copyDatabase(session, typedLocator(address), partOf(progress, kCopyFrom, 1.0));
 }
 
 std::string switchToServer(SessionContext& session, const ServerAddress& address, const CopyReport& copied) {

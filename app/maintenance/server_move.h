@@ -20,6 +20,9 @@ struct ServerAddress {
   std::string user{};
   std::string password{};  ///< for this piece of work only: it is stored nowhere
   std::string schema{};    ///< empty: the server's search path
+  std::string tlsMode{};   ///< sslmode: "verify-full" checks the server; empty: as PostgreSQL's library does
+  std::string
+      rootCertificate{};  ///< file of the authority that the server must be signed by; empty: the usual
 };
 
 /// The locator with the password, to be kept in memory only. Throws Error (kBadParameter) without host,

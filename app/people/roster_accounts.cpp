@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "app/access/two_people.h"
 #include "assessment/people/account.h"
 
 namespace torsio {
@@ -76,10 +77,11 @@ void addAccounts(SessionContext& session, const std::vector<PersonId>& personIds
                  .roles = rolesOf(row),
                  .startPassword = randomStartPassword(),
                  .demonstration = row.person.demonstration};
-    addUser(session, user);
+    const MadeUser stored = makeUser(session, user);
     taken.insert(user.login);
-    made.push_back(
-        {user.login, user.roles.front(), row.person.code, user.startPassword, names[row.person.id]});
+    made.push_back({user.login, user.roles.front(), row.person.code,
+                    stored.awaitsSecond ? stored.startPassword + "-\u2026" : stored.startPassword,
+                    names[row.person.id]});
   }
 }
 

@@ -32,8 +32,7 @@ std::string databaseName(const std::string& locator) {
   if (where.engine == Engine::kSqlite) {
     return fs::weakly_canonical(where.file).string();
   }
-  return "postgresql://" + where.host + ":" + std::to_string(where.port) + "/" + where.database +
-         (where.schema.empty() ? "" : "?schema=" + where.schema);
+  return where.shown();
 }
 
 std::string textOf(const std::string& locator, const TrialContext& context) {

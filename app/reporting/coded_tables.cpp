@@ -18,6 +18,7 @@
 #include "assessment/report/number_format.h"
 #include "assessment/study/cohort.h"
 #include "assessment/study/protocol_terms.h"
+#include "db/repository/people/signature_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -113,6 +114,20 @@ bool afterPanel(const SheetRepository& sheets, const SubmittedMark& mark) {
   return opened_us && mark.submittedUtc_us > *opened_us;
 }
 
+/// What the rater said by signing, when and why; empty cells for a mark without a signature.
+void addSignature(Cells& line, const std::map<std::string, Signature>& signatures,
+                  const SubmittedMark& mark) {
+  const auto found = signatures.find(mark.id);
+  if (found == signatures.end()) {
+    line.insert(line.end(), 5, std::string());
+    return;
+  }
+  const Signature& one = found->second;
+  const Phrase meaning = termsOf(one.meaning)[static_cast<std::size_t>(one.meaning)].label;
+  line.insert(line.end(), {std::string(meaning.english()), mark.raterCode, formatUtc(one.signedUtc_us),
+                           one.reason, formatUtc(one.passwordShownUtc_us)});
+}
+
 }  // namespace
 
 std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
@@ -140,14 +155,18 @@ std::size_t exportMarks(SessionContext& session, const CohortId& cohortId, const
                         const CsvLook& look) {
   session.require(Operation::kMarkViewCoded);
   std::vector<Cells> lines{{"trainee", "rater", "occasion", "version", "score", "not_assessable", "trial",
-                            "submitted_utc", "moved_after_panel"}};
+                            "submitted_utc", "moved_after_panel", "signature", "signed_by", "signed_utc",
+                            "signature_reason", "password_shown_utc"}};
   SheetRepository sheets(session.connection());
+  const std::map<std::string, Signature> signatures =
+      SignatureRepository(session.connection()).all(SignedKind::kTrainingMark);
   for (const SubmittedMark& mark : RatingRepository(session.connection()).marks(cohortId)) {
     lines.push_back(
         {mark.traineeCode, mark.raterCode, mark.occasionCode, std::to_string(mark.version),
          mark.score_steps ? formatExact(pointsFromSteps(*mark.score_steps, mark.scale)) : std::string(),
          mark.score_steps ? "no" : "yes", mark.trialId, formatUtc(mark.submittedUtc_us),
          afterPanel(sheets, mark) ? "yes" : "no"});
+    addSignature(lines.back(), signatures, mark);
   }
   return write(session, {AuditAction::kMarkExportCoded, AuditObject::kCohort, cohortId}, lines, file, look);
 }

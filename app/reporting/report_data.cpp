@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "app/access/two_people.h"
 #include "app/scoring/cohort_inputs.h"
 #include "app/scoring/scoring_service.h"
 #include "app/study/allocation_service.h"
@@ -15,7 +16,9 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/people/signature_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -137,6 +140,32 @@ void nameTrainees(SessionContext& session, CohortInputs& inputs) {
   }
 }
 
+/// Whether two people were asked for, and what was signed.
+void addSafeguards(SessionContext& session, const CohortId& cohortId, const FreezeId& frozenId,
+                   CohortInputs& inputs) {
+  Connection& connection = session.connection();
+  inputs.provenance.emplace_back(
+      Text::tr("Two people for passwords, roles, erasing, restoring and the allocation"),
+      needsTwoPeople(connection) ? Text::tr("needed") : Text::tr("switched off by the centre"));
+  SignatureRepository signatures(connection);
+  const std::map<std::string, Signature> signedMarks = signatures.all(SignedKind::kTrainingMark);
+  const std::vector<SubmittedMark> marks = RatingRepository(connection).marks(cohortId);
+  const auto count = std::count_if(marks.begin(), marks.end(),
+                                   [&](const SubmittedMark& mark) { return signedMarks.contains(mark.id); });
+  if (!marks.empty()) {
+    inputs.provenance.emplace_back(Text::tr("Marks signed with a password"),
+                                   Text::tr("%1 of %2", count, marks.size()));
+  }
+  const std::map<std::string, Signature> frozen = signatures.all(SignedKind::kFrozenDataset);
+  if (const auto found = frozen.find(frozenId); found != frozen.end()) {
+    const Signature& one = found->second;
+    inputs.provenance.emplace_back(
+        Text::tr("Signature of the frozen data set"),
+        Text::tr("%1, %2", Text(termsOf(one.meaning)[static_cast<std::size_t>(one.meaning)].label),
+                 formatUtc(one.signedUtc_us)));
+  }
+}
+
 }  // namespace
 
 std::vector<ReportableCampaign> reportableCampaigns(SessionContext& session) {
@@ -186,6 +215,7 @@ CohortInputs reportInputs(SessionContext& session, const ReportRequest& request,
   }
   addAllocation(session, cohort.id, inputs);
   addFreeze(session, request, inputs);
+  addSafeguards(session, cohort.id, request.frozenId, inputs);
   inputs.singleMarks = showsSingleMarks(session, request, inputs);
   inputs.trials = digests.ofCohort(session, cohort.id, progress);
   inputs.competence = digests.competenceOf(session, cohort.curriculumVersionId, inputs.trainees);

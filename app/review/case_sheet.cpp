@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/access/signing.h"
 #include "app/review/sheet_editor.h"
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/mark.h"
@@ -144,6 +145,7 @@ SheetCheck checkSheet(const RubricRevision& rubric, const Sheet& sheet, bool liv
 
 void submitSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
                  const WatchLog& watched) {
+  const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   const OpenedSheet opened = openSheet(session, assignmentId);
   const SheetCheck check =
       checkSheet(opened.rubric, sheet, opened.shown.live, watched, viewingRules(session));
@@ -162,11 +164,14 @@ void submitSheet(SessionContext& session, const AssignmentId& assignmentId, cons
   Transaction transaction(session.connection());
   SheetRepository(session.connection()).submit(assignmentId, markId, sheet, "", session.now_us());
   DeskRepository(session.connection()).sealViewing(assignmentId, markId, watched.stored());
+  sign(session,
+       {.objectId = markId, .meaning = SignatureMeaning::kScored, .demonstration = assignment.demonstration});
   session.note({.action = AuditAction::kSheetSubmit,
                 .objectKind = AuditObject::kAssignment,
                 .objectId = assignmentId,
                 .newJson = seenJson(opened.shown, watched)});
   transaction.commit();
+  endSigning(session);
 }
 
 void amendSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
@@ -188,12 +193,18 @@ void amendSheet(SessionContext& session, const AssignmentId& assignmentId, const
                 Text::tr("Move your mark with a reason; it is flagged as moved after the panel's marks"));
   }
   Transaction transaction(session.connection());
-  sheets.submit(assignmentId, session.ids().newUuid(), sheet, reason, session.now_us());
+  const MarkId markId = session.ids().newUuid();
+  sheets.submit(assignmentId, markId, sheet, reason, session.now_us());
+  sign(session, {.objectId = markId,
+                 .meaning = SignatureMeaning::kAmended,
+                 .reason = reason,
+                 .demonstration = assignment.demonstration});
   session.note({.action = AuditAction::kSheetAmend,
                 .objectKind = AuditObject::kAssignment,
                 .objectId = assignmentId,
                 .reason = reason});
   transaction.commit();
+  endSigning(session);
 }
 
 std::vector<SheetVersion> sheetVersions(SessionContext& session, const AssignmentId& assignmentId) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/access/signing.h"
 #include "app/base/assets.h"
 #include "app/recording/expert_run.h"
 #include "app/recording/kept_digests.h"
@@ -232,12 +233,19 @@ void submitEvaluation(SessionContext& session, const CampaignId& campaignId, con
   }
   Transaction transaction(session.connection());
   EvaluationRepository(session.connection(), session.station()).submit(campaignId, marks);
+  for (const EvaluationMark& mark : marks) {
+    sign(session, {.kind = SignedKind::kEvaluationMark,
+                   .objectId = mark.id,
+                   .meaning = SignatureMeaning::kScored,
+                   .demonstration = mark.demonstration});
+  }
   DeskRepository(session.connection())
       .removeEvaluationDraft(campaignId, session.actor().personId, open.models[model].code);
   session.note({.action = AuditAction::kEvaluationForm,
                 .objectKind = AuditObject::kEvaluationCampaign,
                 .objectId = campaignId});
   transaction.commit();
+  endSigning(session);
 }
 
 }  // namespace torsio

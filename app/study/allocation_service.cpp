@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/access/two_people.h"
 #include "app/base/build_info.h"
 #include "app/study/allocation_design.h"
 #include "app/study/draw_field.h"
@@ -333,6 +334,21 @@ AllocationEntry overrideAllocation(SessionContext& session, const CohortId& coho
   return record;
 }
 
+namespace {
+
+bool isSimulated(StudyRepository& study, const DesignId& designId) {
+  for (const Cohort& cohort : study.cohorts()) {
+    for (const LockedDesign& design : study.designs(cohort.id)) {
+      if (design.id == designId) {
+        return design.demonstration;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 std::string revealSeed(SessionContext& session, const DesignId& designId, const std::string& reason) {
   session.require(Operation::kAllocationReveal);
   Transaction transaction(session.connection());
@@ -350,6 +366,9 @@ std::string revealSeed(SessionContext& session, const DesignId& designId, const 
       refuse(Text::tr("%1 people still wait for a group: the seed would tell them theirs", waiting),
              cohort.name, Text::tr("Allocate them first, or give a reason"));
     }
+  }
+  if (!isSimulated(study, designId)) {
+    requireSecondPerson(session, DutyAct::kRevealAllocation, designId);
   }
   study.revealSeed(designId, session.now_us());
   session.note({.action = AuditAction::kAllocationReveal,

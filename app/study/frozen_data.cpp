@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/access/signing.h"
 #include "assessment/people/account.h"
 #include "assessment/rating/campaign.h"
 #include "assessment/study/allocation_entry.h"
@@ -234,7 +235,12 @@ FrozenRow freezeData(SessionContext& session, const CohortId& cohortId, const st
   freeze.createdUtc_us = session.now_us();
   freeze.demonstration = cohort.demonstration;
   repository.add(freeze);  // with its entry in the trail
+  sign(session, {.kind = SignedKind::kFrozenDataset,
+                 .objectId = freeze.id,
+                 .meaning = SignatureMeaning::kFroze,
+                 .demonstration = freeze.demonstration});
   transaction.commit();
+  endSigning(session);
   return rowOf(freeze, session.actor().login);
 }
 

@@ -117,8 +117,13 @@ enum class AuditAction : std::uint8_t {
   kDatabaseMoveGivenUp,
   kDatabaseSwitch,
   kDatabaseJoin,
+  kDatabasePrepareServer,
   kDemonstrationRemove,
   kRecordSeal,
+  kDutyRequest,
+  kDutyConfirm,
+  kDutyDecline,
+  kSignatureGive,
   kEnd,  ///< how many there are; noted by nobody and always the last
 };
 
@@ -139,6 +144,7 @@ enum class AuditObject : std::uint8_t {
   kDatabase,
   kDemonstration,
   kDeviation,
+  kDutyRequest,
   kEnrolment,
   kEvaluationCampaign,
   kEvaluationMark,
@@ -273,8 +279,13 @@ inline constexpr auto kAuditActions = std::to_array<Term<AuditAction>>({
     {AuditAction::kDatabaseMoveGivenUp, "database.move_given_up", Text::tr("Move to a server given up")},
     {AuditAction::kDatabaseSwitch, "database.switch", Text::tr("Station turned to the server")},
     {AuditAction::kDatabaseJoin, "database.join", Text::tr("Station joined the record of a server")},
+    {AuditAction::kDatabasePrepareServer, "database.prepare_server", Text::tr("Roles of the server written")},
     {AuditAction::kDemonstrationRemove, "demonstration.remove", Text::tr("Demonstration data removed")},
     {AuditAction::kRecordSeal, "record.seal", Text::tr("Rows of the record sealed")},
+    {AuditAction::kDutyRequest, "duty.request", Text::tr("Second person asked for")},
+    {AuditAction::kDutyConfirm, "duty.confirm", Text::tr("Confirmed by a second person")},
+    {AuditAction::kDutyDecline, "duty.decline", Text::tr("Request declined or taken back")},
+    {AuditAction::kSignatureGive, "signature.give", Text::tr("Signed")},
 });
 
 /// The texts of the kinds of objects: in the database (mostly the table of the object) and in English.
@@ -294,6 +305,7 @@ inline constexpr auto kAuditObjects = std::to_array<Term<AuditObject>>({
     {AuditObject::kDatabase, "database", Text::tr("record")},
     {AuditObject::kDemonstration, "demonstration", Text::tr("demonstration data")},
     {AuditObject::kDeviation, "deviation", Text::tr("deviation")},
+    {AuditObject::kDutyRequest, "duty_request", Text::tr("request")},
     {AuditObject::kEnrolment, "enrolment", Text::tr("enrolled trainee")},
     {AuditObject::kEvaluationCampaign, "evaluation_campaign", Text::tr("evaluation campaign")},
     {AuditObject::kEvaluationMark, "evaluation_mark", Text::tr("evaluation mark")},

@@ -1089,6 +1089,72 @@
     </message>
 </context>
 <context>
+    <name>SecondPerson</name>
+    <message>
+        <source>This is the first half of the start password of %1. Hand it over; the second half comes from the administrator who confirms. It is shown only now.</source>
+        <translation>这是 %1 的初始密码的前半部分，请转交本人；后半部分由确认的管理员给出。仅此时显示。</translation>
+    </message>
+    <message>
+        <source>This is the second half of the start password of %1, behind the first one and a hyphen. Hand it over; the first half comes from whoever asked. It is shown only now.</source>
+        <translation>这是 %1 的初始密码的后半部分，接在前半部分和一个连字符之后。请转交本人；前半部分由申请人给出。仅此时显示。</translation>
+    </message>
+    <message>
+        <source>Hand this start password to %1. It is shown only now, and must be changed at the first sign-in.</source>
+        <translation>请将此初始密码交给 %1。密码只在此时显示，首次登录时必须修改。</translation>
+    </message>
+    <message>
+        <source>Start password</source>
+        <translation>初始密码</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>已复制</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Two people</source>
+        <translation>两人共同完成</translation>
+    </message>
+    <message>
+        <source>This needs two people: you ask for it, and another administrator confirms it. Ask for it now?</source>
+        <translation>此事需要两人：由您提出申请，由另一位管理员确认。现在提出申请吗？</translation>
+    </message>
+    <message>
+        <source>&amp;Ask</source>
+        <translation>申请(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Asked. Another administrator confirms it under Users, Requests</source>
+        <translation>已提出申请。另一位管理员将在“用户”的“申请”中确认</translation>
+    </message>
+</context>
+<context>
+    <name>SignDialog</name>
+    <message>
+        <source>Sign</source>
+        <translation>签名</translation>
+    </message>
+    <message>
+        <source>You sign as %1: “%2”</source>
+        <translation>您以 %1 的身份签名：“%2”</translation>
+    </message>
+    <message>
+        <source>Your &amp;password</source>
+        <translation>您的密码(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Sign</source>
+        <translation>签名(&amp;S)</translation>
+    </message>
+</context>
+<context>
     <name>StationLabels</name>
     <message>
         <source>Twists on target</source>
@@ -3567,10 +3633,6 @@
         <translation>请对其运行 torsio audit verify 并恢复备份</translation>
     </message>
     <message>
-        <source>Run torsio db verify on it, and use an older backup</source>
-        <translation>请对其运行 torsio db verify，并使用更早的备份</translation>
-    </message>
-    <message>
         <source>Save the table as UTF-8 CSV</source>
         <translation>请将表格保存为 UTF-8 编码的 CSV</translation>
     </message>
@@ -3893,10 +3955,6 @@
     <message>
         <source>Write a whole number from %1 to %2, or leave the cell empty</source>
         <translation>请填写 %1 至 %2 的整数，或将单元格留空</translation>
-    </message>
-    <message>
-        <source>Write it as postgresql://user:password@host:port/database</source>
-        <translation>请写成 postgresql://用户:密码@主机:端口/数据库</translation>
     </message>
     <message>
         <source>Write it in a few words</source>
@@ -12034,6 +12092,290 @@
         <source>the device&apos;s driver does not answer</source>
         <translation>设备的驱动程序没有响应</translation>
     </message>
+    <message>
+        <source>signatures</source>
+        <translation>签名</translation>
+    </message>
+    <message>
+        <source>Choose 0 to %1 minutes</source>
+        <translation>请选择 0 到 %1 分钟</translation>
+    </message>
+    <message>
+        <source>too many failures: wait %1 s</source>
+        <translation>失败次数过多：请等待 %1 秒</translation>
+    </message>
+    <message>
+        <source>Then try again</source>
+        <translation>然后重试</translation>
+    </message>
+    <message>
+        <source>the password is not right</source>
+        <translation>密码不正确</translation>
+    </message>
+    <message>
+        <source>a signature asks for your password</source>
+        <translation>签名需要输入您的密码</translation>
+    </message>
+    <message>
+        <source>signature</source>
+        <translation>签名</translation>
+    </message>
+    <message>
+        <source>Enter your password and submit again</source>
+        <translation>请输入密码后再次提交</translation>
+    </message>
+    <message>
+        <source>you asked for this yourself</source>
+        <translation>这是您自己提出的申请</translation>
+    </message>
+    <message>
+        <source>whoever asked for this may not sign in any more</source>
+        <translation>提出申请的人已不能登录</translation>
+    </message>
+    <message>
+        <source>you asked for this yourself, with another account</source>
+        <translation>这是您用另一个账号提出的申请</translation>
+    </message>
+    <message>
+        <source>an account of the demonstration confirms nothing</source>
+        <translation>演示账户不能确认任何申请</translation>
+    </message>
+    <message>
+        <source>this is your own account</source>
+        <translation>这是您自己的账号</translation>
+    </message>
+    <message>
+        <source>this request is not open any more</source>
+        <translation>该申请已不再有效</translation>
+    </message>
+    <message>
+        <source>two people</source>
+        <translation>两人共同完成</translation>
+    </message>
+    <message>
+        <source>Let another administrator confirm it</source>
+        <translation>请由另一位管理员确认</translation>
+    </message>
+    <message>
+        <source>a request needs a reason</source>
+        <translation>申请需要说明理由</translation>
+    </message>
+    <message>
+        <source>Say why, for whoever confirms it and for the audit trail</source>
+        <translation>请说明理由，供确认人参考并记入审计记录</translation>
+    </message>
+    <message>
+        <source>Let other administrators ask for it and confirm it</source>
+        <translation>请由其他管理员申请和确认</translation>
+    </message>
+    <message>
+        <source>this is asked for already</source>
+        <translation>此事已有申请</translation>
+    </message>
+    <message>
+        <source>Let another administrator confirm it, or take the request back first</source>
+        <translation>请由另一位管理员确认，或先撤回该申请</translation>
+    </message>
+    <message>
+        <source>this needs two people: one asks for it, another confirms it</source>
+        <translation>此事需要两人：一人申请，另一人确认</translation>
+    </message>
+    <message>
+        <source>Ask for it, and let another administrator confirm it under Requests; a small centre can switch this off in its settings</source>
+        <translation>请提出申请，并由另一位管理员在“申请”中确认；小型中心可在设置中关闭此规则</translation>
+    </message>
+    <message>
+        <source>Take the request back</source>
+        <translation>请撤回该申请</translation>
+    </message>
+    <message>
+        <source>this record belongs to another account</source>
+        <translation>该记录属于另一个系统账号</translation>
+    </message>
+    <message>
+        <source>Run the command as its owner, or sign in with --as LOGIN</source>
+        <translation>请以其所有者身份运行命令，或用 --as LOGIN 登录</translation>
+    </message>
+    <message>
+        <source>the start password must be changed first</source>
+        <translation>必须先更改初始密码</translation>
+    </message>
+    <message>
+        <source>Sign in once in the window, and choose a password of your own</source>
+        <translation>请先在窗口中登录一次，并设置自己的密码</translation>
+    </message>
+    <message>
+        <source>sign-in name or password is not right, or the account is disabled</source>
+        <translation>登录名或密码不正确，或账号已停用</translation>
+    </message>
+    <message>
+        <source>Give --as LOGIN, or --as-system as the owner of the record</source>
+        <translation>请给出 --as LOGIN，或以记录所有者身份使用 --as-system</translation>
+    </message>
+    <message>
+        <source>an SQLite file has no roles of its own</source>
+        <translation>SQLite 文件没有自己的角色</translation>
+    </message>
+    <message>
+        <source>Name the address of a PostgreSQL server</source>
+        <translation>请给出 PostgreSQL 服务器的地址</translation>
+    </message>
+    <message>
+        <source>this account does not own the tables of the record</source>
+        <translation>此账号不是记录中各表的所有者</translation>
+    </message>
+    <message>
+        <source>Connect as the owner</source>
+        <translation>请以所有者身份连接</translation>
+    </message>
+    <message>
+        <source>Two people for passwords, roles, erasing, restoring and the allocation</source>
+        <translation>密码、角色、删除、恢复与启封分组须两人共同完成</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>需要</translation>
+    </message>
+    <message>
+        <source>switched off by the centre</source>
+        <translation>已由中心关闭</translation>
+    </message>
+    <message>
+        <source>Marks signed with a password</source>
+        <translation>以密码签名的评分</translation>
+    </message>
+    <message>
+        <source>Signature of the frozen data set</source>
+        <translation>冻结数据集的签名</translation>
+    </message>
+    <message>
+        <source>Roles of the server written</source>
+        <translation>写入服务器角色</translation>
+    </message>
+    <message>
+        <source>Second person asked for</source>
+        <translation>申请第二人确认</translation>
+    </message>
+    <message>
+        <source>Confirmed by a second person</source>
+        <translation>已由第二人确认</translation>
+    </message>
+    <message>
+        <source>Request declined or taken back</source>
+        <translation>申请被拒绝或撤回</translation>
+    </message>
+    <message>
+        <source>Signed</source>
+        <translation>签名</translation>
+    </message>
+    <message>
+        <source>request</source>
+        <translation>申请</translation>
+    </message>
+    <message>
+        <source>New start password</source>
+        <translation>新的初始密码</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation>角色</translation>
+    </message>
+    <message>
+        <source>Erase a person</source>
+        <translation>删除一名人员</translation>
+    </message>
+    <message>
+        <source>Restore a backup</source>
+        <translation>恢复备份</translation>
+    </message>
+    <message>
+        <source>Open the allocation</source>
+        <translation>启封随机分组</translation>
+    </message>
+    <message>
+        <source>One person is enough from now on</source>
+        <translation>今后一人即可</translation>
+    </message>
+    <message>
+        <source>confirmed</source>
+        <translation>已确认</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>已拒绝</translation>
+    </message>
+    <message>
+        <source>I scored this case</source>
+        <translation>我已为此案例评分</translation>
+    </message>
+    <message>
+        <source>I changed my mark of this case</source>
+        <translation>我已更改对此案例的评分</translation>
+    </message>
+    <message>
+        <source>I froze these data</source>
+        <translation>我已冻结这些数据</translation>
+    </message>
+    <message>
+        <source>an address does not hold the parameter %1</source>
+        <translation>地址中不能包含参数 %1</translation>
+    </message>
+    <message>
+        <source>Write the password to the password file of your account (~/.pgpass)</source>
+        <translation>请将密码写入您账号的密码文件（~/.pgpass）</translation>
+    </message>
+    <message>
+        <source>unknown connection parameter %1</source>
+        <translation>未知的连接参数 %1</translation>
+    </message>
+    <message>
+        <source>Known are schema, %1</source>
+        <translation>已知参数有 schema、%1</translation>
+    </message>
+    <message>
+        <source>connection parameter %1 has no value</source>
+        <translation>连接参数 %1 没有值</translation>
+    </message>
+    <message>
+        <source>Give it one, or leave it out</source>
+        <translation>请给出其值，或将其省略</translation>
+    </message>
+    <message>
+        <source>the value of connection parameter %1 cannot be used</source>
+        <translation>连接参数 %1 的值不可用</translation>
+    </message>
+    <message>
+        <source>Choose a name or a path without semicolons and line breaks</source>
+        <translation>请选择不含分号和换行的名称或路径</translation>
+    </message>
+    <message>
+        <source>sslmode cannot be %1</source>
+        <translation>sslmode 不能为 %1</translation>
+    </message>
+    <message>
+        <source>Choose one of %1</source>
+        <translation>请选择其中之一：%1 {1?}</translation>
+    </message>
+    <message>
+        <source>connection parameter %1 is given twice</source>
+        <translation>连接参数 %1 重复给出</translation>
+    </message>
+    <message>
+        <source>Leave one out</source>
+        <translation>请去掉其中一个</translation>
+    </message>
+    <message>
+        <source>Write it as postgresql://user@host:port/database?sslmode=verify-full</source>
+        <translation>请写成 postgresql://user@host:port/database?sslmode=verify-full</translation>
+    </message>
+    <message>
+        <source>this cannot be the role of the stations</source>
+        <translation>此名称不能作为工作站角色</translation>
+    </message>
+    <message>
+        <source>Take a name of lower-case letters, digits and underscores that is not the owner&apos;s</source>
+        <translation>请使用由小写字母、数字和下划线组成、且不同于所有者的名称</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -12096,26 +12438,6 @@
     <message>
         <source>&amp;Reason</source>
         <translation>原因(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Start password</source>
-        <translation>初始密码</translation>
-    </message>
-    <message>
-        <source>Done</source>
-        <translation>完成</translation>
-    </message>
-    <message>
-        <source>Hand this start password to %1. It is shown only now, and must be changed at the first sign-in.</source>
-        <translation>请将此初始密码交给 %1。密码只在此时显示，首次登录时必须修改。</translation>
-    </message>
-    <message>
-        <source>&amp;Copy</source>
-        <translation>复制(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Copied</source>
-        <translation>已复制</translation>
     </message>
 </context>
 <context>
@@ -16612,6 +16934,26 @@ Leave it empty to remove it.</source>
         <source>S&amp;witch this station over</source>
         <translation>切换此工作站(&amp;W)</translation>
     </message>
+    <message>
+        <source>&amp;Encryption</source>
+        <translation>加密(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Certificate of its authorit&amp;y</source>
+        <translation>其颁发机构的证书(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>as the server offers it, unchecked</source>
+        <translation>按服务器提供的方式，不核验</translation>
+    </message>
+    <message>
+        <source>checked: this server and no other</source>
+        <translation>核验：只连接这一台服务器</translation>
+    </message>
+    <message>
+        <source>the account&apos;s own (~/.postgresql/root.crt)</source>
+        <translation>账号自带的证书（~/.postgresql/root.crt）</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::NextStepPage</name>
@@ -18019,6 +18361,109 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::RequestsDialog</name>
+    <message>
+        <source>Requests</source>
+        <translation>申请</translation>
+    </message>
+    <message>
+        <source>&amp;Confirm…</source>
+        <translation>确认(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>What needs two people waits here for two weeks. Nobody confirms what they asked for themselves.</source>
+        <translation>需要两人完成的事项在此等待两周。任何人都不能确认自己提出的申请。</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>事项</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>对象</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation>角色</translation>
+    </message>
+    <message>
+        <source>Asked by</source>
+        <translation>申请人</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>理由</translation>
+    </message>
+    <message>
+        <source>Nothing waits for a second person.</source>
+        <translation>没有等待第二人确认的事项。</translation>
+    </message>
+    <message>
+        <source>&amp;Take back…</source>
+        <translation>撤回(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>&amp;Decline…</source>
+        <translation>拒绝(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Open Maintenance, Restore, and choose the backup %1: that confirms it</source>
+        <translation>请打开“维护”的“恢复”，选择备份 %1：即为确认</translation>
+    </message>
+    <message>
+        <source>The keeper of the allocation opens it on the page Allocation: that confirms it</source>
+        <translation>由分组管理员在“随机分组”页面启封：即为确认</translation>
+    </message>
+    <message>
+        <source>Erase a person</source>
+        <translation>删除一名人员</translation>
+    </message>
+    <message>
+        <source>%1 asks to erase %2: “%3”. The identity is gone for good; marks stay under the code.</source>
+        <translation>%1 申请删除 %2：“%3”。身份信息将永久消失；评分保留在代码之下。</translation>
+    </message>
+    <message>
+        <source>&amp;Erase</source>
+        <translation>删除(&amp;E)</translation>
+    </message>
+    <message>
+        <source>%1 is erased</source>
+        <translation>%1 已删除</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>%1 asks for this: “%2”. Do you know of it, and is it right?</source>
+        <translation>%1 提出此申请：“%2”。您了解此事并认为正确吗？</translation>
+    </message>
+    <message>
+        <source>&amp;Confirm</source>
+        <translation>确认(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Sealing the start password</source>
+        <translation>正在加密初始密码</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>撤回</translation>
+    </message>
+    <message>
+        <source>Decline</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>The request is closed and stays in the audit trail.</source>
+        <translation>该申请将关闭，并保留在审计记录中。</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::RestorePage</name>
     <message>
         <source>Choose a backup</source>
@@ -18147,6 +18592,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>! This is the backup of another centre: %1. The record of %2 would be gone from here.</source>
         <translation>! 这是另一中心的备份：%1。%2 的记录将不再保留于此。</translation>
+    </message>
+    <message>
+        <source>Restore a backup</source>
+        <translation>恢复备份</translation>
+    </message>
+    <message>
+        <source>Why is it restored? Another administrator confirms it.</source>
+        <translation>为什么要恢复？由另一位管理员确认。</translation>
     </message>
 </context>
 <context>
@@ -20126,6 +20579,18 @@ Leave it empty to remove it.</source>
         <source>&amp;Name of the centre</source>
         <translation>中心名称(&amp;N)</translation>
     </message>
+    <message>
+        <source>&amp;Two people for new passwords and roles of those who score or run the study, for erasing, restoring and opening the allocation</source>
+        <translation>评分者和研究管理者的新密码与角色，以及删除、恢复和启封分组，须两人共同完成(&amp;T)</translation>
+    </message>
+    <message>
+        <source>A password that was entered &amp;signs for</source>
+        <translation>输入一次密码可签名(&amp;S)</translation>
+    </message>
+    <message>
+        <source>one signature</source>
+        <translation>一次签名</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::StressLegend</name>
@@ -20638,6 +21103,18 @@ Leave it empty to remove it.</source>
     <message>
         <source>Cancelled; the accounts that were shown stay</source>
         <translation>已取消；已显示的账户仍然有效</translation>
+    </message>
+    <message>
+        <source>Re&amp;quests…</source>
+        <translation>申请(&amp;Q)…</translation>
+    </message>
+    <message>
+        <source>Re&amp;quests (%1)…</source>
+        <translation>申请 (%1)(&amp;Q)…</translation>
+    </message>
+    <message>
+        <source>Another administrator confirms the roles under Requests</source>
+        <translation>由另一位管理员在“申请”中确认角色</translation>
     </message>
 </context>
 <context>

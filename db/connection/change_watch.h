@@ -40,6 +40,8 @@ class ChangeWatch {
   /// were changed.
   virtual void changed(const std::shared_ptr<const Plan>& plan, std::span<const Value> bound,
                        const Rows& returned, std::int64_t rows) = 0;
+  /// A function of the database changed or removed the row with this key, in the order of the key's columns.
+  virtual void changedElsewhere(std::string_view table, std::vector<Value> key, bool removed) = 0;
   /// The outermost transaction is about to be kept; throwing gives it up.
   virtual void beforeCommit(Connection& connection) = 0;
   /// The transaction is over, kept or not.

@@ -248,6 +248,12 @@ std::shared_ptr<ChangeWatch> Connection::watchChanges(std::shared_ptr<ChangeWatc
   return std::exchange(state_->watch, std::move(watch));
 }
 
+void Connection::tellChanged(std::string_view table, std::vector<Value> key, bool removed) {
+  if (state_->watch) {
+    state_->watch->changedElsewhere(table, std::move(key), removed);
+  }
+}
+
 Statement Connection::selectVerbatim(std::string_view sql) {
   return Statement(std::make_unique<Statement::Query>(state_, sql, Statement::Query::Start::kRun));
 }

@@ -10,6 +10,7 @@
 #include <QSqlDatabase>
 #include <QSqlError>
 #include <QSqlQuery>
+#include <QStringList>
 #include <QVariant>
 
 #include "db/connection/change_watch.h"
@@ -32,6 +33,33 @@ bool markedReadOnly(const fs::path& path) {
   std::error_code failed;
   const fs::file_status status = fs::status(path, failed);
   return !failed && fs::exists(status) && (status.permissions() & kWrite) == fs::perms::none;
+}
+
+/// One parameter as PostgreSQL's library reads it; Qt turns each semicolon between them into a blank.
+QString optionOf(const std::string& name, const std::string& value) {
+  std::string quoted;
+  for (const char c : value) {
+    quoted += c == '\'' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+  }
+  return QString::fromStdString(name + "='" + quoted + "'");
+}
+
+/// What the address says, behind what Torsio says where it says nothing: of two, the last one counts. A
+/// service's own file would be overruled, so it says all of it.
+QString serverOptions(const Locator& locator, int busyTimeout_ms) {
+  QStringList options{optionOf("fallback_application_name", "torsio")};
+  if (locator.parameter("service").empty()) {
+    // A server that vanished without a word (a cable, a power cut) is noticed about when a lock would be
+    // given up.
+    options += {optionOf("connect_timeout", std::to_string(std::max(2, busyTimeout_ms / 1000))),
+                optionOf("tcp_user_timeout", std::to_string(busyTimeout_ms + 1000)),
+                optionOf("keepalives_idle", "10"), optionOf("keepalives_interval", "3"),
+                optionOf("keepalives_count", "3")};
+  }
+  for (const ServerParameter& parameter : locator.parameters) {
+    options += optionOf(parameter.name, parameter.value);
+  }
+  return options.join(QLatin1Char(';'));
 }
 
 /// Unique while the connection lives.
@@ -186,18 +214,17 @@ void ConnectionState::openSqlite(const Locator& locator, OpenMode mode, int busy
 }
 
 void ConnectionState::openPostgresql(const Locator& locator, OpenMode mode, int busyTimeout_ms) {
-  database_->setHostName(QString::fromStdString(locator.host));
-  database_->setPort(locator.port);
+  // What is not said is the service's or the library's own.
+  if (!locator.host.empty()) {
+    database_->setHostName(QString::fromStdString(locator.host));
+  }
+  if (locator.port > 0) {
+    database_->setPort(locator.port);
+  }
   database_->setDatabaseName(QString::fromStdString(locator.database));
   database_->setUserName(QString::fromStdString(locator.user));
   database_->setPassword(QString::fromStdString(locator.password));
-  // A server that vanished without a word (a cable, a power cut) is noticed about when a lock would be given
-  // up.
-  database_->setConnectOptions(
-      QStringLiteral("connect_timeout=%1;tcp_user_timeout=%2;keepalives_idle=10;keepalives_interval=3;"
-                     "keepalives_count=3;application_name=torsio")
-          .arg(std::max(2, busyTimeout_ms / 1000))
-          .arg(busyTimeout_ms + 1000));
+  database_->setConnectOptions(serverOptions(locator, busyTimeout_ms));
   if (!database_->open()) {
     const std::string detail =
         database_->lastError().databaseText().section(QLatin1Char('\n'), 0, 0).trimmed().toStdString();

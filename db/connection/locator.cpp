@@ -2,6 +2,8 @@
 #include "db/connection/locator.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include <QUrl>
 #include <QUrlQuery>
@@ -12,9 +14,97 @@ namespace torsio {
 
 namespace {
 
+/// What PostgreSQL's library reads and an address may say. No secret is among them.
+constexpr std::array<std::string_view, 23> kServerParameters{"application_name",
+                                                             "channel_binding",
+                                                             "connect_timeout",
+                                                             "gssencmode",
+                                                             "hostaddr",
+                                                             "keepalives",
+                                                             "keepalives_count",
+                                                             "keepalives_idle",
+                                                             "keepalives_interval",
+                                                             "krbsrvname",
+                                                             "passfile",
+                                                             "requirepeer",
+                                                             "service",
+                                                             "sslcert",
+                                                             "sslcompression",
+                                                             "sslcrl",
+                                                             "sslkey",
+                                                             "sslmode",
+                                                             "sslrootcert",
+                                                             "sslsni",
+                                                             "ssl_min_protocol_version",
+                                                             "target_session_attrs",
+                                                             "tcp_user_timeout"};
+
+constexpr std::array<std::string_view, 6> kTlsModes{"disable", "allow",     "prefer",
+                                                    "require", "verify-ca", "verify-full"};
+
 bool plainName(const std::string& name) {
   return std::all_of(name.begin(), name.end(),
                      [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
+}
+
+template <std::size_t kCount>
+std::string listOf(const std::array<std::string_view, kCount>& names) {
+  std::string list;
+  for (const std::string_view name : names) {
+    list.append(list.empty() ? "" : ", ").append(name);
+  }
+  return list;
+}
+
+[[noreturn]] void refuse(const Text& what, const std::string& where, const Text& remedy) {
+  throw Error(ErrorCode::kBadParameter, what, where, remedy);
+}
+
+void requireKnown(const std::string& name) {
+  if (name == "password" || name == "sslpassword") {
+    refuse(Text::tr("an address does not hold the parameter %1", name), name,
+           Text::tr("Write the password to the password file of your account (~/.pgpass)"));
+  }
+  if (std::find(kServerParameters.begin(), kServerParameters.end(), name) == kServerParameters.end()) {
+    refuse(Text::tr("unknown connection parameter %1", name), name,
+           Text::tr("Known are schema, %1", listOf(kServerParameters)));
+  }
+}
+
+void requireValue(const ServerParameter& parameter) {
+  if (parameter.value.empty()) {
+    refuse(Text::tr("connection parameter %1 has no value", parameter.name), parameter.name,
+           Text::tr("Give it one, or leave it out"));
+  }
+  if (parameter.value.find_first_of(std::string(";\0\n\r", 4)) != std::string::npos) {
+    refuse(Text::tr("the value of connection parameter %1 cannot be used", parameter.name), parameter.name,
+           Text::tr("Choose a name or a path without semicolons and line breaks"));
+  }
+  if (parameter.name == "sslmode" &&
+      std::find(kTlsModes.begin(), kTlsModes.end(), parameter.value) == kTlsModes.end()) {
+    refuse(Text::tr("sslmode cannot be %1", parameter.value), parameter.name,
+           Text::tr("Choose one of %1", listOf(kTlsModes)));
+  }
+}
+
+void readParameters(const QUrl& url, Locator& locator) {
+  bool schemaGiven = false;
+  for (const auto& [key, value] : QUrlQuery(url).queryItems(QUrl::FullyDecoded)) {
+    const ServerParameter parameter{key.toStdString(), value.toStdString()};
+    const bool twice = parameter.name == "schema" ? std::exchange(schemaGiven, true)
+                                                  : !locator.parameter(parameter.name).empty();
+    if (twice) {
+      refuse(Text::tr("connection parameter %1 is given twice", parameter.name), parameter.name,
+             Text::tr("Leave one out"));
+    }
+    if (parameter.name == "schema") {
+      locator.schema = parameter.value;
+      continue;
+    }
+    requireKnown(parameter.name);
+    requireValue(parameter);
+    locator.parameters.push_back(parameter);
+  }
 }
 
 }  // namespace
@@ -23,8 +113,22 @@ std::string Locator::shown() const {
   if (engine == Engine::kSqlite) {
     return file;
   }
-  return "postgresql://" + host + ":" + std::to_string(port) + "/" + database +
-         (schema.empty() ? "" : "?schema=" + schema);
+  const std::string service = parameter("service");
+  std::string address =
+      "postgresql://" + host + (port > 0 ? ":" + std::to_string(port) : "") + "/" + database;
+  if (!service.empty()) {
+    address += "?service=" + service;
+  }
+  if (!schema.empty()) {
+    address += (service.empty() ? "?schema=" : "&schema=") + schema;
+  }
+  return address;
+}
+
+std::string Locator::parameter(std::string_view name) const {
+  const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                  [&](const ServerParameter& one) { return one.name == name; });
+  return found == parameters.end() ? std::string() : found->value;
 }
 
 Locator parseLocator(const std::string& text) {
@@ -42,18 +146,46 @@ Locator parseLocator(const std::string& text) {
   locator.user = url.userName(QUrl::FullyDecoded).toStdString();
   locator.password = url.password(QUrl::FullyDecoded).toStdString();
   locator.host = url.host(QUrl::FullyDecoded).toStdString();
-  locator.port = url.port(locator.port);
   locator.database = url.path(QUrl::FullyDecoded).mid(1).toStdString();
-  locator.schema = QUrlQuery(url).queryItemValue(QStringLiteral("schema")).toStdString();
-  if (!url.isValid() || locator.host.empty() || locator.database.empty()) {
+  readParameters(url, locator);
+  const bool service = !locator.parameter("service").empty();
+  locator.port = url.port(service ? 0 : locator.port);
+  if (!url.isValid() || url.hasFragment() ||
+      (!service && (locator.host.empty() || locator.database.empty()))) {
     throw Error(ErrorCode::kBadParameter, Text::tr("not a PostgreSQL address"), Text::tr("database"),
-                Text::tr("Write it as postgresql://user:password@host:port/database"));
+                Text::tr("Write it as postgresql://user@host:port/database?sslmode=verify-full"));
   }
   if (!plainName(locator.schema)) {
     throw Error(ErrorCode::kBadParameter, Text::tr("schema name is not allowed"), locator.shown(),
                 Text::tr("Use lower-case letters, digits and underscores only"));
   }
   return locator;
+}
+
+std::string addressOf(const Locator& server) {
+  QUrl url;
+  url.setScheme(QStringLiteral("postgresql"));
+  url.setHost(QString::fromStdString(server.host));
+  url.setPort(server.port > 0 ? server.port : -1);
+  url.setPath(QLatin1Char('/') + QString::fromStdString(server.database), QUrl::DecodedMode);
+  url.setUserName(QString::fromStdString(server.user), QUrl::DecodedMode);
+  if (!server.password.empty()) {
+    url.setPassword(QString::fromStdString(server.password), QUrl::DecodedMode);
+  }
+  std::vector<ServerParameter> parameters = server.parameters;
+  if (!server.schema.empty()) {
+    parameters.push_back({"schema", server.schema});
+  }
+  QString query;
+  for (const ServerParameter& parameter : parameters) {
+    query += (query.isEmpty() ? QString() : QStringLiteral("&")) + QString::fromStdString(parameter.name) +
+             QLatin1Char('=') +
+             QString::fromLatin1(QUrl::toPercentEncoding(QString::fromStdString(parameter.value)));
+  }
+  if (!query.isEmpty()) {
+    url.setQuery(query, QUrl::StrictMode);
+  }
+  return url.toString(QUrl::FullyEncoded).toStdString();
 }
 
 }  // namespace torsio

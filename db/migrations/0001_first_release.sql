@@ -250,6 +250,53 @@ CREATE TABLE user_role (
 );
 CREATE INDEX user_role_role ON user_role (role_code);
 
+-- Failures to sign in under names that nobody has, so that they are answered as those of a known name. By sixteen bits
+-- of a hash of what was typed: a password in the wrong field cannot be found from it.
+CREATE TABLE sign_in_failure (
+  bucket BIGINT PRIMARY KEY CHECK (bucket BETWEEN 0 AND 65535),
+  failed_count BIGINT NOT NULL,
+  locked_until_utc_us BIGINT NOT NULL
+);
+
+-- Acts that need two people: one asks, another one does it or refuses. subject: the id of a user, person or design,
+-- the hash of a backup.
+CREATE TABLE duty_request (
+  id TEXT PRIMARY KEY,
+  act TEXT NOT NULL CHECK (act IN ('reset_password', 'grant_roles', 'erase', 'restore', 'reveal_allocation',
+    'one_person')),
+  subject TEXT NOT NULL,
+  detail_json TEXT NOT NULL,
+  reason TEXT NOT NULL,
+  requested_by TEXT NOT NULL,
+  requested_utc_us BIGINT NOT NULL
+);
+CREATE INDEX duty_request_time ON duty_request (requested_utc_us);
+{{append_only duty_request}}
+
+CREATE TABLE duty_decision (
+  request_id TEXT PRIMARY KEY REFERENCES duty_request (id),
+  decision TEXT NOT NULL CHECK (decision IN ('confirmed', 'refused', 'withdrawn')),
+  decided_by TEXT NOT NULL,
+  decided_utc_us BIGINT NOT NULL
+);
+{{append_only duty_decision}}
+
+-- What somebody signed with the password: a mark, a frozen data set; what the signature means, and why.
+CREATE TABLE signature (
+  object_kind TEXT NOT NULL CHECK (object_kind IN ('training_mark', 'evaluation_mark', 'frozen_dataset')),
+  object_id TEXT NOT NULL,
+  user_id TEXT NOT NULL,
+  person_id TEXT REFERENCES person (id),
+  meaning TEXT NOT NULL CHECK (meaning IN ('scored', 'amended', 'froze')),
+  reason TEXT NOT NULL,
+  signed_utc_us BIGINT NOT NULL,
+  password_shown_utc_us BIGINT NOT NULL,
+  demonstration BOOLEAN NOT NULL,
+  PRIMARY KEY (object_kind, object_id)
+);
+CREATE INDEX signature_person ON signature (person_id);
+{{append_only signature}}
+
 -- Who, when, where, what, old, new, why; each row carries the hash of the row before. Ids and codes only, never a
 -- name, so that it may stay whole when a person is erased. object_hash seals the row that was written.
 CREATE TABLE audit_entry (

@@ -201,13 +201,17 @@ BackupContent checkBackup(const fs::path& backup) {
   return content;
 }
 
-fs::path restoreSqlite(const fs::path& backup, const fs::path& target) {
+fs::path restoreSqlite(const fs::path& backup, const fs::path& target,
+                       const std::function<void(const fs::path&)>& finish) {
   (void)checkBackup(backup);
   const FileInTheMaking ready(target);
   try {
     fs::copy_file(backup, ready.path());
   } catch (const fs::filesystem_error& error) {
     cannotRestore(target, error);
+  }
+  if (finish) {
+    finish(ready.path());
   }
   settleSqlite(ready.path());
   return replaceSqlite(ready.path(), target);

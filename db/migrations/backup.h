@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,8 +37,10 @@ struct BackupContent {
 /// Puts a checked copy of `backup` in place of `target`. What was there is kept beside it as
 /// "<target>.before-restore-N", the first free number; returns that path, empty when nothing was there. There
 /// is a whole record under the name `target` at every instant (exchangeRecord). Throws Error (kDatabase) when
-/// another program has `target` open; nothing is changed then, nor when the backup does not pass its check.
-std::filesystem::path restoreSqlite(const std::filesystem::path& backup, const std::filesystem::path& target);
+/// another program has `target` open; nothing is changed then, nor when the backup does not pass its check or
+/// `finish`, which may write to the copy and must have closed it, throws.
+std::filesystem::path restoreSqlite(const std::filesystem::path& backup, const std::filesystem::path& target,
+                                    const std::function<void(const std::filesystem::path&)>& finish = {});
 
 /// Reads all of a database file that is to take a record's place, and makes sure that it lies on the disk
 /// whole. Throws Error (kVerifyFailed) when it is not sound.

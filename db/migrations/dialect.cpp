@@ -104,6 +104,19 @@ std::string withTypes(Engine engine, std::string sql, const std::string& where) 
 
 }  // namespace
 
+std::vector<std::string> appendOnlyTables(std::string_view migration) {
+  std::vector<std::string> tables;
+  std::istringstream in{std::string(migration)};
+  for (std::string line; std::getline(in, line);) {
+    for (const std::string_view token : {"{{append_only ", "{{immutable "}) {
+      if (line.starts_with(token) && line.find("}}") != std::string::npos) {
+        tables.push_back(line.substr(token.size(), line.find("}}") - token.size()));
+      }
+    }
+  }
+  return tables;
+}
+
 std::vector<std::string> statementsFor(Engine engine, std::string_view migration, const std::string& where) {
   std::istringstream in{std::string(migration)};
   Statements statements;

@@ -83,7 +83,8 @@ Connection freshRecord() {
   return fresh;
 }
 
-std::vector<SchemaFinding> schemaFindings(Connection& connection) {
+std::vector<SchemaFinding> schemaFindings(Connection& connection,
+                                          const std::map<std::string, std::string>& serverFunctions) {
   const bool sqlite = connection.engine() == Engine::kSqlite;
   if (const SchemaState state = checkSchema(connection, embeddedMigrations()); state.version != state.known) {
     return {};
@@ -103,7 +104,12 @@ std::vector<SchemaFinding> schemaFindings(Connection& connection) {
     }
   }
   for (const auto& [part, made] : found) {
-    if (!expected.contains(part)) {
+    const auto server = serverFunctions.find(part.substr(part.find(' ') + 1));
+    if (part.starts_with("function ") && server != serverFunctions.end()) {
+      if (server->second != made) {
+        findings.push_back({part, "was changed, or is of another version: prepare the server again"});
+      }
+    } else if (!expected.contains(part)) {
       findings.push_back({part, "does not belong to the record: somebody added it"});
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,10 @@ struct SchemaFinding {
 /// Compares the schema of a record with what the steps make, so that nobody can take a trigger away, add one,
 /// or loosen a rule unseen. SQLite: every table, index, trigger and view. PostgreSQL: every trigger, whether
 /// it is switched on, and what its functions do. Of the schema that this program knows; empty: nothing
-/// differs, or the record is newer.
-[[nodiscard]] std::vector<SchemaFinding> schemaFindings(Connection& connection);
+/// differs, or the record is newer. `serverFunctions`: bodies of those that a prepared server may have
+/// besides, by name.
+[[nodiscard]] std::vector<SchemaFinding> schemaFindings(
+    Connection& connection, const std::map<std::string, std::string>& serverFunctions = {});
 
 /// A record in memory as the steps make it, with no row but theirs.
 [[nodiscard]] Connection freshRecord();

@@ -162,7 +162,42 @@ TEST_F(AccessRepositoryTest, MakesGuessingSlowAndForgetsAfterASuccess) {
   EXPECT_EQ(repository.signIn("anna", kPassword, now_us + 2 * kSecond_us).outcome, SignIn::kMustChange);
 }
 
-TEST_F(AccessRepositoryTest, NeverWaitsLongerThanAQuarterOfAnHour) {
+TEST_F(AccessRepositoryTest, AnswersANameThatNobodyHasAsAKnownOne) {
+  Connection connection = openWithSchema();
+  AccessRepository repository = access(connection);
+  repository.addUser(anna(), kPassword);
+  std::int64_t now_us = kSampleTime_us;
+
+  for (int i = 0; i < 40; ++i) {
+    const SignInResult known = repository.signIn("anna", "guess", now_us);
+    const SignInResult unknown = repository.signIn("nobody", "guess", now_us);
+    EXPECT_EQ(known.outcome, unknown.outcome) << i;
+    EXPECT_EQ(known.waitUntilUtc_us, unknown.waitUntilUtc_us) << i;
+    const SignInResult pin = repository.signInForPractice("nobody at all", "4711", now_us);
+    EXPECT_EQ(pin.outcome, known.outcome) << i;
+    now_us += 7 * kSecond_us;
+  }
+
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM sign_in_failure"), 2);
+}
+
+TEST_F(AccessRepositoryTest, AFailureNotedFarAheadLocksForAMinuteAtMost) {
+  Connection connection = openWithSchema();
+  AccessRepository repository = access(connection);
+  repository.addUser(anna(), kPassword);
+  const std::int64_t ahead_us = kSampleTime_us + 400 * std::int64_t{86'400'000'000};
+  for (int i = 0; i < 8; ++i) {
+    (void)repository.signIn("anna", "guess", ahead_us + i * kLongestWait_us);
+  }
+
+  const SignInResult wait = repository.signIn("anna", kPassword, kSampleTime_us);
+
+  EXPECT_EQ(wait.outcome, SignIn::kWait);
+  EXPECT_LE(wait.waitUntilUtc_us, kSampleTime_us + kLongestWait_us);
+  EXPECT_EQ(repository.signIn("anna", kPassword, wait.waitUntilUtc_us).outcome, SignIn::kMustChange);
+}
+
+TEST_F(AccessRepositoryTest, NeverWaitsLongerThanAMinute) {
   Connection connection = openWithSchema();
   AccessRepository repository = access(connection);
   repository.addUser(anna(), kPassword);

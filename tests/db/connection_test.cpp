@@ -251,6 +251,49 @@ TEST(Locator, ReadsThePartsOfAServerAddress) {
   EXPECT_EQ(locator.schema, "ward_2");
 }
 
+TEST(Locator, HandsEveryKnownParameterOnAndReadsItsOwnAddressBack) {
+  const std::string text =
+      "postgresql://u@db.example.org:6543/skills?sslmode=verify-full&sslrootcert=/etc/ca%20of%20us.pem"
+      "&connect_timeout=7&application_name=ward%261&schema=ward_2";
+
+  const Locator locator = parseLocator(text);
+
+  EXPECT_EQ(locator.parameter("sslmode"), "verify-full");
+  EXPECT_EQ(locator.parameter("sslrootcert"), "/etc/ca of us.pem");
+  EXPECT_EQ(locator.parameter("application_name"), "ward&1");
+  EXPECT_EQ(locator.schema, "ward_2");
+  const Locator again = parseLocator(addressOf(locator));
+  EXPECT_EQ(again.parameters, locator.parameters);
+  EXPECT_EQ(again.schema, locator.schema);
+  EXPECT_EQ(again.port, 6543);
+}
+
+TEST(Locator, IgnoresNothingOfAnAddress) {
+  const auto refused = [](const std::string& rest) {
+    return refusalFrom([&rest] { (void)parseLocator("postgresql://u@h/d" + rest); });
+  };
+
+  EXPECT_NE(refused("?ssl_mode=verify-full").text.find("unknown connection parameter ssl_mode"),
+            std::string::npos);
+  EXPECT_NE(refused("?sslmode=verify_full").text.find("verify-full"), std::string::npos);
+  EXPECT_NE(refused("?sslmode=").text.find("has no value"), std::string::npos);
+  EXPECT_NE(refused("?sslmode=require&sslmode=disable").text.find("twice"), std::string::npos);
+  EXPECT_NE(refused("?schema=a&schema=b").text.find("twice"), std::string::npos);
+  EXPECT_NE(refused("?password=secret").text.find(".pgpass"), std::string::npos);
+  EXPECT_EQ(refused("?password=secret").text.find("secret"), std::string::npos);
+  EXPECT_EQ(refused("?sslcert=a;b").code, ErrorCode::kBadParameter);
+  EXPECT_EQ(refused("#part").code, ErrorCode::kBadParameter);
+}
+
+TEST(Locator, TakesHostAndDatabaseFromAServiceFile) {
+  const Locator locator = parseLocator("postgresql:///?service=ward");
+
+  EXPECT_EQ(locator.parameter("service"), "ward");
+  EXPECT_EQ(locator.port, 0);
+  EXPECT_EQ(locator.shown(), "postgresql:///?service=ward");
+  EXPECT_EQ(parseLocator(addressOf(locator)).parameters, locator.parameters);
+}
+
 TEST(Locator, NeverShowsThePassword) {
   EXPECT_EQ(parseLocator("postgresql://torsio:secret@h:1/d").shown(), "postgresql://h:1/d");
   const Refusal refusal = refusalFrom([] { (void)parseLocator("postgresql://torsio:secret@/d"); });

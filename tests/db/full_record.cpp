@@ -44,6 +44,10 @@ const std::map<std::string, Value> kRuled{{"kind", "virtual"},
                                           {"reply_to", Value()},
                                           {"until_utc_us", Value()},
                                           {"decision", "keep"},
+                                          {"duty_request.act", "erase"},
+                                          {"duty_decision.decision", "confirmed"},
+                                          {"signature.object_kind", "training_mark"},
+                                          {"signature.meaning", "scored"},
                                           {"comparison", "at_most"},
                                           {"device_light", "amber"},
                                           {"assessment_run.campaign_id", Value()},
@@ -104,6 +108,9 @@ class Filler {
       std::string text = prefix_;
       text.append(" ").append(column.name);
       values[column.name] = madeUp(types.at(column.name), text, demonstration_);
+    }
+    if (table.name == "sign_in_failure") {
+      values["bucket"] = static_cast<std::int64_t>(prefix_.front());  // its only key is a number
     }
     for (const TableReference& reference : table.references) {
       refer(reference, values);

@@ -6,7 +6,8 @@
 #   tests/support/start-postgres.sh stop                                   ends the one of TORSIO_TEST_POSTGRES
 #
 # PostgreSQL refuses to run as root: then it runs as the user postgres (Debian's package makes one) or nobody.
-# Nothing it holds matters, so it does not wait for the disk.
+# Nothing it holds matters, so it does not wait for the disk. Its certificate is for "localhost" and for no address, signed
+# by an authority of its own (ca.crt in the folder of the cluster).
 set -euo pipefail
 
 say() { echo "start-postgres: $*" >&2; }
@@ -30,6 +31,17 @@ unprivileged() {
 
 cluster_folder() { echo "${TMPDIR:-/tmp}/torsio-postgres-$1"; }
 
+# Whoever connects may ask for TLS: a certificate of the cluster's own authority.
+make_certificates() {
+  local folder=$1
+  openssl req -x509 -newkey rsa:2048 -nodes -days 2 -subj "/CN=Torsio test authority" \
+    -keyout "$folder/ca.key" -out "$folder/ca.crt" 2>/dev/null
+  openssl req -newkey rsa:2048 -nodes -subj "/CN=localhost" -keyout "$folder/server.key" -out "$folder/server.csr" 2>/dev/null
+  openssl x509 -req -days 2 -in "$folder/server.csr" -CA "$folder/ca.crt" -CAkey "$folder/ca.key" -CAcreateserial \
+    -extfile <(echo "subjectAltName=DNS:localhost") -out "$folder/server.crt" 2>/dev/null
+  chmod 600 "$folder/server.key" "$folder/ca.key"
+}
+
 start() {
   local tools port folder password
   tools=$(tools_folder)
@@ -40,12 +52,13 @@ start() {
     mkdir "$folder" 2>/dev/null || continue
     (exec 3<>"/dev/tcp/127.0.0.1/$port") 2>/dev/null && { rmdir "$folder"; continue; }
     echo "$password" > "$folder/password"
+    make_certificates "$folder"
     [ "$(id -u)" -ne 0 ] || chown -R "$(id -u postgres 2>/dev/null || id -u nobody)" "$folder"
     if (cd "$folder" &&
         unprivileged "$tools/initdb" -D "$folder/data" -U torsio --pwfile="$folder/password" -A scram-sha-256 \
           -E UTF8 --locale=C.UTF-8 --no-sync &&
         unprivileged "$tools/pg_ctl" -D "$folder/data" -w -t 60 -l "$folder/log" start -o \
-          "-c listen_addresses=127.0.0.1 -c port=$port -c unix_socket_directories= -c fsync=off -c full_page_writes=off"
+          "-c listen_addresses=127.0.0.1 -c port=$port -c unix_socket_directories= -c ssl=on -c ssl_cert_file=$folder/server.crt -c ssl_key_file=$folder/server.key -c fsync=off -c full_page_writes=off"
        ) > "$folder/start.log" 2>&1; then
       rm -f "$folder/password"
       echo "postgresql://torsio:$password@127.0.0.1:$port/postgres"

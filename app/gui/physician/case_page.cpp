@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/sign_dialog.h"
 #include "app/gui/physician/replay_panel.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_editor_panel.h"
@@ -282,6 +283,9 @@ void CasePage::submit() {
     sheet_->takeFocus();
     return;
   }
+  if (!readyToSign(this, shell(), labelOf(SignatureMeaning::kScored))) {
+    return;
+  }
   attempt(shell(), [&] {
     noteWork();
     submitSheet(shell().session(), opened_.shown.assignmentId, sheet_->editor()->sheet(), watched_);
@@ -303,6 +307,9 @@ void CasePage::startAmending() {
 }
 
 void CasePage::finishAmending() {
+  if (!readyToSign(this, shell(), labelOf(SignatureMeaning::kAmended))) {
+    return;
+  }
   if (!attempt(shell(), [&] {
         const auto amend = [this](auto&& change) {
           change(shell().session(), opened_.shown.assignmentId, sheet_->editor()->sheet(),

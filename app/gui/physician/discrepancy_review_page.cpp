@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/sign_dialog.h"
 #include "app/gui/physician/comparison_bars.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_editor_panel.h"
@@ -188,6 +189,9 @@ void DiscrepancyReviewPage::startMoving() {
     return;
   }
   if (sheet_->editor() != nullptr) {
+    if (!readyToSign(this, shell(), labelOf(SignatureMeaning::kAmended))) {
+      return;
+    }
     const Sheet sheet = sheet_->editor()->sheet();
     decide([&sheet](SessionContext& w, const std::string& id,
                     const std::string& why) { moveMark(w, id, sheet, why); },

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/sign_dialog.h"
 #include "app/gui/physician/choice_row.h"
 #include "app/gui/physician/replay_panel.h"
 #include "app/gui/physician/review_labels.h"
@@ -224,6 +225,9 @@ void EvaluationPage::submit() {
     sheet_->setAsking(true);
     setLook(said_, "caution", false);
     said_->setText(tr("All nine are scored. Press again to seal them; sealed marks stay as they are."));
+    return;
+  }
+  if (!readyToSign(this, shell(), labelOf(SignatureMeaning::kScored))) {
     return;
   }
   attempt(shell(), [&] {

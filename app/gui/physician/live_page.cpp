@@ -16,6 +16,7 @@
 
 #include "app/gui/base/background.h"
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/sign_dialog.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
@@ -343,6 +344,9 @@ void LivePage::submit() {
     said_->setText(check.allTheSame ? tr("All rows have the same mark. Press again to seal the sheet.")
                    : check.farApart ? tr("The rows lie far apart. Press again to seal the sheet.")
                                     : tr("Everything is scored. Press again to seal the sheet."));
+    return;
+  }
+  if (!readyToSign(this, shell(), labelOf(SignatureMeaning::kScored))) {
     return;
   }
   attempt(shell(), [&] {

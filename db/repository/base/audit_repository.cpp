@@ -65,8 +65,8 @@ std::string auditHash(const AuditEntry& entry) {
 std::int64_t AuditRepository::append(std::span<const NewAuditEntry> entries) {
   Transaction transaction(connection_);
   if (connection_.engine() == Engine::kPostgresql) {
-    // SQLite holds its one write lock already.
-    connection_.executeVerbatim("LOCK TABLE audit_entry IN SHARE ROW EXCLUSIVE MODE");
+    // SQLite holds its one write lock already. No table lock: who may only add rows may not take one.
+    connection_.executeVerbatim("SELECT pg_advisory_xact_lock(1414484563, hashtext(current_schema()::text))");
   }
   auto [sequence, previous] = head();
   Statement insert = connection_.prepare(insertInto("audit_entry", kColumns));

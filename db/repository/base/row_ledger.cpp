@@ -283,6 +283,15 @@ class RowLedger : public ChangeWatch {
     }
   }
 
+  void changedElsewhere(std::string_view table, std::vector<Value> key, bool removed) override {
+    if (const SealRule* rule = sealRuleOf(table)) {
+      Touched& row = touchedRow(*rule, std::move(key));
+      row.given.clear();
+      row.whole = false;
+      row.gone = removed;
+    }
+  }
+
   void beforeCommit(Connection& connection) override {
     if (touched_.empty()) {
       return;
@@ -331,15 +340,19 @@ class RowLedger : public ChangeWatch {
              .station = text(given("station"))};
   }
 
-  void touch(const std::shared_ptr<const LedgerPlan>& plan, std::vector<Value> key,
-             std::span<const Value> bound) {
-    std::string place(plan->sealRule->table);
+  Touched& touchedRow(const SealRule& rule, std::vector<Value> key) {
+    std::string place(rule.table);
     place.append("/").append(keyText(key));
     const auto [found, first] = places_.try_emplace(std::move(place), touched_.size());
     if (first) {
-      touched_.push_back({.rule = plan->sealRule, .key = std::move(key)});
+      touched_.push_back({.rule = &rule, .key = std::move(key)});
     }
-    Touched& row = touched_[found->second];
+    return touched_[found->second];
+  }
+
+  void touch(const std::shared_ptr<const LedgerPlan>& plan, std::vector<Value> key,
+             std::span<const Value> bound) {
+    Touched& row = touchedRow(*plan->sealRule, std::move(key));
     using Kind = ChangedStatement::Kind;
     if (plan->change.kind == Kind::kDelete) {
       row.given.clear();

@@ -72,6 +72,12 @@ inline constexpr std::array kSealRules{
              .unsealed = "failed_count, locked_until_utc_us",
              .reason = "slow down whoever guesses a password; every sign-in that failed stands in the trail"},
     SealRule{"user_role", Sealing::kEachChange, "user_id, role_code"},
+    SealRule{.table = "sign_in_failure",
+             .sealing = Sealing::kNot,
+             .key = "bucket",
+             .reason = "slows down whoever guesses names; every sign-in that failed stands in the trail"},
+    SealRule{"duty_request", Sealing::kOnce, "id"},
+    SealRule{"duty_decision", Sealing::kOnce, "request_id"},
     SealRule{.table = "audit_entry",
              .sealing = Sealing::kElsewhere,
              .key = "sequence",
@@ -184,6 +190,8 @@ inline constexpr std::array kSealRules{
              .sealing = Sealing::kNot,
              .key = "campaign_id, rater_id, model_code, index_number",
              .reason = seal_reasons::kDraft},
+
+    SealRule{"signature", Sealing::kOnce, "object_kind, object_id"},
 
     SealRule{"assessment_run", Sealing::kOnce, "id"},
     SealRule{.table = "evaluation_result",

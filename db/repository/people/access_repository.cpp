@@ -2,9 +2,13 @@
 #include "db/repository/people/access_repository.h"
 
 #include <algorithm>
+#include <string_view>
+#include <tuple>
+#include <utility>
 
 #include "assessment/people/password_rule.h"
 #include "db/connection/row_reader.h"
+#include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
 
@@ -19,10 +23,21 @@ void insertRoles(Connection& connection, const UserId& userId, const std::vector
   }
 }
 
+/// After so many failures in a row.
+std::int64_t waitAfter(std::int64_t failures) {
+  constexpr std::int64_t kFirstWait_us = 1'000'000;
+  constexpr std::int64_t kDoublings = 6;  // 2^6 s is beyond the longest wait
+  if (failures <= kFreeFailures) {
+    return 0;
+  }
+  return std::min(kFirstWait_us << std::min(failures - kFreeFailures - 1, kDoublings), kLongestWait_us);
+}
+
 }  // namespace
 
 struct AccessRepository::Account {
-  UserId id;
+  UserId id;  ///< empty: nobody has that name
+  std::int64_t bucket = 0;
   std::string passwordHash;
   std::string pinHash;
   bool mustChange = false;
@@ -112,45 +127,68 @@ std::optional<AccessRepository::Account> AccessRepository::account(const std::st
       "SELECT id, password_hash, pin_hash, must_change_password, state, failed_count, locked_until_utc_us"
       " FROM app_user WHERE login = ?",
       {login}, [](RowReader& row) {
-        return Account{row.text(),  row.text(), row.text(), row.boolean(), row.text() == "active",
+        return Account{row.text(),  0,          row.text(), row.text(), row.boolean(), row.text() == "active",
                        row.int64(), row.int64()};
       });
 }
 
-void AccessRepository::noteFailure(const UserId& userId, std::int64_t failures, std::int64_t now_us) {
-  constexpr std::int64_t kFirstWait_us = 1'000'000;
-  constexpr std::int64_t kDoublings = 10;  // 2^10 s is beyond the longest wait
-  std::int64_t wait_us = 0;
-  if (failures > kFreeFailures) {
-    wait_us = std::min(kFirstWait_us << std::min(failures - kFreeFailures - 1, kDoublings), kLongestWait_us);
+AccessRepository::Account AccessRepository::unknownAccount(const std::string& login) const {
+  Digest digest;
+  digest.update(std::string_view(login));
+  const Digest::Value hash = digest.value();
+  Account account;
+  account.bucket = (static_cast<std::int64_t>(hash[0]) << 8) | hash[1];
+  if (const auto known = selectFirst(connection_,
+                                     "SELECT failed_count, locked_until_utc_us FROM sign_in_failure"
+                                     " WHERE bucket = ?",
+                                     {account.bucket}, [](RowReader& row) {
+                                       return std::pair<std::int64_t, std::int64_t>{row.int64(), row.int64()};
+                                     })) {
+    std::tie(account.failures, account.lockedUntilUtc_us) = *known;
+  }
+  return account;
+}
+
+void AccessRepository::setFailures(const Account& account, std::int64_t failures,
+                                   std::int64_t lockedUntilUtc_us) {
+  if (account.id.empty()) {
+    connection_.execute(insertInto("sign_in_failure", "bucket, failed_count, locked_until_utc_us") +
+                            " ON CONFLICT (bucket) DO UPDATE SET failed_count = excluded.failed_count,"
+                            " locked_until_utc_us = excluded.locked_until_utc_us",
+                        {account.bucket, failures, lockedUntilUtc_us});
+    return;
   }
   connection_.execute("UPDATE app_user SET failed_count = ?, locked_until_utc_us = ? WHERE id = ?",
-                      {failures, now_us + wait_us, userId});
+                      {failures, lockedUntilUtc_us, account.id});
 }
 
 SignInResult AccessRepository::check(const std::string& login, const std::string& secret, bool pin,
                                      std::int64_t now_us) {
-  const std::optional<Account> found = account(login);
-  const std::string hash = !found ? std::string() : pin ? found->pinHash : found->passwordHash;
+  const Account found = account(login).value_or(unknownAccount(login));
+  if (found.lockedUntilUtc_us > now_us + kLongestWait_us) {
+    // The clock was set back since. The wait begins anew, and is no longer than any other.
+    setFailures(found, found.failures, now_us + kLongestWait_us);
+    return {SignIn::kWait, "", now_us + kLongestWait_us};
+  }
+  if (now_us < found.lockedUntilUtc_us) {
+    return {SignIn::kWait, "", found.lockedUntilUtc_us};
+  }
+  const std::string& hash = pin ? found.pinHash : found.passwordHash;
   if (hash.empty()) {
     // The same work as for a known login, so that the time does not tell which logins exist.
     (void)hashPassword(secret, cost_);
+  }
+  if (hash.empty() || !passwordMatches(hash, secret)) {
+    setFailures(found, found.failures + 1, now_us + waitAfter(found.failures + 1));
     return {SignIn::kWrong};
   }
-  if (now_us < found->lockedUntilUtc_us) {
-    return {SignIn::kWait, "", found->lockedUntilUtc_us};
-  }
-  if (!passwordMatches(hash, secret)) {
-    noteFailure(found->id, found->failures + 1, now_us);
-    return {SignIn::kWrong};
-  }
-  if (!found->active) {
+  if (!found.active) {
     return {SignIn::kDisabled};
   }
-  if (found->failures > 0) {
-    noteFailure(found->id, 0, 0);
+  if (found.failures > 0) {
+    setFailures(found, 0, 0);
   }
-  return {found->mustChange && !pin ? SignIn::kMustChange : SignIn::kOk, found->id};
+  return {found.mustChange && !pin ? SignIn::kMustChange : SignIn::kOk, found.id};
 }
 
 SignInResult AccessRepository::signIn(const std::string& login, const std::string& password,

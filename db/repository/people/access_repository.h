@@ -19,9 +19,10 @@ struct SignInResult {
   std::int64_t waitUntilUtc_us = 0;  ///< for kWait
 };
 
-/// Failures in a row that cost nothing; each one more doubles the wait, from one second to fifteen minutes.
+/// Failures in a row that cost nothing; each one more doubles the wait, from one second to one minute. Nobody
+/// can lock anybody out for longer, an administrator neither. Names that nobody has are answered alike.
 inline constexpr std::int64_t kFreeFailures = 3;
-inline constexpr std::int64_t kLongestWait_us = 900'000'000;
+inline constexpr std::int64_t kLongestWait_us = 60'000'000;
 
 /// A password or PIN as it is stored; empty: none.
 struct SealedSecret {
@@ -66,7 +67,8 @@ class AccessRepository {
   [[nodiscard]] std::optional<Account> account(const std::string& login) const;
   [[nodiscard]] SignInResult check(const std::string& login, const std::string& secret, bool pin,
                                    std::int64_t now_us);
-  void noteFailure(const UserId& userId, std::int64_t failures, std::int64_t now_us);
+  [[nodiscard]] Account unknownAccount(const std::string& login) const;
+  void setFailures(const Account& account, std::int64_t failures, std::int64_t lockedUntilUtc_us);
 
   Connection& connection_;
   PasswordCost cost_;

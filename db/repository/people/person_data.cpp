@@ -2,11 +2,15 @@
 #include "db/repository/people/person_data.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "assessment/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/base/seal_rules.h"
 #include "db/repository/people/person_rules.h"
+#include "db/repository/people/server_roles.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
 
@@ -29,6 +33,63 @@ void applyRule(Connection& connection, const PersonRule& rule, const PersonId& p
                               ? "DELETE FROM " + table
                               : "UPDATE " + table + " SET " + std::string(rule.cleared);
   connection.prepare(act + " WHERE " + std::string(rule.condition)).execute(valuesFor(rule, personId));
+}
+
+/// The sealed rows that an erase will touch, by their keys.
+struct TouchedRows {
+  const PersonRule* rule;
+  std::vector<std::vector<Value>> keys;
+};
+
+std::vector<TouchedRows> rowsToErase(Connection& connection, const PersonId& personId) {
+  std::vector<TouchedRows> all;
+  for (const PersonRule& rule : kPersonRules) {
+    const SealRule* seal = sealRuleOf(rule.table);
+    if (seal == nullptr || rule.condition.empty() || rule.onErase == OnErase::kKeep) {
+      continue;
+    }
+    TouchedRows touched{&rule, {}};
+    Statement row = connection.prepare("SELECT " + std::string(seal->key) + " FROM " + std::string(rule.table) +
+                                       " WHERE " + std::string(rule.condition));
+    row.execute(valuesFor(rule, personId));
+    while (row.step()) {
+      std::vector<Value> key;
+      for (int column = 0; column < row.columnCount(); ++column) {
+        key.push_back(row.value(column));
+      }
+      touched.keys.push_back(std::move(key));
+    }
+    all.push_back(std::move(touched));
+  }
+  return all;
+}
+
+/// By the function of a prepared server, whose changes nobody hears: the ledger of seals is told of them.
+bool eraseThroughServer(Connection& connection, const PersonId& personId, const std::string& requestedBy,
+                        const std::string& reason, std::int64_t utc_us) {
+  std::vector<TouchedRows> touched = rowsToErase(connection, personId);
+  if (!eraseOnServer(connection, personId, requestedBy, reason, utc_us)) {
+    return false;
+  }
+  for (TouchedRows& rows : touched) {
+    for (std::vector<Value>& key : rows.keys) {
+      connection.tellChanged(rows.rule->table, std::move(key), rows.rule->onErase == OnErase::kDelete);
+    }
+  }
+  connection.tellChanged("erasure", {Value(personId)}, false);
+  return true;
+}
+
+/// As the owner of the tables. The function of a prepared server does the same (server_roles.cpp).
+void eraseRows(Connection& connection, const PersonId& personId, const std::string& requestedBy,
+               const std::string& reason, std::int64_t utc_us) {
+  connection.execute(insertInto("erasure_gate", "id, reason, opened_utc_us"), {personId, reason, utc_us});
+  for (const PersonRule& rule : kPersonRules) {
+    applyRule(connection, rule, personId);
+  }
+  connection.execute("DELETE FROM erasure_gate WHERE id = ?", {personId});
+  connection.execute(insertInto("erasure", "person_id, requested_by, reason, erased_utc_us"),
+                     {personId, requestedBy, reason, utc_us});
 }
 
 }  // namespace
@@ -68,13 +129,9 @@ void erasePerson(Connection& connection, const PersonId& personId, const std::st
     throw Error(ErrorCode::kBadData, Text::tr("there is no such person, or they were erased already"),
                 Text::tr("erase"), Text::tr("Check the code"));
   }
-  connection.execute(insertInto("erasure_gate", "id, reason, opened_utc_us"), {personId, reason, utc_us});
-  for (const PersonRule& rule : kPersonRules) {
-    applyRule(connection, rule, personId);
+  if (!eraseThroughServer(connection, personId, requestedBy, reason, utc_us)) {
+    eraseRows(connection, personId, requestedBy, reason, utc_us);
   }
-  connection.execute("DELETE FROM erasure_gate WHERE id = ?", {personId});
-  connection.execute(insertInto("erasure", "person_id, requested_by, reason, erased_utc_us"),
-                     {personId, requestedBy, reason, utc_us});
   NewAuditEntry entry{.atUtc_us = utc_us,
                       .actor = requestedBy,
                       .station = {},

@@ -6,6 +6,9 @@
 #include "app/access/access_service.h"
 #include "app/access/audit_service.h"
 #include "app/access/settings_service.h"
+#include "app/access/signing.h"
+#include "app/access/two_people.h"
+#include "app/maintenance/database_copy.h"
 #include "app/maintenance/copies.h"
 #include "app/maintenance/database_maintenance.h"
 #include "app/maintenance/demonstration_removal.h"
@@ -107,6 +110,32 @@ std::vector<ServiceCall> administratorCalls() {
        }},
       {O::kUserManage, "setUserActive",
        [](SessionContext& w, Path) { setUserActive(w, kNoSuch, false, ""); }},
+      {O::kUserManage, "makeUser", [](SessionContext& w, Path) { (void)makeUser(w, {}); }},
+      {O::kUserManage, "passwordNeedsTwo", [](SessionContext& w, Path) { (void)passwordNeedsTwo(w, {}); }},
+      {O::kUserManage, "openRequests", [](SessionContext& w, Path) { (void)openRequests(w); },
+       O::kAllocationReveal},
+      {O::kUserManage, "declineRequest", [](SessionContext& w, Path) { declineRequest(w, kNoSuch, "why"); },
+       O::kAllocationReveal},
+      {O::kStudySetup, "askSecondPerson, to open the allocation",
+       [](SessionContext& w, Path) { (void)askSecondPerson(w, {.act = DutyAct::kRevealAllocation}); },
+       O::kAllocationReveal},
+      {O::kUserManage, "confirmRequest", [](SessionContext& w, Path) { (void)confirmRequest(w, kNoSuch); }},
+      {O::kUserManage, "askSecondPerson, for an account",
+       [](SessionContext& w, Path) { (void)askSecondPerson(w, {.subject = kNoSuch, .reason = "why"}); }},
+      {O::kPersonErase, "askSecondPerson, to erase",
+       [](SessionContext& w, Path) { (void)askSecondPerson(w, {.act = DutyAct::kErase}); }},
+      {O::kDatabaseRestore, "askSecondPerson, to restore",
+       [](SessionContext& w, Path) { (void)askSecondPerson(w, {.act = DutyAct::kRestore}); }},
+      {O::kSettingsEdit, "askSecondPerson, to be one",
+       [](SessionContext& w, Path) { (void)askSecondPerson(w, {.act = DutyAct::kOnePerson}); }},
+      {O::kDatabaseRestore, "mayRestoreNow", [](SessionContext& w, Path) { (void)mayRestoreNow(w, {}); }},
+      {O::kDatabaseRestore, "noteRestore",
+       [](SessionContext& w, Path folder) { noteRestore(w, folder / kNoSuch); }},
+      {O::kDatabaseRestore, "copyDatabase",
+       [](SessionContext& w, Path folder) {
+         (void)copyDatabase(w, (folder / kNoSuch / "a.sqlite").string());
+       }},
+      {O::kSettingsEdit, "setSignMinutes", [](SessionContext& w, Path) { setSignMinutes(w, -1); }},
       {O::kUserManage, "resetPassword",
        [](SessionContext& w, Path) { resetPassword(w, kNoSuch, "short", ""); }},
       {O::kAuditView, "auditEntries", [](SessionContext& w, Path) { (void)auditEntries(w); }},

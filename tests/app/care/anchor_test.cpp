@@ -124,7 +124,7 @@ TEST_F(Anchor, AChainThatWasRewrittenIsFound) {
 }
 
 TEST_F(Anchor, AnOlderFileInTheRecordsPlaceIsFound) {
-  const ProgramRun backup = run("db backup " + file("older.sqlite") + database());
+  const ProgramRun backup = run("db backup --as-system " + file("older.sqlite") + database());
   ASSERT_EQ(backup.code, 0);
   EXPECT_NE(backup.out.find("torsio-head 1 "), std::string::npos) << "to be noted beside the backup";
   {

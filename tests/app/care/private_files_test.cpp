@@ -12,6 +12,7 @@
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/id_source.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/base/file_io.h"
 #include "tests/app/cli/program.h"
 #include "tests/db/full_record.h"
@@ -36,10 +37,14 @@ TEST(PrivateFiles, WhatTheProgramWritesIsForItsOwnerAlone) {
   const std::string out = (folder / "out").string();
 
   ASSERT_EQ(runTorsio("demo --shorten 600 --out " + out, folder).code, 0);
-  ASSERT_EQ(runTorsio("db backup " + out + "/copy.sqlite --database " + out + "/torsio.sqlite", folder).code,
-            0);
-  ASSERT_EQ(runTorsio("db restore " + out + "/copy.sqlite --database " + out + "/torsio.sqlite", folder).code,
-            0);
+  ASSERT_EQ(
+      runTorsio("db backup --as-system " + out + "/copy.sqlite --database " + out + "/torsio.sqlite", folder)
+          .code,
+      0);
+  ASSERT_EQ(
+      runTorsio("db restore --as-system " + out + "/copy.sqlite --database " + out + "/torsio.sqlite", folder)
+          .code,
+      0);
 
   EXPECT_TRUE(isPrivate(out));
   std::size_t files = 0;
@@ -82,6 +87,7 @@ class ErasedBytes : public ::testing::Test {
         " locked_until_utc_us, created_utc_us, demonstration) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
         {"u", "admin", "", false, "active", 0, 0, kSampleTime_us, false});
     connection_.execute("INSERT INTO user_role (user_id, role_code) VALUES (?, ?)", {"u", "administrator"});
+    SettingRepository(connection_).set("two_people", "no", kSampleTime_us);  // one administrator does it all
   }
   SessionContext office() {
     Actor actor{.userId = "u", .login = "admin"};

@@ -116,11 +116,15 @@ TEST_F(RecordSafety, EveryRestoreKeepsWhatWasThere) {
   makeRecord("a.sqlite", "a");
   makeRecord("b.sqlite", "b");
   for (const std::string name : {"a", "b"}) {
-    ASSERT_EQ(run("db backup " + file(name + ".backup") + " --database " + file(name + ".sqlite")).code, 0);
+    ASSERT_EQ(
+        run("db backup --as-system " + file(name + ".backup") + " --database " + file(name + ".sqlite")).code,
+        0);
   }
 
-  const ProgramRun first = run("db restore " + file("a.backup") + " --database " + file("record.sqlite"));
-  const ProgramRun second = run("db restore " + file("b.backup") + " --database " + file("record.sqlite"));
+  const ProgramRun first =
+      run("db restore --as-system " + file("a.backup") + " --database " + file("record.sqlite"));
+  const ProgramRun second =
+      run("db restore --as-system " + file("b.backup") + " --database " + file("record.sqlite"));
 
   EXPECT_EQ(first.code, 0) << first.err;
   EXPECT_EQ(second.code, 0) << second.err;
@@ -135,12 +139,14 @@ TEST_F(RecordSafety, ABackupReplacesAnOlderBackupWhenToldToAndARecordNever) {
   makeRecord("other.sqlite", "other");
   const std::string other = readFile(file("other.sqlite"));
   const std::string database = " --database " + file("record.sqlite");
-  ASSERT_EQ(run("db backup " + file("backup.sqlite") + database).code, 0);
+  ASSERT_EQ(run("db backup --as-system " + file("backup.sqlite") + database).code, 0);
 
-  EXPECT_EQ(run("db backup " + file("backup.sqlite") + database).code, codeOf(ErrorCode::kFileUnwritable));
-  EXPECT_EQ(run("db backup --replace " + file("backup.sqlite") + database).code, 0);
+  EXPECT_EQ(run("db backup --as-system " + file("backup.sqlite") + database).code,
+            codeOf(ErrorCode::kFileUnwritable));
+  EXPECT_EQ(run("db backup --as-system --replace " + file("backup.sqlite") + database).code, 0);
   for (const char* record : {"other.sqlite", "record.sqlite"}) {
-    EXPECT_EQ(run("db backup --replace " + file(record) + database).code, codeOf(ErrorCode::kFileUnwritable));
+    EXPECT_EQ(run("db backup --as-system --replace " + file(record) + database).code,
+              codeOf(ErrorCode::kFileUnwritable));
   }
 
   EXPECT_EQ(readFile(file("other.sqlite")), other);
@@ -150,10 +156,11 @@ TEST_F(RecordSafety, ABackupReplacesAnOlderBackupWhenToldToAndARecordNever) {
 TEST_F(RecordSafety, ARestoredRecordIsNoBackupAnyMore) {
   makeRecord("record.sqlite");
   const std::string database = " --database " + file("record.sqlite");
-  ASSERT_EQ(run("db backup " + file("backup.sqlite") + database).code, 0);
-  ASSERT_EQ(run("db restore " + file("backup.sqlite") + " --database " + file("new.sqlite")).code, 0);
+  ASSERT_EQ(run("db backup --as-system " + file("backup.sqlite") + database).code, 0);
+  ASSERT_EQ(run("db restore --as-system " + file("backup.sqlite") + " --database " + file("new.sqlite")).code,
+            0);
 
-  const ProgramRun backup = run("db backup --replace " + file("new.sqlite") + database);
+  const ProgramRun backup = run("db backup --as-system --replace " + file("new.sqlite") + database);
 
   EXPECT_EQ(backup.code, codeOf(ErrorCode::kFileUnwritable));
 }
@@ -163,7 +170,8 @@ TEST_F(RecordSafety, AnEmptyFileIsNeitherARecordNorBackedUp) {
   fs::resize_file(file("record.sqlite"), 0);
   const std::string database = " --database " + file("record.sqlite");
 
-  EXPECT_EQ(run("db backup " + file("backup.sqlite") + database).code, codeOf(ErrorCode::kFileUnreadable));
+  EXPECT_EQ(run("db backup --as-system " + file("backup.sqlite") + database).code,
+            codeOf(ErrorCode::kFileUnreadable));
   EXPECT_EQ(run("db check" + database).code, codeOf(ErrorCode::kFileUnreadable));
   EXPECT_EQ(run("db verify " + file("record.sqlite")).code, codeOf(ErrorCode::kFileUnreadable));
 
@@ -204,7 +212,8 @@ TEST_F(RecordSafety, ACheckOfAPipeEnds) {
 
 TEST_F(RecordSafety, DamagedPagesAreAFailedCheck) {
   makeRecord("record.sqlite");
-  ASSERT_EQ(run("db backup " + file("sound.sqlite") + " --database " + file("record.sqlite")).code, 0);
+  ASSERT_EQ(
+      run("db backup --as-system " + file("sound.sqlite") + " --database " + file("record.sqlite")).code, 0);
 
   for (const std::streamoff page : {std::streamoff{0}, std::streamoff{1}, std::streamoff{2}}) {
     fs::copy_file(file("sound.sqlite"), file("bad.sqlite"), fs::copy_options::overwrite_existing);
@@ -243,7 +252,8 @@ TEST_F(RecordSafety, WhatKilledProgramsLeftIsSweptAndWhatOthersMakeStays) {
   const FileInTheMaking mine(file("mine.sqlite"));
   std::ofstream(mine.path()) << "being made";
 
-  const ProgramRun backup = run("db backup " + file("b.sqlite") + " --database " + file("record.sqlite"));
+  const ProgramRun backup =
+      run("db backup --as-system " + file("b.sqlite") + " --database " + file("record.sqlite"));
 
   EXPECT_EQ(backup.code, 0) << backup.err;
   EXPECT_FALSE(fs::exists(check));
@@ -305,15 +315,16 @@ void runAndKill(const std::vector<std::string>& arguments, std::chrono::microsec
 TEST_F(RecordSafety, ARestoreThatIsKilledAtAnyInstantLeavesAWholeRecord) {
   makeRecord("record.sqlite", "original");
   makeRecord("b.sqlite", "b");
-  ASSERT_EQ(run("db backup " + file("b.backup") + " --database " + file("b.sqlite")).code, 0);
+  ASSERT_EQ(run("db backup --as-system " + file("b.backup") + " --database " + file("b.sqlite")).code, 0);
   const char* wanted = std::getenv("TORSIO_KILL_INSTANTS");
   const int kills = wanted == nullptr ? 12 : std::atoi(wanted);
   const auto begin = std::chrono::steady_clock::now();
-  ASSERT_EQ(run("db restore " + file("b.backup") + " --database " + file("timed.sqlite")).code, 0);
+  ASSERT_EQ(run("db restore --as-system " + file("b.backup") + " --database " + file("timed.sqlite")).code,
+            0);
   const auto whole = std::chrono::steady_clock::now() - begin;
 
   for (int i = 0; i < kills; ++i) {
-    runAndKill({"db", "restore", file("b.backup"), "--database", file("record.sqlite")},
+    runAndKill({"db", "restore", "--as-system", file("b.backup"), "--database", file("record.sqlite")},
                std::chrono::duration_cast<std::chrono::microseconds>(whole) * (i + 1) / kills);
     const std::string person = personIn("record.sqlite", OpenMode::kReadWrite);  // as the next start does
     EXPECT_TRUE(person.starts_with("original") || person.starts_with("b")) << person;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // torsio db and torsio audit through the real program, on a database with rows in every table.
+#include <cstdlib>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "db/connection/connection.h"
+#include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
 #include "sim/base/error.h"
 #include "tests/app/cli/program.h"
@@ -18,6 +20,17 @@ namespace fs = std::filesystem;
 using test::emptyFolder;
 using test::ProgramRun;
 using test::runTorsio;
+
+/// The address for the command line; the password comes from the environment.
+std::string withoutPassword(const std::string& address) {
+  Locator server = parseLocator(address);
+  if (server.engine != Engine::kPostgresql) {
+    return address;
+  }
+  setenv("PGPASSWORD", server.password.c_str(), 1);
+  server.password.clear();
+  return addressOf(server);
+}
 
 /// The engine of the suite gives the target of copies; everything else is about SQLite files.
 class DbCommandTest : public DatabaseTest {
@@ -51,7 +64,7 @@ class DbCommandTest : public DatabaseTest {
 
 TEST_F(DbCommandTest, BacksUpVerifiesAndRestores) {
   const std::string database = " --database " + file("record.sqlite");
-  const ProgramRun backup = run("db backup " + file("backup.sqlite") + database);
+  const ProgramRun backup = run("db backup --as-system " + file("backup.sqlite") + database);
   EXPECT_EQ(backup.code, 0) << backup.err;
   EXPECT_NE(backup.out.find("Backup written and checked"), std::string::npos) << backup.out;
   EXPECT_NE(backup.out.find("1 trials, 2 marks"), std::string::npos) << backup.out;
@@ -60,7 +73,7 @@ TEST_F(DbCommandTest, BacksUpVerifiesAndRestores) {
   EXPECT_NE(verify.out.find("The backup is sound"), std::string::npos) << verify.out;
   fs::resize_file(file("record.sqlite"), 100);
 
-  const ProgramRun restore = run("db restore " + file("backup.sqlite") + database);
+  const ProgramRun restore = run("db restore --as-system " + file("backup.sqlite") + database);
 
   EXPECT_EQ(restore.code, 0) << restore.err;
   EXPECT_NE(restore.out.find("what was there is kept"), std::string::npos) << restore.out;
@@ -85,11 +98,13 @@ TEST_F(DbCommandTest, FindsAChangedMarkAndSaysWhich) {
 }
 
 TEST_F(DbCommandTest, RefusesADamagedBackupAndAMissingOne) {
-  ASSERT_EQ(run("db backup " + file("backup.sqlite") + " --database " + file("record.sqlite")).code, 0);
+  ASSERT_EQ(
+      run("db backup --as-system " + file("backup.sqlite") + " --database " + file("record.sqlite")).code, 0);
   forge("backup.sqlite");
   EXPECT_EQ(run("db verify " + file("backup.sqlite")).code, kVerifyFailed);
-  EXPECT_EQ(run("db restore " + file("backup.sqlite") + " --database " + file("record.sqlite")).code,
-            kVerifyFailed);
+  EXPECT_EQ(
+      run("db restore --as-system " + file("backup.sqlite") + " --database " + file("record.sqlite")).code,
+      kVerifyFailed);
   EXPECT_EQ(run("db verify " + file("none.sqlite")).code, static_cast<int>(ErrorCode::kFileMissing));
   EXPECT_EQ(run("db check --database " + file("none.sqlite")).code,
             static_cast<int>(ErrorCode::kFileMissing));
@@ -97,34 +112,36 @@ TEST_F(DbCommandTest, RefusesADamagedBackupAndAMissingOne) {
 }
 
 TEST_F(DbCommandTest, SaysWhatToUseForAPostgresqlServer) {
-  const ProgramRun backup = run("db backup x.dump --database postgresql://torsio@127.0.0.1:1/none");
+  const ProgramRun backup =
+      run("db backup --as-system x.dump --database postgresql://torsio@127.0.0.1:1/none");
   EXPECT_EQ(backup.code, static_cast<int>(ErrorCode::kUsage));
   EXPECT_NE(backup.err.find("pg_dump"), std::string::npos) << backup.err;
 }
 
 TEST_F(DbCommandTest, CopiesACentreThereAndBackAndRefusesAUsedTarget) {
-  const std::string target = "'" + locator() + "'";
+  const std::string target = "'" + withoutPassword(locator()) + "'";
 
-  const ProgramRun there = run("db copy " + file("record.sqlite") + " " + target);
+  const ProgramRun there = run("db copy --as-system " + file("record.sqlite") + " " + target);
 
   EXPECT_EQ(there.code, 0) << there.err;
   EXPECT_NE(there.out.find("Copied and compared"), std::string::npos) << there.out;
-  const ProgramRun again = run("db copy " + file("record.sqlite") + " " + target);
+  const ProgramRun again = run("db copy --as-system " + file("record.sqlite") + " " + target);
   EXPECT_EQ(again.code, static_cast<int>(ErrorCode::kBadData));
   EXPECT_NE(again.err.find("the target is not empty"), std::string::npos) << again.err;
   EXPECT_EQ(run("audit verify --database " + target).code, 0);
-  const ProgramRun back = run("db copy " + target + " " + file("back.sqlite"));
+  const ProgramRun back = run("db copy --as-system " + target + " " + file("back.sqlite"));
   EXPECT_EQ(back.code, 0) << back.err;
-  EXPECT_EQ(back.out, there.out);
+  EXPECT_NE(back.out.find("  person: "), std::string::npos) << back.out;
 }
 
 TEST_F(DbCommandTest, AnotherProgramThatHasTheFileIsNamedPlainly) {
-  ASSERT_EQ(run("db backup " + file("backup.sqlite") + " --database " + file("record.sqlite")).code, 0);
+  ASSERT_EQ(
+      run("db backup --as-system " + file("backup.sqlite") + " --database " + file("record.sqlite")).code, 0);
   Connection other = openFile();
   Transaction writing(other);
 
   const ProgramRun restore =
-      run("db restore " + file("backup.sqlite") + " --database " + file("record.sqlite"));
+      run("db restore --as-system " + file("backup.sqlite") + " --database " + file("record.sqlite"));
 
   EXPECT_EQ(restore.code, static_cast<int>(ErrorCode::kDatabase));
   EXPECT_NE(restore.err.find("is open in another program"), std::string::npos) << restore.err;

@@ -60,6 +60,7 @@ class CareTest : public ::testing::Test {
           {"u-" + role, role, "", false, "active", 0, 0, kSampleTime_us, false});
       connection_.execute("INSERT INTO user_role (user_id, role_code) VALUES (?, ?)", {"u-" + role, role});
     }
+    SettingRepository(connection_).set("two_people", "no", kSampleTime_us);  // one administrator does it all
   }
 
   SessionContext sessionOf(const std::string& role) {
@@ -220,8 +221,10 @@ TEST_F(CareTest, ABackupWithAChangedMarkIsNotRestored) {
   }
   EXPECT_FALSE(verifyBackup(in("backup.sqlite")).database.sound());
 
-  const Refusal refusal =
-      refusalFrom([&] { restoreDatabase(in("backup.sqlite"), in("target.sqlite").string()); });
+  const Refusal refusal = refusalFrom([&] {
+    restoreRecord({.systemAccount = "me", .ownsFile = [](const std::string&) { return true; }},
+                  in("backup.sqlite"), in("target.sqlite").string());
+  });
 
   EXPECT_EQ(refusal.code, ErrorCode::kVerifyFailed);
   EXPECT_FALSE(fs::exists(in("target.sqlite")));
@@ -230,10 +233,11 @@ TEST_F(CareTest, ABackupWithAChangedMarkIsNotRestored) {
 TEST_F(CareTest, ACopyThatFailsLeavesNoNewFile) {
   connection_.executeVerbatim("DROP TRIGGER training_mark_no_UPDATE");
   connection_.executeVerbatim("UPDATE training_mark SET score_steps = 100");
-  EXPECT_EQ(refusalFrom([&] { (void)copyDatabase(database_, in("copy.sqlite").string()); }).code,
+  SessionContext office = sessionOf("administrator");
+  EXPECT_EQ(refusalFrom([&] { (void)copyDatabase(office, in("copy.sqlite").string()); }).code,
             ErrorCode::kBadData);
   EXPECT_FALSE(fs::exists(in("copy.sqlite")));
-  EXPECT_EQ(refusalFrom([&] { (void)copyDatabase(database_, database_); }).code, ErrorCode::kUsage);
+  EXPECT_EQ(refusalFrom([&] { (void)copyDatabase(office, database_); }).code, ErrorCode::kUsage);
 }
 
 TEST_F(CareTest, ThePackageOfAPersonHoldsTablesRecordingsAndHashesThatFit) {

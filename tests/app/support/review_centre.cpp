@@ -41,7 +41,7 @@ Actor actorIn(Connection& connection, const std::string& login) {
   Actor actor;
   for (const UserAccount& user : AccessRepository(connection).users()) {
     if (user.login == login) {
-      actor = {user.id, user.login, user.personId, user.roles, false};
+      actor = {user.id, user.login, user.personId, user.roles, false, kReviewTime_us};
     }
   }
   return actor;

@@ -9,6 +9,7 @@
 #include "assessment/people/account.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/people/access_repository.h"
+#include "db/repository/system/setting_repository.h"
 #include "tests/support/stored_rows.h"
 
 namespace torsio::testing {
@@ -30,6 +31,7 @@ StudyCentre::StudyCentre(const std::string& locator) {
     access.setPassword(id, access.sealPassword(role, kStudyPassword), false);
     actors_[role] = {id, role, "", {role}, false};
   }
+  SettingRepository(*connection_).set("two_people", "no", now_us_);  // one administrator does all of it
 }
 
 StudyCentre::~StudyCentre() {
@@ -40,13 +42,16 @@ StudyCentre::~StudyCentre() {
 }
 
 SessionContext& StudyCentre::as(const std::string& role) {
-  session_->setActor(role.empty() ? Actor{} : actors_.at(role));
+  Actor actor = role.empty() ? Actor{} : actors_.at(role);
+  actor.passwordShownUtc_us = now_us_;
+  session_->setActor(actor);
   return *session_;
 }
 
 SessionContext& StudyCentre::asRater(const RaterId& raterId) {
   Actor actor = actors_.at("rater");
   actor.personId = raterId;
+  actor.passwordShownUtc_us = now_us_;
   session_->setActor(actor);
   return *session_;
 }

@@ -183,7 +183,7 @@ void TrainingCentre::fill(const Setup& setup) {
 void TrainingCentre::become(const std::string& who) {
   for (const UserAccount& user : AccessRepository(*connection_, PasswordCost::kTest).users()) {
     if (user.login == who) {
-      session_->setActor({user.id, user.login, user.personId, user.roles, false});
+      session_->setActor({user.id, user.login, user.personId, user.roles, false, now_us_});
     }
   }
 }

@@ -13,6 +13,7 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/list_dialogs.h"
 #include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/administrator/base/second_person.h"
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/people/person_dialog.h"
 #include "app/gui/administrator/people/roster_wizard.h"
@@ -314,9 +315,12 @@ void RosterPage::askErasePerson() {
     return;
   }
   attempt(shell(), [&] {
-    erasePersonRecord(shell().session(), person->row.person.id, *reason);
-    read();
-    shell().notify(tr("The record is erased"));
+    const PersonId id = person->row.person.id;
+    if (actOrAsk(this, shell(), {.act = DutyAct::kErase, .subject = id, .reason = *reason},
+                 [&] { erasePersonRecord(shell().session(), id, *reason); })) {
+      read();
+      shell().notify(tr("The record is erased"));
+    }
   });
 }
 

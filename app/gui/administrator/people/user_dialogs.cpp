@@ -153,28 +153,4 @@ std::optional<RolesChange> askRoles(QWidget* parent, const QString& login,
   return RolesChange{boxes->get(), reason->text().trimmed().toStdString()};
 }
 
-void showStartPassword(QWidget* parent, const QString& login, const QString& password) {
-  QuestionDialog dialog(parent, UserDialogs::tr("Start password"));
-  dialog.addNote(
-      UserDialogs::tr(
-          "Hand this start password to %1. It is shown only now, and must be changed at the first sign-in.")
-          .arg(login));
-  auto* shown = new QLineEdit(password, &dialog);
-  shown->setObjectName(QStringLiteral("password"));
-  shown->setReadOnly(true);
-  shown->setAccessibleName(UserDialogs::tr("Start password"));
-  dialog.column()->addWidget(shown);
-  auto* copy = new QPushButton(UserDialogs::tr("&Copy"), &dialog);
-  QObject::connect(copy, &QPushButton::clicked, shown, [shown, copy] {
-    QApplication::clipboard()->setText(shown->text());
-    copy->setText(UserDialogs::tr("Copied"));
-  });
-  dialog.column()->addWidget(copy, 0, Qt::AlignLeft);
-  // Another Enter, typed in haste, must not close what is shown only once.
-  dialog.finishWithoutCancel(UserDialogs::tr("Done"))->setAutoDefault(false);
-  copy->setDefault(true);
-  copy->setFocus();
-  dialog.exec();
-}
-
 }  // namespace torsio::gui

@@ -34,7 +34,4 @@ struct RolesChange {
 [[nodiscard]] std::optional<RolesChange> askRoles(QWidget* parent, const QString& login,
                                                   const std::vector<std::string>& roles);
 
-/// Shows a start password once, with a button that copies it.
-void showStartPassword(QWidget* parent, const QString& login, const QString& password);
-
 }  // namespace torsio::gui

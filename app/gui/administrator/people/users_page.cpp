@@ -15,7 +15,9 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/people_dialog.h"
 #include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/administrator/base/second_person.h"
 #include "app/gui/administrator/people/accounts_dialog.h"
+#include "app/gui/administrator/people/requests_dialog.h"
 #include "app/gui/administrator/people/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
@@ -60,10 +62,13 @@ UsersPage::UsersPage(ShellContext& shell)
       table_(new DataTable(QStringLiteral("users"), this)),
       add_(new QPushButton(this)),
       addForRoster_(new QPushButton(this)),
+      requests_(new QPushButton(this)),
       roles_(listButton(table_)),
       password_(listButton(table_)),
       active_(listButton(table_)) {
   add_->setProperty("primary", true);
+  requests_->setObjectName(QStringLiteral("requests"));
+  heading_->addAction(requests_);
   heading_->addAction(addForRoster_);
   heading_->addAction(add_);
   QVBoxLayout* column = pageColumn(this);
@@ -72,6 +77,7 @@ UsersPage::UsersPage(ShellContext& shell)
 
   connect(add_, &QPushButton::clicked, this, &UsersPage::add);
   connect(addForRoster_, &QPushButton::clicked, this, &UsersPage::addForRoster);
+  connect(requests_, &QPushButton::clicked, this, &UsersPage::showRequests);
   connect(roles_, &QPushButton::clicked, this, &UsersPage::changeRoles);
   connect(password_, &QPushButton::clicked, this, &UsersPage::newPassword);
   connect(active_, &QPushButton::clicked, this, &UsersPage::switchActive);
@@ -83,6 +89,7 @@ UsersPage::UsersPage(ShellContext& shell)
 void UsersPage::enter(const QVariant&) {
   attempt(shell(), [&] {
     users_ = users(shell().session());
+    waiting_ = openRequests(shell().session()).size();
     personCodes_.clear();
     for (const PersonRow& row : people(shell().session())) {
       personCodes_[row.person.id] = row.person.code;
@@ -126,7 +133,14 @@ void UsersPage::showContent() {
                      timeCell(user.createdUtc_us)}});
   }
   table_->setRows(std::move(rows));
+  requests_->setText(waiting_ == 0 ? tr("Re&quests\u2026") : tr("Re&quests (%1)\u2026").arg(waiting_));
+  requests_->setProperty("caution", waiting_ > 0);
   showButtons();
+}
+
+void UsersPage::showRequests() {
+  RequestsDialog(shell(), this).exec();
+  enter({});
 }
 
 void UsersPage::showButtons() {
@@ -150,9 +164,8 @@ void UsersPage::add() {
     if (!user) {
       return;
     }
-    const auto id = std::make_shared<std::string>();
-    storeAndShow([user = *user, id](SessionContext& session) { *id = addUser(session, user); },
-                 toQString(user->login), user->startPassword, id);
+    storeAndShow([user = *user](SessionContext& session) { return makeUser(session, user); },
+                 toQString(user->login));
   });
 }
 
@@ -206,23 +219,27 @@ void UsersPage::sayWhyNotAll(const std::exception_ptr& problem) {
       shell(), [&] { std::rethrow_exception(problem); }, tr("Cancelled; the accounts that were shown stay"));
 }
 
-void UsersPage::storeAndShow(const std::function<void(SessionContext&)>& store, const QString& login,
-                             const std::string& password, const std::shared_ptr<std::string>& id) {
+void UsersPage::storeAndShow(const std::function<MadeUser(SessionContext&)>& store, const QString& login) {
   // Sealing a password takes a second on purpose: not in the window's thread.
   const PasswordCost cost = shell().session().passwordCost();
+  const auto made = std::make_shared<MadeUser>();
   shell().run(
       tr("Sealing the start password"),
-      [store, cost](SessionContext& session, const ProgressCallback&) {
+      [store, cost, made](SessionContext& session, const ProgressCallback&) {
         session.setPasswordCost(cost);
-        store(session);
+        *made = store(session);
       },
-      [page = QPointer<UsersPage>(this), login, password, id] {
+      [page = QPointer<UsersPage>(this), login, made] {
         if (page.isNull()) {
           return;
         }
         page->enter({});
-        page->table_->select(toQString(*id));
-        showStartPassword(page, login, toQString(password));
+        page->table_->select(toQString(made->id));
+        showStartPassword(page, login, toQString(made->startPassword),
+                          made->awaitsSecond ? PasswordPart::kFirstHalf : PasswordPart::kWhole);
+        if (!page.isNull() && made->awaitsSecond) {
+          page->shell().notify(tr("Another administrator confirms the roles under Requests"));
+        }
       });
 }
 
@@ -236,7 +253,12 @@ void UsersPage::changeRoles() {
     if (!change) {
       return;
     }
-    setUserRoles(shell().session(), user->id, change->roles, change->reason);
+    const DutyWish wish{
+        .act = DutyAct::kGrantRoles, .subject = user->id, .roles = change->roles, .reason = change->reason};
+    actOrAsk(
+        this, shell(), wish,
+        [&] { setUserRoles(shell().session(), user->id, change->roles, change->reason); },
+        toQString(user->login));
     shell().readRights();
     enter({});
   });
@@ -254,11 +276,18 @@ void UsersPage::newPassword() {
     if (!reason) {
       return;
     }
-    const std::string password = randomStartPassword();
-    const auto id = std::make_shared<std::string>(user->id);
-    storeAndShow([id, password, reason = *reason](
-                     SessionContext& session) { resetPassword(session, *id, password, reason); },
-                 login, password, id);
+    if (passwordNeedsTwo(shell().session(), *user)) {
+      (void)offerToAsk(this, shell(),
+                       {.act = DutyAct::kResetPassword, .subject = user->id, .reason = *reason}, login);
+      return;
+    }
+    storeAndShow(
+        [id = user->id, reason = *reason](SessionContext& session) {
+          const std::string password = randomStartPassword();
+          resetPassword(session, id, password, reason);
+          return MadeUser{.id = id, .startPassword = password};
+        },
+        login);
   });
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/access/access_service.h"
+#include "app/access/two_people.h"
 #include "app/gui/base/page.h"
 #include "assessment/people/account.h"
 
@@ -39,16 +40,18 @@ class UsersPage : public Page {
   void changeRoles();
   void newPassword();
   /// Stores away from the window's thread, then shows the start password of the user `id`.
-  void storeAndShow(const std::function<void(SessionContext&)>& store, const QString& login,
-                    const std::string& password, const std::shared_ptr<std::string>& id);
+  void storeAndShow(const std::function<MadeUser(SessionContext&)>& store, const QString& login);
+  void showRequests();
   void switchActive();
 
   std::vector<UserAccount> users_;
+  std::size_t waiting_ = 0;                         // requests for a second person
   std::map<std::string, std::string> personCodes_;  // by id
   PageHeading* heading_;
   DataTable* table_;
   QPushButton* add_;
   QPushButton* addForRoster_;
+  QPushButton* requests_;
   QPushButton* roles_;
   QPushButton* password_;
   QPushButton* active_;

@@ -15,6 +15,7 @@
 #include "app/gui/administrator/reporting/report_preview.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/sign_dialog.h"
 #include "app/gui/base/table_choice.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
@@ -225,6 +226,9 @@ void ReportsPage::askFreeze() {
 }
 
 bool ReportsPage::freeze(const std::string& name) {
+  if (!readyToSign(this, shell(), labelOf(SignatureMeaning::kFroze))) {
+    return false;
+  }
   return attempt(shell(), [&] {
     std::vector<CampaignId> campaigns;
     if (const CampaignId campaign = chosenId(campaign_); !campaign.empty()) {

@@ -17,6 +17,7 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/administrator/base/second_person.h"
 #include "app/gui/administrator/station/retention_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/card.h"
@@ -388,7 +389,8 @@ void MaintenancePage::erase() {
     if (!reason) {
       return;
     }
-    static_cast<void>(eraseDue(shell().session(), who, *reason, false));
+    actOrAsk(this, shell(), {.act = DutyAct::kErase, .subject = who.front(), .reason = *reason},
+             [&] { static_cast<void>(eraseDue(shell().session(), who, *reason, false)); });
     read();
   });
 }

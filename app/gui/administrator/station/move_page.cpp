@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/administrator/station/move_page.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include <QApplication>
 #include <QClipboard>
+#include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -45,6 +47,10 @@ MovePage::MovePage(ShellContext& shell)
       password_(secretField(this)),
       schemaLabel_(new QLabel(this)),
       schema_(new QLineEdit(this)),
+      tlsLabel_(new QLabel(this)),
+      tlsMode_(new QComboBox(this)),
+      rootLabel_(new QLabel(this)),
+      root_(new QLineEdit(this)),
       serverText_(sentence(this, false)),
       test_(new QPushButton(this)),
       copyCard_(new Card(QString(), this)),
@@ -62,11 +68,12 @@ MovePage::MovePage(ShellContext& shell)
   test_->setObjectName(QStringLiteral("testButton"));
   layOut();
   connect(back_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kCare); });
-  for (QLineEdit* field : {host_, database_, user_, password_, schema_}) {
+  for (QLineEdit* field : {host_, database_, user_, password_, schema_, root_}) {
     connect(field, &QLineEdit::textChanged, this, &MovePage::addressChanged);
     connect(field, &QLineEdit::returnPressed, this, &MovePage::testServer);
   }
   connect(port_, &QSpinBox::valueChanged, this, &MovePage::addressChanged);
+  connect(tlsMode_, &QComboBox::currentIndexChanged, this, &MovePage::addressChanged);
   connect(test_, &QPushButton::clicked, this, &MovePage::testServer);
   connect(copy_, &QPushButton::clicked, this, &MovePage::copyRecord);
   connect(switch_, &QPushButton::clicked, this, &MovePage::switchStation);
@@ -99,6 +106,10 @@ QWidget* MovePage::form() {
   put(userLabel_, user_, 1, 0);
   put(passwordLabel_, password_, 1, 1);
   put(schemaLabel_, schema_, 1, 2);
+  tlsMode_->addItem(QString(), QString());
+  tlsMode_->addItem(QString(), QStringLiteral("verify-full"));
+  put(tlsLabel_, tlsMode_, 2, 0);
+  put(rootLabel_, root_, 2, 1);
   for (const int column : {0, 1, 2}) {
     grid->setColumnStretch(column, 1);
   }
@@ -146,7 +157,9 @@ ServerAddress MovePage::address() const {
           .database = database_->text().trimmed().toStdString(),
           .user = user_->text().trimmed().toStdString(),
           .password = password_->text().toStdString(),
-          .schema = schema_->text().trimmed().toStdString()};
+          .schema = schema_->text().trimmed().toStdString(),
+          .tlsMode = tlsMode_->currentData().toString().toStdString(),
+          .rootCertificate = root_->text().trimmed().toStdString()};
 }
 
 void MovePage::setAddress(const ServerAddress& address) {
@@ -156,6 +169,8 @@ void MovePage::setAddress(const ServerAddress& address) {
   user_->setText(toQString(address.user));
   password_->setText(toQString(address.password));
   schema_->setText(toQString(address.schema));
+  tlsMode_->setCurrentIndex(std::max(0, tlsMode_->findData(toQString(address.tlsMode))));
+  root_->setText(toQString(address.rootCertificate));
 }
 
 void MovePage::enter(const QVariant&) {
@@ -294,7 +309,8 @@ void MovePage::showCopy() {
 
 void MovePage::showButtons() {
   const bool free = !shell().working();
-  for (QWidget* field : std::initializer_list<QWidget*>{host_, port_, database_, user_, password_, schema_}) {
+  for (QWidget* field :
+       std::initializer_list<QWidget*>{host_, port_, database_, user_, password_, schema_, tlsMode_, root_}) {
     field->setEnabled(free);
   }
   const ServerAddress typed = address();
@@ -314,6 +330,11 @@ void MovePage::retranslate() {
   nameField(userLabel_, tr("&Account"));
   nameField(passwordLabel_, tr("Pass&word"));
   nameField(schemaLabel_, tr("&Schema (leave empty)"));
+  nameField(tlsLabel_, tr("&Encryption"));
+  nameField(rootLabel_, tr("Certificate of its authorit&y"));
+  tlsMode_->setItemText(0, tr("as the server offers it, unchecked"));
+  tlsMode_->setItemText(1, tr("checked: this server and no other"));
+  root_->setPlaceholderText(tr("the account's own (~/.postgresql/root.crt)"));
   host_->setPlaceholderText(tr("server.hospital.example"));
   test_->setText(tr("&Test the connection"));
   copyCard_->setTitle(tr("2  Copy and compare"));

@@ -6,6 +6,7 @@
 #include "app/gui/base/page.h"
 #include "app/maintenance/server_move.h"
 
+class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -60,6 +61,10 @@ class MovePage : public Page {
   QLineEdit* password_;
   QLabel* schemaLabel_;
   QLineEdit* schema_;
+  QLabel* tlsLabel_;
+  QComboBox* tlsMode_;
+  QLabel* rootLabel_;
+  QLineEdit* root_;
   QLabel* serverText_;
   QPushButton* test_;
   Card* copyCard_;

@@ -13,6 +13,8 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/administrator/base/second_person.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/file_choice.h"
@@ -152,6 +154,16 @@ void RestorePage::restore() {
   if (!plan_ || shell().working()) {
     return;
   }
+  bool asked = false;
+  const bool ready = attempt(shell(), [&] {
+    if (!mayRestoreNow(shell().session(), *plan_)) {
+      asked = true;
+      askSecond();
+    }
+  });
+  if (!ready || asked) {
+    return;
+  }
   auto prepared = std::make_shared<std::shared_ptr<PreparedRestore>>();
   shell().run(
       tr("Restoring the backup"),
@@ -166,6 +178,18 @@ void RestorePage::restore() {
             tr("The record was restored from %1. As it was before, it is kept in %2").arg(name, kept);
         shell().changeRecord(change);
       });
+}
+
+void RestorePage::askSecond() {
+  const std::optional<std::string> reason =
+      askReason(this, tr("Restore a backup"), tr("Why is it restored? Another administrator confirms it."));
+  if (reason) {
+    (void)offerToAsk(this, shell(),
+                     {.act = DutyAct::kRestore,
+                      .subject = plan_->backupHash,
+                      .shown = plan_->backup.filename().string(),
+                      .reason = *reason});
+  }
 }
 
 void RestorePage::showPlan() {

@@ -33,6 +33,7 @@ class RestorePage : public Page {
   void choose();
   void check();
   void restore();
+  void askSecond();
   void fileChanged();
   void showPlan();
   void showButtons();

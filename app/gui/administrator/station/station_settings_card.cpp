@@ -10,7 +10,10 @@
 
 #include "app/access/first_run.h"
 #include "app/access/settings_service.h"
+#include "app/access/signing.h"
+#include "app/access/two_people.h"
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/second_person.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
@@ -34,6 +37,9 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
       lockLabel_(nullptr),
       lock_(new QSpinBox(this)),
       mouse_(new QCheckBox(this)),
+      two_(new QCheckBox(this)),
+      signLabel_(nullptr),
+      sign_(new QSpinBox(this)),
       note_(sentence(this)),
       keep_(new QPushButton(this)) {
   name_->setObjectName(QStringLiteral("centreName"));
@@ -41,6 +47,9 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
   lock_->setObjectName(QStringLiteral("idleLock"));
   keep_->setObjectName(QStringLiteral("keepSettings"));
   mouse_->setObjectName(QStringLiteral("gradedWithMouse"));
+  two_->setObjectName(QStringLiteral("twoPeople"));
+  sign_->setObjectName(QStringLiteral("signMinutes"));
+  sign_->setRange(0, kLongestSignMinutes);
   lock_->setRange(kShortestIdleLock_min, kLongestIdleLock_min);
   warn_->setRange(1, kLongestIdleLock_min - 1);
   auto* row = new QHBoxLayout;
@@ -55,6 +64,12 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
   row->addWidget(keep_);
   content()->addLayout(row);
   content()->addWidget(mouse_);
+  content()->addWidget(two_);
+  auto* signing = new QHBoxLayout;
+  signing->setSpacing(kSpace);
+  signLabel_ = addField(signing, sign_);
+  signing->addStretch(1);
+  content()->addLayout(signing);
   content()->addWidget(note_);
   connect(lock_, &QSpinBox::valueChanged, this, &StationSettingsCard::keepInBounds);
   connect(keep_, &QPushButton::clicked, this, &StationSettingsCard::keep);
@@ -73,6 +88,8 @@ void StationSettingsCard::read() {
     keepInBounds();
     warn_->setValue(static_cast<int>(limits.warn_us / kMinute_us));
     mouse_->setChecked(gradesWithMouse(shell_.session()));
+    two_->setChecked(needsTwoPeople(shell_.session().connectionWithoutRight()));
+    sign_->setValue(signMinutes(shell_.session().connectionWithoutRight()));
   });
 }
 
@@ -81,8 +98,21 @@ void StationSettingsCard::keep() {
     setCentreName(shell_.session(), name_->text().trimmed().toStdString());
     setCentreIdleLimits(shell_.session(), warn_->value(), lock_->value());
     setGradedWithMouse(shell_.session(), mouse_->isChecked());
+    setSignMinutes(shell_.session(), sign_->value());
+    if (two_->isChecked() != needsTwoPeople(shell_.session().connectionWithoutRight())) {
+      keepTwoPeople();
+    }
     shell_.notify(tr("Kept. It holds at every station from the next sign-in on"));
   });
+}
+
+void StationSettingsCard::keepTwoPeople() {
+  const bool two = two_->isChecked();
+  const DutyWish wish{
+      .act = DutyAct::kOnePerson, .subject = kTwoPeopleSetting, .reason = "one person is to be enough"};
+  actOrAsk(this, shell_, wish,
+           [&] { setCentreSetting(shell_.session(), kTwoPeopleSetting, two ? "yes" : "no"); });
+  two_->setChecked(needsTwoPeople(shell_.session().connectionWithoutRight()));
 }
 
 void StationSettingsCard::retranslate() {
@@ -93,6 +123,12 @@ void StationSettingsCard::retranslate() {
   warn_->setSuffix(tr(" min"));
   lock_->setSuffix(tr(" min"));
   mouse_->setText(tr("&Grade runs with mouse and keyboard"));
+  two_->setText(
+      tr("&Two people for new passwords and roles of those who score or run the study, for erasing, "
+         "restoring and opening the allocation"));
+  nameField(signLabel_, tr("A password that was entered &signs for"));
+  sign_->setSuffix(tr(" min"));
+  sign_->setSpecialValueText(tr("one signature"));
   note_->setText(tr("A run is never interrupted by this. A kiosk signs out instead of locking."));
   keep_->setText(tr("&Keep"));
 }

@@ -14,7 +14,8 @@ namespace torsio::gui {
 class ShellContext;
 
 /// What holds at every station of the centre: its name, after how many minutes an empty place warns and
-/// locks, and whether runs with the mouse are graded. For those who may change settings.
+/// locks, whether runs with the mouse are graded, what needs two people, and for how long a password signs.
+/// For those who may change settings.
 class StationSettingsCard : public Card {
   Q_OBJECT
 
@@ -28,6 +29,7 @@ class StationSettingsCard : public Card {
  private:
   void keep();
   void keepInBounds();
+  void keepTwoPeople();
 
   ShellContext& shell_;
   QLabel* nameLabel_;
@@ -37,6 +39,9 @@ class StationSettingsCard : public Card {
   QLabel* lockLabel_;
   QSpinBox* lock_;
   QCheckBox* mouse_;
+  QCheckBox* two_;
+  QLabel* signLabel_;
+  QSpinBox* sign_;
   QLabel* note_;
   QPushButton* keep_;
 };

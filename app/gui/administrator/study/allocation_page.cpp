@@ -16,6 +16,7 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/printed_cards.h"
 #include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/administrator/base/second_person.h"
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/study/group_move_dialog.h"
 #include "app/gui/base/shell_context.h"
@@ -381,7 +382,9 @@ bool AllocationPage::reveal(const std::string& reason) {
     if (designs_.empty()) {
       return;
     }
-    revealSeed(shell().session(), designs_.back().stored.id, reason);
+    const DesignId id = designs_.back().stored.id;
+    actOrAsk(this, shell(), {.act = DutyAct::kRevealAllocation, .subject = id, .reason = reason},
+             [&] { revealSeed(shell().session(), id, reason); });
     read();
   });
 }

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "app/maintenance/care_taker.h"
+
+namespace CLI {
+class App;
+}
+
+namespace torsio::cli {
+
+/// Who takes care of a record from the command line.
+struct CareOptions {
+  std::string login{};
+  int passwordDescriptor = -1;  ///< -1: asked at the terminal
+  std::string secondLogin{};
+  int secondDescriptor = -1;
+  bool asSystem = false;
+
+  [[nodiscard]] CareTaker taker() const;
+};
+
+/// Adds --as, --password-fd and --as-system; for what needs two people --with and --with-password-fd.
+void addCareOptions(CLI::App& command, CareOptions& options);
+void addSecondPerson(CLI::App& command, CareOptions& options);
+
+}  // namespace torsio::cli

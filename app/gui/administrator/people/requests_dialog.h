@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QDialog>
+
+#include "app/access/two_people.h"
+
+class QPushButton;
+
+namespace torsio::gui {
+
+class DataTable;
+class ShellContext;
+
+/// What waits for a second person: who asks for what, and why; confirm or decline.
+class RequestsDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit RequestsDialog(ShellContext& shell, QWidget* parent = nullptr);
+
+ private:
+  void read();
+  void showButtons();
+  void confirm();
+  void decline();
+  void erase(const OpenRequest& request);
+  void confirmAccount(const OpenRequest& request);
+  [[nodiscard]] const OpenRequest* current() const;
+
+  ShellContext& shell_;
+  DataTable* table_;
+  QPushButton* confirm_;
+  QPushButton* decline_;
+  std::vector<OpenRequest> requests_;
+};
+
+}  // namespace torsio::gui

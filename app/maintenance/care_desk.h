@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "app/access/session_context.h"
+#include "app/access/two_people.h"
+#include "app/maintenance/care_taker.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
+
+namespace torsio {
+
+/// A record with whoever takes care of it, signed in. Both constructors throw Error (kPermission) when nobody
+/// was named, the password is not right, or the record belongs to another account of the system; DbError.
+class CareDesk {
+ public:
+  /// Opens the record at `locator` for writing.
+  CareDesk(const CareTaker& taker, const std::string& locator);
+  /// Takes over the record that is open already. `owned`: the locator that the system must own.
+  CareDesk(const CareTaker& taker, Connection opened, const std::string& owned);
+
+  /// Begins the next call of a service.
+  [[nodiscard]] SessionContext& session() {
+    session_.beginCall();
+    return session_;
+  }
+
+  /// The first person asks for `wish`, and the second one signs in, to do it. Does nothing without a second.
+  void handOver(const CareTaker& taker, const DutyWish& wish);
+
+ private:
+  Connection connection_;
+  SystemIdSource ids_;
+  SessionContext session_;
+};
+
+}  // namespace torsio

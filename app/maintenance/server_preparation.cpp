@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/maintenance/server_preparation.h"
+
+#include <set>
+#include <vector>
+
+#include "app/base/build_info.h"
+#include "app/maintenance/care_desk.h"
+#include "db/connection/connection.h"
+#include "db/connection/locator.h"
+#include "db/migrations/dialect.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/people/server_roles.h"
+#include "db/repository/system/schema_tables.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+void prepareServer(const CareTaker& taker, const std::string& locator, const std::string& stationRole) {
+  if (parseLocator(locator).engine != Engine::kPostgresql) {
+    throw Error(ErrorCode::kUsage, Text::tr("an SQLite file has no roles of its own"), locator,
+                Text::tr("Name the address of a PostgreSQL server"));
+  }
+  CareDesk desk(taker, openRecord(locator, OpenMode::kReadWrite, {.softwareVersion = softwareVersion()}),
+                locator);
+  SessionContext& session = desk.session();
+  session.require(Operation::kDatabaseRestore);
+  Connection& connection = session.connection();
+  if (!isOwnerOfTables(connection)) {
+    throw Error(ErrorCode::kPermission, Text::tr("this account does not own the tables of the record"),
+                connection.location(), Text::tr("Connect as the owner"));
+  }
+  std::set<std::string> appendOnly;
+  for (const Migration& step : embeddedMigrations()) {
+    for (const std::string& table : appendOnlyTables(step.sql)) {
+      appendOnly.insert(table);
+    }
+  }
+  std::vector<std::string> tables{"schema_migration"};
+  for (const SchemaTable& table : tablesInReferenceOrder(connection)) {
+    tables.push_back(table.name);
+  }
+  Transaction transaction(connection);
+  writeServerRoles(connection, tables, appendOnly, stationRole);
+  session.note({.action = AuditAction::kDatabasePrepareServer,
+                .objectKind = AuditObject::kDatabase,
+                .objectId = connection.location(),
+                .newJson = R"({"station_role":")" + stationRole + "\"}"});
+  transaction.commit();
+}
+
+}  // namespace torsio

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "app/maintenance/care_taker.h"
+
+namespace torsio {
+
+/// Brings the schema of a server up to date and writes the roles (db/repository/people/server_roles.h), as
+/// the owner of its tables. Audited. An empty database becomes a record without a centre; then only the
+/// system can have been named. kDatabaseRestore. Throws Error: kUsage for a file, kPermission when the
+/// account is not the owner; DbError.
+void prepareServer(const CareTaker& taker, const std::string& locator, const std::string& stationRole);
+
+}  // namespace torsio

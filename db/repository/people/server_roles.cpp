@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/people/server_roles.h"
+
+#include <algorithm>
+#include <array>
+
+#include "db/connection/row_reader.h"
+#include "db/repository/people/person_rules.h"
+#include "sim/base/contracts.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::string_view kRead = "SELECT";
+constexpr std::string_view kAdd = "SELECT, INSERT";
+constexpr std::string_view kChange = "SELECT, INSERT, UPDATE";
+constexpr std::string_view kRemove = "SELECT, INSERT, DELETE";
+constexpr std::string_view kAll = "SELECT, INSERT, UPDATE, DELETE";
+
+/// What the station role may do besides adding rows to what is append-only: in tables of drafts and states.
+struct StationRight {
+  std::string_view table;
+  std::string_view rights;
+};
+constexpr std::array kStationRights{
+    // What only the owner fills, or a function with the owner's rights.
+    StationRight{"erasure_gate", kRead},  // an open gate is a finding
+    StationRight{"erasure", kRead},
+    StationRight{"role", kRead},
+    StationRight{"operation", kRead},
+    StationRight{"role_operation", kRead},
+    StationRight{"schema_migration", kRead},
+    // What is named once.
+    StationRight{"rater_class", kAdd},
+    StationRight{"occasion", kAdd},
+    StationRight{"curriculum", kAdd},
+    StationRight{"rubric", kAdd},
+    // What has a state; frozen columns stay frozen.
+    StationRight{"centre", kAll},
+    StationRight{"setting", kChange},
+    StationRight{"person", kChange},
+    StationRight{"person_identity", kChange},
+    StationRight{"trainee", kChange},
+    StationRight{"rater", kChange},
+    StationRight{"retention_rule", kAll},
+    StationRight{"app_user", kChange},
+    StationRight{"user_role", kRemove},
+    StationRight{"sign_in_failure", kAll},
+    StationRight{"cohort", kChange},
+    StationRight{"training_group", kChange},
+    StationRight{"enrolment", kChange},
+    StationRight{"allocation_seed", kChange},
+    StationRight{"live_call", kChange},
+    StationRight{"station_state", kAll},
+    StationRight{"record_copy", kChange},
+    StationRight{"seal_salt", kAll},
+    // Drafts.
+    StationRight{"curriculum_draft", kChange},
+    StationRight{"mark_draft", kAll},
+    StationRight{"mark_draft_row", kAll},
+    StationRight{"draft_viewing", kAll},
+    StationRight{"evaluation_draft", kAll},
+    StationRight{"paper_entry", kAll},
+    StationRight{"paper_entry_row", kAll},
+};
+
+constexpr std::string_view kActor = "current_setting('torsio.actor', true)";
+
+/// Whoever may see all marks: one of these operations is enough.
+constexpr std::string_view kSeesAllMarks =
+    "SELECT EXISTS (SELECT 1 FROM app_user u JOIN user_role r ON r.user_id = u.id"
+    " JOIN role_operation o ON o.role_code = r.role_code"
+    " WHERE u.id = current_setting('torsio.actor', true) AND u.state = 'active' AND o.operation_code IN"
+    " ('mark.view_coded', 'mark.release', 'results.compute', 'evaluation.setup', 'audit.view',"
+    " 'database.restore'))";
+
+constexpr std::string_view kActorPerson =
+    "SELECT person_id FROM app_user WHERE id = current_setting('torsio.actor', true) AND state = 'active'";
+
+/// A rater sees the marks of the others once everybody who was asked has submitted: the view of
+/// disagreements.
+constexpr std::string_view kCaseIsCommitted =
+    "SELECT EXISTS (SELECT 1 FROM assignment a WHERE a.enrolment_id = case_enrolment AND a.occasion ="
+    " case_occasion AND a.rater_id = actor_person()) AND NOT EXISTS (SELECT 1 FROM assignment a WHERE"
+    " a.enrolment_id = case_enrolment AND a.occasion = case_occasion"
+    " AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
+    " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id))";
+
+/// A trainee sees the own marks once they are released.
+constexpr std::string_view kIsReleasedToActor =
+    "SELECT coalesce((SELECT r.released FROM enrolment e JOIN mark_release r ON r.cohort_id = e.cohort_id"
+    " WHERE e.id = case_enrolment AND e.trainee_id = actor_person() AND r.occasion = case_occasion"
+    " ORDER BY r.sequence DESC LIMIT 1), FALSE)";
+
+/// One statement of an erase, with the person's id in place of each `?`.
+std::string withPerson(std::string condition) {
+  for (std::size_t at = condition.find('?'); at != std::string::npos; at = condition.find('?', at)) {
+    condition.replace(at, 1, "erased_id");
+  }
+  return condition;
+}
+
+/// What erasePerson() does to the rows, for an administrator who may erase.
+std::string eraseBody() {
+  std::string body =
+      "\n#variable_conflict use_variable\nBEGIN\n"
+      "  IF NOT EXISTS (SELECT 1 FROM app_user u JOIN user_role r ON r.user_id = u.id JOIN role_operation o"
+      " ON o.role_code = r.role_code WHERE u.id = " +
+      std::string(kActor) +
+      " AND u.id = erased_by AND u.state = 'active' AND o.operation_code = 'person.erase') THEN\n"
+      "    RAISE EXCEPTION 'nobody who may erase is signed in' USING ERRCODE = '42501';\n"
+      "  END IF;\n"
+      "  INSERT INTO erasure_gate (id, reason, opened_utc_us) VALUES (erased_id, why, at_us);\n";
+  for (const PersonRule& rule : kPersonRules) {
+    if (rule.condition.empty() || rule.onErase == OnErase::kKeep) {
+      continue;
+    }
+    const std::string table(rule.table);
+    body += "  " +
+            (rule.onErase == OnErase::kDelete ? "DELETE FROM " + table
+                                              : "UPDATE " + table + " SET " + std::string(rule.cleared)) +
+            " WHERE " + withPerson(std::string(rule.condition)) + ";\n";
+  }
+  return body +
+         "  DELETE FROM erasure_gate WHERE id = erased_id;\n"
+         "  INSERT INTO erasure (person_id, requested_by, reason, erased_utc_us)"
+         " VALUES (erased_id, erased_by, why, at_us);\n"
+         "END ";
+}
+
+struct ServerFunction {
+  std::string_view name;
+  std::string_view arguments;  ///< as CREATE FUNCTION takes them
+  std::string_view result;
+  std::string_view language;
+};
+constexpr std::array kServerFunctions{
+    ServerFunction{"sees_all_marks", "", "boolean", "sql STABLE"},
+    ServerFunction{"actor_person", "", "text", "sql STABLE"},
+    ServerFunction{"case_is_committed", "case_enrolment text, case_occasion text", "boolean", "sql STABLE"},
+    ServerFunction{"is_released_to_actor", "case_enrolment text, case_occasion text", "boolean",
+                   "sql STABLE"},
+    ServerFunction{"erase_person", "erased_id text, erased_by text, why text, at_us bigint", "void",
+                   "plpgsql"}};
+
+/// Whose rows are whose. `SELECT` inside parentheses is asked once a statement, not once a row.
+struct RowPolicy {
+  std::string_view table;
+  std::string_view seen;     ///< rows that whoever asks may read
+  std::string_view changed;  ///< rows that whoever asks may add, change or remove
+};
+constexpr std::array kRowPolicies{
+    RowPolicy{"training_mark",
+              "(SELECT sees_all_marks()) OR rater_id = (SELECT actor_person())"
+              " OR case_is_committed(enrolment_id, occasion) OR is_released_to_actor(enrolment_id, occasion)",
+              "rater_id = (SELECT actor_person()) OR demonstration"},
+    RowPolicy{"training_mark_row", "EXISTS (SELECT 1 FROM training_mark m WHERE m.id = mark_id)",
+              "EXISTS (SELECT 1 FROM training_mark m WHERE m.id = mark_id AND"
+              " (m.rater_id = (SELECT actor_person()) OR m.demonstration))"},
+    RowPolicy{"mark_viewing", "EXISTS (SELECT 1 FROM training_mark m WHERE m.id = mark_id)",
+              "EXISTS (SELECT 1 FROM training_mark m WHERE m.id = mark_id AND"
+              " (m.rater_id = (SELECT actor_person()) OR m.demonstration))"},
+    RowPolicy{"mark_draft",
+              "(SELECT sees_all_marks()) OR EXISTS (SELECT 1 FROM assignment a WHERE a.id = assignment_id"
+              " AND a.rater_id = (SELECT actor_person()))",
+              "EXISTS (SELECT 1 FROM assignment a WHERE a.id = assignment_id"
+              " AND a.rater_id = (SELECT actor_person()))"},
+    RowPolicy{"mark_draft_row",
+              "EXISTS (SELECT 1 FROM mark_draft d WHERE d.assignment_id ="
+              " mark_draft_row.assignment_id)",
+              "EXISTS (SELECT 1 FROM assignment a WHERE a.id = assignment_id"
+              " AND a.rater_id = (SELECT actor_person()))"},
+    RowPolicy{"draft_viewing",
+              "EXISTS (SELECT 1 FROM assignment a WHERE a.id = assignment_id"
+              " AND a.rater_id = (SELECT actor_person()))",
+              "EXISTS (SELECT 1 FROM assignment a WHERE a.id = assignment_id"
+              " AND a.rater_id = (SELECT actor_person()))"},
+    RowPolicy{"evaluation_mark", "(SELECT sees_all_marks()) OR rater_id = (SELECT actor_person())",
+              "rater_id = (SELECT actor_person()) OR demonstration"},
+    RowPolicy{"evaluation_draft", "rater_id = (SELECT actor_person())", "rater_id = (SELECT actor_person())"},
+};
+
+bool plainRole(const std::string& role) {
+  return !role.empty() && std::all_of(role.begin(), role.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+void requireRole(Connection& connection, const std::string& role) {
+  if (connection.engine() != Engine::kPostgresql) {
+    throw Error(ErrorCode::kUsage, Text::tr("an SQLite file has no roles of its own"), connection.location(),
+                Text::tr("Name the address of a PostgreSQL server"));
+  }
+  const std::string owner = selectFirst(connection, "SELECT current_user::text", {}, readText).value_or("");
+  if (plainRole(role) && role != owner) {
+    return;
+  }
+  throw Error(ErrorCode::kBadParameter, Text::tr("this cannot be the role of the stations"), role,
+              Text::tr("Take a name of lower-case letters, digits and underscores that is not the owner's"));
+}
+
+void makeFunctions(Connection& connection, const std::string& schema, const std::string& role) {
+  const std::map<std::string, std::string> bodies = serverFunctions();
+  for (const ServerFunction& one : kServerFunctions) {
+    const std::string name(one.name);
+    connection.executeVerbatim("CREATE OR REPLACE FUNCTION " + name + "(" + std::string(one.arguments) +
+                               ") RETURNS " + std::string(one.result) + " LANGUAGE " +
+                               std::string(one.language) + " SECURITY DEFINER SET search_path = \"" + schema +
+                               "\", pg_temp AS $$" + bodies.at(name) + "$$");
+    connection.executeVerbatim("REVOKE ALL ON FUNCTION " + name + " FROM PUBLIC");
+    connection.executeVerbatim("GRANT EXECUTE ON FUNCTION " + name + " TO " + role);
+  }
+}
+
+void makePolicies(Connection& connection, const std::string& role) {
+  for (const RowPolicy& policy : kRowPolicies) {
+    const std::string table(policy.table);
+    const auto make = [&](const std::string& act, const std::string& clause) {
+      const std::string name = "torsio_" + act;
+      connection.executeVerbatim("DROP POLICY IF EXISTS " + name + " ON " + table);
+      connection.executeVerbatim("CREATE POLICY " + name + " ON " + table + " FOR " + act + " TO " + role +
+                                 " " + clause);
+    };
+    const std::string changed(policy.changed);
+    make("SELECT", "USING (" + std::string(policy.seen) + ")");
+    make("INSERT", "WITH CHECK (" + changed + ")");
+    make("UPDATE", "USING (" + changed + ") WITH CHECK (" + changed + ")");
+    make("DELETE", "USING (" + changed + ")");
+    connection.executeVerbatim("ALTER TABLE " + table + " ENABLE ROW LEVEL SECURITY");
+  }
+}
+
+}  // namespace
+
+std::optional<std::string_view> declaredRightsOn(std::string_view table) {
+  const auto* found = std::find_if(kStationRights.begin(), kStationRights.end(),
+                                   [&](const StationRight& one) { return one.table == table; });
+  return found == kStationRights.end() ? std::nullopt : std::optional(found->rights);
+}
+
+std::map<std::string, std::string> serverFunctions() {
+  return {{"sees_all_marks", std::string(kSeesAllMarks)},
+          {"actor_person", std::string(kActorPerson)},
+          {"case_is_committed", std::string(kCaseIsCommitted)},
+          {"is_released_to_actor", std::string(kIsReleasedToActor)},
+          {"erase_person", eraseBody()}};
+}
+
+void writeServerRoles(Connection& connection, std::span<const std::string> tables,
+                      const std::set<std::string>& appendOnly, const std::string& role) {
+  requireRole(connection, role);
+  Transaction transaction(connection);
+  connection.executeVerbatim("SET LOCAL client_min_messages = warning");  // no word on what was not there yet
+  const std::string schema =
+      selectFirst(connection, "SELECT current_schema()::text", {}, readText).value_or("public");
+  const std::string database =
+      selectFirst(connection, "SELECT current_database()::text", {}, readText).value_or("");
+  if (!selectFirst(connection, "SELECT 1 FROM pg_roles WHERE rolname = ?", {role}, readInt64)) {
+    connection.executeVerbatim("CREATE ROLE " + role +
+                               " LOGIN NOSUPERUSER NOCREATEDB NOCREATEROLE NOREPLICATION NOBYPASSRLS");
+  }
+  const std::string inSchema = " IN SCHEMA \"" + schema + "\" FROM ";
+  for (const std::string& whom : {std::string("PUBLIC"), role}) {
+    connection.executeVerbatim("REVOKE ALL ON ALL TABLES" + inSchema + whom);
+    connection.executeVerbatim("REVOKE ALL ON SCHEMA \"" + schema + "\" FROM " + whom);
+  }
+  connection.executeVerbatim("GRANT CONNECT ON DATABASE \"" + database + "\" TO " + role);
+  connection.executeVerbatim("GRANT USAGE ON SCHEMA \"" + schema + "\" TO " + role);
+  for (const std::string& table : tables) {
+    const std::optional<std::string_view> declared = declaredRightsOn(table);
+    TORSIO_EXPECTS(declared || appendOnly.contains(table));
+    connection.executeVerbatim("GRANT " + std::string(declared.value_or(kAdd)) + " ON " + table + " TO " +
+                               role);
+  }
+  makeFunctions(connection, schema, role);
+  makePolicies(connection, role);
+  transaction.commit();
+}
+
+bool isOwnerOfTables(Connection& connection) {
+  return selectFirst(connection,
+                     "SELECT count(*) FROM pg_tables WHERE schemaname = current_schema()"
+                     " AND tablename = 'audit_entry' AND tableowner = current_user",
+                     {}, readInt64)
+             .value_or(0) > 0;
+}
+
+void sayWhoAsks(Connection& connection, const std::string& userId) {
+  if (connection.engine() != Engine::kPostgresql) {
+    return;
+  }
+  std::string quoted;
+  for (const char c : userId) {
+    quoted += c == '\'' ? std::string("''") : std::string(1, c);
+  }
+  connection.executeVerbatim("SELECT set_config('torsio.actor', '" + quoted + "', false)");
+}
+
+bool eraseOnServer(Connection& connection, const std::string& personId, const std::string& requestedBy,
+                   const std::string& reason, std::int64_t utc_us) {
+  if (connection.engine() != Engine::kPostgresql || isOwnerOfTables(connection)) {
+    return false;
+  }
+  // Reads a row, of no column: the function returns nothing.
+  (void)selectFirst(connection, "SELECT count(*) FROM (SELECT erase_person(?, ?, ?, ?)) AS done",
+                    {personId, requestedBy, reason, utc_us}, readInt64);
+  return true;
+}
+
+}  // namespace torsio

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whoever seals something shows the password, and says what the signature means.
+#include "app/access/signing.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "app/access/access_service.h"
+#include "db/repository/people/signature_repository.h"
+#include "tests/app/support/study_centre.h"
+
+namespace torsio {
+namespace {
+
+using testing::kStudyPassword;
+using testing::StudyCentre;
+
+constexpr std::int64_t kMinute_us = 60'000'000;
+
+class Signing : public ::testing::Test {
+ protected:
+  SessionContext& signedIn() {
+    EXPECT_EQ(signIn(centre_.as(""), "rater", kStudyPassword).outcome, SignIn::kOk);
+    return centre_.session();
+  }
+  void signOne(const std::string& id) {
+    SessionContext& session = centre_.session();
+    session.require(Operation::kMarkSubmit);
+    Transaction transaction(session.connection());
+    sign(session, {.objectId = id, .reason = "seen twice"});
+    transaction.commit();
+    endSigning(session);
+  }
+
+  StudyCentre centre_;
+};
+
+TEST_F(Signing, APasswordSignsForAQuarterOfAnHourAndThenIsAskedAgain) {
+  signedIn();
+  signOne("a");
+  centre_.passTime_us(14 * kMinute_us);
+  signOne("b");
+  centre_.passTime_us(2 * kMinute_us);
+  EXPECT_TRUE(passwordIsDue(centre_.session()));
+  EXPECT_THROW(signOne("c"), PasswordDue);
+
+  EXPECT_THROW(showPassword(centre_.session(), "something else entirely"), Error);
+  EXPECT_THROW(signOne("c"), PasswordDue);
+  showPassword(centre_.session(), kStudyPassword);
+  signOne("c");
+
+  const auto all = SignatureRepository(centre_.connection()).all(SignedKind::kTrainingMark);
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all.at("c").meaning, SignatureMeaning::kScored);
+  EXPECT_EQ(all.at("c").reason, "seen twice");
+  EXPECT_EQ(all.at("c").signedUtc_us, all.at("c").passwordShownUtc_us);
+  EXPECT_EQ(all.at("b").signedUtc_us - all.at("b").passwordShownUtc_us, 14 * kMinute_us);
+  EXPECT_EQ(centre_.audited("signature.give"), 3);
+  EXPECT_EQ(centre_.audited("user.sign_in_failed"), 1);
+}
+
+TEST_F(Signing, ACentreCanAskForEachSignature) {
+  setSignMinutes(centre_.as("administrator"), 0);
+  signedIn();
+  signOne("a");
+
+  EXPECT_THROW(signOne("b"), PasswordDue);
+  showPassword(centre_.session(), kStudyPassword);
+  signOne("b");
+  EXPECT_TRUE(passwordIsDue(centre_.session()));
+  EXPECT_THROW(setSignMinutes(centre_.as("administrator"), kLongestSignMinutes + 1), Error);
+}
+
+TEST_F(Signing, AClockThatWasSetBackSignsNothing) {
+  signedIn();
+  centre_.passTime_us(-kMinute_us);
+  EXPECT_TRUE(passwordIsDue(centre_.session()));
+}
+
+TEST_F(Signing, GuessingWhileSigningWaitsAsAtTheSignIn) {
+  signedIn();
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_THROW(showPassword(centre_.session(), "guess"), Error);
+  }
+  try {
+    showPassword(centre_.session(), kStudyPassword);
+    FAIL() << "not even tried";
+  } catch (const Error& error) {
+    EXPECT_NE(error.happened().find("too many failures"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whoever takes care of a record from the command line is named, and leaves an entry in its trail.
+#include <fstream>
+#include <string>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "db/connection/connection.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/people/person_data.h"
+#include "db/repository/system/setting_repository.h"
+#include "sim/base/error.h"
+#include "tests/app/cli/program.h"
+#include "tests/db/full_record.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+namespace fs = std::filesystem;
+using test::emptyFolder;
+using test::ProgramRun;
+using test::runTorsio;
+
+constexpr const char* kPassword = "four walls and a lamp";
+constexpr int kPermission = static_cast<int>(ErrorCode::kPermission);
+
+/// A record with two administrators, "office" and "second", and a rater.
+class SignedCare : public ::testing::Test {
+ protected:
+  SignedCare()
+      : folder_(emptyFolder(std::string("signed-") +
+                            ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    Connection connection = open();
+    const FullRecord rows(connection, "real", false);
+    person_ = rows.traineeId;
+    AccessRepository access(connection, PasswordCost::kTest);
+    for (const auto& [login, role] : {std::pair<std::string, std::string>{"office", "administrator"},
+                                      {"second", "administrator"},
+                                      {"rater", "rater"}}) {
+      access.addUser({.id = "u-" + login, .login = login, .roles = {role}}, kPassword);
+      access.setPassword("u-" + login, access.sealPassword(login, kPassword), false);
+    }
+    std::ofstream(file("password")) << kPassword << "\n";
+    std::ofstream(file("wrong")) << "something else entirely\n";
+  }
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  [[nodiscard]] Connection open() const {
+    return openRecord(file("record.sqlite"), OpenMode::kCreate, {.softwareVersion = "test"});
+  }
+  [[nodiscard]] ProgramRun run(const std::string& arguments) const {
+    return runTorsio(arguments + " --database " + file("record.sqlite"), folder_);
+  }
+  [[nodiscard]] std::string as(const std::string& login, const std::string& password = "password") const {
+    return " --as " + login + " --password-fd 3 3<" + file(password);
+  }
+  [[nodiscard]] std::string newestActorOf(const std::string& action) const {
+    Connection connection = open();
+    Statement row =
+        connection.prepare("SELECT actor FROM audit_entry WHERE action = ? ORDER BY sequence DESC LIMIT 1");
+    row.execute({action});
+    return row.step() ? row.text(0) : "";
+  }
+
+  fs::path folder_;
+  PersonId person_;
+};
+
+TEST_F(SignedCare, NobodyBacksUpUnnamed) {
+  const std::string backup = "db backup " + file("b.sqlite");
+
+  const ProgramRun unnamed = run(backup);
+  EXPECT_EQ(unnamed.code, kPermission);
+  EXPECT_NE(unnamed.err.find("--as-system"), std::string::npos) << unnamed.err;
+  EXPECT_EQ(run(backup + as("office", "wrong")).code, kPermission);
+  EXPECT_EQ(run(backup + as("nobody")).code, kPermission);
+  EXPECT_EQ(run(backup + as("rater")).code, kPermission);
+  EXPECT_FALSE(fs::exists(file("b.sqlite")));
+
+  const ProgramRun done = run(backup + as("office"));
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_EQ(newestActorOf("database.backup"), "u-office");
+  EXPECT_EQ(newestActorOf("user.sign_in_failed"), "torsio");
+  EXPECT_EQ(run("db backup --as-system " + file("c.sqlite")).code, 0);
+  EXPECT_EQ(newestActorOf("database.backup"), "system:" + std::to_string(geteuid()));
+}
+
+TEST_F(SignedCare, LookingNeedsNobody) {
+  EXPECT_EQ(run("db check").code, 0);
+  EXPECT_EQ(run("audit verify").code, 0);
+  EXPECT_EQ(run("audit head").code, 0);
+}
+
+TEST_F(SignedCare, ARestoreErasesAgainWhoWasErasedSinceAndTellsOfItself) {
+  {
+    Connection connection = open();
+    SettingRepository(connection).set("two_people", "no", 1);
+  }
+  ASSERT_EQ(run("db backup " + file("b.sqlite") + as("office")).code, 0);
+  {
+    Connection connection = open();
+    erasePerson(connection, person_, "u-office", "asked", 5);
+  }
+
+  const ProgramRun restored = run("db restore " + file("b.sqlite") + as("office"));
+
+  EXPECT_EQ(restored.code, 0) << restored.err;
+  EXPECT_NE(restored.out.find("erased again: 1 people"), std::string::npos) << restored.out;
+  EXPECT_EQ(newestActorOf("database.restore"), "u-office");
+  Connection connection = open();
+  EXPECT_EQ(numberFrom(connection,
+                       "SELECT count(*) FROM person_identity WHERE person_id = '" + person_.text() + "'"),
+            0);
+  EXPECT_EQ(run("audit verify").code, 0);
+}
+
+TEST_F(SignedCare, ARestoreTakesTwoWhereTheCentreAsksForThem) {
+  ASSERT_EQ(run("db backup " + file("b.sqlite") + as("office")).code, 0);
+
+  const ProgramRun alone = run("db restore " + file("b.sqlite") + as("office"));
+  EXPECT_EQ(alone.code, kPermission);
+  EXPECT_NE(alone.err.find("two people"), std::string::npos) << alone.err;
+  const std::string with = " --with-password-fd 4 4<" + file("password") + " --with ";
+  EXPECT_EQ(run("db restore " + file("b.sqlite") + as("office") + with + "office").code, kPermission);
+  EXPECT_EQ(run("db restore " + file("b.sqlite") + as("office") + with + "rater").code, kPermission);
+
+  const ProgramRun both = run("db restore " + file("b.sqlite") + as("office") + with + "second");
+  EXPECT_EQ(both.code, 0) << both.err;
+  EXPECT_EQ(newestActorOf("database.restore"), "u-second");
+}
+
+TEST_F(SignedCare, ADamagedRecordIsRestoredByWhoeverSignsInToTheBackup) {
+  ASSERT_EQ(run("db backup " + file("b.sqlite") + as("office")).code, 0);
+  for (const char* part : {"-wal", "-shm"}) {
+    fs::remove(file("record.sqlite") + part);
+  }
+  fs::resize_file(file("record.sqlite"), 100);
+
+  EXPECT_EQ(run("db restore " + file("b.sqlite") + as("office", "wrong")).code, kPermission);
+  EXPECT_EQ(fs::file_size(file("record.sqlite")), 100U);
+  const ProgramRun restored = run("db restore --as-system " + file("b.sqlite"));
+
+  EXPECT_EQ(restored.code, 0) << restored.err;
+  EXPECT_NE(restored.err.find("cannot be read"), std::string::npos) << restored.err;
+  EXPECT_EQ(newestActorOf("database.restore"), "system:" + std::to_string(geteuid()));
+}
+
+TEST_F(SignedCare, TheSystemCaresOnlyForWhatItOwns) {
+  if (geteuid() != 0) {
+    GTEST_SKIP() << "only root can give a file away";
+  }
+  ASSERT_EQ(chown(file("record.sqlite").c_str(), 65534, 65534), 0);
+
+  const ProgramRun backup = run("db backup --as-system " + file("b.sqlite"));
+
+  EXPECT_EQ(backup.code, kPermission);
+  EXPECT_NE(backup.err.find("belongs to another account"), std::string::npos) << backup.err;
+  EXPECT_EQ(run("db backup " + file("b.sqlite") + as("office")).code, 0);
+}
+
+TEST_F(SignedCare, APasswordInAnAddressIsRefusedAndNotRepeated) {
+  for (const char* command :
+       {"db check --database", "audit verify --database", "db backup --as-system b.sqlite --database",
+        "db copy --as-system record.sqlite", "db prepare-server --as-system", "metrics t --database"}) {
+    const ProgramRun refused =
+        runTorsio(std::string(command) + " postgresql://torsio:hidden-word@127.0.0.1:1/none", folder_);
+    EXPECT_EQ(refused.code, static_cast<int>(ErrorCode::kUsage)) << command;
+    EXPECT_NE(refused.err.find(".pgpass"), std::string::npos) << refused.err;
+    EXPECT_EQ(refused.err.find("hidden-word"), std::string::npos) << refused.err;
+  }
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the role of the stations may do on a prepared server: asked with psql, as anybody with its password
+// could.
+#include "db/repository/people/server_roles.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "db/connection/locator.h"
+#include "db/migrations/dialect.h"
+#include "db/migrations/migrations.h"
+#include "db/migrations/schema_check.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/people/person_data.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/system/demonstration_data.h"
+#include "db/repository/system/schema_tables.h"
+#include "sim/base/file_io.h"
+#include "tests/db/full_record.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kStationPassword = "the word of the stations";
+
+std::vector<std::string> allTables(Connection& connection) {
+  std::vector<std::string> tables{"schema_migration"};
+  for (const SchemaTable& table : tablesInReferenceOrder(connection)) {
+    tables.push_back(table.name);
+  }
+  return tables;
+}
+
+std::set<std::string> closedTables() {
+  std::set<std::string> tables;
+  for (const Migration& step : embeddedMigrations()) {
+    for (const std::string& table : appendOnlyTables(step.sql)) {
+      tables.insert(table);
+    }
+  }
+  return tables;
+}
+
+/// A record with two raters and a trainee who can sign in, on a server whose roles are written.
+class ServerRolesTest : public DatabaseTest {
+ protected:
+  void SetUp() override {
+    DatabaseTest::SetUp();
+    if (!onPostgresql()) {
+      GTEST_SKIP() << "an SQLite file has no roles";
+    }
+    if (IsSkipped()) {
+      return;
+    }
+    owner_ = parseLocator(locator());
+    role_ = "station_" + owner_.schema.substr(owner_.schema.size() - 8);
+    connection_.emplace(openWithSchema());
+    real_.emplace(*connection_, "real", false);
+    writeServerRoles(*connection_, allTables(*connection_), closedTables(), role_);
+    connection_->executeVerbatim("ALTER ROLE " + role_ + " PASSWORD '" + kStationPassword + "'");
+    addUser("u-rater", "rater", "(SELECT rater_id FROM training_mark LIMIT 1)");
+    addUser("u-other", "rater", "NULL");
+    addUser("u-trainee", "trainee", "(SELECT trainee_id FROM enrolment LIMIT 1)");
+    addUser("u-office", "administrator", "NULL");
+  }
+  void TearDown() override {
+    if (connection_) {
+      connection_->executeVerbatim("DROP OWNED BY " + role_);
+      connection_->executeVerbatim("DROP ROLE " + role_);
+      connection_.reset();
+    }
+    DatabaseTest::TearDown();
+  }
+
+  void addUser(const std::string& id, const std::string& role, const std::string& person) {
+    connection_->executeVerbatim(
+        "INSERT INTO app_user (id, login, person_id, password_hash, must_change_password, state, "
+        "failed_count,"
+        " locked_until_utc_us, created_utc_us, demonstration) VALUES ('" +
+        id + "', '" + id + "', " + person + ", '', FALSE, 'active', 0, 0, 0, FALSE)");
+    connection_->executeVerbatim("INSERT INTO user_role (user_id, role_code) VALUES ('" + id + "', '" + role +
+                                 "')");
+  }
+  [[nodiscard]] std::string stationLocator() const {
+    Locator station = owner_;
+    station.user = role_;
+    station.password = kStationPassword;
+    return addressOf(station);
+  }
+  /// What psql answers to these commands as the station role, or what it says when it refuses.
+  [[nodiscard]] std::string psql(const std::string& sql) const {
+    const std::string out = (folder_.path() / "out").string();
+    const std::string command =
+        "PGPASSWORD='" + std::string(kStationPassword) + "' psql -X -q -A -t -v ON_ERROR_STOP=1 -h " +
+        owner_.host + " -p " + std::to_string(owner_.port) + " -U " + role_ + " -d " + owner_.database +
+        " -c \"SET search_path TO " + owner_.schema + "\" -c \"" + sql + "\" > " + out + " 2>&1";
+    (void)!std::system(command.c_str());
+    std::string text = readFile(out);
+    while (!text.empty() && text.back() == '\n') {
+      text.pop_back();
+    }
+    return text;
+  }
+  struct Act {
+    std::string sql;
+    bool allowed;
+  };
+  /// What psql answers to each act, in one session.
+  [[nodiscard]] std::vector<std::string> answersTo(const std::vector<Act>& acts) const {
+    std::string script = "SET search_path TO " + owner_.schema + ";\n";
+    for (const Act& act : acts) {
+      script += "\\echo ==\n" + act.sql + ";\n";
+    }
+    const fs::path file = folder_.path() / "script.sql";
+    writeFileAtomically(file, script);
+    const std::string out = (folder_.path() / "out").string();
+    const std::string command = "PGPASSWORD='" + std::string(kStationPassword) + "' psql -X -q -A -t -h " +
+                                owner_.host + " -p " + std::to_string(owner_.port) + " -U " + role_ + " -d " +
+                                owner_.database + " -f " + file.string() + " > " + out + " 2>&1";
+    (void)!std::system(command.c_str());
+    std::vector<std::string> answers;
+    std::istringstream lines(readFile(out));
+    for (std::string line; std::getline(lines, line);) {
+      if (line == "==") {
+        answers.emplace_back();
+      } else if (!answers.empty()) {
+        answers.back() += line + "\n";
+      }
+    }
+    return answers;
+  }
+  [[nodiscard]] std::string as(const std::string& user, const std::string& sql) const {
+    const std::string answer = psql("SELECT set_config('torsio.actor', '" + user + "', false); " + sql);
+    return answer.substr(answer.find('\n') + 1);
+  }
+
+  TemporaryFolder folder_;
+  Locator owner_;
+  std::string role_;
+  std::optional<Connection> connection_;
+  std::optional<FullRecord> real_;
+};
+
+TEST_F(ServerRolesTest, EveryTableThatCanChangeIsDeclaredAndNoAppendOnlyOneIsChanged) {
+  const std::set<std::string> closed = closedTables();
+  ASSERT_TRUE(closed.contains("training_mark"));
+  ASSERT_TRUE(closed.contains("audit_entry"));
+
+  std::vector<Act> acts;
+  for (const std::string& table : allTables(*connection_)) {
+    const std::optional<std::string_view> declared = declaredRightsOn(table);
+    ASSERT_TRUE(declared || closed.contains(table)) << table << " needs a line in server_roles.cpp";
+    const std::string_view rights = declared.value_or("SELECT, INSERT");
+    const bool mayRemove = rights.find("DELETE") != std::string_view::npos;
+    const bool mayChange = rights.find("UPDATE") != std::string_view::npos;
+    EXPECT_FALSE(closed.contains(table) && (mayRemove || mayChange)) << table;
+    acts.push_back({"DELETE FROM " + table + " WHERE FALSE", mayRemove});
+    acts.push_back({"TRUNCATE " + table, false});
+    acts.push_back({"ALTER TABLE " + table + " DISABLE TRIGGER ALL", false});
+  }
+  const std::vector<std::string> answers = answersTo(acts);
+  ASSERT_EQ(answers.size(), acts.size());
+  for (std::size_t i = 0; i < acts.size(); ++i) {
+    const bool refused = answers[i].find("permission denied") != std::string::npos ||
+                         answers[i].find("must be owner") != std::string::npos;
+    EXPECT_EQ(!refused, acts[i].allowed) << acts[i].sql << ": " << answers[i];
+  }
+}
+
+TEST_F(ServerRolesTest, TheStationCannotRewriteForgeOrOpenTheGate) {
+  for (const char* act :
+       {"UPDATE training_mark SET score_steps = 1", "UPDATE audit_entry SET reason = ''",
+        "DELETE FROM audit_entry", "DELETE FROM trial_chunk",
+        "UPDATE role_operation SET role_code = 'trainee'",
+        "INSERT INTO role_operation (role_code, operation_code) VALUES ('trainee', 'user.manage')",
+        "INSERT INTO erasure_gate (id, reason, opened_utc_us) VALUES ('a', 'b', 1)",
+        "INSERT INTO erasure (person_id, requested_by, reason, erased_utc_us) VALUES ('a', 'b', 'c', 1)",
+        "UPDATE schema_migration SET version = 2", "CREATE TABLE mine (id TEXT)",
+        "DROP TRIGGER training_mark_append_only ON training_mark", "SET ROLE torsio"}) {
+    const std::string answer = as("u-office", act);
+    EXPECT_TRUE(answer.find("permission denied") != std::string::npos ||
+                answer.find("must be owner") != std::string::npos)
+        << act << ": " << answer;
+  }
+}
+
+TEST_F(ServerRolesTest, MarksAreSeenByWhomTheyConcern) {
+  const std::string marks = "SELECT count(*) FROM training_mark";
+  const std::string rows = "SELECT count(*) FROM training_mark_row";
+  ASSERT_EQ(numberFrom(*connection_, marks), 1);
+
+  EXPECT_EQ(psql(marks), "0");  // nobody says who asks
+  EXPECT_EQ(psql(rows), "0");
+  EXPECT_EQ(as("u-rater", marks), "1");
+  EXPECT_EQ(as("u-rater", rows), std::to_string(numberFrom(*connection_, rows)));
+  EXPECT_EQ(as("u-other", marks), "0");
+  EXPECT_EQ(as("u-other", rows), "0");
+  EXPECT_EQ(as("u-office", marks), "1");
+  EXPECT_EQ(as("u-trainee", "SELECT count(*) FROM evaluation_mark"), "0");
+  EXPECT_EQ(as("u-other", "SELECT count(*) FROM mark_draft"), "0");
+
+  connection_->executeVerbatim(
+      "INSERT INTO mark_release SELECT e.cohort_id, m.occasion, 1000, FALSE, 'no', 'a', 1"
+      " FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id");
+  EXPECT_EQ(as("u-trainee", marks), "0");
+  connection_->executeVerbatim(
+      "INSERT INTO mark_release SELECT e.cohort_id, m.occasion, 1001, TRUE, 'yes', 'a', 1"
+      " FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id");
+  EXPECT_EQ(as("u-trainee", marks), "1");
+  const std::string forged =
+      as("u-other",
+         "INSERT INTO training_mark SELECT 'x', enrolment_id, rater_id, occasion, version + 1, trial_id,"
+         " score_steps, scale_lo_steps, scale_hi_steps, steps_per_point, not_assessable_reason, comment,"
+         " 'why', submitted_utc_us, demonstration, assignment_id, comment_hash FROM training_mark");
+  EXPECT_EQ(numberFrom(*connection_, marks), 1) << forged;
+}
+
+TEST_F(ServerRolesTest, TheProgramWorksAsTheStationAndKeepsTheTrail) {
+  Connection station = openRecord(stationLocator(), OpenMode::kCreate, {.softwareVersion = "test"});
+  EXPECT_FALSE(isOwnerOfTables(station));
+  EXPECT_TRUE(isOwnerOfTables(*connection_));
+
+  const NewAuditEntry entry{.atUtc_us = 1,
+                            .actor = "u-office",
+                            .station = {},
+                            .action = AuditAction::kUserSignIn,
+                            .objectKind = AuditObject::kAppUser};
+  AuditRepository(station).append(entry);
+  sayWhoAsks(station, "u-office");
+
+  EXPECT_TRUE(verifyAuditTrail(station).empty());
+  EXPECT_TRUE(schemaFindings(*connection_, serverFunctions()).empty());
+}
+
+TEST_F(ServerRolesTest, ErasingGoesThroughTheOwnersFunctionForWhoeverMayErase) {
+  Connection station = openRecord(stationLocator(), OpenMode::kReadWrite);
+  const std::string person = real_->traineeId;
+  sayWhoAsks(station, "u-rater");
+  EXPECT_THROW(erasePerson(station, person, "u-rater", "asked", 5), DbError);
+  EXPECT_EQ(numberFrom(*connection_, "SELECT count(*) FROM erasure WHERE person_id = '" + person + "'"), 0);
+
+  sayWhoAsks(station, "u-office");
+  erasePerson(station, person, "u-office", "asked", 5);
+
+  EXPECT_EQ(numberFrom(*connection_, "SELECT count(*) FROM erasure WHERE person_id = '" + person + "'"), 1);
+  EXPECT_EQ(
+      numberFrom(*connection_, "SELECT count(*) FROM person_identity WHERE person_id = '" + person + "'"), 0);
+  EXPECT_EQ(numberFrom(*connection_, "SELECT count(*) FROM erasure_gate"), 0);
+  EXPECT_TRUE(verifyAuditTrail(*connection_).empty());
+}
+
+TEST_F(ServerRolesTest, PreparingTwiceChangesNothingAndTheOwnerIsNoStation) {
+  writeServerRoles(*connection_, allTables(*connection_), closedTables(), role_);
+
+  EXPECT_EQ(as("u-office", "SELECT count(*) FROM training_mark"), "1");
+  EXPECT_EQ(refusalFrom([&] {
+              writeServerRoles(*connection_, allTables(*connection_), closedTables(), owner_.user);
+            }).code,
+            ErrorCode::kBadParameter);
+  EXPECT_EQ(refusalFrom([&] {
+              writeServerRoles(*connection_, allTables(*connection_), closedTables(), "a b");
+            }).code,
+            ErrorCode::kBadParameter);
+}
+
+}  // namespace
+}  // namespace torsio
