@@ -23,7 +23,7 @@ struct RecordedLoads {
   std::optional<double> tissueForce_N{};
   /// Sent to the device, N: at most what it can give. Empty: nothing was touched.
   std::optional<double> deviceForce_N{};
-  /// That the tissue bore, N m. Empty as the first.
+  /// Torque that the tissue bore, N m. Empty: nothing was touched, or the force is not known in some sample.
   std::optional<double> torque_Nm{};
   friend bool operator==(const RecordedLoads&, const RecordedLoads&) = default;
 };

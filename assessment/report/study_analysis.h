@@ -70,7 +70,7 @@ struct StudyAnalysis {
       Text::tr("the slopes do not differ"));  ///< where the test of equal slopes asks for it
   Outcome<MixedComparison> mixed =
       Outcome<MixedComparison>::undefined(Text::tr("no mark is missing"));  ///< where one is missing
-  std::vector<MissingBounds> bounds;                                        ///< likewise
+  std::vector<MissingBounds> bounds;                                        ///< where a mark is missing
   Outcome<MixedAnova> course = Outcome<MixedAnova>::undefined(Text::tr("there are fewer than two occasions"));
   std::vector<NumberTable> courses;          ///< by group: trainees with a score at each occasion x occasions
   std::vector<std::string> leftOutOfCourse;  ///< codes of those without a score at some occasion

@@ -300,6 +300,7 @@ void EvaluationPage::retranslate() {
   replay_->retranslate();
   showModels();
   showAll();
+  showDefinition();
 }
 
 std::vector<std::pair<QString, QString>> EvaluationPage::keys() const {

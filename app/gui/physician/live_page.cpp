@@ -51,6 +51,7 @@ LivePage::LivePage(ShellContext& shell, QWidget* parent)
       called_(sentence(this, false)),
       reader_(new Background(this)),
       sheet_(new SheetEditorPanel(true, this)) {
+  sheet_->setObjectName(QStringLiteral("sheetPanel"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace);
   column->setSpacing(kSpace);

@@ -73,8 +73,9 @@ void ScoreRow::arrange() {
   auto* head = new QHBoxLayout;
   if (shape_ == RowShape::kCompact) {
     head->setSpacing(2 * kSpace);
-    name_->setMinimumWidth(
-        QFontMetrics(name_->font()).horizontalAdvance(QStringLiteral("Deformation efficiency  ")));
+    const QFontMetrics letters(name_->font());
+    name_->setMinimumWidth(std::max(letters.horizontalAdvance(QStringLiteral("Deformation efficiency  ")),
+                                    letters.horizontalAdvance(label_ + QStringLiteral("  "))));
     value_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("10.0 ")));
     value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     head->addWidget(name_);
@@ -183,7 +184,7 @@ void ScoreRow::showAnchor() {
 
 /// The room of all anchors is kept while only one is shown: no row moves away from under a finger.
 void ScoreRow::keepAnchorRoom() {
-  if (anchors_.empty()) {
+  if (anchors_.empty() || !laidOut_) {
     return;
   }
   anchor_->ensurePolished();
@@ -195,6 +196,7 @@ void ScoreRow::keepAnchorRoom() {
 
 void ScoreRow::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  laidOut_ = true;
   keepAnchorRoom();
 }
 

@@ -138,6 +138,7 @@ class ScoreRow : public QWidget {
   std::vector<RubricAnchor> anchors_;
   RowShape shape_;
   bool current_ = false;
+  bool laidOut_ = false;  // has a width of its own
   bool readOnly_ = false;
   int hovered_ = -1;
   SheetAnswer answer_;

@@ -179,6 +179,9 @@ void BriefingPage::enter(const QVariant& argument) {
     const NextSteps steps = nextSteps(shell().session(), shell().session().actor().personId);
     step_ = stepOf(steps, desk_.moduleId);
     competence_ = trend(shell().session(), steps.personId, desk_.moduleId).competence;
+    // Before the first attempt only the scene tells what is asked for.
+    competence_.untwisting =
+        competence_.untwisting || untwistingOf(shell().assets(), step_.module) != nullptr;
     asked_ = false;
     SceneRequest request;
     request.assets = shell().assets();

@@ -155,6 +155,7 @@ void DebriefReplay::retranslate() {
   slider_->setAccessibleName(tr("Time in the run, for your run and the expert's"));
   play_->setToolTip(tr("Plays or pauses"));
   showTransport();
+  showTime();
 }
 
 double DebriefReplay::position_s() const noexcept {
@@ -220,6 +221,13 @@ void DebriefReplay::showState() {
   view_->redraw();
   const QSignalBlocker quiet(slider_);
   slider_->setValue(static_cast<int>(position_s() * kSliderSteps_per_s));
+  showTime();
+}
+
+void DebriefReplay::showTime() {
+  if (recordings_ == nullptr) {
+    return;
+  }
   time_->setText(
       tr("%1 of %2")
           .arg(StationLabels::seconds(position_s()),

@@ -74,6 +74,7 @@ class DebriefReplay : public QWidget {
  private:
   void showState();
   void showTransport();
+  void showTime();
 
   SceneView* view_;
   QToolButton* play_;

@@ -45,6 +45,7 @@ void RunPage::retranslate() {
     title_->setText(toQString(Text(runSession_->step().module.title)));
     mode_->setText(runSession_->graded() ? tr("Graded run") : tr("Practice"));
   }
+  showCount();
   showState();
 }
 

@@ -44,7 +44,7 @@ struct HollowCells {
   KinkedLine turn;    ///< of the section, in half turns
   KinkedLine radius;  ///< mean, against rest
   KinkedLine even;    ///< depth of the folds against the mean radius, times the cosine of their phase
-  KinkedLine odd;     ///< the same times the sine
+  KinkedLine odd;     ///< its part times the sine
 };
 
 /// One frame of a span of a hollow organ (docs/model.md H.8).

@@ -88,7 +88,9 @@ TEST(AuditPage, FindsAPersonByTheCodeAndExportsAChosenTime) {
   const CsvTable exported = CsvTable::read(
       file, {"sequence", "action", "object", "actor", "at_utc"},
       {"actor_id", "station", "object_kind", "object_id", "before", "after", "reason", "entry_hash"});
-  EXPECT_EQ(exported.cell(exported.rows() - 1, "sequence"), "1");
+  const std::vector<AuditEntry> acts =
+      AuditRepository(office.centre.connection()).entries({.limit = 1'000'000});
+  EXPECT_EQ(exported.cell(exported.rows() - 1, "sequence"), std::to_string(acts.back().sequence));
   EXPECT_EQ(office.centre.audited("audit.export"), 1);
 
   // Two days on which nothing happened: the clock of this centre stands in 2025.
@@ -115,7 +117,7 @@ TEST(AuditPage, ShowsTheNewestThousandAndSaysHowManyThereAre) {
   auto page = office.open<AuditPage>("administrator");
   auto& table = *page->findChild<DataTable*>();
   auto& more = *page->findChild<QToolButton*>(QStringLiteral("more"));
-  const auto total = static_cast<qlonglong>(audit.length());
+  const auto total = static_cast<qlonglong>(audit.count(0));
   EXPECT_EQ(table.visibleRows(), 1'000);
   EXPECT_EQ(table.view().model()->index(0, 0).data().toString(),
             page->locale().toString(static_cast<qlonglong>(newest)));

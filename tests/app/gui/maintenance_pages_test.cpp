@@ -61,8 +61,10 @@ TEST_F(CarePages, TheBackupOfAnotherCentreIsNamedAndTakesItsNameToRestore) {
   carePage().backUp(in("backup.sqlite"));
   context().waitForJobs();
   {
-    Connection other = openDatabase(in("backup.sqlite").string(), OpenMode::kReadWrite);
-    other.execute("UPDATE centre SET id = 'another', name = 'Harbour clinic'");
+    Connection other = openRecord(in("backup.sqlite").string(), OpenMode::kReadWrite);
+    other.execute("DELETE FROM centre");
+    other.execute("INSERT INTO centre (id, name, created_utc_us, demonstration) VALUES (?, ?, ?, ?)",
+                  {"another", "Harbour clinic", std::int64_t{1}, false});
   }
   auto& page = openBy<RestorePage>("Restore");
 

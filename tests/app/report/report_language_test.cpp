@@ -98,7 +98,8 @@ void sayAll(const ReportModel& model, const Say& say) {
 /// What stays as it is in Chinese: names of methods and models, codes, units, symbols, hashes, versions.
 QString withoutKeptWords(QString text) {
   static const QRegularExpression kKept(QStringLiteral(
-      "Bland-Altman|Biau|Porcher|Shrout-Fleiss|Shrout|Fleiss|Krippendorff|Hedges|Kruskal-Wallis|Dunn|Holm|"
+      "Bland-Altman|Shapiro-Wilk|Bonferroni|Student|Biau|Porcher|Shrout-Fleiss|Shrout|Fleiss|Krippendorff|"
+      "Hedges|Kruskal-Wallis|Dunn|Holm|"
       "Mann-Whitney|Friedman|Kendall|Rasch|Greenhouse-Geisser|Hyndman-Fan|Fisher-Yates|Torsio|torsio replay "
       "TRIAL "
       "--verify|LC-CUSUM|CUSUM|ICC|SEM|FEM|MSM|CSV|III|UTC|min|saint_venant|final|admin|mt19937_64|"

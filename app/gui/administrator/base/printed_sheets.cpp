@@ -68,11 +68,11 @@ QString criterion(const QString& label, const ScoreScale& scale, const std::vect
   return html;
 }
 
-QString sheetHtml(const PaperSheet& sheet, const QString& centre, bool last) {
+QString sheetHtml(const PaperSheet& sheet, const QString& centre, bool first) {
   QString html =
-      QStringLiteral("<div%1><h2>%2</h2><p>%3</p>")
+      QStringLiteral("<h2%1>%2</h2><p>%3</p>")
           .arg(
-              last ? QString() : QStringLiteral(" style='page-break-after:always'"),
+              first ? QString() : QStringLiteral(" style='page-break-before:always'"),
               PrintedSheets::tr("Sheet: case %1, rater %2").arg(safe(sheet.caseLabel), safe(sheet.raterCode)),
               PrintedSheets::tr("%1. Mark one box in each row. Do not write any name on this sheet.")
                   .arg(centre.toHtmlEscaped()));
@@ -83,7 +83,7 @@ QString sheetHtml(const PaperSheet& sheet, const QString& centre, bool last) {
   html +=
       QStringLiteral(
           "<p style='margin-top:18px'>%1</p><p style='margin-top:22px'>%2</p>"
-          "<p style='margin-top:26px'><font color='#555'>%3</font></p></div>")
+          "<p style='margin-top:26px'><font color='#555'>%3</font></p>")
           .arg(
               PrintedSheets::tr("Comment: ______________________________________________________________"),
               PrintedSheets::tr("Date, time: __________________   Signature: ______________________________"),
@@ -101,9 +101,10 @@ void print(const QString& html, const QString& title, QPageLayout::Orientation o
     QPdfWriter writer(&out);
     writer.setResolution(kSheetDots);
     writer.setTitle(title);
-    writer.setPageLayout(QPageLayout(QPageSize(QPageSize::A4), orientation,
-                                     QMarginsF(kSheetMargin_mm, kSheetMargin_mm, kSheetMargin_mm, kSheetMargin_mm),
-                                     QPageLayout::Millimeter));
+    writer.setPageLayout(
+        QPageLayout(QPageSize(QPageSize::A4), orientation,
+                    QMarginsF(kSheetMargin_mm, kSheetMargin_mm, kSheetMargin_mm, kSheetMargin_mm),
+                    QPageLayout::Millimeter));
     QTextDocument document;
     QFont font = typeface();
     font.setPointSizeF(kLetters_pt);
@@ -148,7 +149,7 @@ void writePaperSheets(const std::vector<PaperSheet>& sheets, const QString& cent
                       const std::filesystem::path& file) {
   QString html;
   for (const PaperSheet& sheet : sheets) {
-    html += sheetHtml(sheet, centre, &sheet == &sheets.back());
+    html += sheetHtml(sheet, centre, &sheet == &sheets.front());
   }
   print(html, PrintedSheets::tr("Sheets on paper"), QPageLayout::Portrait, file);
 }
