@@ -11,6 +11,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "db/connection/connection.h"
+#include "db/migrations/migrations.h"
 #include "db/repository/system/audit_verification.h"
 #include "tests/app/gui/maintenance_window.h"
 
