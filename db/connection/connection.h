@@ -56,8 +56,8 @@ class Connection {
   /// Has `watch` hear what statements that are prepared from now on change; null: nobody. Returns the watch
   /// before. Not inside a transaction that changed something.
   std::shared_ptr<ChangeWatch> watchChanges(std::shared_ptr<ChangeWatch> watch);
-  /// Tells the watch of a row that a function of the database changed or removed in this transaction; `key`: in
-  /// the order of the key's columns.
+  /// Tells the watch of a row that a function of the database changed or removed in this transaction; `key`:
+  /// in the order of the key's columns.
   void tellChanged(std::string_view table, std::vector<Value> key, bool removed);
 
   [[nodiscard]] Engine engine() const noexcept;

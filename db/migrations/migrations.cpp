@@ -26,8 +26,10 @@ namespace torsio {
 
 namespace {
 
-// Held while a step runs, so that a second station waits instead of running it too ("TORS" in ASCII).
-constexpr const char* kAdvisoryLock = "SELECT pg_advisory_xact_lock(1414484563)";
+// Held while a step runs, so that a second station waits instead of running it too ("TORM" in ASCII, and the
+// schema: records beside this one in the database do not wait). A copy of a record holds it to its end.
+constexpr const char* kAdvisoryLock =
+    "SELECT pg_advisory_xact_lock(1414484557, hashtext(current_schema()::text))";
 
 constexpr const char* kBookkeeping =
     "CREATE TABLE schema_migration ("

@@ -6,8 +6,10 @@
 
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
+#include "db/connection/locator.h"
 #include "db/migrations/backup.h"
 #include "db/migrations/dialect.h"
+#include "db/repository/base/audit_repository.h"
 #include "sim/base/error.h"
 #include "tests/db/test_database.h"
 
@@ -60,6 +62,37 @@ TEST_F(MigrationsTest, DoNothingTheSecondTime) {
 
   EXPECT_EQ(report.fromVersion, report.toVersion);
   EXPECT_FALSE(report.backup.has_value());
+}
+
+TEST_F(MigrationsTest, ARecordInAnotherSchemaDoesNotWaitForACopyIntoThisOne) {
+  if (!onPostgresql()) {
+    GTEST_SKIP() << "a file holds one record";
+  }
+  constexpr int kPatience_ms = 500;
+  Locator beside = parseLocator(locator());
+  beside.schema += "_beside";
+  open().executeVerbatim("CREATE SCHEMA " + beside.schema);
+  {
+    const NewAuditEntry entry{.atUtc_us = 1,
+                              .actor = "office",
+                              .station = {},
+                              .action = AuditAction::kUserSignIn,
+                              .objectKind = AuditObject::kAppUser};
+    Connection connection = open();
+    const Transaction copying(connection);  // a copy makes the tables and brings the rows in one
+    migrate(connection, embeddedMigrations(), kOptions);
+    AuditRepository(connection).append(entry);
+
+    Connection other = openDatabase(addressOf(beside), OpenMode::kReadWrite, kPatience_ms);
+    EXPECT_NO_THROW(migrate(other, embeddedMigrations(), kOptions));
+    EXPECT_NO_THROW(AuditRepository(other).append(entry));
+
+    Connection same = open(kPatience_ms);
+    EXPECT_EQ(faultFrom([&] { migrate(same, embeddedMigrations(), kOptions); }), DbFault::kBusy);
+  }
+  Connection connection = open();
+  connection.executeVerbatim("SET client_min_messages = warning");
+  connection.executeVerbatim("DROP SCHEMA " + beside.schema + " CASCADE");
 }
 
 TEST_F(MigrationsTest, RefuseADatabaseOfANewerProgram) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <QApplication>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QScrollArea>
@@ -87,7 +88,16 @@ void SheetPanel::setTheme(const Theme& theme) {
 void SheetPanel::retranslate() {
   nameField(commentLabel_, tr("Co&mment for the trainee"));
   comment_->setPlaceholderText(tr("What would help most next time?"));
+  const std::string row = current_;
+  const bool focused = isAncestorOf(QApplication::focusWidget());
   build();
+  if (editor_ == nullptr) {
+    return;
+  }
+  setCurrentRow(row);  // the keyboard wandered on with the rows that went
+  if (focused) {
+    takeFocus();
+  }
 }
 
 void SheetPanel::setEditor(SheetEditor* editor) {

@@ -49,8 +49,8 @@ std::vector<TouchedRows> rowsToErase(Connection& connection, const PersonId& per
       continue;
     }
     TouchedRows touched{&rule, {}};
-    Statement row = connection.prepare("SELECT " + std::string(seal->key) + " FROM " + std::string(rule.table) +
-                                       " WHERE " + std::string(rule.condition));
+    Statement row = connection.prepare("SELECT " + std::string(seal->key) + " FROM " +
+                                       std::string(rule.table) + " WHERE " + std::string(rule.condition));
     row.execute(valuesFor(rule, personId));
     while (row.step()) {
       std::vector<Value> key;

@@ -19,6 +19,7 @@
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/system/audit_verification.h"
+#include "sim/base/clock.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
 #include "tests/app/support/study_centre.h"
@@ -70,7 +71,8 @@ class LiveSession : public DatabaseTest {
   }
 
   /// A program of its own: another connection to the same record.
-  std::unique_ptr<SessionContext> openAs(const Actor& actor) {
+  std::unique_ptr<SessionContext> openAs(Actor actor) {
+    actor.passwordShownUtc_us = utcNow_us();  // its clock is that of the day
     return std::make_unique<SessionContext>(SessionKey{locator(), "desk of " + actor.login, actor});
   }
   std::unique_ptr<SessionContext> openOffice() { return openAs(centre_->as("administrator").actor()); }
