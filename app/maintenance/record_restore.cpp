@@ -331,6 +331,10 @@ Restored restoreRecord(const CareTaker& taker, const fs::path& backup, const std
     desk.handOver(taker, wishOf(backup, hashOfFile(backup)));
     noteRestore(desk.session(), backup);
   });
+  if (!restored.before.empty()) {
+    registerCopyIn(file, CopyKind::kBeforeRestore, restored.before);
+  }
+  registerCopyIn(file, CopyKind::kBackup, backup);
   return restored;
 }
 

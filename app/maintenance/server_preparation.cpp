@@ -16,16 +16,28 @@
 
 namespace torsio {
 
-void prepareServer(const CareTaker& taker, const std::string& locator, const std::string& stationRole) {
-  if (parseLocator(locator).engine != Engine::kPostgresql) {
-    throw Error(ErrorCode::kUsage, Text::tr("an SQLite file has no roles of its own"), locator,
+namespace {
+
+void requireServer(Engine engine, const std::string& location) {
+  if (engine != Engine::kPostgresql) {
+    throw Error(ErrorCode::kUsage, Text::tr("an SQLite file has no roles of its own"), location,
                 Text::tr("Name the address of a PostgreSQL server"));
   }
+}
+
+}  // namespace
+
+void prepareServer(const CareTaker& taker, const std::string& locator, const std::string& stationRole) {
+  requireServer(parseLocator(locator).engine, locator);
   CareDesk desk(taker, openRecord(locator, OpenMode::kReadWrite, {.softwareVersion = softwareVersion()}),
                 locator);
-  SessionContext& session = desk.session();
+  prepareServer(desk.session(), stationRole);
+}
+
+void prepareServer(SessionContext& session, const std::string& stationRole) {
   session.require(Operation::kDatabaseRestore);
   Connection& connection = session.connection();
+  requireServer(connection.engine(), connection.location());
   if (!isOwnerOfTables(connection)) {
     throw Error(ErrorCode::kPermission, Text::tr("this account does not own the tables of the record"),
                 connection.location(), Text::tr("Connect as the owner"));

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "app/access/session_context.h"
 #include "app/maintenance/care_taker.h"
 
 namespace torsio {
@@ -12,5 +13,7 @@ namespace torsio {
 /// system can have been named. kDatabaseRestore. Throws Error: kUsage for a file, kPermission when the
 /// account is not the owner; DbError.
 void prepareServer(const CareTaker& taker, const std::string& locator, const std::string& stationRole);
+/// Writes the roles of the server that the session works on. kDatabaseRestore. Throws like the one above.
+void prepareServer(SessionContext& session, const std::string& stationRole);
 
 }  // namespace torsio

@@ -36,8 +36,8 @@ struct HdapiSetup {
   bool hasInkwellSwitch = true;  ///< the library answers when asked for the inkwell switch
 };
 
-/// Age at which a force that was not renewed is no longer sent: with a frame of the device and a millisecond of
-/// looking well below the 20 ms within which a hand must be let go.
+/// Age at which a force that was not renewed is no longer sent: with a frame of the device and a millisecond
+/// of looking well below the 20 ms within which a hand must be let go.
 inline constexpr std::int64_t kForceExpires_us = 15'000;
 /// Time after which a device that refuses every frame counts as lost.
 inline constexpr std::int64_t kFramesRefused_us = 100'000;

@@ -115,8 +115,4 @@ FoldedPoint foldedPoint(int waves, const FoldPhase& phase, const RoundWave& roun
   return {1.0 + up, aside * (secondOrder(n) * up - 1.0) / n};
 }
 
-FoldedPoint foldedPoint(const FoldWaves& folds, double round_rad) noexcept {
-  return foldedPoint(folds.waves, foldPhase(folds), roundWave(folds.waves, round_rad));
-}
-
 }  // namespace torsio

@@ -53,7 +53,5 @@ struct RoundWave {
 /// Computes where the point at an angle round the section lies; without an amplitude exactly where it was.
 /// Inextensible to first order in the amplitude, evenly stretched to second.
 [[nodiscard]] FoldedPoint foldedPoint(int waves, const FoldPhase& phase, const RoundWave& round) noexcept;
-/// Height and slope of folds that are not mixed.
-[[nodiscard]] FoldedPoint foldedPoint(const FoldWaves& folds, double round_rad) noexcept;
 
 }  // namespace torsio

@@ -17,6 +17,7 @@
 #include "app/maintenance/record_restore.h"
 #include "app/maintenance/retention.h"
 #include "app/maintenance/server_move.h"
+#include "app/maintenance/server_preparation.h"
 #include "app/people/consent_service.h"
 #include "app/people/people_service.h"
 #include "app/people/roster_accounts.h"
@@ -131,6 +132,7 @@ std::vector<ServiceCall> administratorCalls() {
       {O::kDatabaseRestore, "mayRestoreNow", [](SessionContext& w, Path) { (void)mayRestoreNow(w, {}); }},
       {O::kDatabaseRestore, "noteRestore",
        [](SessionContext& w, Path folder) { noteRestore(w, folder / kNoSuch); }},
+      {O::kDatabaseRestore, "prepareServer", [](SessionContext& w, Path) { prepareServer(w, "stations"); }},
       {O::kDatabaseRestore, "copyDatabase",
        [](SessionContext& w, Path folder) {
          (void)copyDatabase(w, (folder / kNoSuch / "a.sqlite").string());

@@ -10,6 +10,11 @@
 namespace torsio {
 namespace {
 
+/// Height and slope of folds that are not mixed.
+FoldedPoint foldedPoint(const FoldWaves& folds, double round_rad) {
+  return foldedPoint(folds.waves, foldPhase(folds), roundWave(folds.waves, round_rad));
+}
+
 // Length of the folded line as drawn, against a circle of radius 1: chords of many points.
 double chordsOf(const FoldWaves& folds, double meanRadius) {
   constexpr int kPoints = 20'000;
