@@ -305,6 +305,18 @@ Eigen::Vector3d stepFrom(const Derivatives& at, const std::array<bool, kParts>& 
   return step;
 }
 
+/// Share of a step that keeps every variance above 0.
+double shareAboveZero(const Parts& variance, const Eigen::Vector3d& step) {
+  constexpr double kOfTheWay = 0.9;
+  double share = 1.0;
+  for (std::size_t k = 0; k < kParts; ++k) {
+    if (variance[k] + step[indexOf(k)] < 0.0) {
+      share = std::min(share, -kOfTheWay * variance[k] / step[indexOf(k)]);
+    }
+  }
+  return share;
+}
+
 Minimum minimum(const Sums& sums) {
   constexpr int kMostSteps = 200;
   constexpr double kSettled = 1e-9;    // the next step of Newton's method is the square of this
@@ -336,14 +348,8 @@ Minimum minimum(const Sums& sums) {
         out.at = derivativesAt(sums, out.variance);
       }
     }
-    Eigen::Vector3d step = stepFrom(out.at, out.held);
-    double share = 1.0;
-    for (std::size_t k = 0; k < kParts; ++k) {  // stay above 0
-      constexpr double kOfTheWay = 0.9;
-      if (out.variance[k] + step[indexOf(k)] < 0.0) {
-        share = std::min(share, -kOfTheWay * out.variance[k] / step[indexOf(k)]);
-      }
-    }
+    const Eigen::Vector3d step = stepFrom(out.at, out.held);
+    double share = shareAboveZero(out.variance, step);
     Parts next{};
     Derivatives at;
     constexpr double kRise = 1e-9;  // of rounding

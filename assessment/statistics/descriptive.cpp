@@ -135,14 +135,14 @@ DoubledRanks doubledRanks(std::span<const double> values) {
 }
 
 std::optional<std::vector<std::int64_t>> asWholeNumbers(std::span<const double> values) {
-  constexpr double kLargest = 9e15;      // whole doubles are exact below
+  constexpr double kExactBelow = 9e15;   // every whole double
   constexpr double kRounding = 4.5e-16;  // a decimal is within half a unit of its double
   for (double scale = 1.0; scale <= 1e6; scale *= 10.0) {
     std::vector<std::int64_t> whole;
     for (const double x : values) {
       const double scaled = x * scale;
       const double nearest = std::round(scaled);
-      if (std::abs(scaled) > kLargest || std::abs(scaled - nearest) > kRounding * std::abs(scaled)) {
+      if (std::abs(scaled) > kExactBelow || std::abs(scaled - nearest) > kRounding * std::abs(scaled)) {
         break;
       }
       whole.push_back(static_cast<std::int64_t>(nearest));

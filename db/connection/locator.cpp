@@ -47,8 +47,8 @@ bool plainName(const std::string& name) {
                      [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
 }
 
-template <std::size_t kCount>
-std::string listOf(const std::array<std::string_view, kCount>& names) {
+template <std::size_t Count>
+std::string listOf(const std::array<std::string_view, Count>& names) {
   std::string list;
   for (const std::string_view name : names) {
     list.append(list.empty() ? "" : ", ").append(name);

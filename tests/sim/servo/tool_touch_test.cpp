@@ -36,7 +36,7 @@ TriangleMesh moved(const Scene& scene, const OrganState& organ) {
   if (scene.hollow) {
     const HollowMap map(scene.lattice(), *scene.hollow, organ);
     for (std::size_t i = 0; i < mesh.vertices_m.size(); ++i) {
-      mesh.vertices_m[i] = map.vertex(scene.model.tables().vertices[i]);
+      mesh.vertices_m[i] = map.vertex(scene.hollow->vertices()[i]);
     }
   } else {
     scene.deform(organ, mesh.vertices_m);
