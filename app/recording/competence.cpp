@@ -2,7 +2,6 @@
 #include "app/recording/competence.h"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -78,10 +77,11 @@ CompetenceVerdict competenceOf(Connection& connection, const std::string& traine
   filter.traineeCode = traineeCode;
   filter.moduleId = module.id;
   filter.limit = kMostRuns;
-  const std::vector<TrialListing> newestFirst = TrialRepository(connection).list(filter);
+  std::vector<TrialListing> trials = TrialRepository(connection).list(filter);
+  std::reverse(trials.begin(), trials.end());  // oldest first
   std::vector<CompetenceRun> runs;
   std::optional<std::int64_t> began_us;
-  for (const TrialListing& trial : newestFirst | std::views::reverse) {
+  for (const TrialListing& trial : trials) {
     if (!isFinished(trial) || !countsAt(module, trial.attemptMode)) {
       continue;
     }
