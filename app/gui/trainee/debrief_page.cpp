@@ -88,6 +88,10 @@ DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* pare
   for (QPushButton* button : {again_, trend_, next_}) {
     heading_->addAction(button);
   }
+  connectParts();
+}
+
+void DebriefPage::connectParts() {
   connect(expert_, &QCheckBox::toggled, plot_, &DebriefPlot::setExpertVisible);
   connect(expert_, &QCheckBox::toggled, replay_, &DebriefReplay::setExpertVisible);
   connect(replay_, &DebriefReplay::moved, plot_, &DebriefPlot::setPosition);
@@ -247,6 +251,37 @@ void DebriefPage::fillTexts(bool any) {
                    : tr("After your first run you see here what was good and what to work on."));
 }
 
+/// What stands below the checks: how the numbers above are to be read.
+void DebriefPage::fillNotes() {
+  const auto add = [this](const char* name, const QString& text) {
+    auto* words = plainLabel(targets_, "quiet");
+    words->setObjectName(QLatin1String(name));
+    words->setText(text);
+    checks_->addWidget(words);
+  };
+  if (debrief_.unfinishedTwists > 0) {
+    add("unfinished",
+        debrief_.unfinishedTwists == 1
+            ? tr("One twist was not completed and is not counted.")
+            : tr("%1 twists were not completed and are not counted.").arg(debrief_.unfinishedTwists));
+  }
+  if (debrief_.deviceForce_N && debrief_.forceFelt) {
+    add("deviceForce", tr("Judged is the force on the tissue. The device gave at most %1 N of it.")
+                           .arg(*debrief_.deviceForce_N, 0, 'f', 2));
+  }
+  if (debrief_.earlier && debrief_.earlier->peakForce_N) {
+    add("earlier", StationLabels::earlier(*debrief_.earlier));
+  }
+  if (!debrief_.forceFelt) {
+    add("forceNotFelt",
+        tr("Force was shown, not felt: the device of this run gives none. Its measures are computed."));
+  }
+  if (!debrief_.servoTrouble.empty()) {
+    add("servoTrouble", tr("What was felt was not what was computed all the time: %1. %2.")
+                            .arg(toQString(debrief_.servoTrouble), toQString(debrief_.servoRemedy)));
+  }
+}
+
 void DebriefPage::fill() {
   const bool any = !debrief_.trialId.empty();
   fillTexts(any);
@@ -282,42 +317,7 @@ void DebriefPage::fill() {
     row->addWidget(words, 1);
     checks_->addLayout(row);
   }
-  if (debrief_.unfinishedTwists > 0) {
-    auto* words = plainLabel(targets_, "quiet");
-    words->setObjectName(QStringLiteral("unfinished"));
-    words->setText(
-        debrief_.unfinishedTwists == 1
-            ? tr("One twist was not completed and is not counted.")
-            : tr("%1 twists were not completed and are not counted.").arg(debrief_.unfinishedTwists));
-    checks_->addWidget(words);
-  }
-  const auto addQuiet = [this](const char* name, const QString& text) {
-    auto* words = plainLabel(targets_, "quiet");
-    words->setObjectName(QLatin1String(name));
-    words->setText(text);
-    checks_->addWidget(words);
-  };
-  if (debrief_.deviceForce_N && debrief_.forceFelt) {
-    addQuiet("deviceForce", tr("Judged is the force on the tissue. The device gave at most %1 N of it.")
-                                .arg(*debrief_.deviceForce_N, 0, 'f', 2));
-  }
-  if (debrief_.earlier && debrief_.earlier->peakForce_N) {
-    addQuiet("earlier", StationLabels::earlier(*debrief_.earlier));
-  }
-  if (!debrief_.forceFelt) {
-    auto* words = plainLabel(targets_, "quiet");
-    words->setObjectName(QStringLiteral("forceNotFelt"));
-    words->setText(
-        tr("Force was shown, not felt: the device of this run gives none. Its measures are computed."));
-    checks_->addWidget(words);
-  }
-  if (!debrief_.servoTrouble.empty()) {
-    auto* words = plainLabel(targets_, "quiet");
-    words->setObjectName(QStringLiteral("servoTrouble"));
-    words->setText(tr("What was felt was not what was computed all the time: %1. %2.")
-                       .arg(toQString(debrief_.servoTrouble), toQString(debrief_.servoRemedy)));
-    checks_->addWidget(words);
-  }
+  fillNotes();
   for (const DebriefFinding& finding : debrief_.strengths) {
     addFinding(strengths_, finding, true);
   }

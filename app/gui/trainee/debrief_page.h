@@ -42,7 +42,9 @@ class DebriefPage : public Page {
   void readQuestions();
   void showBookmark(double at_s);
   void compute(const TrialId& trialId);
+  void connectParts();
   void fill();
+  void fillNotes();
   void fillTexts(bool any);
   void addFinding(QVBoxLayout* column, const DebriefFinding& finding, bool strength);
   void addBookmarkAt(double at_s);
