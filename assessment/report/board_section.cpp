@@ -6,14 +6,12 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_labels.h"
 #include "assessment/report/report_sections.h"
 #include "assessment/report/study_analysis.h"
-#include "assessment/statistics/cusum.h"
 #include "sim/base/text_list.h"
 
 namespace torsio {
@@ -122,24 +120,27 @@ ReportTable standardTable(const CohortInputs& in) {
       itemOf<ReportTable>(in, "table-standard", Text::tr("Scores at the end, and who reached the standard"),
                           Text::tr("mean of the trainee scores; LC-CUSUM"));
   table.columns = {Text::tr("Group"), Text::tr("Trainees"), Text::tr("Mean score [lowest; highest]"),
-                   Text::tr("Adequate on the simulator")};
-  std::map<std::string, std::vector<bool>> failed;  // by trainee, in the order of the recordings
-  for (const TrialSummaryRow& trial : in.trials) {
-    for (const TwistAttempt& attempt : trial.attempts) {
-      failed[trial.trainee].push_back(!attempt.onTarget);
-    }
+                   Text::tr("Able on the simulator")};
+  // The verdicts of the section Competence; nobody is judged here.
+  std::map<std::string, bool> ableAtAll;
+  double falsePass = 0.0;
+  double falseFail = 0.0;
+  for (const CohortCompetence& one : in.competence) {
+    const auto [known, first] = ableAtAll.try_emplace(one.trainee, one.able);
+    known->second = known->second && one.able;
+    falsePass = std::max(falsePass, one.falsePass);
+    falseFail = std::max(falseFail, one.falseFail);
   }
-  const LcCusumDesign design;
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     std::int64_t people = 0;
     std::int64_t judged = 0;
-    std::int64_t adequate = 0;
+    std::int64_t able = 0;
     for (const CohortTrainee& trainee : in.trainees) {
       people += trainee.group == g ? 1 : 0;
-      const auto course = failed.find(trainee.code);
-      if (trainee.group == g && course != failed.end()) {
+      const auto verdict = ableAtAll.find(trainee.code);
+      if (trainee.group == g && verdict != ableAtAll.end()) {
         ++judged;
-        adequate += lcCusum(course->second, design).competentAt ? 1 : 0;
+        able += verdict->second ? 1 : 0;
       }
     }
     Text score = Text::tr("none");
@@ -152,12 +153,15 @@ ReportTable standardTable(const CohortInputs& in) {
     }
     table.rows.push_back(
         {in.groups[g].name, std::to_string(people), score,
-         judged == 0 ? Text::tr("did not train there") : Text::tr("%1 of %2", adequate, judged)});
+         judged == 0 ? Text::tr("did not train there") : Text::tr("%1 of %2", able, judged)});
     table.provenance.n += people;
   }
-  table.notes = {Text::tr(
-      "Adequate: LC-CUSUM has shown a failure rate of %1 or less; \"not shown\" is not the same as failed.",
-      formatFixed(design.adequate, 2))};
+  if (!ableAtAll.empty()) {
+    table.notes = {Text::tr(
+        "Able: at every exercise that was tried, by the designs of the section Competence. An inadequate "
+        "trainee is held to be able in at most %1 %, an adequate one is not in at most %2 % of cases.",
+        formatFixed(100.0 * falsePass, 1), formatFixed(100.0 * falseFail, 1))};
+  }
   return table;
 }
 

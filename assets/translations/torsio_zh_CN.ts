@@ -11565,16 +11565,8 @@
         <translation>平均得分 [最低; 最高]</translation>
     </message>
     <message>
-        <source>Adequate on the simulator</source>
-        <translation>在模拟器上合格</translation>
-    </message>
-    <message>
         <source>did not train there</source>
         <translation>未在模拟器上训练</translation>
-    </message>
-    <message>
-        <source>Adequate: LC-CUSUM has shown a failure rate of %1 or less; &quot;not shown&quot; is not the same as failed.</source>
-        <translation>合格：LC-CUSUM 已显示失败率不高于 %1；“未显示”不等于不合格。</translation>
     </message>
     <message>
         <source>Signatures</source>
@@ -12375,6 +12367,14 @@
     <message>
         <source>Take a name of lower-case letters, digits and underscores that is not the owner&apos;s</source>
         <translation>请使用由小写字母、数字和下划线组成、且不同于所有者的名称</translation>
+    </message>
+    <message>
+        <source>Able on the simulator</source>
+        <translation>模拟器上达标</translation>
+    </message>
+    <message>
+        <source>Able: at every exercise that was tried, by the designs of the section Competence. An inadequate trainee is held to be able in at most %1 %, an adequate one is not in at most %2 % of cases.</source>
+        <translation>达标：按“能力”一节的设计，在所有尝试过的练习中均达标。能力不足的学员被误判为达标的概率至多为 %1 %，能力足够者未被判为达标的概率至多为 %2 %。</translation>
     </message>
 </context>
 <context>

@@ -267,5 +267,32 @@ TEST(CompetenceSection, PrintsTheErrorRatesBesideEveryLevel) {
   EXPECT_EQ(tableIn(cohortReport(in), "table-competence"), nullptr);
 }
 
+TEST(CompetenceSection, TheFirstPageCountsItsVerdictsAndNoneOfItsOwn) {
+  CohortInputs in = demonstrationCohort();
+  std::vector<std::size_t> people;
+  for (std::size_t i = 0; i < in.trainees.size(); ++i) {
+    if (in.trainees[i].group == 0) {
+      people.push_back(i);
+    }
+  }
+  ASSERT_GE(people.size(), 3U);
+  in.competence = {verdictOf(in, people[0], true), verdictOf(in, people[1], true),
+                   verdictOf(in, people[2], false)};
+  CohortCompetence other = verdictOf(in, people[1], false);
+  other.exercise = Text::verbatim("Half turn");
+  other.falsePass = 0.12;
+  in.competence.push_back(other);
+
+  const ReportModel report = cohortReport(in);
+  const ReportTable* table = tableIn(report, "table-standard");
+  ASSERT_NE(table, nullptr);
+  EXPECT_EQ(table->rows.at(0).at(3), "1 of 3") << "one is able at all that was tried";
+  ASSERT_EQ(table->notes.size(), 1U);
+  EXPECT_THAT(table->notes[0].str(),
+              HasSubstr("able in at most 12.0 %, an adequate one is not in at most 9.4 %"));
+  in.competence.clear();
+  EXPECT_TRUE(tableIn(cohortReport(in), "table-standard")->notes.empty());
+}
+
 }  // namespace
 }  // namespace torsio
