@@ -12370,11 +12370,11 @@
     </message>
     <message>
         <source>Able on the simulator</source>
-        <translation>模拟器上达标</translation>
+        <translation>模拟器上已胜任</translation>
     </message>
     <message>
         <source>Able: at every exercise that was tried, by the designs of the section Competence. An inadequate trainee is held to be able in at most %1 %, an adequate one is not in at most %2 % of cases.</source>
-        <translation>达标：按“能力”一节的设计，在所有尝试过的练习中均达标。能力不足的学员被误判为达标的概率至多为 %1 %，能力足够者未被判为达标的概率至多为 %2 %。</translation>
+        <translation>已胜任：按“胜任能力”一节的标准，在所有尝试过的练习中均已胜任。能力不足的学员被误判为已胜任的概率至多为 %1 %，能力足够者未被判为已胜任的概率至多为 %2 %。</translation>
     </message>
 </context>
 <context>
