@@ -12374,7 +12374,7 @@
     </message>
     <message>
         <source>Able: at every exercise that was tried, by the designs of the section Competence. An inadequate trainee is held to be able in at most %1 %, an adequate one is not in at most %2 % of cases.</source>
-        <translation>已胜任：按“胜任能力”一节的标准，在所有尝试过的练习中均已胜任。能力不足的学员被误判为已胜任的概率至多为 %1 %，能力足够者未被判为已胜任的概率至多为 %2 %。</translation>
+        <translation>已胜任：按“胜任”一节的标准，在所有尝试过的练习中均已胜任。能力不足的学员被误判为已胜任的概率至多为 %1 %，能力足够者未被判为已胜任的概率至多为 %2 %。</translation>
     </message>
 </context>
 <context>
