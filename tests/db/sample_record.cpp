@@ -3,6 +3,8 @@
 
 #include "sim/base/ids.h"
 #include "sim/base/random.h"
+#include "sim/record/content_hash.h"
+#include "sim/record/sample_codec.h"
 
 namespace torsio {
 
@@ -101,6 +103,17 @@ TrialChunk sampleChunk(std::int64_t index, std::size_t size) {
     chunk.bytes.push_back(static_cast<std::byte>(random.bounded(256)));
   }
   return chunk;
+}
+
+Trial sampleTrial() {
+  Trial trial;
+  trial.header = sampleHeader("11111111-1111-4111-8111-111111111111", "T-01");
+  TrialChunk chunk = sampleChunk(0, 300);
+  chunk.digest = chunkDigest(chunk);
+  trial.chunks.push_back(chunk);
+  trial.summary.samples = chunk.samples;
+  trial.summary.contentHash = contentHash(trial);
+  return trial;
 }
 
 }  // namespace torsio

@@ -34,5 +34,7 @@ struct SampleRecord {
 [[nodiscard]] TrialHeader sampleHeader(const TrialId& trialId, const std::string& traineeCode);
 /// Chunk `index` of `samples` samples with `size` bytes that depend on the index.
 [[nodiscard]] TrialChunk sampleChunk(std::int64_t index, std::size_t size = 15000);
+/// A whole trial of one small chunk, with its digests.
+[[nodiscard]] Trial sampleTrial();
 
 }  // namespace torsio

@@ -30,6 +30,23 @@ namespace {
 /// A record with one sealed mark.
 class TamperTest : public DatabaseTest {
  protected:
+  /// What gives every new mark 99 points.
+  void addScoreRaisingTrigger() {
+    if (onPostgresql()) {
+      connection_->executeVerbatim(
+          "CREATE FUNCTION raise_score() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN NEW.score_steps = 99;"
+          " RETURN NEW; END $$");
+      connection_->executeVerbatim(
+          "CREATE TRIGGER raise_score BEFORE INSERT ON training_mark FOR EACH ROW EXECUTE FUNCTION "
+          "raise_score()");
+    } else {
+      connection_->executeVerbatim(
+          "CREATE TRIGGER raise_score AFTER INSERT ON training_mark BEGIN UPDATE training_mark SET "
+          "score_steps "
+          "= 99"
+          " WHERE id = NEW.id; END");
+    }
+  }
   void SetUp() override {
     DatabaseTest::SetUp();
     if (IsSkipped()) {
@@ -104,19 +121,7 @@ TEST_F(TamperTest, ATriggerThatWasTakenAwayIsNamed) {
 }
 
 TEST_F(TamperTest, ATriggerThatAltersWhatIsSubmittedIsNamed) {
-  if (onPostgresql()) {
-    connection_->executeVerbatim(
-        "CREATE FUNCTION raise_score() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN NEW.score_steps = 99;"
-        " RETURN NEW; END $$");
-    connection_->executeVerbatim(
-        "CREATE TRIGGER raise_score BEFORE INSERT ON training_mark FOR EACH ROW EXECUTE FUNCTION "
-        "raise_score()");
-  } else {
-    connection_->executeVerbatim(
-        "CREATE TRIGGER raise_score AFTER INSERT ON training_mark BEGIN UPDATE training_mark SET score_steps "
-        "= 99"
-        " WHERE id = NEW.id; END");
-  }
+  addScoreRaisingTrigger();
 
   const std::vector<SchemaFinding> findings = schemaFindings(*connection_);
 
@@ -156,14 +161,7 @@ TEST_F(TamperTest, ADeletedMarkWithAnEntryOfItsRemovalIsFound) {
 }
 
 TEST_F(TamperTest, ATombstoneThatSomebodyInsertedExcusesNoChangedSecond) {
-  Trial trial;
-  trial.header = sampleHeader("11111111-1111-4111-8111-111111111111", "T-01");
-  TrialChunk chunk = sampleChunk(0, 300);
-  chunk.digest = chunkDigest(chunk);
-  trial.chunks.push_back(chunk);
-  trial.summary.samples = chunk.samples;
-  trial.summary.contentHash = contentHash(trial);
-  TrialRepository(*connection_, {.station = "ward"}).import(trial);
+  TrialRepository(*connection_, {.station = "ward"}).import(sampleTrial());
   ASSERT_TRUE(verifyAuditTrail(*connection_).empty());
   dropTriggers("trial_chunk");
   connection_->execute("UPDATE trial_chunk SET bytes = ?", {Blob(300)});
@@ -188,19 +186,10 @@ TEST_F(TamperTest, ARightThatWasGivenToTraineesIsNamed) {
 }
 
 TEST_F(TamperTest, WhatATriggerAltersOnItsWayIsRefused) {
-  if (onPostgresql()) {
-    connection_->executeVerbatim(
-        "CREATE FUNCTION raise_score() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN NEW.score_steps = 99;"
-        " RETURN NEW; END $$");
-    connection_->executeVerbatim(
-        "CREATE TRIGGER raise_score BEFORE INSERT ON training_mark FOR EACH ROW EXECUTE FUNCTION "
-        "raise_score()");
-  } else {
+  if (!onPostgresql()) {
     connection_->executeVerbatim("DROP TRIGGER training_mark_no_UPDATE");
-    connection_->executeVerbatim(
-        "CREATE TRIGGER raise_score AFTER INSERT ON training_mark BEGIN UPDATE training_mark SET score_steps "
-        "= 99 WHERE id = NEW.id; END");
   }
+  addScoreRaisingTrigger();
   const SubmittedMark mark = markOf(1);
 
   const Refusal refusal =

@@ -20,18 +20,9 @@ using Key = std::pair<std::string, std::string>;  // table and row
 /// What the newest seals say, without the salts.
 std::map<Key, RowSeal> newestSeals(Connection& connection) {
   std::map<Key, RowSeal> newest;
-  forEachSelected(connection,
-                  std::string("SELECT ") + kSealColumns + " FROM row_seal ORDER BY entry_sequence, position",
-                  [&](const Statement& statement) {
-                    RowReader row(statement);
-                    row.skip(2);
-                    RowSeal seal{.table = row.text(), .key = row.text()};
-                    seal.removed = row.boolean();
-                    seal.rowHash = row.text();
-                    seal.personalHash = row.text();
-                    seal.simulated = row.boolean();
-                    newest[{seal.table, seal.key}] = seal;
-                  });
+  forEachSeal(connection, [&](std::int64_t /*sequence*/, std::int64_t /*position*/, const RowSeal& seal) {
+    newest[{seal.table, seal.key}] = seal;
+  });
   return newest;
 }
 
@@ -128,19 +119,9 @@ void rewriteTrail(Connection& connection) {
                        {seal.salt, seal.table, seal.key});
   }
   std::map<std::int64_t, SealDigest> digests;
-  forEachSelected(connection,
-                  std::string("SELECT ") + kSealColumns + " FROM row_seal ORDER BY entry_sequence, position",
-                  [&](const Statement& statement) {
-                    RowReader row(statement);
-                    const std::int64_t sequence = row.int64();
-                    const std::int64_t position = row.int64();
-                    RowSeal seal{.table = row.text(), .key = row.text()};
-                    seal.removed = row.boolean();
-                    seal.rowHash = row.text();
-                    seal.personalHash = row.text();
-                    seal.simulated = row.boolean();
-                    digests[sequence].add(position, seal);
-                  });
+  forEachSeal(connection, [&](std::int64_t sequence, std::int64_t position, const RowSeal& seal) {
+    digests[sequence].add(position, seal);
+  });
   std::vector<AuditEntry> entries;
   AuditRepository(connection).forEach([&](const AuditEntry& entry) { entries.push_back(entry); });
   std::string previous;

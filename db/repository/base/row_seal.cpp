@@ -16,6 +16,8 @@ namespace torsio {
 
 namespace {
 
+constexpr const char* kSealColumns =
+    "entry_sequence, position, table_name, row_key, removed, row_hash, personal_hash, simulated";
 constexpr std::string_view kEntries = R"({"entries":)";
 
 std::string newSalt() {
@@ -26,6 +28,23 @@ std::string newSalt() {
 }
 
 }  // namespace
+
+void forEachSeal(Connection& connection,
+                 const std::function<void(std::int64_t, std::int64_t, const RowSeal&)>& hear) {
+  forEachSelected(connection,
+                  std::string("SELECT ") + kSealColumns + " FROM row_seal ORDER BY entry_sequence, position",
+                  [&](const Statement& statement) {
+                    RowReader row(statement);
+                    const std::int64_t sequence = row.int64();
+                    const std::int64_t position = row.int64();
+                    RowSeal seal{.table = row.text(), .key = row.text()};
+                    seal.removed = row.boolean();
+                    seal.rowHash = row.text();
+                    seal.personalHash = row.text();
+                    seal.simulated = row.boolean();
+                    hear(sequence, position, seal);
+                  });
+}
 
 RowSeal sealedRow(const SealShape& shape, std::span<const Value> row, const std::string& seal) {
   RowSeal made{.table = std::string(shape.rule().table),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -51,8 +52,11 @@ struct SealAuthor {
   std::string reason{};
 };
 
-inline constexpr const char* kSealColumns =
-    "entry_sequence, position, table_name, row_key, removed, row_hash, personal_hash, simulated";
+/// Hears every stored seal in the order of the trail: number of its entry, position in it, the seal without
+/// its salt. Throws DbError.
+void forEachSeal(
+    Connection& connection,
+    const std::function<void(std::int64_t sequence, std::int64_t position, const RowSeal& seal)>& hear);
 
 [[nodiscard]] RowSeal sealedRow(const SealShape& shape, std::span<const Value> row, const std::string& seal);
 

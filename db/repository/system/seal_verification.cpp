@@ -98,27 +98,17 @@ void SealVerification::readSeals() {
     digest = {};
     ++entry;
   };
-  forEachSelected(connection_,
-                  std::string("SELECT ") + kSealColumns + " FROM row_seal ORDER BY entry_sequence, position",
-                  [&](const Statement& statement) {
-                    RowReader row(statement);
-                    const std::int64_t sequence = row.int64();
-                    const std::int64_t position = row.int64();
-                    RowSeal seal{.table = row.text(), .key = row.text()};
-                    seal.removed = row.boolean();
-                    seal.rowHash = row.text();
-                    seal.personalHash = row.text();
-                    seal.simulated = row.boolean();
-                    while (entry != entries_.end() && entry->sequence < sequence) {
-                      finish();
-                    }
-                    if (entry == entries_.end() || entry->sequence != sequence) {
-                      report(sequence, seal.table, seal.key, Text::tr("its seal belongs to no entry"));
-                      return;
-                    }
-                    digest.add(position, seal);
-                    apply(*entry, seal);
-                  });
+  forEachSeal(connection_, [&](std::int64_t sequence, std::int64_t position, const RowSeal& seal) {
+    while (entry != entries_.end() && entry->sequence < sequence) {
+      finish();
+    }
+    if (entry == entries_.end() || entry->sequence != sequence) {
+      report(sequence, seal.table, seal.key, Text::tr("its seal belongs to no entry"));
+      return;
+    }
+    digest.add(position, seal);
+    apply(*entry, seal);
+  });
   while (entry != entries_.end()) {
     finish();
   }

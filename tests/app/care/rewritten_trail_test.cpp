@@ -55,16 +55,7 @@ class RewrittenTrail : public DatabaseTest {
       RatingRepository(*connection_, "ward").submit(std::span(&mark, 1));
     }
   }
-  void recordTrial() {
-    Trial trial;
-    trial.header = sampleHeader("11111111-1111-4111-8111-111111111111", "T-01");
-    TrialChunk chunk = sampleChunk(0, 300);
-    chunk.digest = chunkDigest(chunk);
-    trial.chunks.push_back(chunk);
-    trial.summary.samples = chunk.samples;
-    trial.summary.contentHash = contentHash(trial);
-    TrialRepository(*connection_, {.station = "ward"}).import(trial);
-  }
+  void recordTrial() { TrialRepository(*connection_, {.station = "ward"}).import(sampleTrial()); }
   [[nodiscard]] std::string head() const { return anchoredHead(locator(), key_, kSampleTime_us); }
   [[nodiscard]] std::int64_t length() {
     return numberFrom(*connection_, "SELECT max(sequence) FROM audit_entry");
