@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <future>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -83,8 +84,11 @@ class ServerRolesTest : public DatabaseTest {
   }
   void TearDown() override {
     if (connection_) {
+      Transaction transaction(*connection_);
+      waitForRightsOfDatabase(*connection_);
       connection_->executeVerbatim("DROP OWNED BY " + role_);
       connection_->executeVerbatim("DROP ROLE " + role_);
+      transaction.commit();
       connection_.reset();
     }
     DatabaseTest::TearDown();
@@ -279,6 +283,19 @@ TEST_F(ServerRolesTest, PreparingTwiceChangesNothingAndTheOwnerIsNoStation) {
               writeServerRoles(*connection_, allTables(*connection_), closedTables(), "a b");
             }).code,
             ErrorCode::kBadParameter);
+}
+
+TEST_F(ServerRolesTest, TwoWhoPrepareAtOnceWaitForEachOther) {
+  const std::vector<std::string> tables = allTables(*connection_);
+  const auto prepareOften = [&] {
+    Connection own = openRecord(locator(), OpenMode::kReadWrite);
+    for (int i = 0; i < 5; ++i) {
+      writeServerRoles(own, tables, closedTables(), role_);
+    }
+  };
+  std::future<void> other = std::async(std::launch::async, prepareOften);
+  EXPECT_NO_THROW(prepareOften());
+  EXPECT_NO_THROW(other.get());
 }
 
 }  // namespace

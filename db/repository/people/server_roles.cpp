@@ -252,6 +252,7 @@ void writeServerRoles(Connection& connection, std::span<const std::string> table
                       const std::set<std::string>& appendOnly, const std::string& role) {
   requireRole(connection, role);
   Transaction transaction(connection);
+  waitForRightsOfDatabase(connection);
   connection.executeVerbatim("SET LOCAL client_min_messages = warning");  // no word on what was not there yet
   const std::string schema =
       selectFirst(connection, "SELECT current_schema()::text", {}, readText).value_or("public");
@@ -277,6 +278,10 @@ void writeServerRoles(Connection& connection, std::span<const std::string> table
   makeFunctions(connection, schema, role);
   makePolicies(connection, role);
   transaction.commit();
+}
+
+void waitForRightsOfDatabase(Connection& connection) {
+  connection.executeVerbatim("SELECT pg_advisory_xact_lock(1414484562)");  // "TORR" in ASCII
 }
 
 bool isOwnerOfTables(Connection& connection) {

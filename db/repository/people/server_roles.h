@@ -33,6 +33,11 @@ class Connection;
 void writeServerRoles(Connection& connection, std::span<const std::string> tables,
                       const std::set<std::string>& appendOnly, const std::string& role);
 
+/// Whoever changes roles or rights in the database of this connection waits here for whoever does so already,
+/// until the end of the transaction. PostgreSQL keeps them in rows that all records of a database share, and
+/// refuses the second of two who change one at once.
+void waitForRightsOfDatabase(Connection& connection);
+
 /// Whether the account of this connection owns the tables of the record.
 [[nodiscard]] bool isOwnerOfTables(Connection& connection);
 
