@@ -9,25 +9,40 @@
 namespace torsio {
 namespace {
 
-/// Makes `y` L^-1 y, L the factor `l` with inverse diagonal, and takes y^T y from `a` (lower triangle).
-void eliminate(const double* l, double* y, double* a) noexcept {
-  for (int r = 0; r < 6; ++r) {
-    for (int k = 0; k < r; ++k) {
-      const double f = l[6 * r + k];
-      for (int c = 0; c < 6; ++c) {
-        y[6 * r + c] -= f * y[6 * k + c];
-      }
+Freedoms rowOf(const Block6& a, std::size_t row) noexcept {
+  Freedoms values{};
+  for (std::size_t c = 0; c < 6; ++c) {
+    values[c] = a[6 * row + c];
+  }
+  return values;
+}
+
+/// A row is a whole number of the processor's registers: the triangle alone would be slower.
+void subtract(double factor, const Freedoms& of, Freedoms& from) noexcept {
+  for (std::size_t c = 0; c < 6; ++c) {
+    from[c] -= factor * of[c];
+  }
+}
+
+/// Makes `y` L^-1 y, L the factor `l` with inverse diagonal, and takes y^T y from `a` (lower triangle; what
+/// lies above the diagonal is not read afterwards).
+void eliminate(const Block6& l, Block6& y, Block6& a) noexcept {
+  for (std::size_t r = 0; r < 6; ++r) {
+    Freedoms row = rowOf(y, r);
+    for (std::size_t k = 0; k < r; ++k) {
+      subtract(l[6 * r + k], rowOf(y, k), row);
     }
-    for (int c = 0; c < 6; ++c) {
-      y[6 * r + c] *= l[7 * r];
+    for (std::size_t c = 0; c < 6; ++c) {
+      y[6 * r + c] = row[c] * l[7 * r];
     }
   }
-  for (int k = 0; k < 6; ++k) {
-    for (int r = 0; r < 6; ++r) {
-      const double f = y[6 * k + r];
-      for (int c = 0; c <= r; ++c) {
-        a[6 * r + c] -= f * y[6 * k + c];
-      }
+  for (std::size_t r = 0; r < 6; ++r) {
+    Freedoms row = rowOf(a, r);
+    for (std::size_t k = 0; k < 6; ++k) {
+      subtract(y[6 * k + r], rowOf(y, k), row);
+    }
+    for (std::size_t c = 0; c < 6; ++c) {
+      a[6 * r + c] = row[c];
     }
   }
 }
@@ -100,11 +115,10 @@ void subtractContacts(const RodSystem& system, const NodeVector& p, NodeVector& 
 int factorise(RodSystem& system) noexcept {
   int negative = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(system.count); ++i) {
-    double* block = system.diagonal[i].data();
     if (i > 0) {
-      eliminate(system.diagonal[i - 1].data(), system.coupling[i - 1].data(), block);
+      eliminate(system.diagonal[i - 1], system.coupling[i - 1], system.diagonal[i]);
     }
-    negative += factoriseBlock(block, system.floors[i]);
+    negative += factoriseBlock(system.diagonal[i].data(), system.floors[i]);
   }
   return negative;
 }

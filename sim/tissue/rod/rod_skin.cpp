@@ -80,7 +80,7 @@ void smoothNodes(std::array<Pose, kMostRodNodes>& nodes, int count, int passes) 
   }
 }
 
-Vec3 placeIn_m(const RodCurve& c, std::size_t i, const Hermite& t) noexcept {
+inline Vec3 placeIn_m(const RodCurve& c, std::size_t i, const Hermite& t) noexcept {
   const double h = c.arcs_m[i + 1] - c.arcs_m[i];
   const Vec3& a = c.nodes[i].position_m;
   const Vec3& b = c.nodes[i + 1].position_m;
@@ -89,7 +89,7 @@ Vec3 placeIn_m(const RodCurve& c, std::size_t i, const Hermite& t) noexcept {
 
 // Point of element i, w in 0..1. The turn from its first node is 4 sigma, interpolated so that its rate at
 // both nodes is their bend: 4 d sigma = B(sigma) bend ds.
-CurvePoint pointOf(const RodCurve& c, std::size_t i, double w) noexcept {
+inline CurvePoint pointOf(const RodCurve& c, std::size_t i, double w) noexcept {
   const Hermite t(w);
   const double h = c.arcs_m[i + 1] - c.arcs_m[i];
   const Vec3& a = c.nodes[i].position_m;
@@ -163,7 +163,7 @@ std::array<double, 2> straightened(const std::array<double, 2>& u, const std::ar
 }
 
 // The inverse of straightened().
-std::array<double, 2> bent(const std::array<double, 2>& w, const std::array<double, 2>& k) noexcept {
+inline std::array<double, 2> bent(const std::array<double, 2>& w, const std::array<double, 2>& k) noexcept {
   const double k2 = k[0] * k[0] + k[1] * k[1];
   if (k2 < kStraight_per_m * kStraight_per_m) {
     return w;
