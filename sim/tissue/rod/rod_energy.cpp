@@ -42,7 +42,25 @@ double gripEnergy_J(const RodGrip& grip, const Pose& hand, const RodPose& pose) 
   return share * (grip.stiffness.place_N_per_m * place_m2 + grip.stiffness.turn_Nm_per_rad * turn_rad2);
 }
 
+/// Adds what restraints, jaw and contact store to the energy of the elements.
+double withSurroundings_J(const RodTask& task, const RodPose& pose, double energy_J) noexcept {
+  energy_J += restraintEnergy_J(task.rod->restraints(), pose);
+  if (task.grip != nullptr) {
+    energy_J += gripEnergy_J(*task.grip, task.hand, pose);
+  }
+  return energy_J + contactEnergy_J(*task.rod, task.near, pose);
+}
+
 }  // namespace
+
+double startEnergy_J(const RodTask& task) noexcept {
+  const std::span<const RodElement> elements = task.rod->elements();
+  double energy_J = 0.0;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    energy_J += elementEnergy_J(elements[i], task.strainsBefore[i]);
+  }
+  return withSurroundings_J(task, *task.before, energy_J);
+}
 
 double stepEnergy_J(const RodTask& task, const RodPose& pose) noexcept {
   const Rod& rod = *task.rod;
@@ -69,12 +87,7 @@ double stepEnergy_J(const RodTask& task, const RodPose& pose) noexcept {
     }
     damped_J += 0.5 * rod.settings().drag_Ns_per_m * task.rate_per_s * way_m2;
   }
-  energy_J += restraintEnergy_J(rod.restraints(), pose);
-  if (task.grip != nullptr) {
-    energy_J += gripEnergy_J(*task.grip, task.hand, pose);
-  }
-  energy_J += contactEnergy_J(rod, task.near, pose);
-  return energy_J + damped_J;
+  return withSurroundings_J(task, pose, energy_J) + damped_J;
 }
 
 double storedEnergy_J(const Rod& rod, const RodPose& pose, const RodGrip* grip, const Pose& hand) noexcept {

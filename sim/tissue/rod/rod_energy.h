@@ -30,4 +30,8 @@ struct RodTask {
 ///   Pi = E + (eta/2T) h (e - e')^T S (e - e') + (b/2T) |x - x'|^2. Real time.
 [[nodiscard]] double stepEnergy_J(const RodTask& task, const RodPose& pose) noexcept;
 
+/// Returns stepEnergy_J() at the start of a step, where nothing has been damped and the strains are known.
+/// Real time.
+[[nodiscard]] double startEnergy_J(const RodTask& task) noexcept;
+
 }  // namespace torsio

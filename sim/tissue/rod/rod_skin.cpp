@@ -88,8 +88,9 @@ inline Vec3 placeIn_m(const RodCurve& c, std::size_t i, const Hermite& t) noexce
 }
 
 // Point of element i, w in 0..1. The turn from its first node is 4 sigma, interpolated so that its rate at
-// both nodes is their bend: 4 d sigma = B(sigma) bend ds.
-inline CurvePoint pointOf(const RodCurve& c, std::size_t i, double w) noexcept {
+// both nodes is their bend: 4 d sigma = B(sigma) bend ds. A tick asks for a hundred of them, and a call would
+// carry each through memory.
+[[gnu::always_inline]] inline CurvePoint pointOf(const RodCurve& c, std::size_t i, double w) noexcept {
   const Hermite t(w);
   const double h = c.arcs_m[i + 1] - c.arcs_m[i];
   const Vec3& a = c.nodes[i].position_m;

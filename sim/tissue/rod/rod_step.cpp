@@ -97,7 +97,7 @@ RodStepResult stepRod(const Rod& rod, const RodGrip* grip, const Pose& hand, dou
                      .before = &work.before,
                      .strainsBefore = work.strainsBefore,
                      .rate_per_s = 1.0 / duration_s};
-  double energy_J = stepEnergy_J(task, pose);
+  double energy_J = startEnergy_J(task);
   while (result.newtonSteps < rules.newtonSteps) {
     assemble(task, pose, rules.pivotFloor, work.system);
     const Extent unbalanced = extentOf(work.system.gradient, pose.count);

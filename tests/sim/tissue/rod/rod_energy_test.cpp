@@ -129,6 +129,13 @@ double entry(const RodSystem& system, int a, int b) {
   return i == j + 1 ? at(system.coupling[static_cast<std::size_t>(j)], b, a) : 0.0;
 }
 
+TEST(RodEnergy, AtTheStartOfAStepIsThatOfThePoseBefore) {
+  const OddRod odd;
+  ASSERT_GT(odd.task.rate_per_s, 0.0);
+  EXPECT_EQ(startEnergy_J(odd.task), stepEnergy_J(odd.task, *odd.task.before));
+  EXPECT_NE(startEnergy_J(odd.task), stepEnergy_J(odd.task, odd.pose));
+}
+
 TEST(RodEnergy, HasTheGradientThatDifferencesShow) {
   const OddRod odd;
 
