@@ -73,7 +73,8 @@ void print(const ExchangeFiles& done, const std::vector<Text>& sentences, bool j
   std::cout << done.bytes << " bytes, " << done.contentHash << "\n";
 }
 
-using Write = ExchangeFiles (*)(SessionContext& session, const ExchangeData& data, const ExportArguments& given);
+using Write = ExchangeFiles (*)(SessionContext& session, const ExchangeData& data,
+                                const ExportArguments& given);
 
 void run(const ExportArguments& given, Write write) {
   CareDesk desk(takerOf(given), given.database);
@@ -96,7 +97,8 @@ ExchangeFiles writeBook(SessionContext& session, const ExchangeData& data, const
       session, data, [&](const Text& text) { return wording(text).toStdString(); }, given.out);
 }
 
-ExchangeFiles writeTableFiles(SessionContext& session, const ExchangeData& data, const ExportArguments& given) {
+ExchangeFiles writeTableFiles(SessionContext& session, const ExchangeData& data,
+                              const ExportArguments& given) {
   return exportTables(session, data, tableFormat(given.format), given.out);
 }
 

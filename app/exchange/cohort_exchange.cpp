@@ -118,9 +118,9 @@ ExchangeData exchangeData(SessionContext& session, const ExchangeRequest& reques
                           const ProgressCallback& progress) {
   session.require(Operation::kReportExportCoded);
   ExchangeData data{request, {}, {}, {}};
-  data.inputs = reportInputs(
-      session, {request.cohortId, request.campaignId, request.frozenId, ReportIdentity::kCoded}, digests,
-      progress);
+  data.inputs =
+      reportInputs(session, {request.cohortId, request.campaignId, request.frozenId, ReportIdentity::kCoded},
+                   digests, progress);
   std::map<TrialId, std::int64_t> starts = startsOf(session.connection(), request.cohortId);
   if (request.pseudonymised || !mayTakeCodes(session)) {
     const Pseudonyms names(request.key.empty() ? Pseudonyms::freshKey() : request.key);
@@ -137,11 +137,12 @@ std::vector<Text> pseudonymSentences(const ExchangeData& data) {
     return {};
   }
   const PseudonymReport& done = *data.pseudonyms;
-  return {Text::tr("Names of people and recordings are opaque; times of each person are moved by whole days."),
-          Text::tr("Group, sex and level are shared by at least %1 people (%2 before).", done.smallestAfter,
-                   done.smallestBefore),
-          Text::tr("Left out: level of %1 people, sex of %2, free text of %3 entries.", done.levelsHidden,
-                   done.sexesHidden, done.textsLeftOut)};
+  return {
+      Text::tr("Names of people and recordings are opaque; times of each person are moved by whole days."),
+      Text::tr("Group, sex and level are shared by at least %1 people (%2 before).", done.smallestAfter,
+               done.smallestBefore),
+      Text::tr("Left out: level of %1 people, sex of %2, free text of %3 entries.", done.levelsHidden,
+               done.sexesHidden, done.textsLeftOut)};
 }
 
 ExchangeFiles exportWorkbook(SessionContext& session, const ExchangeData& data, const ExportWording& say,
@@ -164,8 +165,8 @@ ExchangeFiles exportTables(SessionContext& session, const ExchangeData& data, Ta
 ExchangeFiles exportGradebook(SessionContext& session, const ExchangeRequest& request, TrialDigests& digests,
                               const std::filesystem::path& file) {
   session.require(Operation::kReportExportNamed);
-  const CohortInputs inputs = reportInputs(
-      session, {request.cohortId, {}, request.frozenId, ReportIdentity::kCoded}, digests);
+  const CohortInputs inputs =
+      reportInputs(session, {request.cohortId, {}, request.frozenId, ReportIdentity::kCoded}, digests);
   std::vector<Text> left;
   const CohortInputs shown = shownInputs(inputs, left);
   std::map<std::string, std::vector<std::string>> grades;  // by code, one an occasion

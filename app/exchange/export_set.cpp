@@ -111,15 +111,24 @@ class Sorter {
     set.scores = {"scores",
                   Text::tr("Scores"),
                   Text::tr("Mean of the raters' marks of a trainee at an occasion"),
-                  {participant(), groupColumn(), {"sex", Text::tr("Sex")},
-                   {"training_level", Text::tr("Level of training")}, occasionNumber(), occasionColumn(),
-                   number("score", Text::tr("Score")), number("marks", Text::tr("Marks behind it"))},
+                  {participant(),
+                   groupColumn(),
+                   {"sex", Text::tr("Sex")},
+                   {"training_level", Text::tr("Level of training")},
+                   occasionNumber(),
+                   occasionColumn(),
+                   number("score", Text::tr("Score")),
+                   number("marks", Text::tr("Marks behind it"))},
                   {}};
     set.marks = {"marks",
                  Text::tr("Marks"),
                  Text::tr("Newest version of each mark that a rater submitted"),
-                 {participant(), groupColumn(), {"rater", Text::tr("Rater")}, occasionNumber(),
-                  occasionColumn(), number("mark", Text::tr("Mark"))},
+                 {participant(),
+                  groupColumn(),
+                  {"rater", Text::tr("Rater")},
+                  occasionNumber(),
+                  occasionColumn(),
+                  number("mark", Text::tr("Mark"))},
                  {}};
     for (const Row& row : rows_) {
       if (row.section != "training") {
@@ -160,8 +169,11 @@ class Sorter {
                                             {"started_utc", Text::tr("Started (UTC)"), ColumnKind::kTime},
                                             {"trial", Text::tr("Recording")},
                                             {"content_hash", Text::tr("Hash of the recording")}};
-    set.trials = {"trials", Text::tr("Trials"),
-                  Text::tr("Metrics of each recorded trial, measured again from its samples"), head, {}};
+    set.trials = {"trials",
+                  Text::tr("Trials"),
+                  Text::tr("Metrics of each recorded trial, measured again from its samples"),
+                  head,
+                  {}};
     for (ExportColumn& column : numbers) {
       column.name = columnName(column.name);
       set.trials.columns.push_back(column);
@@ -169,8 +181,11 @@ class Sorter {
     set.twists = {"twists",
                   Text::tr("Learning curves"),
                   Text::tr("Absolute error of each completed twist when the jaw was opened, in its order"),
-                  {participant(), groupColumn(), number("trial_number", Text::tr("Number of the trial")),
-                   {"phase", Text::tr("Phase")}, number("twist_number", Text::tr("Number of the twist")),
+                  {participant(),
+                   groupColumn(),
+                   number("trial_number", Text::tr("Number of the trial")),
+                   {"phase", Text::tr("Phase")},
+                   number("twist_number", Text::tr("Number of the twist")),
                    number("twist_error_deg", Text::tr("Error of the angle"), "deg")},
                   {}};
     std::map<std::string, double> counted;
@@ -205,17 +220,22 @@ class Sorter {
   }
 
   void fillCompetence(ExportSet& set) const {
-    set.competence = {"competence",
-                      Text::tr("Competence"),
-                      Text::tr("Verdict of the registered competence design, with both error rates"),
-                      {participant(), groupColumn(), {"exercise", Text::tr("Exercise")},
-                       {"level", Text::tr("Level reached")}, number("attempts", Text::tr("Attempts")),
-                       number("failed", Text::tr("Failed attempts")), {"able", Text::tr("Able"), ColumnKind::kNumber, {}, {{0.0, Text::tr("no")}, {1.0, Text::tr("yes")}}},
-                       number("able_at_attempt", Text::tr("Able at attempt")),
-                       number("false_pass", Text::tr("Probability of a false pass")),
-                       number("false_fail", Text::tr("Probability of a false fail")),
-                       number("design_version", Text::tr("Version of the design"))},
-                      {}};
+    set.competence = {
+        "competence",
+        Text::tr("Competence"),
+        Text::tr("Verdict of the registered competence design, with both error rates"),
+        {participant(),
+         groupColumn(),
+         {"exercise", Text::tr("Exercise")},
+         {"level", Text::tr("Level reached")},
+         number("attempts", Text::tr("Attempts")),
+         number("failed", Text::tr("Failed attempts")),
+         {"able", Text::tr("Able"), ColumnKind::kNumber, {}, {{0.0, Text::tr("no")}, {1.0, Text::tr("yes")}}},
+         number("able_at_attempt", Text::tr("Able at attempt")),
+         number("false_pass", Text::tr("Probability of a false pass")),
+         number("false_fail", Text::tr("Probability of a false fail")),
+         number("design_version", Text::tr("Version of the design"))},
+        {}};
     for (const Row& row : rows_) {
       if (row.section != "competence") {
         continue;
@@ -230,9 +250,8 @@ class Sorter {
         set.competence.rows.push_back(std::move(cells));
         continue;
       }
-      const auto column =
-          std::find_if(set.competence.columns.begin(), set.competence.columns.end(),
-                       [&](const ExportColumn& one) { return one.name == row.statistic; });
+      const auto column = std::find_if(set.competence.columns.begin(), set.competence.columns.end(),
+                                       [&](const ExportColumn& one) { return one.name == row.statistic; });
       if (column != set.competence.columns.end()) {
         set.competence.rows.back()[static_cast<std::size_t>(column - set.competence.columns.begin())] =
             numberOf(row.value);
@@ -246,10 +265,15 @@ class Sorter {
     ExportTable table{section,
                       title,
                       source,
-                      {{"item", Text::tr("Rater, or all")}, groupColumn(), {"model", Text::tr("Tissue model")},
-                       {"index_name", Text::tr("Index")}, occasionColumn(),
-                       {"statistic", Text::tr("Statistic")}, number("value", Text::tr("Value")),
-                       number("n", Text::tr("Values used")), {"flags", Text::tr("Flags")}},
+                      {{"item", Text::tr("Rater, or all")},
+                       groupColumn(),
+                       {"model", Text::tr("Tissue model")},
+                       {"index_name", Text::tr("Index")},
+                       occasionColumn(),
+                       {"statistic", Text::tr("Statistic")},
+                       number("value", Text::tr("Value")),
+                       number("n", Text::tr("Values used")),
+                       {"flags", Text::tr("Flags")}},
                       {}};
     for (const Row& row : rows_) {
       if (row.section == section) {
@@ -265,7 +289,9 @@ class Sorter {
     set.deviations = {"deviations",
                       Text::tr("Protocol deviations"),
                       Text::tr("What did not go by the protocol, as it was noted"),
-                      {participant(), {"happened_utc", Text::tr("Happened (UTC)")}, {"kind", Text::tr("Kind")},
+                      {participant(),
+                       {"happened_utc", Text::tr("Happened (UTC)")},
+                       {"kind", Text::tr("Kind")},
                        {"description", Text::tr("Description")}},
                       {}};
     for (const Row& row : rows_) {
@@ -280,16 +306,22 @@ class Sorter {
     set.numbers = {"numbers",
                    Text::tr("All numbers"),
                    Text::tr("Every line of cohort.csv; a spreadsheet keeps 15 digits, the text all of them"),
-                   {{"section", Text::tr("Section")}, {"item", Text::tr("Trainee, rater or all")},
-                    groupColumn(), {"model", Text::tr("Tissue model")}, {"index_name", Text::tr("Index")},
-                    occasionColumn(), {"statistic", Text::tr("Statistic")},
-                    number("value", Text::tr("Value")), {"value_text", Text::tr("Value as text")},
-                    number("n", Text::tr("Values used")), {"flags", Text::tr("Flags")}},
+                   {{"section", Text::tr("Section")},
+                    {"item", Text::tr("Trainee, rater or all")},
+                    groupColumn(),
+                    {"model", Text::tr("Tissue model")},
+                    {"index_name", Text::tr("Index")},
+                    occasionColumn(),
+                    {"statistic", Text::tr("Statistic")},
+                    number("value", Text::tr("Value")),
+                    {"value_text", Text::tr("Value as text")},
+                    number("n", Text::tr("Values used")),
+                    {"flags", Text::tr("Flags")}},
                    {}};
     for (const Row& row : rows_) {
-      set.numbers.rows.push_back({textOf(row.section), textOf(row.item), textOf(row.group),
-                                  textOf(row.model), textOf(row.index), textOf(row.occasion), row.statistic,
-                                  numberOf(row.value), textOf(row.value), numberOf(row.n), textOf(row.flags)});
+      set.numbers.rows.push_back({textOf(row.section), textOf(row.item), textOf(row.group), textOf(row.model),
+                                  textOf(row.index), textOf(row.occasion), row.statistic, numberOf(row.value),
+                                  textOf(row.value), numberOf(row.n), textOf(row.flags)});
     }
   }
 
@@ -306,8 +338,8 @@ ExportSet exportSet(const CohortInputs& inputs, const std::map<TrialId, std::int
 }
 
 std::vector<const ExportTable*> tablesOf(const ExportSet& set) {
-  return {&set.scores,    &set.marks,      &set.evaluation, &set.agreement,  &set.comparison,
-          &set.twists,    &set.competence, &set.trials,     &set.deviations, &set.numbers};
+  return {&set.scores, &set.marks,      &set.evaluation, &set.agreement,  &set.comparison,
+          &set.twists, &set.competence, &set.trials,     &set.deviations, &set.numbers};
 }
 
 }  // namespace torsio

@@ -22,7 +22,7 @@ struct ExportColumn {
   std::string name;  ///< for programs: lower-case ASCII letters, digits and underscores; unique in its table
   Text title;        ///< for people
   ColumnKind kind = ColumnKind::kText;
-  std::string unit{};  ///< "N m"; empty: none
+  std::string unit{};                             ///< "N m"; empty: none
   std::vector<std::pair<double, Text>> labels{};  ///< what single numbers stand for
 };
 
@@ -41,7 +41,8 @@ struct ExportTable {
 /// Returns the nearest number of 15 significant digits, which is what spreadsheets keep.
 [[nodiscard]] double sheetNumber(double value);
 
-/// Returns a cell as text for programs: numbers with all their digits, times as "2026-01-05T08:00:00.125000Z".
+/// Returns a cell as text for programs: numbers with all their digits, times as
+/// "2026-01-05T08:00:00.125000Z".
 [[nodiscard]] std::string cellText(const ExportCell& cell);
 
 }  // namespace torsio

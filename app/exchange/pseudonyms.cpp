@@ -6,8 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include <sodium.h>
-
+#include "db/repository/base/id_source.h"
 #include "sim/base/digest.h"
 #include "sim/base/refusal.h"
 
@@ -48,8 +47,8 @@ std::int64_t smallestOf(const std::vector<CohortTrainee>& trainees) {
   return smallest;
 }
 
-/// Leaves out one property of whoever shares it with fewer than kSmallestCell people, and of everybody in that
-/// group once somebody's is left out, so that nobody is told by what is missing.
+/// Leaves out one property of whoever shares it with fewer than kSmallestCell people, and of everybody in
+/// that group once somebody's is left out, so that nobody is told by what is missing.
 std::int64_t hide(std::vector<CohortTrainee>& trainees, std::string CohortTrainee::*property) {
   std::vector<std::size_t> groups;
   for (const auto& [cell, people] : cellsOf(trainees)) {
@@ -82,9 +81,8 @@ Pseudonyms::Pseudonyms(std::string key) : key_(std::move(key)) {
 }
 
 std::string Pseudonyms::freshKey() {
-  std::array<std::uint8_t, 32> bytes{};
-  randombytes_buf(bytes.data(), bytes.size());
-  return toHex(bytes);
+  SystemIdSource ids;
+  return ids.newUuid() + ids.newUuid();
 }
 
 std::string Pseudonyms::of(std::string_view kind, std::string_view code) const {
@@ -168,7 +166,8 @@ CohortInputs pseudonymised(CohortInputs in, std::map<TrialId, std::int64_t>& sta
          [](const TrainingMark& one) { return std::tuple(one.trainee, one.occasion, one.rater); });
   sortBy(in.trials, [](const TrialSummaryRow& one) { return one.trainee; });
   sortBy(in.competence, [](const CohortCompetence& one) { return one.trainee; });
-  sortBy(in.deviations, [](const CohortDeviation& one) { return std::pair(one.trainee, one.happenedUtc_us); });
+  sortBy(in.deviations,
+         [](const CohortDeviation& one) { return std::pair(one.trainee, one.happenedUtc_us); });
   return in;
 }
 

@@ -17,7 +17,7 @@ class Pseudonyms {
   /// `key`: at least 32 bytes nobody can guess; a new one for each set of files that shall not be joined.
   /// Throws Error{kBadParameter} for a shorter one.
   explicit Pseudonyms(std::string key);
-  /// A key from the random numbers of the system, 64 hexadecimal digits.
+  /// A key of 244 bits from the random numbers of the system.
   [[nodiscard]] static std::string freshKey();
 
   /// "P-" or another `kind`, and ten hexadecimal digits.
@@ -40,11 +40,11 @@ struct PseudonymReport {
   std::int64_t textsLeftOut = 0;
 };
 
-/// Returns the inputs as somebody outside may have them: opaque names for trainees and raters, in the order of
-/// those names; recordings by opaque names, too; times of each person moved, those of `startedUtc_us` (by
+/// Returns the inputs as somebody outside may have them: opaque names for trainees and raters, in the order
+/// of those names; recordings by opaque names, too; times of each person moved, those of `startedUtc_us` (by
 /// recording) as well; sex and level left out where fewer than kSmallestCell share them within their group;
-/// hashes of recordings, the seed of the draw and, but for `withFreeText`, what somebody wrote are left out. `report`: what was done. Numbers change in their last digits at most, because
-/// sums run in another order.
+/// hashes of recordings, the seed of the draw and, but for `withFreeText`, what somebody wrote are left out.
+/// `report`: what was done. Numbers change in their last digits at most, because sums run in another order.
 [[nodiscard]] CohortInputs pseudonymised(CohortInputs inputs, std::map<TrialId, std::int64_t>& startedUtc_us,
                                          const Pseudonyms& names, bool withFreeText, PseudonymReport& report);
 

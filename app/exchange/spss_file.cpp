@@ -2,9 +2,8 @@
 #include <algorithm>
 #include <fstream>
 #include <memory>
-#include <string>
-
 #include <readstat.h>
+#include <string>
 
 #include "app/exchange/table_files.h"
 #include "sim/base/error.h"
@@ -90,8 +89,8 @@ class SpssWriter {
     } else if (const auto* number = std::get_if<double>(&cell)) {
       check(readstat_insert_double_value(writer_.get(), variable, *number));
     } else if (const auto* utc_us = std::get_if<std::int64_t>(&cell)) {
-      check(readstat_insert_double_value(writer_.get(), variable,
-                                         static_cast<double>(*utc_us) * 1e-6 + static_cast<double>(kSpssEpoch_s)));
+      check(readstat_insert_double_value(
+          writer_.get(), variable, static_cast<double>(*utc_us) * 1e-6 + static_cast<double>(kSpssEpoch_s)));
     } else {
       check(readstat_insert_missing_value(writer_.get(), variable));
     }

@@ -76,9 +76,10 @@ std::string readerScript(const std::vector<const ExportTable*>& tables) {
                  ", format = \"%Y-%m-%dT%H:%M:%OSZ\", tz = \"UTC\")\n";
       }
     }
-    text += table->name + " <- read.csv(\"" + table->name +
-            ".csv\", fileEncoding = \"UTF-8-BOM\", check.names = FALSE, na.strings = \"\",\n  colClasses = c(" +
-            classes + "))\n" + times;
+    text +=
+        table->name + " <- read.csv(\"" + table->name +
+        ".csv\", fileEncoding = \"UTF-8-BOM\", check.names = FALSE, na.strings = \"\",\n  colClasses = c(" +
+        classes + "))\n" + times;
   }
   return text;
 }

@@ -18,10 +18,10 @@ enum class TableFormat {
 /// "csv", "r", "spss". Throws Error{kUsage} for another word.
 [[nodiscard]] TableFormat tableFormat(const std::string& word);
 
-/// Writes each table as a file of its name into `folder`, which is made where it is missing, and codebook.csv:
-/// table, column, what it means, unit, type, where it comes from. Returns the files. A file that was there is
-/// replaced as a whole or kept. Throws Error{kFileUnwritable}, {kBadData} for a table that the format cannot
-/// hold.
+/// Writes each table as a file of its name into `folder`, which is made where it is missing, and
+/// codebook.csv: table, column, what it means, unit, type, where it comes from. Returns the files. A file
+/// that was there is replaced as a whole or kept. Throws Error{kFileUnwritable}, {kBadData} for a table that
+/// the format cannot hold.
 std::vector<std::filesystem::path> writeTables(const std::vector<const ExportTable*>& tables,
                                                TableFormat format, const std::filesystem::path& folder);
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <system_error>
 #include <utility>
+#include <xlsxwriter.h>
 
 #include "app/exchange/workbook_sheets.h"
 #include "sim/base/error.h"
@@ -145,7 +146,7 @@ class Workbook {
     SheetPen pen = sheet(say_(Text::tr("Sources")));
     std::uint16_t c = 0;
     for (const Phrase head : {Text::tr("Sheet"), Text::tr("Column"), Text::tr("Name for programs"),
-                             Text::tr("Unit"), Text::tr("Where it comes from")}) {
+                              Text::tr("Unit"), Text::tr("Where it comes from")}) {
       worksheet_set_column(pen.sheet(), c, c, c == 4 ? 70.0 : 26.0, nullptr);
       pen.text(0, c++, say_(head), formats_.heading);
     }
@@ -197,10 +198,10 @@ class Workbook {
 
 }  // namespace
 
-void requireWritten(lxw_error error, const std::string& file) {
+void requireWritten(int error, const std::string& file) {
   if (error != LXW_NO_ERROR) {
     throw Error(ErrorCode::kFileUnwritable, Text::tr("the workbook cannot be written"),
-                Text(file + ": " + lxw_strerror(error)),
+                Text(file + ": " + lxw_strerror(static_cast<lxw_error>(error))),
                 Text::tr("Look for free space and the rights of the folder"));
   }
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <xlsxwriter.h>
 
 #include "app/exchange/workbook_sheets.h"
 
@@ -117,9 +118,9 @@ class FigureWriter {
   Block boxes(const ReportFigure& figure, std::uint32_t head) {
     std::uint16_t column = 1;
     for (const Phrase name :
-         {Text::tr("lower whisker"), Text::tr("lower quartile"), Text::tr("median"), Text::tr("upper quartile"),
-          Text::tr("upper whisker"), Text::tr("mean"), Text::tr("median less lower quartile"),
-          Text::tr("upper quartile less median")}) {
+         {Text::tr("lower whisker"), Text::tr("lower quartile"), Text::tr("median"),
+          Text::tr("upper quartile"), Text::tr("upper whisker"), Text::tr("mean"),
+          Text::tr("median less lower quartile"), Text::tr("upper quartile less median")}) {
       pen_.text(head, column++, say_(name), formats_.heading);
     }
     std::uint32_t row = head + 1;

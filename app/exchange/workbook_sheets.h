@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <string>
 
-#include <xlsxwriter.h>
-
 #include "app/exchange/workbook.h"
+
+struct lxw_workbook;
+struct lxw_worksheet;
+struct lxw_format;
 
 // Parts of writeWorkbook(), one a source file.
 namespace torsio {
@@ -20,8 +22,8 @@ struct WorkbookFormats {
   lxw_format* figure = nullptr;  ///< numbers that are drawn
 };
 
-/// Refuses what the library did not write: throws Error{kFileUnwritable} for `file`.
-void requireWritten(lxw_error error, const std::string& file);
+/// Refuses what the library did not write, by its code (0: it did): throws Error{kFileUnwritable} for `file`.
+void requireWritten(int error, const std::string& file);
 
 /// A place on a sheet, rows and columns from 0.
 class SheetPen {

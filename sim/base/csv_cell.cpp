@@ -19,7 +19,8 @@ bool isNumber(std::string_view text) {
 }  // namespace
 
 std::string csvQuoted(std::string text, std::string_view separators) {
-  if (text.find_first_of("\"\r\n") == std::string::npos && text.find_first_of(separators) == std::string::npos) {
+  if (text.find_first_of("\"\r\n") == std::string::npos &&
+      text.find_first_of(separators) == std::string::npos) {
     return text;
   }
   std::string quoted(1, '"');

@@ -89,7 +89,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
         "sim/device/safety", "sim/device/virtual", "sim/scene", "sim/servo"}},
       {"app/exchange",
        {"app/access", "app/base", "app/recording", "app/reporting", "assessment/attempt", "assessment/people",
-        "assessment/report", "assessment/scoring", "assessment/study", "db/connection",
+        "assessment/report", "assessment/scoring", "assessment/study", "db/connection", "db/repository/base",
         "db/repository/people", "db/repository/study", "db/repository/trial", "sim/base"}},
       {"app/gui/administrator",
        {"app/gui/administrator/curriculum", "app/gui/administrator/people", "app/gui/administrator/reporting",
@@ -317,6 +317,8 @@ const std::map<std::string, std::set<std::string>>& privateLibraries() {
       {"QtCharts", {"app/report", "app/gui"}},
       {"sodium", {"sim/base", "db/repository/base", "db/repository/people", "app/access", "app/maintenance"}},
       {"CLI/", {"app/cli"}},
+      {"xlsxwriter", {"app/exchange"}},
+      {"readstat", {"app/exchange"}},
       {"SDL", {"sim/device/controller"}},
       {"spnav", {"sim/device/spacemouse"}},
   };

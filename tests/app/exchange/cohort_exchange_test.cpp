@@ -73,8 +73,7 @@ TEST(CohortExchange, IsPseudonymisedForWhoeverMayNotSeeNames) {
     EXPECT_EQ(trainee.code.substr(0, 2), "P-");
   }
   const std::filesystem::path folder = study.centre.folder() / "tables";
-  const ExchangeFiles done =
-      exportTables(study.centre.as("statistician"), data, TableFormat::kSpss, folder);
+  const ExchangeFiles done = exportTables(study.centre.as("statistician"), data, TableFormat::kSpss, folder);
   EXPECT_GT(done.files.size(), 9U);
   EXPECT_THAT(study.newest().newJson, HasSubstr("pseudonymised"));
   EXPECT_EQ(pseudonymSentences(data).size(), 3U);

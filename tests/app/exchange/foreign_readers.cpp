@@ -9,7 +9,8 @@
 namespace torsio::testing {
 
 bool hasProgram(const std::string& name) {
-  return std::system(("command -v " + name + " > /dev/null 2>&1").c_str()) == 0;  // NOLINT: tests have one thread
+  return std::system(("command -v " + name + " > /dev/null 2>&1").c_str()) ==
+         0;  // NOLINT: tests have one thread
 }
 
 std::string outputOf(const std::string& command, const std::filesystem::path& folder) {
@@ -21,10 +22,10 @@ std::string outputOf(const std::string& command, const std::filesystem::path& fo
 CohortInputs awkwardCohort() {
   CohortInputs in = demonstrationCohort();
   in.auditHead = "0123";
-  in.deviations = {
-      {1'767'600'000'000'000, in.trainees[0].code, "late", "=1+1"},
-      {1'767'686'400'000'000, in.trainees[0].code, "room", "+cmd|' /C calc'!A0"},
-      {1'767'686'400'000'000, in.trainees[1].code, "device", "\xE8\xAE\xBE\xE5\xA4\x87, two\nlines; \"quoted\""}};
+  in.deviations = {{1'767'600'000'000'000, in.trainees[0].code, "late", "=1+1"},
+                   {1'767'686'400'000'000, in.trainees[0].code, "room", "+cmd|' /C calc'!A0"},
+                   {1'767'686'400'000'000, in.trainees[1].code, "device",
+                    "\xE8\xAE\xBE\xE5\xA4\x87, two\nlines; \"quoted\""}};
   return in;
 }
 

@@ -24,8 +24,8 @@ class OwnFolder {
 /// Runs a shell command; its output, or what it said when it failed.
 [[nodiscard]] std::string outputOf(const std::string& command, const std::filesystem::path& folder);
 
-/// The paper's study with some things that go wrong in other programs: text that looks like a formula, Chinese,
-/// line feeds, numbers with many digits.
+/// The paper's study with some things that go wrong in other programs: text that looks like a formula,
+/// Chinese, line feeds, numbers with many digits.
 [[nodiscard]] CohortInputs awkwardCohort();
 
 }  // namespace torsio::testing

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What leaves the house is opened by the programs that people have.
+#include "tests/app/exchange/foreign_readers.h"
+
 #include <algorithm>
 #include <charconv>
 #include <map>
@@ -15,16 +17,15 @@
 #include "sim/base/csv_cell.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
-#include "tests/app/exchange/foreign_readers.h"
 
 namespace torsio {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::awkwardCohort;
-using testing::OwnFolder;
 using testing::hasProgram;
+using ::testing::HasSubstr;
 using testing::outputOf;
+using testing::OwnFolder;
 
 const ExportWording kEnglish = [](const Text& text) { return text.str(); };
 
@@ -109,18 +110,20 @@ TEST(Workbook, GivesBackEveryNumberAndNoTextBecomesAFormula) {
   Written written;
   written.workbook();
   const std::filesystem::path script = written.folder.path() / "read.py";
-  writeFileAtomically(script,
-                      "import openpyxl, sys, json\n"
-                      "book = openpyxl.load_workbook(sys.argv[1])\n"
-                      "sheet = book['All numbers']\n"
-                      "for row in sheet.iter_rows(min_row=2, values_only=True):\n"
-                      "    print('N', repr(row[7]) if row[7] is not None else '-', json.dumps(row[8] or '', ensure_ascii=False), sep='\\t')\n"
-                      "for row in book['Protocol deviations'].iter_rows(min_row=2):\n"
-                      "    print('D', row[3].data_type, json.dumps(row[3].value, ensure_ascii=False), sep='\\t')\n"
-                      "print('M', book['Methods']['A1'].data_type)\n"
-                      "print('C', len(book['Figures']._charts), sheet.freeze_panes, sheet.auto_filter.ref)\n");
-  const std::string said =
-      outputOf("/usr/bin/python3 '" + script.string() + "' '" + written.file.string() + "'", written.folder.path());
+  writeFileAtomically(
+      script,
+      "import openpyxl, sys, json\n"
+      "book = openpyxl.load_workbook(sys.argv[1])\n"
+      "sheet = book['All numbers']\n"
+      "for row in sheet.iter_rows(min_row=2, values_only=True):\n"
+      "    print('N', repr(row[7]) if row[7] is not None else '-', json.dumps(row[8] or '', "
+      "ensure_ascii=False), sep='\\t')\n"
+      "for row in book['Protocol deviations'].iter_rows(min_row=2):\n"
+      "    print('D', row[3].data_type, json.dumps(row[3].value, ensure_ascii=False), sep='\\t')\n"
+      "print('M', book['Methods']['A1'].data_type)\n"
+      "print('C', len(book['Figures']._charts), sheet.freeze_panes, sheet.auto_filter.ref)\n");
+  const std::string said = outputOf(
+      "/usr/bin/python3 '" + script.string() + "' '" + written.file.string() + "'", written.folder.path());
   const std::vector<CohortCsvRow> rows = cohortCsvRows(written.inputs);
   std::size_t at = 0;
   std::istringstream lines(said);
@@ -153,11 +156,12 @@ TEST(Workbook, OpensInLibreOffice) {
   Written written;
   written.workbook();
   const std::string folder = written.folder.path().string();
-  const std::string said = outputOf(
-      "soffice --headless '-env:UserInstallation=file://" + folder +
-          "/profile' --convert-to 'csv:Text - txt - csv (StarCalc):44,34,76,1,,0,false,false,false,false,false,-1'"
-          " --outdir '" + folder + "' '" + written.file.string() + "'",
-      written.folder.path());
+  const std::string said = outputOf("soffice --headless '-env:UserInstallation=file://" + folder +
+                                        "/profile' --convert-to 'csv:Text - txt - csv "
+                                        "(StarCalc):44,34,76,1,,0,false,false,false,false,false,-1'"
+                                        " --outdir '" +
+                                        folder + "' '" + written.file.string() + "'",
+                                    written.folder.path());
   const std::filesystem::path table = written.folder.path() / "cohort-All numbers.csv";
   ASSERT_TRUE(std::filesystem::exists(table)) << said;
   const std::vector<CsvRecord> records = csvRecords(readFile(table), "numbers");
@@ -188,13 +192,14 @@ TEST(Tables, AreReadByPsppWithTheirLabels) {
   }
   Written written;
   const std::filesystem::path folder = written.folder.path() / "spss";
-  const std::vector<std::filesystem::path> files = writeTables(tablesOf(written.set), TableFormat::kSpss, folder);
+  const std::vector<std::filesystem::path> files =
+      writeTables(tablesOf(written.set), TableFormat::kSpss, folder);
   EXPECT_EQ(files.size(), tablesOf(written.set).size() + 1);
   for (const ExportTable* table : tablesOf(written.set)) {
     const std::filesystem::path csv = written.folder.path() / (table->name + ".csv");
-    const std::string said = outputOf(
-        "pspp-convert '" + (folder / (table->name + ".sav")).string() + "' '" + csv.string() + "'",
-        written.folder.path());
+    const std::string said =
+        outputOf("pspp-convert '" + (folder / (table->name + ".sav")).string() + "' '" + csv.string() + "'",
+                 written.folder.path());
     ASSERT_EQ(said, "") << table->name;
     const std::vector<CsvRecord> records = csvRecords(readFile(csv), table->name);
     ASSERT_EQ(records.size(), table->rows.size() + 1) << table->name;
@@ -222,11 +227,11 @@ TEST(Tables, AreReadByRToTheLastDigit) {
   Written written;
   const std::filesystem::path folder = written.folder.path() / "r";
   writeTables(tablesOf(written.set), TableFormat::kR, folder);
-  const std::string said =
-      outputOf("cd '" + folder.string() +
-                   "' && LC_ALL=C.UTF-8 Rscript -e 'source(\"read_tables.R\"); cat(nrow(scores), class(scores$score), "
-                   "sprintf(\"%.17g\", sum(scores$score)), deviations$description[1])'",
-               written.folder.path());
+  const std::string said = outputOf(
+      "cd '" + folder.string() +
+          "' && LC_ALL=C.UTF-8 Rscript -e 'source(\"read_tables.R\"); cat(nrow(scores), class(scores$score), "
+          "sprintf(\"%.17g\", sum(scores$score)), deviations$description[1])'",
+      written.folder.path());
   double sum = 0.0;
   for (const auto& row : written.set.scores.rows) {
     sum += std::get<double>(row[6]);

@@ -122,7 +122,8 @@ void ExportDialog::read() {
   auto fresh = std::make_shared<ExchangeData>();
   shell_.run(
       tr("Reading what will be exported"),
-      [fresh, wanted = request_, digests = digests_](SessionContext& session, const ProgressCallback& progress) {
+      [fresh, wanted = request_, digests = digests_](SessionContext& session,
+                                                     const ProgressCallback& progress) {
         *fresh = exchangeData(session, wanted, *digests, progress);
       },
       [this, fresh] {
@@ -132,8 +133,8 @@ void ExportDialog::read() {
         const int before = std::max(0, table_->currentIndex());
         table_->clear();
         for (const ExportTable* table : tablesOf(data_->set)) {
-          table_->addItem(tr("%1 (%n rows)", nullptr, static_cast<int>(table->rows.size()))
-                              .arg(toQString(table->title)));
+          table_->addItem(
+              tr("%1 (%n rows)", nullptr, static_cast<int>(table->rows.size())).arg(toQString(table->title)));
         }
         table_->setCurrentIndex(before);
         showTable();
@@ -151,8 +152,9 @@ void ExportDialog::showTable() {
   rows_->setVisible(!grades);
   QStringList words;
   if (grades) {
-    words << tr("A line for each trainee, known by staff number and mail address, and a score for each "
-                "occasion. It names people.");
+    words << tr(
+        "A line for each trainee, known by staff number and mail address, and a score for each "
+        "occasion. It names people.");
   } else {
     words << tr("Nobody is named. Marks and means that may not be shown yet are left out, as in the report.");
     for (const Text& sentence : pseudonymSentences(*data_)) {
@@ -226,8 +228,9 @@ void ExportDialog::writeTo(const std::filesystem::path& place) {
         }
       },
       [this, written, place] {
-        done_->setText(tr("Written: %1 (%n files). Hash: %2", nullptr, static_cast<int>(written->files.size()))
-                           .arg(toQString(place.string()), toQString(written->contentHash)));
+        done_->setText(
+            tr("Written: %1 (%n files). Hash: %2", nullptr, static_cast<int>(written->files.size()))
+                .arg(toQString(place.string()), toQString(written->contentHash)));
       });
 }
 
