@@ -77,7 +77,17 @@ Connection& SessionContext::connection() const {
 
 bool SessionContext::may(Operation operation) const {
   if (!key_.actor.systemAccount.empty()) {
-    return operation == Operation::kDatabaseBackup || operation == Operation::kDatabaseRestore;
+    switch (operation) {
+      case Operation::kDatabaseBackup:
+      case Operation::kDatabaseRestore:
+      case Operation::kResultsCompute:
+      case Operation::kMarkViewCoded:
+      case Operation::kReportExportCoded:
+      case Operation::kReportExportNamed:
+        return true;
+      default:
+        return false;
+    }
   }
   sayWhoAsks(*connection_, key_.actor.practiceOnly ? std::string() : std::string(key_.actor.userId));
   if (key_.actor.userId.empty()) {

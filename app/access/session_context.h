@@ -29,7 +29,7 @@ struct Actor {
   /// When the password was shown last, by the clock of the session; 0: never. A signature asks for it.
   std::int64_t passwordShownUtc_us = 0;
   /// An account of the operating system that owns the record and takes care of it from the command line
-  /// without signing in: backing up, checking, restoring and moving, and nothing else.
+  /// without signing in: backing up, checking, restoring, moving, and taking results out; nothing else.
   std::string systemAccount{};
 
   [[nodiscard]] bool hasRole(const std::string& role) const;

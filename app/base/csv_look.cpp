@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/base/csv_table.h"
+#include "sim/base/csv_cell.h"
 
 namespace torsio {
 
@@ -47,14 +48,7 @@ std::string cellIn(std::string cell, const CsvLook& look) {
   if (const std::size_t point = pointOf(cell); point != std::string::npos) {
     cell[point] = look.decimal;
   }
-  if (cell.find_first_of("\"\r\n") == std::string::npos && cell.find(look.separator) == std::string::npos) {
-    return cell;
-  }
-  std::string quoted(1, '"');
-  for (const char c : cell) {
-    quoted.append(c == '"' ? 2 : 1, c);
-  }
-  return quoted + '"';
+  return csvQuoted(std::move(cell), std::string_view(&look.separator, 1));
 }
 
 }  // namespace

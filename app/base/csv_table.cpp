@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "sim/base/contracts.h"
+#include "sim/base/csv_cell.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 
@@ -356,28 +357,6 @@ std::int64_t CsvTable::whole(std::size_t row, std::string_view column, std::int6
 void CsvTable::refuse(std::size_t row, const Text& what, const Text& remedy) const {
   refuseAt(name_, rows_.at(row).line, what, remedy);
 }
-
-namespace {
-
-/// RFC 4180; a cell that a spreadsheet would take for a formula gets an apostrophe in front.
-std::string csvCell(std::string text) {
-  if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos) {
-    std::string harmless(1, '\'');
-    harmless += text;
-    text = std::move(harmless);
-  }
-  if (text.find_first_of("\",;\r\n") == std::string::npos) {
-    return text;
-  }
-  std::string quoted(1, '"');
-  for (const char c : text) {
-    quoted.append(c == '"' ? 2 : 1, c);
-  }
-  quoted += '"';
-  return quoted;
-}
-
-}  // namespace
 
 std::string csvLine(const std::vector<std::string>& cells) {
   std::string line;

@@ -30,8 +30,7 @@ struct CsvRecord {
 [[nodiscard]] std::vector<CsvRecord> csvRecords(std::string_view text, const std::string& name,
                                                 char separator = ',');
 
-/// Returns one line of a table for people and programs: RFC 4180, ended by CRLF; a cell that a spreadsheet
-/// would take for a formula gets an apostrophe in front.
+/// Returns one line of a table for people and programs: cells as csvCell() writes them, ended by CRLF.
 [[nodiscard]] std::string csvLine(const std::vector<std::string>& cells);
 
 /// A table of comma-separated values that knows where each value stands, so that every refusal names file,

@@ -19,13 +19,18 @@ std::function<std::string()> secretOf(int descriptor, const std::string& login) 
 
 }  // namespace
 
-void addCareOptions(CLI::App& command, CareOptions& options) {
-  CLI::Option* login = command.add_option("--as", options.login, "Signs in to the record as this user");
+CLI::Option* addSignIn(CLI::App& command, CareOptions& options, const char* loginOption) {
+  CLI::Option* login = command.add_option(loginOption, options.login, "Signs in to the record as this user");
   command
       .add_option("--password-fd", options.passwordDescriptor,
                   "Reads the password from this file descriptor instead of asking for it")
       ->check(CLI::Range(0, kLastDescriptor))
       ->needs(login);
+  return login;
+}
+
+void addCareOptions(CLI::App& command, CareOptions& options) {
+  CLI::Option* login = addSignIn(command, options, "--as");
   command.add_flag("--as-system", options.asSystem, "Without signing in, as the owner of the record's file")
       ->excludes(login);
 }

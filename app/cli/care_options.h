@@ -7,7 +7,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace torsio::cli {
 
@@ -22,6 +23,8 @@ struct CareOptions {
   [[nodiscard]] CareTaker taker() const;
 };
 
+/// Adds the option `login`, by which somebody signs in, and --password-fd.
+CLI::Option* addSignIn(CLI::App& command, CareOptions& options, const char* login);
 /// Adds --as, --password-fd and --as-system; for what needs two people --with and --with-password-fd.
 void addCareOptions(CLI::App& command, CareOptions& options);
 void addSecondPerson(CLI::App& command, CareOptions& options);

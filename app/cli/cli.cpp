@@ -44,6 +44,7 @@ void buildProgram(CLI::App& program) {
   addDemo(program);
   addDevice(program);
   addEvaluate(program);
+  addExport(program);
   addLearning(program);
   addMetrics(program);
   addPower(program);

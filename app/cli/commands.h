@@ -22,6 +22,7 @@ void addDb(CLI::App& program);
 void addDemo(CLI::App& program);
 void addDevice(CLI::App& program);
 void addEvaluate(CLI::App& program);
+void addExport(CLI::App& program);
 void addLearning(CLI::App& program);
 void addMetrics(CLI::App& program);
 void addPower(CLI::App& program);

@@ -14,6 +14,7 @@
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/trial/trial_repository.h"
+#include "sim/base/csv_cell.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
@@ -53,24 +54,11 @@ Json jsonOf(const Value& value) {
   return std::visit(Visitor{}, value.storage());
 }
 
-std::string csvCell(const Json& value) {
+std::string cellOf(const Json& value) {
   if (value.is_null()) {
     return "";
   }
-  if (!value.is_string()) {
-    return value.dump();
-  }
-  const std::string& text = value.get_ref<const std::string&>();
-  std::string cell = "\"";
-  // A spreadsheet would run a text that begins like a formula.
-  if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos) {
-    cell += '\'';
-  }
-  for (const char c : text) {
-    cell.append(c == '"' ? 2 : 1, c);
-  }
-  cell += '"';
-  return cell;
+  return csvCell(value.is_string() ? value.get<std::string>() : value.dump());
 }
 
 void writeTable(const fs::path& folder, const PersonTable& table) {
@@ -84,7 +72,7 @@ void writeTable(const fs::path& folder, const PersonTable& table) {
     Json row = Json::object();
     for (std::size_t i = 0; i < values.size(); ++i) {
       row[table.columns[i]] = jsonOf(values[i]);
-      csv.append(i == 0 ? "" : ",").append(csvCell(row[table.columns[i]]));
+      csv.append(i == 0 ? "" : ",").append(cellOf(row[table.columns[i]]));
     }
     csv += "\r\n";
     rows.push_back(std::move(row));

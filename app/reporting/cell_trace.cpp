@@ -12,6 +12,7 @@
 #include "app/base/assets.h"
 #include "app/base/csv_table.h"
 #include "app/recording/trial_digests.h"
+#include "app/reporting/report_names.h"
 #include "app/scoring/cohort_inputs.h"
 #include "app/scoring/scoring_service.h"
 #include "assessment/attempt/trial_listing.h"
@@ -223,30 +224,6 @@ class Tracer {
   std::map<std::pair<EnrolmentId, std::string>, LiveCall> calls_;
   std::map<RubricId, std::string> rubricNames_;
 };
-
-CohortId cohortNamed(Connection& connection, const std::string& name) {
-  for (const Cohort& cohort : StudyRepository(connection).cohorts()) {
-    if (name.empty() || cohort.name == name) {
-      return cohort.id;
-    }
-  }
-  refuseParameter(Text::verbatim("the record has no such cohort"), Text(name),
-                  Text::verbatim("Give the name of a cohort as the window shows it"));
-}
-
-CampaignId campaignNamed(Connection& connection, const std::string& name) {
-  EvaluationRepository repository(connection);
-  for (const auto& [id, known] : repository.campaigns()) {
-    if (name.empty() ? repository.hasMarks(id) : known == name) {
-      return id;
-    }
-  }
-  if (name.empty()) {
-    return {};
-  }
-  refuseParameter(Text::verbatim("the record has no such evaluation of models"), Text(name),
-                  Text::verbatim("Give its name as the window shows it"));
-}
 
 }  // namespace
 

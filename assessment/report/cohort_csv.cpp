@@ -9,6 +9,7 @@
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
 #include "assessment/report/shown_inputs.h"
+#include "sim/base/csv_cell.h"
 #include "sim/base/text_list.h"
 
 namespace torsio {
@@ -316,21 +317,6 @@ bool isAggregate(const CohortCsvRow& row) {
   return row.section == "evaluation" || std::stoll(row.n) >= kSmallestCell;
 }
 
-void appendField(std::string& text, const std::string& field) {
-  if (field.find_first_of(",\"\r\n") == std::string::npos) {
-    text += field;
-    return;
-  }
-  text += '"';
-  for (const char c : field) {
-    if (c == '"') {
-      text += '"';
-    }
-    text += c;
-  }
-  text += '"';
-}
-
 }  // namespace
 
 std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
@@ -388,7 +374,7 @@ std::string cohortCsvText(const std::vector<CohortCsvRow>& rows) {
         text += ',';
       }
       first = false;
-      appendField(text, *field);
+      text += csvCell(*field);
     }
     text += "\r\n";
   }

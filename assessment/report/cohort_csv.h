@@ -26,8 +26,8 @@ struct CohortCsvRow {
 /// Lists all numbers of a cohort in tidy form. Same inputs, same rows in the same order.
 [[nodiscard]] std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs);
 
-/// Writes the rows as RFC 4180 text with a header line: comma, point as decimal separator, line ends \r\n.
-/// No byte order mark.
+/// Writes the rows as csvCell() writes cells, with a header line: comma, point as decimal separator, line
+/// ends \r\n. No byte order mark.
 [[nodiscard]] std::string cohortCsvText(const std::vector<CohortCsvRow>& rows);
 
 }  // namespace torsio

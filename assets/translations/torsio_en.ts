@@ -69,6 +69,23 @@
     </message>
 </context>
 <context>
+    <name>torsio::gui::ExportDialog</name>
+    <message numerus="yes">
+        <source>%1 (%n rows)</source>
+        <translation>
+            <numerusform>%1 (%n row)</numerusform>
+            <numerusform>%1 (%n rows)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Written: %1 (%n files). Hash: %2</source>
+        <translation>
+            <numerusform>Written: %1 (%n file). Hash: %2</numerusform>
+            <numerusform>Written: %1 (%n files). Hash: %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::FigureCanvas</name>
     <message numerus="yes">
         <source>%n row(s) more in the table</source>

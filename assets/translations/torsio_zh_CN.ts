@@ -12376,6 +12376,370 @@
         <source>Able: at every exercise that was tried, by the designs of the section Competence. An inadequate trainee is held to be able in at most %1 %, an adequate one is not in at most %2 % of cases.</source>
         <translation>已胜任：按“胜任”一节的标准，在所有尝试过的练习中均已胜任。能力不足的学员被误判为已胜任的概率至多为 %1 %，能力足够者未被判为已胜任的概率至多为 %2 %。</translation>
     </message>
+    <message>
+        <source>Torsio</source>
+        <translation>Torsio</translation>
+    </message>
+    <message>
+        <source>Demonstration</source>
+        <translation>演示数据</translation>
+    </message>
+    <message>
+        <source>People, movements and marks are simulated.</source>
+        <translation>人员、动作和评分均为模拟数据。</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>All times are UTC.</source>
+        <translation>所有时间均为 UTC。</translation>
+    </message>
+    <message>
+        <source>Pseudonymised</source>
+        <translation>已假名化</translation>
+    </message>
+    <message>
+        <source>Names of people and recordings are opaque; times of each person are moved by whole days.</source>
+        <translation>人员和记录使用不可识别的名称；每个人的时间均按整天平移。</translation>
+    </message>
+    <message>
+        <source>Group, sex and level are shared by at least %1 people (%2 before).</source>
+        <translation>组别、性别和培训阶段相同者至少 %1 人（处理前 %2 人）。</translation>
+    </message>
+    <message>
+        <source>Left out: level of %1 people, sex of %2, free text of %3 entries.</source>
+        <translation>已略去：%1 人的培训阶段、%2 人的性别、%3 条记录的自由文本。</translation>
+    </message>
+    <message>
+        <source>nobody has a score that may be shown</source>
+        <translation>尚无可以显示的得分</translation>
+    </message>
+    <message>
+        <source>Wait until every sheet is in, or freeze the data</source>
+        <translation>请等待所有评分表交齐，或冻结数据</translation>
+    </message>
+    <message>
+        <source>Time in the exercise</source>
+        <translation>练习时间</translation>
+    </message>
+    <message>
+        <source>Twists not completed</source>
+        <translation>未完成的扭转</translation>
+    </message>
+    <message>
+        <source>Twists released on target</source>
+        <translation>达标释放</translation>
+    </message>
+    <message>
+        <source>Mean absolute error of the angle</source>
+        <translation>角度平均绝对误差</translation>
+    </message>
+    <message>
+        <source>Peak torque</source>
+        <translation>最大扭矩</translation>
+    </message>
+    <message>
+        <source>Peak force on the tissue</source>
+        <translation>组织受力峰值</translation>
+    </message>
+    <message>
+        <source>Peak force of the device</source>
+        <translation>设备输出的最大力</translation>
+    </message>
+    <message>
+        <source>Samples that were refused</source>
+        <translation>被拒绝的采样</translation>
+    </message>
+    <message>
+        <source>Pauses without force</source>
+        <translation>无力暂停次数</translation>
+    </message>
+    <message>
+        <source>Evaluation</source>
+        <translation>模型评价</translation>
+    </message>
+    <message>
+        <source>Evaluation of the tissue models by Eqs. 25 to 27</source>
+        <translation>按式 25 至 27 对组织模型的评价</translation>
+    </message>
+    <message>
+        <source>Agreement</source>
+        <translation>一致性</translation>
+    </message>
+    <message>
+        <source>Agreement of the raters on the marks of the training study</source>
+        <translation>培训研究中各评分者评分的一致性</translation>
+    </message>
+    <message>
+        <source>Comparison of the groups on the scores of the training study</source>
+        <translation>培训研究得分的组间比较</translation>
+    </message>
+    <message>
+        <source>Number of the occasion</source>
+        <translation>评分时点序号</translation>
+    </message>
+    <message>
+        <source>Scores</source>
+        <translation>得分</translation>
+    </message>
+    <message>
+        <source>Mean of the raters&apos; marks of a trainee at an occasion</source>
+        <translation>学员在某一评分时点所得各评分者评分的平均值</translation>
+    </message>
+    <message>
+        <source>Sex</source>
+        <translation>性别</translation>
+    </message>
+    <message>
+        <source>Level of training</source>
+        <translation>培训阶段</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>得分</translation>
+    </message>
+    <message>
+        <source>Marks behind it</source>
+        <translation>评分个数</translation>
+    </message>
+    <message>
+        <source>Newest version of each mark that a rater submitted</source>
+        <translation>每位评分者所提交评分的最新版本</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>评分</translation>
+    </message>
+    <message>
+        <source>Number of the trial</source>
+        <translation>试次序号</translation>
+    </message>
+    <message>
+        <source>Tissue model</source>
+        <translation>组织模型</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>是否中断</translation>
+    </message>
+    <message>
+        <source>Started (UTC)</source>
+        <translation>开始时间（UTC）</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Hash of the recording</source>
+        <translation>记录的哈希值</translation>
+    </message>
+    <message>
+        <source>Metrics of each recorded trial, measured again from its samples</source>
+        <translation>由采样重新测得的各试次指标</translation>
+    </message>
+    <message>
+        <source>Learning curves</source>
+        <translation>学习曲线</translation>
+    </message>
+    <message>
+        <source>Absolute error of each completed twist when the jaw was opened, in its order</source>
+        <translation>每次完成的扭转在松开钳口时的绝对误差，按先后顺序</translation>
+    </message>
+    <message>
+        <source>Number of the twist</source>
+        <translation>扭转序号</translation>
+    </message>
+    <message>
+        <source>Error of the angle</source>
+        <translation>角度误差</translation>
+    </message>
+    <message>
+        <source>Verdict of the registered competence design, with both error rates</source>
+        <translation>按已登记的胜任判定方案得出的结论及其两类错误率</translation>
+    </message>
+    <message>
+        <source>Level reached</source>
+        <translation>达到的等级</translation>
+    </message>
+    <message>
+        <source>Failed attempts</source>
+        <translation>未达标次数</translation>
+    </message>
+    <message>
+        <source>Able</source>
+        <translation>胜任</translation>
+    </message>
+    <message>
+        <source>Able at attempt</source>
+        <translation>达到胜任的次数</translation>
+    </message>
+    <message>
+        <source>Probability of a false pass</source>
+        <translation>误判通过的概率</translation>
+    </message>
+    <message>
+        <source>Probability of a false fail</source>
+        <translation>误判不通过的概率</translation>
+    </message>
+    <message>
+        <source>Version of the design</source>
+        <translation>方案版本</translation>
+    </message>
+    <message>
+        <source>Rater, or all</source>
+        <translation>评分者或全部</translation>
+    </message>
+    <message>
+        <source>Statistic</source>
+        <translation>统计量</translation>
+    </message>
+    <message>
+        <source>Values used</source>
+        <translation>使用的数值个数</translation>
+    </message>
+    <message>
+        <source>Protocol deviations</source>
+        <translation>方案偏离</translation>
+    </message>
+    <message>
+        <source>What did not go by the protocol, as it was noted</source>
+        <translation>已记录的不符合方案的情况</translation>
+    </message>
+    <message>
+        <source>Happened (UTC)</source>
+        <translation>发生时间（UTC）</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>说明</translation>
+    </message>
+    <message>
+        <source>All numbers</source>
+        <translation>全部数值</translation>
+    </message>
+    <message>
+        <source>Every line of cohort.csv; a spreadsheet keeps 15 digits, the text all of them</source>
+        <translation>cohort.csv 的每一行；电子表格保留 15 位数字，文本保留全部位数</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>部分</translation>
+    </message>
+    <message>
+        <source>Trainee, rater or all</source>
+        <translation>学员、评分者或全部</translation>
+    </message>
+    <message>
+        <source>Value as text</source>
+        <translation>数值文本</translation>
+    </message>
+    <message>
+        <source>the key of the pseudonyms is too short</source>
+        <translation>假名化密钥过短</translation>
+    </message>
+    <message>
+        <source>Take at least 32 characters, or none for a new key</source>
+        <translation>请使用至少 32 个字符，或留空以生成新密钥</translation>
+    </message>
+    <message>
+        <source>the table does not fit an SPSS file</source>
+        <translation>该表无法存入 SPSS 文件</translation>
+    </message>
+    <message>
+        <source>there is no such format of tables</source>
+        <translation>没有这种表格格式</translation>
+    </message>
+    <message>
+        <source>Take csv, r or spss</source>
+        <translation>请选择 csv、r 或 spss</translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation>概览</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>图</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>工作表</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>Name for programs</source>
+        <translation>程序用名称</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Where it comes from</source>
+        <translation>数据来源</translation>
+    </message>
+    <message>
+        <source>the workbook cannot be written</source>
+        <translation>无法写入工作簿</translation>
+    </message>
+    <message>
+        <source>Look for free space and the rights of the folder</source>
+        <translation>请检查可用空间和文件夹权限</translation>
+    </message>
+    <message>
+        <source>lower whisker</source>
+        <translation>下须</translation>
+    </message>
+    <message>
+        <source>lower quartile</source>
+        <translation>下四分位数</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>中位数</translation>
+    </message>
+    <message>
+        <source>upper quartile</source>
+        <translation>上四分位数</translation>
+    </message>
+    <message>
+        <source>upper whisker</source>
+        <translation>上须</translation>
+    </message>
+    <message>
+        <source>median less lower quartile</source>
+        <translation>中位数减下四分位数</translation>
+    </message>
+    <message>
+        <source>upper quartile less median</source>
+        <translation>上四分位数减中位数</translation>
+    </message>
+    <message>
+        <source>lower quartile to median</source>
+        <translation>下四分位数至中位数</translation>
+    </message>
+    <message>
+        <source>median to upper quartile</source>
+        <translation>中位数至上四分位数</translation>
+    </message>
+    <message>
+        <source>category</source>
+        <translation>类别</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -15612,6 +15976,125 @@ MSM = 质点弹簧</translation>
     </message>
 </context>
 <context>
+    <name>torsio::gui::ExportDialog</name>
+    <message>
+        <source>&amp;Pseudonymised</source>
+        <translation>假名化(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Keep what people &amp;wrote</source>
+        <translation>保留人员填写的文字(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Export for other programs</source>
+        <translation>导出供其他程序使用</translation>
+    </message>
+    <message>
+        <source>Workbook for spreadsheets (.xlsx), with charts</source>
+        <translation>电子表格工作簿（.xlsx），含图表</translation>
+    </message>
+    <message>
+        <source>Tables for SPSS (.sav)</source>
+        <translation>SPSS 数据表（.sav）</translation>
+    </message>
+    <message>
+        <source>Tables for R (.csv and a script)</source>
+        <translation>R 数据表（.csv 及脚本）</translation>
+    </message>
+    <message>
+        <source>Tables (.csv)</source>
+        <translation>数据表（.csv）</translation>
+    </message>
+    <message>
+        <source>Scores for a learning system (Moodle, .csv)</source>
+        <translation>学习系统成绩（Moodle，.csv）</translation>
+    </message>
+    <message>
+        <source>For whom and what for; kept in the audit trail</source>
+        <translation>供谁使用、作何用途；保存在审计记录中</translation>
+    </message>
+    <message>
+        <source>First rows</source>
+        <translation>前几行</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>格式(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>原因(&amp;R)</translation>
+    </message>
+    <message>
+        <source>What is in it</source>
+        <translation>包含内容</translation>
+    </message>
+    <message>
+        <source>First rows &amp;of</source>
+        <translation>预览表格(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Reading what will be exported</source>
+        <translation>正在读取要导出的数据</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (%n rows)</source>
+        <translation>
+            <numerusform>%1（%n 行）</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A line for each trainee, known by staff number and mail address, and a score for each occasion. It names people.</source>
+        <translation>每位学员一行，以工号和邮箱识别，每个评分时点一个得分。其中可识别人员身份。</translation>
+    </message>
+    <message>
+        <source>Nobody is named. Marks and means that may not be shown yet are left out, as in the report.</source>
+        <translation>不含人员姓名。尚不可显示的评分和平均值与报告中一样被略去。</translation>
+    </message>
+    <message>
+        <source>Save workbook</source>
+        <translation>保存工作簿</translation>
+    </message>
+    <message>
+        <source>Workbook (*.xlsx)</source>
+        <translation>工作簿 (*.xlsx)</translation>
+    </message>
+    <message>
+        <source>Save scores</source>
+        <translation>保存成绩</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>New folder for the tables</source>
+        <translation>存放表格的新文件夹</translation>
+    </message>
+    <message>
+        <source>tables-%1</source>
+        <translation>表格-%1</translation>
+    </message>
+    <message>
+        <source>Folder (*)</source>
+        <translation>文件夹 (*)</translation>
+    </message>
+    <message>
+        <source>Writing the export</source>
+        <translation>正在写入导出文件</translation>
+    </message>
+    <message numerus="yes">
+        <source>Written: %1 (%n files). Hash: %2</source>
+        <translation>
+            <numerusform>已写入：%1（%n 个文件）。哈希值：%2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::FigureCanvas</name>
     <message numerus="yes">
         <source>%n row(s) more in the table</source>
@@ -18358,6 +18841,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>%1 recordings and %2 marks written to %3</source>
         <translation>已将 %1 条录像和 %2 项评分写入 %3</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>导出(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>Workbook, tables for SPSS and R, scores for a learning system; pseudonymised if wanted</source>
+        <translation>工作簿、SPSS 与 R 数据表、学习系统成绩；可选择假名化</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include "app/access/settings_service.h"
 #include "app/access/signing.h"
 #include "app/access/two_people.h"
+#include "app/exchange/cohort_exchange.h"
 #include "app/maintenance/copies.h"
 #include "app/maintenance/database_copy.h"
 #include "app/maintenance/database_maintenance.h"
@@ -308,6 +309,28 @@ std::vector<ServiceCall> reportingCalls() {
        [](SessionContext& w, Path folder) { takeOut(w, ReportIdentity::kNamed, folder); }},
       {O::kReportExportCoded, "exportReport, aggregated",
        [](SessionContext& w, Path folder) { takeOut(w, ReportIdentity::kAggregated, folder); }},
+      {O::kReportExportCoded, "nameRequest",
+       [](SessionContext& w, Path) {
+         ExchangeRequest request;
+         nameRequest(w, "no such cohort", "", request);
+       }},
+      {O::kReportExportCoded, "exchangeData",
+       [](SessionContext& w, Path folder) {
+         TrialDigests digests(folder);
+         (void)exchangeData(w, {.cohortId = kNoSuch}, digests);
+       }},
+      {O::kReportExportCoded, "exportWorkbook",
+       [](SessionContext& w, Path folder) {
+         exportWorkbook(
+             w, {}, [](const Text& text) { return text.str(); }, folder / "cohort.xlsx");
+       }},
+      {O::kReportExportCoded, "exportTables",
+       [](SessionContext& w, Path folder) { exportTables(w, {}, TableFormat::kCsv, folder / "tables"); }},
+      {O::kReportExportNamed, "exportGradebook",
+       [](SessionContext& w, Path folder) {
+         TrialDigests digests(folder);
+         exportGradebook(w, {.cohortId = kNoSuch}, digests, folder / "grades.csv");
+       }},
   };
 }
 

@@ -7,6 +7,7 @@
 
 #include <QAbstractItemView>
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDialog>
@@ -20,6 +21,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QTableView>
+#include <QTableWidget>
 #include <QTimer>
 #include <QToolButton>
 #include <gtest/gtest.h>
@@ -30,6 +32,7 @@
 #include "app/gui/administrator/people/accounts_dialog.h"
 #include "app/gui/administrator/people/roster_wizard.h"
 #include "app/gui/administrator/people/users_page.h"
+#include "app/gui/administrator/reporting/export_dialog.h"
 #include "app/gui/administrator/reporting/report_preview.h"
 #include "app/gui/administrator/reporting/reports_page.h"
 #include "app/gui/administrator/reporting/results_page.h"
@@ -222,6 +225,34 @@ void expectResultsFollowTheLanguage(ResultsPage& results) {
 }
 
 /// The report in the language chosen beside it, whatever that of the window.
+/// Shows what will leave, and writes a workbook, pseudonymised tables and a gradebook.
+void expectExports(ReportsPage& reports, const fs::path& folder) {
+  answer([&folder](QDialog& dialog) {
+    auto& exported = dynamic_cast<ExportDialog&>(dialog);
+    exported.settle();
+    EXPECT_EQ(child<QTableWidget>(dialog, "rows").item(0, 0)->text().left(2), QStringLiteral("T-"));
+    type(dialog, QStringLiteral("for the board"));
+    exported.writeTo(folder / "cohort.xlsx");
+    exported.settle();
+    child<QComboBox>(dialog, "format").setCurrentIndex(1);
+    child<QCheckBox>(dialog, "pseudonymised").setChecked(true);
+    exported.settle();
+    EXPECT_EQ(child<QTableWidget>(dialog, "rows").item(0, 0)->text().left(2), QStringLiteral("P-"));
+    EXPECT_TRUE(child<QLabel>(dialog, "what").text().contains(QStringLiteral("shared by at least")));
+    exported.writeTo(folder / "tables");
+    exported.settle();
+    child<QComboBox>(dialog, "format").setCurrentIndex(4);
+    exported.writeTo(folder / "grades.csv");
+    exported.settle();
+    EXPECT_TRUE(child<QLabel>(dialog, "done").text().contains(QStringLiteral("grades.csv")));
+    dialog.reject();
+  });
+  press(reports, QStringLiteral("Export"));
+  EXPECT_EQ(readFile(folder / "cohort.xlsx").substr(0, 2), "PK");
+  EXPECT_TRUE(fs::exists(folder / "tables" / "scores.sav"));
+  EXPECT_EQ(readFile(folder / "grades.csv").substr(0, 23), "ID number,Email address");
+}
+
 void expectReportInChinese(ReportsPage& reports, const fs::path& file) {
   EXPECT_TRUE(
       child<ReportPreview>(reports, "preview").toPlainText().contains(QStringLiteral("Methods and limits")));
@@ -273,6 +304,9 @@ TEST(AdministratorPages, RunsAWholeStudyFromTheRosterToTheReport) {
   EXPECT_NE(readFile(csv).find("icc_2_k"), std::string::npos);
   expectReportInChinese(*reports, office.centre.folder() / "chinese.pdf");
   EXPECT_EQ(office.centre.audited("report.export_coded"), 3);
+  expectExports(*reports, office.centre.folder());
+  EXPECT_EQ(office.centre.audited("report.export_coded"), 5);
+  EXPECT_EQ(office.centre.audited("report.export_named"), 1);
   EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
 }
 

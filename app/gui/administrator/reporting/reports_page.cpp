@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/reporting/export_dialog.h"
 #include "app/gui/administrator/reporting/report_preview.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/shell_context.h"
@@ -47,6 +48,7 @@ ReportsPage::ReportsPage(ShellContext& shell)
       pdf_(new QPushButton(this)),
       csv_(new QPushButton(this)),
       tables_(new QPushButton(this)),
+      other_(new QPushButton(this)),
       cohort_(new QComboBox(this)),
       campaign_(new QComboBox(this)),
       frozen_(new QComboBox(this)),
@@ -62,7 +64,9 @@ ReportsPage::ReportsPage(ShellContext& shell)
   pdf_->setProperty("primary", true);
   tables_->setObjectName(QStringLiteral("codedTables"));
   tables_->setVisible(shell.may(Operation::kTrialViewCoded) || shell.may(Operation::kMarkViewCoded));
+  other_->setObjectName(QStringLiteral("export"));
   heading_->addAction(tables_);
+  heading_->addAction(other_);
   heading_->addAction(csv_);
   heading_->addAction(pdf_);
   auto* grid = new QGridLayout;
@@ -97,6 +101,7 @@ ReportsPage::ReportsPage(ShellContext& shell)
   connect(freeze_, &QPushButton::clicked, this, &ReportsPage::askFreeze);
   connect(pdf_, &QPushButton::clicked, this, [this] { askExport(ReportFormat::kPdf); });
   connect(tables_, &QPushButton::clicked, this, &ReportsPage::askTables);
+  connect(other_, &QPushButton::clicked, this, &ReportsPage::askOther);
   connect(csv_, &QPushButton::clicked, this, [this] { askExport(ReportFormat::kCsv); });
   const QSignalBlocker quietLanguage(language_);
   language_->addItem(QString(), QString());  // that of the window
@@ -198,6 +203,7 @@ void ReportsPage::showButtons() {
   const bool ready = inputs_ != nullptr;
   pdf_->setEnabled(ready);
   csv_->setEnabled(ready);
+  other_->setEnabled(ready);
   freeze_->setEnabled(cohort_->count() > 0);
   tables_->setEnabled(cohort_->count() > 0);
   QString words;
@@ -257,6 +263,10 @@ void ReportsPage::askExport(ReportFormat format) {
   if (!file.isEmpty()) {
     exportTo(format, toPath(file));
   }
+}
+
+void ReportsPage::askOther() {
+  attempt(shell(), [&] { ExportDialog(shell(), request(), digests_, reportLanguage(), this).exec(); });
 }
 
 void ReportsPage::askTables() {
@@ -319,6 +329,9 @@ void ReportsPage::retranslate() {
   heading_->setTexts(tr("Reports"),
                      tr("Choose a cohort, freeze its data, look through the report, and write it."));
   pdf_->setText(tr("Save &PDF\u2026"));
+  other_->setText(tr("E&xport\u2026"));
+  other_->setToolTip(
+      tr("Workbook, tables for SPSS and R, scores for a learning system; pseudonymised if wanted"));
   csv_->setText(tr("Save &numbers (CSV)\u2026"));
   tables_->setText(tr("Coded &tables\u2026"));
   tables_->setToolTip(tr("Recordings and single marks under their codes, as far as you may see them"));

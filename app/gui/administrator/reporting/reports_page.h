@@ -46,6 +46,7 @@ class ReportsPage : public Page {
   void askFreeze();
   void askExport(ReportFormat format);
   void askTables();
+  void askOther();
   void showButtons();
   [[nodiscard]] ReportRequest request() const;
   /// Chosen, or that of the window.
@@ -59,6 +60,7 @@ class ReportsPage : public Page {
   QPushButton* pdf_;
   QPushButton* csv_;
   QPushButton* tables_;
+  QPushButton* other_;
   QLabel* cohortLabel_;
   QComboBox* cohort_;
   QLabel* campaignLabel_;

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "app/base/assets.h"
+#include "app/cli/care_options.h"
+#include "app/cli/commands.h"
+#include "app/cli/json_output.h"
+#include "app/cli/terminal.h"
+#include "app/exchange/cohort_exchange.h"
+#include "app/maintenance/care_desk.h"
+#include "app/report/wording.h"
+#include "sim/base/file_io.h"
+
+namespace torsio::cli {
+
+namespace {
+
+struct ExportArguments {
+  std::string database = "torsio.sqlite";
+  std::string cohort;
+  std::string campaign;
+  std::string out;
+  std::string format = "csv";
+  std::string language = "en";
+  std::string keyFile;
+  ExchangeRequest request;
+  CareOptions care;
+  bool json = false;
+};
+
+/// Somebody who signs in, or the owner of the record's file.
+CareTaker takerOf(const ExportArguments& arguments) {
+  CareOptions care = arguments.care;
+  care.asSystem = care.login.empty();
+  return care.taker();
+}
+
+/// The key in a file, which is made where it is missing.
+std::string keyOf(const std::string& file) {
+  if (file.empty()) {
+    return {};
+  }
+  if (!std::filesystem::exists(file)) {
+    writeFileAtomically(file, Pseudonyms::freshKey() + "\n");
+  }
+  std::string key = readFile(file);
+  while (!key.empty() && (key.back() == '\n' || key.back() == '\r')) {
+    key.pop_back();
+  }
+  return key;
+}
+
+void print(const ExchangeFiles& done, const std::vector<Text>& sentences, bool json) {
+  if (json) {
+    nlohmann::ordered_json what{{"bytes", done.bytes}, {"hash", done.contentHash}};
+    for (const std::filesystem::path& file : done.files) {
+      what["files"].push_back(file.string());
+    }
+    for (const Text& sentence : sentences) {
+      what["pseudonymised"].push_back(sentence.str());
+    }
+    printJson(what);
+    return;
+  }
+  for (const std::filesystem::path& file : done.files) {
+    std::cout << file.string() << "\n";
+  }
+  std::cout << done.bytes << " bytes, " << done.contentHash << "\n";
+}
+
+using Write = ExchangeFiles (*)(SessionContext& session, const ExchangeData& data,
+                                const ExportArguments& given);
+
+void run(const ExportArguments& given, Write write) {
+  CareDesk desk(takerOf(given), given.database);
+  ExchangeRequest request = given.request;
+  request.pseudonymised = request.pseudonymised || !given.keyFile.empty();
+  request.key = keyOf(given.keyFile);
+  nameRequest(desk.session(), given.cohort, given.campaign, request);
+  TrialDigests digests(assetsFolder());
+  const ExchangeData data = exchangeData(desk.session(), request, digests);
+  const std::vector<Text> sentences = pseudonymSentences(data);
+  for (const Text& sentence : sentences) {
+    std::cerr << "torsio: " << sentence.str() << "\n";
+  }
+  print(write(desk.session(), data, given), sentences, given.json);
+}
+
+ExchangeFiles writeBook(SessionContext& session, const ExchangeData& data, const ExportArguments& given) {
+  const Wording wording = wordingIn(given.language);
+  return exportWorkbook(
+      session, data, [&](const Text& text) { return wording(text).toStdString(); }, given.out);
+}
+
+ExchangeFiles writeTableFiles(SessionContext& session, const ExchangeData& data,
+                              const ExportArguments& given) {
+  return exportTables(session, data, tableFormat(given.format), given.out);
+}
+
+void writeGrades(const ExportArguments& given) {
+  CareDesk desk(takerOf(given), given.database);
+  ExchangeRequest request = given.request;
+  nameRequest(desk.session(), given.cohort, {}, request);
+  TrialDigests digests(assetsFolder());
+  print(exportGradebook(desk.session(), request, digests, given.out), {}, given.json);
+}
+
+void addCommon(CLI::App& command, ExportArguments& arguments, const char* out) {
+  command.add_option("--database", arguments.database, "SQLite file or postgresql://... address")
+      ->capture_default_str();
+  command.add_option("--cohort", arguments.cohort, "Name of the cohort; the oldest one");
+  command.add_option("--out", arguments.out, out)->required();
+  command.add_option("--reason", arguments.request.reason, "Why, for the audit trail");
+  addSignIn(command, arguments.care, "--login");
+  command.add_flag("--json", arguments.json, "Print JSON");
+}
+
+void addPseudonyms(CLI::App& command, ExportArguments& arguments) {
+  command.add_option("--evaluation", arguments.campaign,
+                     "Name of the evaluation of models; the oldest one with marks");
+  command.add_flag("--pseudonymised", arguments.request.pseudonymised,
+                   "Opaque names, times moved, rare properties and free text left out");
+  command.add_option("--key-file", arguments.keyFile,
+                     "Key of the pseudonyms, made where it is missing: exports with one key can be joined");
+  command.add_flag("--with-free-text", arguments.request.withFreeText,
+                   "Pseudonymised: keep what people wrote");
+}
+
+}  // namespace
+
+void addExport(CLI::App& program) {
+  auto arguments = std::make_shared<ExportArguments>();
+  CLI::App* parent = program.add_subcommand("export", "A cohort's data for other programs");
+  parent->require_subcommand(1);
+
+  CLI::App* book = parent->add_subcommand("workbook", "A workbook for spreadsheets (.xlsx), with charts");
+  addCommon(*book, *arguments, "File to write");
+  addPseudonyms(*book, *arguments);
+  book->add_option("--language", arguments->language, "en or zh_CN")->capture_default_str();
+  book->callback([arguments] { run(*arguments, &writeBook); });
+
+  CLI::App* tables = parent->add_subcommand("tables", "Tables for statisticians, with a codebook");
+  addCommon(*tables, *arguments, "Folder to write into");
+  addPseudonyms(*tables, *arguments);
+  tables->add_option("--as", arguments->format, "spss, r or csv")->capture_default_str();
+  tables->callback([arguments] { run(*arguments, &writeTableFiles); });
+
+  CLI::App* grades = parent->add_subcommand("gradebook", "Scores for a learning system (Moodle's CSV)");
+  addCommon(*grades, *arguments, "File to write");
+  grades->callback([arguments] { writeGrades(*arguments); });
+}
+
+}  // namespace torsio::cli

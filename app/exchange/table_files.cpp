@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exchange/table_files.h"
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "app/base/csv_table.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+
+namespace torsio {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::pair<std::string_view, TableFormat>, 3> kFormats = {
+    {{"csv", TableFormat::kCsv}, {"r", TableFormat::kR}, {"spss", TableFormat::kSpss}}};
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+std::string typeWord(ColumnKind kind) {
+  switch (kind) {
+    case ColumnKind::kText:
+      return "text";
+    case ColumnKind::kNumber:
+      return "number";
+    case ColumnKind::kTime:
+      return "time";
+  }
+  return "";
+}
+
+std::string csvText(const ExportTable& table) {
+  std::string text(kByteOrderMark);
+  std::vector<std::string> cells;
+  for (const ExportColumn& column : table.columns) {
+    cells.push_back(column.name);
+  }
+  text += csvLine(cells);
+  for (const auto& row : table.rows) {
+    cells.clear();
+    for (const ExportCell& cell : row) {
+      cells.push_back(cellText(cell));
+    }
+    text += csvLine(cells);
+  }
+  return text;
+}
+
+std::string codebookText(const std::vector<const ExportTable*>& tables) {
+  std::string text(kByteOrderMark);
+  text += csvLine({"table", "column", "meaning", "unit", "type", "source"});
+  for (const ExportTable* table : tables) {
+    for (const ExportColumn& column : table->columns) {
+      text += csvLine({table->name, column.name, column.title.str(), column.unit, typeWord(column.kind),
+                       table->source.str()});
+    }
+  }
+  return text;
+}
+
+/// Base R only; read.csv() keeps names and all digits.
+std::string readerScript(const std::vector<const ExportTable*>& tables) {
+  std::string text =
+      "# Reads the tables of this folder. Run R in a UTF-8 locale, in this folder or with setwd() to it.\n";
+  for (const ExportTable* table : tables) {
+    std::string classes;
+    std::string times;
+    for (const ExportColumn& column : table->columns) {
+      classes += (classes.empty() ? "" : ", ") + column.name + " = \"" +
+                 (column.kind == ColumnKind::kNumber ? "numeric" : "character") + "\"";
+      if (column.kind == ColumnKind::kTime) {
+        times += table->name + "$" + column.name + " <- as.POSIXct(" + table->name + "$" + column.name +
+                 ", format = \"%Y-%m-%dT%H:%M:%OSZ\", tz = \"UTC\")\n";
+      }
+    }
+    text +=
+        table->name + " <- read.csv(\"" + table->name +
+        ".csv\", fileEncoding = \"UTF-8-BOM\", check.names = FALSE, na.strings = \"\",\n  colClasses = c(" +
+        classes + "))\n" + times;
+  }
+  return text;
+}
+
+}  // namespace
+
+TableFormat tableFormat(const std::string& word) {
+  for (const auto& [name, format] : kFormats) {
+    if (name == word) {
+      return format;
+    }
+  }
+  throw Error(ErrorCode::kUsage, Text::tr("there is no such format of tables"), word,
+              Text::tr("Take csv, r or spss"));
+}
+
+std::vector<fs::path> writeTables(const std::vector<const ExportTable*>& tables, TableFormat format,
+                                  const fs::path& folder) {
+  ensureFolder(folder);
+  std::vector<fs::path> files;
+  const auto write = [&](const std::string& name, const std::string& text) {
+    files.push_back(folder / name);
+    writeFileAtomically(files.back(), text);
+  };
+  for (const ExportTable* table : tables) {
+    if (format == TableFormat::kSpss) {
+      files.push_back(folder / (table->name + ".sav"));
+      writeSpssFile(*table, files.back());
+    } else {
+      write(table->name + ".csv", csvText(*table));
+    }
+  }
+  if (format == TableFormat::kR) {
+    write("read_tables.R", readerScript(tables));
+  }
+  write("codebook.csv", codebookText(tables));
+  return files;
+}
+
+}  // namespace torsio

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/reporting/export_dialog.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/file_choice.h"
+#include "app/gui/widgets/form.h"
+#include "app/report/wording.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kDialogWidth = 860;
+constexpr int kFirstRows = 8;
+constexpr int kTableHeight = 260;
+
+}  // namespace
+
+ExportDialog::ExportDialog(ShellContext& shell, const ReportRequest& request,
+                           std::shared_ptr<TrialDigests> digests, std::string language, QWidget* parent)
+    : QDialog(parent),
+      shell_(shell),
+      digests_(std::move(digests)),
+      language_(std::move(language)),
+      form_(new QComboBox(this)),
+      pseudonymised_(new QCheckBox(tr("&Pseudonymised"), this)),
+      freeText_(new QCheckBox(tr("Keep what people &wrote"), this)),
+      reason_(new QLineEdit(this)),
+      what_(sentence(this, false)),
+      table_(new QComboBox(this)),
+      rows_(new QTableWidget(this)),
+      done_(sentence(this, false)) {
+  request_.cohortId = request.cohortId;
+  request_.campaignId = request.campaignId;
+  request_.frozenId = request.frozenId;
+  build();
+  read();
+}
+
+void ExportDialog::build() {
+  setWindowTitle(tr("Export for other programs"));
+  setMinimumWidth(kDialogWidth);
+  form_->setObjectName(QStringLiteral("format"));
+  pseudonymised_->setObjectName(QStringLiteral("pseudonymised"));
+  freeText_->setObjectName(QStringLiteral("free-text"));
+  reason_->setObjectName(QStringLiteral("reason"));
+  table_->setObjectName(QStringLiteral("table"));
+  rows_->setObjectName(QStringLiteral("rows"));
+  what_->setObjectName(QStringLiteral("what"));
+  done_->setObjectName(QStringLiteral("done"));
+  form_->addItem(tr("Workbook for spreadsheets (.xlsx), with charts"), static_cast<int>(Form::kWorkbook));
+  form_->addItem(tr("Tables for SPSS (.sav)"), static_cast<int>(Form::kSpss));
+  form_->addItem(tr("Tables for R (.csv and a script)"), static_cast<int>(Form::kR));
+  form_->addItem(tr("Tables (.csv)"), static_cast<int>(Form::kCsv));
+  if (shell_.may(Operation::kReportExportNamed)) {
+    form_->addItem(tr("Scores for a learning system (Moodle, .csv)"), static_cast<int>(Form::kGradebook));
+  }
+  if (!shell_.may(Operation::kPersonViewIdentity)) {
+    pseudonymised_->setChecked(true);
+    pseudonymised_->setEnabled(false);
+  }
+  freeText_->setEnabled(pseudonymised_->isChecked());
+  reason_->setPlaceholderText(tr("For whom and what for; kept in the audit trail"));
+  rows_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  rows_->setMinimumHeight(kTableHeight);
+  rows_->verticalHeader()->hide();
+  rows_->setAccessibleName(tr("First rows"));
+
+  auto* form = new QFormLayout;
+  form->addRow(tr("&Format"), form_);
+  form->addRow(QString(), pseudonymised_);
+  form->addRow(QString(), freeText_);
+  form->addRow(tr("&Reason"), reason_);
+  form->addRow(tr("What is in it"), what_);
+  form->addRow(tr("First rows &of"), table_);
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(form);
+  column->addWidget(rows_, 1);
+  column->addWidget(done_);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  save_ = buttons->addButton(tr("&Save\u2026"), QDialogButtonBox::ActionRole);
+  save_->setObjectName(QStringLiteral("save"));
+  column->addWidget(buttons);
+
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(save_, &QPushButton::clicked, this, &ExportDialog::askPlace);
+  connect(form_, &QComboBox::currentIndexChanged, this, &ExportDialog::showTable);
+  connect(table_, &QComboBox::currentIndexChanged, this, &ExportDialog::showTable);
+  connect(pseudonymised_, &QCheckBox::toggled, this, [this](bool on) {
+    freeText_->setEnabled(on);
+    read();
+  });
+  connect(freeText_, &QCheckBox::toggled, this, &ExportDialog::read);
+}
+
+ExportDialog::Form ExportDialog::chosen() const {
+  return static_cast<Form>(form_->currentData().toInt());
+}
+
+void ExportDialog::read() {
+  data_.reset();
+  save_->setEnabled(false);
+  request_.pseudonymised = pseudonymised_->isChecked();
+  request_.withFreeText = freeText_->isChecked();
+  auto fresh = std::make_shared<ExchangeData>();
+  shell_.run(
+      tr("Reading what will be exported"),
+      [fresh, wanted = request_, digests = digests_](SessionContext& session,
+                                                     const ProgressCallback& progress) {
+        *fresh = exchangeData(session, wanted, *digests, progress);
+      },
+      [this, fresh] {
+        data_ = fresh;
+        save_->setEnabled(true);
+        const QSignalBlocker quiet(table_);
+        const int before = std::max(0, table_->currentIndex());
+        table_->clear();
+        for (const ExportTable* table : tablesOf(data_->set)) {
+          table_->addItem(
+              tr("%1 (%n rows)", nullptr, static_cast<int>(table->rows.size())).arg(toQString(table->title)));
+        }
+        table_->setCurrentIndex(before);
+        showTable();
+      });
+}
+
+void ExportDialog::showTable() {
+  if (!data_) {
+    return;
+  }
+  const bool grades = chosen() == Form::kGradebook;
+  pseudonymised_->setVisible(!grades);
+  freeText_->setVisible(!grades);
+  table_->setEnabled(!grades);
+  rows_->setVisible(!grades);
+  QStringList words;
+  if (grades) {
+    words << tr(
+        "A line for each trainee, known by staff number and mail address, and a score for each "
+        "occasion. It names people.");
+  } else {
+    words << tr("Nobody is named. Marks and means that may not be shown yet are left out, as in the report.");
+    for (const Text& sentence : pseudonymSentences(*data_)) {
+      words << toQString(sentence);
+    }
+  }
+  what_->setText(words.join(QLatin1Char(' ')));
+  const std::vector<const ExportTable*> tables = tablesOf(data_->set);
+  const ExportTable& shown = *tables.at(static_cast<std::size_t>(std::max(0, table_->currentIndex())));
+  const int count = std::min(kFirstRows, static_cast<int>(shown.rows.size()));
+  rows_->clear();
+  rows_->setColumnCount(static_cast<int>(shown.columns.size()));
+  rows_->setRowCount(count);
+  QStringList heads;
+  for (const ExportColumn& column : shown.columns) {
+    heads << toQString(column.title) +
+                 (column.unit.empty() ? QString() : QStringLiteral(", ") + toQString(column.unit));
+  }
+  rows_->setHorizontalHeaderLabels(heads);
+  for (int r = 0; r < count; ++r) {
+    const auto& cells = shown.rows[static_cast<std::size_t>(r)];
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      rows_->setItem(r, static_cast<int>(c), new QTableWidgetItem(toQString(cellText(cells[c]))));
+    }
+  }
+  rows_->resizeColumnsToContents();
+}
+
+void ExportDialog::askPlace() {
+  const bool book = chosen() == Form::kWorkbook;
+  const bool grades = chosen() == Form::kGradebook;
+  const QString name = data_ ? toQString(data_->inputs.title) : QString();
+  const QString place =
+      book ? askFileToSave(this, tr("Save workbook"), name + QStringLiteral(".xlsx"), tr("Workbook (*.xlsx)"))
+      : grades
+          ? askFileToSave(this, tr("Save scores"), name + QStringLiteral(".csv"), tr("Table (*.csv)"))
+          : askFileToSave(this, tr("New folder for the tables"), tr("tables-%1").arg(name), tr("Folder (*)"));
+  if (!place.isEmpty()) {
+    writeTo(toPath(place));
+  }
+}
+
+void ExportDialog::writeTo(const std::filesystem::path& place) {
+  if (!data_) {
+    return;
+  }
+  request_.reason = reason_->text().trimmed().toStdString();
+  data_->request.reason = request_.reason;
+  auto written = std::make_shared<ExchangeFiles>();
+  shell_.run(
+      tr("Writing the export"),
+      [written, place, given = data_, request = request_, digests = digests_, form = chosen(),
+       wording = wordingIn(language_)](SessionContext& session, const ProgressCallback&) {
+        switch (form) {
+          case Form::kWorkbook:
+            *written = exportWorkbook(
+                session, *given, [&](const Text& text) { return wording(text).toStdString(); }, place);
+            break;
+          case Form::kSpss:
+            *written = exportTables(session, *given, TableFormat::kSpss, place);
+            break;
+          case Form::kR:
+            *written = exportTables(session, *given, TableFormat::kR, place);
+            break;
+          case Form::kCsv:
+            *written = exportTables(session, *given, TableFormat::kCsv, place);
+            break;
+          case Form::kGradebook:
+            *written = exportGradebook(session, request, *digests, place);
+            break;
+        }
+      },
+      [this, written, place] {
+        done_->setText(
+            tr("Written: %1 (%n files). Hash: %2", nullptr, static_cast<int>(written->files.size()))
+                .arg(toQString(place.string()), toQString(written->contentHash)));
+      });
+}
+
+void ExportDialog::settle() {
+  shell_.waitForJobs();
+}
+
+}  // namespace torsio::gui

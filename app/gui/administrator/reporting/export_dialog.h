@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include <QDialog>
+
+#include "app/exchange/cohort_exchange.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableWidget;
+
+namespace torsio::gui {
+
+class ShellContext;
+
+/// A cohort's data for other programs: which one, how people appear, a look at what will be in it, where it
+/// goes. What left is kept in the audit trail. GUI thread.
+class ExportDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// Entries of the list of formats, in their order.
+  enum class Form { kWorkbook, kSpss, kR, kCsv, kGradebook };
+
+  /// `language`: of the workbook, one of reportLanguages().
+  ExportDialog(ShellContext& shell, const ReportRequest& request, std::shared_ptr<TrialDigests> digests,
+               std::string language, QWidget* parent);
+
+  /// Writes in the chosen form, beside the window; what went wrong is said. Does nothing while data are read.
+  void writeTo(const std::filesystem::path& place);
+  /// Waits until what is shown is read or written: pictures and tests.
+  void settle();
+
+ private:
+  void build();
+  void read();
+  void showTable();
+  void askPlace();
+  [[nodiscard]] Form chosen() const;
+
+  ShellContext& shell_;
+  ExchangeRequest request_;
+  std::shared_ptr<TrialDigests> digests_;
+  std::string language_;
+  std::shared_ptr<ExchangeData> data_;  // empty while it is read
+  QComboBox* form_;
+  QCheckBox* pseudonymised_;
+  QCheckBox* freeText_;
+  QLineEdit* reason_;
+  QLabel* what_;
+  QComboBox* table_;
+  QTableWidget* rows_;
+  QLabel* done_;
+  QPushButton* save_ = nullptr;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who may take data out, and what is kept about it.
+#include "app/exchange/cohort_exchange.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/study/allocation_service.h"
+#include "app/study/cohort_service.h"
+#include "assessment/people/audit_entry.h"
+#include "db/repository/base/audit_repository.h"
+#include "sim/base/digest.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+#include "tests/app/support/study_centre.h"
+
+namespace torsio {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::StudyCentre;
+
+struct SmallStudy {
+  StudyCentre centre;
+  ExchangeRequest request;
+  TrialDigests digests{centre.assets()};
+
+  SmallStudy() {
+    const std::vector<TraineeId> trainees = centre.addTrainees(6);
+    const std::string version = centre.runPaperCurriculum();
+    request.cohortId = addCohort(centre.session(), {.name = "Study", .curriculumVersionId = version});
+    enrolTrainees(centre.session(), request.cohortId, trainees);
+    AllocationPlan plan;
+    plan.cohortId = request.cohortId;
+    lockAllocation(centre.as("allocator"), plan);
+    allocateAll(centre.session(), request.cohortId);
+    reportDeviation(centre.as("administrator"),
+                    {.cohortId = request.cohortId, .kind = "late", .description = "by ten minutes"});
+  }
+  AuditEntry newest() { return AuditRepository(centre.connection()).entries({.limit = 1}).at(0); }
+};
+
+TEST(CohortExchange, KeepsWhoTookOutWhatWhyAndTheHash) {
+  SmallStudy study;
+  study.request.reason = "for the board";
+  const std::filesystem::path file = study.centre.folder() / "cohort.xlsx";
+  const ExchangeData data = exchangeData(study.centre.as("administrator"), study.request, study.digests);
+  EXPECT_FALSE(data.pseudonyms);
+  EXPECT_TRUE(pseudonymSentences(data).empty());
+
+  const ExchangeFiles done = exportWorkbook(
+      study.centre.as("administrator"), data, [](const Text& text) { return text.str(); }, file);
+
+  Digest digest;
+  digest.update(readFile(file));
+  EXPECT_EQ(done.contentHash, digest.hex());
+  EXPECT_EQ(done.bytes, readFile(file).size());
+  const AuditEntry entry = study.newest();
+  EXPECT_EQ(entry.action, "report.export_coded");
+  EXPECT_EQ(entry.reason, "for the board");
+  EXPECT_THAT(entry.newJson, HasSubstr(done.contentHash));
+  EXPECT_THAT(entry.newJson, HasSubstr("workbook"));
+}
+
+TEST(CohortExchange, IsPseudonymisedForWhoeverMayNotSeeNames) {
+  SmallStudy study;
+  const ExchangeData data = exchangeData(study.centre.as("statistician"), study.request, study.digests);
+  ASSERT_TRUE(data.pseudonyms);
+  EXPECT_EQ(data.pseudonyms->people, 6);
+  EXPECT_EQ(data.pseudonyms->textsLeftOut, 1);
+  for (const CohortTrainee& trainee : data.inputs.trainees) {
+    EXPECT_EQ(trainee.code.substr(0, 2), "P-");
+  }
+  const std::filesystem::path folder = study.centre.folder() / "tables";
+  const ExchangeFiles done = exportTables(study.centre.as("statistician"), data, TableFormat::kSpss, folder);
+  EXPECT_GT(done.files.size(), 9U);
+  EXPECT_THAT(study.newest().newJson, HasSubstr("pseudonymised"));
+  EXPECT_EQ(pseudonymSentences(data).size(), 3U);
+}
+
+TEST(CohortExchange, IsRefusedToWhoeverMayNotExport) {
+  SmallStudy study;
+  for (const char* role : {"trainee", "rater", "allocator", ""}) {
+    EXPECT_THROW((void)exchangeData(study.centre.as(role), study.request, study.digests), Error) << role;
+    EXPECT_THROW(exportGradebook(study.centre.as(role), study.request, study.digests,
+                                 study.centre.folder() / "grades.csv"),
+                 Error)
+        << role;
+  }
+  EXPECT_FALSE(std::filesystem::exists(study.centre.folder() / "grades.csv"));
+}
+
+TEST(Gradebook, IsNotWrittenWhileNobodyHasAScore) {
+  SmallStudy study;
+  const std::filesystem::path file = study.centre.folder() / "grades.csv";
+  EXPECT_THROW(exportGradebook(study.centre.as("administrator"), study.request, study.digests, file), Error);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  EXPECT_THAT(study.newest().action, Not(HasSubstr("export")));
+}
+
+}  // namespace
+}  // namespace torsio
