@@ -11,6 +11,7 @@
 
 #include "app/cli/commands.h"
 #include "sim/base/error.h"
+#include "sim/base/short_number.h"
 #include "sim/tissue/section/outline_file.h"
 #include "sim/tissue/section/section_solver.h"
 #include "sim/tissue/section/wall_section.h"
@@ -79,6 +80,10 @@ void runWall(const SectionArguments& arguments) {
                 Text::verbatim("--wall"), Text::verbatim("Leave out --hole, --at and --method, or --wall"));
   }
   const WallSection wall = wallSection(readOutline(arguments.file), arguments.wall);
+  if (wall.thickest > wall.mostThickness) {
+    std::cerr << "The inner side of the wall crosses itself where it is thicker than "
+              << shortNumber(wall.mostThickness) << "; its middle line, by which J is computed, does not.\n";
+  }
   nlohmann::ordered_json result;
   result["method"] = "wall";
   result["area"] = wall.area;

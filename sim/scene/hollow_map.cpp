@@ -39,6 +39,29 @@ HollowOrgan::Section HollowMap::section(const HollowOrgan::Place& place) const n
           low.radius + share * (high.radius - low.radius)};
 }
 
+// Between two nodes of a profile turn and radius go straight.
+HollowMap::Spread HollowMap::spread(int span, double from, double to) const noexcept {
+  const HollowOrgan::Section first = section({span, from});
+  Spread spread{first, first};
+  const auto widen = [&spread](const HollowOrgan::Section& section) {
+    spread.least.turn_rad = std::min(spread.least.turn_rad, section.turn_rad);
+    spread.least.radius = std::min(spread.least.radius, section.radius);
+    spread.most.turn_rad = std::max(spread.most.turn_rad, section.turn_rad);
+    spread.most.radius = std::max(spread.most.radius, section.radius);
+  };
+  widen(section({span, to}));
+  if (span < 0) {
+    return spread;
+  }
+  constexpr auto kCells = static_cast<double>(HollowOrgan::kPlaces - 1);
+  const HollowOrgan::Sections& profile = profiles_[static_cast<std::size_t>(span)];
+  const auto end = std::min(static_cast<std::size_t>(to * kCells), HollowOrgan::kPlaces - 1);
+  for (auto node = static_cast<std::size_t>(from * kCells) + 1; node <= end; ++node) {
+    widen(profile[node]);
+  }
+  return spread;
+}
+
 Vec3 HollowMap::vertex(const TwistVertex& vertex) const noexcept {
   const HollowOrgan::Place place = organ_.turningPlace(vertex.arc_m, vertex.rest_m);
   return organ_.moved(vertex.rest_m, vertex.line, place, section(place), {});

@@ -19,6 +19,13 @@ class HollowMap {
 
   /// Returns how a section at a place is turned.
   [[nodiscard]] HollowOrgan::Section section(const HollowOrgan::Place& place) const noexcept;
+  /// Least and largest turn and radius of some sections.
+  struct Spread {
+    HollowOrgan::Section least;
+    HollowOrgan::Section most;
+  };
+  /// Returns those of the sections of a span from one share to another, of the mobile part for span -1.
+  [[nodiscard]] Spread spread(int span, double from, double to) const noexcept;
   /// Returns where a point of the organ at rest goes.
   [[nodiscard]] Vec3 forward(const Vec3& rest_m) const noexcept;
   /// Returns where a point near the organ would be at rest: the inverse of forward() up to rounding, as long

@@ -76,6 +76,9 @@ HollowOrgan::HollowOrgan(const Parts& parts)
   for (std::size_t i = 0; i < kPlaces; ++i) {
     free_[i] = freeShareOf(static_cast<double>(i) / static_cast<double>(kPlaces - 1));
   }
+  if (parts.patches != nullptr) {
+    reach_ = HollowReach(*this, *parts.patches);
+  }
 }
 
 void HollowOrgan::solveLimbs(const Parts& parts) {
@@ -149,8 +152,14 @@ OrganState HollowOrgan::stateAt(double angle_rad) const noexcept {
 
 double HollowOrgan::torque_Nm(double angle_rad, double pressure_Pa) const noexcept {
   double torque_Nm = limbs_.empty() ? detorsion_.cordStiffness_Nm_per_rad * angle_rad : 0.0;
+  const WrungOrgan* asked = nullptr;
+  double one_Nm = 0.0;
   for (const Limb& limb : limbs_) {
-    torque_Nm += limb.tube->at(angle_rad, pressure_Pa).torque;
+    if (limb.tube.get() != asked) {  // limbs that are alike share a tube
+      asked = limb.tube.get();
+      one_Nm = asked->torque_Nm(angle_rad, pressure_Pa);
+    }
+    torque_Nm += one_Nm;
   }
   return torque_Nm;
 }
@@ -275,7 +284,7 @@ double HollowOrgan::wallShear_Pa(double arc_m, const OrganState& state) const no
   }
   const Limb& limb = limbs_[static_cast<std::size_t>(place.span)];
   const double angle_rad = state.twist.graspAngle_rad;
-  const double torque_Nm = limb.tube->at(angle_rad, state.hollow.reading.pressure_Pa).torque;
+  const double torque_Nm = limb.tube->torque_Nm(angle_rad, state.hollow.reading.pressure_Pa);
   const auto at = static_cast<std::size_t>(std::lround(place.share * static_cast<double>(kWallPlaces - 1)));
   const double radius_m = limb.wall[at].radius_m * sectionIn(place.span, place.share, state).radius;
   return std::abs(torque_Nm) / (kTurn * radius_m * radius_m * limb.wall[at].thickness_m);

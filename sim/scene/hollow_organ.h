@@ -10,6 +10,7 @@
 
 #include "sim/base/staged_turn.h"
 #include "sim/geometry/lattice/section_lattice.h"
+#include "sim/scene/hollow_reach.h"
 #include "sim/scene/organ_state.h"
 #include "sim/tissue/hollow/wrung_organ.h"
 #include "sim/tissue/perfusion/perfusion.h"
@@ -96,7 +97,8 @@ class HollowOrgan {
     double shearModulus_Pa = 0.0;
     double graspArc = 0.5;  ///< where the pattern grips, as a fraction of the length
     Detorsion detorsion;
-    std::span<const Vec3> vertices_m{};  ///< of the mesh that is moved; needed by the constructor only
+    std::span<const Vec3> vertices_m{};       ///< of the mesh that is moved; needed by the constructor only
+    const SurfacePatches* patches = nullptr;  ///< of that mesh, for reach(); needed by the constructor only
   };
   /// Solves the tables of the spans, each in a thread, one that is like another only once; at most 1 s.
   /// Throws Error{kBadParameter} for a wall or a vessel out of range, or a grasp off the mobile part.
@@ -185,6 +187,8 @@ class HollowOrgan {
   /// perpendicular on the centreline. Sections of the lattice are neither plane nor upright: turned unlike
   /// their neighbours they would run through one another.
   [[nodiscard]] const std::vector<TwistVertex>& vertices() const noexcept { return vertices_; }
+  /// Returns how far the pieces of the mesh's surface reach; empty without patches.
+  [[nodiscard]] const HollowReach& reach() const noexcept { return reach_; }
   /// Returns the line that the mobile part turns about: of two spans of a tube that runs on through it the
   /// chord between their mobile ends; of a loop's limbs that stand side by side from between their held to
   /// between their mobile ends; of one span its axis at its mobile end.
@@ -231,6 +235,7 @@ class HollowOrgan {
   TwistLine line_;
   bool wound_ = false;
   std::vector<TwistVertex> vertices_;
+  HollowReach reach_;
   std::array<double, kPlaces> free_{};           // freeShareOf at equal shares
   std::array<double, kPlaces - 1> room_rad_{};   // between equal shares, of limbs at their distance at rest
   std::array<Vec3, 2> ends_{};                   // tangents at the mobile ends

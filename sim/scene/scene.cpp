@@ -115,7 +115,7 @@ void applyWishes(SceneDescription& scene, const SceneRequest& request) {
 /// The wall of an organ that came twisted; null where the pattern is to be twisted.
 std::shared_ptr<const HollowOrgan> hollowOf(const SceneDescription& scene, const SceneRequest& request,
                                             const TwistPattern& pattern, const TwistModel& model,
-                                            const TriangleMesh& mesh) {
+                                            const TriangleMesh& mesh, const CollisionMesh& collision) {
   if (!pattern.detorsion) {
     return nullptr;
   }
@@ -130,7 +130,8 @@ std::shared_ptr<const HollowOrgan> hollowOf(const SceneDescription& scene, const
                          .shearModulus_Pa = model.material().shearModulus_Pa,
                          .graspArc = pattern.graspArc,
                          .detorsion = *pattern.detorsion,
-                         .vertices_m = mesh.vertices_m});
+                         .vertices_m = mesh.vertices_m,
+                         .patches = &collision.patches()});
 }
 
 }  // namespace
@@ -186,7 +187,7 @@ Scene loadScene(const SceneRequest& request) {
                                                            .graspArc = pattern.graspArc,
                                                            .targetAngle_rad = pattern.targetAngle_rad});
   }
-  std::shared_ptr<const HollowOrgan> hollow = hollowOf(description, request, pattern, model, mesh);
+  std::shared_ptr<const HollowOrgan> hollow = hollowOf(description, request, pattern, model, mesh, collision);
   std::string parameters =
       parametersText(description, pattern, request.organFile.has_value(), request.tissue);
   Digest digest;

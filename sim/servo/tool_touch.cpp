@@ -6,8 +6,8 @@
 
 #include "sim/base/portable_math.h"
 #include "sim/geometry/query/deformed_surface.h"
-#include "sim/scene/hollow_map.h"
 #include "sim/scene/rod_organ.h"
+#include "sim/scene/wrung_surface.h"
 #include "sim/tissue/twist/twist_model_map.h"
 
 namespace torsio {
@@ -234,17 +234,6 @@ struct RodVertices {
   }
 };
 
-/// The vertices as a hollow organ that came twisted lies, without its folds.
-struct WrungVertices {
-  HollowMap map;
-  const std::vector<TwistVertex>& vertices;
-
-  static Vec3 at(const void* self, std::uint32_t vertex) noexcept {
-    const auto& moved = *static_cast<const WrungVertices*>(self);
-    return moved.map.vertex(moved.vertices[vertex]);
-  }
-};
-
 /// Answers `ask(surface, toRest_m)` with the surface of the organ as it lies and the map back to rest.
 template <typename Ask>
 auto askDeformed(const Scene& scene, const OrganState& organ, const Ask& ask) noexcept {
@@ -256,8 +245,8 @@ auto askDeformed(const Scene& scene, const OrganState& organ, const Ask& ask) no
   }
   const TwistModel::Tables& tables = scene.model.tables();
   if (scene.hollow) {
-    const WrungVertices moved{HollowMap(scene.lattice(), *scene.hollow, organ), scene.hollow->vertices()};
-    DeformedSurface surface(scene.collision.patches(), {&moved, &WrungVertices::at});
+    const WrungSurface moved{HollowMap(scene.lattice(), *scene.hollow, organ), *scene.hollow};
+    DeformedSurface surface(scene.collision.patches(), moved.places(), moved.bounds());
     return ask(surface, [&](const Vec3& at_m) { return moved.map.backward(at_m); });
   }
   const MovedVertices moved{TwistMap(tables, scene.model.lattice(), organ.twist), tables.vertices};

@@ -2,11 +2,14 @@
 // The shipped hollow organs: set-up of their tables, one look-up of a wrung tube, and what the hand asks in a
 // tick: torque and slope, over all spans. Medians over batches of queries at angles and pressures in no
 // order, in processor time, which a busy machine does not take away. Exit code 1 where a target is missed:
-// set-up 1 s, torque 300 ns. Then the view of each scene, whole frames against the triad over the bytes of
-// vertices that a frame reads and writes (padding not counted), and the kernels alone over 4,000 and 100,000
-// vertices; wanted: half of the triad. Run from the repository's root.
+// set-up 1 s, torque with its slope 300 ns. Then the nearest surface of the twisted organ, by the bounds of
+// its map against the general assumption of DeformedSurface, in turn over the same places. Then the view of
+// each scene, whole frames against the triad over the bytes of vertices that a frame reads and writes
+// (padding not counted), and the kernels alone over 4,000 and 100,000 vertices; wanted: half of the triad.
+// Run from the repository's root.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
@@ -15,9 +18,11 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/random.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/hollow_view.h"
 #include "sim/scene/scene.h"
+#include "sim/scene/wrung_surface.h"
 #include "sim/tissue/view/twist_kernels.h"
 
 namespace torsio {
@@ -56,16 +61,22 @@ double median_ns(const Query& query) {
   return sum != 0.0 ? times_ns[kBatches / 2] : 0.0;
 }
 
-bool measure(const std::string& id) {
+SceneRequest requestOf(const std::string& id) {
   SceneRequest request;
   request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
   request.id = id;
   request.pattern = "detorse";
-  const Scene scene = loadScene(request);
+  return request;
+}
+
+bool measure(const std::string& id) {
+  const Scene scene = loadScene(requestOf(id));
   const HollowOrgan::Parts parts{.lattice = &scene.lattice(),
                                  .shearModulus_Pa = scene.model.material().shearModulus_Pa,
                                  .graspArc = scene.pattern.graspArc,
-                                 .detorsion = *scene.pattern.detorsion};
+                                 .detorsion = *scene.pattern.detorsion,
+                                 .vertices_m = scene.mesh.vertices_m,
+                                 .patches = &scene.collision.patches()};
   const double begun = processor_ns();
   const HollowOrgan organ(parts);
   const double setUp_ms = 1e-6 * (processor_ns() - begun);
@@ -74,7 +85,7 @@ bool measure(const std::string& id) {
       [&](double angle_rad, double share) { return organ.torque_Nm(angle_rad, share * pressure_Pa); });
   const double slope_ns = median_ns(
       [&](double angle_rad, double share) { return organ.slope_Nm_per_rad(angle_rad, share * pressure_Pa); });
-  const bool met = setUp_ms <= kSetUpTarget_ms && torque_ns <= kQueryTarget_ns;
+  const bool met = setUp_ms <= kSetUpTarget_ms && torque_ns + slope_ns <= kQueryTarget_ns;
   std::printf("%-24s set-up %6.1f ms   torque %5.1f ns   with its slope %5.1f ns   %s\n", id.c_str(),
               setUp_ms, torque_ns, torque_ns + slope_ns, met ? "ok" : "over the target");
   return met;
@@ -84,6 +95,39 @@ double median(std::vector<double>& values) {
   const auto middle = values.begin() + std::ssize(values) / 2;
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+/// Prints how long it takes to find what is nearest to a tip and to a shaft within 20 mm of the surface of
+/// the organ at its largest twist, by either bound, and how often the assumed one misses it.
+void touchScene(const std::string& id) {
+  constexpr int kPlaces = 4000;
+  const Scene scene = loadScene(requestOf(id));
+  const OrganState lies = scene.stateAt(scene.hollow->detorsion().start.most_rad);
+  const HollowMap map(scene.lattice(), *scene.hollow, lies);
+  Random random(5);
+  const auto way = [&random] { return normalized(Vec3{random.normal(), random.normal(), random.normal()}); };
+  std::vector<double> assumed_ns;
+  std::vector<double> bounded_ns;
+  int missed = 0;
+  for (int i = 0; i < kPlaces; ++i) {
+    const auto vertex = static_cast<std::size_t>(random.bounded(scene.mesh.vertices_m.size()));
+    const Vec3 from_m = map.vertex(scene.hollow->vertices()[vertex]) + way() * (0.020 * random.uniform());
+    const Vec3 to_m = from_m + (i % 2 == 0 ? Vec3{} : 0.1 * way());
+    const auto ask = [&](bool bounded, std::vector<double>& times_ns) {
+      const double begun = now_ns();
+      const WrungSurface moved{HollowMap(scene.lattice(), *scene.hollow, lies), *scene.hollow};
+      DeformedSurface surface(scene.collision.patches(), moved.places(),
+                              bounded ? moved.bounds() : PieceBounds{});
+      const SegmentHit hit = surface.nearest({from_m, to_m}, 0.030);
+      times_ns.push_back(now_ns() - begun);
+      return std::abs(hit.surface.distance_m);
+    };
+    const double assumed_m = ask(false, assumed_ns);
+    missed += ask(true, bounded_ns) < assumed_m - 1e-12 ? 1 : 0;
+  }
+  std::printf(
+      "%-24s nearest surface: assumed stretch %6.1f us, missed %d of %d; bounds of the map %6.1f us\n",
+      id.c_str(), 1e-3 * median(assumed_ns), missed, kPlaces, 1e-3 * median(bounded_ns));
 }
 
 /// Prints how long work takes, and the triad over as many bytes against it: medians of pairs in turn.
@@ -109,11 +153,7 @@ void beside(const std::string& name, Isa isa, std::size_t bytes, const std::func
 }
 
 void drawScene(const std::string& id) {
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = id;
-  request.pattern = "detorse";
-  const auto scene = std::make_shared<const Scene>(loadScene(request));
+  const auto scene = std::make_shared<const Scene>(loadScene(requestOf(id)));
   const OrganState state = scene->stateAt(scene->hollow->detorsion().start.least_rad);
   std::vector<Vec3> drawn_m(scene->mesh.vertices_m.size());
   const double begun = now_ns();
@@ -177,6 +217,9 @@ int main() {
   bool met = true;
   for (const char* id : kScenes) {
     met = torsio::measure(id) && met;
+  }
+  for (const char* id : kScenes) {
+    torsio::touchScene(id);
   }
   for (const torsio::Isa isa : torsio::usableIsas()) {
     for (const std::size_t blocks : {250U, 6250U}) {  // 4,000 vertices lie in the second-level cache

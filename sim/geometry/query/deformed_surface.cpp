@@ -109,8 +109,9 @@ bool FacetList::add(std::uint32_t triangle, const std::array<std::uint32_t, 3>& 
   return true;
 }
 
-DeformedSurface::DeformedSurface(const SurfacePatches& patches, const VertexPlaces& places) noexcept
-    : patches_(patches), places_(places) {}
+DeformedSurface::DeformedSurface(const SurfacePatches& patches, const VertexPlaces& places,
+                                 const PieceBounds& bounds) noexcept
+    : patches_(patches), places_(places), bounds_(bounds) {}
 
 void DeformedSurface::moveSeeds() noexcept {
   if (seeded_) {
@@ -121,12 +122,22 @@ void DeformedSurface::moveSeeds() noexcept {
   for (std::size_t g = 0; g < groups.size(); ++g) {
     groups_m_[g] = kept(place(groups[g].seed));
   }
+  if (bounds_.group_m == nullptr) {
+    stretch_ = wholeStretch();
+  }
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    groupRadii_m_[g] = bounds_.group_m != nullptr ? bounds_.group_m(bounds_.self, g)
+                                                  : bounded(stretch_) * groups[g].radius_m;
+  }
+}
+
+double DeformedSurface::wholeStretch() const noexcept {
   double stretch2 = 1.0;
   for (const SurfacePatches::Neighbours& pair : patches_.neighbours()) {
     const Vec3 way = at(groups_m_[pair.one]) - at(groups_m_[pair.other]);
     stretch2 = std::max(stretch2, dot(way, way) / (pair.apart_m * pair.apart_m));
   }
-  stretch_ = std::sqrt(stretch2);
+  return std::sqrt(stretch2);
 }
 
 // Moves the seeds of its patches, which also tell how the surface is stretched here.
@@ -144,7 +155,8 @@ void DeformedSurface::openGroup(std::size_t group) noexcept {
     }
   }
   for (std::size_t p = own.firstPatch; p < own.firstPatch + own.patchCount; ++p) {
-    radii_m_[p] = bounded(stretch) * patches_.patches()[p].radius_m;
+    radii_m_[p] = bounds_.patch_m != nullptr ? bounds_.patch_m(bounds_.self, p)
+                                             : bounded(stretch) * patches_.patches()[p].radius_m;
   }
 }
 
@@ -194,7 +206,7 @@ SegmentHit DeformedSurface::nearest(const Segment& segment, double reach_m, std:
   };
   const auto groups = patches_.groups();
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    add(groups_m_[g], bounded(stretch_) * groups[g].radius_m, g, true);
+    add(groups_m_[g], groupRadii_m_[g], g, true);
   }
   while (!open.empty()) {
     const OpenList::Entry top = open.pop();
@@ -258,7 +270,7 @@ bool DeformedSurface::gather(const Segment& segment, double reach_m, FacetList& 
   out.vertexCount = 0;
   const auto groups = patches_.groups();
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    if (distance(segment, at(groups_m_[g])) - bounded(stretch_) * groups[g].radius_m > reach_m) {
+    if (distance(segment, at(groups_m_[g])) - groupRadii_m_[g] > reach_m) {
       continue;
     }
     if (!opened_[g]) {

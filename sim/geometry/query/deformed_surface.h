@@ -18,6 +18,14 @@ struct VertexPlaces {
   Vec3 (*at)(const void* self, std::uint32_t vertex) noexcept = nullptr;
 };
 
+/// Access to how far the pieces of the mesh reach as they lie: a length from the moved seed beyond which no
+/// vertex of the piece is. Called in the servo tick. Without functions nothing is known (DeformedSurface).
+struct PieceBounds {
+  const void* self = nullptr;
+  double (*group_m)(const void* self, std::size_t group) noexcept = nullptr;
+  double (*patch_m)(const void* self, std::size_t patch) noexcept = nullptr;
+};
+
 /// Some triangles that lie together, with the vertices that they share. Fixed size, trivially copyable.
 struct FacetList {
   static constexpr std::size_t kMostFacets = 128;
@@ -41,18 +49,19 @@ struct FacetList {
 /// moved; a query visits groups and patches nearest first and moves the vertices of those that can hold the
 /// answer. Moved patches stay for the next queries, with their exact radius.
 ///
-/// A patch is taken to lie within its rest radius times the stretch about its seed: the largest ratio of
-/// moved to resting distance between neighbouring seeds, with a margin of 30 %, which the stretch within
-/// a patch must not pass; nor is more than threefold stretch followed. That holds for a twist, whose rate
-/// changes little over a patch; a test compares with FCL on fully deformed organs. Other ways were measured
-/// and left: docs/contact.md.
+/// Where bounds are given, groups and patches lie within them. Else a patch is taken to lie within its rest
+/// radius times the stretch about its seed: the largest ratio of moved to resting distance between
+/// neighbouring seeds, with a margin of 30 %, which the stretch within a patch must not pass; nor is more
+/// than threefold stretch followed. That holds for a twist, whose rate changes little over a patch; a test
+/// compares with FCL on fully deformed organs. Other ways were measured and left: docs/contact.md.
 ///
 /// Lives on the stack (160 KB with a query). noexcept, allocation-free; IEEE basic operations in a fixed
 /// order.
 class DeformedSurface {
  public:
-  /// Moves nothing yet. `patches` and what `places` points to outlive the object.
-  DeformedSurface(const SurfacePatches& patches, const VertexPlaces& places) noexcept;
+  /// Moves nothing yet. `patches` and what `places` and `bounds` point to outlive the object.
+  DeformedSurface(const SurfacePatches& patches, const VertexPlaces& places,
+                  const PieceBounds& bounds = {}) noexcept;
 
   /// Returns the closest pair of surface and segment when it is nearer than `reach_m`; signs and normals as
   /// CollisionMesh::nearest. `hint`: a triangle that may be near, which makes the query quick.
@@ -79,6 +88,7 @@ class DeformedSurface {
 
   [[nodiscard]] Vec3 place(std::uint32_t vertex) const noexcept { return places_.at(places_.self, vertex); }
   void moveSeeds() noexcept;
+  [[nodiscard]] double wholeStretch() const noexcept;
   void openGroup(std::size_t group) noexcept;
   /// Moves the patch's vertices unless they are moved already; returns where they begin in moved_m_.
   std::uint32_t movePatch(std::size_t patch) noexcept;
@@ -89,9 +99,11 @@ class DeformedSurface {
 
   const SurfacePatches& patches_;
   VertexPlaces places_;
+  PieceBounds bounds_;
   bool seeded_ = false;   // the seeds of the groups are moved
-  double stretch_ = 1.0;  // of the surface on the whole
+  double stretch_ = 1.0;  // of the surface on the whole; unused with bounds
   std::array<Place, SurfacePatches::kMostGroups> groups_m_;
+  std::array<double, SurfacePatches::kMostGroups> groupRadii_m_;
   std::array<bool, SurfacePatches::kMostGroups> opened_{};
   // Of the patches of the opened groups.
   std::array<Place, SurfacePatches::kMostPatches> patches_m_;

@@ -292,6 +292,15 @@ WrungState WringTable::at(double angle_rad, double pressure) const noexcept {
   return state;
 }
 
+double WringTable::torqueAt(double angle_rad, double pressure) const noexcept {
+  const auto [rows, at, share] = cellAt(angle_rad, pressure);
+  const auto mix = [](double from, double to, double part) { return from + part * (to - from); };
+  const double torque =
+      mix(mix(rows.low->states[at].torque, rows.low->states[at + 1].torque, share),
+          mix(rows.high->states[at].torque, rows.high->states[at + 1].torque, share), rows.share);
+  return angle_rad < 0.0 ? -torque : torque;
+}
+
 WrungPlace WringTable::placeAt(double share, double angle_rad, double pressure) const noexcept {
   const Cell cell = cellAt(angle_rad, pressure);
   const std::size_t nodes = cell.rows.low->places.size() / kAngles;

@@ -43,6 +43,8 @@ class WringTable {
   /// Returns the tube at an angle of either sign and a pressure, brought into the table's range. In the tick:
   /// no more than + - * / and a root, no allocation, same bits everywhere.
   [[nodiscard]] WrungState at(double angle_rad, double pressure) const noexcept;
+  /// Returns at().torque, same bits, for a fraction of its time. In the tick.
+  [[nodiscard]] double torqueAt(double angle_rad, double pressure) const noexcept;
   /// Returns how the tube lies at a share of its length, 0 at the fixed end. In the tick, as at().
   [[nodiscard]] WrungPlace placeAt(double share, double angle_rad, double pressure) const noexcept;
   /// Writes how the tube lies at equal shares of its length, both ends among them: placeAt() up to rounding,

@@ -109,6 +109,10 @@ WrungState WrungOrgan::at(double angle_rad, double pressure_Pa) const noexcept {
   return state;
 }
 
+double WrungOrgan::torque_Nm(double angle_rad, double pressure_Pa) const noexcept {
+  return table_.torqueAt(angle_rad, pressure_Pa / shear_Pa_) * (shear_Pa_ * unit_m_ * unit_m_ * unit_m_);
+}
+
 WrungPlace WrungOrgan::placeAt(double share, double angle_rad, double pressure_Pa) const noexcept {
   const WrungPlace drawn = table_.placeAt(share, 0.0, rest_Pa_ / shear_Pa_);
   WrungPlace place = table_.placeAt(share, angle_rad, pressure_Pa / shear_Pa_);

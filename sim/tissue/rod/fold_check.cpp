@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 
 #include "sim/base/contracts.h"
+#include "sim/base/short_number.h"
 
 namespace torsio {
 
@@ -15,12 +15,6 @@ namespace {
 
 constexpr std::array<double, 2> kDepths{0.5, 0.95};  // of the way from the axis to the surface
 constexpr double kDifference_m = 1e-7;
-
-std::string threeDigits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
 
 double determinantAt(const Vec3& p, const std::function<Vec3(const Vec3&)>& map) {
   const auto column = [&](const Vec3& step) {
@@ -39,13 +33,13 @@ bool FoldReport::folded() const noexcept {
 
 Text FoldReport::reason() const {
   if (!(minDeterminant >= kLeastDeterminant)) {
-    return Text::tr("det F, the local volume ratio, falls to %1", threeDigits(minDeterminant));
+    return Text::tr("det F, the local volume ratio, falls to %1", shortNumber(minDeterminant));
   }
   if (crossings > 0) {
     return Text::tr("the surface crosses itself in %1 pairs of triangles", std::to_string(crossings));
   }
   if (!(std::abs(volumeRatio - 1.0) <= kMostVolumeChange)) {
-    return Text::tr("the volume becomes %1 of what it was", threeDigits(volumeRatio));
+    return Text::tr("the volume becomes %1 of what it was", shortNumber(volumeRatio));
   }
   return {};
 }

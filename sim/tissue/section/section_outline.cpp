@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include "sim/base/error.h"
 #include "sim/base/refusal.h"
@@ -17,6 +18,9 @@ namespace {
 constexpr double kSamePoint = 1e-9;
 /// Area below this part of the squared perimeter: no torsion problem left that numbers could solve.
 constexpr double kLeastArea = 1e-7;
+/// J goes with the fourth power of a length: beyond, it is no number any more.
+constexpr double kWidest = 1e75;
+constexpr double kNarrowest = 1e-75;
 
 /// One loop while it is checked: its own points, anticlockwise, and what became of each given point.
 struct CheckedLoop {
@@ -66,6 +70,14 @@ void checkNumbers(std::span<const Point2> points, const std::string& name) {
   }
 }
 
+void checkExtent(std::span<const Point2> points, const std::string& name) {
+  const double size = extent(points);
+  if (size > kWidest || (size > 0.0 && size < kNarrowest)) {
+    refuseParameter(Text::verbatim("the polygon is too large or too small to compute with"), name,
+                    Text::verbatim("Give its points in another unit"));
+  }
+}
+
 /// Joins points that repeat; the values at the repeated points are those of the first.
 CheckedLoop joinRepeated(std::span<const Point2> points, const std::string& name) {
   CheckedLoop loop;
@@ -107,6 +119,7 @@ bool onOneLine(std::span<const Point2> points) {
 
 CheckedLoop checkLoop(std::span<const Point2> points, const std::string& name) {
   checkNumbers(points, name);
+  checkExtent(points, name);
   CheckedLoop loop = joinRepeated(points, name);
   if (loop.points.size() < 3 || onOneLine(loop.points)) {
     refuseParameter(Text::verbatim("the polygon has no area"), name,
@@ -228,6 +241,11 @@ void addMoments(SectionShape& shape, const CheckedLoop& outline, const std::vect
 }
 
 }  // namespace
+
+OwnPoints checkedOutline(std::span<const Point2> outline) {
+  CheckedLoop loop = checkLoop(outline, "outline");
+  return {std::move(loop.points), std::move(loop.given)};
+}
 
 SectionShape prepareSection(std::span<const Point2> outline, std::span<const std::vector<Point2>> holes,
                             int outlinePoints) {

@@ -31,6 +31,15 @@ struct SectionShape {
   double xx = 0.0, xy = 0.0, yy = 0.0;
 };
 
+/// A polygon's own points, anticlockwise: of points that repeat, the first.
+struct OwnPoints {
+  std::vector<Point2> points;
+  std::vector<int> given;  ///< per point: which of the given ones, from 0
+};
+
+/// Checks an outline as prepareSection does.
+[[nodiscard]] OwnPoints checkedOutline(std::span<const Point2> outline);
+
 /// Checks outline and holes and divides long edges so that the outline has about `outlinePoints` points;
 /// given points are never left out, because the polygon is the section. Throws Error{kBadParameter} that
 /// names the loop, the point or the edges (counted from 1).

@@ -5,12 +5,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <string>
 #include <utility>
 
 #include "sim/base/portable_math.h"
 #include "sim/base/refusal.h"
+#include "sim/base/short_number.h"
+#include "sim/tissue/section/section_outline.h"
 
 namespace torsio {
 
@@ -48,7 +49,7 @@ void checkThickness(std::span<const double> thickness, std::size_t points) {
   }
   for (const double t : thickness) {
     if (!(t > 0.0) || !std::isfinite(t)) {
-      refuseParameter(Text::verbatim("the wall is %1 thick, but must be thicker than 0", std::to_string(t)),
+      refuseParameter(Text::verbatim("the wall is %1 thick, but must be thicker than 0", shortNumber(t)),
                       Text::verbatim("wall"),
                       Text::verbatim("Give the thickness in the unit of the outline."));
     }
@@ -124,23 +125,13 @@ double WallMap::thickness_m(double share) const noexcept {
 }
 
 WallSection wallSection(std::span<const Point2> outline, std::span<const double> thickness) {
-  const auto edges = outline.size() < 3 ? std::nullopt : firstSelfCrossing(outline);
-  if (outline.size() < 3 || edges) {
-    refuseParameter(Text::verbatim("the outline of the wall is no simple polygon"), Text::verbatim("wall"),
-                    Text::verbatim("List at least 3 points in order round the section."));
-  }
+  const auto [points, given] = checkedOutline(outline);
   checkThickness(thickness, outline.size());
-  std::vector<Point2> points(outline.begin(), outline.end());
-  std::vector<double> wall(outline.size(), thickness.front());
-  if (thickness.size() > 1) {
-    wall.assign(thickness.begin(), thickness.end());
+  std::vector<double> wall;
+  for (const int point : given) {
+    wall.push_back(thickness[thickness.size() > 1 ? static_cast<std::size_t>(point) : 0]);
   }
-  double area = polygonMoments(points).area;
-  if (area < 0.0) {
-    std::reverse(points.begin(), points.end());
-    std::reverse(wall.begin(), wall.end());
-    area = -area;
-  }
+  const double area = polygonMoments(points).area;
   const Loop loop(points);
   const double outer = perimeter(points);
   double swept = 0.0;      // closed integral of t ds on the outline
@@ -158,18 +149,28 @@ WallSection wallSection(std::span<const Point2> outline, std::span<const double>
   section.perimeterMid = outer - kPi * mean;
   section.radius = section.perimeterMid / (2.0 * kPi);
   section.thickest = *std::max_element(wall.begin(), wall.end());
-  if (!(section.areaMid > 0.0) || !(section.thickest <= kMostOfRadius * section.radius)) {
-    refuseParameter(Text::verbatim("a wall %1 thick leaves no tube in a section of radius %2",
-                                   std::to_string(section.thickest), std::to_string(outer / (2.0 * kPi))),
-                    Text::verbatim("wall"),
-                    Text::verbatim("Give a wall below 0.45 of the radius, or leave it out: a filled organ."));
-  }
   const double share = section.perimeterMid / outer;  // the middle line is so much shorter than the outline
   section.area = swept * share;
+  // A wall with more in it than the outline holds lies on itself where the section is narrow.
+  if (!(section.areaMid > 0.0) || !(section.thickest <= kMostOfRadius * section.radius) ||
+      !(section.area < area)) {
+    refuseParameter(
+        Text::verbatim("a wall %1 thick leaves no tube in a section of area %2 and perimeter %3",
+                       shortNumber(section.thickest), shortNumber(area), shortNumber(outer)),
+        Text::verbatim("wall"),
+        Text::verbatim("Give a wall below 0.45 of the radius of its middle line (%1 here, where it is even) "
+                       "and below half of the narrowest place, or leave it out: a filled organ.",
+                       shortNumber(kMostOfRadius / (1.0 + 0.5 * kMostOfRadius) * outer / (2.0 * kPi))));
+  }
   section.torsionConstant =
       4.0 * section.areaMid * section.areaMid / (perLength * share) + strip * share / 3.0;
   section.maxShear =
       section.torsionConstant / (2.0 * section.areaMid * *std::min_element(wall.begin(), wall.end()));
+  if (!std::isnormal(section.torsionConstant)) {
+    refuseParameter(
+        Text::verbatim("a wall %1 thick is too thin to compute with", shortNumber(section.thickest)),
+        Text::verbatim("wall"), Text::verbatim("Give the thickness in the unit of the outline."));
+  }
   section.mostThickness = std::min(leastConvexRadius(loop), 0.5 * narrowestPlace(loop));
   return section;
 }

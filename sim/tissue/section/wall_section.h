@@ -45,8 +45,8 @@ struct WallSection {
 /// J = 4 A_m^2 / closed integral ds / t + (1/3) closed integral t^3 ds (docs/model.md H.1). `outline`: a
 /// simple polygon of at least 3 points, either orientation, first point not repeated. `thickness`: one
 /// number, or one for each point of the outline, linear between them. Throws Error{kBadParameter} for an
-/// outline that is no simple polygon, a thickness that is not above 0 or above 0.45 of the radius, or another
-/// number of them.
+/// outline that is no simple polygon, a thickness that is not above 0 or above 0.45 of `radius`, a wall that
+/// has more area than the outline, or another number of thicknesses.
 [[nodiscard]] WallSection wallSection(std::span<const Point2> outline, std::span<const double> thickness);
 
 /// Returns the inner outline of a wall: every point moved inwards along the normal there. It may cross itself

@@ -135,6 +135,33 @@ TEST_F(BadInput, SectionsThatAreNoneAreRefused) {
   expectRefused("section " + (folder_ / "none.csv").string(), ErrorCode::kFileMissing, "none.csv");
 }
 
+TEST_F(BadInput, SectionsBeyondTheRangeOfNumbersAreRefused) {
+  write(folder_ / "huge.csv", "0,0\n1e200,0\n1e200,1e200\n0,1e200\n");
+  write(folder_ / "tiny.csv", "0,0\n1e-200,0\n1e-200,1e-200\n0,1e-200\n");
+  for (const char* wall : {"", " --wall 1"}) {
+    expectRefused("section " + (folder_ / "huge.csv").string() + wall, ErrorCode::kBadParameter, "unit");
+    expectRefused("section " + (folder_ / "tiny.csv").string() + wall, ErrorCode::kBadParameter, "unit");
+  }
+}
+
+TEST_F(BadInput, WallsThatAreNoneAreRefused) {
+  write(folder_ / "square.csv", "0,0\n10,0\n10,10\n0,10\n");
+  write(folder_ / "flat.csv", "0,0\n100,0\n100,2\n0,2\n");
+  write(folder_ / "bow.csv", "0,0\n10,10\n10,0\n0,10\n");
+  write(folder_ / "words.csv", "0,0\nnan,1\n1,1\n0,1\n");
+  const auto sectionOf = [this](const std::string& rest) { return "section " + (folder_ / rest).string(); };
+  for (const char* wall : {"0", "-1", "nan", "inf", "1e400"}) {
+    expectRefused(sectionOf("square.csv --json --wall ") + wall, ErrorCode::kBadParameter, "thicker than 0");
+  }
+  expectRefused(sectionOf("square.csv --wall thick"), ErrorCode::kUsage, "thick");
+  expectRefused(sectionOf("square.csv --wall 5"), ErrorCode::kBadParameter, "(2.34 here");
+  expectRefused(sectionOf("square.csv --wall 1,2"), ErrorCode::kBadParameter, "2 thicknesses for 4");
+  expectRefused(sectionOf("square.csv --wall 1 --method fem"), ErrorCode::kUsage, "closed form");
+  expectRefused(sectionOf("flat.csv --json --wall 1.5"), ErrorCode::kBadParameter, "half of the narrowest");
+  expectRefused(sectionOf("bow.csv --wall 1"), ErrorCode::kBadParameter, "cross");
+  expectRefused(sectionOf("words.csv --wall 1"), ErrorCode::kBadData, "line 2");
+}
+
 TEST_F(BadInput, ParametersOutOfRangeNameTheLimit) {
   expectRefused("twist --organ forearm --ridges 2", ErrorCode::kBadParameter, "3");
   expectRefused("twist --organ forearm --sections 361", ErrorCode::kBadParameter, "360");
@@ -160,6 +187,32 @@ TEST(CommandLine, ASquareSectionHasItsTabledTorsionConstant) {
   const std::size_t at = run.out.find("\"J\":");
   ASSERT_NE(at, std::string::npos) << run.out;
   EXPECT_NEAR(std::stod(run.out.substr(at + 4)), 0.140577014955, 1e-4 * 0.140577014955);
+}
+
+TEST(CommandLine, ASectionWithAWallHasItsTorsionConstantByBredt) {
+  // Square of 10, wall 1: the middle line by Steiner has A = 100 - 20 + pi / 4 and s = 40 - pi.
+  const fs::path scratch = emptyFolder("wall");
+  write(scratch / "square.csv", "0,0\n10,0\n10,10\n0,10\n");
+  write(scratch / "round.csv", "0,0\n10,0\n10,9.5\n9.9,9.8\n9.8,9.9\n9.5,10\n0,10\n");
+
+  const ProgramRun run =
+      runTorsio("section " + (scratch / "square.csv").string() + " --wall 1 --json", scratch);
+
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  const nlohmann::json result = nlohmann::json::parse(run.out);
+  EXPECT_EQ(result["method"], "wall");
+  const double area = 80.0 + 0.25 * kPi;
+  const double length = 40.0 - kPi;
+  EXPECT_NEAR(result["area_mid"].get<double>(), area, 1e-9);
+  EXPECT_NEAR(result["perimeter_mid"].get<double>(), length, 1e-9);
+  EXPECT_NEAR(result["J"].get<double>(), 4.0 * area * area / length + length / 3.0, 1e-9);
+  EXPECT_NEAR(result["volume"].get<double>(), 0.25 * result["J"].get<double>(), 1e-9);
+
+  const ProgramRun crossing =
+      runTorsio("section " + (scratch / "round.csv").string() + " --wall 1 --json", scratch);
+  EXPECT_EQ(crossing.code, 0) << crossing.err;
+  EXPECT_NE(crossing.err.find("crosses itself"), std::string::npos) << crossing.err;
 }
 
 TEST(CommandLine, ASectionTellsMembraneAndStressAtAPoint) {

@@ -51,11 +51,13 @@ inline Scene hollowScene(const Detorsion& detorsion) {
   scene.pattern.targetAngle_rad = 0.0;
   scene.pattern.detorsion = std::make_shared<const Detorsion>(detorsion);
   scene.patterns = {scene.pattern};
-  scene.hollow = std::make_shared<const HollowOrgan>(HollowOrgan::Parts{.lattice = &scene.lattice(),
-                                                                        .shearModulus_Pa = kBarShear_Pa,
-                                                                        .graspArc = scene.pattern.graspArc,
-                                                                        .detorsion = detorsion,
-                                                                        .vertices_m = scene.mesh.vertices_m});
+  scene.hollow =
+      std::make_shared<const HollowOrgan>(HollowOrgan::Parts{.lattice = &scene.lattice(),
+                                                             .shearModulus_Pa = kBarShear_Pa,
+                                                             .graspArc = scene.pattern.graspArc,
+                                                             .detorsion = detorsion,
+                                                             .vertices_m = scene.mesh.vertices_m,
+                                                             .patches = &scene.collision.patches()});
   return scene;
 }
 

@@ -143,7 +143,40 @@ TEST(WallSection, RefusesAWallThatLeavesNoTube) {
   EXPECT_TRUE(refused({std::nan("")}));
   EXPECT_TRUE(refused({0.4}));  // 0.5 of the middle line's radius
   EXPECT_TRUE(refused({0.1, 0.1}));
+  EXPECT_TRUE(refused({1e-320}));
   EXPECT_FALSE(refused({0.3}));
+}
+
+TEST(WallSection, RefusesAWallThatIsThickerThanTheSectionIsWide) {
+  const std::vector<Point2> flat{{0, 0}, {100, 0}, {100, 2}, {0, 2}};  // its radius is 32
+  const double thin[] = {0.9};
+  const double thick[] = {1.5};
+
+  EXPECT_LT(wallSection(flat, thin).area, 200.0);
+  EXPECT_THROW(static_cast<void>(wallSection(flat, thick)), Error);
+}
+
+TEST(WallSection, NamesTheThickestWallThatItTakes) {
+  const std::vector<Point2> outline = outlineOf(shapes()[0].curve);
+  const double below[] = {0.367};
+  const double above[] = {0.368};
+
+  EXPECT_GT(wallSection(outline, below).torsionConstant, 0.0);
+  try {
+    static_cast<void>(wallSection(outline, above));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(error.remedy().find("0.367 here"), std::string::npos) << error.remedy();
+  }
+}
+
+TEST(WallSection, TakesPointsThatRepeatAsTheSolverDoes) {
+  const std::vector<Point2> square{{0, 0}, {0, 0}, {10, 0}, {10, 10}, {10, 10}, {0, 10}};
+  const std::vector<Point2> once{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  const double each[] = {1.0, 9.0, 1.1, 1.2, 9.0, 1.3};
+  const double four[] = {1.0, 1.1, 1.2, 1.3};
+
+  EXPECT_EQ(wallSection(square, each).torsionConstant, wallSection(once, four).torsionConstant);
 }
 
 }  // namespace

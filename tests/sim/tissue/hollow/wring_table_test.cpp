@@ -113,6 +113,15 @@ TEST(WringTable, TakesAnAngleOfEitherSign) {
   EXPECT_EQ(table().at(0.0, 0.01).torque, 0.0);
 }
 
+TEST(WringTable, TellsTheTorqueAloneToTheSameBit) {
+  for (int k = -400; k <= 400; ++k) {  // to beyond closing
+    for (const double pressure : {0.0, 3e-4, 0.011, 0.02, 0.5}) {
+      ASSERT_EQ(table().torqueAt(0.0125 * k, pressure), table().at(0.0125 * k, pressure).torque)
+          << k << ' ' << pressure;
+    }
+  }
+}
+
 TEST(WringTable, AnswersWithoutAllocation) {
   static_assert(noexcept(std::declval<const WringTable&>().at(1.0, 0.01)));
   static_assert(std::is_trivially_copyable_v<WrungState>);
