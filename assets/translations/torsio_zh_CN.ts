@@ -12740,6 +12740,10 @@
         <source>category</source>
         <translation>类别</translation>
     </message>
+    <message>
+        <source>has no column %1 any more</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

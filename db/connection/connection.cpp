@@ -65,6 +65,7 @@ class Statement::Query {
   std::string text;
   QSqlQuery query;
   std::int64_t affectedRows = 0;
+  int columns = -1;                               // of the rows; below 0: not asked for yet
   std::shared_ptr<const ChangeWatch::Plan> plan;  // null: nobody watches what it changes
   std::vector<Value> bound;                       // with a plan only
 };
@@ -99,6 +100,7 @@ void Statement::execute() {
 
 void Statement::run() {
   TORSIO_EXPECTS(!query_->state->broken);
+  query_->columns = -1;
   if (!query_->query.exec()) {
     const QSqlError error = query_->query.lastError();
     query_->query.finish();
@@ -194,7 +196,10 @@ std::optional<std::string> Statement::maybeText(int column) const {
 }
 
 int Statement::columnCount() const {
-  return query_->query.record().count();
+  if (query_->columns < 0) {
+    query_->columns = query_->query.record().count();  // copies the row
+  }
+  return query_->columns;
 }
 
 std::string Statement::columnName(int column) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/migrations/schema_check.h"
 
+#include <cctype>
 #include <map>
 #include <sstream>
 
@@ -14,49 +15,157 @@ namespace {
 /// What a part of the schema is made of, by its kind and name.
 using Parts = std::map<std::string, std::string>;
 
-Parts partsFrom(Connection& connection, const char* sql) {
+/// What a value is, with its kind: bytes that spell the same text are another value.
+std::string toldOf(const Value& value) {
+  if (const auto* text = std::get_if<std::string>(&value.storage())) {
+    return "\"" + *text + "\"";
+  }
+  if (const auto* number = std::get_if<std::int64_t>(&value.storage())) {
+    return std::to_string(*number);
+  }
+  return std::holds_alternative<std::monostate>(value.storage()) ? "nothing" : "something else";
+}
+
+/// Each row a part: named by its first column behind `prefix`, made of all its columns.
+Parts partsFrom(Connection& connection, const std::string& prefix, const char* sql) {
   Parts parts;
   Statement row = connection.prepare(sql);
   row.execute();
   while (row.step()) {
-    parts[row.text(0)] = row.text(1);
+    std::string& made = parts[prefix + row.text(0)];
+    for (int column = 0; column < row.columnCount(); ++column) {
+      made += (made.empty() ? "" : " ") + toldOf(row.value(column));
+    }
   }
   return parts;
 }
 
 Parts sqliteParts(Connection& connection) {
-  return partsFrom(connection,
-                   "SELECT type || ' ' || name, tbl_name || ' ' || coalesce(sql, '') || ' ' || typeof(type)"
-                   " || typeof(name) || typeof(tbl_name) || typeof(sql) FROM sqlite_master"
+  return partsFrom(connection, "",
+                   "SELECT type || ' ' || name, type, name, tbl_name, sql FROM sqlite_master"
                    " WHERE name NOT LIKE 'sqlite\\_stat%' ESCAPE '\\'");
 }
 
 /// Who may do what, and which steps were applied: rows that the steps fill, and nothing else.
 Parts rightsIn(Connection& connection) {
   Parts parts =
-      partsFrom(connection, "SELECT 'right ' || role_code || ' ' || operation_code, '' FROM role_operation");
-  parts.merge(partsFrom(connection, "SELECT 'role ' || code, label FROM role"));
-  parts.merge(partsFrom(connection, "SELECT 'operation ' || code, label FROM operation"));
-  parts.merge(partsFrom(connection,
-                        "SELECT 'step ' || version, name || ' ' || compatible_from || ' ' || checksum || ' '"
-                        " || description FROM schema_migration"));
+      partsFrom(connection, "right ",
+                "SELECT role_code || ' ' || operation_code, role_code, operation_code FROM role_operation");
+  parts.merge(partsFrom(connection, "role ", "SELECT code, label FROM role"));
+  parts.merge(partsFrom(connection, "operation ", "SELECT code, label FROM operation"));
+  parts.merge(
+      partsFrom(connection, "step ",
+                "SELECT version, name, compatible_from, checksum, description FROM schema_migration"));
   return parts;
 }
 
-/// A trigger is "on" for every session, and its function has the body that the step gives it.
+/// Columns, references, checks, keys and indices, in words that are the same for both engines.
+Parts outlineOfSqlite(Connection& connection) {
+  Parts parts =
+      partsFrom(connection, "column ",
+                "SELECT m.name || '.' || c.name, CASE c.type WHEN 'BLOB' THEN 'bytea' ELSE lower(c.type) END,"
+                " c.\"notnull\" OR c.pk > 0 FROM sqlite_master m JOIN pragma_table_info(m.name) c"
+                " WHERE m.type = 'table' AND m.name NOT LIKE 'sqlite\\_%' ESCAPE '\\'");
+  parts.merge(partsFrom(connection, "references ",
+                        "SELECT m.name || ' to ' || f.\"table\", count(DISTINCT f.id) FROM sqlite_master m"
+                        " JOIN pragma_foreign_key_list(m.name) f WHERE m.type = 'table' GROUP BY 1"));
+  parts.merge(partsFrom(connection, "checks of ",
+                        "SELECT name, (length(sql) - length(replace(sql, 'CHECK (', ''))) / 7"
+                        " FROM sqlite_master WHERE type = 'table' AND sql LIKE '%CHECK (%'"));
+  parts.merge(partsFrom(connection, "keys of ",
+                        "SELECT m.name, count(*) FROM sqlite_master m JOIN pragma_index_list(m.name) i"
+                        " WHERE m.type = 'table' AND i.origin IN ('pk', 'u') GROUP BY 1"));
+  parts.merge(partsFrom(connection, "index ",
+                        "SELECT i.name, i.\"unique\", i.partial FROM sqlite_master m"
+                        " JOIN pragma_index_list(m.name) i WHERE m.type = 'table' AND i.origin = 'c'"));
+  return parts;
+}
+
+Parts outlineOfPostgresql(Connection& connection) {
+  Parts parts = partsFrom(
+      connection, "column ",
+      "SELECT t.relname || '.' || a.attname, format_type(a.atttypid, a.atttypmod), a.attnotnull::int"
+      " FROM pg_class t JOIN pg_attribute a ON a.attrelid = t.oid"
+      " WHERE t.relnamespace = current_schema()::regnamespace AND t.relkind IN ('r', 'p')"
+      " AND a.attnum > 0 AND NOT a.attisdropped");
+  parts.merge(partsFrom(connection, "references ",
+                        "SELECT t.relname || ' to ' || f.relname, count(*) FROM pg_constraint c"
+                        " JOIN pg_class t ON t.oid = c.conrelid JOIN pg_class f ON f.oid = c.confrelid"
+                        " WHERE c.connamespace = current_schema()::regnamespace AND c.contype = 'f'"
+                        " AND c.convalidated GROUP BY 1"));
+  parts.merge(partsFrom(connection, "checks of ",
+                        "SELECT t.relname, count(*) FROM pg_constraint c JOIN pg_class t ON t.oid ="
+                        " c.conrelid WHERE c.connamespace = current_schema()::regnamespace"
+                        " AND c.contype = 'c' AND c.convalidated GROUP BY 1"));
+  parts.merge(partsFrom(connection, "keys of ",
+                        "SELECT t.relname, count(*) FROM pg_constraint c JOIN pg_class t ON t.oid ="
+                        " c.conrelid WHERE c.connamespace = current_schema()::regnamespace"
+                        " AND c.contype IN ('p', 'u') GROUP BY 1"));
+  parts.merge(partsFrom(connection, "index ",
+                        "SELECT n.relname, i.indisunique::int, (i.indpred IS NOT NULL)::int FROM pg_index i"
+                        " JOIN pg_class n ON n.oid = i.indexrelid"
+                        " WHERE n.relnamespace = current_schema()::regnamespace AND i.indisvalid"
+                        " AND NOT EXISTS (SELECT 1 FROM pg_constraint c WHERE c.conindid = i.indexrelid)"));
+  return parts;
+}
+
+/// A trigger as one line: PostgreSQL writes its parentheses, its schema and the order of its events anew.
+std::string plainTrigger(std::string made, const std::string& schema) {
+  std::string plain;
+  for (const char letter : made) {
+    if (letter == '(' || letter == ')') {
+      continue;
+    }
+    const bool blank = letter == ' ' || letter == '\n';
+    if (!blank || (!plain.empty() && plain.back() != ' ')) {
+      plain += blank ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    }
+  }
+  const auto replaceAll = [&plain](const std::string& from, const std::string& to) {
+    for (std::size_t at = plain.find(from); at != std::string::npos; at = plain.find(from, at + to.size())) {
+      plain.replace(at, from.size(), to);
+    }
+  };
+  replaceAll(" " + schema + ".", " ");
+  replaceAll("update or delete", "delete or update");
+  return plain;
+}
+
+/// Triggers with what they do and whether they are on for every session, the bodies of their functions, and
+/// what would pass them by.
 Parts postgresqlParts(Connection& connection) {
-  Parts parts = partsFrom(connection,
-                          "SELECT 'trigger ' || g.tgname, CASE g.tgenabled WHEN 'O' THEN 'on' ELSE 'off' END"
-                          " FROM pg_trigger g JOIN pg_class t ON t.oid = g.tgrelid"
-                          " WHERE t.relnamespace = current_schema()::regnamespace AND NOT g.tgisinternal");
-  parts.merge(partsFrom(connection,
-                        "SELECT 'function ' || p.proname, p.prosrc FROM pg_proc p"
-                        " WHERE p.pronamespace = current_schema()::regnamespace"));
+  Statement name = connection.prepare("SELECT quote_ident(current_schema())");
+  name.execute();
+  const std::string schema = name.step() ? name.text(0) : std::string();
+  Parts parts;
+  Statement trigger = connection.prepare(
+      "SELECT g.tgname, g.tgenabled = 'O', pg_get_triggerdef(g.oid)"
+      " FROM pg_trigger g JOIN pg_class t ON t.oid = g.tgrelid"
+      " WHERE t.relnamespace = current_schema()::regnamespace AND NOT g.tgisinternal");
+  trigger.execute();
+  while (trigger.step()) {
+    parts["trigger " + trigger.text(0)] +=
+        (trigger.boolean(1) ? "on " : "off ") + plainTrigger(trigger.text(2), schema);
+  }
+  parts.merge(partsFrom(connection, "rule ",
+                        "SELECT tablename || ' ' || rulename, definition FROM pg_rules"
+                        " WHERE schemaname = current_schema()"));
+  parts.merge(partsFrom(connection, "setting that switches triggers off ",
+                        "SELECT coalesce(r.rolname, 'all') FROM pg_db_role_setting s"
+                        " LEFT JOIN pg_roles r ON r.oid = s.setrole"
+                        " WHERE array_to_string(s.setconfig, ' ') LIKE '%session\\_replication\\_role%'"));
+  Statement function = connection.prepare(
+      "SELECT p.proname, p.prosrc FROM pg_proc p WHERE p.pronamespace = current_schema()::regnamespace");
+  function.execute();
+  while (function.step()) {
+    parts["function " + function.text(0)] += function.text(1);
+  }
+  parts.merge(outlineOfPostgresql(connection));
   return parts;
 }
 
-Parts expectedOnPostgresql() {
-  Parts parts;
+Parts expectedOnPostgresql(Connection& fresh) {
+  Parts parts = outlineOfSqlite(fresh);
   for (const Migration& step : embeddedMigrations()) {
     for (const std::string& sql : statementsFor(Engine::kPostgresql, step.sql, step.name)) {
       std::istringstream words(sql);
@@ -65,7 +174,7 @@ Parts expectedOnPostgresql() {
       std::string name;
       words >> create >> kind >> name;
       if (kind == "TRIGGER") {
-        parts["trigger " + name] = "on";
+        parts["trigger " + name] = "on " + plainTrigger(sql, "");
       } else if (kind == "FUNCTION") {
         const std::size_t body = sql.find("$$") + 2;
         parts["function " + name.substr(0, name.find('('))] = sql.substr(body, sql.rfind("$$") - body);
@@ -90,7 +199,7 @@ std::vector<SchemaFinding> schemaFindings(Connection& connection,
     return {};
   }
   Connection fresh = freshRecord();
-  Parts expected = sqlite ? sqliteParts(fresh) : expectedOnPostgresql();
+  Parts expected = sqlite ? sqliteParts(fresh) : expectedOnPostgresql(fresh);
   Parts found = sqlite ? sqliteParts(connection) : postgresqlParts(connection);
   expected.merge(rightsIn(fresh));
   found.merge(rightsIn(connection));

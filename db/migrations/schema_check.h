@@ -16,10 +16,11 @@ struct SchemaFinding {
 };
 
 /// Compares the schema of a record with what the steps make, so that nobody can take a trigger away, add one,
-/// or loosen a rule unseen. SQLite: every table, index, trigger and view. PostgreSQL: every trigger, whether
-/// it is switched on, and what its functions do. Of the schema that this program knows; empty: nothing
-/// differs, or the record is newer. `serverFunctions`: bodies of those that a prepared server may have
-/// besides, by name.
+/// or loosen a rule unseen. SQLite: every table, index, trigger and view. PostgreSQL: every column,
+/// reference, key, index, trigger (what it does, and whether it is on) and function, the number of checks,
+/// and rules and settings that would pass the triggers by. Of the schema that this program knows; empty:
+/// nothing differs, or the record is newer. `serverFunctions`: bodies of those that a prepared server may
+/// have besides, by name.
 [[nodiscard]] std::vector<SchemaFinding> schemaFindings(
     Connection& connection, const std::map<std::string, std::string>& serverFunctions = {});
 

@@ -9,6 +9,7 @@
 #include "db/repository/base/changed_statement.h"
 #include "db/repository/base/value_digest.h"
 #include "sim/base/contracts.h"
+#include "sim/base/error.h"
 
 namespace torsio {
 
@@ -68,7 +69,10 @@ SealShape::SealShape(const SealRule& rule, std::vector<std::string> columns)
   }
   for (const std::string& column : columnsOf(rule.key)) {
     const auto found = std::find(columns_.begin(), columns_.end(), column);
-    TORSIO_EXPECTS(found != columns_.end());
+    if (found == columns_.end()) {
+      throw Error(ErrorCode::kVerifyFailed, Text::tr("has no column %1 any more", column),
+                  std::string(rule.table), Text::tr("Restore a backup"));
+    }
     key_.push_back(static_cast<std::size_t>(found - columns_.begin()));
   }
 }

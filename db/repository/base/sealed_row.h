@@ -22,7 +22,8 @@ using SealedParts = std::unordered_map<std::string, std::vector<Digest::Value>>;
 /// so that a step of the schema may add one.
 class SealShape {
  public:
-  /// `columns`: as a SELECT of the whole row gives them.
+  /// `columns`: as a SELECT of the whole row gives them. Throws Error (kVerifyFailed) when one of the key is
+  /// not among them.
   SealShape(const SealRule& rule, std::vector<std::string> columns);
 
   [[nodiscard]] const SealRule& rule() const { return *rule_; }

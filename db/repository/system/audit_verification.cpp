@@ -2,10 +2,13 @@
 #include "db/repository/system/audit_verification.h"
 
 #include <set>
+#include <utility>
 #include <vector>
 
+#include "db/connection/db_error.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/base/seal_rules.h"
 #include "db/repository/system/seal_verification.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
@@ -49,6 +52,35 @@ void checkGate(Connection& connection, std::vector<AuditFinding>& findings) {
   }
 }
 
+/// SQLite keeps any kind of value in any column, and a text of bytes reads as a text. Rows with a hash of
+/// their own tell; the others must hold what their columns say.
+void checkKinds(Connection& connection, std::vector<AuditFinding>& findings) {
+  if (connection.engine() != Engine::kSqlite) {
+    return;
+  }
+  for (const SealRule& rule : kSealRules) {
+    if (rule.sealing != Sealing::kElsewhere) {
+      continue;
+    }
+    const std::string table(rule.table);
+    std::string other;
+    for (const auto& [column, declared] : selectAll(
+             connection, "SELECT name, type FROM pragma_table_info('" + table + "')", {}, [](RowReader& row) {
+               return std::pair{row.text(), row.text()};
+             })) {
+      const char* kind = declared == "TEXT" ? "text" : declared == "BLOB" ? "blob" : "integer";
+      other.append(other.empty() ? "" : " OR ").append("typeof(").append(column).append(") <> '");
+      other.append(kind).append("'");
+    }
+    const std::int64_t rows =
+        selectFirst(connection, "SELECT count(*) FROM " + table + " WHERE " + other, {}, readInt64)
+            .value_or(0);
+    if (rows > 0) {
+      findings.push_back({0, table, {}, "has rows with a value of another kind than their column"});
+    }
+  }
+}
+
 /// Ids of trials that have ended, with their trainee (empty: nobody's).
 struct EndedTrial {
   std::string id;
@@ -75,10 +107,9 @@ void checkTrials(Connection& connection, const std::set<std::string>& erased,
     }
     try {
       verifyContent(loader.load(trial.id));
+    } catch (const DbError&) {
+      throw;
     } catch (const Error& error) {
-      if (error.code() != ErrorCode::kVerifyFailed) {
-        throw;
-      }
       findings.push_back({0, kTrial, trial.id, error.happened()});
     }
   }
@@ -92,6 +123,7 @@ std::vector<AuditFinding> verifyAuditTrail(Connection& connection, const VerifyP
   SealVerification seals(connection, findings);
   checkChain(connection, seals, findings);
   checkGate(connection, findings);
+  checkKinds(connection, findings);
   seals.compareRows();
   checkTrials(connection, seals.erased(), findings, progress);
   oneMoment.commit();

@@ -4,10 +4,12 @@
 #include <algorithm>
 
 #include "assessment/people/audit_terms.h"
+#include "db/connection/db_error.h"
 #include "db/connection/row_reader.h"
 #include "db/migrations/schema_check.h"
 #include "db/repository/base/changed_statement.h"
 #include "db/repository/people/person_rules.h"
+#include "sim/base/error.h"
 
 namespace torsio {
 
@@ -61,8 +63,15 @@ void SealVerification::compareRows() {
   readSchemaRows();
   readSeals();
   for (const SealRule& rule : kSealRules) {
-    if (rule.sealing == Sealing::kOnce || rule.sealing == Sealing::kEachChange) {
+    if (rule.sealing != Sealing::kOnce && rule.sealing != Sealing::kEachChange) {
+      continue;
+    }
+    try {
       compareTable(rule);
+    } catch (const DbError&) {
+      throw;
+    } catch (const Error& error) {  // its columns are not those of this version
+      findings_.push_back({0, "schema", error.where(), error.happened()});
     }
   }
   for (const auto& [table, salts] : salts_) {
