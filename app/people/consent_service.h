@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,25 +12,34 @@
 
 namespace torsio {
 
-/// What somebody agrees to, in the words that were shown.
-struct ConsentText {
-  std::string purpose{};  ///< "training_record", "video", "research", "xapi_export", "teaching"
-  std::string version{};  ///< stored with each decision
-  std::string title{};
-  std::string text{};
-};
+/// Reads the words of assets/consent, which are asked until the centre publishes its own. Throws
+/// Error{kFileMissing, kBadData}.
+[[nodiscard]] ConsentVersion shippedConsent(const std::filesystem::path& assets);
 
-/// The texts of assets/consent, in the order in which they are asked. `language`: "en", "zh_CN"; an unknown
-/// one gives English. Throws Error{kFileMissing, kBadData}.
-[[nodiscard]] std::vector<ConsentText> consentTexts(const std::filesystem::path& assets,
-                                                    const std::string& language = "en");
+/// The words of a version in `language` ("en", "zh_CN"); a language it lacks gives English, or the first.
+[[nodiscard]] const ConsentWords& wordsIn(const ConsentVersion& version, const std::string& language);
+
+/// What is asked now. kPractice (whoever may be asked).
+[[nodiscard]] ConsentVersion askedConsent(SessionContext& session, const std::filesystem::path& assets);
+/// Every version, the shipped one first. kPersonViewCoded.
+[[nodiscard]] std::vector<ConsentVersion> consentVersions(SessionContext& session,
+                                                          const std::filesystem::path& assets);
+
+/// Makes `languages` the version that is asked from now on; decisions about earlier ones stay. A text without
+/// a purpose is a new one, at the same place in each language; it gets a code. Returns the id. Audited.
+/// kSettingsEdit. Throws Error{kBadParameter}: no note, no language, the training record is missing, an empty
+/// title or text, an unknown purpose or one that comes twice, purposes that differ between languages,
+/// nothing that has changed.
+std::string publishConsent(SessionContext& session, const std::filesystem::path& assets,
+                           std::vector<ConsentWords> languages, const std::string& note);
 
 /// Every decision, oldest first. kPersonViewCoded.
 [[nodiscard]] std::vector<ConsentDecision> consentHistory(SessionContext& session, const PersonId& personId);
 
-/// Given, or withdrawn (`granted` false). Audited. kConsentRecord. Throws Error{kBadParameter} for an unknown
-/// purpose or person, or an empty version.
+/// Enters what was signed on paper: given, or withdrawn (`granted` false). `signedUtc_us`: the day beside the
+/// signature; 0: today. Audited. kConsentRecord. Throws Error{kBadParameter} for an unknown purpose or
+/// person, an empty version, a day that is still to come.
 void recordConsent(SessionContext& session, const PersonId& personId, const std::string& purpose,
-                   bool granted, const std::string& textVersion);
+                   bool granted, const std::string& textVersion, std::int64_t signedUtc_us = 0);
 
 }  // namespace torsio

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kPageWidth_mm = 210.0;
 constexpr double kPageHeight_mm = 297.0;
+constexpr double kReference_pt = 5.5;  // two hashes in one line
 constexpr int kTextFlags = Qt::AlignLeft | Qt::TextWordWrap;
 const QColor kInk(0x26, 0x32, 0x38);
 const QColor kHeaderFill(0xE4, 0xEC, 0xF2);
@@ -94,6 +95,12 @@ void PageFlow::text(const QString& content, double points, bool bold, const QCol
       keepWithNext_mm);
 }
 
+void PageFlow::bookmark(const QString& title, int level) {
+  if (!pages_.back().empty()) {
+    bookmarks_.push_back({title, pages_.size() - 1, pages_.back().back().top_mm, level});
+  }
+}
+
 TableLayout PageFlow::layOut(const PlainTable& table) const {
   return torsio::layOut(table, width_mm(), writer_, unit_,
                         [this](double points, bool bold) { return font(points, bold); });
@@ -151,6 +158,11 @@ void PageFlow::drawFrame(QPainter& painter, std::size_t page, double unit) const
   const QRectF foot(left, (kPageHeight_mm - 14.0) * unit, wide, 6.0 * unit);
   painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, style_.footerText);
   painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, style_.pageText(page + 1, pages_.size()));
+  if (!style_.reference.isEmpty()) {
+    painter.setFont(font(kReference_pt, false));
+    painter.drawText(QRectF(left, (kPageHeight_mm - 9.0) * unit, wide, 4.0 * unit),
+                     Qt::AlignLeft | Qt::AlignVCenter, style_.reference);
+  }
   const QRectF head(left, 9.0 * unit, wide, 6.0 * unit);
   if (page > 0) {
     painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, style_.headerText);

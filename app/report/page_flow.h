@@ -10,6 +10,7 @@
 #include <QRectF>
 #include <QString>
 
+#include "app/report/pdf_outline.h"
 #include "app/report/table_layout.h"
 
 class QPdfWriter;
@@ -29,6 +30,7 @@ class PageFlow {
     double marginBottom_mm = 20.0;
     QString headerText;  ///< small, every page but the first
     QString footerText;  ///< left
+    QString reference;   ///< below it, on every page: what the report is known by; may be empty
     QString watermark;   ///< in the head of every page, e.g. that the data are simulated; may be empty
     std::function<QString(std::size_t page, std::size_t pages)> pageText;  ///< right; from 1
   };
@@ -52,6 +54,9 @@ class PageFlow {
   /// Wrapped text; splits between lines of a page only when taller than a page.
   void text(const QString& content, double points, bool bold = false,
             const QColor& colour = QColor(0x26, 0x32, 0x38), double keepWithNext_mm = 0.0);
+  /// Names the block that was added last, for the list of bookmarks. `level`: 0, or 1 below the last 0.
+  void bookmark(const QString& title, int level);
+  [[nodiscard]] const std::vector<PdfBookmark>& bookmarks() const noexcept { return bookmarks_; }
   /// What text() will take.
   [[nodiscard]] double textHeight_mm(const QString& content, double points, bool bold = false) const;
   /// A table with repeated header; column widths and the size of the letters follow the contents.
@@ -79,6 +84,7 @@ class PageFlow {
   double unit_;  // device units in a millimetre
   double cursor_mm_;
   std::vector<std::vector<Block>> pages_;
+  std::vector<PdfBookmark> bookmarks_;
 };
 
 }  // namespace torsio

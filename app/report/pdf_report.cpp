@@ -13,6 +13,7 @@
 
 #include "app/report/chart_builder.h"
 #include "app/report/page_flow.h"
+#include "app/report/pdf_outline.h"
 #include "assessment/report/figure_table.h"
 #include "assessment/report/provenance_line.h"
 #include "sim/base/contracts.h"
@@ -88,6 +89,7 @@ class Composer {
 
   void section(const ReportSection& section) {
     flow_.text(say_(section.title), 16.0, true, kAccent, 20.0);
+    flow_.bookmark(say_(section.title), 0);
     flow_.space(2.5);
     for (const Text& paragraph : section.paragraphs) {
       flow_.text(say_(paragraph), 9.5);
@@ -132,6 +134,7 @@ class Composer {
         height_mm + layout.height_mm() + notesHeight_mm(figure.notes, figure.provenance);
     flow_.text(say_(figure.title), 9.5, true, kAccent,
                together_mm < flow_.page_mm() - kHeading_mm ? together_mm : height_mm + kHeading_mm);
+    flow_.bookmark(say_(figure.title), 1);
     const double width_mm = flow_.width_mm();
     flow_.add(
         height_mm, [&figure, say = say_, width_mm, height_mm](QPainter& painter, const QRectF& area, double) {
@@ -169,6 +172,7 @@ class Composer {
       begin_mm = kHeading_mm + layout.height_mm() + notes_mm;
     }
     flow_.text(say_(table.title), 9.5, true, kAccent, begin_mm);
+    flow_.bookmark(say_(table.title), 1);
     flow_.space(1.0);
     flow_.table(cells, layout, notes_mm);
     flow_.space(1.0);
@@ -227,15 +231,23 @@ void compose(PageFlow& flow, const ReportModel& model, const Wording& wording) {
   }
 }
 
+void addBookmarks(const std::filesystem::path& file, const std::vector<PdfBookmark>& bookmarks,
+                  const std::string& language) {
+  std::string tag = language;
+  std::replace(tag.begin(), tag.end(), '_', '-');
+  writeFileAtomically(file, withBookmarks(readFile(file), bookmarks, tag));
+}
+
 }  // namespace
 
 void writePdfReport(const ReportModel& model, const std::filesystem::path& file, const Wording& wording,
-                    const PdfProgress& progress) {
+                    const PdfProgress& progress, const std::string& language) {
   TORSIO_EXPECTS(QCoreApplication::instance() != nullptr);
   requireNoDatabase(file);
   const std::filesystem::path temporary = temporaryBeside(file);
   std::error_code failed;
   bool painted = false;
+  std::vector<PdfBookmark> bookmarks;
   {
     const QString version = QString::fromStdString(model.softwareVersion);
     QPdfWriter writer(QString::fromStdString(temporary.string()));
@@ -249,6 +261,10 @@ void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
     PageFlow::Style style;
     style.headerText = wording(model.title);
     style.footerText = QStringLiteral("Torsio %1  |  %2").arg(version, created);
+    if (!model.number.empty()) {
+      style.reference = wording(Text::tr("Report %1  |  numbers %2  |  audit trail %3", model.number,
+                                         model.numbersHash, model.auditHead));
+    }
     if (model.demonstration) {
       style.watermark = wording(Text::tr("DEMONSTRATION DATA - SIMULATED"));
     }
@@ -267,9 +283,11 @@ void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
         throw;
       }
       painted = painter.end();
+      bookmarks = flow.bookmarks();
     }
   }
   if (painted) {
+    addBookmarks(temporary, bookmarks, language);
     std::filesystem::rename(temporary, file, failed);
   }
   if (!painted || failed) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <string>
 
 #include "app/report/wording.h"
 #include "assessment/report/report_model.h"
@@ -13,11 +14,13 @@ namespace torsio {
 /// Told after every page: pages drawn so far and in all. May throw to give up.
 using PdfProgress = std::function<void(std::size_t page, std::size_t pages)>;
 
-/// Writes the whole report as a vector PDF (A4, fonts embedded, page x of y) in the words of `wording`,
-/// through a temporary file. Needs a QApplication (makeHeadlessGraphicsApplication suffices). GUI thread.
-/// Throws Error{kFileUnwritable}, or what `progress` throws; then an older file of that name is untouched and
-/// no half file is left.
+/// Writes the whole report as a vector PDF (A4, fonts embedded, page x of y; bookmarks of sections, figures
+/// and tables) in the words of `wording`, through a temporary file. `language`: that of the words, for the
+/// file. Needs a QApplication (makeHeadlessGraphicsApplication suffices). GUI thread. Throws
+/// Error{kFileUnwritable}, or what `progress` throws; then an older file of that name is untouched and no
+/// half file is left.
 void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
-                    const Wording& wording = englishWording, const PdfProgress& progress = {});
+                    const Wording& wording = englishWording, const PdfProgress& progress = {},
+                    const std::string& language = "en");
 
 }  // namespace torsio

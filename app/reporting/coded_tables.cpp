@@ -13,6 +13,7 @@
 #include "app/base/csv_table.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/rating/assignment.h"
+#include "assessment/rating/criteria_mean.h"
 #include "assessment/rating/mark.h"
 #include "assessment/rating/rubric.h"
 #include "assessment/report/number_format.h"
@@ -79,6 +80,13 @@ class SheetsOfCohort {
   [[nodiscard]] std::vector<SheetRow> rowsOf(const AssignmentId& assignmentId) const {
     const std::optional<Sheet> sheet = repository_.submitted(assignmentId);
     return sheet ? sheet->rows : std::vector<SheetRow>{};
+  }
+  /// Of the criteria, in points; empty: none.
+  [[nodiscard]] std::string meanOf(const SubmittedMark& mark) const {
+    const RubricRevision* rubric = rubricOf(mark.assignmentId);
+    const std::optional<double> mean =
+        rubric == nullptr ? std::nullopt : criteriaMean(*rubric, rowsOf(mark.assignmentId));
+    return mean ? formatExact(*mean) : std::string();
   }
   [[nodiscard]] std::vector<const RubricRevision*> used() const {
     std::vector<const RubricRevision*> all;
@@ -156,8 +164,9 @@ std::size_t exportMarks(SessionContext& session, const CohortId& cohortId, const
   session.require(Operation::kMarkViewCoded);
   std::vector<Cells> lines{{"trainee", "rater", "occasion", "version", "score", "not_assessable", "trial",
                             "submitted_utc", "moved_after_panel", "signature", "signed_by", "signed_utc",
-                            "signature_reason", "password_shown_utc"}};
+                            "signature_reason", "password_shown_utc", "criteria_mean"}};
   SheetRepository sheets(session.connection());
+  const SheetsOfCohort rubrics(session.connection(), cohortId);
   const std::map<std::string, Signature> signatures =
       SignatureRepository(session.connection()).all(SignedKind::kTrainingMark);
   for (const SubmittedMark& mark : RatingRepository(session.connection()).marks(cohortId)) {
@@ -167,6 +176,7 @@ std::size_t exportMarks(SessionContext& session, const CohortId& cohortId, const
          mark.score_steps ? "no" : "yes", mark.trialId, formatUtc(mark.submittedUtc_us),
          afterPanel(sheets, mark) ? "yes" : "no"});
     addSignature(lines.back(), signatures, mark);
+    lines.back().push_back(rubrics.meanOf(mark));
   }
   return write(session, {AuditAction::kMarkExportCoded, AuditObject::kCohort, cohortId}, lines, file, look);
 }
@@ -203,12 +213,13 @@ std::size_t exportRubrics(SessionContext& session, const CohortId& cohortId,
                           const std::filesystem::path& file, const CsvLook& look) {
   session.require(Operation::kMarkViewCoded);
   SheetsOfCohort sheets(session.connection(), cohortId);
-  std::vector<Cells> lines{
-      {"rubric", "revision", "criterion", "label", "lowest", "highest", "anchor", "meaning", "program"}};
+  std::vector<Cells> lines{{"rubric", "revision", "criterion", "label", "weight", "lowest", "highest",
+                            "anchor", "meaning", "program"}};
   for (const RubricRevision* rubric : sheets.used()) {
     for (const RubricLine& row : rubric->rows) {
       const auto add = [&](const std::string& anchor, const std::string& meaning) {
         lines.push_back({sheets.nameOf(*rubric), std::to_string(rubric->number), row.code, row.label,
+                         formatExact(static_cast<double>(row.weight_milli) / 1000.0),
                          formatExact(pointsFromSteps(row.scale.lo, row.scale)),
                          formatExact(pointsFromSteps(row.scale.hi, row.scale)), anchor, meaning,
                          programHash()});

@@ -38,7 +38,7 @@ ReportExport exportReport(SessionContext& session, const ReportRequest& request,
   session.require(named ? Operation::kReportExportNamed : Operation::kReportExportCoded);
   TORSIO_EXPECTS(inputs.identity == request.identity);
   if (format == ReportFormat::kPdf) {
-    writePdfReport(cohortReport(inputs), file, wordingIn(language), pages);
+    writePdfReport(cohortReport(inputs), file, wordingIn(language), pages, language);
   } else {
     writeFileAtomically(file,
                         csvInLook(std::string(kByteOrderMark) + cohortCsvText(cohortCsvRows(inputs)), look));

@@ -11,6 +11,7 @@
 #include "app/access/two_people.h"
 #include "app/base/build_info.h"
 #include "app/study/allocation_design.h"
+#include "app/study/cohort_service.h"
 #include "app/study/draw_field.h"
 #include "app/study/drawn_seed.h"
 #include "assessment/people/person.h"
@@ -214,6 +215,7 @@ AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan
   session.require(Operation::kAllocationRun);
   Transaction transaction(session.connection());
   const DrawField field = readDrawField(session, plan.cohortId);
+  refuseWhenClosed(field.cohort);
   StudyRepository study(session.connection());
   const std::vector<LockedDesign> before = study.designs(plan.cohortId);
   if (!before.empty() && !study.allocations(before.back().id).empty() && supersedeReason.empty()) {

@@ -11,6 +11,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
@@ -31,13 +32,21 @@ Enrolment enrolmentOf(StudyRepository& study, const CohortId& cohortId, const En
          Text::tr("Choose one from the list"));
 }
 
+void checkName(StudyRepository& study, const CohortId& own, const std::string& name) {
+  if (name.empty()) {
+    refuseParameter(Text::tr("the cohort has no name"), Text::tr("cohort"), Text::tr("Enter one"));
+  }
+  for (const Cohort& other : study.cohorts()) {
+    if (other.name == name && other.id != own) {
+      refuseParameter(Text::tr("another cohort has this name"), name, Text::tr("Choose another name"));
+    }
+  }
+}
+
 void checkNewCohort(const NewCohort& cohort) {
   const auto bad = [](const Text& what, const Text& remedy) {
     throw Error(ErrorCode::kBadParameter, what, Text::tr("cohort"), remedy);
   };
-  if (cohort.name.empty()) {
-    bad(Text::tr("the cohort has no name"), Text::tr("Enter one"));
-  }
   if (cohort.groups.empty() && cohort.curriculumVersionId.empty()) {
     bad(Text::tr("the cohort has no groups"),
         Text::tr("Name its groups, or choose a curriculum whose arms they follow"));
@@ -151,6 +160,8 @@ CohortId addCohort(SessionContext& session, const NewCohort& cohort) {
   session.require(Operation::kStudySetup);
   checkNewCohort(cohort);
   Transaction transaction(session.connection());
+  StudyRepository study(session.connection());
+  checkName(study, {}, cohort.name);
   const CohortId id = session.ids().newUuid();
   std::vector<NewGroup> names = cohort.groups;
   CurriculumRepository curricula(session.connection());
@@ -169,8 +180,7 @@ CohortId addCohort(SessionContext& session, const NewCohort& cohort) {
     groups.push_back(
         {session.ids().newUuid(), id, static_cast<std::int64_t>(groups.size() + 1), group.code, group.label});
   }
-  StudyRepository(session.connection())
-      .addCohort({id, cohort.name, cohort.description, session.now_us(), cohort.demonstration}, groups);
+  study.addCohort({id, cohort.name, cohort.description, session.now_us(), cohort.demonstration}, groups);
   nlohmann::json now{{"groups", nlohmann::json::array()}, {"curriculum_version", cohort.curriculumVersionId}};
   for (const StudyGroup& group : groups) {
     now["groups"].push_back(group.code);
@@ -186,12 +196,81 @@ CohortId addCohort(SessionContext& session, const NewCohort& cohort) {
   return id;
 }
 
+void renameCohort(SessionContext& session, const CohortId& cohortId, const std::string& name) {
+  session.require(Operation::kStudySetup);
+  Transaction transaction(session.connection());
+  StudyRepository study(session.connection());
+  const Cohort before = study.cohort(cohortId);
+  checkName(study, cohortId, name);
+  study.renameCohort(cohortId, name);
+  session.note({.action = AuditAction::kCohortRename,
+                .objectKind = AuditObject::kCohort,
+                .objectId = cohortId,
+                .oldJson = nlohmann::json{{"name", before.name}}.dump(),
+                .newJson = nlohmann::json{{"name", name}}.dump()});
+  transaction.commit();
+}
+
+namespace {
+
+/// Throws where a cohort cannot go from the state it is in to another one.
+void checkStep(SessionContext& session, const Cohort& cohort, CohortState state) {
+  const bool closes = state == CohortState::kClosed && cohort.state == CohortState::kRunning;
+  const bool archives = state == CohortState::kArchived && cohort.state == CohortState::kClosed;
+  const bool opens = state == CohortState::kRunning &&
+                     (cohort.state == CohortState::kClosed || cohort.state == CohortState::kArchived);
+  if (!closes && !archives && !opens) {
+    refuse(Text::tr("the cohort is %1 and cannot become %2", std::string(storedText(cohort.state)),
+                    std::string(storedText(state))),
+           cohort.name, Text::tr("Close a running cohort, archive a closed one, or open it again"));
+  }
+  if (closes && !StudyRepository(session.connection()).runningTrials(cohort.id).empty()) {
+    refuse(Text::tr("somebody of this cohort is training"), cohort.name,
+           Text::tr("Wait for the end of the run, or close what was cut off at its station"));
+  }
+  const std::int64_t open = archives ? SheetRepository(session.connection()).openAssignments(cohort.id) : 0;
+  if (open > 0) {
+    refuse(Text::tr("%1 sheets are still open", open), cohort.name,
+           Text::tr("Wait for them, or take them back under Scoring"));
+  }
+}
+
+}  // namespace
+
+void setCohortState(SessionContext& session, const CohortId& cohortId, CohortState state,
+                    const std::string& reason) {
+  session.require(Operation::kStudySetup);
+  if (reason.empty()) {
+    refuseParameter(Text::tr("it is not said why"), cohortId, Text::tr("Say in a few words why"));
+  }
+  Transaction transaction(session.connection());
+  StudyRepository study(session.connection());
+  const Cohort before = study.cohort(cohortId);
+  checkStep(session, before, state);
+  study.setCohortState(cohortId, state, reason, session.actor().userId, session.now_us());
+  session.note({.action = AuditAction::kCohortSetState,
+                .objectKind = AuditObject::kCohort,
+                .objectId = cohortId,
+                .oldJson = nlohmann::json{{"state", storedText(before.state)}}.dump(),
+                .newJson = nlohmann::json{{"state", storedText(state)}}.dump(),
+                .reason = reason});
+  transaction.commit();
+}
+
+void refuseWhenClosed(const Cohort& cohort) {
+  if (cohort.state == CohortState::kClosed || cohort.state == CohortState::kArchived) {
+    refuse(Text::tr("this cohort is closed"), cohort.name,
+           Text::tr("Choose another cohort, or have an administrator open it again"));
+  }
+}
+
 void assignCurriculum(SessionContext& session, const CohortId& cohortId,
                       const CurriculumVersionId& versionId) {
   session.require(Operation::kStudySetup);
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
   const Cohort before = study.cohort(cohortId);
+  refuseWhenClosed(before);
   if (!study.exposures(cohortId).empty()) {
     refuse(Text::tr("training has begun: the curriculum of this cohort stays"), before.name,
            Text::tr("Make another cohort for the other curriculum"));
@@ -214,6 +293,7 @@ std::vector<EnrolmentId> enrolTrainees(SessionContext& session, const CohortId& 
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
   const Cohort cohort = study.cohort(cohortId);
+  refuseWhenClosed(cohort);
   std::set<TraineeId> enrolled;
   for (const Enrolment& enrolment : study.enrolments(cohortId)) {
     enrolled.insert(enrolment.traineeId);

@@ -41,16 +41,28 @@ struct NewCohort {
   CurriculumVersionId curriculumVersionId{};  ///< may be empty: assignCurriculum() later
   bool demonstration = false;
 };
-/// Returns the id. Audited. kStudySetup. Throws Error{kBadParameter}: no name, no groups, a code twice;
-/// kBadData when the curriculum is not running or has not an arm a group.
+/// Returns the id. Audited. kStudySetup. Throws Error{kBadParameter}: no name or that of another cohort, no
+/// groups, a code twice; kBadData when the curriculum is not running or has not an arm a group.
 CohortId addCohort(SessionContext& session, const NewCohort& cohort);
 /// Ties the groups, number by number, to the arms of a running version. Audited. kStudySetup. Refused once
 /// training has begun.
 void assignCurriculum(SessionContext& session, const CohortId& cohortId,
                       const CurriculumVersionId& versionId);
 
+/// Audited. kStudySetup. Throws Error{kBadParameter} for an empty name or one that another cohort has.
+void renameCohort(SessionContext& session, const CohortId& cohortId, const std::string& name);
+/// Closes a cohort, archives a closed one, or opens either again (kRunning). The reason is required. Audited.
+/// kStudySetup. Throws Error: {kBadParameter} without a reason; {kBadData} for a step that is none (only a
+/// closed cohort can be archived), while somebody trains, or when sheets of a cohort to be archived are still
+/// open.
+void setCohortState(SessionContext& session, const CohortId& cohortId, CohortState state,
+                    const std::string& reason);
+/// Throws Error{kBadData} when a cohort takes nothing new: it is closed or archived.
+void refuseWhenClosed(const Cohort& cohort);
+
 /// Enrols trainees (ids of people), before allocation. Returns the ids of the enrolments. Audited.
-/// kStudyEnrol. Throws Error{kBadData} for somebody who is no active trainee or is enrolled already.
+/// kStudyEnrol. Throws Error{kBadData} for somebody who is no active trainee or is enrolled already, and in a
+/// closed cohort.
 std::vector<EnrolmentId> enrolTrainees(SessionContext& session, const CohortId& cohortId,
                                        const std::vector<TraineeId>& traineeIds);
 /// Completed or withdrawn (or back to enrolled); what was recorded stays. Audited. kStudyEnrol.

@@ -143,6 +143,7 @@ std::optional<LiveCallId> alreadyCalled(SessionContext& session, const CallReque
 
 CallCheck checkCall(SessionContext& session, const CallRequest& request) {
   session.require(Operation::kStudySetup);
+  refuseWhenClosed(StudyRepository(session.connection()).cohort(request.cohortId));
   const RunDayRow row = rowOf(session, request);
   CallCheck check;
   if (request.occasionCode.empty()) {

@@ -2,6 +2,7 @@
 #include "app/study/rubric_service.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -25,6 +26,8 @@ using nlohmann::json;
 constexpr const char* kRubricFormat = "torsio rubric 1";
 constexpr double kMostPoints = 1000.0;
 constexpr int kMostSteps = 1000;
+constexpr double kMostWeight = 100.0;
+constexpr double kMilli = 1000.0;
 
 ScoreScale readScale(JsonFields& fields) {
   ScoreScale scale{.lo = -1'000'000, .hi = 1'000'000};
@@ -51,40 +54,15 @@ RubricLine readRow(const json& source, const std::string& place) {
       anchor.finish();
     }
   }
+  row.weight_milli = std::llround(fields.number("weight", 0.0, kMostWeight, 1.0) * kMilli);
   fields.finish();
   return row;
 }
 
-void checkRevision(const RubricRevision& revision) {
-  validateScale(revision.overall);
-  if (revision.rows.empty()) {
-    refuseParameter(Text::tr("the rubric has no rows"), Text::tr("rubric"),
-                    Text::tr("Add at least one criterion"));
-  }
-  std::set<std::string> codes;
-  for (const RubricLine& row : revision.rows) {
-    const std::string where = "row " + row.code;
-    if (row.code.empty() || row.label.empty()) {
-      refuseParameter(Text::tr("a row has no code or no label"), where, Text::tr("Fill both in"));
-    }
-    if (!codes.insert(row.code).second) {
-      refuseParameter(Text::tr("two rows have the same code"), where, Text::tr("Rename one of them"));
-    }
-    validateScale(row.scale);
-    std::set<std::int64_t> scores;
-    for (const RubricAnchor& anchor : row.anchors) {
-      if (!isOnScale(anchor.score_steps, row.scale)) {
-        refuseParameter(Text::tr("an anchor lies outside the scale"), where,
-                        Text::tr("Move it, or widen the scale"));
-      }
-      if (!scores.insert(anchor.score_steps).second) {
-        refuseParameter(Text::tr("two anchors stand at the same mark"), where, Text::tr("Join them"));
-      }
-      if (anchor.meaning.empty()) {
-        refuseParameter(Text::tr("an anchor has no words"), where, Text::tr("Say what the mark means"));
-      }
-    }
-  }
+json scaleJson(const ScoreScale& scale) {
+  return {{"from", pointsFromSteps(scale.lo, scale)},
+          {"to", pointsFromSteps(scale.hi, scale)},
+          {"steps_per_point", scale.stepsPerPoint}};
 }
 
 RubricRevisionId storeRevision(SessionContext& session, const RubricId& rubricId, RubricRevision revision,
@@ -104,6 +82,97 @@ RubricRevisionId storeRevision(SessionContext& session, const RubricId& rubricId
 }
 
 }  // namespace
+
+void checkRubric(const RubricRevision& revision) {
+  validateScale(revision.overall);
+  if (revision.rows.empty()) {
+    refuseParameter(Text::tr("the rubric has no rows"), Text::tr("rubric"),
+                    Text::tr("Add at least one criterion"));
+  }
+  if (std::none_of(revision.rows.begin(), revision.rows.end(),
+                   [](const RubricLine& row) { return row.weight_milli > 0; })) {
+    refuseParameter(Text::tr("no row has a weight"), Text::tr("rubric"),
+                    Text::tr("Give at least one criterion a weight above 0"));
+  }
+  std::set<std::string> codes;
+  for (const RubricLine& row : revision.rows) {
+    const std::string where = row.label.empty() ? "row " + row.code : row.label;
+    if (row.code.empty() || row.label.empty()) {
+      refuseParameter(Text::tr("a row has no code or no label"), where, Text::tr("Fill both in"));
+    }
+    if (!codes.insert(row.code).second) {
+      refuseParameter(Text::tr("two rows have the same code"), where, Text::tr("Rename one of them"));
+    }
+    if (row.weight_milli < 0 || row.weight_milli > std::llround(kMostWeight * kMilli)) {
+      refuseParameter(Text::tr("a weight is out of range"), where, Text::tr("Use 0 to 100"));
+    }
+    validateScale(row.scale);
+    std::set<std::int64_t> scores;
+    for (const RubricAnchor& anchor : row.anchors) {
+      if (!isOnScale(anchor.score_steps, row.scale)) {
+        refuseParameter(Text::tr("an anchor lies outside the scale"), where,
+                        Text::tr("Move it, or widen the scale"));
+      }
+      if (!scores.insert(anchor.score_steps).second) {
+        refuseParameter(Text::tr("two anchors stand at the same mark"), where, Text::tr("Join them"));
+      }
+      if (anchor.meaning.empty()) {
+        refuseParameter(Text::tr("an anchor has no words"), where, Text::tr("Say what the mark means"));
+      }
+    }
+  }
+}
+
+std::string codeForCriterion(const RubricRevision& revision, const std::string& label) {
+  std::string stem;
+  for (const char letter : label) {
+    if ((letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9')) {
+      stem += letter;
+    } else if (letter >= 'A' && letter <= 'Z') {
+      stem += static_cast<char>(letter - 'A' + 'a');
+    } else if (!stem.empty() && stem.back() != '_') {
+      stem += '_';
+    }
+  }
+  while (!stem.empty() && stem.back() == '_') {
+    stem.pop_back();
+  }
+  if (stem.empty()) {
+    stem = "criterion";
+  }
+  const auto taken = [&revision](const std::string& code) {
+    return std::any_of(revision.rows.begin(), revision.rows.end(),
+                       [&code](const RubricLine& row) { return row.code == code; });
+  };
+  std::string code = stem;
+  for (int number = 2; taken(code); ++number) {
+    code = stem + "_" + std::to_string(number);
+  }
+  return code;
+}
+
+std::string rubricText(const std::string& title, const RubricRevision& revision) {
+  json rows = json::array();
+  for (const RubricLine& line : revision.rows) {
+    json row = scaleJson(line.scale);
+    row["code"] = line.code;
+    row["label"] = line.label;
+    row["weight"] = static_cast<double>(line.weight_milli) / kMilli;
+    if (!line.anchors.empty()) {
+      row["anchors"] = json::array();
+      for (const RubricAnchor& anchor : line.anchors) {
+        row["anchors"].push_back(
+            {{"score", pointsFromSteps(anchor.score_steps, line.scale)}, {"meaning", anchor.meaning}});
+      }
+    }
+    rows.push_back(std::move(row));
+  }
+  const json rubric{{"format", kRubricFormat},
+                    {"title", title},
+                    {"overall", scaleJson(revision.overall)},
+                    {"rows", std::move(rows)}};
+  return rubric.dump(2) + "\n";
+}
 
 RubricTemplate parseRubric(const std::string& text, const std::string& id) {
   json source;
@@ -133,7 +202,7 @@ RubricTemplate parseRubric(const std::string& text, const std::string& id) {
         readRow(row, id + ", row " + std::to_string(rubric.revision.rows.size() + 1)));
   }
   fields.finish();
-  checkRevision(rubric.revision);
+  checkRubric(rubric.revision);
   return rubric;
 }
 
@@ -175,7 +244,7 @@ RubricRevisionId addRubric(SessionContext& session, const std::string& name, con
   if (name.empty()) {
     refuseParameter(Text::tr("the rubric has no name"), Text::tr("rubric"), Text::tr("Enter one"));
   }
-  checkRevision(first);
+  checkRubric(first);
   Transaction transaction(session.connection());
   const RubricId rubricId = session.ids().newUuid();
   SheetRepository(session.connection()).addRubric(rubricId, name, session.now_us(), demonstration);
@@ -187,7 +256,7 @@ RubricRevisionId addRubric(SessionContext& session, const std::string& name, con
 RubricRevisionId reviseRubric(SessionContext& session, const RubricId& rubricId, const RubricRevision& next,
                               const std::string& note) {
   session.require(Operation::kCurriculumEdit);
-  checkRevision(next);
+  checkRubric(next);
   Transaction transaction(session.connection());
   const std::size_t before = SheetRepository(session.connection()).revisionIds(rubricId).size();
   if (before == 0) {

@@ -21,6 +21,14 @@ struct RubricTemplate {
 /// All templates, ordered by id. Throws Error{kFileMissing, kFileUnreadable, kBadData} with file and field.
 [[nodiscard]] std::vector<RubricTemplate> rubricTemplates(const std::filesystem::path& assets);
 [[nodiscard]] RubricTemplate parseRubric(const std::string& json, const std::string& id);
+/// Writes what parseRubric() reads.
+[[nodiscard]] std::string rubricText(const std::string& title, const RubricRevision& revision);
+
+/// Throws Error{kBadParameter}: no rows, a row without code or label, a code twice, a scale or an anchor out
+/// of range, no row with a weight.
+void checkRubric(const RubricRevision& revision);
+/// Makes a code for a criterion of this name that no row of the revision has.
+[[nodiscard]] std::string codeForCriterion(const RubricRevision& revision, const std::string& label);
 
 struct RubricRow {
   RubricId id{};
@@ -31,8 +39,7 @@ struct RubricRow {
 [[nodiscard]] std::vector<RubricRow> rubrics(SessionContext& session);
 
 /// Stores a rubric with its first revision. Returns the id of the revision. Audited. kCurriculumEdit. Throws
-/// Error{kBadParameter}: no rows, a row without code or label, a code twice, a scale or an anchor out of
-/// range.
+/// Error{kBadParameter} as checkRubric().
 RubricRevisionId addRubric(SessionContext& session, const std::string& name, const RubricRevision& first,
                            bool demonstration = false);
 /// The next revision: sheets that were assigned keep theirs. Returns its id. Audited. kCurriculumEdit.

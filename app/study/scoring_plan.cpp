@@ -11,6 +11,7 @@
 #include "app/scoring/cohort_occasions.h"
 #include "app/scoring/scoring_service.h"
 #include "app/study/case_order.h"
+#include "app/study/cohort_service.h"
 #include "app/study/drawn_seed.h"
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/sheet_state.h"
@@ -209,6 +210,7 @@ ScoringPlanOutcome createAssignments(SessionContext& session, const ScoringPlan&
   Transaction transaction(session.connection());
   StudyRepository study(session.connection());
   const Cohort cohort = study.cohort(plan.cohortId);
+  refuseWhenClosed(cohort);
   checkPlan(session, plan);
   ScoringPlanOutcome outcome;
   outcome.seed = plan.seed ? *plan.seed : drawSeed(session.ids());

@@ -158,6 +158,7 @@ NextSteps nextSteps(SessionContext& session, const PersonId& personId) {
   steps.enrolmentId = record.enrolment->id;
   steps.cohortId = record.cohort.id;
   steps.cohortName = record.cohort.name;
+  steps.cohort = record.cohort;
   if (record.arm) {
     steps.armLabel = record.arm->label;
   }

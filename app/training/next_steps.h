@@ -10,6 +10,7 @@
 #include "app/study/scoring_due.h"
 #include "app/training/attempts.h"
 #include "app/training/training_run.h"
+#include "assessment/study/cohort.h"
 #include "assessment/study/curriculum.h"
 #include "sim/base/ids.h"
 
@@ -45,6 +46,7 @@ struct NextSteps {
   std::string armLabel{};  ///< "20 min virtual, 20 min real arm"; empty: no arm
   bool demonstration = false;
   bool hasCurriculum = false;     ///< false: the cohort follows none yet
+  Cohort cohort{};                ///< of the enrolment
   bool recordingAllowed = false;  ///< consent for the training record was given
   std::vector<ModuleStep> modules{};
   std::optional<std::size_t> next{};  ///< what to do now; empty: nothing is open

@@ -2,6 +2,7 @@
 #include "app/training/run_session.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -30,6 +31,7 @@ void checkPermission(const NextSteps& steps, const RunRequest& request) {
     throw Error(ErrorCode::kPermission, Text::tr("you have not agreed to be recorded"), Text::tr("consent"),
                 Text::tr("Read and confirm the consent first, or use free practice, which is not recorded"));
   }
+  refuseWhenClosed(steps.cohort);
   const Light light = request.device.light();
   if (light == Light::kRed) {
     throw Error(ErrorCode::kDevice, Text::tr("the device is not ready"), request.device.device,
@@ -302,9 +304,17 @@ void decideOwnConsent(SessionContext& session, const std::string& purpose, bool 
   transaction.commit();
 }
 
-bool hasOwnConsent(SessionContext& session, const std::string& purpose) {
+std::vector<ConsentDecision> ownConsents(SessionContext& session) {
   session.require(Operation::kTrialViewOwn);
-  return PeopleRepository(session.connection()).hasConsent(session.actor().personId, purpose);
+  std::map<std::string, ConsentDecision> newest;
+  for (ConsentDecision& one : PeopleRepository(session.connection()).consents(session.actor().personId)) {
+    newest[one.purpose] = std::move(one);  // oldest first
+  }
+  std::vector<ConsentDecision> own;
+  for (auto& [purpose, decision] : newest) {
+    own.push_back(std::move(decision));
+  }
+  return own;
 }
 
 bool gradesWithMouse(SessionContext& session) {

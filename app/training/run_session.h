@@ -15,6 +15,7 @@
 #include "app/recording/station_writer.h"
 #include "app/training/next_steps.h"
 #include "app/training/training_run.h"
+#include "assessment/people/consent.h"
 #include "assessment/study/curriculum.h"
 #include "assessment/study/protocol_terms.h"
 #include "sim/base/ids.h"
@@ -103,8 +104,8 @@ std::vector<RecoveredTrial> recoverInterrupted(SessionContext& session,
 /// The actor's own decision about a purpose of consent. kTrialRecordOwn. Throws Error{kBadParameter}.
 void decideOwnConsent(SessionContext& session, const std::string& purpose, bool granted,
                       const std::string& textVersion);
-/// Whether the actor's newest decision grants the purpose. kTrialViewOwn.
-[[nodiscard]] bool hasOwnConsent(SessionContext& session, const std::string& purpose);
+/// The actor's newest decision about each purpose that they decided about. kTrialViewOwn.
+[[nodiscard]] std::vector<ConsentDecision> ownConsents(SessionContext& session);
 
 /// Whether the centre grades runs with mouse and keyboard (setting "graded_with_mouse": "yes").
 [[nodiscard]] bool gradesWithMouse(SessionContext& session);

@@ -16,12 +16,18 @@ namespace torsio {
 
 namespace {
 
-/// Newer cohorts come later in the list, and one that follows a curriculum counts before one that does not.
+bool takesNew(const Cohort& cohort) {
+  return cohort.state == CohortState::kDraft || cohort.state == CohortState::kRunning;
+}
+
+/// Newer cohorts come later in the list; one that is open counts before one that is closed, and one that
+/// follows a curriculum before one that does not.
 void findEnrolment(Connection& connection, TraineeRecord& record) {
   StudyRepository studies(connection);
   for (const Cohort& cohort : studies.cohorts()) {
-    if (record.enrolment && !record.cohort.curriculumVersionId.empty() &&
-        cohort.curriculumVersionId.empty()) {
+    const bool open = takesNew(cohort) || !takesNew(record.cohort);
+    if (record.enrolment && (!open || (!record.cohort.curriculumVersionId.empty() &&
+                                       cohort.curriculumVersionId.empty() && takesNew(record.cohort)))) {
       continue;
     }
     for (const Enrolment& enrolment : studies.enrolments(cohort.id)) {

@@ -16,12 +16,16 @@ struct RubricAnchor {
   std::string meaning{};
 };
 
+/// Of a row whose weight nobody chose.
+inline constexpr std::int64_t kUsualWeight_milli = 1000;
+
 /// One line of a rubric.
 struct RubricLine {
   std::string code{};  ///< "proficiency"
   std::string label{};
   ScoreScale scale{};
   std::vector<RubricAnchor> anchors{};
+  std::int64_t weight_milli = kUsualWeight_milli;  ///< in the mean of the criteria; 0: left out
 };
 
 /// A rubric as it was at one time. Never changes once stored.

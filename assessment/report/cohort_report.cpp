@@ -7,11 +7,13 @@
 #include <utility>
 
 #include "assessment/report/aggregated_inputs.h"
+#include "assessment/report/cohort_csv.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/record_sentences.h"
 #include "assessment/report/report_sections.h"
 #include "assessment/report/shown_inputs.h"
 #include "assessment/report/study_analysis.h"
+#include "sim/base/digest.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -432,6 +434,17 @@ ReportModel reportOf(const CohortInputs& in) {
   return report;
 }
 
+/// What every page is known by: the length of the trail when it was made, and the hash of all its numbers.
+void addReference(const CohortInputs& inputs, ReportModel& report) {
+  Digest digest;
+  digest.update(cohortCsvText(cohortCsvRows(inputs)));
+  report.numbersHash = digest.hex();
+  report.auditHead = inputs.auditHead;
+  report.number = "R-" + std::to_string(inputs.auditEntries) + "-" + report.numbersHash.substr(0, 8);
+  report.facts.emplace_back(Text::tr("Report"), report.number);
+  report.facts.emplace_back(Text::tr("Hash of the table of numbers"), report.numbersHash);
+}
+
 }  // namespace
 
 ReportModel cohortReport(const CohortInputs& inputs) {
@@ -456,6 +469,7 @@ ReportModel cohortReport(const CohortInputs& inputs) {
     section.paragraphs = std::move(left);
     report.sections.insert(report.sections.begin(), std::move(section));
   }
+  addReference(inputs, report);
   return report;
 }
 

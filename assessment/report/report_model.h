@@ -106,6 +106,10 @@ struct ReportModel {
   std::string centre;
   std::string softwareVersion;
   std::int64_t createdUtc_us = 0;
+  std::string number;  ///< on every page: "R-1204-3fa29b1c"; empty: none
+  std::string
+      numbersHash;  ///< BLAKE2b-256 of the table of numbers (cohortCsvText(), without a byte order mark)
+  std::string auditHead;       ///< hash of the newest entry of the audit trail
   bool demonstration = false;  ///< then every page says so
   Facts facts;                 ///< cover
   std::vector<ReportSection> sections;

@@ -25,6 +25,7 @@ struct Cohort {
   std::int64_t createdUtc_us = 0;
   bool demonstration = false;
   CurriculumVersionId curriculumVersionId{};  ///< filled when read; empty: follows none yet
+  CohortState state = CohortState::kDraft;    ///< filled when read
 };
 
 /// An arm of the study (paper section 6: 40 min virtual; 20 + 20 min; 40 min real).

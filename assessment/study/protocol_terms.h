@@ -76,6 +76,17 @@ inline constexpr std::array<Term<EnrolmentState>, 3> kEnrolmentStates{{
      "takes part no more; what was recorded stays"},
 }};
 
+/// Where a cohort stands. It is a draft until its people are allocated; the rest is decided by hand.
+enum class CohortState : std::uint8_t { kDraft, kRunning, kClosed, kArchived };
+inline constexpr std::array<Term<CohortState>, 4> kCohortStates{{
+    {CohortState::kDraft, "draft", Text::tr("draft"), "nobody is allocated yet"},
+    {CohortState::kRunning, "running", Text::tr("running"), "trains and is scored"},
+    {CohortState::kClosed, "closed", Text::tr("closed"),
+     "takes nothing new; what was asked for may be finished"},
+    {CohortState::kArchived, "archived", Text::tr("archived"),
+     "closed, and left out of the lists to choose from"},
+}};
+
 /// Where a version of a curriculum stands. It moves forward only.
 enum class CurriculumState : std::uint8_t { kDraft, kRunning, kClosed };
 inline constexpr std::array<Term<CurriculumState>, 3> kCurriculumStates{{
@@ -108,6 +119,9 @@ inline constexpr std::array<Term<DiscrepancyChoice>, 3> kDiscrepancyChoices{{
 }
 [[nodiscard]] constexpr const auto& termsOf(EnrolmentState) noexcept {
   return kEnrolmentStates;
+}
+[[nodiscard]] constexpr const auto& termsOf(CohortState) noexcept {
+  return kCohortStates;
 }
 [[nodiscard]] constexpr const auto& termsOf(CurriculumState) noexcept {
   return kCurriculumStates;

@@ -49,6 +49,16 @@
     </message>
 </context>
 <context>
+    <name>torsio::gui::ConsentTextsDialog</name>
+    <message numerus="yes">
+        <source>%n form(s) written, the last one without a code</source>
+        <translation>
+            <numerusform>%n form written, without a code</numerusform>
+            <numerusform>%n forms written, the last one without a code</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::CurriculumEditor</name>
     <message numerus="yes">
         <source>Check: %n to mend</source>

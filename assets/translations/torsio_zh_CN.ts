@@ -508,6 +508,41 @@
     </message>
 </context>
 <context>
+    <name>PrintedConsent</name>
+    <message>
+        <source>I agree</source>
+        <translation>我同意</translation>
+    </message>
+    <message>
+        <source>I do not agree</source>
+        <translation>我不同意</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>知情同意</translation>
+    </message>
+    <message>
+        <source>%1. Code: %2</source>
+        <translation>%1。编码：%2</translation>
+    </message>
+    <message>
+        <source>Mark one box in each row. Nothing is recorded before you agree to the training record; the other answers are free. You can withdraw each of them later at any time.</source>
+        <translation>每行请勾选一个方框。在您同意训练记录之前不会记录任何内容；其余各项可自由选择。每一项同意以后都可随时撤回。</translation>
+    </message>
+    <message>
+        <source>Name: ________________________________________</source>
+        <translation>姓名：________________________________________</translation>
+    </message>
+    <message>
+        <source>Date: ________________   Signature: ______________________________</source>
+        <translation>日期：________________   签名：______________________________</translation>
+    </message>
+    <message>
+        <source>Text %1. Entered by ______________ on ______________</source>
+        <translation>文本 %1。录入人 ______________ 录入日期 ______________</translation>
+    </message>
+</context>
+<context>
     <name>PrintedSheets</name>
     <message>
         <source>or exactly: ______</source>
@@ -12744,6 +12779,186 @@
         <source>has no column %1 any more</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>a purpose has no title or no text</source>
+        <translation>有一项用途缺少标题或正文</translation>
+    </message>
+    <message>
+        <source>Fill both in, in every language</source>
+        <translation>请在每种语言中填写两者</translation>
+    </message>
+    <message>
+        <source>there is no language</source>
+        <translation>没有任何语言</translation>
+    </message>
+    <message>
+        <source>the training record is not asked about</source>
+        <translation>没有征求对训练记录的同意</translation>
+    </message>
+    <message>
+        <source>Keep this purpose: without it nothing may be recorded</source>
+        <translation>请保留此项用途：没有它就不能记录任何内容</translation>
+    </message>
+    <message>
+        <source>a purpose is asked about twice</source>
+        <translation>同一用途出现了两次</translation>
+    </message>
+    <message>
+        <source>a language has no name, or comes twice</source>
+        <translation>有一种语言没有名称，或出现了两次</translation>
+    </message>
+    <message>
+        <source>Name each language once</source>
+        <translation>每种语言只列出一次</translation>
+    </message>
+    <message>
+        <source>the languages do not ask about the same purposes</source>
+        <translation>各语言所征求的用途不一致</translation>
+    </message>
+    <message>
+        <source>Ask about the same purposes in the same order</source>
+        <translation>请按相同顺序征求相同的用途</translation>
+    </message>
+    <message>
+        <source>the consent texts have no language</source>
+        <translation>知情同意文本没有任何语言</translation>
+    </message>
+    <message>
+        <source>it is not said what changed</source>
+        <translation>没有说明改动了什么</translation>
+    </message>
+    <message>
+        <source>Say it in a few words</source>
+        <translation>请用几个字说明</translation>
+    </message>
+    <message>
+        <source>nothing has changed</source>
+        <translation>没有任何改动</translation>
+    </message>
+    <message>
+        <source>Change a text first</source>
+        <translation>请先修改文本</translation>
+    </message>
+    <message>
+        <source>the day of the signature is still to come</source>
+        <translation>签名日期尚未到来</translation>
+    </message>
+    <message>
+        <source>Enter the day that stands on the paper</source>
+        <translation>请输入纸上所写的日期</translation>
+    </message>
+    <message>
+        <source>the pages cannot be given bookmarks: %1 is missing</source>
+        <translation>无法为页面添加书签：缺少 %1</translation>
+    </message>
+    <message>
+        <source>report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>Write the report again</source>
+        <translation>请重新生成报告</translation>
+    </message>
+    <message>
+        <source>Report %1  |  numbers %2  |  audit trail %3</source>
+        <translation>报告 %1  |  数值 %2  |  审计追踪 %3</translation>
+    </message>
+    <message>
+        <source>another cohort has this name</source>
+        <translation>另一批次已使用此名称</translation>
+    </message>
+    <message>
+        <source>the cohort is %1 and cannot become %2</source>
+        <translation>该批次的状态是 %1，不能变为 %2</translation>
+    </message>
+    <message>
+        <source>Close a running cohort, archive a closed one, or open it again</source>
+        <translation>请关闭进行中的批次、归档已关闭的批次，或重新开放</translation>
+    </message>
+    <message>
+        <source>somebody of this cohort is training</source>
+        <translation>该批次有人正在训练</translation>
+    </message>
+    <message>
+        <source>Wait for the end of the run, or close what was cut off at its station</source>
+        <translation>请等待训练结束，或在其工位关闭中断的训练</translation>
+    </message>
+    <message>
+        <source>%1 sheets are still open</source>
+        <translation>仍有 %1 份评分表未完成</translation>
+    </message>
+    <message>
+        <source>Wait for them, or take them back under Scoring</source>
+        <translation>请等待其完成，或在“评分”中收回</translation>
+    </message>
+    <message>
+        <source>it is not said why</source>
+        <translation>没有说明原因</translation>
+    </message>
+    <message>
+        <source>this cohort is closed</source>
+        <translation>该批次已关闭</translation>
+    </message>
+    <message>
+        <source>Choose another cohort, or have an administrator open it again</source>
+        <translation>请选择其他批次，或请管理员重新开放</translation>
+    </message>
+    <message>
+        <source>no row has a weight</source>
+        <translation>没有任何一行有权重</translation>
+    </message>
+    <message>
+        <source>Give at least one criterion a weight above 0</source>
+        <translation>请至少给一个评分项大于 0 的权重</translation>
+    </message>
+    <message>
+        <source>a weight is out of range</source>
+        <translation>权重超出范围</translation>
+    </message>
+    <message>
+        <source>Use 0 to 100</source>
+        <translation>请使用 0 到 100</translation>
+    </message>
+    <message>
+        <source>Consent texts published</source>
+        <translation>发布知情同意文本</translation>
+    </message>
+    <message>
+        <source>Cohort renamed</source>
+        <translation>批次改名</translation>
+    </message>
+    <message>
+        <source>Cohort closed, archived or opened again</source>
+        <translation>批次关闭、归档或重新开放</translation>
+    </message>
+    <message>
+        <source>consent texts</source>
+        <translation>知情同意文本</translation>
+    </message>
+    <message>
+        <source>on the screen</source>
+        <translation>在屏幕上</translation>
+    </message>
+    <message>
+        <source>on paper</source>
+        <translation>在纸上</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>Hash of the table of numbers</source>
+        <translation>数值表的哈希值</translation>
+    </message>
+    <message>
+        <source>draft</source>
+        <translation>草稿</translation>
+    </message>
+    <message>
+        <source>archived</source>
+        <translation>已归档</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -14030,6 +14245,46 @@ MSM = 质点弹簧</translation>
         <source>The groups of the cohort go through its arms, number by number.</source>
         <translation>各组按编号依次对应课程的各分支。</translation>
     </message>
+    <message>
+        <source>Rename the cohort</source>
+        <translation>批次改名</translation>
+    </message>
+    <message>
+        <source>Reports made before keep the name that they were made under.</source>
+        <translation>此前生成的报告保留当时的名称。</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>改名</translation>
+    </message>
+    <message>
+        <source>Close or archive</source>
+        <translation>关闭或归档</translation>
+    </message>
+    <message>
+        <source>close: nobody trains, is enrolled, called or newly asked for sheets</source>
+        <translation>关闭：不再训练、登记、叫号，也不再分派新的评分表</translation>
+    </message>
+    <message>
+        <source>archive: closed, and left out of the lists</source>
+        <translation>归档：已关闭，并且不再出现在列表中</translation>
+    </message>
+    <message>
+        <source>open again: it trains and is scored as before</source>
+        <translation>重新开放：照常训练和评分</translation>
+    </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>步骤(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>原因(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Do it</source>
+        <translation>执行</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::CohortsPage</name>
@@ -14168,6 +14423,18 @@ MSM = 质点弹簧</translation>
     <message>
         <source>How many &amp;trainees…</source>
         <translation>需要多少学员(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>改名(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Close or &amp;archive…</source>
+        <translation>关闭或归档(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Show arch&amp;ived</source>
+        <translation>显示已归档(&amp;I)</translation>
     </message>
 </context>
 <context>
@@ -14418,10 +14685,6 @@ MSM = 质点弹簧</translation>
         <translation>尚无任何决定。</translation>
     </message>
     <message>
-        <source>On &amp;paper</source>
-        <translation>纸质签署(&amp;P)</translation>
-    </message>
-    <message>
         <source>given</source>
         <translation>已同意</translation>
     </message>
@@ -14429,13 +14692,45 @@ MSM = 质点弹簧</translation>
         <source>withdrawn</source>
         <translation>已撤回</translation>
     </message>
+    <message>
+        <source>&amp;Print a form…</source>
+        <translation>打印表格(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>&amp;Text</source>
+        <translation>文本(&amp;T)</translation>
+    </message>
+    <message>
+        <source>P&amp;urpose</source>
+        <translation>用途(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Signed on</source>
+        <translation>签名日期(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>方式</translation>
+    </message>
+    <message>
+        <source>Signed on</source>
+        <translation>签名日期</translation>
+    </message>
+    <message>
+        <source>Consent form of %1</source>
+        <translation>%1 的知情同意书</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::ConsentPage</name>
-    <message>
-        <source>Consent to the training record</source>
-        <translation>训练记录知情同意</translation>
-    </message>
     <message>
         <source>Nothing is recorded before you agree. You can withdraw later at any time.</source>
         <translation>在您同意之前不会记录任何内容。您可以随时撤回。</translation>
@@ -14443,10 +14738,6 @@ MSM = 质点弹簧</translation>
     <message>
         <source>I have &amp;read and understood this</source>
         <translation>我已阅读并理解(&amp;R)</translation>
-    </message>
-    <message>
-        <source>I &amp;agree</source>
-        <translation>我同意(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Not now</source>
@@ -14467,6 +14758,159 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Nothing will be recorded. Free practice stays open.</source>
         <translation>不会记录任何内容。自由练习仍可使用。</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>知情同意</translation>
+    </message>
+    <message>
+        <source>What else may be done</source>
+        <translation>还可以同意的事项</translation>
+    </message>
+    <message>
+        <source>Tick what you agree to. Whatever you choose, you can train.</source>
+        <translation>请勾选您同意的事项。无论如何选择，您都可以训练。</translation>
+    </message>
+    <message>
+        <source>I &amp;agree to the training record</source>
+        <translation>我同意训练记录(&amp;A)</translation>
+    </message>
+    <message>
+        <source>You have agreed before, to another text (%1). This is %2: please read it.</source>
+        <translation>您之前同意的是另一份文本（%1）。现在的文本是 %2，请阅读。</translation>
+    </message>
+    <message>
+        <source>&amp;Keep these decisions</source>
+        <translation>保存这些决定(&amp;K)</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ConsentTextsDialog</name>
+    <message>
+        <source>Add a &amp;language…</source>
+        <translation>添加语言(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>添加(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>删除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>P&amp;rint forms…</source>
+        <translation>打印表格(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>&amp;Publish…</source>
+        <translation>发布(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Consent texts</source>
+        <translation>知情同意文本</translation>
+    </message>
+    <message>
+        <source>What people are asked to agree to, in each language. A change becomes the next version; what was agreed to before stays under its own. Let your data protection officer read it first.</source>
+        <translation>以各种语言列出征求同意的内容。每次修改都成为下一版本；此前的同意仍属于其当时的版本。请先交数据保护负责人审阅。</translation>
+    </message>
+    <message>
+        <source>&amp;Version</source>
+        <translation>版本(&amp;V)</translation>
+    </message>
+    <message>
+        <source>La&amp;nguage</source>
+        <translation>语言(&amp;N)</translation>
+    </message>
+    <message>
+        <source>P&amp;urposes</source>
+        <translation>用途(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Title</source>
+        <translation>标题(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt</source>
+        <translation>正文(&amp;X)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>%1 (as it ships)</source>
+        <translation>%1（随程序提供）</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>(no title)</source>
+        <translation>（无标题）</translation>
+    </message>
+    <message>
+        <source>The training record stays: without it nothing may be recorded</source>
+        <translation>训练记录必须保留：没有它就不能记录任何内容</translation>
+    </message>
+    <message>
+        <source>Publish first: a form names the version of its text</source>
+        <translation>请先发布：表格上注明文本的版本</translation>
+    </message>
+    <message>
+        <source>Add a language</source>
+        <translation>添加语言</translation>
+    </message>
+    <message>
+        <source>Its code as on web pages, such as de, fr or pt_BR. The texts of the language that is shown are copied for you to translate.</source>
+        <translation>请填写网页所用的语言代码，例如 de、fr 或 pt_BR。当前语言的文本会复制一份供您翻译。</translation>
+    </message>
+    <message>
+        <source>&amp;Code</source>
+        <translation>代码(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Publish</source>
+        <translation>发布</translation>
+    </message>
+    <message>
+        <source>Everybody is asked with these texts from now on. Earlier decisions stay; whoever has decided about an earlier text is told so on their page. What has changed?</source>
+        <translation>今后将用这些文本征求所有人的同意。此前的决定保留；曾就较早文本作出决定的人会在其页面上看到提示。改动了什么？</translation>
+    </message>
+    <message>
+        <source>%1 is asked from now on</source>
+        <translation>今后使用 %1 征求同意</translation>
+    </message>
+    <message>
+        <source>Consent forms to sign</source>
+        <translation>待签名的知情同意书</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n form(s) written, the last one without a code</source>
+        <translation>
+            <numerusform>已写出 %n 份表格，最后一份没有编码</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close without publishing</source>
+        <translation>不发布就关闭</translation>
+    </message>
+    <message>
+        <source>The changes are not published and will be lost.</source>
+        <translation>改动尚未发布，将会丢失。</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>放弃改动(&amp;D)</translation>
     </message>
 </context>
 <context>
@@ -19447,6 +19891,10 @@ Leave it empty to remove it.</source>
         <source>These copies still hold this person; Torsio deletes none of them:</source>
         <translation>以下副本仍包含此人的资料；Torsio 不会删除它们：</translation>
     </message>
+    <message>
+        <source>Consent &amp;texts…</source>
+        <translation>知情同意文本(&amp;T)…</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RosterPreviewPage</name>
@@ -19512,6 +19960,144 @@ Leave it empty to remove it.</source>
     <message>
         <source>&amp;Import</source>
         <translation>导入(&amp;I)</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RubricDialog</name>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>导入(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>导出(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Publish…</source>
+        <translation>发布(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Import a scoring sheet</source>
+        <translation>导入评分表</translation>
+    </message>
+    <message>
+        <source>Scoring sheet (*.json)</source>
+        <translation>评分表 (*.json)</translation>
+    </message>
+    <message>
+        <source>Export the scoring sheet</source>
+        <translation>导出评分表</translation>
+    </message>
+    <message>
+        <source>%1, revision %2</source>
+        <translation>%1，修订版 %2</translation>
+    </message>
+    <message>
+        <source>&amp;Revision</source>
+        <translation>修订版(&amp;R)</translation>
+    </message>
+    <message>
+        <source>A change becomes the next revision, for raters who are asked from then on. Sheets that were asked for keep theirs.</source>
+        <translation>每次修改都成为下一修订版，供此后被邀请的评分人使用。已分派的评分表保留其修订版。</translation>
+    </message>
+    <message>
+        <source>As the rater sees it</source>
+        <translation>评分人看到的样子</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>关闭(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Scoring sheet: %1</source>
+        <translation>评分表：%1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1 (%2). %3</source>
+        <translation>%1（%2）。%3</translation>
+    </message>
+    <message>
+        <source>Publish</source>
+        <translation>发布</translation>
+    </message>
+    <message>
+        <source>Raters who are asked from now on fill in this sheet. Sheets that were asked for before stay as they are; every revision is kept for good. What has changed?</source>
+        <translation>今后被邀请的评分人填写此评分表。此前分派的评分表保持不变；每个修订版都永久保留。改动了什么？</translation>
+    </message>
+    <message>
+        <source>%1: revision %2 is used from now on</source>
+        <translation>%1：今后使用修订版 %2</translation>
+    </message>
+    <message>
+        <source>Close without publishing</source>
+        <translation>不发布就关闭</translation>
+    </message>
+    <message>
+        <source>The changes are not published and will be lost.</source>
+        <translation>改动尚未发布，将会丢失。</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>放弃改动(&amp;D)</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RubricForm</name>
+    <message>
+        <source>Add an a&amp;nchor</source>
+        <translation>添加锚点(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Remove the anc&amp;hor</source>
+        <translation>删除锚点(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Criteria</source>
+        <translation>评分项</translation>
+    </message>
+    <message>
+        <source>Overall mark</source>
+        <translation>总分</translation>
+    </message>
+    <message>
+        <source>&amp;Criterion</source>
+        <translation>评分项(&amp;C)</translation>
+    </message>
+    <message>
+        <source>In the mean of the criteria, which the coded tables show beside the overall mark; 0 leaves it out</source>
+        <translation>用于评分项均值，编码数据表在总分旁列出该均值；0 表示不计入</translation>
+    </message>
+    <message>
+        <source>&amp;Weight</source>
+        <translation>权重(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>分值</translation>
+    </message>
+    <message>
+        <source>What it means</source>
+        <translation>含义</translation>
+    </message>
+    <message>
+        <source>&amp;Anchors</source>
+        <translation>锚点(&amp;A)</translation>
+    </message>
+    <message>
+        <source>(no name)</source>
+        <translation>（无名称）</translation>
+    </message>
+    <message>
+        <source>New criterion</source>
+        <translation>新评分项</translation>
+    </message>
+    <message>
+        <source>what this mark means</source>
+        <translation>此分值的含义</translation>
     </message>
 </context>
 <context>
@@ -20063,6 +20649,21 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::ScaleFields</name>
+    <message>
+        <source>&amp;From</source>
+        <translation>从(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;to</source>
+        <translation>到(&amp;T)</translation>
+    </message>
+    <message>
+        <source>in &amp;steps of</source>
+        <translation>步长(&amp;S)</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::SceneView</name>
     <message>
         <source>This display cannot show the organ: it has no OpenGL.</source>
@@ -20193,26 +20794,6 @@ Leave it empty to remove it.</source>
         <translation>评分表(&amp;S)…</translation>
     </message>
     <message>
-        <source>Takes the next revision of the scoring sheet from a file</source>
-        <translation>从文件读取评分表的下一修订版</translation>
-    </message>
-    <message>
-        <source>Revise the scoring sheet</source>
-        <translation>修订评分表</translation>
-    </message>
-    <message>
-        <source>Scoring sheet (*.json)</source>
-        <translation>评分表 (*.json)</translation>
-    </message>
-    <message>
-        <source>%1: revision %2 is used from now on</source>
-        <translation>%1：今后使用修订版 %2</translation>
-    </message>
-    <message>
-        <source>Raters who are asked from now on fill in the new sheet. Sheets that were asked for before stay as they are; both revisions are kept for good.</source>
-        <translation>今后受邀的评分者填写新评分表。此前已邀请的评分表保持不变；两个修订版均永久保留。</translation>
-    </message>
-    <message>
         <source>%1, due %2</source>
         <translation>%1，截止 %2</translation>
     </message>
@@ -20223,6 +20804,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Whom to remind of which cases, as a text for your mail</source>
         <translation>需提醒哪些人提交哪些案例，可直接粘贴到邮件</translation>
+    </message>
+    <message>
+        <source>What raters fill in: criteria, scales, anchors and weights</source>
+        <translation>评分人填写的内容：评分项、量程、锚点和权重</translation>
     </message>
 </context>
 <context>

@@ -67,18 +67,52 @@ CREATE TABLE rater (
 );
 CREATE INDEX rater_class_code ON rater (class_code);
 
--- Given or withdrawn, per purpose; the newest row of a person and purpose counts.
+-- What people are asked to agree to. The first five mean something to the program; a centre may add its own.
+CREATE TABLE consent_purpose (
+  code TEXT PRIMARY KEY,
+  position BIGINT NOT NULL
+);
+INSERT INTO consent_purpose (code, position) VALUES
+  ('training_record', 1), ('video', 2), ('research', 3), ('xapi_export', 4), ('teaching', 5);
+
+-- The centre's own words; without a version those that ship are shown. Never changes: editing makes the next one.
+CREATE TABLE consent_version (
+  id TEXT PRIMARY KEY,
+  number BIGINT NOT NULL UNIQUE CHECK (number >= 1),
+  note TEXT NOT NULL,
+  published_by TEXT NOT NULL,
+  published_utc_us BIGINT NOT NULL
+);
+{{append_only consent_version}}
+
+CREATE TABLE consent_text (
+  version_id TEXT NOT NULL REFERENCES consent_version (id),
+  language TEXT NOT NULL,
+  purpose TEXT NOT NULL REFERENCES consent_purpose (code),
+  position BIGINT NOT NULL,
+  title TEXT NOT NULL,
+  words TEXT NOT NULL,
+  PRIMARY KEY (version_id, language, purpose)
+);
+CREATE INDEX consent_text_purpose ON consent_text (purpose);
+{{append_only consent_text}}
+
+-- Given or withdrawn, per purpose; the newest row of a person and purpose counts. signed_utc_us: on paper.
 CREATE TABLE consent (
   person_id TEXT NOT NULL REFERENCES person (id),
-  purpose TEXT NOT NULL CHECK (purpose IN ('training_record', 'video', 'research', 'xapi_export', 'teaching')),
+  purpose TEXT NOT NULL REFERENCES consent_purpose (code),
   sequence BIGINT NOT NULL,
   granted BOOLEAN NOT NULL,
   text_version TEXT NOT NULL,
   decided_utc_us BIGINT NOT NULL,
   recorded_by TEXT NOT NULL,
   demonstration BOOLEAN NOT NULL,
-  PRIMARY KEY (person_id, purpose, sequence)
+  form TEXT NOT NULL CHECK (form IN ('screen', 'paper')),
+  signed_utc_us BIGINT,
+  PRIMARY KEY (person_id, purpose, sequence),
+  CHECK ((form = 'paper') = (signed_utc_us IS NOT NULL))
 );
+CREATE INDEX consent_purpose_code ON consent (purpose);
 {{append_only consent}}
 
 CREATE TABLE retention_rule (
@@ -498,6 +532,18 @@ CREATE TABLE cohort (
   curriculum_version_id TEXT REFERENCES curriculum_version (id)
 );
 
+-- Decided by hand; without a row a cohort is a draft until somebody is allocated or trains.
+CREATE TABLE cohort_state (
+  cohort_id TEXT NOT NULL REFERENCES cohort (id),
+  sequence BIGINT NOT NULL CHECK (sequence >= 1),
+  state TEXT NOT NULL CHECK (state IN ('running', 'closed', 'archived')),
+  reason TEXT NOT NULL,
+  changed_by TEXT NOT NULL,
+  changed_utc_us BIGINT NOT NULL,
+  PRIMARY KEY (cohort_id, sequence)
+);
+{{append_only cohort_state}}
+
 CREATE TABLE training_group (
   id TEXT PRIMARY KEY,
   cohort_id TEXT NOT NULL REFERENCES cohort (id),
@@ -812,6 +858,7 @@ CREATE TABLE rubric_row (
   scale_lo_steps BIGINT NOT NULL,
   scale_hi_steps BIGINT NOT NULL,
   steps_per_point BIGINT NOT NULL CHECK (steps_per_point >= 1),
+  weight_milli BIGINT NOT NULL CHECK (weight_milli >= 0),
   PRIMARY KEY (revision_id, row_code)
 );
 {{append_only rubric_row}}

@@ -39,7 +39,9 @@ const std::map<std::string, Value> kRuled{{"kind", "virtual"},
                                           {"retention_hold.kind", "lock"},
                                           {"record_copy.kind", "backup"},
                                           {"curriculum_state.state", "running"},
-                                          {"consent.purpose", "video"},
+                                          {"consent.form", "screen"},
+                                          {"signed_utc_us", Value()},
+                                          {"cohort_state.state", "running"},
                                           {"trial_remark.purpose", "remark"},
                                           {"reply_to", Value()},
                                           {"until_utc_us", Value()},
@@ -55,8 +57,8 @@ const std::map<std::string, Value> kRuled{{"kind", "virtual"},
                                           {"amend_reason", Value()}};
 
 /// Tables that stay empty, or that the migrations fill.
-const std::set<std::string> kLeftAlone{"erasure_gate", "audit_entry", "row_seal",       "seal_salt",
-                                       "role",         "operation",   "role_operation", "occasion"};
+const std::set<std::string> kLeftAlone{"erasure_gate", "audit_entry",    "row_seal", "seal_salt",      "role",
+                                       "operation",    "role_operation", "occasion", "consent_purpose"};
 
 std::map<std::string, std::string> typesOf(Connection& connection, const std::string& table) {
   std::map<std::string, std::string> types;

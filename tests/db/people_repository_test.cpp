@@ -125,7 +125,12 @@ TEST_F(PeopleRepositoryTest, TheNewestConsentCounts) {
   EXPECT_EQ(faultFrom([&] {
               people.recordConsent({id, "selling", true, "1", 0, "admin", true});
             }),
-            DbFault::kCheck);
+            DbFault::kForeignKey);
+  people.recordConsent(
+      {id, "video", true, "3", kSampleTime_us + 2, "admin", true, ConsentForm::kPaper, kSampleTime_us - 7});
+  EXPECT_EQ(people.consents(id).back().form, ConsentForm::kPaper);
+  EXPECT_EQ(people.consents(id).back().signedUtc_us, kSampleTime_us - 7);
+  EXPECT_EQ(people.consents(id).front().signedUtc_us, 0);
   EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE consent SET granted = ?", {true}); }),
             DbFault::kAppendOnly);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/db/tampering.h"
 
+#include <algorithm>
 #include <map>
 
 #include "db/connection/row_reader.h"
@@ -16,6 +17,10 @@ namespace torsio {
 namespace {
 
 using Key = std::pair<std::string, std::string>;  // table and row
+
+bool comesWithTheSchema(std::string_view table) {
+  return std::find(kGrowingSeeds.begin(), kGrowingSeeds.end(), table) != kGrowingSeeds.end();
+}
 
 /// What the newest seals say, without the salts.
 std::map<Key, RowSeal> newestSeals(Connection& connection) {
@@ -52,7 +57,7 @@ std::vector<RowSeal> missingSeals(Connection& connection) {
                           shape.personal(row, salt == salts.end() ? std::string() : salt->second);
                       const bool fits = sealed != newest.end() && sealed->second.rowHash == hash &&
                                         sealed->second.personalHash == personal;
-                      if (!fits && rule.table != "occasion") {
+                      if (!fits && !comesWithTheSchema(rule.table)) {
                         missing.push_back(sealedRow(shape, row, hash));
                       }
                       if (sealed != newest.end()) {

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/trainee/consent_page.h"
 
+#include <algorithm>
+#include <map>
+
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/gui/base/language.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/theme.h"
 #include "app/people/consent_service.h"
 #include "app/training/run_session.h"
 
@@ -22,7 +26,17 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kWidest = 860;
-constexpr const char* kPurpose = "training_record";
+
+const ConsentDecision* decisionAbout(const std::vector<ConsentDecision>& own, const std::string& purpose) {
+  const auto found = std::find_if(own.begin(), own.end(),
+                                  [&](const ConsentDecision& one) { return one.purpose == purpose; });
+  return found == own.end() ? nullptr : &*found;
+}
+
+bool isGranted(const std::vector<ConsentDecision>& own, const std::string& purpose) {
+  const ConsentDecision* decision = decisionAbout(own, purpose);
+  return decision != nullptr && decision->granted;
+}
 
 }  // namespace
 
@@ -33,13 +47,22 @@ ConsentPage::ConsentPage(ShellContext& context, QWidget* parent) : Page(context,
   text_ = plainLabel(card_);
   card_->content()->addWidget(text_);
   page.column->addWidget(card_);
+  othersCard_ = new Card(QString(), this);
+  othersText_ = plainLabel(othersCard_, "quiet");
+  othersCard_->content()->addWidget(othersText_);
+  othersColumn_ = new QVBoxLayout;
+  othersColumn_->setSpacing(kSpace);
+  othersCard_->content()->addLayout(othersColumn_);
+  page.column->addWidget(othersCard_);
   state_ = plainLabel(this, "quiet");
   page.column->addWidget(state_);
   understood_ = new QCheckBox(this);
+  understood_->setObjectName(QStringLiteral("understood"));
   page.column->addWidget(understood_);
   agree_ = primaryButton(this);
   agree_->setObjectName(QStringLiteral("agree"));
   decline_ = new QPushButton(this);
+  decline_->setObjectName(QStringLiteral("decline"));
   auto* row = new QHBoxLayout;
   row->addStretch(1);
   row->addWidget(decline_);
@@ -55,40 +78,96 @@ void ConsentPage::enter(const QVariant& argument) {
   then_ = argument.canConvert<PageId>() ? argument.value<PageId>() : PageId::kNextStep;
   understood_->setChecked(false);
   agree_->setEnabled(false);
+  others_.clear();
   retranslate();
   understood_->setFocus();  // never a button that decides: Enter may still be on its way
 }
 
-void ConsentPage::readText() {
-  const bool chinese = QLocale().language() == QLocale::Chinese;
-  for (const ConsentText& text : consentTexts(shell().assets(), chinese ? "zh_CN" : "en")) {
-    if (text.purpose != kPurpose) {
+void ConsentPage::readTexts() {
+  asked_ = askedConsent(shell().session(), shell().assets());
+  own_ = ownConsents(shell().session());
+  const ConsentWords& words = wordsIn(asked_, languageCode(presentLanguage()).toStdString());
+  for (const ConsentText& text : words.texts) {
+    if (text.purpose == kTrainingRecord) {
+      card_->setTitle(toQString(text.title));
+      text_->setText(toQString(text.text));
+    }
+  }
+  showOthers(words);
+}
+
+void ConsentPage::showOthers(const ConsentWords& words) {
+  std::map<std::string, bool> chosen;  // what was ticked stays when the language changes
+  for (const Choice& other : others_) {
+    chosen[other.purpose] = other.agreed->isChecked();
+  }
+  others_.clear();
+  emptyLayout(othersColumn_);
+  for (const ConsentText& text : words.texts) {
+    if (text.purpose == kTrainingRecord) {
       continue;
     }
-    version_ = text.version;
-    card_->setTitle(toQString(text.title));
-    text_->setText(toQString(text.text));
+    auto* box =
+        new QCheckBox(toQString(text.title).replace(QLatin1Char('&'), QStringLiteral("&&")), othersCard_);
+    box->setObjectName(toQString(text.purpose));
+    box->setAccessibleDescription(toQString(text.text));
+    const auto before = chosen.find(text.purpose);
+    box->setChecked(before == chosen.end() ? isGranted(own_, text.purpose) : before->second);
+    QLabel* label = plainLabel(othersCard_);
+    label->setText(toQString(text.text));
+    label->setContentsMargins(3 * kSpace, 0, 0, kSpace);
+    othersColumn_->addWidget(box);
+    othersColumn_->addWidget(label);
+    others_.push_back({text.purpose, box});
   }
+  othersCard_->setVisible(!others_.empty());
 }
 
 void ConsentPage::retranslate() {
-  heading_->setTexts(tr("Consent to the training record"),
+  heading_->setTexts(tr("Consent"),
                      tr("Nothing is recorded before you agree. You can withdraw later at any time."));
+  othersCard_->setTitle(tr("What else may be done"));
+  othersText_->setText(tr("Tick what you agree to. Whatever you choose, you can train."));
   understood_->setText(tr("I have &read and understood this"));
-  agree_->setText(tr("I &agree"));
+  agree_->setText(tr("I &agree to the training record"));
   decline_->setText(tr("&Not now"));
   attempt(shell(), [&] {
-    readText();
-    const bool given = hasOwnConsent(shell().session(), kPurpose);
-    state_->setText(given ? tr("You have agreed before.") : tr("You have not agreed so far."));
-    decline_->setText(given ? tr("&Withdraw") : tr("&Not now"));
+    readTexts();
+    showState();
   });
+}
+
+void ConsentPage::showState() {
+  const ConsentDecision* record = decisionAbout(own_, kTrainingRecord);
+  const bool given = record != nullptr && record->granted;
+  if (!given) {
+    state_->setText(tr("You have not agreed so far."));
+  } else if (record->textVersion != asked_.id) {
+    state_->setText(tr("You have agreed before, to another text (%1). This is %2: please read it.")
+                        .arg(toQString(record->textVersion), toQString(asked_.id)));
+  } else {
+    state_->setText(tr("You have agreed before."));
+  }
+  agree_->setText(given ? tr("&Keep these decisions") : tr("I &agree to the training record"));
+  decline_->setText(given ? tr("&Withdraw") : tr("&Not now"));
+}
+
+void ConsentPage::decideOne(const std::string& purpose, bool granted) {
+  const ConsentDecision* before = decisionAbout(own_, purpose);
+  const bool news = before == nullptr || before->granted != granted || before->textVersion != asked_.id;
+  if (news) {
+    decideOwnConsent(shell().session(), purpose, granted, asked_.id);
+  }
 }
 
 void ConsentPage::decide(bool granted) {
   attempt(shell(), [&] {
-    decideOwnConsent(shell().session(), kPurpose, granted, version_);
-    if (!granted) {
+    decideOne(kTrainingRecord, granted);
+    if (granted) {
+      for (const Choice& other : others_) {
+        decideOne(other.purpose, other.agreed->isChecked());
+      }
+    } else {
       shell().notify(tr("Nothing will be recorded. Free practice stays open."));
     }
     shell().open(granted ? then_ : PageId::kNextStep);

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
+#include <vector>
 
 #include "app/gui/base/page.h"
+#include "assessment/people/consent.h"
 
 class QCheckBox;
 class QLabel;
 class QPushButton;
+class QVBoxLayout;
 
 namespace torsio::gui {
 
 class Card;
 class PageHeading;
 
-/// Shows the text about the training record and takes the trainee's own decision before anything is recorded.
+/// Shows every text that the centre asks about and takes the trainee's own decision about each before
+/// anything is recorded. The training record decides whether they can begin; the others are free to choose.
 class ConsentPage : public Page {
   Q_OBJECT
 
@@ -26,14 +29,28 @@ class ConsentPage : public Page {
   void retranslate() override;
 
  private:
-  void decide(bool granted);
-  void readText();
+  /// A purpose besides the training record.
+  struct Choice {
+    std::string purpose;
+    QCheckBox* agreed;
+  };
 
-  std::string version_;
+  void decide(bool granted);
+  void decideOne(const std::string& purpose, bool granted);
+  void readTexts();
+  void showOthers(const ConsentWords& words);
+  void showState();
+
+  ConsentVersion asked_;
+  std::vector<ConsentDecision> own_;
+  std::vector<Choice> others_;
   PageId then_ = PageId::kNextStep;
   PageHeading* heading_;
   Card* card_;
   QLabel* text_;
+  Card* othersCard_;
+  QLabel* othersText_;
+  QVBoxLayout* othersColumn_;
   QLabel* state_;
   QCheckBox* understood_;
   QPushButton* agree_;

@@ -48,6 +48,9 @@ inline constexpr std::array kSealRules{
     SealRule{"trainee", Sealing::kEachChange, "person_id", "handedness"},
     SealRule{"rater_class", Sealing::kEachChange, "code"},
     SealRule{"rater", Sealing::kEachChange, "person_id"},
+    SealRule{"consent_purpose", Sealing::kEachChange, "code"},
+    SealRule{"consent_version", Sealing::kOnce, "id"},
+    SealRule{"consent_text", Sealing::kOnce, "version_id, language, purpose"},
     SealRule{"consent", Sealing::kOnce, "person_id, purpose, sequence"},
     SealRule{"retention_rule", Sealing::kEachChange, "category"},
     SealRule{"retention_hold", Sealing::kOnce, "person_id, sequence"},
@@ -108,6 +111,7 @@ inline constexpr std::array kSealRules{
     SealRule{"curriculum_occasion", Sealing::kOnce, "version_id, occasion"},
 
     SealRule{"cohort", Sealing::kEachChange, "id"},
+    SealRule{"cohort_state", Sealing::kOnce, "cohort_id, sequence"},
     SealRule{"training_group", Sealing::kEachChange, "id"},
     SealRule{"enrolment", Sealing::kEachChange, "id"},
     SealRule{"allocation_design", Sealing::kOnce, "id"},
@@ -211,6 +215,9 @@ inline constexpr std::array kSealRules{
              .key = "run_id, group_id, occasion",
              .parent = "assessment_run"},
 };
+
+/// Tables whose first rows come with the schema, and to which a centre adds.
+inline constexpr std::array<std::string_view, 2> kGrowingSeeds{"occasion", "consent_purpose"};
 
 /// The rule of a table; null: none, or nothing of it is sealed by rows.
 [[nodiscard]] constexpr const SealRule* sealRuleOf(std::string_view table) {

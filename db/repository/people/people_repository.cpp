@@ -19,7 +19,7 @@ const std::string kRaters = "SELECT " + kPersonColumns +
 const std::string kIdentities = "SELECT person_id, full_name, email, external_id FROM person_identity";
 const std::string kConsents =
     "SELECT c.person_id, c.purpose, c.granted, c.text_version, c.decided_utc_us, c.recorded_by,"
-    " c.demonstration FROM consent c";
+    " c.demonstration, c.form, c.signed_utc_us FROM consent c";
 
 Statement preparePersonInsert(Connection& connection) {
   return connection.prepare(insertInto(
@@ -63,7 +63,9 @@ ConsentDecision consentOf(RowReader& row) {
           .textVersion = row.text(),
           .decidedUtc_us = row.int64(),
           .recordedBy = row.text(),
-          .demonstration = row.boolean()};
+          .demonstration = row.boolean(),
+          .form = readTerm<ConsentForm>(row, "form"),
+          .signedUtc_us = row.maybeInt64().value_or(0)};
 }
 
 }  // namespace
@@ -177,10 +179,12 @@ std::vector<Identity> PeopleRepository::identities() const {
 void PeopleRepository::recordConsent(const ConsentDecision& consent) {
   connection_.execute(
       "INSERT INTO consent (person_id, purpose, sequence, granted, text_version, decided_utc_us, recorded_by,"
-      " demonstration) VALUES (?, ?, (SELECT COALESCE(MAX(c.sequence), 0) + 1 FROM consent c"
-      " WHERE c.person_id = ? AND c.purpose = ?), ?, ?, ?, ?, ?)",
+      " demonstration, form, signed_utc_us) VALUES (?, ?, (SELECT COALESCE(MAX(c.sequence), 0) + 1"
+      " FROM consent c WHERE c.person_id = ? AND c.purpose = ?), ?, ?, ?, ?, ?, ?, ?)",
       {consent.personId, consent.purpose, consent.personId, consent.purpose, consent.granted,
-       consent.textVersion, consent.decidedUtc_us, consent.recordedBy, consent.demonstration});
+       consent.textVersion, consent.decidedUtc_us, consent.recordedBy, consent.demonstration,
+       storedText(consent.form),
+       consent.form == ConsentForm::kPaper ? Value(consent.signedUtc_us) : Value()});
 }
 
 std::vector<ConsentDecision> PeopleRepository::consents(const PersonId& personId) const {

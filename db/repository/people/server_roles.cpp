@@ -35,6 +35,7 @@ constexpr std::array kStationRights{
     // What is named once.
     StationRight{"rater_class", kAdd},
     StationRight{"occasion", kAdd},
+    StationRight{"consent_purpose", kAdd},
     StationRight{"curriculum", kAdd},
     StationRight{"rubric", kAdd},
     // What has a state; frozen columns stay frozen.

@@ -19,15 +19,15 @@ namespace {
 /// One row a row of the rubric and an anchor of it.
 std::vector<RubricLine> rowsOf(Connection& connection, const RubricRevisionId& revisionId) {
   Statement statement = connection.prepare(
-      "SELECT r.row_code, r.label, r.scale_lo_steps, r.scale_hi_steps, r.steps_per_point, a.score_steps,"
-      " a.meaning FROM rubric_row r"
+      "SELECT r.row_code, r.label, r.scale_lo_steps, r.scale_hi_steps, r.steps_per_point,"
+      " r.weight_milli, a.score_steps, a.meaning FROM rubric_row r"
       " LEFT JOIN rubric_anchor a ON a.revision_id = r.revision_id AND a.row_code = r.row_code"
       " WHERE r.revision_id = ? ORDER BY r.position, a.score_steps");
   statement.execute({revisionId});
   std::vector<RubricLine> rows;
   while (statement.step()) {
     RowReader row(statement);
-    RubricLine line{row.text(), row.text(), {row.int64(), row.int64(), row.int64()}, {}};
+    RubricLine line{row.text(), row.text(), {row.int64(), row.int64(), row.int64()}, {}, row.int64()};
     if (rows.empty() || rows.back().code != line.code) {
       rows.push_back(std::move(line));
     }
@@ -145,13 +145,14 @@ void SheetRepository::addRevision(const RubricRevision& revision) {
        revision.overall.hi, revision.overall.stepsPerPoint, revision.createdBy, revision.createdUtc_us});
   Statement insert = connection_.prepare(
       insertInto("rubric_row",
-                 "revision_id, row_code, position, label, scale_lo_steps, scale_hi_steps, steps_per_point"));
+                 "revision_id, row_code, position, label, scale_lo_steps, scale_hi_steps, steps_per_point,"
+                 " weight_milli"));
   Statement anchor =
       connection_.prepare(insertInto("rubric_anchor", "revision_id, row_code, score_steps, meaning"));
   std::int64_t position = 0;
   for (const RubricLine& row : revision.rows) {
-    insert.execute(
-        {revision.id, row.code, ++position, row.label, row.scale.lo, row.scale.hi, row.scale.stepsPerPoint});
+    insert.execute({revision.id, row.code, ++position, row.label, row.scale.lo, row.scale.hi,
+                    row.scale.stepsPerPoint, row.weight_milli});
     for (const RubricAnchor& part : row.anchors) {
       anchor.execute({revision.id, row.code, part.score_steps, part.meaning});
     }

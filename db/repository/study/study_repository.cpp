@@ -88,11 +88,34 @@ void StudyRepository::addCohort(const Cohort& cohort, std::span<const StudyGroup
 std::vector<Cohort> StudyRepository::cohorts() const {
   return selectAll(
       connection_,
-      "SELECT id, name, description, created_utc_us, demonstration, curriculum_version_id FROM cohort"
-      " ORDER BY created_utc_us, name",
+      "SELECT c.id, c.name, c.description, c.created_utc_us, c.demonstration, c.curriculum_version_id,"
+      " COALESCE((SELECT s.state FROM cohort_state s WHERE s.cohort_id = c.id ORDER BY s.sequence DESC"
+      " LIMIT 1), CASE WHEN EXISTS (SELECT 1 FROM enrolment e WHERE e.cohort_id = c.id AND (e.group_id IS"
+      " NOT NULL OR EXISTS (SELECT 1 FROM trial t WHERE t.enrolment_id = e.id) OR EXISTS (SELECT 1 FROM"
+      " exposure x WHERE x.enrolment_id = e.id))) THEN 'running' ELSE 'draft' END)"
+      " FROM cohort c ORDER BY c.created_utc_us, c.name",
       {}, [](RowReader& row) {
-        return Cohort{row.text(), row.text(), row.text(), row.int64(), row.boolean(), row.text()};
+        return Cohort{row.text(),
+                      row.text(),
+                      row.text(),
+                      row.int64(),
+                      row.boolean(),
+                      row.text(),
+                      readTerm<CohortState>(row, "state")};
       });
+}
+
+void StudyRepository::renameCohort(const CohortId& cohortId, const std::string& name) {
+  connection_.execute("UPDATE cohort SET name = ? WHERE id = ?", {name, cohortId});
+}
+
+void StudyRepository::setCohortState(const CohortId& cohortId, CohortState state, const std::string& reason,
+                                     const std::string& changedBy, std::int64_t utc_us) {
+  connection_.execute(
+      "INSERT INTO cohort_state (cohort_id, sequence, state, reason, changed_by, changed_utc_us)"
+      " VALUES (?, (SELECT COALESCE(MAX(s.sequence), 0) + 1 FROM cohort_state s WHERE s.cohort_id = ?),"
+      " ?, ?, ?, ?)",
+      {cohortId, cohortId, storedText(state), reason, changedBy, utc_us});
 }
 
 Cohort StudyRepository::cohort(const CohortId& cohortId) const {

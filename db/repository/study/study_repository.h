@@ -27,6 +27,10 @@ class StudyRepository {
   [[nodiscard]] std::vector<Cohort> cohorts() const;
   /// Throws Error{kBadData} when there is no such cohort.
   [[nodiscard]] Cohort cohort(const CohortId& cohortId) const;
+  void renameCohort(const CohortId& cohortId, const std::string& name);
+  /// `state`: not kDraft, which a cohort is only until its people are allocated.
+  void setCohortState(const CohortId& cohortId, CohortState state, const std::string& reason,
+                      const std::string& changedBy, std::int64_t utc_us);
   [[nodiscard]] std::vector<StudyGroup> groups(const CohortId& cohortId) const;
 
   void enrol(std::span<const Enrolment> enrolments);

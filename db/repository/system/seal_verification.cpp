@@ -8,6 +8,7 @@
 #include "db/connection/row_reader.h"
 #include "db/migrations/schema_check.h"
 #include "db/repository/base/changed_statement.h"
+#include "db/repository/base/seal_rules.h"
 #include "db/repository/people/person_rules.h"
 #include "sim/base/error.h"
 
@@ -15,8 +16,6 @@ namespace torsio {
 
 namespace {
 
-/// The one table whose rows the steps of the schema bring along and a centre adds to.
-constexpr std::string_view kSeededTable = "occasion";
 constexpr std::string_view kTombstones = "erasure";
 
 bool isAct(const AuditEntry& entry, AuditAction action, AuditObject object) {
@@ -88,13 +87,14 @@ void SealVerification::compareRows() {
 }
 
 void SealVerification::readSchemaRows() {
-  const SealRule& rule = *sealRuleOf(kSeededTable);
   Connection fresh = freshRecord();
   const Transaction look(fresh, Transaction::Purpose::kLook);
-  forEachSealable(fresh, rule,
-                  [&](const SealShape& shape, std::span<const Value> row, const std::string& seal) {
-                    tables_[std::string(kSeededTable)][shape.keyOf(row)] = {.rowHash = seal};
-                  });
+  for (const std::string_view table : kGrowingSeeds) {
+    forEachSealable(fresh, *sealRuleOf(table),
+                    [&](const SealShape& shape, std::span<const Value> row, const std::string& seal) {
+                      tables_[std::string(table)][shape.keyOf(row)] = {.rowHash = seal};
+                    });
+  }
 }
 
 void SealVerification::readSeals() {

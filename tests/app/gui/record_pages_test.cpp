@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an administrator decides about records: how long they are kept, a person's own copy, erasure on
-// request, a move to another group, a new scoring sheet, another occasion.
+// request, a move to another group, another occasion.
 #include <filesystem>
 
 #include <QCheckBox>
@@ -12,7 +12,6 @@
 
 #include "app/gui/administrator/curriculum/curricula_page.h"
 #include "app/gui/administrator/people/roster_page.h"
-#include "app/gui/administrator/scoring/scoring_page.h"
 #include "app/gui/administrator/station/maintenance_page.h"
 #include "app/gui/administrator/study/allocation_page.h"
 #include "app/gui/base/translated_text.h"
@@ -23,7 +22,6 @@
 #include "app/people/people_service.h"
 #include "app/study/cohort_service.h"
 #include "app/study/occasion_service.h"
-#include "app/study/rubric_service.h"
 #include "assessment/people/consent.h"
 #include "assessment/people/retention.h"
 #include "assessment/study/allocation_entry.h"
@@ -171,20 +169,6 @@ TEST(AllocationPage, MovesATraineeByHandBesideTheDrawnRecord) {
   EXPECT_NE(to, drawn.groupId);
   EXPECT_EQ(records.back().groupId, to);
   EXPECT_EQ(records.back().overrideReason, "asked for it");
-}
-
-TEST(ScoringPage, TakesTheNextRevisionOfTheSheetFromAFile) {
-  AdministratorDesk office;
-  office.centre.addPaperRubric();
-  auto page = office.open<ScoringPage>("administrator");
-
-  ASSERT_TRUE(named(*page, "reviseRubric").isEnabled());
-  EXPECT_TRUE(page->revise(office.centre.assets() / "rubrics/twist-training.json", "clearer anchors"));
-
-  const std::vector<RubricRow> all = rubrics(office.centre.as("administrator"));
-  ASSERT_EQ(all.size(), 1U);
-  ASSERT_EQ(all.front().revisions.size(), 2U);
-  EXPECT_EQ(all.front().revisions.back().note, "clearer anchors");
 }
 
 TEST(CurriculaPage, AddsAnOccasionThatTheEditorThenOffers) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A trainee's way through the station with real widgets: from a locked module to the trend, on the offscreen
 // platform.
+#include <map>
 #include <memory>
 
 #include <QApplication>
@@ -27,7 +28,9 @@
 #include "app/gui/trainee/transcript_page.h"
 #include "app/gui/trainee/trend_page.h"
 #include "app/gui/widgets/theme.h"
+#include "app/people/consent_service.h"
 #include "app/recording/station_writer.h"
+#include "app/training/run_session.h"
 #include "db/repository/trial/station_repository.h"
 #include "tests/app/gui/trainee_station.h"
 #include "tests/app/support/training_centre.h"
@@ -120,11 +123,54 @@ TEST(StationPages, NothingIsRecordedBeforeTheTraineeAgrees) {
 
   ASSERT_EQ(station.pageId, PageId::kConsent);
   EXPECT_FALSE(station.find<QPushButton>("agree")->isEnabled());
-  station.page->findChild<QCheckBox*>()->setChecked(true);
+  station.find<QCheckBox>("understood")->setChecked(true);
+  station.find<QCheckBox>("video")->setChecked(true);
   station.press("agree");
 
   EXPECT_EQ(station.pageId, PageId::kDeviceCheck);
-  EXPECT_TRUE(hasOwnConsent(centre.session(), "training_record"));
+  std::map<std::string, bool> decided;
+  for (const ConsentDecision& one : ownConsents(centre.session())) {
+    decided[one.purpose] = one.granted;
+    EXPECT_EQ(one.form, ConsentForm::kScreen);
+    EXPECT_EQ(one.textVersion, shippedConsent(TORSIO_SOURCE_DIR "/assets").id);
+  }
+  const std::map<std::string, bool> expected{{"training_record", true},
+                                             {"video", true},
+                                             {"research", false},
+                                             {"xapi_export", false},
+                                             {"teaching", false}};
+  EXPECT_EQ(decided, expected) << "each purpose is a decision of its own";
+}
+
+TEST(StationPages, ConsentIsKeptWithoutAskingTwiceAndWithdrawnForTheRecordAlone) {
+  TrainingCentre centre;
+  Station station(centre);
+  station.open(PageId::kConsent);
+  const std::size_t before = ownConsents(centre.session()).size();
+  ASSERT_EQ(before, 1U) << "the training record alone was decided about";
+  station.find<QCheckBox>("teaching")->setChecked(true);
+  station.find<QCheckBox>("understood")->setChecked(true);
+  station.press("agree");
+  const auto rows = [&] {
+    Statement count = centre.connection().prepare("SELECT count(*) FROM consent");
+    count.execute();
+    return count.step() ? count.int64(0) : 0;
+  };
+  const std::int64_t kept = rows();
+
+  station.open(PageId::kConsent);
+  EXPECT_TRUE(station.find<QCheckBox>("teaching")->isChecked());
+  EXPECT_FALSE(station.find<QCheckBox>("research")->isChecked());
+  station.find<QCheckBox>("understood")->setChecked(true);
+  station.press("agree");
+  EXPECT_EQ(rows(), kept) << "nothing new was decided";
+  station.open(PageId::kConsent);
+  station.press("decline");
+
+  EXPECT_EQ(rows(), kept + 1);
+  for (const ConsentDecision& one : ownConsents(centre.session())) {
+    EXPECT_EQ(one.granted, one.purpose == "teaching") << one.purpose;
+  }
 }
 
 TEST(StationPages, AmberAllowsPracticeOnlyAndRedNothing) {

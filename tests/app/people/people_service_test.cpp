@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/people/people_service.h"
 
+#include <functional>
+
 #include <gtest/gtest.h>
 
 #include "app/people/consent_service.h"
@@ -117,7 +119,7 @@ TEST(ConsentService, NewestDecisionCountsAndWithdrawalIsListed) {
   StudyCentre centre;
   const std::string id = centre.addTrainees(1).front();
   SessionContext& session = centre.session();
-  const std::string version = consentTexts(centre.assets()).at(0).version;
+  const std::string version = shippedConsent(centre.assets()).id;
 
   recordConsent(session, id, "research", true, version);
   centre.passTime_us(1);
@@ -133,16 +135,110 @@ TEST(ConsentService, NewestDecisionCountsAndWithdrawalIsListed) {
 TEST(ConsentService, TextsExistInBothLanguagesUnderOneVersion) {
   StudyCentre centre;
 
-  const auto english = consentTexts(centre.assets(), "en");
-  const auto chinese = consentTexts(centre.assets(), "zh_CN");
+  const ConsentVersion shipped = shippedConsent(centre.assets());
+  const ConsentWords& english = wordsIn(shipped, "en");
+  const ConsentWords& chinese = wordsIn(shipped, "zh_CN");
 
-  ASSERT_EQ(english.size(), 5U);
-  ASSERT_EQ(chinese.size(), 5U);
-  for (std::size_t i = 0; i < english.size(); ++i) {
-    EXPECT_EQ(english[i].purpose, chinese[i].purpose);
-    EXPECT_EQ(english[i].version, chinese[i].version);
-    EXPECT_NE(english[i].text, chinese[i].text);
+  ASSERT_EQ(english.texts.size(), 5U);
+  ASSERT_EQ(chinese.texts.size(), 5U);
+  for (std::size_t i = 0; i < english.texts.size(); ++i) {
+    EXPECT_EQ(english.texts[i].purpose, chinese.texts[i].purpose);
+    EXPECT_NE(english.texts[i].text, chinese.texts[i].text);
   }
+  EXPECT_EQ(&wordsIn(shipped, "eo"), &english) << "a language that it lacks";
+}
+
+TEST(ConsentService, TheCentrePublishesItsOwnWordsAndKeepsEveryVersion) {
+  StudyCentre centre;
+  SessionContext& session = centre.as("administrator");
+  const ConsentVersion before = askedConsent(session, centre.assets());
+  std::vector<ConsentWords> words = before.languages;
+  words.front().texts.front().text = "We keep everything for two years.";
+  words.push_back({"de", words.front().texts});
+  for (ConsentWords& one : words) {
+    one.texts.push_back({"", "Photographs", "My picture may hang in the corridor."});
+    one.texts.erase(one.texts.begin() + 1);  // no video here
+  }
+
+  const std::string id = publishConsent(session, centre.assets(), words, "two years, photographs");
+
+  const ConsentVersion now = askedConsent(session, centre.assets());
+  EXPECT_EQ(now.id, id);
+  EXPECT_EQ(now.note, "two years, photographs");
+  EXPECT_EQ(now.publishedBy, session.actor().userId);
+  ASSERT_EQ(now.languages.size(), 3U);
+  const ConsentWords& german = wordsIn(now, "de");
+  ASSERT_EQ(german.language, "de");
+  ASSERT_EQ(german.texts.size(), 5U);
+  EXPECT_EQ(german.texts[1].purpose, "research");
+  EXPECT_EQ(german.texts[4].purpose, "purpose-6");
+  EXPECT_EQ(german.texts[4].title, "Photographs");
+  const std::vector<ConsentVersion> all = consentVersions(session, centre.assets());
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].id, before.id);
+  EXPECT_EQ(wordsIn(all[0], "en").texts[0].text, wordsIn(before, "en").texts[0].text);
+  EXPECT_EQ(centre.audited("consent.publish"), 1);
+  const std::string person = centre.addTrainees(1).front();
+  recordConsent(session, person, "purpose-6", true, id);
+  EXPECT_EQ(consentHistory(session, person).back().purpose, "purpose-6");
+}
+
+TEST(ConsentService, RefusesWordsThatNobodyCanBeAsked) {
+  StudyCentre centre;
+  SessionContext& session = centre.as("administrator");
+  const std::vector<ConsentWords> words = askedConsent(session, centre.assets()).languages;
+  const auto refused = [&](const std::function<void(std::vector<ConsentWords>&)>& spoil,
+                           const std::string& note = "why") {
+    std::vector<ConsentWords> spoiled = words;
+    spoil(spoiled);
+    const auto rows = centre.rowCounts();
+    EXPECT_THROW((void)publishConsent(session, centre.assets(), spoiled, note), Error);
+    EXPECT_EQ(centre.rowCounts(), rows);
+  };
+
+  refused([](auto&) {});  // nothing has changed
+  refused([](auto& all) { all[0].texts[0].text = "new"; }, "");
+  refused([](auto& all) { all.clear(); });
+  refused([](auto& all) {
+    for (ConsentWords& one : all) {
+      one.texts.erase(one.texts.begin());  // the training record
+    }
+  });
+  refused([](auto& all) { all[0].texts.pop_back(); });
+  refused([](auto& all) { std::swap(all[1].texts[1], all[1].texts[2]); });
+  refused([](auto& all) { all[1].texts[1].text.clear(); });
+  refused([](auto& all) { all[1].texts[1].title.clear(); });
+  refused([](auto& all) { all[1].language = all[0].language; });
+  refused([](auto& all) {
+    for (ConsentWords& one : all) {
+      one.texts[1].purpose = "selling";
+    }
+  });
+  refused([](auto& all) {
+    for (ConsentWords& one : all) {
+      one.texts[1].purpose = one.texts[2].purpose;
+    }
+  });
+}
+
+TEST(ConsentService, WhatWasSignedOnPaperKeepsTheDayOfTheSignature) {
+  StudyCentre centre;
+  const std::string id = centre.addTrainees(1).front();
+  SessionContext& session = centre.session();
+  constexpr std::int64_t kDay_us = 86'400'000'000;
+
+  recordConsent(session, id, "video", true, "2026-1", testing::kStudyTime_us - 3 * kDay_us);
+  recordConsent(session, id, "teaching", true, "2026-1");
+
+  const std::vector<ConsentDecision> all = consentHistory(session, id);
+  ASSERT_EQ(all.size(), 2U);
+  for (const ConsentDecision& one : all) {
+    EXPECT_EQ(one.form, ConsentForm::kPaper);
+    EXPECT_EQ(one.signedUtc_us,
+              one.purpose == "video" ? testing::kStudyTime_us - 3 * kDay_us : testing::kStudyTime_us);
+  }
+  EXPECT_THROW(recordConsent(session, id, "video", true, "2026-1", testing::kStudyTime_us + 3 * kDay_us),
+               Error);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@
 
 #include "app/report/chart_builder.h"
 #include "app/report/graphics_application.h"
+#include "app/report/pdf_outline.h"
 #include "app/report/pdf_report.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
@@ -117,6 +119,78 @@ TEST(PdfReport, IsAVectorFileOfSeveralPages) {
   EXPECT_GE(pagesIn(pdf), 5);
   EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos) << "charts must stay vectors";
   EXPECT_FALSE(fs::exists(temporaryBeside(file)));
+}
+
+/// Follows the cross references of a PDF from its end: every object must begin where they say.
+std::size_t checkedObjects(const std::string& pdf) {
+  std::size_t objects = 0;
+  std::size_t at = std::stoull(pdf.substr(pdf.rfind("startxref\n") + 10));
+  while (at != 0) {
+    EXPECT_EQ(pdf.substr(at, 5), "xref\n");
+    std::istringstream table(pdf.substr(at + 5));
+    std::string word;
+    while (table >> word && word != "trailer") {
+      const std::size_t first = std::stoull(word);
+      std::size_t count = 0;
+      table >> count;
+      for (std::size_t i = 0; i < count; ++i) {
+        std::string offset;
+        std::string generation;
+        std::string kind;
+        table >> offset >> generation >> kind;
+        if (kind == "n") {
+          const std::string head = std::to_string(first + i) + " 0 obj";
+          EXPECT_EQ(pdf.substr(std::stoull(offset), head.size()), head);
+          ++objects;
+        }
+      }
+    }
+    const std::string trailer = pdf.substr(pdf.find("trailer", at), 400);
+    const std::size_t before = trailer.substr(0, trailer.find("startxref")).find("/Prev ");
+    at = before == std::string::npos ? 0 : std::stoull(trailer.substr(before + 6));
+  }
+  return objects;
+}
+
+TEST(PdfReport, HasBookmarksOfSectionsFiguresAndTablesAndItsReferenceOnEveryPage) {
+  const fs::path file = freshFolder("bookmarks") / "report.pdf";
+  ReportModel model = smallReport();
+  model.number = "R-12-3fa29b1c";
+  model.numbersHash = std::string(64, 'a');
+  model.auditHead = std::string(64, 'b');
+  std::size_t said = 0;
+  std::size_t pages = 0;
+  const Wording listen = [&said](const Text& text) {
+    const QString words = englishWording(text);
+    said += words.contains(QStringLiteral("R-12-3fa29b1c")) && words.contains(QString(64, QLatin1Char('b')))
+                ? 1U
+                : 0U;
+    return words;
+  };
+
+  writePdfReport(
+      model, file, listen, [&pages](std::size_t, std::size_t all) { pages = all; }, "zh_CN");
+
+  const std::string pdf = readFile(file);
+  EXPECT_GT(checkedObjects(pdf), 10U);
+  EXPECT_NE(pdf.find("/PageMode /UseOutlines"), std::string::npos);
+  EXPECT_NE(pdf.find("/Lang (zh-CN)"), std::string::npos);
+  std::size_t marks = 0;
+  for (std::size_t at = pdf.find("/Dest ["); at != std::string::npos; at = pdf.find("/Dest [", at + 1)) {
+    ++marks;
+  }
+  std::size_t things = 0;
+  for (const ReportSection& section : model.sections) {
+    things += 1 + section.figures.size() + section.tables.size();
+  }
+  EXPECT_EQ(marks, things);
+  EXPECT_NE(pdf.find("/Title <FEFF004500760061006C"), std::string::npos) << "Eval(uation)";
+  EXPECT_EQ(said, 1U) << "composed once and drawn in the foot of all " << pages << " pages";
+}
+
+TEST(PdfOutline, RefusesWhatIsNoPdf) {
+  EXPECT_THROW((void)withBookmarks("", {}, "en"), Error);
+  EXPECT_THROW((void)withBookmarks("startxref\n5\n/Root 1 0 R /Size 3", {}, "en"), Error);
 }
 
 TEST(PdfReport, SaysWhereTheValuesOfAFigureStandThatAreTooManyToPrint) {

@@ -148,6 +148,8 @@ TEST(CodedTables, TellTheCriteriaTheAnchorsTheRevisionAndTheBuild) {
   ASSERT_EQ(german.size(), 2U);
   EXPECT_EQ(german[0].values.size(), german[1].values.size());
   EXPECT_EQ(german[1].values[4], "7,5") << "a decimal comma, in its own column";
+  EXPECT_EQ(german[0].values.back(), "criteria_mean");
+  EXPECT_EQ(german[1].values.back(), "1,5") << "each row half a point above its lowest mark of 1";
 }
 
 TEST(CsvLook, ChangesNumbersAndNothingElse) {

@@ -50,6 +50,9 @@ void fillCohorts(QComboBox* chooser, SessionContext& session) {
   chooser->setPlaceholderText(QCoreApplication::translate("Administration", "no cohort yet"));
   int first = -1;
   for (const CohortRow& row : cohorts(session)) {
+    if (row.cohort.state == CohortState::kArchived) {
+      continue;
+    }
     chooser->addItem(toQString(row.cohort.name), toQString(row.cohort.id));
     if (row.allocated > 0) {
       first = chooser->count() - 1;

@@ -32,8 +32,8 @@ QVBoxLayout* pageColumn(QWidget* page);
 QVBoxLayout* scrolledColumn(QWidget* page);
 /// A button among the tools of a list.
 QPushButton* listButton(DataTable* table);
-/// The cohorts of the record, newest last; keeps the choice when filled anew. Chosen first: the newest whose
-/// people are in groups, since there is something to see; else the newest.
+/// The cohorts of the record without the archived ones, newest last; keeps the choice when filled anew.
+/// Chosen first: the newest whose people are in groups, since there is something to see; else the newest.
 void fillCohorts(QComboBox* chooser, SessionContext& session);
 /// The evaluation campaigns and "none". Chosen first: the newest that somebody has scored in.
 void fillCampaigns(QComboBox* chooser, SessionContext& session, const QString& none);

@@ -93,8 +93,10 @@ QString sheetHtml(const PaperSheet& sheet, const QString& centre, bool first) {
   return html;
 }
 
-void print(const QString& html, const QString& title, QPageLayout::Orientation orientation,
-           const std::filesystem::path& file) {
+}  // namespace
+
+void printHtml(const QString& html, const QString& title, QPageLayout::Orientation orientation,
+               const std::filesystem::path& file) {
   QBuffer out;
   out.open(QIODevice::WriteOnly);
   {
@@ -115,8 +117,6 @@ void print(const QString& html, const QString& title, QPageLayout::Orientation o
   }
   writeFileAtomically(file, out.data().toStdString());
 }
-
-}  // namespace
 
 void writeCallList(const std::vector<CallLine>& lines, const QString& cohort, const QString& room,
                    const std::filesystem::path& file) {
@@ -142,7 +142,7 @@ void writeCallList(const std::vector<CallLine>& lines, const QString& cohort, co
             cell(line.occasion.toHtmlEscaped()) + cell(QString::number(line.missing)) + cell({}) + cell({}) +
             cell({}) + QStringLiteral("</tr>");
   }
-  print(html + QStringLiteral("</table>"), title, QPageLayout::Landscape, file);
+  printHtml(html + QStringLiteral("</table>"), title, QPageLayout::Landscape, file);
 }
 
 void writePaperSheets(const std::vector<PaperSheet>& sheets, const QString& centre,
@@ -151,7 +151,7 @@ void writePaperSheets(const std::vector<PaperSheet>& sheets, const QString& cent
   for (const PaperSheet& sheet : sheets) {
     html += sheetHtml(sheet, centre, &sheet == &sheets.front());
   }
-  print(html, PrintedSheets::tr("Sheets on paper"), QPageLayout::Portrait, file);
+  printHtml(html, PrintedSheets::tr("Sheets on paper"), QPageLayout::Portrait, file);
 }
 
 }  // namespace torsio::gui

@@ -4,11 +4,16 @@
 #include <filesystem>
 #include <vector>
 
+#include <QPageLayout>
 #include <QString>
 
 #include "app/study/paper_sheets.h"
 
 namespace torsio::gui {
+
+/// PDF to print on A4, in the typeface of the reports. Throws Error{kFileUnwritable}.
+void printHtml(const QString& html, const QString& title, QPageLayout::Orientation orientation,
+               const std::filesystem::path& file);
 
 /// One line of a call list: who is to be called for what; written on by hand.
 struct CallLine {

@@ -56,6 +56,10 @@ QString enrolmentStateName(EnrolmentState state) {
   return named(kNames, std::string(storedText(state)));
 }
 
+QString cohortStateName(CohortState state) {
+  return toQString(Text(termsOf(state)[static_cast<std::size_t>(state)].label));
+}
+
 QString factorName(const std::string& code) {
   static const std::pair<const char*, const char*> kNames[] = {
       {"sex", QT_TRANSLATE_NOOP("Study", "sex")},

@@ -20,6 +20,7 @@ namespace torsio::gui {
 /// "half-way"; occasions that a centre added are called as it named them.
 [[nodiscard]] QString occasionName(const Occasion& occasion);
 [[nodiscard]] QString enrolmentStateName(EnrolmentState state);
+[[nodiscard]] QString cohortStateName(CohortState state);
 [[nodiscard]] QString factorName(const std::string& code);
 [[nodiscard]] QString raterClassName(const std::string& code);
 [[nodiscard]] QString levelName(const std::string& code);

@@ -7,8 +7,8 @@
 
 #include <QWidget>
 
+#include "app/gui/administrator/base/ordered_list.h"
 #include "app/gui/administrator/curriculum/curriculum_parts.h"
-#include "app/gui/administrator/curriculum/ordered_list.h"
 #include "app/study/curriculum_content.h"
 #include "assessment/study/curriculum.h"
 

@@ -11,10 +11,11 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/list_dialogs.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/second_person.h"
 #include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/administrator/people/consent_dialog.h"
+#include "app/gui/administrator/people/consent_texts_dialog.h"
 #include "app/gui/administrator/people/person_dialog.h"
 #include "app/gui/administrator/people/roster_wizard.h"
 #include "app/gui/base/shell_context.h"
@@ -25,20 +26,16 @@
 #include "app/gui/widgets/page_heading.h"
 #include "app/maintenance/copies.h"
 #include "app/maintenance/person_package.h"
+#include "assessment/people/consent.h"
 
 namespace torsio::gui {
-
-namespace {
-
-constexpr const char* kTrainingRecord = "training_record";
-
-}  // namespace
 
 RosterPage::RosterPage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
       import_(new QPushButton(this)),
       add_(new QPushButton(this)),
+      texts_(new QPushButton(this)),
       table_(new DataTable(QStringLiteral("roster"), this)),
       names_(new QCheckBox(this)),
       edit_(nullptr),
@@ -59,6 +56,8 @@ RosterPage::RosterPage(ShellContext& shell)
   package_->setObjectName(QStringLiteral("exportPerson"));
   erase_->setObjectName(QStringLiteral("erasePerson"));
   import_->setProperty("primary", true);
+  texts_->setObjectName(QStringLiteral("consentTexts"));
+  heading_->addAction(texts_);
   heading_->addAction(add_);
   heading_->addAction(import_);
   auto* column = new QVBoxLayout(this);
@@ -68,6 +67,7 @@ RosterPage::RosterPage(ShellContext& shell)
   column->addWidget(table_, 1);
 
   connect(import_, &QPushButton::clicked, this, &RosterPage::import);
+  connect(texts_, &QPushButton::clicked, this, [this] { ConsentTextsDialog(this->shell(), this).exec(); });
   connect(add_, &QPushButton::clicked, this, &RosterPage::add);
   connect(edit_, &QPushButton::clicked, this, &RosterPage::edit);
   connect(state_, &QPushButton::clicked, this, &RosterPage::switchState);
@@ -102,6 +102,7 @@ void RosterPage::retranslate() {
                         "code only."));
   import_->setText(tr("&Import a roster\u2026"));
   add_->setText(tr("&New person\u2026"));
+  texts_->setText(tr("Consent &texts\u2026"));
   names_->setText(tr("Show na&mes"));
   edit_->setText(tr("&Change\u2026"));
   export_->setText(tr("&Export\u2026"));

@@ -46,6 +46,7 @@ class RosterPage : public Page {
   PageHeading* heading_;
   QPushButton* import_;
   QPushButton* add_;
+  QPushButton* texts_;
   DataTable* table_;
   QCheckBox* names_;
   QPushButton* edit_;

@@ -12,17 +12,16 @@
 #include "app/gui/administrator/base/reminder_text.h"
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/scoring/rater_calibration_dialog.h"
+#include "app/gui/administrator/scoring/rubric_dialog.h"
 #include "app/gui/administrator/scoring/scoring_dialogs.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/people/people_service.h"
 #include "app/study/rubric_service.h"
 #include "assessment/people/person.h"
 #include "sim/base/error.h"
-#include "sim/base/file_io.h"
 
 namespace torsio::gui {
 
@@ -85,7 +84,7 @@ ScoringPage::ScoringPage(ShellContext& shell)
   connect(remind_, &QPushButton::clicked, this, &ScoringPage::copyReminders);
   connect(release_, &QPushButton::clicked, this, &ScoringPage::release);
   connect(third_, &QPushButton::clicked, this, &ScoringPage::assignThirdRater);
-  connect(revise_, &QPushButton::clicked, this, &ScoringPage::askRevision);
+  connect(revise_, &QPushButton::clicked, this, &ScoringPage::showSheet);
   connect(warmUp_, &QPushButton::clicked, this, &ScoringPage::showWarmUp);
   connect(table_, &DataTable::currentChanged, this, &ScoringPage::showButtons);
   retranslate();
@@ -187,30 +186,11 @@ std::string ScoringPage::rubricRevision() {
   return all.front().revisions.back().id;
 }
 
-bool ScoringPage::revise(const std::filesystem::path& file, const std::string& note) {
-  return attempt(shell(), [&] {
+void ScoringPage::showSheet() {
+  attempt(shell(), [&] {
     static_cast<void>(rubricRevision());  // the shipped one, when there is none yet
-    const RubricTemplate next = parseRubric(readFile(file), file.stem().string());
-    const RubricRow rubric = rubrics(shell().session()).front();
-    reviseRubric(shell().session(), rubric.id, next.revision, note);
-    shell().notify(tr("%1: revision %2 is used from now on")
-                       .arg(toQString(rubric.name))
-                       .arg(rubric.revisions.back().number + 1));
+    RubricDialog(shell(), this).exec();
   });
-}
-
-void ScoringPage::askRevision() {
-  const QString file = askFileToOpen(this, tr("Revise the scoring sheet"), tr("Scoring sheet (*.json)"));
-  if (file.isEmpty()) {
-    return;
-  }
-  const std::optional<std::string> note = askReason(
-      this, tr("Revise the scoring sheet"),
-      tr("Raters who are asked from now on fill in the new sheet. Sheets that were asked for before "
-         "stay as they are; both revisions are kept for good."));
-  if (note) {
-    revise(toPath(file), *note);
-  }
 }
 
 bool ScoringPage::ask(const std::vector<RaterId>& raterIds, const std::vector<std::string>& occasionCodes,
@@ -301,7 +281,7 @@ void ScoringPage::retranslate() {
                      tr("Who scores whom, and how far it has come. Marks are not shown here."));
   warmUp_->setText(tr("Rater cali&bration\u2026"));
   revise_->setText(tr("Scoring &sheet\u2026"));
-  revise_->setToolTip(tr("Takes the next revision of the scoring sheet from a file"));
+  revise_->setToolTip(tr("What raters fill in: criteria, scales, anchors and weights"));
   warmUp_->setToolTip(tr("The reference runs that every physician scores first"));
   ask_->setText(tr("&Ask raters\u2026"));
   third_->setToolTip(tr("Physicians could not agree and ask for one more"));

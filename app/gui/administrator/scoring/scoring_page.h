@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,14 +34,11 @@ class ScoringPage : public Page {
   bool ask(const std::vector<RaterId>& raterIds, const std::vector<std::string>& occasionCodes,
            std::optional<std::int64_t> dueUtc_us = std::nullopt);
 
-  /// Takes the next revision of the scoring sheet from a file like those of assets/rubrics.
-  bool revise(const std::filesystem::path& file, const std::string& note);
-
  private:
   void read();
   void showContent();
   void showButtons();
-  void askRevision();
+  void showSheet();
   void askRaters();
   void copyReminders();
   [[nodiscard]] QString cellText(const ScoringCell& cell) const;

@@ -10,7 +10,9 @@
 #include <QPushButton>
 
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
@@ -85,6 +87,56 @@ std::vector<std::pair<std::string, QString>> runningVersions(const std::vector<C
     }
   }
   return out;
+}
+
+std::optional<std::string> askCohortName(QWidget* parent, const std::string& name) {
+  QuestionDialog dialog(parent, CohortDialog::tr("Rename the cohort"),
+                        CohortDialog::tr("Reports made before keep the name that they were made under."));
+  auto* field = new QLineEdit(toQString(name), &dialog);
+  field->setObjectName(QStringLiteral("name"));
+  nameField(addField(dialog.column(), field), CohortDialog::tr("&Name"));
+  QPushButton* ok = dialog.finish(CohortDialog::tr("Rename"));
+  const auto check = [&] {
+    const std::string typed = field->text().trimmed().toStdString();
+    ok->setEnabled(!typed.empty() && typed != name);
+  };
+  QObject::connect(field, &QLineEdit::textChanged, &dialog, check);
+  check();
+  if (dialog.exec() != QDialog::Accepted) {
+    return std::nullopt;
+  }
+  return field->text().trimmed().toStdString();
+}
+
+std::optional<CohortStateChange> askCohortState(QWidget* parent, const Cohort& cohort) {
+  QuestionDialog dialog(parent, CohortDialog::tr("Close or archive"), toQString(cohort.name));
+  auto* step = new QComboBox(&dialog);
+  step->setObjectName(QStringLiteral("step"));
+  const auto offer = [step](CohortState state, const QString& text) {
+    step->addItem(text, static_cast<int>(state));
+  };
+  if (cohort.state == CohortState::kRunning) {
+    offer(CohortState::kClosed,
+          CohortDialog::tr("close: nobody trains, is enrolled, called or newly asked for sheets"));
+  } else {
+    if (cohort.state == CohortState::kClosed) {
+      offer(CohortState::kArchived, CohortDialog::tr("archive: closed, and left out of the lists"));
+    }
+    offer(CohortState::kRunning, CohortDialog::tr("open again: it trains and is scored as before"));
+  }
+  nameField(addField(dialog.column(), step), CohortDialog::tr("&Step"));
+  auto* reason = new QLineEdit(&dialog);
+  reason->setObjectName(QStringLiteral("reason"));
+  nameField(addField(dialog.column(), reason), CohortDialog::tr("&Reason"));
+  QPushButton* ok = dialog.finish(CohortDialog::tr("Do it"));
+  ok->setEnabled(false);
+  QObject::connect(reason, &QLineEdit::textChanged, ok,
+                   [ok](const QString& text) { ok->setEnabled(!text.trimmed().isEmpty()); });
+  if (dialog.exec() != QDialog::Accepted) {
+    return std::nullopt;
+  }
+  return CohortStateChange{static_cast<CohortState>(step->currentData().toInt()),
+                           reason->text().trimmed().toStdString()};
 }
 
 std::optional<std::string> askCurriculum(QWidget* parent, const std::vector<CurriculumRow>& curricula) {

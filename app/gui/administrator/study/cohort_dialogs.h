@@ -9,6 +9,7 @@
 
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
+#include "assessment/study/cohort.h"
 
 class QComboBox;
 class QDialogButtonBox;
@@ -37,6 +38,18 @@ class CohortDialog : public QDialog {
   QLabel* groupsLabel_;
   QDialogButtonBox* buttons_;
 };
+
+/// Asks for another name of a cohort. Empty: given up.
+[[nodiscard]] std::optional<std::string> askCohortName(QWidget* parent, const std::string& name);
+
+/// A step in the life of a cohort, and why.
+struct CohortStateChange {
+  CohortState state = CohortState::kClosed;
+  std::string reason{};
+};
+/// Asks for the next step: to close what runs; to archive what is closed, or to open it again. Empty: given
+/// up.
+[[nodiscard]] std::optional<CohortStateChange> askCohortState(QWidget* parent, const Cohort& cohort);
 
 /// Running versions, newest first: id and "Name, version 2".
 [[nodiscard]] std::vector<std::pair<std::string, QString>> runningVersions(

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
@@ -30,11 +31,18 @@ CohortsPage::CohortsPage(ShellContext& shell)
       enrol_(listButton(table_)),
       follow_(listButton(table_)),
       allocate_(listButton(table_)),
+      rename_(listButton(table_)),
+      life_(listButton(table_)),
+      archived_(new QCheckBox(this)),
       membersTitle_(new QLabel(this)),
       members_(new DataTable(QStringLiteral("cohort-members"), this)),
       state_(listButton(members_)) {
   members_->setObjectName(QStringLiteral("members"));
   table_->setObjectName(QStringLiteral("cohorts"));
+  rename_->setObjectName(QStringLiteral("renameCohort"));
+  life_->setObjectName(QStringLiteral("cohortState"));
+  archived_->setObjectName(QStringLiteral("archived"));
+  table_->addTool(archived_);
   add_->setProperty("primary", true);
   power_->setObjectName(QStringLiteral("power"));
   heading_->addAction(power_);
@@ -55,6 +63,9 @@ CohortsPage::CohortsPage(ShellContext& shell)
       this->shell().open(PageId::kAllocation, toQString(row->cohort.id));
     }
   });
+  connect(rename_, &QPushButton::clicked, this, &CohortsPage::rename);
+  connect(life_, &QPushButton::clicked, this, &CohortsPage::changeLife);
+  connect(archived_, &QCheckBox::toggled, this, &CohortsPage::showContent);
   connect(state_, &QPushButton::clicked, this, &CohortsPage::changeState);
   connect(table_, &DataTable::currentChanged, this, &CohortsPage::showMembers);
   connect(members_, &DataTable::currentChanged, this, [this](const QString& id) {
@@ -83,9 +94,13 @@ void CohortsPage::read() {
 void CohortsPage::showContent() {
   std::vector<Row> rows;
   for (const CohortRow& row : rows_) {
+    if (row.cohort.state == CohortState::kArchived && !archived_->isChecked()) {
+      continue;
+    }
     rows.push_back(
         {toQString(row.cohort.id),
          {{toQString(row.cohort.name)},
+          {cohortStateName(row.cohort.state), static_cast<int>(row.cohort.state)},
           {row.curriculumName.empty()
                ? tr("none yet")
                : tr("%1, version %2").arg(toQString(row.curriculumName)).arg(row.curriculumNumber)},
@@ -111,8 +126,13 @@ void CohortsPage::showMembers() {
   const CohortRow* row = current();
   SessionContext& session = shell().session();
   add_->setEnabled(shell().may(Operation::kStudySetup));
-  enrol_->setEnabled(row != nullptr && shell().may(Operation::kStudyEnrol));
-  follow_->setEnabled(row != nullptr && shell().may(Operation::kStudySetup));
+  const bool takesNew = row != nullptr && (row->cohort.state == CohortState::kDraft ||
+                                           row->cohort.state == CohortState::kRunning);
+  enrol_->setEnabled(takesNew && shell().may(Operation::kStudyEnrol));
+  follow_->setEnabled(takesNew && shell().may(Operation::kStudySetup));
+  rename_->setEnabled(row != nullptr && shell().may(Operation::kStudySetup));
+  life_->setEnabled(row != nullptr && row->cohort.state != CohortState::kDraft &&
+                    shell().may(Operation::kStudySetup));
   allocate_->setEnabled(row != nullptr && shell().may(Operation::kAllocationView));
   state_->setEnabled(false);
   membersTitle_->setText(row != nullptr ? tr("Trainees of %1").arg(toQString(row->cohort.name)) : QString());
@@ -222,6 +242,36 @@ void CohortsPage::changeState() {
   });
 }
 
+void CohortsPage::rename() {
+  const CohortRow* row = current();
+  if (row == nullptr) {
+    return;
+  }
+  const CohortId id = row->cohort.id;
+  if (const std::optional<std::string> name = askCohortName(this, row->cohort.name)) {
+    attempt(shell(), [&] {
+      renameCohort(shell().session(), id, *name);
+      read();
+      table_->select(toQString(id));
+    });
+  }
+}
+
+void CohortsPage::changeLife() {
+  const CohortRow* row = current();
+  if (row == nullptr) {
+    return;
+  }
+  const CohortId id = row->cohort.id;
+  if (const std::optional<CohortStateChange> change = askCohortState(this, row->cohort)) {
+    attempt(shell(), [&] {
+      setCohortState(shell().session(), id, change->state, change->reason);
+      read();
+      table_->select(toQString(id));
+    });
+  }
+}
+
 void CohortsPage::retranslate() {
   heading_->setTexts(tr("Cohorts"), tr("Who trains together, by which curriculum, and in which group."));
   power_->setText(tr("How many &trainees\u2026"));
@@ -229,8 +279,12 @@ void CohortsPage::retranslate() {
   enrol_->setText(tr("&Enrol trainees\u2026"));
   follow_->setText(tr("&Curriculum\u2026"));
   allocate_->setText(tr("&Allocation"));
+  rename_->setText(tr("&Rename\u2026"));
+  life_->setText(tr("Close or &archive\u2026"));
+  archived_->setText(tr("Show arch&ived"));
   state_->setText(tr("&Withdraw or take back\u2026"));
   table_->setColumns({{tr("Name")},
+                      {tr("State")},
                       {tr("Curriculum")},
                       {tr("Groups"), true},
                       {tr("Enrolled"), true, true},

@@ -7,6 +7,7 @@
 #include "app/study/cohort_service.h"
 #include "assessment/study/cohort.h"
 
+class QCheckBox;
 class QLabel;
 class QPushButton;
 
@@ -33,6 +34,8 @@ class CohortsPage : public Page {
   void enrol();
   void follow();
   void changeState();
+  void rename();
+  void changeLife();
   [[nodiscard]] const CohortRow* current() const;
 
   std::vector<CohortRow> rows_;
@@ -44,6 +47,9 @@ class CohortsPage : public Page {
   QPushButton* enrol_;
   QPushButton* follow_;
   QPushButton* allocate_;
+  QPushButton* rename_;
+  QPushButton* life_;
+  QCheckBox* archived_;
   QLabel* membersTitle_;
   DataTable* members_;
   QPushButton* state_;

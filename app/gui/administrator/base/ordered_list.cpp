@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/administrator/curriculum/ordered_list.h"
+#include "app/gui/administrator/base/ordered_list.h"
 
 #include <algorithm>
 

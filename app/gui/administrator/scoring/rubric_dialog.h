@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <QDialog>
+
+#include "app/study/rubric_service.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace torsio::gui {
+
+class RubricForm;
+class SheetEditorPanel;
+class ShellContext;
+
+/// The scoring sheet: every revision of it, the newest to be edited beside what the rater will see, published
+/// as the next revision, read from a file and written to one.
+class RubricDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit RubricDialog(ShellContext& shell, QWidget* parent = nullptr);
+
+  /// Puts a file in place of what is edited. False: it was refused, and said why.
+  bool importFrom(const std::filesystem::path& file);
+  /// Writes the revision that is shown.
+  bool exportTo(const std::filesystem::path& file);
+
+  void reject() override;
+
+ private:
+  void build();
+  void read();
+  void showRevision();
+  void changed();
+  void publish();
+  [[nodiscard]] bool newest() const;
+  [[nodiscard]] bool edited() const;
+
+  ShellContext& shell_;
+  RubricRow rubric_;
+  QComboBox* revision_;
+  RubricForm* form_;
+  SheetEditorPanel* preview_;
+  QLabel* problem_;
+  QPushButton* import_;
+  QPushButton* export_;
+  QPushButton* publish_;
+};
+
+}  // namespace torsio::gui

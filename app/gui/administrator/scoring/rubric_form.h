@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "assessment/rating/rubric.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableWidget;
+
+namespace torsio::gui {
+
+class OrderedList;
+
+/// The fields of one scale: from, to, and how fine.
+class ScaleFields : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `name`: begins the object names of its fields: "row" gives "row.from", "row.to", "row.step".
+  explicit ScaleFields(const QString& name, QWidget* parent = nullptr);
+
+  void setScale(const ScoreScale& scale);
+  /// What is entered; it may be no scale (see validateScale).
+  [[nodiscard]] ScoreScale scale() const;
+  void setReadOnly(bool readOnly);
+  void retranslate();
+
+ Q_SIGNALS:
+  void edited();
+
+ private:
+  QDoubleSpinBox* from_;
+  QDoubleSpinBox* to_;
+  QComboBox* step_;
+  QLabel* fromLabel_;
+  QLabel* toLabel_;
+  QLabel* stepLabel_;
+};
+
+/// The criteria of a scoring sheet in their order, each with name, scale, weight and anchors, and the scale
+/// of the overall mark. GUI thread.
+class RubricForm : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit RubricForm(QWidget* parent = nullptr);
+
+  void setRevision(const RubricRevision& revision);
+  [[nodiscard]] const RubricRevision& revision() const noexcept { return revision_; }
+  void setReadOnly(bool readOnly);
+
+ Q_SIGNALS:
+  void edited();
+
+ private:
+  QWidget* rowForm();
+  void showLines(int row);
+  void showRow();
+  void showAnchors(const RubricLine& line);
+  void takeRow();
+  void addRow();
+  void addAnchor();
+  void removeAnchor();
+
+  RubricRevision revision_;
+  bool readOnly_ = false;
+  bool filling_ = false;
+  OrderedList* rows_;
+  QLineEdit* label_;
+  ScaleFields* scale_;
+  QDoubleSpinBox* weight_;
+  QTableWidget* anchors_;
+  QPushButton* addAnchor_;
+  QPushButton* removeAnchor_;
+  ScaleFields* overall_;
+};
+
+}  // namespace torsio::gui
