@@ -132,11 +132,11 @@
     </message>
     <message>
         <source>the whole cohort</source>
-        <translation>整个队列</translation>
+        <translation>整个批次</translation>
     </message>
     <message>
         <source>Deviations</source>
-        <translation>偏离方案</translation>
+        <translation>方案偏离</translation>
     </message>
     <message>
         <source>What went otherwise than the protocol says. The report lists it as well.</source>
@@ -160,7 +160,7 @@
     </message>
     <message>
         <source>No deviation was noted.</source>
-        <translation>没有记录任何偏离。</translation>
+        <translation>没有记录任何方案偏离。</translation>
     </message>
 </context>
 <context>
@@ -171,7 +171,7 @@
     </message>
     <message>
         <source>Debrief</source>
-        <translation>讲评</translation>
+        <translation>训练复盘</translation>
     </message>
     <message>
         <source>Trend</source>
@@ -215,7 +215,7 @@
     </message>
     <message>
         <source>Rater calibration</source>
-        <translation>评分者校准</translation>
+        <translation>评分校准</translation>
     </message>
     <message>
         <source>Live sheet</source>
@@ -223,7 +223,7 @@
     </message>
     <message>
         <source>Discrepancy review</source>
-        <translation>差异复核</translation>
+        <translation>评分分歧复核</translation>
     </message>
     <message>
         <source>My severity</source>
@@ -238,8 +238,8 @@
         <translation>案例</translation>
     </message>
     <message>
-        <source>Run day</source>
-        <translation>训练日</translation>
+        <source>Today&apos;s sessions</source>
+        <translation>今日训练</translation>
     </message>
     <message>
         <source>Roster</source>
@@ -460,8 +460,8 @@
         <translation>该按键已用于其他动作。</translation>
     </message>
     <message>
-        <source>Keep</source>
-        <translation>保留</translation>
+        <source>Save</source>
+        <translation>保存</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -763,7 +763,7 @@
         <translation>超过此期限无活动的记录将列入审查。任何内容都不会自动删除。</translation>
     </message>
     <message>
-        <source>Keep these rules</source>
+        <source>Save these rules</source>
         <translation>保存这些规则</translation>
     </message>
 </context>
@@ -850,7 +850,7 @@
     </message>
     <message>
         <source>on the real arm</source>
-        <translation>在真实手臂上</translation>
+        <translation>在实物手臂上</translation>
     </message>
     <message>
         <source>rest</source>
@@ -906,7 +906,7 @@
     </message>
     <message>
         <source>Report a deviation</source>
-        <translation>报告偏离</translation>
+        <translation>报告方案偏离</translation>
     </message>
     <message>
         <source>What happened, without names</source>
@@ -942,7 +942,7 @@
     </message>
     <message>
         <source>Their groups stay as drawn; a deviation is noted for both and appears in the report.</source>
-        <translation>双方分组不变；两人均记录偏离并列入报告。</translation>
+        <translation>双方分组不变；两人均记录方案偏离并列入报告。</translation>
     </message>
     <message>
         <source>Swap</source>
@@ -956,7 +956,7 @@
 <context>
     <name>Scoring</name>
     <message>
-        <source>Ask raters</source>
+        <source>Invite raters</source>
         <translation>邀请评分者</translation>
     </message>
     <message>
@@ -1020,7 +1020,7 @@
         <translation>%1：已公布，收回</translation>
     </message>
     <message>
-        <source>%1: release, %2 of %3 sheets missing</source>
+        <source>%1: release, sheets missing: %2 of %3</source>
         <translation>%1：公布，缺 %2 / %3 份</translation>
     </message>
     <message>
@@ -1036,7 +1036,7 @@
         <translation>%1，现场</translation>
     </message>
     <message>
-        <source>%1, %2: %3 sheets wait</source>
+        <source>%1, %2: sheets waiting: %3</source>
         <translation>%1，%2：待评 %3 份</translation>
     </message>
     <message>
@@ -1258,12 +1258,8 @@
         <translation>%1 小时</translation>
     </message>
     <message>
-        <source>%1 days</source>
-        <translation>%1 天</translation>
-    </message>
-    <message>
         <source>Locked</source>
-        <translation>未解锁</translation>
+        <translation>已锁定</translation>
     </message>
     <message>
         <source>Open</source>
@@ -1303,14 +1299,6 @@
         <translation>%1：不低于 %2</translation>
     </message>
     <message>
-        <source>%1, in %2 runs in a row</source>
-        <translation>%1，连续 %2 次训练</translation>
-    </message>
-    <message>
-        <source>%1, in %2 runs in a row (%3 so far)</source>
-        <translation>%1，连续 %2 次训练（目前 %3 次）</translation>
-    </message>
-    <message>
         <source>Not tried yet</source>
         <translation>尚未尝试</translation>
     </message>
@@ -1319,16 +1307,12 @@
         <translation>上次：%1 秒后中断</translation>
     </message>
     <message>
-        <source>Last time: %1 of %2 twists on target</source>
-        <translation>上次：%2 次扭转中 %1 次达标</translation>
-    </message>
-    <message>
         <source>Unlocks: %1</source>
         <translation>解锁：%1</translation>
     </message>
     <message>
-        <source>Twists let go on target: %1 of %2, wanted %3</source>
-        <translation>达标松开：%1 / %2，要求 %3</translation>
+        <source>Twists released on target: %1 of %2, wanted %3</source>
+        <translation>达标释放：%1 / %2，要求 %3</translation>
     </message>
     <message>
         <source>Shortest hold on target: %1 s, wanted %2 s</source>
@@ -1612,20 +1596,8 @@
         <translation>此前按第 %1 版定义测得：最大力 %2，超出限值。该结果予以保留，但不再作数。</translation>
     </message>
     <message>
-        <source>One more attempt until a level is shown</source>
-        <translation>再尝试一次即显示水平</translation>
-    </message>
-    <message>
-        <source>%1 more attempts until a level is shown</source>
-        <translation>再尝试 %1 次即显示水平</translation>
-    </message>
-    <message>
         <source>So few attempts can show nobody to be able.</source>
         <translation>尝试这么少，无法表明任何人已胜任。</translation>
-    </message>
-    <message>
-        <source>Not yet shown to be able. %1 good attempts in a row show it.</source>
-        <translation>尚未表明已胜任。连续 %1 次成功即可表明。</translation>
     </message>
     <message>
         <source>Able, and staying so.</source>
@@ -1650,6 +1622,42 @@
     <message>
         <source>Peak force of one twist</source>
         <translation>单次扭转的最大力</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n day(s)</source>
+        <translation>
+            <numerusform>%n 天</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, in %n run(s) in a row</source>
+        <translation>
+            <numerusform>%1，连续 %n 次操作</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, in %n run(s) in a row (%2 so far)</source>
+        <translation>
+            <numerusform>%1，连续 %n 次操作（目前 %2 次）</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Last time: %1 of %n twist(s) on target</source>
+        <translation>
+            <numerusform>上次：%n 次扭转中 %1 次达标</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more attempt(s) until a level is shown</source>
+        <translation>
+            <numerusform>再尝试 %n 次即显示水平</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Not yet shown to be able. %n good attempt(s) in a row show it.</source>
+        <translation>
+            <numerusform>尚未表明已胜任。连续 %n 次成功即可表明。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1731,8 +1739,8 @@
         <translation>主任医师</translation>
     </message>
     <message>
-        <source>One shuffle of everybody (the paper&apos;s case)</source>
-        <translation>全体一次随机排列（论文的做法）</translation>
+        <source>Simple randomisation (the paper&apos;s case)</source>
+        <translation>简单随机化（论文的做法）</translation>
     </message>
     <message>
         <source>Shuffled blocks, one after another</source>
@@ -1780,7 +1788,7 @@
     </message>
     <message>
         <source>real arm</source>
-        <translation>真实手臂</translation>
+        <translation>实物手臂</translation>
     </message>
     <message>
         <source>share of twists on target</source>
@@ -2117,7 +2125,7 @@
         <translation>%1必须大于 0 秒且不超过 %2 秒，实际为 %3</translation>
     </message>
     <message>
-        <source>%1 of %2 sheets are not submitted</source>
+        <source>%1 of %2 {sheet is|sheets are} not submitted</source>
         <translation>%2 份评分表中有 %1 份尚未提交</translation>
     </message>
     <message>
@@ -2145,7 +2153,7 @@
         <translation>%1，序列号 %2，驱动 %3，程序库 %4，打开方式 %5</translation>
     </message>
     <message>
-        <source>%1: %2 days</source>
+        <source>%1: %2 {day|days}</source>
         <translation>%1：%2 天</translation>
     </message>
     <message>
@@ -2162,11 +2170,11 @@
     </message>
     <message>
         <source>20 min virtual, 20 min real arm</source>
-        <translation>虚拟 20 分钟，真实手臂 20 分钟</translation>
+        <translation>虚拟 20 分钟，实物手臂 20 分钟</translation>
     </message>
     <message>
         <source>40 min real arm</source>
-        <translation>真实手臂 40 分钟</translation>
+        <translation>实物手臂 40 分钟</translation>
     </message>
     <message>
         <source>40 min virtual</source>
@@ -2382,7 +2390,7 @@
     </message>
     <message>
         <source>Checking recording %1 of %2</source>
-        <translation>正在检查第 %1 条录像，共 %2 条</translation>
+        <translation>正在检查第 %1 条录制，共 %2 条</translation>
     </message>
     <message>
         <source>Choose a folder in which you may write</source>
@@ -2458,7 +2466,7 @@
     </message>
     <message>
         <source>Choose another recording: a case must be blinded</source>
-        <translation>请选择其他录像：案例必须盲评</translation>
+        <translation>请选择其他录制：案例必须盲评</translation>
     </message>
     <message>
         <source>Choose another trainee</source>
@@ -2817,10 +2825,6 @@
         <translation>前臂：旋前 60 度</translation>
     </message>
     <message>
-        <source>Forearm: supinate to 60 degrees, nearer</source>
-        <translation>前臂：旋后 60 度（更精确）</translation>
-    </message>
-    <message>
         <source>Free some space in the temporary folder</source>
         <translation>请清理临时文件夹的空间</translation>
     </message>
@@ -3109,8 +3113,8 @@
         <translation>请先列出模型评价</translation>
     </message>
     <message>
-        <source>List the trials to find its id</source>
-        <translation>请列出操作记录以查找编号</translation>
+        <source>List the runs to find its id</source>
+        <translation>请列出操作以查找编号</translation>
     </message>
     <message>
         <source>Lock a design and allocate first</source>
@@ -3169,7 +3173,7 @@
         <translation>M03 文件超过 %1 MB</translation>
     </message>
     <message>
-        <source>M04 the header promises %1, but the file has %2 bytes</source>
+        <source>M04 the header promises %1, but the file has %2 {byte|bytes}</source>
         <translation>M04 文件头声明 %1，但文件只有 %2 字节</translation>
     </message>
     <message>
@@ -3213,19 +3217,19 @@
         <translation>M09 最大边长 %1：文件单位似乎为 %2</translation>
     </message>
     <message>
-        <source>M10 %1 face(s) without area could not be repaired</source>
+        <source>M10 %1 {face|faces} without area could not be repaired</source>
         <translation>M10 有 %1 个零面积的面无法修复</translation>
     </message>
     <message>
-        <source>M11 the surface is open: %1 boundary edge(s) in %2 hole(s), first at %3</source>
+        <source>M11 the surface is open: %1 boundary {edge|edges} in %2 {hole|holes}, first at %3</source>
         <translation>M11 曲面未封闭：%2 个孔洞中有 %1 条边界边，首个位于 %3</translation>
     </message>
     <message>
-        <source>M12 %1 edge(s) shared by more than two faces, first at %2</source>
+        <source>M12 %1 {edge|edges} shared by more than two faces, first at %2</source>
         <translation>M12 有 %1 条边由两个以上的面共用，首个位于 %2</translation>
     </message>
     <message>
-        <source>M12 %1 vertex(es) where two parts only touch, first at %2</source>
+        <source>M12 %1 {vertex|vertices} where two parts only touch, first at %2</source>
         <translation>M12 有 %1 个顶点处两部分仅点接触，首个位于 %2</translation>
     </message>
     <message>
@@ -3237,7 +3241,7 @@
         <translation>M14 分离的部分占曲面的 %1 %</translation>
     </message>
     <message>
-        <source>M16 the surface has %1 handle(s), like a ring</source>
+        <source>M16 the surface has %1 {handle|handles}, like a ring</source>
         <translation>M16 曲面有 %1 个环柄，形如圆环</translation>
     </message>
     <message>
@@ -3394,7 +3398,7 @@
     </message>
     <message>
         <source>Open rater calibration again</source>
-        <translation>请重新打开评分者校准</translation>
+        <translation>请重新打开评分校准</translation>
     </message>
     <message>
         <source>Open your own record</source>
@@ -3806,7 +3810,7 @@
     </message>
     <message>
         <source>The recording is kept in a file until it does</source>
-        <translation>在此之前录像保存在文件中</translation>
+        <translation>在此之前录制保存在文件中</translation>
     </message>
     <message>
         <source>This program reads %1.</source>
@@ -3814,7 +3818,7 @@
     </message>
     <message>
         <source>Three groups train for 40 minutes: all virtual, half virtual and half on the real arm, all real. Marks before, after 20 and after 40 minutes, always on the real arm. Each trainee may rest once for 5 minutes.</source>
-        <translation>三组各训练 40 分钟：全部虚拟；一半虚拟、一半真实手臂；全部真实手臂。训练前、20 分钟后和 40 分钟后均在真实手臂上评分。每位学员可休息一次，5 分钟。</translation>
+        <translation>三组各训练 40 分钟：全部虚拟；一半虚拟、一半实物手臂；全部实物手臂。训练前、20 分钟后和 40 分钟后均在实物手臂上评分。每位学员可休息一次，5 分钟。</translation>
     </message>
     <message>
         <source>Training time</source>
@@ -4022,7 +4026,7 @@
     </message>
     <message>
         <source>a part of the recording is missing</source>
-        <translation>录像缺少一部分</translation>
+        <translation>录制缺少一部分</translation>
     </message>
     <message>
         <source>a phase or a rest has no sensible length</source>
@@ -4030,7 +4034,7 @@
     </message>
     <message>
         <source>a physician was asked about this recording by name</source>
-        <translation>已就此录像向医师实名提问</translation>
+        <translation>已就此录制向医师实名提问</translation>
     </message>
     <message>
         <source>a quote does not close</source>
@@ -4133,7 +4137,7 @@
         <translation>始终可用；器械停在所放之处</translation>
     </message>
     <message>
-        <source>an age of %1 years is not likely</source>
+        <source>an age of %1 {year|years} is not likely</source>
         <translation>年龄 %1 岁不大可能</translation>
     </message>
     <message>
@@ -4177,7 +4181,7 @@
         <translation>组别 %1</translation>
     </message>
     <message>
-        <source>asks for %1 in a row, but only %2 attempts are allowed</source>
+        <source>asks for %1 in a row, but only %2 {attempt is|attempts are} allowed</source>
         <translation>要求连续 %1 次，但只允许 %2 次</translation>
     </message>
     <message>
@@ -4290,7 +4294,7 @@
     </message>
     <message>
         <source>deviation</source>
-        <translation>偏离</translation>
+        <translation>方案偏离</translation>
     </message>
     <message>
         <source>device</source>
@@ -4529,7 +4533,7 @@
         <translation>缺少 %1，但 Torsio 可不使用</translation>
     </message>
     <message>
-        <source>its audit trail does not verify (%1 findings)</source>
+        <source>its audit trail does not verify (%1 {finding|findings})</source>
         <translation>其审计记录未通过校验（%1 处）</translation>
     </message>
     <message>
@@ -4618,7 +4622,7 @@
     </message>
     <message>
         <source>names a module of the simulator, but happens on the real arm</source>
-        <translation>指定了模拟器模块，但在真实手臂上进行</translation>
+        <translation>指定了模拟器模块，但在实物手臂上进行</translation>
     </message>
     <message>
         <source>needs either a mark or a reason why there is none</source>
@@ -4713,8 +4717,8 @@
         <translation>没有该文件夹</translation>
     </message>
     <message>
-        <source>no such trial</source>
-        <translation>没有该操作记录</translation>
+        <source>no such run</source>
+        <translation>没有该操作</translation>
     </message>
     <message>
         <source>no time was spent</source>
@@ -4729,8 +4733,8 @@
         <translation>没有剩余训练时间</translation>
     </message>
     <message>
-        <source>no trial has this id</source>
-        <translation>没有此编号的操作记录</translation>
+        <source>no run has this id</source>
+        <translation>没有此编号的操作</translation>
     </message>
     <message>
         <source>no way leads over the surface from the fixed to the free end</source>
@@ -4822,7 +4826,7 @@
     </message>
     <message>
         <source>only %1 % of the recording has been played</source>
-        <translation>仅播放了录像的 %1 %</translation>
+        <translation>仅播放了录制的 %1 %</translation>
     </message>
     <message>
         <source>organs and scenes are not installed</source>
@@ -4878,19 +4882,19 @@
     </message>
     <message>
         <source>real arm 0-20 min</source>
-        <translation>真实手臂 0–20 分钟</translation>
+        <translation>实物手臂 0–20 分钟</translation>
     </message>
     <message>
         <source>real arm 20-40 min</source>
-        <translation>真实手臂 20–40 分钟</translation>
+        <translation>实物手臂 20–40 分钟</translation>
     </message>
     <message>
-        <source>real data use the demonstration: %1 rows of %2 refer to simulated rows of %3</source>
+        <source>real data use the demonstration: %1 {row refers|rows refer} from %2 to simulated rows of %3</source>
         <translation>真实数据使用了演示数据：%2 的 %1 行引用了 %3 的模拟行</translation>
     </message>
     <message>
         <source>recordings of this station still wait in files (%1)</source>
-        <translation>本工作站仍有录像等待入库（%1）</translation>
+        <translation>本工作站仍有录制等待入库（%1）</translation>
     </message>
     <message>
         <source>records are kept for one day at least and a hundred years at most</source>
@@ -4977,8 +4981,8 @@
         <translation>截面</translation>
     </message>
     <message>
-        <source>several trials begin like this</source>
-        <translation>有多条操作记录以此开头</translation>
+        <source>several runs begin like this</source>
+        <translation>有多个操作以此开头</translation>
     </message>
     <message>
         <source>sex</source>
@@ -5214,7 +5218,7 @@
     </message>
     <message>
         <source>the digest of a recording is cut off</source>
-        <translation>某条录像的摘要不完整</translation>
+        <translation>某条录制的摘要不完整</translation>
     </message>
     <message>
         <source>the direction of ridge 0 is not finite</source>
@@ -5341,7 +5345,7 @@
         <translation>缺少以“%1...”开头的行</translation>
     </message>
     <message>
-        <source>the line has %1 values, the header %2</source>
+        <source>the line has %1 {value|values}, the header %2</source>
         <translation>该行有 %1 个值，标题行有 %2 个</translation>
     </message>
     <message>
@@ -5354,7 +5358,7 @@
     </message>
     <message>
         <source>the marks of this recording are not released yet</source>
-        <translation>此录像的评分尚未公布</translation>
+        <translation>此录制的评分尚未公布</translation>
     </message>
     <message>
         <source>the maximum force must be above 0 N</source>
@@ -5370,7 +5374,7 @@
     </message>
     <message>
         <source>the moment lies outside the recording</source>
-        <translation>该时刻超出录像范围</translation>
+        <translation>该时刻超出录制范围</translation>
     </message>
     <message>
         <source>the motors are warm</source>
@@ -5398,11 +5402,11 @@
     </message>
     <message>
         <source>the organ here is not the one of the recording</source>
-        <translation>此处的器官与录像中的不同</translation>
+        <translation>此处的器官与录制中的不同</translation>
     </message>
     <message>
         <source>the organ or its parameters are not those of the recording</source>
-        <translation>器官或其参数与录像中的不同</translation>
+        <translation>器官或其参数与录制中的不同</translation>
     </message>
     <message>
         <source>the other rater was asked about this case before</source>
@@ -5422,7 +5426,7 @@
     </message>
     <message>
         <source>the parts of the recording are out of order</source>
-        <translation>录像各部分的顺序不正确</translation>
+        <translation>录制各部分的顺序不正确</translation>
     </message>
     <message>
         <source>the password is a simple pattern</source>
@@ -5474,19 +5478,19 @@
     </message>
     <message>
         <source>the recording cannot be opened</source>
-        <translation>无法打开录像</translation>
+        <translation>无法打开录制</translation>
     </message>
     <message>
         <source>the recording is empty</source>
-        <translation>录像为空</translation>
+        <translation>录制为空</translation>
     </message>
     <message>
         <source>the recording is not what was recorded</source>
-        <translation>录像与当时录制的不一致</translation>
+        <translation>录制与当时录制的不一致</translation>
     </message>
     <message>
         <source>the recording was played at a speed that is not allowed</source>
-        <translation>录像以不允许的速度播放</translation>
+        <translation>录制以不允许的速度播放</translation>
     </message>
     <message>
         <source>the records do not follow from the sealed seed</source>
@@ -5597,7 +5601,7 @@
         <translation>曲面有 %1 个三角形，超出单个周期的处理能力</translation>
     </message>
     <message>
-        <source>the table %1 differs after copying (%2 rows before, %3 after); nothing was kept</source>
+        <source>the table %1 differs after copying (%2 {row|rows} before, %3 after); nothing was kept</source>
         <translation>表 %1 复制后不一致（之前 %2 行，之后 %3 行）；未保留任何内容</translation>
     </message>
     <message>
@@ -5730,7 +5734,7 @@
     </message>
     <message>
         <source>there is no such complete recording</source>
-        <translation>没有该完整录像</translation>
+        <translation>没有该完整录制</translation>
     </message>
     <message>
         <source>there is no such curriculum</source>
@@ -5778,7 +5782,7 @@
     </message>
     <message>
         <source>there is no such recording</source>
-        <translation>没有该录像</translation>
+        <translation>没有该录制</translation>
     </message>
     <message>
         <source>there is no such reference run</source>
@@ -5842,7 +5846,7 @@
     </message>
     <message>
         <source>this case has no recording to score</source>
-        <translation>该案例没有可评分的录像</translation>
+        <translation>该案例没有可评分的录制</translation>
     </message>
     <message>
         <source>this case is not yours</source>
@@ -5850,7 +5854,7 @@
     </message>
     <message>
         <source>this case is scored live and has no recording</source>
-        <translation>该案例为现场评分，没有录像</translation>
+        <translation>该案例为现场评分，没有录制</translation>
     </message>
     <message>
         <source>this case was taken back</source>
@@ -5898,11 +5902,11 @@
     </message>
     <message>
         <source>this kind of deviation is not known</source>
-        <translation>无法识别该类偏离</translation>
+        <translation>无法识别该类方案偏离</translation>
     </message>
     <message>
         <source>this module is locked: first master %1</source>
-        <translation>该模块未解锁：请先掌握“%1”</translation>
+        <translation>该模块已锁定：请先掌握“%1”</translation>
     </message>
     <message>
         <source>this needs a reason</source>
@@ -5946,7 +5950,7 @@
     </message>
     <message>
         <source>this recording belongs to somebody else</source>
-        <translation>该录像属于其他人</translation>
+        <translation>该录制属于其他人</translation>
     </message>
     <message>
         <source>this run is or may be judged without names</source>
@@ -5985,16 +5989,8 @@
         <translation>训练已开始：该批次的课程不再更换</translation>
     </message>
     <message>
-        <source>training run</source>
-        <translation>训练操作</translation>
-    </message>
-    <message>
-        <source>trial</source>
-        <translation>操作记录</translation>
-    </message>
-    <message>
-        <source>trial %1</source>
-        <translation>操作记录 %1</translation>
+        <source>run %1</source>
+        <translation>操作 %1</translation>
     </message>
     <message>
         <source>triangle %1</source>
@@ -6233,7 +6229,7 @@
         <translation>%1，由 %2 冻结</translation>
     </message>
     <message>
-        <source>%1 deviations from the protocol were reported: %2.</source>
+        <source>%1 {deviation from the protocol was|deviations from the protocol were} reported: %2.</source>
         <translation>共报告 %1 次方案偏离：%2。</translation>
     </message>
     <message>
@@ -6245,11 +6241,11 @@
         <translation>%1 未列出：该组学员少于 %2 人。</translation>
     </message>
     <message>
-        <source>%1 marks could not be given and carry a reason; they count as missing.</source>
+        <source>%1 {mark could not be given and carries a reason; it counts|marks could not be given and carry a reason; they count} as missing.</source>
         <translation>有 %1 个评分无法给出并注明了理由；按缺失处理。</translation>
     </message>
     <message>
-        <source>%1 physicians scored every trainee at %2 occasions on a scale from %3 to %4. A trainee&apos;s score is the plain mean of these marks.</source>
+        <source>%1 {physician|physicians} scored every trainee at %2 {occasion|occasions} on a scale from %3 to %4. A trainee&apos;s score is the plain mean of these marks.</source>
         <translation>%1 名医师在 %2 个评分时点按 %3 至 %4 分对每名学员评分。学员得分为这些评分的算术平均值。</translation>
     </message>
     <message>
@@ -6257,15 +6253,15 @@
         <translation>%1 至 %2</translation>
     </message>
     <message>
-        <source>%1 trainees were allocated to %2 groups</source>
+        <source>%1 {trainee was|trainees were} allocated to %2 {group|groups}</source>
         <translation>%1 名学员被随机分入 %2 组</translation>
     </message>
     <message>
-        <source>%1 trainees were allocated to %2 groups; %3 more were enrolled and are in no group</source>
+        <source>%1 {trainee was|trainees were} allocated to %2 {group|groups}; %3 more {was enrolled and is|were enrolled and are} in no group</source>
         <translation>%1 名学员被随机分入 %2 组；另有 %3 名已登记但尚未分组</translation>
     </message>
     <message>
-        <source>%1 trials were recorded, %2 minutes and %3 samples in all; samples not recorded: %4; late ticks: %5.</source>
+        <source>%1 {run was|runs were} recorded, %2 {minute|minutes} and %3 {sample|samples} in all; samples not recorded: %4; late ticks: %5.</source>
         <translation>共记录 %1 次操作，合计 %2 分钟、%3 个采样；未记录的采样：%4；超时周期：%5。</translation>
     </message>
     <message>
@@ -6278,7 +6274,7 @@
     </message>
     <message>
         <source>%1, the same in every run</source>
-        <translation>%1，每次运行均相同</translation>
+        <translation>%1，每次操作均相同</translation>
     </message>
     <message>
         <source>%1. Method: %2; generator: %3; seed: %4.</source>
@@ -6373,7 +6369,7 @@
         <translation>请检查生成报告所用的数据。</translation>
     </message>
     <message>
-        <source>Chi-squared(%1) = %2, %3; Kendall W = %4 over %5 raters.</source>
+        <source>Chi-squared(%1) = %2, %3; Kendall W = %4 over %5 {rater|raters}.</source>
         <translation>χ²(%1) = %2，%3；%5 名评分者的 Kendall W = %4。</translation>
     </message>
     <message>
@@ -6677,7 +6673,7 @@
         <translation>指标</translation>
     </message>
     <message>
-        <source>Interrupted trials</source>
+        <source>Interrupted runs</source>
         <translation>中断的操作</translation>
     </message>
     <message>
@@ -6713,8 +6709,8 @@
         <translation>各学员在模拟器上的学习过程</translation>
     </message>
     <message>
-        <source>Learning; Recorded trials</source>
-        <translation>学习过程；操作记录</translation>
+        <source>Learning; Recorded runs</source>
+        <translation>学习过程；已录制的操作</translation>
     </message>
     <message>
         <source>Limits of agreement, last occasion</source>
@@ -6726,7 +6722,7 @@
     </message>
     <message>
         <source>Locked</source>
-        <translation>锁定时间</translation>
+        <translation>已锁定</translation>
     </message>
     <message>
         <source>Lower quartile</source>
@@ -6821,7 +6817,7 @@
         <translation>评分者间平均方差（除数 n - 1）</translation>
     </message>
     <message>
-        <source>Means are taken over trials. Measured by the simulator; the marks of the physicians are separate.</source>
+        <source>Means are taken over runs. Measured by the simulator; the marks of the physicians are separate.</source>
         <translation>按操作次数取均值。由模拟器测得；医师的评分另计。</translation>
     </message>
     <message>
@@ -6985,15 +6981,15 @@
         <translation>请在分组前记录全部因素。</translation>
     </message>
     <message>
-        <source>Recorded trials</source>
-        <translation>操作记录</translation>
+        <source>Recorded runs</source>
+        <translation>已录制的操作</translation>
     </message>
     <message>
-        <source>Recorded trials by group and phase</source>
-        <translation>各组、各阶段的操作记录</translation>
+        <source>Recorded runs by group and phase</source>
+        <translation>各组、各阶段已录制的操作</translation>
     </message>
     <message>
-        <source>Recordings (first eight digits of the trial)</source>
+        <source>Recordings (first eight digits of the run)</source>
         <translation>录制（操作编号的前八位）</translation>
     </message>
     <message>
@@ -7181,15 +7177,15 @@
         <translation>训练研究；一致性与组间比较；评分者</translation>
     </message>
     <message>
-        <source>Trial</source>
+        <source>Run</source>
         <translation>操作编号</translation>
     </message>
     <message>
-        <source>Trials</source>
+        <source>Runs</source>
         <translation>操作次数</translation>
     </message>
     <message>
-        <source>Trials with samples that were not recorded are incomplete and marked in the data.</source>
+        <source>Runs with samples that were not recorded are incomplete and marked in the data.</source>
         <translation>有采样未记录的操作不完整，已在数据中标明。</translation>
     </message>
     <message>
@@ -7321,7 +7317,7 @@
         <translation>某名学员所在的组不存在</translation>
     </message>
     <message>
-        <source>a trial is in a group that does not exist</source>
+        <source>a run is in a group that does not exist</source>
         <translation>某次操作所在的组不存在</translation>
     </message>
     <message>
@@ -7573,7 +7569,7 @@
         <translation>学员均值</translation>
     </message>
     <message>
-        <source>means over trials</source>
+        <source>means over runs</source>
         <translation>各次操作的均值</translation>
     </message>
     <message>
@@ -8090,7 +8086,7 @@
     </message>
     <message>
         <source>Deviation reported</source>
-        <translation>报告偏离</translation>
+        <translation>报告方案偏离</translation>
     </message>
     <message>
         <source>Draft of a curriculum saved</source>
@@ -8174,11 +8170,11 @@
     </message>
     <message>
         <source>Own mark kept in the discrepancy review</source>
-        <translation>差异复核：保留自己的评分</translation>
+        <translation>评分分歧复核：保留自己的评分</translation>
     </message>
     <message>
         <source>Own mark amended in the discrepancy review</source>
-        <translation>差异复核：修订自己的评分</translation>
+        <translation>评分分歧复核：修订自己的评分</translation>
     </message>
     <message>
         <source>Own password changed</source>
@@ -8250,7 +8246,7 @@
     </message>
     <message>
         <source>Reference run scored for rater calibration</source>
-        <translation>评分者校准：为参考操作评分</translation>
+        <translation>评分校准：为参考操作评分</translation>
     </message>
     <message>
         <source>Reference run withdrawn</source>
@@ -8373,7 +8369,7 @@
         <translation>更改参与研究的状态</translation>
     </message>
     <message>
-        <source>The evaluation is not finished: %1 marks are in so far. Scores are computed once every class of raters that has a weight has scored every index of every model.</source>
+        <source>The evaluation is not finished: %1 {mark is|marks are} in so far. Scores are computed once every class of raters that has a weight has scored every index of every model.</source>
         <translation>评价尚未完成：目前已收到 %1 个评分。待每个有权重的评分者类别对每个模型的每项指标都评过分后，才计算得分。</translation>
     </message>
     <message>
@@ -8389,12 +8385,12 @@
         <translation>登记学员</translation>
     </message>
     <message>
-        <source>Training run begun</source>
-        <translation>开始训练</translation>
+        <source>Run begun</source>
+        <translation>开始操作</translation>
     </message>
     <message>
-        <source>Training run stopped</source>
-        <translation>停止训练</translation>
+        <source>Run stopped</source>
+        <translation>停止操作</translation>
     </message>
     <message>
         <source>Training time logged</source>
@@ -8502,11 +8498,11 @@
     </message>
     <message>
         <source>this recording is no reference run, or was withdrawn already</source>
-        <translation>此录像不是参考操作，或已被撤回</translation>
+        <translation>此录制不是参考操作，或已被撤回</translation>
     </message>
     <message>
         <source>this recording is or was a reference run</source>
-        <translation>此录像是或曾是参考操作</translation>
+        <translation>此录制是或曾是参考操作</translation>
     </message>
     <message>
         <source>training time</source>
@@ -8522,7 +8518,7 @@
     </message>
     <message>
         <source>rater calibration</source>
-        <translation>评分者校准</translation>
+        <translation>评分校准</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a number</source>
@@ -8558,7 +8554,7 @@
     </message>
     <message>
         <source>List of recordings exported under codes</source>
-        <translation>导出录像列表（仅代码）</translation>
+        <translation>导出录制列表（仅代码）</translation>
     </message>
     <message>
         <source>Single marks exported under codes</source>
@@ -8797,8 +8793,8 @@
         <translation>该自评</translation>
     </message>
     <message>
-        <source>this warm-up</source>
-        <translation>该次评分者校准</translation>
+        <source>this rater calibration</source>
+        <translation>该次评分校准</translation>
     </message>
     <message>
         <source>Give two end points further apart, or a smaller cap radius.</source>
@@ -8922,7 +8918,7 @@
     </message>
     <message>
         <source>on the real arm</source>
-        <translation>在真实手臂上</translation>
+        <translation>在实物手臂上</translation>
     </message>
     <message>
         <source>rest</source>
@@ -8945,7 +8941,7 @@
         <translation>局部体积比 det F 降至 %1</translation>
     </message>
     <message>
-        <source>the surface crosses itself in %1 pairs of triangles</source>
+        <source>the surface crosses itself in %1 {pair|pairs} of triangles</source>
         <translation>表面有 %1 对三角形相互穿过</translation>
     </message>
     <message>
@@ -8973,7 +8969,7 @@
         <translation>不可压缩组织请取 0.5。</translation>
     </message>
     <message>
-        <source>%1 elements asked for; a rod takes 2 to %2</source>
+        <source>%1 {element|elements} asked for; a rod takes 2 to %2</source>
         <translation>要求 %1 个单元；杆模型可取 2 至 %2 个</translation>
     </message>
     <message>
@@ -9281,7 +9277,7 @@
         <translation>每个标记点须有 X、Y、Z 三列，并带其序号</translation>
     </message>
     <message>
-        <source>The header promises %1 markers, the line has more</source>
+        <source>The header promises %1 {marker|markers}, the line has more</source>
         <translation>文件头写明有 %1 个标记点，但该行更多</translation>
     </message>
     <message>
@@ -9289,11 +9285,11 @@
         <translation>时间以秒计，从 0 起逐帧递增</translation>
     </message>
     <message>
-        <source>The line has more columns than %1 markers</source>
+        <source>The line has more columns than %1 {marker|markers}</source>
         <translation>该行的列数多于 %1 个标记点所需</translation>
     </message>
     <message>
-        <source>The header promises %1 frames, the file has %2</source>
+        <source>The header promises %1 {frame|frames}, the file has %2</source>
         <translation>文件头写明有 %1 帧，文件中有 %2 帧</translation>
     </message>
     <message>
@@ -9786,7 +9782,7 @@
     </message>
     <message>
         <source>there is no recording of this model</source>
-        <translation>该模型没有录像</translation>
+        <translation>该模型没有录制</translation>
     </message>
     <message>
         <source>Score what you have met</source>
@@ -9794,7 +9790,7 @@
     </message>
     <message>
         <source>a model has no recording</source>
-        <translation>有一个模型没有录像</translation>
+        <translation>有一个模型没有录制</translation>
     </message>
     <message>
         <source>Choose one for each model, or for none</source>
@@ -9802,23 +9798,23 @@
     </message>
     <message>
         <source>this recording has no end</source>
-        <translation>该录像没有结尾</translation>
+        <translation>该录制没有结尾</translation>
     </message>
     <message>
         <source>Choose a finished one</source>
-        <translation>请选择已完成的录像</translation>
+        <translation>请选择已完成的录制</translation>
     </message>
     <message>
         <source>this recording belongs to a trainee</source>
-        <translation>该录像属于一位学员</translation>
+        <translation>该录制属于一位学员</translation>
     </message>
     <message>
         <source>Choose one of free practice</source>
-        <translation>请选择自由练习的录像</translation>
+        <translation>请选择自由练习的录制</translation>
     </message>
     <message>
         <source>two recordings were made with the same model</source>
-        <translation>有两份录像是用同一模型录制的</translation>
+        <translation>有两份录制是用同一模型录制的</translation>
     </message>
     <message>
         <source>Choose one of each model</source>
@@ -10053,7 +10049,7 @@
         <translation>位置</translation>
     </message>
     <message>
-        <source>%1 of %2 frames gave a valid position, %3 were refused</source>
+        <source>%1 of %2 {frame|frames} gave a valid position, %3 {was|were} refused</source>
         <translation>%2 帧中有 %1 帧给出有效位置，%3 帧被拒绝</translation>
     </message>
     <message>
@@ -10065,7 +10061,7 @@
         <translation>转动手柄笔时位置保持不动</translation>
     </message>
     <message>
-        <source>the library took %1 frames with force and refused %2</source>
+        <source>the library took %1 {frame|frames} with force and refused %2</source>
         <translation>厂商库接受了 %1 帧带力的数据，拒绝了 %2 帧</translation>
     </message>
     <message>
@@ -10189,8 +10185,8 @@
         <translation>回滑中位数（度）</translation>
     </message>
     <message>
-        <source>medians over trials</source>
-        <translation>各次记录的中位数</translation>
+        <source>medians over runs</source>
+        <translation>各次操作的中位数</translation>
     </message>
     <message>
         <source>is neither a number nor a list of pairs</source>
@@ -10389,7 +10385,7 @@
         <translation>将 assets/system/torsio-limits.conf 复制到 /etc/security/limits.d 并重新登录</translation>
     </message>
     <message>
-        <source>tick period %1 us, latency %2 ticks</source>
+        <source>tick period %1 us, latency %2 {tick|ticks}</source>
         <translation>节拍周期 %1 微秒，延迟 %2 个节拍</translation>
     </message>
     <message>
@@ -10501,7 +10497,7 @@
         <translation>请使用其他设备</translation>
     </message>
     <message>
-        <source>a recorded trial</source>
+        <source>a recorded run</source>
         <translation>一次已记录的操作</translation>
     </message>
     <message>
@@ -10682,7 +10678,7 @@
     </message>
     <message>
         <source>this case has not been called to the real arm yet</source>
-        <translation>该案例尚未被呼叫到真实手臂</translation>
+        <translation>该案例尚未被呼叫到实物手臂</translation>
     </message>
     <message>
         <source>Its sheet opens by itself when the office calls it</source>
@@ -10730,18 +10726,18 @@
     </message>
     <message>
         <source>this cohort has no such occasion</source>
-        <translation>该队列没有这个评分时点</translation>
+        <translation>该批次没有这个评分时点</translation>
     </message>
     <message>
         <source>no rater is asked to score %1 on the real arm at the occasion &quot;%2&quot;</source>
-        <translation>未邀请任何评分者在评分时点“%2”于真实手臂上为 %1 评分</translation>
+        <translation>未邀请任何评分者在评分时点“%2”于实物手臂上为 %1 评分</translation>
     </message>
     <message>
         <source>the scoring plan</source>
         <translation>评分计划</translation>
     </message>
     <message>
-        <source>Ask raters under Scoring</source>
+        <source>Invite raters under Scoring</source>
         <translation>请在“评分”页邀请评分者</translation>
     </message>
     <message>
@@ -10753,12 +10749,12 @@
         <translation>呼叫必须指明房间</translation>
     </message>
     <message>
-        <source>run day</source>
-        <translation>训练日</translation>
+        <source>today&apos;s sessions</source>
+        <translation>今日训练</translation>
     </message>
     <message>
         <source>Say where the real arm stands</source>
-        <translation>请填写真实手臂所在的房间</translation>
+        <translation>请填写实物手臂所在的房间</translation>
     </message>
     <message>
         <source>Say why the trainee is called nevertheless</source>
@@ -10778,7 +10774,7 @@
     </message>
     <message>
         <source>nobody in this cohort has this code</source>
-        <translation>该队列中没有这个编号</translation>
+        <translation>该批次中没有这个编号</translation>
     </message>
     <message>
         <source>Scan the card again, or type the code</source>
@@ -10786,15 +10782,15 @@
     </message>
     <message>
         <source>Trainee called to the real arm</source>
-        <translation>学员被呼叫到真实手臂</translation>
+        <translation>学员被呼叫到实物手臂</translation>
     </message>
     <message>
         <source>Call to the real arm ended</source>
-        <translation>真实手臂呼叫结束</translation>
+        <translation>实物手臂呼叫结束</translation>
     </message>
     <message>
         <source>Call to the real arm taken back</source>
-        <translation>真实手臂呼叫已撤回</translation>
+        <translation>实物手臂呼叫已撤回</translation>
     </message>
     <message>
         <source>Audit trail exported</source>
@@ -10802,7 +10798,7 @@
     </message>
     <message>
         <source>call to the real arm</source>
-        <translation>真实手臂呼叫</translation>
+        <translation>实物手臂呼叫</translation>
     </message>
     <message>
         <source>the marks of the panel are open now</source>
@@ -10977,12 +10973,12 @@
         <translation>请简短写明原因</translation>
     </message>
     <message>
-        <source>%1 people of this cohort have a finished run at this exercise; %2 are needed</source>
-        <translation>该批次中有 %1 人完成过这个练习；需要 %2 人</translation>
+        <source>%1 {person of this cohort has|people of this cohort have} a finished run at this exercise; %2 {is|are} needed</source>
+        <translation>该批次中有 %1 人在这个练习上有完成的操作；需要 %2 人</translation>
     </message>
     <message>
         <source>Let more experts make a run, or keep the tolerance of the exercise</source>
-        <translation>请让更多专家完成一次，或保留练习的容差</translation>
+        <translation>请让更多专家完成一次操作，或保留练习的容差</translation>
     </message>
     <message>
         <source>Keep the tolerance of the exercise</source>
@@ -10993,7 +10989,7 @@
         <translation>一次通过的复位</translation>
     </message>
     <message>
-        <source>a twist let go within %1 degrees (tolerance %2)</source>
+        <source>a twist released within %1 {degree|degrees} (tolerance %2)</source>
         <translation>松开时误差在 %1 度以内的一次扭转（容差%2）</translation>
     </message>
     <message>
@@ -11005,15 +11001,15 @@
         <translation>随练习提供的胜任标准（首次尝试前没有登记标准）</translation>
     </message>
     <message>
-        <source>%1: success is %2; able once the LC-CUSUM of failure rates %3 against %4 reaches %5, planned for %6 attempts.</source>
+        <source>%1: success is %2; able once the LC-CUSUM of failure rates %3 against %4 reaches %5, planned for %6 {attempt|attempts}.</source>
         <translation>%1：成功指%2；失败率 %3 对 %4 的 LC-CUSUM 达到 %5 即为胜任，按 %6 次尝试设计。</translation>
     </message>
     <message>
-        <source>Within %1 attempts, %2 of trainees who fail %3 of their attempts are held to be able (false pass), and %4 of those who fail only %5 are not (false fail).</source>
+        <source>Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are held to be able (false pass), and %4 of those who fail only %5 are not (false fail).</source>
         <translation>在 %1 次尝试内，失败率为 %3 的学员中有 %2 会被误认为胜任（误通过），失败率仅为 %5 的学员中有 %4 不被认为胜任（误不通过）。</translation>
     </message>
     <message>
-        <source>not shown yet, %1 attempts missing</source>
+        <source>not shown yet, %1 {attempt|attempts} missing</source>
         <translation>尚未显示，还差 %1 次尝试</translation>
     </message>
     <message>
@@ -11097,7 +11093,7 @@
         <translation>请计划更多次尝试，或让两个失败率相差更大</translation>
     </message>
     <message>
-        <source>%1 of the adequate trainees would not pass within %2 attempts; at most %3 are wanted</source>
+        <source>%1 of the adequate trainees would not pass within %2 {attempt|attempts}; at most %3 are wanted</source>
         <translation>%1 的胜任者在 %2 次尝试内不会通过；最多允许 %3</translation>
     </message>
     <message>
@@ -11117,7 +11113,7 @@
         <translation>记录中没有说明如何分组：各组一开始就可能不同。</translation>
     </message>
     <message>
-        <source>No test of baseline differences is shown. %1 trainees were moved by hand after the draw: a difference need not be due to chance.</source>
+        <source>No test of baseline differences is shown. %1 {trainee was|trainees were} moved by hand after the draw: a difference need not be due to chance.</source>
         <translation>不显示基线差异的检验。抽取之后有 %1 名学员被人工调组：差异不一定出于偶然。</translation>
     </message>
     <message>
@@ -11229,7 +11225,7 @@
         <translation>仅含模拟器上的扭转；每个点至少需要两名学员。</translation>
     </message>
     <message>
-        <source>The first points rest on up to %1 trainees of a group, the last on %2.</source>
+        <source>The first points rest on up to %1 {trainee|trainees} of a group, the last on %2.</source>
         <translation>最初的点基于每组至多 %1 名学员，最后的点基于 %2 名。</translation>
     </message>
     <message>
@@ -11266,14 +11262,14 @@
     </message>
     <message>
         <source>Recordings make up %1 % of the time noted on the simulator; the rest was spent between the runs, or is not recorded.</source>
-        <translation>录制占模拟器登记时间的 %1 %；其余时间用在各次练习之间，或没有录制。</translation>
+        <translation>录制占模拟器登记时间的 %1 %；其余时间用在各次操作之间，或没有录制。</translation>
     </message>
     <message>
-        <source>Every recording is sealed in the record by its content hash; it can be replayed and compared bit for bit (torsio replay TRIAL --verify).</source>
-        <translation>每份录制都以内容哈希封存在记录中；可以重放并逐位比较（torsio replay TRIAL --verify）。</translation>
+        <source>Every recording is sealed in the record by its content hash; it can be replayed and compared bit for bit (torsio replay RUN --verify).</source>
+        <translation>每份录制都以内容哈希封存在记录中；可以重放并逐位比较（torsio replay RUN --verify）。</translation>
     </message>
     <message>
-        <source>%1 recordings have no content hash: nothing shows that they are unchanged.</source>
+        <source>%1 {recording has|recordings have} no content hash: nothing shows that {it is|they are} unchanged.</source>
         <translation>%1 份录制没有内容哈希：无法表明它们未被更改。</translation>
     </message>
     <message>
@@ -11281,31 +11277,31 @@
         <translation>最严格者在前。得分未按严格程度校正，且并非每名学员都由相同的评分者评分：严格或宽松的评分者可能改变学员的次序。</translation>
     </message>
     <message>
-        <source>Raters were blinded: all %1 marks of the training study were given on recordings under a case label, without name, group or occasion.</source>
-        <translation>评分者处于盲态：训练研究的全部 %1 个评分都是在只有病例标签的录制上给出的，不显示姓名、组别和时点。</translation>
+        <source>Raters were blinded: all marks of the training study (%1) were given on recordings under a case label, without name, group or occasion.</source>
+        <translation>评分者处于盲态：训练研究的全部 %1 个评分都是在只有案例标签的录制上给出的，不显示姓名、组别和时点。</translation>
     </message>
     <message>
-        <source>Raters were not blinded: all %1 marks of the training study were given live at the real arm, where the rater sees the trainee.</source>
-        <translation>评分者未处于盲态：训练研究的全部 %1 个评分都是在真实手臂旁现场给出的，评分者看得到学员。</translation>
+        <source>Raters were not blinded: all marks of the training study (%1) were given live at the real arm, where the rater sees the trainee.</source>
+        <translation>评分者未处于盲态：训练研究的全部 %1 个评分都是在实物手臂旁现场给出的，评分者看得到学员。</translation>
     </message>
     <message>
-        <source>Nothing shows that raters were blinded: all %1 marks of the training study were entered without a sheet of the desk.</source>
+        <source>Nothing shows that raters were blinded: all marks of the training study (%1) were entered without a sheet of the desk.</source>
         <translation>没有任何依据表明评分者处于盲态：训练研究的全部 %1 个评分都不是通过评分台的评分表录入的。</translation>
     </message>
     <message>
-        <source>Raters were blinded in part: of %1 marks of the training study %2 were given on recordings under a case label, %3 live at the real arm, where the rater sees the trainee, and %4 were entered without a sheet of the desk.</source>
-        <translation>评分者部分处于盲态：训练研究的 %1 个评分中，%2 个是在只有病例标签的录制上给出的，%3 个是在真实手臂旁现场给出的（评分者看得到学员），%4 个不是通过评分台的评分表录入的。</translation>
+        <source>Raters were blinded in part: of %1 {mark|marks} of the training study %2 {was|were} given on recordings under a case label, %3 live at the real arm, where the rater sees the trainee, and %4 {was|were} entered without a sheet of the desk.</source>
+        <translation>评分者部分处于盲态：训练研究的 %1 个评分中，%2 个是在只有案例标签的录制上给出的，%3 个是在实物手臂旁现场给出的（评分者看得到学员），%4 个不是通过评分台的评分表录入的。</translation>
     </message>
     <message>
-        <source>All %1 models stood before their raters under hidden labels.</source>
+        <source>All models (%1) stood before their raters under hidden labels.</source>
         <translation>全部 %1 个模型都以隐藏标签呈现给评分者。</translation>
     </message>
     <message>
-        <source>%1 of %2 models stood before their raters under hidden labels.</source>
+        <source>%1 of %2 {model|models} stood before their raters under hidden labels.</source>
         <translation>%2 个模型中有 %1 个以隐藏标签呈现给评分者。</translation>
     </message>
     <message>
-        <source>%1 trainees of this cohort are raters of the models as well: their marks are not independent of their training.</source>
+        <source>%1 {trainee of this cohort is a rater|trainees of this cohort are raters} of the models as well: their marks are not independent of their training.</source>
         <translation>该批次中有 %1 名学员同时是模型的评分者：他们的评分与其训练并不独立。</translation>
     </message>
     <message>
@@ -11325,11 +11321,11 @@
         <translation>对种子的承诺：%1；记录中没有作出承诺的时间。</translation>
     </message>
     <message>
-        <source>Commitment to the seed: %1, made %2, after %3 trainees had been allocated.</source>
+        <source>Commitment to the seed: %1, made %2, after %3 {trainee|trainees} had been allocated.</source>
         <translation>对种子的承诺：%1，作出于 %2，当时已有 %3 名学员分组。</translation>
     </message>
     <message>
-        <source>Commitment to the seed: %1, made %2, before anybody was allocated and after %3 trainees had been enrolled.</source>
+        <source>Commitment to the seed: %1, made %2, before anybody was allocated and after %3 {trainee|trainees} had been enrolled.</source>
         <translation>对种子的承诺：%1，作出于 %2，在任何人分组之前、%3 名学员入组之后。</translation>
     </message>
     <message>
@@ -11341,11 +11337,11 @@
         <translation>已由种子重复该序列，结果不一致。</translation>
     </message>
     <message>
-        <source>%1 physicians gave %2 marks at %3 occasions on a scale from %4 to %5; not every physician scored every trainee at every occasion. A trainee&apos;s score is the plain mean of the marks at hand.</source>
+        <source>%1 {physician|physicians} gave %2 {mark|marks} at %3 {occasion|occasions} on a scale from %4 to %5; not every physician scored every trainee at every occasion. A trainee&apos;s score is the plain mean of the marks at hand.</source>
         <translation>%1 名医师在 %3 个时点以 %4 到 %5 的量表给出 %2 个评分；并非每名医师在每个时点都给每名学员评了分。学员的得分为现有评分的简单平均。</translation>
     </message>
     <message>
-        <source>%1 raters are the fewest whose mean has a dependability of 0.80 or more.</source>
+        <source>%1 {rater is|raters are} the fewest whose mean has a dependability of 0.80 or more.</source>
         <translation>至少 %1 名评分者的平均分，其可靠性才达到 0.80 或以上。</translation>
     </message>
     <message>
@@ -11433,7 +11429,7 @@
         <translation>组内的进步并不表明训练有效：仅靠重复也可能进步。请比较各组。</translation>
     </message>
     <message>
-        <source>The training study is not shown: %1 of %2 sheets that raters were asked for are present. Marks and means appear once all are, or once the data set is frozen.</source>
+        <source>The training study is not shown: %1 of %2 {sheet that raters were asked for is|sheets that raters were asked for are} present. Marks and means appear once all are, or once the data set is frozen.</source>
         <translation>训练研究未显示：要求评分者提交的 %2 份评分表中已有 %1 份。全部提交或数据集冻结之后，才显示评分和均值。</translation>
     </message>
     <message>
@@ -11445,7 +11441,7 @@
         <translation>对应论文图 %1。得分为各评分者的平均。</translation>
     </message>
     <message>
-        <source>Training was shortened for this demonstration: %1 minutes of simulated exercise stand for %2 minutes of the protocol (1 : %3).</source>
+        <source>Training was shortened for this demonstration: %1 {minute|minutes} of simulated exercise stand for %2 {minute|minutes} of the protocol (1 : %3).</source>
         <translation>本演示缩短了训练：%1 分钟的模拟练习代表方案中的 %2 分钟（1 : %3）。</translation>
     </message>
     <message>
@@ -11478,15 +11474,15 @@
     </message>
     <message>
         <source>there is no such sheet of the real arm</source>
-        <translation>没有这样的真实手臂评分表</translation>
+        <translation>没有这样的实物手臂评分表</translation>
     </message>
     <message>
         <source>this sheet is in already, or was withdrawn</source>
         <translation>该评分表已提交或已撤回</translation>
     </message>
     <message>
-        <source>Call the trainee on the run day first</source>
-        <translation>请先在运行日页面呼叫该学员</translation>
+        <source>Call the trainee on the page Today&apos;s sessions first</source>
+        <translation>请先在“今日训练”页面呼叫该学员</translation>
     </message>
     <message>
         <source>overall mark</source>
@@ -11501,12 +11497,12 @@
         <translation>请录入纸上的内容；若纸上空白，请将此作为理由</translation>
     </message>
     <message>
-        <source>%1 of %2 sheets of the occasion &quot;%3&quot; are in</source>
+        <source>sheets of the occasion &quot;%3&quot; that are in: %1 of %2</source>
         <translation>评分时点“%3”的 %2 份评分表已收到 %1 份</translation>
     </message>
     <message>
         <source>Be scored on the real arm first, or say why the training begins nevertheless</source>
-        <translation>请先在真实手臂上接受评分，或说明为何仍要开始训练</translation>
+        <translation>请先在实物手臂上接受评分，或说明为何仍要开始训练</translation>
     </message>
     <message>
         <source>%1 points [%2; %3]</source>
@@ -11517,7 +11513,7 @@
         <translation>问题：训练方式不同的学员在结束时（%1）得分是否不同：%2？</translation>
     </message>
     <message>
-        <source>People: %1 trainees in %2 groups, %3 of them withdrew; %4 physicians gave %5 marks; %6 deviations from the protocol were reported.</source>
+        <source>People: %1 {trainee|trainees} in %2 {group|groups}, %3 of them withdrew; %4 {physician|physicians} gave %5 {mark|marks}; %6 {deviation from the protocol was|deviations from the protocol were} reported.</source>
         <translation>人员：%1 名学员分为 %2 组，其中 %3 名退出；%4 名医师给出 %5 个分数；报告了 %6 次方案偏离。</translation>
     </message>
     <message>
@@ -11593,7 +11589,7 @@
         <translation>概览</translation>
     </message>
     <message>
-        <source>What this does not show: with at most %1 trainees a group only large differences can be found, and a difference that was not shown is no evidence of equality. Marks on a training arm say nothing about patients.</source>
+        <source>What this does not show: with at most %1 {trainee|trainees} a group only large differences can be found, and a difference that was not shown is no evidence of equality. Marks on a training arm say nothing about patients.</source>
         <translation>本报告不能说明的：每组最多 %1 名学员，只能发现较大的差异；未显示差异并不证明相同。训练手臂上的分数不能说明患者的情况。</translation>
     </message>
     <message>
@@ -11601,7 +11597,7 @@
         <translation>此处所有人员和分数均为模拟：不得据此得出任何结论。</translation>
     </message>
     <message>
-        <source>The evaluation of the models is not shown: %1 of %2 raters who were asked have given all marks. Marks and scores appear once all have, or once the data set is frozen.</source>
+        <source>The evaluation of the models is not shown: %1 of %2 {rater who was asked has|raters who were asked have} given all marks. Marks and scores appear once all have, or once the data set is frozen.</source>
         <translation>模型评价未显示：被要求评分的 %2 名评分者中有 %1 名已给出全部评分。全部给出或数据集冻结之后，才显示评分和得分。</translation>
     </message>
     <message>
@@ -11738,7 +11734,7 @@
     </message>
     <message>
         <source>complete cases [95 %]</source>
-        <translation>完整病例 [95 %]</translation>
+        <translation>完整案例 [95 %]</translation>
     </message>
     <message>
         <source>mixed model, primary [95 %]</source>
@@ -11797,7 +11793,7 @@
         <translation>计划与实际采用的分析：以训练前得分为协变量的结束得分协方差分析。首末两个评分时点没有评分缺失。</translation>
     </message>
     <message>
-        <source>%1 of %2 marks of the first and the last occasion are missing</source>
+        <source>%1 of %2 {mark of the first and the last occasion is|marks of the first and the last occasion are} missing</source>
         <translation>首末两个评分时点的 %2 个评分中缺失 %1 个</translation>
     </message>
     <message>
@@ -11853,7 +11849,7 @@
         <translation>线性混合模型，限制性极大似然</translation>
     </message>
     <message>
-        <source>Mark at the end on group and mean mark before (fixed), trainee and rater (random, crossed); %1 marks of %2 trainees. Degrees of freedom after Satterthwaite.</source>
+        <source>Mark at the end on group and mean mark before (fixed), trainee and rater (random, crossed); %1 {mark|marks} of %2 {trainee|trainees}. Degrees of freedom after Satterthwaite.</source>
         <translation>结束时评分对组别和训练前平均评分（固定效应）、学员和评分者（随机、交叉）建模；%2 名学员的 %1 个评分。自由度按 Satterthwaite 法。</translation>
     </message>
     <message>
@@ -12001,7 +11997,7 @@
         <translation>审计记录</translation>
     </message>
     <message>
-        <source>%1 entries at %2</source>
+        <source>%1 {entry|entries} at %2</source>
         <translation>%2 时共 %1 条</translation>
     </message>
     <message>
@@ -12065,7 +12061,7 @@
         <translation>其数据库结构步骤列表已被改动</translation>
     </message>
     <message>
-        <source>the machine was too busy: the force was cut %1 times, %2 of %3 ticks were skipped</source>
+        <source>the machine was too busy: the force was cut %1 {time|times}, %2 of %3 {tick was|ticks were} skipped</source>
         <translation>计算机过于繁忙：力中断 %1 次，%3 个周期中有 %2 个被跳过</translation>
     </message>
     <message>
@@ -12073,8 +12069,8 @@
         <translation>请关闭本站点上的其他程序</translation>
     </message>
     <message>
-        <source>The machine was too busy in trials: %1. Their force was cut for a moment, times in all: %2; they are marked in the data.</source>
-        <translation>有 %1 次记录期间计算机过于繁忙，力共短暂中断 %2 次；这些记录已在数据中标明。</translation>
+        <source>The machine was too busy in runs: %1. Their force was cut for a moment, times in all: %2; they are marked in the data.</source>
+        <translation>计算机过于繁忙的操作：%1 次。其间力共短暂中断 %2 次；这些操作已在数据中标明。</translation>
     </message>
     <message>
         <source>the device process ended before it answered</source>
@@ -12346,7 +12342,7 @@
     </message>
     <message>
         <source>Choose one of %1</source>
-        <translation>请选择其中之一：%1 {1?}</translation>
+        <translation>请选择其中之一：%1</translation>
     </message>
     <message>
         <source>connection parameter %1 is given twice</source>
@@ -12375,6 +12371,22 @@
     <message>
         <source>Able: at every exercise that was tried, by the designs of the section Competence. An inadequate trainee is held to be able in at most %1 %, an adequate one is not in at most %2 % of cases.</source>
         <translation>已胜任：按“胜任”一节的标准，在所有尝试过的练习中均已胜任。能力不足的学员被误判为已胜任的概率至多为 %1 %，能力足够者未被判为已胜任的概率至多为 %2 %。</translation>
+    </message>
+    <message>
+        <source>Forearm: supinate to 60 degrees, tighter tolerance</source>
+        <translation>前臂：旋后 60 度（容差更小）</translation>
+    </message>
+    <message>
+        <source>run</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>a question needs words</source>
+        <translation>提问需要文字</translation>
+    </message>
+    <message>
+        <source>Write what you want to know</source>
+        <translation>请写下您想了解的内容</translation>
     </message>
 </context>
 <context>
@@ -12502,16 +12514,12 @@
 <context>
     <name>torsio::gui::AllocationPage</name>
     <message>
-        <source>How even it would come out</source>
-        <translation>各组均衡程度预览</translation>
+        <source>Balance preview</source>
+        <translation>均衡预览</translation>
     </message>
     <message>
-        <source>How even it would come out, over %1 tries with other seeds</source>
-        <translation>以 %1 个其他种子试抽得到的均衡程度</translation>
-    </message>
-    <message>
-        <source>%1 trainee(s) lack one of these details: %2</source>
-        <translation>%1 名学员缺少其中某项资料：%2</translation>
+        <source>Balance preview, over %1 draws with other seeds</source>
+        <translation>均衡预览：以其他种子试抽 %1 次</translation>
     </message>
     <message>
         <source>No design is locked yet. Preview the balance, then lock: the seed is drawn and sealed at that moment.</source>
@@ -12598,7 +12606,7 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>核对抽取</translation>
     </message>
     <message>
-        <source>The whole draw was repeated: every one of %1 records is as drawn, %2 of them moved by hand.</source>
+        <source>The whole draw was repeated: every record is as drawn (%1), moved by hand: %2.</source>
         <translation>已重复全部抽取：%1 条记录均与抽取一致，其中 %2 条经人工调整。</translation>
     </message>
     <message>
@@ -12646,7 +12654,7 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>锁定方案(&amp;L)…</translation>
     </message>
     <message>
-        <source>What counts now</source>
+        <source>Current design</source>
         <translation>现行方案</translation>
     </message>
     <message>
@@ -12726,7 +12734,7 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>尚无人分组。</translation>
     </message>
     <message>
-        <source>Who was put where</source>
+        <source>Allocations</source>
         <translation>分组记录</translation>
     </message>
     <message>
@@ -12745,6 +12753,12 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <source>%1 (salt %2)</source>
         <translation>%1（盐值 %2）</translation>
     </message>
+    <message numerus="yes">
+        <source>%n trainee(s) lack one of these details: %1</source>
+        <translation>
+            <numerusform>%n 名学员缺少其中某项资料：%1</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::AngleDial</name>
@@ -12753,8 +12767,8 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>扭转角</translation>
     </message>
     <message>
-        <source>%1 degrees, target %2 degrees</source>
-        <translation>%1 度，目标 %2 度</translation>
+        <source>%1°, target %2°</source>
+        <translation>%1°，目标 %2°</translation>
     </message>
     <message>
         <source>on target</source>
@@ -12800,12 +12814,12 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>医师</translation>
     </message>
     <message>
-        <source>What do you want to know? (may stay empty)</source>
-        <translation>您想了解什么？（可留空）</translation>
-    </message>
-    <message>
         <source>Question</source>
         <translation>问题</translation>
+    </message>
+    <message>
+        <source>What do you want to know?</source>
+        <translation>您想了解什么？</translation>
     </message>
 </context>
 <context>
@@ -12823,8 +12837,8 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>验证(&amp;V)</translation>
     </message>
     <message>
-        <source>Checks every entry, every sealed mark and every recorded trial</source>
-        <translation>检查每个条目、每个已封存的评分和每次录制的操作记录</translation>
+        <source>Checks every entry, every sealed mark and every recorded run</source>
+        <translation>检查每个条目、每个已封存的评分和每次已录制的操作</translation>
     </message>
     <message>
         <source>Last day</source>
@@ -12911,8 +12925,8 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>正在验证审计记录</translation>
     </message>
     <message>
-        <source>✓ Everything is as it was written: entries, marks and trials.</source>
-        <translation>✓ 条目、评分和操作记录均与写入时一致。</translation>
+        <source>✓ Everything is as it was written: entries, marks and runs.</source>
+        <translation>✓ 条目、评分和操作均与写入时一致。</translation>
     </message>
     <message numerus="yes">
         <source>⚠ %n finding(s). Do not report from this record before they are explained.</source>
@@ -13011,7 +13025,7 @@ Mouse: left button grips, dragging turns, the wheel moves nearer.</source>
     </message>
     <message>
         <source>An expert&apos;s run of the same twist</source>
-        <translation>专家完成同一扭转的示范</translation>
+        <translation>专家对同一扭转的操作</translation>
     </message>
     <message>
         <source>&amp;Watch again</source>
@@ -13066,12 +13080,14 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         <translation>专家为同一器官复位</translation>
     </message>
     <message>
-        <source>Twist at least %1 times.</source>
-        <translation>至少扭转 %1 次。</translation>
-    </message>
-    <message>
         <source>When you are held to be able</source>
         <translation>何时被认为胜任</translation>
+    </message>
+    <message numerus="yes">
+        <source>Twist at least %n time(s).</source>
+        <translation>
+            <numerusform>至少扭转 %n 次。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13082,7 +13098,7 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
     </message>
     <message>
         <source>Say in which room the real arm stands.</source>
-        <translation>请填写真实手臂所在的房间。</translation>
+        <translation>请填写实物手臂所在的房间。</translation>
     </message>
     <message>
         <source>Call nevertheless</source>
@@ -13103,10 +13119,6 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
     <message>
         <source>● Called: %1</source>
         <translation>● 呼叫中：%1</translation>
-    </message>
-    <message>
-        <source>%1 of %2 sheets are in</source>
-        <translation>已提交 %1 份评分表，共 %2 份</translation>
     </message>
     <message>
         <source>missing: %1</source>
@@ -13148,7 +13160,7 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
     </message>
     <message>
         <source>Call to the real &amp;arm</source>
-        <translation>呼叫到真实手臂(&amp;A)</translation>
+        <translation>呼叫到实物手臂(&amp;A)</translation>
     </message>
     <message>
         <source>R&amp;oom</source>
@@ -13165,6 +13177,12 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
     <message>
         <source>Call</source>
         <translation>呼叫</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n sheet(s) in</source>
+        <translation>
+            <numerusform>已收到 %1 / %n 份评分表</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13226,16 +13244,12 @@ MSM = 质点弹簧</translation>
         <translation>、</translation>
     </message>
     <message>
-        <source>Both lists of weights sum to 1; %1 raters are chosen.</source>
-        <translation>两组权重之和均为 1；已选择 %1 位评分者。</translation>
-    </message>
-    <message>
         <source>Code = name. Behind a bar (|) may stand the id of a recording made with the model, for all models or for none: the raters then watch it under its letter.</source>
-        <translation>代码 = 名称。竖线（|）之后可写用该模型录制的录像编号，须为所有模型都写或都不写：评分者将在字母代号下观看录像。</translation>
+        <translation>代码 = 名称。竖线（|）之后可写用该模型录制的录制编号，须为所有模型都写或都不写：评分者将在字母代号下观看录制。</translation>
     </message>
     <message>
         <source>Recording</source>
-        <translation>录像</translation>
+        <translation>录制</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -13251,11 +13265,11 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>No recordings of free practice yet.</source>
-        <translation>还没有自由练习的录像。</translation>
+        <translation>还没有自由练习的录制。</translation>
     </message>
     <message>
         <source>Choose one recording of each model: the raters watch it under its letter.</source>
-        <translation>每个模型选一份录像：评分者在字母代号下观看。</translation>
+        <translation>每个模型选一份录制：评分者在字母代号下观看。</translation>
     </message>
     <message>
         <source>finite elements</source>
@@ -13268,6 +13282,12 @@ MSM = 质点弹簧</translation>
     <message>
         <source>proposed model</source>
         <translation>本文模型</translation>
+    </message>
+    <message numerus="yes">
+        <source>Both lists of weights sum to 1; %n rater(s) chosen.</source>
+        <translation>
+            <numerusform>两组权重之和均为 1；已选择 %n 名评分者。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13361,7 +13381,7 @@ MSM = 质点弹簧</translation>
     <name>torsio::gui::CasePage</name>
     <message>
         <source>The recording could not be opened.</source>
-        <translation>无法打开录像。</translation>
+        <translation>无法打开录制。</translation>
     </message>
     <message>
         <source>Draft found and opened</source>
@@ -13369,11 +13389,11 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>This case is scored live; there is no recording.</source>
-        <translation>此案例为现场评分，没有录像。</translation>
+        <translation>此案例为现场评分，没有录制。</translation>
     </message>
     <message>
         <source>The recording is being opened. You may score meanwhile.</source>
-        <translation>正在打开录像，您可以先评分。</translation>
+        <translation>正在打开录制，您可以先评分。</translation>
     </message>
     <message>
         <source>Opening case %1</source>
@@ -14003,12 +14023,14 @@ MSM = 质点弹簧</translation>
         <translation>请选择专家所在批次，并由其取得容差。</translation>
     </message>
     <message>
-        <source>%1 experts: mean error %2°, mean and one standard deviation %3°, bound that covers nine in ten experts %4°.</source>
-        <translation>%1 名专家：平均误差 %2°，均值加一个标准差 %3°，覆盖九成专家的界限 %4°。</translation>
-    </message>
-    <message>
         <source>Registered as version %1.</source>
         <translation>已登记为第 %1 版。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n expert(s): mean error %1°, mean and one standard deviation %2°, bound that covers nine in ten experts %3°.</source>
+        <translation>
+            <numerusform>%n 名专家：平均误差 %1°，均值加一个标准差 %2°，涵盖十分之九专家的上限 %3°。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -14317,10 +14339,6 @@ MSM = 质点弹簧</translation>
         </translation>
     </message>
     <message>
-        <source>%1 of %2 rows</source>
-        <translation>%1 / %2 行</translation>
-    </message>
-    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
@@ -14347,6 +14365,12 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Columns…</source>
         <translation>列…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n row(s)</source>
+        <translation>
+            <numerusform>%1 / %n 行</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -14389,7 +14413,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>&amp;Whole run</source>
-        <translation>全程(&amp;W)</translation>
+        <translation>整个操作(&amp;W)</translation>
     </message>
     <message>
         <source>&amp;Again</source>
@@ -14413,7 +14437,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Your run</source>
-        <translation>您的训练</translation>
+        <translation>您的操作</translation>
     </message>
     <message>
         <source>%1  ·  %2  ·  %3 s</source>
@@ -14421,7 +14445,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>One moment: your run is compared with what was asked for and with an expert&apos;s.</source>
-        <translation>请稍候：正在将您的训练与要求及专家的操作进行比较。</translation>
+        <translation>请稍候：正在将您的操作与要求及专家的操作进行比较。</translation>
     </message>
     <message>
         <source>After your first run you see here what was good and what to work on.</source>
@@ -14453,15 +14477,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>There is no expert&apos;s run to compare with.</source>
-        <translation>没有可供比较的专家示范。</translation>
-    </message>
-    <message>
-        <source>One twist was not completed and is not counted.</source>
-        <translation>有一次扭转未完成，不计入。</translation>
-    </message>
-    <message>
-        <source>%1 twists were not completed and are not counted.</source>
-        <translation>有 %1 次扭转未完成，不计入。</translation>
+        <translation>没有可供比较的专家操作。</translation>
     </message>
     <message>
         <source>Force was shown, not felt: the device of this run gives none. Its measures are computed.</source>
@@ -14469,7 +14485,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Your run in 3D</source>
-        <translation>您的训练（三维）</translation>
+        <translation>您的操作（三维）</translation>
     </message>
     <message>
         <source>Judged is the force on the tissue. The device gave at most %1 N of it.</source>
@@ -14478,6 +14494,12 @@ MSM = 质点弹簧</translation>
     <message>
         <source>What was felt was not what was computed all the time: %1. %2.</source>
         <translation>手上感受到的力并非始终与计算值一致：%1。%2。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n twist(s) not completed and not counted.</source>
+        <translation>
+            <numerusform>有 %n 次扭转未完成，不计入。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -14511,11 +14533,11 @@ MSM = 质点弹簧</translation>
     <name>torsio::gui::DebriefReplay</name>
     <message>
         <source>Your run in three dimensions; the expert&apos;s organ shines through</source>
-        <translation>您的训练的三维画面；专家的器官以半透明显示</translation>
+        <translation>您的操作的三维画面；专家的器官以半透明显示</translation>
     </message>
     <message>
         <source>Time in the run, for your run and the expert&apos;s</source>
-        <translation>训练中的时间，同时控制您和专家的画面</translation>
+        <translation>操作中的时间，同时控制您和专家的画面</translation>
     </message>
     <message>
         <source>Plays or pauses</source>
@@ -14542,7 +14564,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>A run is going on. Finish or stop it first</source>
-        <translation>训练正在进行，请先完成或停止</translation>
+        <translation>操作正在进行，请先完成或停止</translation>
     </message>
     <message>
         <source>The database does not answer now. This page opens as soon as it does</source>
@@ -14661,7 +14683,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Blood did not come back in this run.</source>
-        <translation>本次训练中血流未恢复。</translation>
+        <translation>本次操作中血流未恢复。</translation>
     </message>
     <message>
         <source>The ischaemic dose came to %1: from 1 on the tissue is lost.</source>
@@ -14700,12 +14722,12 @@ MSM = 质点弹簧</translation>
         <translation>钳伤：%1 处。夹持要轻，缺血组织只能承受一半的压力。</translation>
     </message>
     <message>
-        <source>The instrument slipped off: %1 times.</source>
+        <source>Times that the instrument slipped off: %1.</source>
         <translation>器械滑脱：%1 次。</translation>
     </message>
     <message>
         <source>Bruises, tears, slips and relapses are not marked: the organ of this run is not on this machine.</source>
-        <translation>未标出钳伤、撕裂、滑脱和回转：本机没有此次训练的器官。</translation>
+        <translation>未标出钳伤、撕裂、滑脱和回转：本机没有此次操作的器官。</translation>
     </message>
     <message>
         <source>Enough blood flowed from the beginning on.</source>
@@ -14919,8 +14941,8 @@ MSM = 质点弹簧</translation>
         <translation>已在限度之内。请松开。</translation>
     </message>
     <message>
-        <source>The twist grows. Turn the other way round.</source>
-        <translation>扭转正在加重。请朝相反方向转动。</translation>
+        <source>The twist grows. Turn in the opposite direction.</source>
+        <translation>扭转正在加重。请向相反方向转动。</translation>
     </message>
     <message>
         <source>Holding. Turn, set the clip (C), then grip anew.</source>
@@ -15228,7 +15250,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Discrepancy review</source>
-        <translation>差异复核</translation>
+        <translation>评分分歧复核</translation>
     </message>
     <message>
         <source>Only cases that all have submitted, and only where your mark differs from the others. The others are not named, nor are you to them.</source>
@@ -15437,7 +15459,7 @@ MSM = 质点弹簧</translation>
         <translation>模型评价</translation>
     </message>
     <message>
-        <source>Nine indices for each model, after each trial. Which model stands behind a letter is hidden, and the order is your own.</source>
+        <source>Nine indices for each model, after each run. Which model stands behind a letter is hidden, and the order is your own.</source>
         <translation>每次操作后为每个模型评九项指标。字母对应的模型不公开，顺序因人而异。</translation>
     </message>
     <message>
@@ -15450,15 +15472,15 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>The recording is being opened. You may score meanwhile.</source>
-        <translation>正在打开录像，您可以先评分。</translation>
+        <translation>正在打开录制，您可以先评分。</translation>
     </message>
     <message>
         <source>Opening the recording of model %1</source>
-        <translation>正在打开模型 %1 的录像</translation>
+        <translation>正在打开模型 %1 的录制</translation>
     </message>
     <message>
         <source>There is no recording of this model here: score what you have met at the station. An administrator can lay a recording down for each model.</source>
-        <translation>此处没有该模型的录像：请按您在工作站上的体验评分。管理员可为每个模型配备录像。</translation>
+        <translation>此处没有该模型的录制：请按您在工作站上的体验评分。管理员可为每个模型配备录制。</translation>
     </message>
     <message>
         <source>%1. %2</source>
@@ -15738,10 +15760,6 @@ MSM = 质点弹簧</translation>
         <translation>第 %1 步，共 %2 步</translation>
     </message>
     <message>
-        <source>&amp;Language</source>
-        <translation>语言(&amp;L)</translation>
-    </message>
-    <message>
         <source>&amp;Name of the centre</source>
         <translation>中心名称(&amp;N)</translation>
     </message>
@@ -15758,8 +15776,8 @@ MSM = 质点弹簧</translation>
         <translation>密码(&amp;P)</translation>
     </message>
     <message>
-        <source>The same &amp;again</source>
-        <translation>再次输入(&amp;A)</translation>
+        <source>Repeat p&amp;assword</source>
+        <translation>重复密码(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Begin empty</source>
@@ -15825,6 +15843,18 @@ MSM = 质点弹簧</translation>
         <source>&amp;Test the database</source>
         <translation>测试数据库(&amp;T)</translation>
     </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>语言(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Look round with simulated people</source>
+        <translation>用模拟人员浏览(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Needs no password. Everything lies in a folder of its own, which is removed when you sign out.</source>
+        <translation>无需密码。全部内容位于单独的文件夹中，退出登录时即删除。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::GroupEditor</name>
@@ -15865,8 +15895,8 @@ MSM = 质点弹簧</translation>
         <translation>第 %1 阶段的练习</translation>
     </message>
     <message>
-        <source>In all %1 minutes of training: %2 on the simulator, %3 on the real arm. Rest does not count.</source>
-        <translation>训练共 %1 分钟：模拟器 %2 分钟，真实手臂 %3 分钟。休息不计。</translation>
+        <source>In all %1 min of training: %2 on the simulator, %3 on the real arm. Rest does not count.</source>
+        <translation>训练共 %1 分钟：模拟器 %2 分钟，实物手臂 %3 分钟。休息不计。</translation>
     </message>
     <message>
         <source>A group needs a code; it keeps %1.</source>
@@ -16111,18 +16141,18 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Real arm: the sheet follows the call. Works without a network; every tap is saved.</source>
-        <translation>真实手臂：评分表随呼叫切换。无需网络；每次点按均会保存。</translation>
+        <translation>实物手臂：评分表随呼叫切换。无需网络；每次点按均会保存。</translation>
     </message>
     <message>
         <source>Real arm: the sheet follows the call. Every tap is saved on the centre&apos;s server; if it cannot be reached, it is said at once.</source>
-        <translation>真实手臂：评分表随呼叫切换。每次点按均保存到中心服务器；无法连接时会立即提示。</translation>
+        <translation>实物手臂：评分表随呼叫切换。每次点按均保存到中心服务器；无法连接时会立即提示。</translation>
     </message>
 </context>
 <context>
     <name>torsio::gui::LockPanel</name>
     <message>
         <source>Locked</source>
-        <translation>未解锁</translation>
+        <translation>已锁定</translation>
     </message>
     <message>
         <source>%1 is signed in here. Nothing was lost; the work goes on where it was left.</source>
@@ -16161,7 +16191,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>The database does not answer. Your run goes on; it is kept on this computer and stored as soon as the database answers</source>
-        <translation>数据库没有应答。您的训练继续进行；记录保存在本机，数据库恢复后立即存入</translation>
+        <translation>数据库没有应答。您的操作继续进行；录制保存在本机，数据库恢复后立即存入</translation>
     </message>
     <message>
         <source>The database does not answer. Torsio tries again by itself; what is stored is safe</source>
@@ -16212,8 +16242,8 @@ Leave it empty to remove it.</source>
         <translation>删除演示数据</translation>
     </message>
     <message>
-        <source>Remove %1 simulated people, %2 trials and %3 marks?</source>
-        <translation>删除 %1 名模拟人员、%2 次操作记录和 %3 个评分？</translation>
+        <source>Remove the simulated people (%1), their runs (%2) and marks (%3)?</source>
+        <translation>删除模拟人员（%1）、其操作（%2）和评分（%3）？</translation>
     </message>
     <message>
         <source>Your own data stay as they are. This cannot be undone.</source>
@@ -16237,15 +16267,15 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Leave kiosk mode</source>
-        <translation>退出展台模式</translation>
+        <translation>退出自助终端模式</translation>
     </message>
     <message>
         <source>An administrator ends the kiosk with name and password.</source>
-        <translation>管理员可用登录名和密码结束展台模式。</translation>
+        <translation>管理员可用登录名和密码结束自助终端模式。</translation>
     </message>
     <message>
         <source>Only an administrator can end the kiosk</source>
-        <translation>只有管理员可以结束展台模式</translation>
+        <translation>只有管理员可以结束自助终端模式</translation>
     </message>
     <message>
         <source>The database answers again, and what was kept meanwhile is stored</source>
@@ -16288,12 +16318,26 @@ Leave it empty to remove it.</source>
         <translation>%1。等待保存：%2 项</translation>
     </message>
     <message>
-        <source>The database refused %1 entries of this station for good. Please tell whoever looks after it</source>
-        <translation>数据库彻底拒绝了本训练台的 %1 条记录。请告知管理人员</translation>
-    </message>
-    <message>
         <source>The head of the audit trail was not kept: %1</source>
         <translation>未能保存审计记录的末端：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>The database refused %n entries of this station for good. Please tell whoever looks after it</source>
+        <translation>
+            <numerusform>数据库最终拒绝了本工作站的 %n 条记录。请告知维护人员</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No folder can be made for it: %1</source>
+        <translation>无法为此创建文件夹：%1</translation>
+    </message>
+    <message>
+        <source>A look round: simulated people</source>
+        <translation>浏览：模拟人员</translation>
+    </message>
+    <message>
+        <source>Everybody here is simulated. Sign out, and all of it is gone</source>
+        <translation>此处所有人员均为模拟。退出登录后全部删除</translation>
     </message>
 </context>
 <context>
@@ -16323,19 +16367,15 @@ Leave it empty to remove it.</source>
         <translation>位于数据库服务器</translation>
     </message>
     <message>
-        <source>✓ Checked: sound, schema %1, %2 audit entries</source>
+        <source>✓ Checked: sound, schema %1, audit entries: %2</source>
         <translation>✓ 已检查：完好，结构版本 %1，审计记录 %2 条</translation>
-    </message>
-    <message>
-        <source>✗ Checked: %1 finding(s), first: %2</source>
-        <translation>✗ 已检查：发现 %1 个问题，第一个：%2</translation>
     </message>
     <message>
         <source>There are no simulated people in this record.</source>
         <translation>记录中没有模拟人员。</translation>
     </message>
     <message>
-        <source>%1 simulated people, %2 recordings, %3 marks. They are marked everywhere and can go at once; real data stay.</source>
+        <source>Simulated people: %1, recordings: %2, marks: %3. They are marked everywhere and can go at once; real data stay.</source>
         <translation>模拟人员 %1 名，录制 %2 次，评分 %3 个。它们处处带有标记，可一次删除；真实数据不受影响。</translation>
     </message>
     <message>
@@ -16359,7 +16399,7 @@ Leave it empty to remove it.</source>
         <translation>正在备份</translation>
     </message>
     <message>
-        <source>✓ Written and read back: %1 recordings, %2 marks.
+        <source>✓ Written and read back. Recordings: %1, marks: %2.
 %3</source>
         <translation>✓ 已写入并回读：录制 %1 次，评分 %2 个。
 %3</translation>
@@ -16369,7 +16409,7 @@ Leave it empty to remove it.</source>
         <translation>正在测试备份</translation>
     </message>
     <message>
-        <source>✓ This backup can be restored: %1 recordings, %2 marks.
+        <source>✓ This backup can be restored. Recordings: %1, marks: %2.
 %3</source>
         <translation>✓ 该备份可以恢复：录制 %1 次，评分 %2 个。
 %3</translation>
@@ -16385,7 +16425,7 @@ Leave it empty to remove it.</source>
         <translation>正在检查数据库</translation>
     </message>
     <message>
-        <source>Removed: %1 simulated people, %2 recordings</source>
+        <source>Removed: simulated people %1, recordings %2</source>
         <translation>已删除：模拟人员 %1 名，录制 %2 次</translation>
     </message>
     <message>
@@ -16405,7 +16445,7 @@ Leave it empty to remove it.</source>
         <translation>删除演示数据</translation>
     </message>
     <message>
-        <source>%1 simulated people and all that belongs to them go at once. This cannot be taken back.</source>
+        <source>The simulated people (%1) and all that belongs to them go at once. This cannot be taken back.</source>
         <translation>%1 名模拟人员及其全部数据将一次删除，无法撤销。</translation>
     </message>
     <message>
@@ -16435,10 +16475,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Erase a record</source>
         <translation>删除个人记录</translation>
-    </message>
-    <message>
-        <source>The identity of %1 and %2 recording(s) are erased for good. Marks stay without a person, so that statistics remain right.</source>
-        <translation>%1 的身份信息和 %2 次录制将永久删除。评分去除个人信息后保留，以保证统计正确。</translation>
     </message>
     <message>
         <source>Maintenance of the record</source>
@@ -16547,6 +16583,18 @@ Leave it empty to remove it.</source>
     <message>
         <source>No key signs the heads of this station, so whoever can change the place where they are kept can replace them. torsio audit key makes one, torsio audit station sets it.</source>
         <translation>本站的末端没有密钥签名，能改动其保存位置的人就能替换它们。用 torsio audit key 生成密钥，用 torsio audit station 设置。</translation>
+    </message>
+    <message numerus="yes">
+        <source>✗ Checked: %n finding(s), first: %1</source>
+        <translation>
+            <numerusform>✗ 已检查：发现 %n 个问题，第一个：%1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The identity of %1 and %n recording(s) are erased for good. Marks stay without a person, so that statistics remain right.</source>
+        <translation>
+            <numerusform>%1 的身份信息和 %n 次录制将永久删除。评分去除个人信息后保留，以保证统计正确。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -16966,14 +17014,6 @@ Leave it empty to remove it.</source>
         <translation>查看</translation>
     </message>
     <message>
-        <source>One remark of a physician that you have not read</source>
-        <translation>有一条医师评语未读</translation>
-    </message>
-    <message>
-        <source>%1 remarks of physicians that you have not read</source>
-        <translation>有 %1 条医师评语未读</translation>
-    </message>
-    <message>
         <source>Read</source>
         <translation>阅读</translation>
     </message>
@@ -17003,7 +17043,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>On the real arm: %1</source>
-        <translation>真实手臂训练：%1</translation>
+        <translation>实物手臂训练：%1</translation>
     </message>
     <message>
         <source>%1 left. The timer logs your training time; nothing is recorded.</source>
@@ -17018,12 +17058,8 @@ Leave it empty to remove it.</source>
         <translation>最后一次尝试</translation>
     </message>
     <message>
-        <source>%1 attempts left</source>
-        <translation>剩余 %1 次尝试</translation>
-    </message>
-    <message>
         <source>&amp;Begin on the real arm</source>
-        <translation>开始真实手臂训练(&amp;B)</translation>
+        <translation>开始实物手臂训练(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Begin graded run</source>
@@ -17081,6 +17117,18 @@ Leave it empty to remove it.</source>
         <source>All modules</source>
         <translation>全部模块</translation>
     </message>
+    <message numerus="yes">
+        <source>%n remark(s) of physicians that you have not read</source>
+        <translation>
+            <numerusform>有 %n 条医师评语未读</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) left</source>
+        <translation>
+            <numerusform>还剩 %n 次尝试</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::OrderedList</name>
@@ -17128,8 +17176,8 @@ Leave it empty to remove it.</source>
         <translation>纸上的评语(&amp;M)</translation>
     </message>
     <message>
-        <source>&amp;Keep what I typed</source>
-        <translation>保存我录入的内容(&amp;K)</translation>
+        <source>&amp;Save what I typed</source>
+        <translation>保存我录入的内容(&amp;S)</translation>
     </message>
     <message>
         <source>Case</source>
@@ -17231,8 +17279,8 @@ Leave it empty to remove it.</source>
         <translation>新密码(&amp;N)</translation>
     </message>
     <message>
-        <source>The same &amp;again</source>
-        <translation>再次输入(&amp;A)</translation>
+        <source>Repeat p&amp;assword</source>
+        <translation>重复密码(&amp;A)</translation>
     </message>
     <message>
         <source>Back to the sign-in</source>
@@ -17339,16 +17387,20 @@ Leave it empty to remove it.</source>
         <translation>有了评分之后，“结果”的“评分者”一节会说明需要多少名评分者。</translation>
     </message>
     <message>
-        <source>%1 trainees</source>
-        <translation>%1 名学员</translation>
-    </message>
-    <message>
-        <source>%1 trainees in each group; %2 when scores are adjusted for the score before</source>
-        <translation>每组 %1 名学员；按训练前得分校正时为 %2 名</translation>
-    </message>
-    <message>
         <source>power %1 for this effect; with power %2 they detect an effect of %3</source>
         <translation>对该效应的效能为 %1；以效能 %2 可检出 %3 的效应</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trainee(s)</source>
+        <translation>
+            <numerusform>%n 名学员</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trainee(s) in each group; %1 when scores are adjusted for the score before</source>
+        <translation>
+            <numerusform>每组 %n 名学员；以训练前得分校正时为 %1 名</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -17405,7 +17457,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Opening the run</source>
-        <translation>正在打开训练记录</translation>
+        <translation>正在打开操作</translation>
     </message>
     <message>
         <source>A question of %1</source>
@@ -17460,7 +17512,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Rater cali&amp;bration</source>
-        <translation>评分者校准(&amp;B)</translation>
+        <translation>评分校准(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Live sheet</source>
@@ -17468,7 +17520,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Discrep&amp;ancy review</source>
-        <translation>差异复核(&amp;A)</translation>
+        <translation>评分分歧复核(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Evaluation</source>
@@ -17500,7 +17552,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>No recorded case is assigned to you. New ones appear here by themselves.</source>
-        <translation>没有分配给您的录像案例。新案例会自动出现在这里。</translation>
+        <translation>没有分配给您的录制案例。新案例会自动出现在这里。</translation>
     </message>
     <message>
         <source>%1 submitted so far</source>
@@ -17524,7 +17576,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>from the length of the recordings</source>
-        <translation>按录像时长估计</translation>
+        <translation>按录制时长估计</translation>
     </message>
     <message>
         <source>%1 overdue</source>
@@ -17580,11 +17632,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Called to the real arm, your sheet is not in: %1. To be called: %2.</source>
-        <translation>已呼叫到真实手臂、您尚未提交：%1。待呼叫：%2。</translation>
+        <translation>已呼叫到实物手臂、您尚未提交：%1。待呼叫：%2。</translation>
     </message>
     <message>
         <source>Cases that will be called to the real arm: %1. The sheet follows the call.</source>
-        <translation>将被呼叫到真实手臂的案例：%1。评分表会随呼叫打开。</translation>
+        <translation>将被呼叫到实物手臂的案例：%1。评分表会随呼叫打开。</translation>
     </message>
 </context>
 <context>
@@ -17598,12 +17650,12 @@ Leave it empty to remove it.</source>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Hide names</source>
-        <translation>隐藏名称</translation>
+        <source>Collapse sidebar</source>
+        <translation>收起侧栏</translation>
     </message>
     <message>
-        <source>Show names</source>
-        <translation>显示名称</translation>
+        <source>Expand sidebar</source>
+        <translation>展开侧栏</translation>
     </message>
 </context>
 <context>
@@ -17618,7 +17670,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Reference runs for rater calibration</source>
-        <translation>评分者校准用的参考操作</translation>
+        <translation>评分校准用的参考操作</translation>
     </message>
     <message>
         <source>Name</source>
@@ -17694,7 +17746,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>The reference run is added to rater calibration</source>
-        <translation>参考操作已加入评分者校准</translation>
+        <translation>参考操作已加入评分校准</translation>
     </message>
     <message>
         <source>&amp;Withdraw…</source>
@@ -17710,7 +17762,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>No recording can be offered: each is being scored, is or was a reference run, or is incomplete.</source>
-        <translation>没有可供选择的录像：每一段都正在评分、是或曾是参考操作，或者不完整。</translation>
+        <translation>没有可供选择的录制：每一段都正在评分、是或曾是参考操作，或者不完整。</translation>
     </message>
     <message>
         <source>The panel scores the run together before it is used. Keep the runs as they are where you can, so that every physician calibrates on the same ones.</source>
@@ -17730,7 +17782,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>No physician is given this run any more. Marks given on it stay. A run that is withdrawn cannot be used for rater calibration again.</source>
-        <translation>此参考操作不再提供给任何医师。已有的评分会保留。撤回后不能再次用于评分者校准。</translation>
+        <translation>此参考操作不再提供给任何医师。已有的评分会保留。撤回后不能再次用于评分校准。</translation>
     </message>
     <message>
         <source>The reference run is withdrawn</source>
@@ -17741,7 +17793,7 @@ Leave it empty to remove it.</source>
     <name>torsio::gui::RaterCalibrationPage</name>
     <message>
         <source>The recording could not be opened.</source>
-        <translation>无法打开录像。</translation>
+        <translation>无法打开录制。</translation>
     </message>
     <message>
         <source>No reference run has been chosen yet. You may begin with your queue.</source>
@@ -17749,11 +17801,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>The recording is being opened. You may score meanwhile.</source>
-        <translation>正在打开录像，您可以先评分。</translation>
+        <translation>正在打开录制，您可以先评分。</translation>
     </message>
     <message>
         <source>Opening reference %1</source>
-        <translation>正在打开参考录像 %1</translation>
+        <translation>正在打开参考录制 %1</translation>
     </message>
     <message>
         <source>Reference %1, scored</source>
@@ -17805,11 +17857,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Over all reference runs: %1 points from the panel. You may score a run again; every try is kept.</source>
-        <translation>全部参考录像：与专家组相差 %1 分。您可以重新评分，每次尝试均保留。</translation>
+        <translation>全部参考操作：与专家组相差 %1 分。您可以重新评分，每次尝试均保留。</translation>
     </message>
     <message>
         <source>You may score it again, or go on with the next run.</source>
-        <translation>您可以重新评分，或继续下一段。</translation>
+        <translation>您可以重新评分，或继续下一个操作。</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -17821,11 +17873,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Rater calibration</source>
-        <translation>评分者校准</translation>
+        <translation>评分校准</translation>
     </message>
     <message>
         <source>Score the reference runs before the real cases and see your own offset from the panel. Nobody else sees it.</source>
-        <translation>在正式评分之前先评参考录像，了解您与专家组的差距。其他人看不到。</translation>
+        <translation>在正式评分之前先评参考操作，了解您与专家组的差距。其他人看不到。</translation>
     </message>
     <message>
         <source>Ctrl+Enter</source>
@@ -17953,11 +18005,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Each remark stands at the second of the run that it concerns.</source>
-        <translation>每条评语都标在所涉及的训练时刻。</translation>
+        <translation>每条评语都标在操作中所涉及的那一秒。</translation>
     </message>
     <message>
         <source>No remarks yet. They appear here when the marks of a run have been released, or when a physician answers a question of yours.</source>
-        <translation>尚无评语。当某次训练的评分发布后，或医师回答您的提问后，会显示在这里。</translation>
+        <translation>尚无评语。当某次操作的评分公布后，或医师回答您的提问后，会显示在这里。</translation>
     </message>
     <message>
         <source>Remarks on this run</source>
@@ -18028,14 +18080,6 @@ Leave it empty to remove it.</source>
         <translation>请先自评，然后可以看到医师的评分。</translation>
     </message>
     <message>
-        <source>Your own marks beside those of one physician.</source>
-        <translation>您的自评与一位医师的评分。</translation>
-    </message>
-    <message>
-        <source>Your own marks beside the mean of %1 physicians.</source>
-        <translation>您的自评与 %1 位医师的平均分。</translation>
-    </message>
-    <message>
         <source>Your marks are kept. The physicians&apos; marks appear when they are released.</source>
         <translation>您的自评已保存。医师评分发布后会显示。</translation>
     </message>
@@ -18055,9 +18099,15 @@ Leave it empty to remove it.</source>
         <source>Overall</source>
         <translation>总分</translation>
     </message>
+    <message numerus="yes">
+        <source>Your own marks beside the mean of %n physician(s).</source>
+        <translation>
+            <numerusform>您的自评与 %n 名医师平均评分的对比。</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>&amp;Keep my marks</source>
-        <translation>保存自评(&amp;K)</translation>
+        <source>&amp;Save my marks</source>
+        <translation>保存自评(&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -18119,15 +18169,15 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Time in the recording</source>
-        <translation>录像时间</translation>
+        <translation>录制时间</translation>
     </message>
     <message>
         <source>Proves that this is the recording as it was stored. It tells nothing else, and it is another one for each physician</source>
-        <translation>证明此录像与存储时一致。它不透露其他信息，且每位医师各不相同</translation>
+        <translation>证明此录制与存储时一致。它不透露其他信息，且每位医师各不相同</translation>
     </message>
     <message>
         <source>The organ of this recording is not on this machine; the traces are complete.</source>
-        <translation>本机没有此录像的器官模型；曲线是完整的。</translation>
+        <translation>本机没有此录制的器官模型；曲线是完整的。</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -18151,7 +18201,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Scored recordings play as they happened</source>
-        <translation>评分录像按原速播放</translation>
+        <translation>评分录制按原速播放</translation>
     </message>
     <message>
         <source>J slower, L faster; the speed is kept with the mark</source>
@@ -18159,7 +18209,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Recording %1, unchanged</source>
-        <translation>录像 %1，未改动</translation>
+        <translation>录制 %1，未改动</translation>
     </message>
     <message>
         <source>Undo the twist, then hands off</source>
@@ -18174,10 +18224,6 @@ Leave it empty to remove it.</source>
         <translation>保持 %1 秒</translation>
     </message>
     <message>
-        <source>at least %1 twists</source>
-        <translation>至少扭转 %1 次</translation>
-    </message>
-    <message>
         <source>force up to %1 N</source>
         <translation>力不超过 %1 N</translation>
     </message>
@@ -18188,6 +18234,12 @@ Leave it empty to remove it.</source>
     <message>
         <source>Asked for: %1</source>
         <translation>任务要求：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>at least %n twist(s)</source>
+        <translation>
+            <numerusform>至少 %n 次扭转</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -18341,7 +18393,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Recordings and single marks under their codes, as far as you may see them</source>
-        <translation>在您的权限内，以代码列出录像和单项评分</translation>
+        <translation>在您的权限内，以代码列出录制和单项评分</translation>
     </message>
     <message>
         <source>New folder for the tables</source>
@@ -18356,8 +18408,8 @@ Leave it empty to remove it.</source>
         <translation>文件夹 (*)</translation>
     </message>
     <message>
-        <source>%1 recordings and %2 marks written to %3</source>
-        <translation>已将 %1 条录像和 %2 项评分写入 %3</translation>
+        <source>Recordings (%1) and marks (%2) written to %3</source>
+        <translation>已将 %1 条录制和 %2 项评分写入 %3</translation>
     </message>
 </context>
 <context>
@@ -18514,7 +18566,7 @@ Leave it empty to remove it.</source>
         <translation>最新的录制或评分</translation>
     </message>
     <message>
-        <source>What was added after the backup is no longer in the record: %1 recordings, %2 marks and %3 people. It stays in the safety backup.</source>
+        <source>What was added after the backup is no longer in the record: recordings %1, marks %2, people %3. It stays in the safety backup.</source>
         <translation>备份之后新增的内容将不再属于记录：%1 个录制、%2 个评分和 %3 名人员。它们仍保留在安全备份中。</translation>
     </message>
     <message>
@@ -18524,10 +18576,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Passwords, accounts, settings and consents are those of the backup. Look at consents afterwards.</source>
         <translation>密码、账户、设置和知情同意将恢复为备份时的内容。请随后核对知情同意。</translation>
-    </message>
-    <message>
-        <source>%1 people were erased after this backup. They stay erased.</source>
-        <translation>此备份之后有 %1 人被删除，他们将保持已删除状态。</translation>
     </message>
     <message>
         <source>RESTORE</source>
@@ -18600,6 +18648,12 @@ Leave it empty to remove it.</source>
     <message>
         <source>Why is it restored? Another administrator confirms it.</source>
         <translation>为什么要恢复？由另一位管理员确认。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Erased after this backup: %n person(s). They stay erased.</source>
+        <translation>
+            <numerusform>此备份之后有 %n 人被删除，恢复后仍保持删除。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -18925,7 +18979,7 @@ Leave it empty to remove it.</source>
         <translation>正在导出记录</translation>
     </message>
     <message>
-        <source>%1 tables and %2 recordings written to %3</source>
+        <source>Tables (%1) and recordings (%2) written to %3</source>
         <translation>已将 %1 个表格和 %2 个录制写入 %3</translation>
     </message>
     <message>
@@ -18984,10 +19038,6 @@ Leave it empty to remove it.</source>
         <translation>%1：%2 %</translation>
     </message>
     <message>
-        <source>Comparing %1 lines with the record…</source>
-        <translation>正在将 %1 行与记录比较…</translation>
-    </message>
-    <message>
         <source>Looking at the roster</source>
         <translation>正在查看名单</translation>
     </message>
@@ -19006,6 +19056,12 @@ Leave it empty to remove it.</source>
     <message>
         <source>The file was read as %1: look at letters with accents.</source>
         <translation>文件按 %1 编码读取：请检查带重音符号的字母。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Comparing %n line(s) with the record…</source>
+        <translation>
+            <numerusform>正在将 %n 行与记录比较…</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -19038,7 +19094,7 @@ Leave it empty to remove it.</source>
         <translation>在 %1 录制</translation>
     </message>
     <message>
-        <source>%1 recording now · %2 of %3 done · %4 sheets missing</source>
+        <source>%1 recording now · %2 of %3 done · sheets missing: %4</source>
         <translation>正在录制 %1 · 已完成 %2 / %3 · 缺评分表 %4</translation>
     </message>
     <message>
@@ -19089,7 +19145,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Swapped; both deviations are noted.</source>
-        <translation>已互换；双方的偏离均已记录。</translation>
+        <translation>已互换；双方的方案偏离均已记录。</translation>
     </message>
     <message>
         <source>&amp;Back in…</source>
@@ -19120,8 +19176,8 @@ Leave it empty to remove it.</source>
         <translation>%1 不再训练；已有记录保留。</translation>
     </message>
     <message>
-        <source>Run day</source>
-        <translation>训练日</translation>
+        <source>Today&apos;s sessions</source>
+        <translation>今日训练</translation>
     </message>
     <message>
         <source>&amp;Cohort</source>
@@ -19160,8 +19216,8 @@ Leave it empty to remove it.</source>
         <translation>时长</translation>
     </message>
     <message>
-        <source>Last sign of life</source>
-        <translation>最近响应</translation>
+        <source>Last seen</source>
+        <translation>最近在线</translation>
     </message>
     <message>
         <source>Version</source>
@@ -19169,7 +19225,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>&amp;Deviation…</source>
-        <translation>偏离(&amp;D)…</translation>
+        <translation>方案偏离(&amp;D)…</translation>
     </message>
     <message>
         <source>Group</source>
@@ -19197,7 +19253,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Deviations</source>
-        <translation>偏离</translation>
+        <translation>方案偏离</translation>
     </message>
     <message>
         <source>%1: the device is not fit for graded runs: %2.</source>
@@ -19241,7 +19297,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>All deviations of this cohort</source>
-        <translation>本队列的全部偏离</translation>
+        <translation>本批次的全部方案偏离</translation>
     </message>
     <message>
         <source>Call to the arm</source>
@@ -19309,7 +19365,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>%1, last run: %2. %3.</source>
-        <translation>%1，上一次运行：%2。%3。</translation>
+        <translation>%1，上次操作：%2。%3。</translation>
     </message>
 </context>
 <context>
@@ -19324,7 +19380,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>The haptic device was lost: the graded run has ended</source>
-        <translation>力反馈设备已断开：评分训练已结束</translation>
+        <translation>力反馈设备已断开：计分操作已结束</translation>
     </message>
     <message>
         <source>What was recorded is kept as interrupted, and no attempt was used. Check the device, then begin again</source>
@@ -19340,7 +19396,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>The time on the real arm is over. It has been logged.</source>
-        <translation>真实手臂训练时间结束，已记录。</translation>
+        <translation>实物手臂训练时间结束，已记录。</translation>
     </message>
     <message>
         <source>End this run now?</source>
@@ -19404,15 +19460,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Your run is safe</source>
-        <translation>您的训练已妥善保存</translation>
+        <translation>您的操作已妥善保存</translation>
     </message>
     <message>
         <source>No run goes on</source>
         <translation>没有正在进行的操作</translation>
-    </message>
-    <message>
-        <source>The database did not answer. The recording is kept, on this computer where need be; as soon as the database answers you find its debrief on the page 췫rief”.</source>
-        <translation>数据库无响应。录像已保留，必要时保存在本机；数据库恢复后，您可在“讲评”页面查看其讲评。</translation>
     </message>
     <message>
         <source>Choose a module on the page “My next step”.</source>
@@ -19444,7 +19496,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Go to the real arm</source>
-        <translation>请到真实手臂处</translation>
+        <translation>请到实物手臂处</translation>
     </message>
     <message>
         <source>Come to the simulator</source>
@@ -19460,7 +19512,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Train on the real arm</source>
-        <translation>在真实手臂上训练</translation>
+        <translation>在实物手臂上训练</translation>
     </message>
     <message>
         <source>This timer logs your training time. Nothing is recorded by the simulator.</source>
@@ -19499,8 +19551,8 @@ Leave it empty to remove it.</source>
         <translation>快到了，请放慢。</translation>
     </message>
     <message>
-        <source>The other way round.</source>
-        <translation>方向反了。</translation>
+        <source>Turn in the opposite direction.</source>
+        <translation>请向相反方向转动。</translation>
     </message>
     <message>
         <source>Turn in one even movement.</source>
@@ -19543,10 +19595,6 @@ Leave it empty to remove it.</source>
         <translation>取消(&amp;C)</translation>
     </message>
     <message>
-        <source>%1 of %2 twists</source>
-        <translation>已扭转 %1 / %2 次</translation>
-    </message>
-    <message>
         <source>You are pressing too deep: draw back</source>
         <translation>压得过深：请退回</translation>
     </message>
@@ -19555,16 +19603,28 @@ Leave it empty to remove it.</source>
         <translation>尚未评分</translation>
     </message>
     <message>
-        <source>Only %1 of %2 sheets of this occasion are in, and they cannot be made up for once the training goes on. Fetch the study team. Why does the training begin nevertheless? It is noted as a deviation.</source>
-        <translation>该时点的 %2 份评分表只收到 %1 份，训练继续后将无法补评。请联系研究人员。为何仍要开始训练？这将记录为方案偏离。</translation>
-    </message>
-    <message>
         <source>Begin nevertheless</source>
         <translation>仍然开始</translation>
     </message>
     <message>
         <source>Back</source>
         <translation>返回</translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %1 of %n sheet(s) of this occasion are in, and the others cannot be made up for once the training goes on. Fetch the study team. Why does the training begin nevertheless? It is noted as a deviation.</source>
+        <translation>
+            <numerusform>该时点的 %n 份评分表只收到 %1 份，训练继续后将无法补评。请联系研究人员。为何仍要开始训练？这将记录为方案偏离。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The database did not answer. The recording is kept, on this computer where need be; as soon as the database answers you find its debrief on the page “Debrief”.</source>
+        <translation>数据库无响应。录制已保留，必要时保存在本机；数据库恢复后，您可在“训练复盘”页面查看。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n twist(s)</source>
+        <translation>
+            <numerusform>扭转 %1 / %n</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -19663,15 +19723,15 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Rater cali&amp;bration…</source>
-        <translation>评分者校准(&amp;B)…</translation>
+        <translation>评分校准(&amp;B)…</translation>
     </message>
     <message>
         <source>The reference runs that every physician scores first</source>
         <translation>每位医师首先评分的参考操作</translation>
     </message>
     <message>
-        <source>&amp;Ask raters…</source>
-        <translation>邀请评分者(&amp;A)…</translation>
+        <source>&amp;Invite raters…</source>
+        <translation>邀请评分者(&amp;I)…</translation>
     </message>
     <message>
         <source>Physicians could not agree and ask for one more</source>
@@ -19690,7 +19750,7 @@ Leave it empty to remove it.</source>
         <translation>公布评分(&amp;L)…</translation>
     </message>
     <message>
-        <source>No rater has been asked yet. Press Ask raters: each gets the cases in an order of their own.</source>
+        <source>No rater has been invited yet. Press Invite raters: each gets the cases in an order of their own.</source>
         <translation>尚未邀请评分者。请按“邀请评分者”：每人的案例顺序各不相同。</translation>
     </message>
     <message>
@@ -19980,7 +20040,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Leave kiosk mode…</source>
-        <translation>退出展台模式…</translation>
+        <translation>退出自助终端模式…</translation>
     </message>
     <message>
         <source>A training tool and not a medical device. No patient data.</source>
@@ -20018,10 +20078,6 @@ Leave it empty to remove it.</source>
         <translation>请释放空间或检查数据库，然后导入该文件。</translation>
     </message>
     <message>
-        <source>Recorded %1 s to %2</source>
-        <translation>已录制 %1 秒，保存到 %2</translation>
-    </message>
-    <message>
         <source>Stop the recording before replaying another one.</source>
         <translation>请先停止录制，再回放其他内容。</translation>
     </message>
@@ -20048,6 +20104,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>The haptic device was lost. Let go of it; you go on with the mouse</source>
         <translation>力反馈设备已断开。请松开它；您将继续使用鼠标</translation>
+    </message>
+    <message>
+        <source>Recorded: %1. Replay shows it again</source>
+        <translation>已录制：%1。可用“回放”重新观看</translation>
     </message>
 </context>
 <context>
@@ -20093,8 +20153,8 @@ Leave it empty to remove it.</source>
         <translation>组织正在恢复</translation>
     </message>
     <message>
-        <source>Replay of a recorded trial</source>
-        <translation>正在回放录制内容</translation>
+        <source>Replay of a recorded run</source>
+        <translation>正在回放已录制的操作</translation>
     </message>
     <message>
         <source>%1 mm to the surface. Wheel: nearer</source>
@@ -20111,10 +20171,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Holding. Drag, or press Q and E, to twist; let go to release</source>
         <translation>已夹持。拖动或按 Q、E 键扭转；松开即释放</translation>
-    </message>
-    <message>
-        <source>● Recording  %1 s</source>
-        <translation>● 录制中  %1 秒</translation>
     </message>
     <message>
         <source>%1 – Torsio</source>
@@ -20165,8 +20221,8 @@ Leave it empty to remove it.</source>
         <translation>回放</translation>
     </message>
     <message>
-        <source>Recorded trial</source>
-        <translation>录制的操作记录</translation>
+        <source>Recorded run</source>
+        <translation>已录制的操作</translation>
     </message>
     <message>
         <source>Torsio</source>
@@ -20301,8 +20357,8 @@ Leave it empty to remove it.</source>
         <translation>回放…</translation>
     </message>
     <message>
-        <source>Look at a recorded trial again</source>
-        <translation>重新观看录制内容</translation>
+        <source>Look at a recorded run again</source>
+        <translation>重新观看已录制的操作</translation>
     </message>
     <message>
         <source>Release</source>
@@ -20540,6 +20596,10 @@ Leave it empty to remove it.</source>
         <source>Holding. Turn the jaw to twist; open it to release</source>
         <translation>已夹持。转动钳口以扭转；张开即释放</translation>
     </message>
+    <message>
+        <source>● Recording  %1</source>
+        <translation>● 正在录制  %1</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::StationSettingsCard</name>
@@ -20565,15 +20625,15 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>&amp;Grade runs with mouse and keyboard</source>
-        <translation>鼠标和键盘的训练也评分(&amp;G)</translation>
+        <translation>鼠标和键盘的操作也计分(&amp;G)</translation>
     </message>
     <message>
         <source>A run is never interrupted by this. A kiosk signs out instead of locking.</source>
-        <translation>训练绝不会因此中断。展台模式下会注销而不是锁定。</translation>
+        <translation>操作绝不会因此中断。自助终端模式下会注销而不是锁定。</translation>
     </message>
     <message>
-        <source>&amp;Keep</source>
-        <translation>保存(&amp;K)</translation>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Name of the centre</source>
@@ -20726,7 +20786,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Time trained: %1 min on the simulator, %2 min on the real arm, %3 min of rest.</source>
-        <translation>训练时间：模拟器 %1 分钟，真实手臂 %2 分钟，休息 %3 分钟。</translation>
+        <translation>训练时间：模拟器 %1 分钟，实物手臂 %2 分钟，休息 %3 分钟。</translation>
     </message>
     <message>
         <source>%1. Level: %2.</source>
@@ -20759,10 +20819,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Practice</source>
         <translation>练习</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 秒</translation>
     </message>
     <message>
         <source>interrupted</source>
@@ -20925,7 +20981,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>in the last run; wanted: %1</source>
-        <translation>最近一次；要求：%1</translation>
+        <translation>上次操作；要求：%1</translation>
     </message>
     <message>
         <source>%1 A yes or no has no learning curve.</source>
