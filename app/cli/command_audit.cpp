@@ -79,7 +79,8 @@ void verify(const AuditArguments& arguments) {
     }
     if (check.audit.empty()) {
       std::cout << "The audit trail is whole: " << check.auditEntries
-                << " entries; every sealed row and every recording is as it was recorded.\n";
+                << (check.auditEntries == 1 ? " entry" : " entries")
+                << "; every sealed row and every recording is as it was recorded.\n";
     }
   }
   if (!check.audit.empty()) {

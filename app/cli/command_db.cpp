@@ -22,6 +22,7 @@
 #include "assessment/report/number_format.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
+#include "sim/base/text.h"
 
 namespace torsio::cli {
 
@@ -37,8 +38,10 @@ struct DbArguments {
 };
 
 void printContent(const BackupContent& content) {
-  std::cout << "  schema " << content.schemaVersion << ", " << content.trials << " trials, " << content.marks
-            << " marks\n";
+  std::cout << "  "
+            << Text::verbatim("schema %1, %2 {run|runs}, %3 {mark|marks}", content.schemaVersion,
+                              content.trials, content.marks)
+            << "\n";
 }
 
 /// Says what is wrong, and ends with the exit code for it.
@@ -97,8 +100,10 @@ void listCopies(const DbArguments& arguments) {
 void verify(const DbArguments& arguments) {
   const BackupCheck check = verifyBackup(arguments.file);
   requireSound(check.database, "Do not rely on this backup; make a new one");
-  std::cout << "The backup is sound: read from end to end, " << check.database.auditEntries
-            << " entries of the audit trail fit.\n";
+  std::cout << "The backup is sound: read from end to end, "
+            << Text::verbatim("%1 {entry of the audit trail fits|entries of the audit trail fit}.",
+                              check.database.auditEntries)
+            << "\n";
   printContent(check.content);
 }
 
@@ -106,9 +111,11 @@ void restore(const DbArguments& arguments) {
   const std::string file = arguments.database.locator();
   const Restored restored = restoreRecord(arguments.care.taker(), arguments.file, file);
   if (restored.plan) {
-    std::cout << "Not in the backup: " << restored.plan->lostPeople << " people, "
-              << restored.plan->lostTrials << " trials, " << restored.plan->lostMarks
-              << " marks; erased again: " << restored.plan->erasedSince << " people\n";
+    std::cout << Text::verbatim(
+        "Not in the backup: %1 {person|people}, %2 {run|runs}, %3 {mark|marks}; erased again: %4 "
+        "{person|people}\n",
+        restored.plan->lostPeople, restored.plan->lostTrials, restored.plan->lostMarks,
+        restored.plan->erasedSince);
   }
   if (!restored.unreadable.empty()) {
     std::cerr << "torsio: what was there cannot be read (" << restored.unreadable
@@ -125,8 +132,10 @@ void restore(const DbArguments& arguments) {
 void check(const DbArguments& arguments) {
   const DatabaseCheck result = checkDatabase(arguments.database.locator());
   requireSound(result, "Restore the latest backup with torsio db restore");
-  std::cout << "The database is sound: schema " << result.schemaVersion << ", " << result.auditEntries
-            << " entries of the audit trail fit.\n";
+  std::cout << "The database is sound: schema " << result.schemaVersion << ", "
+            << Text::verbatim("%1 {entry of the audit trail fits|entries of the audit trail fit}.",
+                              result.auditEntries)
+            << "\n";
 }
 
 void copy(const DbArguments& arguments) {
@@ -139,12 +148,14 @@ void copy(const DbArguments& arguments) {
   }
   for (const TableDigest& table : report.tables) {
     if (table.rows > 0) {
-      std::cout << "  " << table.table << ": " << table.rows << " rows\n";
+      std::cout << Text::verbatim("  %1: %2 {row|rows}\n", std::string(table.table), table.rows);
     }
   }
-  std::cout << "Copied and compared: " << report.rows << " rows of " << report.tables.size()
-            << " tables have the same counts and hashes on both sides, " << report.auditEntries
-            << " entries of the audit trail fit.\n";
+  std::cout << "Copied and compared: rows " << report.rows << ", tables " << report.tables.size()
+            << "; counts and hashes are the same on both sides, "
+            << Text::verbatim("%1 {entry of the audit trail fits|entries of the audit trail fit}.",
+                              report.auditEntries)
+            << "\n";
 }
 
 void prepareServerRoles(const DbArguments& arguments) {

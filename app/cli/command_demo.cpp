@@ -49,12 +49,12 @@ void runDemo(const DemoArguments& arguments) {
     summary = runDemonstration(options);
   }
   std::cout << "Demonstration with simulated people, seed " << arguments.seed << "\n"
-            << "  " << summary.trials << " trials, " << formatFixed(summary.recorded_min, 1)
+            << "  " << summary.trials << " runs, " << formatFixed(summary.recorded_min, 1)
             << " minutes recorded, " << summary.samples << " samples, " << summary.twists << " twists\n"
             << "  report    " << summary.report.string() << "\n"
             << "  table     " << summary.table.string() << "\n"
             << "  database  " << summary.database.string() << "\n"
-            << "Replay a trial: torsio replay " << summary.firstTrialId << " --database "
+            << "Replay a run: torsio replay " << summary.firstTrialId << " --database "
             << summary.database.string() << " --verify\n";
 }
 

@@ -177,9 +177,8 @@ Scene sceneOf(const MetricsArguments& arguments, const TrialHeader& header) {
   wanted.organScale_m = chosen.organScale_m;
   Scene scene = loadScene(wanted);
   if (scene.organHash != header.organHash) {
-    throw Error(ErrorCode::kBadData, Text::verbatim("this is not the organ on which the trial was recorded"),
-                "trial " + header.trialId,
-                Text::verbatim("Give the mesh file of the recording with --organ"));
+    throw Error(ErrorCode::kBadData, Text::verbatim("this is not the organ on which the run was recorded"),
+                "run " + header.trialId, Text::verbatim("Give the mesh file of the recording with --organ"));
   }
   return scene;
 }
@@ -246,8 +245,10 @@ void runMetrics(const MetricsArguments& arguments) {
 void addMetrics(CLI::App& program) {
   auto arguments = std::make_shared<MetricsArguments>();
   CLI::App* command = program.add_subcommand(
-      "metrics", "Measured quantities of a recorded trial and of each twist in it, or of its untwisting");
-  command->add_option("TRIAL", arguments->trial, "Id of the trial, or its first characters, or a trial file")
+      "metrics", "Measured quantities of a recorded run and of each twist in it, or of its untwisting");
+  command
+      ->add_option("RUN", arguments->trial,
+                   "Id of the run, or its first characters, or the file of a recording")
       ->required();
   addDatabaseOption(*command, arguments->database);
   command
@@ -261,7 +262,7 @@ void addMetrics(CLI::App& program) {
   command->add_option("--shear-limit", arguments->shearLimit_Pa, "Time above it, Pa; loads the scene")
       ->check(CLI::PositiveNumber);
   command->add_flag("--scene", arguments->scene, "Load the scene: adds the wander about the organ's axis");
-  command->add_option("--organ", arguments->organ.organ, "The mesh file that the trial was recorded on");
+  command->add_option("--organ", arguments->organ.organ, "The mesh file that the run was recorded on");
   command->add_option("--organ-unit", arguments->organ.unit, "Unit of that file")
       ->check(CLI::IsMember({"mm", "cm", "m"}));
   command->add_flag("--cards", arguments->cards, "Add what each quantity means");

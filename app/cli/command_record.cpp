@@ -58,8 +58,8 @@ void runRecord(const RecordArguments& arguments) {
     std::cout << out.dump(2) << '\n';
     return;
   }
-  std::cout << "trial " << trial.recording.trialId << ", scene " << scene.id << ", pattern "
-            << scene.pattern.id << ", model " << arguments.model << ", " << summary.samples << " samples\n"
+  std::cout << "run " << trial.recording.trialId << ", scene " << scene.id << ", pattern " << scene.pattern.id
+            << ", model " << arguments.model << ", " << summary.samples << " samples\n"
             << "Replay it: torsio replay " << trial.recording.trialId << " --database " << store.location()
             << " --verify\n";
 }

@@ -40,7 +40,7 @@ std::string differenceText(const ReplayReport& report) {
 void print(const ReplayResult& result, bool json) {
   const ReplayReport& report = result.report;
   if (!json) {
-    std::cout << "trial " << result.header.trialId << ", scene " << result.header.sceneId << ", pattern "
+    std::cout << "run " << result.header.trialId << ", scene " << result.header.sceneId << ", pattern "
               << result.header.patternId << ", model " << tissueModelId(result.header.model) << ", "
               << report.samples << " samples\n"
               << (report.identical() ? std::string("replay is bit-identical to the recording")
@@ -77,7 +77,7 @@ void runReplay(const ReplayArguments& arguments) {
   if (arguments.verify && !result.report.identical()) {
     throw Error(ErrorCode::kVerifyFailed,
                 "the replay differs from the recording (" + differenceText(result.report) + ")",
-                "trial " + result.header.trialId,
+                "run " + result.header.trialId,
                 "Check that the recording was made by this version (" + result.header.softwareVersion + ")");
   }
 }
@@ -86,10 +86,11 @@ void runReplay(const ReplayArguments& arguments) {
 
 void addReplay(CLI::App& program) {
   auto arguments = std::make_shared<ReplayArguments>();
-  CLI::App* command = program.add_subcommand("replay", "Run a recorded trial again from its device samples");
-  command->add_option("TRIAL", arguments->trial, "Id of the trial, or its first characters")->required();
+  CLI::App* command =
+      program.add_subcommand("replay", "Compute a recorded run again from its device samples");
+  command->add_option("RUN", arguments->trial, "Id of the run, or its first characters")->required();
   addDatabaseOption(*command, arguments->database);
-  command->add_option("--organ", arguments->organ.organ, "The mesh file that the trial was recorded on");
+  command->add_option("--organ", arguments->organ.organ, "The mesh file that the run was recorded on");
   command->add_option("--organ-unit", arguments->organ.unit, "Unit of that file")
       ->check(CLI::IsMember({"mm", "cm", "m"}));
   command->add_flag("--verify", arguments->verify, "Exit with code 13 unless the replay is bit-identical");

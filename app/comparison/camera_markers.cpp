@@ -176,7 +176,7 @@ std::vector<int> tracksOf(const TrackTable& table, const TrackHeader& header,
   }
   if (table.fields(4).size() > kFieldsBefore + 1 + 3 * (header.markers - 1)) {
     table.refuseField(4, "NumMarkers",
-                      Text::tr("The header promises %1 markers, the line has more", header.markers),
+                      Text::tr("The header promises %1 {marker|markers}, the line has more", header.markers),
                       Text::tr("Export the file once more"));
   }
   return tracks;
@@ -229,7 +229,7 @@ MeasuredSubject readCameraMarkers(const std::filesystem::path& file,
     }
     if (table.fields(line).size() > kFieldsBefore + 3 * header.markers) {
       table.refuseField(line, "NumMarkers",
-                        Text::tr("The line has more columns than %1 markers", header.markers),
+                        Text::tr("The line has more columns than %1 {marker|markers}", header.markers),
                         Text::tr("Export the file once more"));
     }
     takeFrame(table, line, header, tracks, subject);
@@ -237,9 +237,10 @@ MeasuredSubject readCameraMarkers(const std::filesystem::path& file,
     ++frames;
   }
   if (frames != header.frames) {
-    table.refuseField(3, "NumFrames",
-                      Text::tr("The header promises %1 frames, the file has %2", header.frames, frames),
-                      Text::tr("Export the file once more"));
+    table.refuseField(
+        3, "NumFrames",
+        Text::tr("The header promises %1 {frame|frames}, the file has %2", header.frames, frames),
+        Text::tr("Export the file once more"));
   }
   return subject;
 }

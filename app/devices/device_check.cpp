@@ -312,8 +312,8 @@ class Check {
     const auto lost = static_cast<double>(frames - validPoses_);
     if (frames == 0 || lost > kPosesForgiven * static_cast<double>(frames)) {
       add(FindingGrade::kBad, Text::tr("Position"),
-          Text::tr("%1 of %2 frames gave a valid position, %3 were refused", validPoses_, frames,
-                   refusedFrames_),
+          Text::tr("%1 of %2 {frame|frames} gave a valid position, %3 {was|were} refused", validPoses_,
+                   frames, refusedFrames_),
           Text::tr("Calibrate the device again; if it stays so, have it serviced"));
       return false;
     }
@@ -389,7 +389,8 @@ class Check {
     } else if (now.forcesSent - before.forcesSent < kForcesSeen ||
                now.forcesRefused - before.forcesRefused + now.refusedFrames - before.refusedFrames > 0) {
       add(FindingGrade::kBad, Text::tr("Force"),
-          Text::tr("the library took %1 frames with force and refused %2", now.forcesSent - before.forcesSent,
+          Text::tr("the library took %1 {frame|frames} with force and refused %2",
+                   now.forcesSent - before.forcesSent,
                    now.forcesRefused - before.forcesRefused + now.refusedFrames - before.refusedFrames),
           Text::tr("Let the device rest, calibrate it again and repeat the check"));
     } else {

@@ -24,9 +24,9 @@ Text servoTrouble(const ServoHealth& health, std::int64_t ticks) {
   if (health.forceCuts == 0 && !skipped) {
     return {};
   }
-  const Text what =
-      Text::tr("the machine was too busy: the force was cut %1 times, %2 of %3 ticks were skipped",
-               health.forceCuts, health.skippedTicks, ticks + health.skippedTicks);
+  const Text what = Text::tr(
+      "the machine was too busy: the force was cut %1 {time|times}, %2 of %3 {tick was|ticks were} skipped",
+      health.forceCuts, health.skippedTicks, ticks + health.skippedTicks);
   const Text refused = refusedToServo(health.priority, health.memory);
   return refused.empty() ? what : Text::verbatim("%1; %2", what, refused);
 }

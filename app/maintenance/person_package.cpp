@@ -34,7 +34,7 @@ constexpr const char* kReadme =
     "Everything that the training centre has stored about one person.\n\n"
     "tables/NAME.csv      one table of the record; opens in any spreadsheet (UTF-8, comma, decimal point)\n"
     "tables/NAME.json     the same for programs\n"
-    "recordings/*.torsio-trial   the person's recorded trials; Torsio replays them\n"
+    "recordings/*.torsio-trial   the person's recorded runs; Torsio replays them\n"
     "manifest.json        every file with its size and its BLAKE2b-256 hash\n\n"
     "Times that end in _utc_us are microseconds since 1970-01-01 UTC. Scores that end in _steps are whole "
     "steps\n"

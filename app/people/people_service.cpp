@@ -104,7 +104,7 @@ void checkEntry(PeopleRepository& repository, const PersonEntry& entry, const Pe
            Text::tr("Choose at least one of the two"));
   }
   if (entry.age_years && (*entry.age_years < kYoungest_years || *entry.age_years > kOldest_years)) {
-    refuse(Text::tr("an age of %1 years is not likely", *entry.age_years), Text::tr("age"),
+    refuse(Text::tr("an age of %1 {year|years} is not likely", *entry.age_years), Text::tr("age"),
            Text::tr("Enter the age in years, or leave it empty"));
   }
   const auto oneOf = [](const std::string& value, std::initializer_list<const char*> allowed) {

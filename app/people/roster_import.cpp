@@ -90,9 +90,10 @@ RosterPreview preview(SessionContext& session, const RosterFile& file, RosterKin
     RosterRow row;
     row.line = record.line;
     if (record.values.size() != file.header.size()) {
-      refuseRow(row,
-                Text::tr("the line has %1 values, the header %2", record.values.size(), file.header.size()),
-                Text::tr("Give one value a column; put a value that holds the separator in quotes"));
+      refuseRow(
+          row,
+          Text::tr("the line has %1 {value|values}, the header %2", record.values.size(), file.header.size()),
+          Text::tr("Give one value a column; put a value that holds the separator in quotes"));
     } else {
       for (const RosterField field : rosterFields(kind)) {
         if (columns[rosterIndex(field)]) {

@@ -145,7 +145,8 @@ ProficiencyThreshold expertTolerance_deg(SessionContext& session, const ModuleId
   }
   if (errors.size() < kFewestExperts) {
     throw Error(ErrorCode::kBadData,
-                Text::tr("%1 people of this cohort have a finished run at this exercise; %2 are needed",
+                Text::tr("%1 {person of this cohort has|people of this cohort have} a finished run at this "
+                         "exercise; %2 {is|are} needed",
                          errors.size(), kFewestExperts),
                 module.title, Text::tr("Let more experts make a run, or keep the tolerance of the exercise"));
   }

@@ -14,7 +14,7 @@ std::string percentText(double share) {
 Text competenceDesignText(const CompetenceDesign& design, bool untwisting) {
   const Text success =
       untwisting ? Text::tr("an untwisting that passes")
-                 : Text::tr("a twist let go within %1 degrees (tolerance %2)",
+                 : Text::tr("a twist released within %1 {degree|degrees} (tolerance %2)",
                             formatFixed(degrees(design.tolerance_rad), 1),
                             Text(termsOf(design.source)[static_cast<std::size_t>(design.source)].label));
   const Text which =
@@ -24,16 +24,15 @@ Text competenceDesignText(const CompetenceDesign& design, bool untwisting) {
                 "Competence design shipped with the exercise (none was registered before the first attempt)");
   return Text::tr(
       "%1: success is %2; able once the LC-CUSUM of failure rates %3 against %4 reaches %5, planned for %6 "
-      "attempts.",
+      "{attempt|attempts}.",
       which, success, percentText(design.adequate), percentText(design.inadequate),
       formatFixed(design.limit, 2), design.attempts);
 }
 
 Text competenceErrorText(const CompetenceDesign& design, const CompetenceErrors& errors) {
   return Text::tr(
-      "Within %1 attempts, %2 of trainees who fail %3 of their attempts are held to be able (false pass), "
-      "and "
-      "%4 of those who fail only %5 are not (false fail).",
+      "Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are held to be able (false "
+      "pass), and %4 of those who fail only %5 are not (false fail).",
       errors.attempts, percentText(errors.falsePass), percentText(design.inadequate),
       percentText(errors.falseFail), percentText(design.adequate));
 }
@@ -41,7 +40,7 @@ Text competenceErrorText(const CompetenceDesign& design, const CompetenceErrors&
 Text competenceLevelText(const CompetenceVerdict& verdict) {
   switch (verdict.level) {
     case SkillLevel::kNotShown:
-      return Text::tr("not shown yet, %1 attempts missing", verdict.attemptsUntilLevel);
+      return Text::tr("not shown yet, %1 {attempt|attempts} missing", verdict.attemptsUntilLevel);
     case SkillLevel::kLearning:
       return Text::tr("learning");
     case SkillLevel::kSteady:

@@ -32,8 +32,8 @@ std::string fullTrialId(TrialRepository& trials, const std::string& text) {
     return found.front();
   }
   throw Error(ErrorCode::kBadData,
-              found.empty() ? Text::tr("no trial has this id") : Text::tr("several trials begin like this"),
-              Text::tr("trial %1", text),
+              found.empty() ? Text::tr("no run has this id") : Text::tr("several runs begin like this"),
+              Text::tr("run %1", text),
               found.empty() ? Text::tr("Check the id and the database") : Text::tr("Give more of the id"));
 }
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include <QTransform>
+
 namespace torsio {
 
 namespace {
@@ -36,7 +38,9 @@ QBrush seriesFill(std::size_t i, const ChartLook& look) {
   const Qt::BrushStyle pattern = kPatterns[i % kPatterns.size()];
   const QColor colour = seriesColour(i, look);
   constexpr int kDarker = 180;  // PDF sets dots so small that they would come out as pale as the lines beside
-  return QBrush(pattern == Qt::Dense4Pattern && !look.dark ? colour.darker(kDarker) : colour, pattern);
+  QBrush fill(pattern == Qt::Dense4Pattern && !look.dark ? colour.darker(kDarker) : colour, pattern);
+  fill.setTransform(QTransform::fromScale(look.hatch, look.hatch));
+  return fill;
 }
 
 QColor shade(double at, const ChartLook& look) {

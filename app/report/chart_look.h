@@ -14,7 +14,8 @@ struct ChartLook {
   QColor ink{0x26, 0x32, 0x38};
   QColor grid{0xDD, 0xE3, 0xE6};
   bool dark = false;
-  int label_px = 13;  ///< print: charts are laid out at 96 pixels an inch and scaled as a whole
+  int label_px = 13;   ///< print: charts are laid out at 96 pixels an inch and scaled as a whole
+  double hatch = 1.0;  ///< size of the patterns of fills: larger where a chart is many pixels wide
 };
 
 /// Colour of series `i`: told apart by colour-blind readers (after Okabe and Ito). Pattern, dash and marker

@@ -12,14 +12,15 @@ QFont typeface() {
   QFont font;
   // Named one by one: left to itself a machine may take Japanese forms of the characters. The last two are
   // what Windows and macOS have in place of the Chinese companion.
-  font.setFamilies({QLatin1String(kTypeface), QLatin1String(kChineseTypeface),
-                    QStringLiteral("Microsoft YaHei"), QStringLiteral("PingFang SC")});
+  font.setFamilies({QLatin1String(kTypeface), QLatin1String(kFallbackTypeface),
+                    QLatin1String(kChineseTypeface), QStringLiteral("Microsoft YaHei"),
+                    QStringLiteral("PingFang SC")});
   return font;
 }
 
 QStringList missingTypefaces(const QStringList& installed) {
   QStringList missing;
-  for (const char* family : {kTypeface, kChineseTypeface}) {
+  for (const char* family : {kTypeface, kFallbackTypeface, kChineseTypeface}) {
     if (!installed.contains(QLatin1String(family))) {
       missing << QLatin1String(family);
     }

@@ -8,9 +8,12 @@ class QApplication;
 
 namespace torsio {
 
-/// The one typeface of the window, the reports, the charts and the pictures (Debian: fonts-dejavu-core),
+/// The one typeface of the window, the reports, the charts and the pictures (Debian: fonts-noto-core),
 /// whatever the machine's default is: digits of one width, and the letters of every European language.
-inline constexpr const char* kTypeface = "DejaVu Sans";
+inline constexpr const char* kTypeface = "Noto Sans";
+/// Has the signs that kTypeface lacks (arrows, ticks, circles), and takes its place where it is not installed
+/// (Debian: fonts-dejavu-core).
+inline constexpr const char* kFallbackTypeface = "DejaVu Sans";
 /// Its companion for Chinese, in the simplified shapes (Debian: fonts-noto-cjk).
 inline constexpr const char* kChineseTypeface = "Noto Sans CJK SC";
 
@@ -18,7 +21,8 @@ inline constexpr const char* kChineseTypeface = "Noto Sans CJK SC";
 /// sets the size. Needs a QApplication. Any thread.
 [[nodiscard]] QFont typeface();
 
-/// Returns those of kTypeface and kChineseTypeface that are not among the `installed` families.
+/// Returns those of kTypeface, kFallbackTypeface and kChineseTypeface that are not among the `installed`
+/// families.
 [[nodiscard]] QStringList missingTypefaces(const QStringList& installed);
 
 /// Gives `application` the typeface; one line on standard error names each family that is missing, and the

@@ -3,8 +3,10 @@
 
 #include "app/recording/detorsion_rules.h"
 #include "app/recording/kept_digests.h"
+#include "assessment/rating/blinded_due.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/desk_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
@@ -49,6 +51,16 @@ std::string blindedDigest(const std::string& contentHash, const std::string& sal
   return digest.hex().substr(0, kDigestDigits);
 }
 
+std::optional<std::int64_t> blindedDue(const std::vector<QueueEntry>& queue) {
+  BlindedDue due;
+  for (const QueueEntry& entry : queue) {
+    if (!entry.trialId.empty()) {
+      due.add(entry.dueUtc_us);
+    }
+  }
+  return due.told();
+}
+
 Assignment ownAssignment(SessionContext& session, Operation operation, const AssignmentId& assignmentId) {
   session.require(operation);
   DeskRepository desk(session.connection());
@@ -72,6 +84,7 @@ BlindedCase blindedCase(SessionContext& session, const AssignmentId& assignmentI
                     .live = found.trialId.empty(),
                     .dueUtc_us = found.dueUtc_us};
   if (!shown.live) {
+    shown.dueUtc_us = blindedDue(SheetRepository(session.connection()).queue(found.raterId));
     shown.length_us = DeskRepository(session.connection()).trialLength_us(found.trialId);
   }
   return shown;

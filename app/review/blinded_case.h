@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/access/session_context.h"
 #include "assessment/attempt/measured_trial.h"
@@ -26,6 +27,7 @@ struct BlindedCase {
   AssignmentId assignmentId{};  ///< handle for the services; never shown
   std::string label{};          ///< "7F"
   bool live = false;            ///< on the real arm: nothing to replay
+  /// Of a recorded case the same for all of the rater's: blindedDue().
   std::optional<std::int64_t> dueUtc_us{};
   std::optional<std::int64_t> length_us{};  ///< of the recording
   friend bool operator==(const BlindedCase&, const BlindedCase&) = default;
@@ -52,6 +54,8 @@ struct BlindedRecording {
 
 /// `header` without trial id, trainee, phase, date, program version and model; what a replay needs stays.
 [[nodiscard]] TrialHeader blinded(const TrialHeader& header, const std::string& label);
+/// The deadline that is told for each recorded case of a rater's whole queue (BlindedDue).
+[[nodiscard]] std::optional<std::int64_t> blindedDue(const std::vector<QueueEntry>& queue);
 /// The digits of BlindedRecording::digest.
 [[nodiscard]] std::string blindedDigest(const std::string& contentHash, const std::string& salt);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "app/review/blinded_case.h"
 #include "app/review/discrepancy_review.h"
 #include "app/review/evaluation_form.h"
 #include "app/review/rater_calibration.h"
@@ -41,11 +42,15 @@ std::vector<QueueLine> allLines(SessionContext& session, const std::optional<dou
   for (CallNotice& call : CallRepository(session.connection()).noticesFor(session.actor().personId)) {
     calls.emplace(call.assignmentId, std::move(call));
   }
+  const std::vector<QueueEntry> entries =
+      SheetRepository(session.connection()).queue(session.actor().personId);
+  const std::optional<std::int64_t> due_us = blindedDue(entries);
   std::vector<QueueLine> lines;
-  for (const QueueEntry& entry : SheetRepository(session.connection()).queue(session.actor().personId)) {
+  for (const QueueEntry& entry : entries) {
     QueueLine line;
     line.shown = {entry.assignmentId, entry.caseLabel, entry.trialId.empty(), entry.dueUtc_us, {}};
     if (!line.shown.live) {
+      line.shown.dueUtc_us = due_us;
       line.shown.length_us = desk.trialLength_us(entry.trialId);
     } else if (const auto call = calls.find(entry.assignmentId); call != calls.end()) {
       line.call = call->second;
@@ -53,7 +58,7 @@ std::vector<QueueLine> allLines(SessionContext& session, const std::optional<dou
     line.state = entry.state;
     line.submittedUtc_us = entry.submittedUtc_us;
     if (line.state != SheetState::kSubmitted) {
-      line.overdue = entry.dueUtc_us && *entry.dueUtc_us < now_us;
+      line.overdue = line.shown.dueUtc_us && *line.shown.dueUtc_us < now_us;
       const double length_min = static_cast<double>(line.shown.length_us.value_or(0)) / kMinute_us;
       line.estimate_min =
           line.shown.live ? kLiveCase_min : pace_min.value_or(length_min + kMinuteForTheSheet);

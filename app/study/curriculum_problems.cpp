@@ -174,7 +174,7 @@ class Examination {
       }
       if (module.attemptLimit && rule.consecutive > *module.attemptLimit) {
         add(place,
-            Text::tr("asks for %1 in a row, but only %2 attempts are allowed", rule.consecutive,
+            Text::tr("asks for %1 in a row, but only %2 {attempt is|attempts are} allowed", rule.consecutive,
                      *module.attemptLimit),
             Text::tr("Allow more attempts, or ask for fewer"));
       }

@@ -164,7 +164,7 @@ CallCheck checkCall(SessionContext& session, const CallRequest& request) {
   if (sheets == cases.end()) {
     refuse(Text::tr("no rater is asked to score %1 on the real arm at the occasion \"%2\"", row.traineeCode,
                     check.occasion.label),
-           Text::tr("the scoring plan"), Text::tr("Ask raters under Scoring"));
+           Text::tr("the scoring plan"), Text::tr("Invite raters under Scoring"));
   }
   if (sheets->second.missing.empty()) {
     refuse(Text::tr("all sheets of the occasion \"%1\" are in", check.occasion.label), row.traineeCode,
@@ -177,7 +177,7 @@ CallCheck checkCall(SessionContext& session, const CallRequest& request) {
 LiveCallId callTrainee(SessionContext& session, const CallRequest& request) {
   session.require(Operation::kStudySetup);
   if (request.room.empty()) {
-    refuseParameter(Text::tr("a call needs a room"), Text::tr("run day"),
+    refuseParameter(Text::tr("a call needs a room"), Text::tr("today's sessions"),
                     Text::tr("Say where the real arm stands"));
   }
   Transaction transaction(session.connection());

@@ -54,7 +54,7 @@ Assignment openLiveSheet(Connection& connection, const AssignmentId& assignmentI
   if (!CallRepository(connection)
            .wasCalled(status->assignment.enrolmentId, status->assignment.occasionCode)) {
     refuse(Text::tr("this case has not been called to the real arm yet"), where,
-           Text::tr("Call the trainee on the run day first"));
+           Text::tr("Call the trainee on the page Today's sessions first"));
   }
   return status->assignment;
 }

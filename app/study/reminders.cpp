@@ -8,6 +8,7 @@
 
 #include "assessment/people/person.h"
 #include "assessment/rating/assignment.h"
+#include "assessment/rating/blinded_due.h"
 #include "assessment/rating/live_call.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
@@ -50,7 +51,14 @@ std::vector<Reminder> reminders(SessionContext& session, const CohortId& cohortI
     }
   }
   std::map<RaterId, Reminder> all = addressees(session);
-  for (const AssignmentStatus& status : SheetRepository(connection).assignments(cohortId)) {
+  const std::vector<AssignmentStatus> assignments = SheetRepository(connection).assignments(cohortId);
+  std::map<RaterId, BlindedDue> due;
+  for (const AssignmentStatus& status : assignments) {
+    if (!status.assignment.trialId.empty() && status.state != SheetState::kWithdrawn) {
+      due[status.assignment.raterId].add(status.assignment.dueUtc_us);
+    }
+  }
+  for (const AssignmentStatus& status : assignments) {
     const Assignment& one = status.assignment;
     if (status.state != SheetState::kOpen && status.state != SheetState::kDraft) {
       continue;
@@ -64,7 +72,8 @@ std::vector<Reminder> reminders(SessionContext& session, const CohortId& cohortI
       awaited.calledUtc_us = call->second.calledUtc_us;
       awaited.late = call->second.endedUtc_us.has_value();
     } else {
-      awaited.late = one.dueUtc_us && *one.dueUtc_us < session.now_us();
+      awaited.dueUtc_us = due[one.raterId].told();
+      awaited.late = awaited.dueUtc_us && *awaited.dueUtc_us < session.now_us();
     }
     all[one.raterId].sheets.push_back(std::move(awaited));
   }

@@ -379,8 +379,8 @@ void releaseMarks(SessionContext& session, const CohortId& cohortId, const std::
       refuse(Text::tr("these marks are released already"), occasionCode, Text::tr("Nothing is to be done"));
     }
     if (state.missing > 0 && reason.empty()) {
-      refuse(Text::tr("%1 of %2 sheets are not submitted", state.missing, state.sheets), occasionCode,
-             Text::tr("Wait for them, or give a reason"));
+      refuse(Text::tr("%1 of %2 {sheet is|sheets are} not submitted", state.missing, state.sheets),
+             occasionCode, Text::tr("Wait for them, or give a reason"));
     }
     setReleased(session, cohortId, occasionCode, true, reason);
     transaction.commit();

@@ -120,6 +120,10 @@ RemarkId askPhysician(SessionContext& session, const TrialId& trialId, double at
     throw Error(ErrorCode::kPermission, Text::tr("this run is or may be judged without names"), trialId,
                 Text::tr("Ask about a practice run"));
   }
+  if (text.find_first_not_of(" \t\n") == std::string::npos) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("a question needs words"), trialId,
+                Text::tr("Write what you want to know"));
+  }
   const std::vector<AskablePhysician> physicians = askable(session, record);
   if (std::none_of(physicians.begin(), physicians.end(),
                    [&](const AskablePhysician& one) { return one.raterId == raterId; })) {

@@ -47,7 +47,7 @@ void checkPermission(const NextSteps& steps, const RunRequest& request) {
   }
   if (steps.scoringDue && request.reason.empty()) {
     throw Error(ErrorCode::kBadParameter,
-                Text::tr("%1 of %2 sheets of the occasion \"%3\" are in", steps.scoringDue->submitted,
+                Text::tr("sheets of the occasion \"%3\" that are in: %1 of %2", steps.scoringDue->submitted,
                          steps.scoringDue->asked, steps.scoringDue->occasion.label),
                 steps.traineeCode,
                 Text::tr("Be scored on the real arm first, or say why the training begins nevertheless"));

@@ -23,14 +23,14 @@ void check(const RunPlan& plan) {
                      });
   if (!sound) {
     throw Error(ErrorCode::kBadParameter, Text::tr("a phase or a rest has no sensible length"),
-                Text::tr("training run"), Text::tr("Correct the curriculum"));
+                Text::tr("run"), Text::tr("Correct the curriculum"));
   }
   const bool something = std::any_of(plan.phases.begin(), plan.phases.end(),
                                      [](const RunPhase& phase) { return left_us(phase) > 0; });
   if (something) {
     return;
   }
-  throw Error(ErrorCode::kBadParameter, Text::tr("no training time is left"), Text::tr("training run"),
+  throw Error(ErrorCode::kBadParameter, Text::tr("no training time is left"), Text::tr("run"),
               Text::tr("Ask an administrator what comes next"));
 }
 

@@ -89,8 +89,9 @@ void requireFalseFailKept(const CompetenceDesign& design) {
   if (errors.falseFail > design.falseFailMost) {
     throw Error(
         ErrorCode::kBadParameter,
-        Text::tr("%1 of the adequate trainees would not pass within %2 attempts; at most %3 are wanted",
-                 percent(errors.falseFail), design.attempts, percent(design.falseFailMost)),
+        Text::tr(
+            "%1 of the adequate trainees would not pass within %2 {attempt|attempts}; at most %3 are wanted",
+            percent(errors.falseFail), design.attempts, percent(design.falseFailMost)),
         Text::tr("competence design"), Text::tr("Plan more attempts, or rates that lie farther apart"));
   }
 }

@@ -22,13 +22,13 @@ constexpr double kLostStrength = 0.5;
 void checkTicks(std::span<const DetorsionTick> ticks) {
   if (ticks.size() < 2) {
     throw Error(ErrorCode::kBadData, Text::verbatim("an untwisting has fewer than two samples"),
-                Text::tr("trial"), Text::verbatim("Record it again."));
+                Text::tr("run"), Text::verbatim("Record it again."));
   }
   for (std::size_t i = 1; i < ticks.size(); ++i) {
     const std::int64_t step_us = ticks[i].time_us - ticks[i - 1].time_us;
     if (step_us <= 0 || static_cast<double>(step_us) / kSecond_us > kLargestGap_s) {
       throw Error(ErrorCode::kBadData, Text::verbatim("the times of an untwisting do not rise evenly"),
-                  Text::tr("trial"), Text::verbatim("Read the trial again."));
+                  Text::tr("run"), Text::verbatim("Read the run again."));
     }
   }
 }

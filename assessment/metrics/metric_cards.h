@@ -60,6 +60,12 @@ inline constexpr const char* kDetorsionDoneMetric = "detorse.done";
          id == "detorse.vented_first" || id == "detorse.in_stages";
 }
 
+/// Whether a metric counts something: whole numbers, also on an axis.
+[[nodiscard]] constexpr bool isCountMetric(std::string_view id) noexcept {
+  return id == "twist.peaks" || id == "twist.excursions" || id == "force.violations" ||
+         id == "torque.violations" || id == "detorse.regrips" || id == "detorse.least_regrips";
+}
+
 /// Name of a metric in English: of its card, or of the two above; the id itself when there is none.
 [[nodiscard]] std::string metricTitle(const std::string& metric);
 

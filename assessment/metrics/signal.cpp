@@ -120,12 +120,12 @@ UniformSignal resampleUniform(std::span<const std::int64_t> times_us,
   for (std::size_t i = 0; i + 1 < times_us.size(); ++i) {
     if (times_us[i + 1] <= times_us[i]) {
       throw Error(ErrorCode::kBadData, Text::verbatim("time stamps do not rise"),
-                  Text::verbatim("sample %1", i + 1), Text::verbatim("Record the trial again."));
+                  Text::verbatim("sample %1", i + 1), Text::verbatim("Record the run again."));
     }
   }
   if (!longGaps(times_us).empty()) {
     throw Error(ErrorCode::kBadData, Text::verbatim("samples are missing for more than 20 ms"),
-                Text::tr("trial"), Text::verbatim("Split the trial at the gap."));
+                Text::tr("run"), Text::verbatim("Split the run at the gap."));
   }
   const double step_us = 1e6 / rate_Hz;
   const std::size_t count = gridPoints(times_us, step_us);

@@ -30,7 +30,7 @@ struct Prepared {
 void checkList(const std::vector<double>& list, std::size_t n, Phrase name) {
   if (!list.empty() && list.size() != n) {
     throw Error(ErrorCode::kBadData, Text::verbatim("the lists of a trial differ in length"), name,
-                Text::verbatim("Read the trial again."));
+                Text::verbatim("Read the run again."));
   }
   for (const double value : list) {
     if (!std::isfinite(value)) {
@@ -43,12 +43,12 @@ void checkList(const std::vector<double>& list, std::size_t n, Phrase name) {
 void check(const TrialTrace& trace) {
   const std::size_t n = trace.times_us.size();
   if (n < 2) {
-    throw Error(ErrorCode::kBadData, Text::verbatim("a trial has fewer than two samples"), Text::tr("trial"),
+    throw Error(ErrorCode::kBadData, Text::verbatim("a run has fewer than two samples"), Text::tr("run"),
                 Text::verbatim("Record it again."));
   }
   if (trace.phase.size() != n || (!trace.tip_m.empty() && trace.tip_m.size() != n)) {
-    throw Error(ErrorCode::kBadData, Text::verbatim("the lists of a trial differ in length"),
-                Text::tr("trial"), Text::verbatim("Read the trial again."));
+    throw Error(ErrorCode::kBadData, Text::verbatim("the lists of a trial differ in length"), Text::tr("run"),
+                Text::verbatim("Read the run again."));
   }
   checkList(trace.angle_rad, n, Text::verbatim("angle"));
   checkList(trace.targetAngle_rad, n, Text::verbatim("target angle"));

@@ -123,8 +123,8 @@ std::optional<ReportTable> modelsTable(const CohortInputs& in) {
     table.rows.push_back(
         {in.evaluations[k].model, formatFixed(got->rankSums[k] / static_cast<double>(rows.size()), 2)});
   }
-  table.notes = {Text::tr("Chi-squared(%1) = %2, %3; Kendall W = %4 over %5 raters.", formatFixed(got->df, 0),
-                          formatFixed(got->chiSquared, 2), equalsP(got->p),
+  table.notes = {Text::tr("Chi-squared(%1) = %2, %3; Kendall W = %4 over %5 {rater|raters}.",
+                          formatFixed(got->df, 0), formatFixed(got->chiSquared, 2), equalsP(got->p),
                           formatFixed(got->kendallW, kDecimals), rows.size())};
   table.provenance.formulaVersion = kEvaluationFormulaVersion;
   table.provenance.n = std::ssize(rows) * std::ssize(in.evaluations);

@@ -51,9 +51,9 @@ Text peopleOf(const CohortInputs& in) {
   const auto withdrew = std::count_if(in.trainees.begin(), in.trainees.end(),
                                       [](const CohortTrainee& trainee) { return trainee.withdrew; });
   return Text::tr(
-      "People: %1 trainees in %2 groups, %3 of them withdrew; %4 physicians gave %5 marks; %6 deviations "
-      "from "
-      "the protocol were reported.",
+      "People: %1 {trainee|trainees} in %2 {group|groups}, %3 of them withdrew; %4 {physician|physicians} "
+      "gave %5 {mark|marks}; %6 {deviation from the protocol was|deviations from the protocol were} "
+      "reported.",
       in.trainees.size(), in.groups.size(), withdrew, in.trainingRaters, in.trainingMarks.size(),
       in.deviations.size());
 }
@@ -187,11 +187,11 @@ ReportSection boardSection(const CohortInputs& in, const StudyAnalysis& study) {
   for (const GroupSummary& summary : in.summaries) {
     largest = std::max(largest, static_cast<std::size_t>(summary.trainees));
   }
-  section.paragraphs.push_back(Text::tr(
-      "What this does not show: with at most %1 trainees a group only large differences can be found, "
-      "and a difference that was not shown is no evidence of equality. Marks on a training arm say "
-      "nothing about patients.",
-      largest));
+  section.paragraphs.push_back(
+      Text::tr("What this does not show: with at most %1 {trainee|trainees} a group only large differences "
+               "can be found, and a difference that was not shown is no evidence of equality. Marks on a "
+               "training arm say nothing about patients.",
+               largest));
   if (in.demonstration) {
     section.paragraphs.push_back(
         Text::tr("All people and marks here are simulated: nothing may be concluded."));

@@ -58,7 +58,7 @@ void checkInputs(const CohortInputs& in) {
   }
   for (const TrialSummaryRow& trial : in.trials) {
     if (trial.group >= in.groups.size()) {
-      refuse(Text::tr("a trial is in a group that does not exist"));
+      refuse(Text::tr("a run is in a group that does not exist"));
     }
   }
   for (const CohortCompetence& one : in.competence) {
@@ -115,8 +115,8 @@ ReportTable groupsTable(const CohortInputs& in) {
         Text::tr("How the groups were made is not in the record: they may differ from the start.")};
   } else if (in.allocation.movedByHand > 0) {
     table.notes = {
-        Text::tr("No test of baseline differences is shown. %1 trainees were moved by hand after the draw: a "
-                 "difference need not be due to chance.",
+        Text::tr("No test of baseline differences is shown. %1 {trainee was|trainees were} moved by hand "
+                 "after the draw: a difference need not be due to chance.",
                  in.allocation.movedByHand)};
   } else {
     table.notes = {Text::tr(
@@ -133,8 +133,8 @@ ReportTable flowTable(const CohortInputs& in) {
   ReportTable table;
   table.id = "table-flow";
   table.title = Text::tr("Flow of participants");
-  table.columns = {Text::tr("Group"), Text::tr("Allocated"), Text::tr("Withdrew"),
-                   Text::tr("Recorded trials"), Text::tr("Interrupted trials")};
+  table.columns = {Text::tr("Group"), Text::tr("Allocated"), Text::tr("Withdrew"), Text::tr("Recorded runs"),
+                   Text::tr("Interrupted runs")};
   for (const Text& occasion : in.occasions) {
     table.columns.push_back(Text::tr("Scored %1", occasion));
   }
@@ -203,10 +203,10 @@ ReportTable trialsByPhase(const CohortInputs& in) {
   }
   ReportTable table;
   table.id = "table-trials";
-  table.title = Text::tr("Recorded trials by group and phase");
+  table.title = Text::tr("Recorded runs by group and phase");
   table.columns = {Text::tr("Group"),
                    Text::tr("Phase"),
-                   Text::tr("Trials"),
+                   Text::tr("Runs"),
                    Text::tr("Minutes recorded"),
                    Text::tr("Twists"),
                    Text::tr("On target"),
@@ -220,8 +220,8 @@ ReportTable trialsByPhase(const CohortInputs& in) {
                           meanOrDash(sums.torques, 3), meanOrDash(sums.forces, 2)});
   }
   table.notes = {Text::tr(
-      "Means are taken over trials. Measured by the simulator; the marks of the physicians are separate.")};
-  table.provenance.formula = Text::tr("means over trials");
+      "Means are taken over runs. Measured by the simulator; the marks of the physicians are separate.")};
+  table.provenance.formula = Text::tr("means over runs");
   table.provenance.n = n;
   table.provenance.flags = commonFlags(in);
   return table;
@@ -251,11 +251,13 @@ ReportSection participantsSection(const CohortInputs& in) {
   ReportSection section;
   section.title = Text::tr("Participants and allocation");
   const CohortAllocation& drawn = in.allocation;
-  const Text enrolled =
-      in.notAllocated > 0
-          ? Text::tr("%1 trainees were allocated to %2 groups; %3 more were enrolled and are in no group",
-                     in.trainees.size(), in.groups.size(), in.notAllocated)
-          : Text::tr("%1 trainees were allocated to %2 groups", in.trainees.size(), in.groups.size());
+  const Text enrolled = in.notAllocated > 0
+                            ? Text::tr(
+                                  "%1 {trainee was|trainees were} allocated to %2 {group|groups}; %3 more "
+                                  "{was enrolled and is|were enrolled and are} in no group",
+                                  in.trainees.size(), in.groups.size(), in.notAllocated)
+                            : Text::tr("%1 {trainee was|trainees were} allocated to %2 {group|groups}",
+                                       in.trainees.size(), in.groups.size());
   section.paragraphs.push_back(Text::tr("%1. Method: %2; generator: %3; seed: %4.", enrolled,
                                         drawn.method.empty() ? Text::tr("not recorded") : drawn.method,
                                         drawn.generator.empty() ? Text::tr("not recorded") : drawn.generator,
@@ -282,9 +284,9 @@ ReportSection deviationsSection(const CohortInputs& in) {
   for (const CohortDeviation& deviation : in.deviations) {
     ++kinds[deviation.kind];
   }
-  section.paragraphs.push_back(Text::tr("%1 deviations from the protocol were reported: %2.",
-                                        in.deviations.size(),
-                                        countsText({kinds.begin(), kinds.end()}, in.identity)));
+  section.paragraphs.push_back(
+      Text::tr("%1 {deviation from the protocol was|deviations from the protocol were} reported: %2.",
+               in.deviations.size(), countsText({kinds.begin(), kinds.end()}, in.identity)));
   ReportTable table;
   table.id = "table-deviations";
   table.title = Text::tr("Deviations from the protocol");
@@ -303,7 +305,7 @@ ReportSection deviationsSection(const CohortInputs& in) {
 
 ReportSection trialsSection(const CohortInputs& in) {
   ReportSection section;
-  section.title = Text::tr("Recorded trials");
+  section.title = Text::tr("Recorded runs");
   double minutes = 0.0;
   std::int64_t refused = 0;
   std::int64_t late = 0;
@@ -318,19 +320,19 @@ ReportSection trialsSection(const CohortInputs& in) {
     busy += trial.forceCuts > 0 ? 1 : 0;
     samples += trial.samples;
   }
-  section.paragraphs.push_back(Text::tr(
-      "%1 trials were recorded, %2 minutes and %3 samples in all; samples not recorded: %4; late ticks: "
-      "%5.",
-      in.trials.size(), formatFixed(minutes, 1), samples, refused, late));
+  section.paragraphs.push_back(
+      Text::tr("%1 {run was|runs were} recorded, %2 {minute|minutes} and %3 {sample|samples} in all; samples "
+               "not recorded: %4; late ticks: %5.",
+               in.trials.size(), formatFixed(minutes, 1), samples, refused, late));
   if (cuts > 0) {
-    section.paragraphs.push_back(Text::tr(
-        "The machine was too busy in trials: %1. Their force was cut for a moment, times in all: %2; "
-        "they are marked in the data.",
-        busy, cuts));
+    section.paragraphs.push_back(
+        Text::tr("The machine was too busy in runs: %1. Their force was cut for a moment, times in all: %2; "
+                 "they are marked in the data.",
+                 busy, cuts));
   }
   if (refused > 0) {
     section.paragraphs.push_back(
-        Text::tr("Trials with samples that were not recorded are incomplete and marked in the data."));
+        Text::tr("Runs with samples that were not recorded are incomplete and marked in the data."));
   }
   if (ReportTable twists = trialsByPhase(in); !twists.rows.empty()) {
     section.tables.push_back(std::move(twists));
@@ -369,12 +371,12 @@ void addCover(const CohortInputs& in, ReportModel& report) {
                       {{Text::tr("People are shown"), identity},
                        {Text::tr("Trainees"), std::to_string(in.trainees.size())},
                        {Text::tr("Groups"), std::to_string(in.groups.size())},
-                       {Text::tr("Recorded trials"), std::to_string(in.trials.size())},
+                       {Text::tr("Recorded runs"), std::to_string(in.trials.size())},
                        {Text::tr("Evaluated models"), std::to_string(in.evaluations.size())}});
   report.facts.insert(report.facts.end(), in.facts.begin(), in.facts.end());
   if (!in.auditHead.empty()) {
-    report.facts.emplace_back(Text::tr("Audit trail"),
-                              Text::tr("%1 entries at %2", in.auditEntries, formatUtc(in.createdUtc_us)));
+    report.facts.emplace_back(Text::tr("Audit trail"), Text::tr("%1 {entry|entries} at %2", in.auditEntries,
+                                                                formatUtc(in.createdUtc_us)));
     report.facts.emplace_back(Text::tr("Head of the audit trail"), in.auditHead);
   }
 }

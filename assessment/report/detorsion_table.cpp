@@ -72,7 +72,7 @@ std::optional<ReportTable> detorsionTable(const CohortInputs& in) {
   table.title = Text::tr("Untwistings by group and phase");
   table.columns = {Text::tr("Group"),
                    Text::tr("Phase"),
-                   Text::tr("Trials"),
+                   Text::tr("Runs"),
                    Text::tr("Undone"),
                    Text::tr("Relapsed"),
                    Text::tr("First turn the right way"),
@@ -96,7 +96,7 @@ std::optional<ReportTable> detorsionTable(const CohortInputs& in) {
           "the hand; where blood did not come back, it is censored and not in the median. From an ischaemic "
           "dose of 1 on the organ is lost."),
       Text::tr("Tissue was hurt where jaw or pull went beyond what it then bore.")};
-  table.provenance.formula = Text::tr("medians over trials");
+  table.provenance.formula = Text::tr("medians over runs");
   table.provenance.n = trials;
   table.provenance.flags = commonFlags(in);
   return table;

@@ -284,10 +284,9 @@ ReportSection evaluationSection(const CohortInputs& in) {
   if (in.unfinishedEvaluation) {
     const std::vector<std::string>& names = in.unfinishedEvaluation->classesMissing;
     section.paragraphs = {
-        Text::tr(
-            "The evaluation is not finished: %1 marks are in so far. Scores are computed once every class of "
-            "raters that has a weight has scored every index of every model.",
-            in.unfinishedEvaluation->marks),
+        Text::tr("The evaluation is not finished: %1 {mark is|marks are} in so far. Scores are computed once "
+                 "every class of raters that has a weight has scored every index of every model.",
+                 in.unfinishedEvaluation->marks),
         Text::tr("Marks are still missing from: %1.", listed(std::vector<Text>(names.begin(), names.end())))};
     return section;
   }

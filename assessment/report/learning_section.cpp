@@ -94,8 +94,9 @@ ReportFigure learningFigure(const CohortInputs& in, const std::vector<Course>& a
   }
   figure.notes = {Text::tr("Twists on the simulator only; a point needs at least two trainees.")};
   if (fewestAtLast < mostAtFirst) {
-    figure.notes.push_back(Text::tr("The first points rest on up to %1 trainees of a group, the last on %2.",
-                                    mostAtFirst, fewestAtLast));
+    figure.notes.push_back(
+        Text::tr("The first points rest on up to %1 {trainee|trainees} of a group, the last on %2.",
+                 mostAtFirst, fewestAtLast));
   }
   return figure;
 }

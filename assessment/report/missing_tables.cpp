@@ -40,8 +40,10 @@ std::vector<Text> plannedAndUsed(const CohortInputs& in, const StudyAnalysis& st
                  "the first and the last occasion is missing.")};
   }
   std::vector<Text> out;
-  const Text missing = Text::tr("%1 of %2 marks of the first and the last occasion are missing",
-                                study.endMissing, study.endMarks + study.endMissing);
+  const Text missing = Text::tr(
+      "%1 of %2 {mark of the first and the last occasion is|marks of the first and the last occasion are} "
+      "missing",
+      study.endMissing, study.endMarks + study.endMissing);
   out.push_back(
       study.mixed
           ? Text::tr(
@@ -117,7 +119,7 @@ std::optional<ReportTable> mixedModelTable(const CohortInputs& in, const StudyAn
   }
   table.notes = {
       Text::tr("Mark at the end on group and mean mark before (fixed), trainee and rater (random, crossed); "
-               "%1 marks of %2 trainees. Degrees of freedom after Satterthwaite.",
+               "%1 {mark|marks} of %2 {trainee|trainees}. Degrees of freedom after Satterthwaite.",
                model.marks, model.trainees),
       Text::tr("Adjusted means: %1.", listed(means)),
       Text::tr("Variances: trainees %1, raters %2, residual %3 (points squared). Slope on the score before: "

@@ -93,7 +93,7 @@ ReportTable sourcesTable(const CohortInputs& in) {
       hashOfEvaluationMarks(in));
   add(Text::tr("Training study; Agreement and comparisons; Raters"),
       Text::tr("submitted marks of the occasions"), std::ssize(in.trainingMarks), hashOfTrainingMarks(in));
-  add(Text::tr("Learning; Recorded trials"), Text::tr("recordings, listed below"), std::ssize(in.trials),
+  add(Text::tr("Learning; Recorded runs"), Text::tr("recordings, listed below"), std::ssize(in.trials),
       hashOfTrials(in));
   if (!in.trials.empty()) {
     const auto open = std::count_if(in.trials.begin(), in.trials.end(),
@@ -101,12 +101,16 @@ ReportTable sourcesTable(const CohortInputs& in) {
     table.notes.push_back(
         open == 0
             ? Text::tr("Every recording is sealed in the record by its content hash; it can be replayed and "
-                       "compared bit for bit (torsio replay TRIAL --verify).")
-            : Text::tr("%1 recordings have no content hash: nothing shows that they are unchanged.", open));
+                       "compared bit for bit (torsio replay RUN --verify).")
+            : Text::tr("%1 {recording has|recordings have} no content hash: nothing shows that {it is|they "
+                       "are} unchanged.",
+                       open));
   }
   if (in.notAssessable > 0) {
     table.notes.push_back(
-        Text::tr("%1 marks could not be given and carry a reason; they count as missing.", in.notAssessable));
+        Text::tr("%1 {mark could not be given and carries a reason; it counts|marks could not be given and "
+                 "carry a reason; they count} as missing.",
+                 in.notAssessable));
   }
   table.provenance.flags = commonFlags(in);
   return table;
@@ -134,7 +138,7 @@ ReportTable chainTable(const CohortInputs& in) {
   table.title = Text::tr("From every trainee's scores back to marks and recordings");
   table.individual = true;
   table.columns = {Text::tr("Trainee"), Text::tr("Marks behind the scores"),
-                   Text::tr("Recordings (first eight digits of the trial)")};
+                   Text::tr("Recordings (first eight digits of the run)")};
   for (const auto& [trainee, chain] : chains) {
     table.rows.push_back({trainee, std::to_string(chain.marks),
                           chain.trials.empty() ? Text::tr("none on the simulator") : Text(chain.trials)});
@@ -146,9 +150,9 @@ ReportTable chainTable(const CohortInputs& in) {
 ReportTable trialsTable(const CohortInputs& in) {
   ReportTable table;
   table.id = "table-trial-hashes";
-  table.title = Text::tr("Recorded trials");
+  table.title = Text::tr("Recorded runs");
   table.individual = true;
-  table.columns = {Text::tr("Trial"),   Text::tr("Trainee"), Text::tr("Phase"),       Text::tr("Model"),
+  table.columns = {Text::tr("Run"),     Text::tr("Trainee"), Text::tr("Phase"),       Text::tr("Model"),
                    Text::tr("Minutes"), Text::tr("Outcome"), Text::tr("Content hash")};
   for (const TrialSummaryRow& trial : in.trials) {
     table.rows.push_back({trial.trialId, trial.trainee, trial.phase, trial.model,

@@ -20,30 +20,26 @@ Text waysSentence(const MarkWays& ways) {
   const std::int64_t all = ways.blinded + ways.live + ways.entered;
   if (ways.blinded == all) {
     return Text::tr(
-        "Raters were blinded: all %1 marks of the training study were given on recordings under a case "
-        "label, "
-        "without name, group or occasion.",
+        "Raters were blinded: all marks of the training study (%1) were given on recordings under a case "
+        "label, without name, group or occasion.",
         all);
   }
   if (ways.live == all) {
     return Text::tr(
-        "Raters were not blinded: all %1 marks of the training study were given live at the real arm, where "
-        "the "
-        "rater sees the trainee.",
+        "Raters were not blinded: all marks of the training study (%1) were given live at the real arm, "
+        "where the rater sees the trainee.",
         all);
   }
   if (ways.entered == all) {
     return Text::tr(
-        "Nothing shows that raters were blinded: all %1 marks of the training study were entered without a "
+        "Nothing shows that raters were blinded: all marks of the training study (%1) were entered without a "
         "sheet of the desk.",
         all);
   }
   return Text::tr(
-      "Raters were blinded in part: of %1 marks of the training study %2 were given on recordings under a "
-      "case "
-      "label, %3 live at the real arm, where the rater sees the trainee, and %4 were entered without a sheet "
-      "of "
-      "the desk.",
+      "Raters were blinded in part: of %1 {mark|marks} of the training study %2 {was|were} given on "
+      "recordings under a case label, %3 live at the real arm, where the rater sees the trainee, and %4 "
+      "{was|were} entered without a sheet of the desk.",
       all, ways.blinded, ways.live, ways.entered);
 }
 
@@ -69,8 +65,8 @@ std::vector<Text> blindingSentences(const CohortInputs& in) {
   }
   const auto models = static_cast<std::int64_t>(in.evaluations.size());
   sentences.push_back(in.modelsHidden == models
-                          ? Text::tr("All %1 models stood before their raters under hidden labels.", models)
-                          : Text::tr("%1 of %2 models stood before their raters under hidden labels.",
+                          ? Text::tr("All models (%1) stood before their raters under hidden labels.", models)
+                          : Text::tr("%1 of %2 {model|models} stood before their raters under hidden labels.",
                                      in.modelsHidden, models));
   const std::set<std::string> raters = modelRaters(in);
   const auto both = std::count_if(in.trainees.begin(), in.trainees.end(), [&](const CohortTrainee& trainee) {
@@ -78,9 +74,8 @@ std::vector<Text> blindingSentences(const CohortInputs& in) {
   });
   if (both > 0) {
     sentences.push_back(
-        Text::tr("%1 trainees of this cohort are raters of the models as well: their marks are not "
-                 "independent of their "
-                 "training.",
+        Text::tr("%1 {trainee of this cohort is a rater|trainees of this cohort are raters} of the models as "
+                 "well: their marks are not independent of their training.",
                  both));
   }
   return sentences;
@@ -130,13 +125,13 @@ Text commitmentSentence(const CohortAllocation& drawn) {
   }
   const std::string locked = formatUtc(drawn.lockedUtc_us);
   if (drawn.allocatedBeforeLock > 0) {
-    return Text::tr("Commitment to the seed: %1, made %2, after %3 trainees had been allocated.",
+    return Text::tr("Commitment to the seed: %1, made %2, after %3 {trainee|trainees} had been allocated.",
                     drawn.commitment, locked, drawn.allocatedBeforeLock);
   }
   if (drawn.enrolledBeforeLock > 0) {
     return Text::tr(
-        "Commitment to the seed: %1, made %2, before anybody was allocated and after %3 trainees had been "
-        "enrolled.",
+        "Commitment to the seed: %1, made %2, before anybody was allocated and after %3 {trainee|trainees} "
+        "had been enrolled.",
         drawn.commitment, locked, drawn.enrolledBeforeLock);
   }
   return Text::tr("Commitment to the seed: %1, made %2, before the first enrolment.", drawn.commitment,
@@ -166,15 +161,14 @@ Text marksSentence(const CohortInputs& in) {
   const std::string hi = formatFixed(pointsFromSteps(in.trainingScale.hi, in.trainingScale), 0);
   if (in.trainingMarks.empty() || allMarksGiven(in)) {
     return Text::tr(
-        "%1 physicians scored every trainee at %2 occasions on a scale from %3 to %4. A trainee's score is "
-        "the "
-        "plain mean of these marks.",
+        "%1 {physician|physicians} scored every trainee at %2 {occasion|occasions} on a scale from %3 to %4. "
+        "A trainee's score is the plain mean of these marks.",
         in.trainingRaters, in.occasions.size(), lo, hi);
   }
   return Text::tr(
-      "%1 physicians gave %2 marks at %3 occasions on a scale from %4 to %5; not every physician scored "
-      "every "
-      "trainee at every occasion. A trainee's score is the plain mean of the marks at hand.",
+      "%1 {physician|physicians} gave %2 {mark|marks} at %3 {occasion|occasions} on a scale from %4 to %5; "
+      "not every physician scored every trainee at every occasion. A trainee's score is the plain mean of "
+      "the marks at hand.",
       in.trainingRaters, in.trainingMarks.size(), in.occasions.size(), lo, hi);
 }
 

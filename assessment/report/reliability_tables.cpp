@@ -53,7 +53,8 @@ std::optional<int> ratersNeeded(const GStudy& found) {
 Text neededSentence(const GStudy& found) {
   const std::optional<int> needed = ratersNeeded(found);
   return needed
-             ? Text::tr("%1 raters are the fewest whose mean has a dependability of 0.80 or more.", *needed)
+             ? Text::tr("%1 {rater is|raters are} the fewest whose mean has a dependability of 0.80 or more.",
+                        *needed)
              : Text::tr("Not even %1 raters would give a dependability of 0.80.", kMostRaters);
 }
 

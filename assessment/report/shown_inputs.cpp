@@ -16,11 +16,10 @@ bool isOpen(const CohortInputs& in) {
 
 void withholdMarks(CohortInputs& out, std::vector<Text>& left) {
   if (!out.trainingMarks.empty()) {
-    left.push_back(
-        Text::tr("The training study is not shown: %1 of %2 sheets that raters were asked for are present. "
-                 "Marks and means "
-                 "appear once all are, or once the data set is frozen.",
-                 out.sheetsPresent, out.sheetsAsked));
+    left.push_back(Text::tr(
+        "The training study is not shown: %1 of %2 {sheet that raters were asked for is|sheets that raters "
+        "were asked for are} present. Marks and means appear once all are, or once the data set is frozen.",
+        out.sheetsPresent, out.sheetsAsked));
   }
   out.scores.clear();
   out.summaries.clear();
@@ -49,8 +48,8 @@ void withholdEvaluation(CohortInputs& out, std::vector<Text>& left) {
     return;
   }
   left.push_back(Text::tr(
-      "The evaluation of the models is not shown: %1 of %2 raters who were asked have given all marks. "
-      "Marks and scores appear once all have, or once the data set is frozen.",
+      "The evaluation of the models is not shown: %1 of %2 {rater who was asked has|raters who were asked "
+      "have} given all marks. Marks and scores appear once all have, or once the data set is frozen.",
       present, out.evaluationRatersAsked));
   out.ratings.clear();
   out.evaluations.clear();

@@ -241,13 +241,13 @@ Text shorteningSentence(const CohortInputs& in) {
   for (const TrialSummaryRow& trial : in.trials) {
     recorded_min += trial.detorsion.empty() ? trial.minutes : 0.0;
   }
-  return noted_min > 0.0 && recorded_min > 0.0 ? Text::tr(
-                                                     "Training was shortened for this demonstration: %1 "
-                                                     "minutes of simulated exercise stand for "
-                                                     "%2 minutes of the protocol (1 : %3).",
-                                                     formatFixed(recorded_min, 1), formatFixed(noted_min, 1),
-                                                     formatFixed(noted_min / recorded_min, 1))
-                                               : Text::tr("Training was shortened for this demonstration.");
+  return noted_min > 0.0 && recorded_min > 0.0
+             ? Text::tr(
+                   "Training was shortened for this demonstration: %1 {minute|minutes} of simulated exercise "
+                   "stand for %2 {minute|minutes} of the protocol (1 : %3).",
+                   formatFixed(recorded_min, 1), formatFixed(noted_min, 1),
+                   formatFixed(noted_min / recorded_min, 1))
+             : Text::tr("Training was shortened for this demonstration.");
 }
 
 }  // namespace

@@ -12,12 +12,64 @@
     </message>
 </context>
 <context>
+    <name>StationLabels</name>
+    <message numerus="yes">
+        <source>%n day(s)</source>
+        <translation>
+            <numerusform>%n day</numerusform>
+            <numerusform>%n days</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, in %n run(s) in a row</source>
+        <translation>
+            <numerusform>%1, in one run</numerusform>
+            <numerusform>%1, in %n runs in a row</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, in %n run(s) in a row (%2 so far)</source>
+        <translation>
+            <numerusform>%1, in one run (%2 so far)</numerusform>
+            <numerusform>%1, in %n runs in a row (%2 so far)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Last time: %1 of %n twist(s) on target</source>
+        <translation>
+            <numerusform>Last time: %1 of %n twist on target</numerusform>
+            <numerusform>Last time: %1 of %n twists on target</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more attempt(s) until a level is shown</source>
+        <translation>
+            <numerusform>One more attempt until a level is shown</numerusform>
+            <numerusform>%n more attempts until a level is shown</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Not yet shown to be able. %n good attempt(s) in a row show it.</source>
+        <translation>
+            <numerusform>Not yet shown to be able. One good attempt shows it.</numerusform>
+            <numerusform>Not yet shown to be able. %n good attempts in a row show it.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::AllocationPage</name>
     <message numerus="yes">
         <source>%n trainee(s) allocated</source>
         <translation>
             <numerusform>%n trainee allocated</numerusform>
             <numerusform>%n trainees allocated</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trainee(s) lack one of these details: %1</source>
+        <translation>
+            <numerusform>%n trainee lacks one of these details: %1</numerusform>
+            <numerusform>%n trainees lack one of these details: %1</numerusform>
         </translation>
     </message>
 </context>
@@ -39,12 +91,49 @@
     </message>
 </context>
 <context>
+    <name>torsio::gui::BriefingPage</name>
+    <message numerus="yes">
+        <source>Twist at least %n time(s).</source>
+        <translation>
+            <numerusform>Twist at least once.</numerusform>
+            <numerusform>Twist at least %n times.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::CallBar</name>
     <message numerus="yes">
         <source>and %n more late</source>
         <translation>
             <numerusform>and %n more late</numerusform>
             <numerusform>and %n more late</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n sheet(s) in</source>
+        <translation>
+            <numerusform>%1 of %n sheet is in</numerusform>
+            <numerusform>%1 of %n sheets are in</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::CampaignDialog</name>
+    <message numerus="yes">
+        <source>Both lists of weights sum to 1; %n rater(s) chosen.</source>
+        <translation>
+            <numerusform>Both lists of weights sum to 1; %n rater is chosen.</numerusform>
+            <numerusform>Both lists of weights sum to 1; %n raters are chosen.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::CompetenceDialog</name>
+    <message numerus="yes">
+        <source>%n expert(s): mean error %1°, mean and one standard deviation %2°, bound that covers nine in ten experts %3°.</source>
+        <translation>
+            <numerusform>%n expert: mean error %1°, mean and one standard deviation %2°, bound that covers nine in ten experts %3°.</numerusform>
+            <numerusform>%n experts: mean error %1°, mean and one standard deviation %2°, bound that covers nine in ten experts %3°.</numerusform>
         </translation>
     </message>
 </context>
@@ -75,6 +164,23 @@
         <translation>
             <numerusform>%n row</numerusform>
             <numerusform>%n rows</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n row(s)</source>
+        <translation>
+            <numerusform>%1 of %n row</numerusform>
+            <numerusform>%1 of %n rows</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::DebriefPage</name>
+    <message numerus="yes">
+        <source>%n twist(s) not completed and not counted.</source>
+        <translation>
+            <numerusform>One twist was not completed and is not counted.</numerusform>
+            <numerusform>%n twists were not completed and are not counted.</numerusform>
         </translation>
     </message>
 </context>
@@ -114,6 +220,30 @@
             <numerusform>%n recordings of this station could not be stored</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>The database refused %n entries of this station for good. Please tell whoever looks after it</source>
+        <translation>
+            <numerusform>The database refused an entry of this station for good. Please tell whoever looks after it</numerusform>
+            <numerusform>The database refused %n entries of this station for good. Please tell whoever looks after it</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::MaintenancePage</name>
+    <message numerus="yes">
+        <source>✗ Checked: %n finding(s), first: %1</source>
+        <translation>
+            <numerusform>✗ Checked: one finding: %1</numerusform>
+            <numerusform>✗ Checked: %n findings, first: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The identity of %1 and %n recording(s) are erased for good. Marks stay without a person, so that statistics remain right.</source>
+        <translation>
+            <numerusform>The identity of %1 and %n recording are erased for good. Marks stay without a person, so that statistics remain right.</numerusform>
+            <numerusform>The identity of %1 and %n recordings are erased for good. Marks stay without a person, so that statistics remain right.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::ModelComparison</name>
@@ -122,6 +252,23 @@
         <translation>
             <numerusform>for the whole twist, %n frame of %1; set-up apart: %2</numerusform>
             <numerusform>for the whole twist, %n frames of %1; set-up apart: %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::NextStepPage</name>
+    <message numerus="yes">
+        <source>%n remark(s) of physicians that you have not read</source>
+        <translation>
+            <numerusform>One remark of a physician that you have not read</numerusform>
+            <numerusform>%n remarks of physicians that you have not read</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) left</source>
+        <translation>
+            <numerusform>%n attempt left</numerusform>
+            <numerusform>%n attempts left</numerusform>
         </translation>
     </message>
 </context>
@@ -136,12 +283,69 @@
     </message>
 </context>
 <context>
+    <name>torsio::gui::PowerDialog</name>
+    <message numerus="yes">
+        <source>%n trainee(s)</source>
+        <translation>
+            <numerusform>%n trainee</numerusform>
+            <numerusform>%n trainees</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trainee(s) in each group; %1 when scores are adjusted for the score before</source>
+        <translation>
+            <numerusform>%n trainee in each group; %1 when scores are adjusted for the score before</numerusform>
+            <numerusform>%n trainees in each group; %1 when scores are adjusted for the score before</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::ReadoutPanel</name>
     <message numerus="yes">
         <source>%1, %n late</source>
         <translation>
             <numerusform>%1, %n late</numerusform>
             <numerusform>%1, %n late</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RemarksPage</name>
+    <message numerus="yes">
+        <source>Your own marks beside the mean of %n physician(s).</source>
+        <translation>
+            <numerusform>Your own marks beside those of one physician.</numerusform>
+            <numerusform>Your own marks beside the mean of %n physicians.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ReplayPanel</name>
+    <message numerus="yes">
+        <source>at least %n twist(s)</source>
+        <translation>
+            <numerusform>at least %n twist</numerusform>
+            <numerusform>at least %n twists</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RestorePage</name>
+    <message numerus="yes">
+        <source>Erased after this backup: %n person(s). They stay erased.</source>
+        <translation>
+            <numerusform>Erased after this backup: one person, who stays erased.</numerusform>
+            <numerusform>Erased after this backup: %n people. They stay erased.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RosterPreviewPage</name>
+    <message numerus="yes">
+        <source>Comparing %n line(s) with the record…</source>
+        <translation>
+            <numerusform>Comparing %n line with the record…</numerusform>
+            <numerusform>Comparing %n lines with the record…</numerusform>
         </translation>
     </message>
 </context>
@@ -166,6 +370,23 @@
         <translation>
             <numerusform>Written: %n sheet, a page each</numerusform>
             <numerusform>Written: %n sheets, a page each</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RunPage</name>
+    <message numerus="yes">
+        <source>Only %1 of %n sheet(s) of this occasion are in, and the others cannot be made up for once the training goes on. Fetch the study team. Why does the training begin nevertheless? It is noted as a deviation.</source>
+        <translation>
+            <numerusform>Only %1 of %n sheet of this occasion is in, and what is missing cannot be made up for once the training goes on. Fetch the study team. Why does the training begin nevertheless? It is noted as a deviation.</numerusform>
+            <numerusform>Only %1 of %n sheets of this occasion are in, and the others cannot be made up for once the training goes on. Fetch the study team. Why does the training begin nevertheless? It is noted as a deviation.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n twist(s)</source>
+        <translation>
+            <numerusform>%1 of %n twist</numerusform>
+            <numerusform>%1 of %n twists</numerusform>
         </translation>
     </message>
 </context>

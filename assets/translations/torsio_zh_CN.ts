@@ -238,10 +238,6 @@
         <translation>案例</translation>
     </message>
     <message>
-        <source>Run day</source>
-        <translation>训练日</translation>
-    </message>
-    <message>
         <source>Roster</source>
         <translation>人员名册</translation>
     </message>
@@ -292,6 +288,10 @@
     <message>
         <source>Devices</source>
         <translation>设备</translation>
+    </message>
+    <message>
+        <source>Today&apos;s sessions</source>
+        <translation>今日训练</translation>
     </message>
 </context>
 <context>
@@ -460,16 +460,16 @@
         <translation>该按键已用于其他动作。</translation>
     </message>
     <message>
-        <source>Keep</source>
-        <translation>保留</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>取消</translation>
     </message>
     <message>
         <source>Usual keys</source>
         <translation>默认按键</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
     </message>
 </context>
 <context>
@@ -798,7 +798,7 @@
         <translation>超过此期限无活动的记录将列入审查。任何内容都不会自动删除。</translation>
     </message>
     <message>
-        <source>Keep these rules</source>
+        <source>Save these rules</source>
         <translation>保存这些规则</translation>
     </message>
 </context>
@@ -991,10 +991,6 @@
 <context>
     <name>Scoring</name>
     <message>
-        <source>Ask raters</source>
-        <translation>邀请评分者</translation>
-    </message>
-    <message>
         <source>Every rater gets an order of their own and case labels that tell neither name, group nor stage.</source>
         <translation>每位评分者的顺序各不相同，案例标签不透露姓名、组别和阶段。</translation>
     </message>
@@ -1055,10 +1051,6 @@
         <translation>%1：已公布，收回</translation>
     </message>
     <message>
-        <source>%1: release, %2 of %3 sheets missing</source>
-        <translation>%1：公布，缺 %2 / %3 份</translation>
-    </message>
-    <message>
         <source>Occa&amp;sion</source>
         <translation>评分时点(&amp;S)</translation>
     </message>
@@ -1069,10 +1061,6 @@
     <message>
         <source>%1, live</source>
         <translation>%1，现场</translation>
-    </message>
-    <message>
-        <source>%1, %2: %3 sheets wait</source>
-        <translation>%1，%2：待评 %3 份</translation>
     </message>
     <message>
         <source>Assign an adjudicator</source>
@@ -1121,6 +1109,18 @@
     <message>
         <source>Deadline</source>
         <translation>截止日期</translation>
+    </message>
+    <message>
+        <source>Invite raters</source>
+        <translation>邀请评分者</translation>
+    </message>
+    <message>
+        <source>%1: release, sheets missing: %2 of %3</source>
+        <translation>%1：公布，缺 %2 / %3 份</translation>
+    </message>
+    <message>
+        <source>%1, %2: sheets waiting: %3</source>
+        <translation>%1，%2：待评 %3 份</translation>
     </message>
 </context>
 <context>
@@ -1293,10 +1293,6 @@
         <translation>%1 小时</translation>
     </message>
     <message>
-        <source>%1 days</source>
-        <translation>%1 天</translation>
-    </message>
-    <message>
         <source>Locked</source>
         <translation>未解锁</translation>
     </message>
@@ -1338,14 +1334,6 @@
         <translation>%1：不低于 %2</translation>
     </message>
     <message>
-        <source>%1, in %2 runs in a row</source>
-        <translation>%1，连续 %2 次训练</translation>
-    </message>
-    <message>
-        <source>%1, in %2 runs in a row (%3 so far)</source>
-        <translation>%1，连续 %2 次训练（目前 %3 次）</translation>
-    </message>
-    <message>
         <source>Not tried yet</source>
         <translation>尚未尝试</translation>
     </message>
@@ -1354,16 +1342,8 @@
         <translation>上次：%1 秒后中断</translation>
     </message>
     <message>
-        <source>Last time: %1 of %2 twists on target</source>
-        <translation>上次：%2 次扭转中 %1 次达标</translation>
-    </message>
-    <message>
         <source>Unlocks: %1</source>
         <translation>解锁：%1</translation>
-    </message>
-    <message>
-        <source>Twists let go on target: %1 of %2, wanted %3</source>
-        <translation>达标松开：%1 / %2，要求 %3</translation>
     </message>
     <message>
         <source>Shortest hold on target: %1 s, wanted %2 s</source>
@@ -1647,20 +1627,8 @@
         <translation>此前按第 %1 版定义测得：最大力 %2，超出限值。该结果予以保留，但不再作数。</translation>
     </message>
     <message>
-        <source>One more attempt until a level is shown</source>
-        <translation>再尝试一次即显示水平</translation>
-    </message>
-    <message>
-        <source>%1 more attempts until a level is shown</source>
-        <translation>再尝试 %1 次即显示水平</translation>
-    </message>
-    <message>
         <source>So few attempts can show nobody to be able.</source>
         <translation>尝试这么少，无法表明任何人已胜任。</translation>
-    </message>
-    <message>
-        <source>Not yet shown to be able. %1 good attempts in a row show it.</source>
-        <translation>尚未表明已胜任。连续 %1 次成功即可表明。</translation>
     </message>
     <message>
         <source>Able, and staying so.</source>
@@ -1685,6 +1653,46 @@
     <message>
         <source>Peak force of one twist</source>
         <translation>单次扭转的最大力</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n day(s)</source>
+        <translation>
+            <numerusform>%n 天</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, in %n run(s) in a row</source>
+        <translation>
+            <numerusform>%1，连续 %n 次操作</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, in %n run(s) in a row (%2 so far)</source>
+        <translation>
+            <numerusform>%1，连续 %n 次操作（目前 %2 次）</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Last time: %1 of %n twist(s) on target</source>
+        <translation>
+            <numerusform>上次：%n 次扭转中 %1 次达标</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Twists released on target: %1 of %2, wanted %3</source>
+        <translation>达标释放：%1 / %2，要求 %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more attempt(s) until a level is shown</source>
+        <translation>
+            <numerusform>再尝试 %n 次即显示水平</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Not yet shown to be able. %n good attempt(s) in a row show it.</source>
+        <translation>
+            <numerusform>尚未表明已胜任。连续 %n 次成功即可表明。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1764,10 +1772,6 @@
     <message>
         <source>chief physician</source>
         <translation>主任医师</translation>
-    </message>
-    <message>
-        <source>One shuffle of everybody (the paper&apos;s case)</source>
-        <translation>全体一次随机排列（论文的做法）</translation>
     </message>
     <message>
         <source>Shuffled blocks, one after another</source>
@@ -1912,6 +1916,10 @@
     <message>
         <source>undone in stages (1 yes, 0 no)</source>
         <translation>分阶段复位（1 是，0 否）</translation>
+    </message>
+    <message>
+        <source>Simple randomisation (the paper&apos;s case)</source>
+        <translation>简单随机化（论文的做法）</translation>
     </message>
 </context>
 <context>
@@ -2152,10 +2160,6 @@
         <translation>%1必须大于 0 秒且不超过 %2 秒，实际为 %3</translation>
     </message>
     <message>
-        <source>%1 of %2 sheets are not submitted</source>
-        <translation>%2 份评分表中有 %1 份尚未提交</translation>
-    </message>
-    <message>
         <source>%1 people still wait for a group: the seed would tell them theirs</source>
         <translation>还有 %1 人等待分组：公布种子会泄露其组别</translation>
     </message>
@@ -2178,10 +2182,6 @@
     <message>
         <source>%1, serial number %2, driver %3, library %4, opened as %5</source>
         <translation>%1，序列号 %2，驱动 %3，程序库 %4，打开方式 %5</translation>
-    </message>
-    <message>
-        <source>%1: %2 days</source>
-        <translation>%1：%2 天</translation>
     </message>
     <message>
         <source>%1; 1000 Hz are wanted</source>
@@ -2852,10 +2852,6 @@
         <translation>前臂：旋前 60 度</translation>
     </message>
     <message>
-        <source>Forearm: supinate to 60 degrees, nearer</source>
-        <translation>前臂：旋后 60 度（更精确）</translation>
-    </message>
-    <message>
         <source>Free some space in the temporary folder</source>
         <translation>请清理临时文件夹的空间</translation>
     </message>
@@ -3144,10 +3140,6 @@
         <translation>请先列出模型评价</translation>
     </message>
     <message>
-        <source>List the trials to find its id</source>
-        <translation>请列出操作记录以查找编号</translation>
-    </message>
-    <message>
         <source>Lock a design and allocate first</source>
         <translation>请先锁定方案并分组</translation>
     </message>
@@ -3204,10 +3196,6 @@
         <translation>M03 文件超过 %1 MB</translation>
     </message>
     <message>
-        <source>M04 the header promises %1, but the file has %2 bytes</source>
-        <translation>M04 文件头声明 %1，但文件只有 %2 字节</translation>
-    </message>
-    <message>
         <source>M05 %1 is broken: %2</source>
         <translation>M05 %1 已损坏：%2</translation>
     </message>
@@ -3248,32 +3236,12 @@
         <translation>M09 最大边长 %1：文件单位似乎为 %2</translation>
     </message>
     <message>
-        <source>M10 %1 face(s) without area could not be repaired</source>
-        <translation>M10 有 %1 个零面积的面无法修复</translation>
-    </message>
-    <message>
-        <source>M11 the surface is open: %1 boundary edge(s) in %2 hole(s), first at %3</source>
-        <translation>M11 曲面未封闭：%2 个孔洞中有 %1 条边界边，首个位于 %3</translation>
-    </message>
-    <message>
-        <source>M12 %1 edge(s) shared by more than two faces, first at %2</source>
-        <translation>M12 有 %1 条边由两个以上的面共用，首个位于 %2</translation>
-    </message>
-    <message>
-        <source>M12 %1 vertex(es) where two parts only touch, first at %2</source>
-        <translation>M12 有 %1 个顶点处两部分仅点接触，首个位于 %2</translation>
-    </message>
-    <message>
         <source>M13 the surface is one-sided (like a Moebius strip)</source>
         <translation>M13 曲面为单侧曲面（如莫比乌斯带）</translation>
     </message>
     <message>
         <source>M14 separate pieces hold %1 % of the surface</source>
         <translation>M14 分离的部分占曲面的 %1 %</translation>
-    </message>
-    <message>
-        <source>M16 the surface has %1 handle(s), like a ring</source>
-        <translation>M16 曲面有 %1 个环柄，形如圆环</translation>
     </message>
     <message>
         <source>M18 the surface is flat: mean thickness %1, volume %2 ml</source>
@@ -4168,10 +4136,6 @@
         <translation>始终可用；器械停在所放之处</translation>
     </message>
     <message>
-        <source>an age of %1 years is not likely</source>
-        <translation>年龄 %1 岁不大可能</translation>
-    </message>
-    <message>
         <source>an anchor has no words</source>
         <translation>有一个锚点没有文字</translation>
     </message>
@@ -4210,10 +4174,6 @@
     <message>
         <source>arm %1</source>
         <translation>组别 %1</translation>
-    </message>
-    <message>
-        <source>asks for %1 in a row, but only %2 attempts are allowed</source>
-        <translation>要求连续 %1 次，但只允许 %2 次</translation>
     </message>
     <message>
         <source>backup cannot be restored: %1</source>
@@ -4564,10 +4524,6 @@
         <translation>缺少 %1，但 Torsio 可不使用</translation>
     </message>
     <message>
-        <source>its audit trail does not verify (%1 findings)</source>
-        <translation>其审计记录未通过校验（%1 处）</translation>
-    </message>
-    <message>
         <source>known as a rater; becomes a trainee too</source>
         <translation>已知为评分者；将同时成为学员</translation>
     </message>
@@ -4748,10 +4704,6 @@
         <translation>没有该文件夹</translation>
     </message>
     <message>
-        <source>no such trial</source>
-        <translation>没有该操作记录</translation>
-    </message>
-    <message>
         <source>no time was spent</source>
         <translation>没有花费时间</translation>
     </message>
@@ -4762,10 +4714,6 @@
     <message>
         <source>no training time is left</source>
         <translation>没有剩余训练时间</translation>
-    </message>
-    <message>
-        <source>no trial has this id</source>
-        <translation>没有此编号的操作记录</translation>
     </message>
     <message>
         <source>no way leads over the surface from the fixed to the free end</source>
@@ -4920,10 +4868,6 @@
         <translation>真实手臂 20–40 分钟</translation>
     </message>
     <message>
-        <source>real data use the demonstration: %1 rows of %2 refer to simulated rows of %3</source>
-        <translation>真实数据使用了演示数据：%2 的 %1 行引用了 %3 的模拟行</translation>
-    </message>
-    <message>
         <source>recordings of this station still wait in files (%1)</source>
         <translation>本工作站仍有录像等待入库（%1）</translation>
     </message>
@@ -5010,10 +4954,6 @@
     <message>
         <source>sections</source>
         <translation>截面</translation>
-    </message>
-    <message>
-        <source>several trials begin like this</source>
-        <translation>有多条操作记录以此开头</translation>
     </message>
     <message>
         <source>sex</source>
@@ -5376,10 +5316,6 @@
         <translation>缺少以“%1...”开头的行</translation>
     </message>
     <message>
-        <source>the line has %1 values, the header %2</source>
-        <translation>该行有 %1 个值，标题行有 %2 个</translation>
-    </message>
-    <message>
         <source>the magic is missing</source>
         <translation>缺少文件标识</translation>
     </message>
@@ -5630,10 +5566,6 @@
     <message>
         <source>the surface has %1 triangles, more than a tick can look at</source>
         <translation>曲面有 %1 个三角形，超出单个周期的处理能力</translation>
-    </message>
-    <message>
-        <source>the table %1 differs after copying (%2 rows before, %3 after); nothing was kept</source>
-        <translation>表 %1 复制后不一致（之前 %2 行，之后 %3 行）；未保留任何内容</translation>
     </message>
     <message>
         <source>the table has a header but no rows</source>
@@ -6020,18 +5952,6 @@
         <translation>训练已开始：该批次的课程不再更换</translation>
     </message>
     <message>
-        <source>training run</source>
-        <translation>训练操作</translation>
-    </message>
-    <message>
-        <source>trial</source>
-        <translation>操作记录</translation>
-    </message>
-    <message>
-        <source>trial %1</source>
-        <translation>操作记录 %1</translation>
-    </message>
-    <message>
         <source>triangle %1</source>
         <translation>三角形 %1</translation>
     </message>
@@ -6268,10 +6188,6 @@
         <translation>%1，由 %2 冻结</translation>
     </message>
     <message>
-        <source>%1 deviations from the protocol were reported: %2.</source>
-        <translation>共报告 %1 次方案偏离：%2。</translation>
-    </message>
-    <message>
         <source>%1 is in a group that no record tells of</source>
         <translation>%1 所在的组没有任何分组记录</translation>
     </message>
@@ -6280,28 +6196,8 @@
         <translation>%1 未列出：该组学员少于 %2 人。</translation>
     </message>
     <message>
-        <source>%1 marks could not be given and carry a reason; they count as missing.</source>
-        <translation>有 %1 个评分无法给出并注明了理由；按缺失处理。</translation>
-    </message>
-    <message>
-        <source>%1 physicians scored every trainee at %2 occasions on a scale from %3 to %4. A trainee&apos;s score is the plain mean of these marks.</source>
-        <translation>%1 名医师在 %2 个评分时点按 %3 至 %4 分对每名学员评分。学员得分为这些评分的算术平均值。</translation>
-    </message>
-    <message>
         <source>%1 to %2</source>
         <translation>%1 至 %2</translation>
-    </message>
-    <message>
-        <source>%1 trainees were allocated to %2 groups</source>
-        <translation>%1 名学员被随机分入 %2 组</translation>
-    </message>
-    <message>
-        <source>%1 trainees were allocated to %2 groups; %3 more were enrolled and are in no group</source>
-        <translation>%1 名学员被随机分入 %2 组；另有 %3 名已登记但尚未分组</translation>
-    </message>
-    <message>
-        <source>%1 trials were recorded, %2 minutes and %3 samples in all; samples not recorded: %4; late ticks: %5.</source>
-        <translation>共记录 %1 次操作，合计 %2 分钟、%3 个采样；未记录的采样：%4；超时周期：%5。</translation>
     </message>
     <message>
         <source>%1, seed %2</source>
@@ -6406,10 +6302,6 @@
     <message>
         <source>Check the data that the report is made from.</source>
         <translation>请检查生成报告所用的数据。</translation>
-    </message>
-    <message>
-        <source>Chi-squared(%1) = %2, %3; Kendall W = %4 over %5 raters.</source>
-        <translation>χ²(%1) = %2，%3；%5 名评分者的 Kendall W = %4。</translation>
     </message>
     <message>
         <source>Choose 0.8.</source>
@@ -6712,10 +6604,6 @@
         <translation>指标</translation>
     </message>
     <message>
-        <source>Interrupted trials</source>
-        <translation>中断的操作</translation>
-    </message>
-    <message>
         <source>Item</source>
         <translation>项目</translation>
     </message>
@@ -6746,10 +6634,6 @@
     <message>
         <source>Learning of every trainee on the simulator</source>
         <translation>各学员在模拟器上的学习过程</translation>
-    </message>
-    <message>
-        <source>Learning; Recorded trials</source>
-        <translation>学习过程；操作记录</translation>
     </message>
     <message>
         <source>Limits of agreement, last occasion</source>
@@ -6854,10 +6738,6 @@
     <message>
         <source>Mean variance between raters, divisor n - 1</source>
         <translation>评分者间平均方差（除数 n - 1）</translation>
-    </message>
-    <message>
-        <source>Means are taken over trials. Measured by the simulator; the marks of the physicians are separate.</source>
-        <translation>按操作次数取均值。由模拟器测得；医师的评分另计。</translation>
     </message>
     <message>
         <source>Measured by the simulator, twist by twist, in the order of the recordings. The marks of the physicians are a separate matter.</source>
@@ -7018,18 +6898,6 @@
     <message>
         <source>Record every factor before allocation.</source>
         <translation>请在分组前记录全部因素。</translation>
-    </message>
-    <message>
-        <source>Recorded trials</source>
-        <translation>操作记录</translation>
-    </message>
-    <message>
-        <source>Recorded trials by group and phase</source>
-        <translation>各组、各阶段的操作记录</translation>
-    </message>
-    <message>
-        <source>Recordings (first eight digits of the trial)</source>
-        <translation>录制（操作编号的前八位）</translation>
     </message>
     <message>
         <source>Rest in all (min)</source>
@@ -7216,16 +7084,8 @@
         <translation>训练研究；一致性与组间比较；评分者</translation>
     </message>
     <message>
-        <source>Trial</source>
-        <translation>操作编号</translation>
-    </message>
-    <message>
         <source>Trials</source>
         <translation>操作次数</translation>
-    </message>
-    <message>
-        <source>Trials with samples that were not recorded are incomplete and marked in the data.</source>
-        <translation>有采样未记录的操作不完整，已在数据中标明。</translation>
     </message>
     <message>
         <source>Twist training: cohort report</source>
@@ -7354,10 +7214,6 @@
     <message>
         <source>a trainee is in a group that does not exist</source>
         <translation>某名学员所在的组不存在</translation>
-    </message>
-    <message>
-        <source>a trial is in a group that does not exist</source>
-        <translation>某次操作所在的组不存在</translation>
     </message>
     <message>
         <source>a value is not positive</source>
@@ -7606,10 +7462,6 @@
     <message>
         <source>mean over trainees</source>
         <translation>学员均值</translation>
-    </message>
-    <message>
-        <source>means over trials</source>
-        <translation>各次操作的均值</translation>
     </message>
     <message>
         <source>minimisation needs a factor</source>
@@ -8408,10 +8260,6 @@
         <translation>更改参与研究的状态</translation>
     </message>
     <message>
-        <source>The evaluation is not finished: %1 marks are in so far. Scores are computed once every class of raters that has a weight has scored every index of every model.</source>
-        <translation>评价尚未完成：目前已收到 %1 个评分。待每个有权重的评分者类别对每个模型的每项指标都评过分后，才计算得分。</translation>
-    </message>
-    <message>
         <source>Adjudicator requested</source>
         <translation>请求仲裁评分者</translation>
     </message>
@@ -8422,14 +8270,6 @@
     <message>
         <source>Trainee enrolled</source>
         <translation>登记学员</translation>
-    </message>
-    <message>
-        <source>Training run begun</source>
-        <translation>开始训练</translation>
-    </message>
-    <message>
-        <source>Training run stopped</source>
-        <translation>停止训练</translation>
     </message>
     <message>
         <source>Training time logged</source>
@@ -8832,10 +8672,6 @@
         <translation>该自评</translation>
     </message>
     <message>
-        <source>this warm-up</source>
-        <translation>该次评分者校准</translation>
-    </message>
-    <message>
         <source>Give two end points further apart, or a smaller cap radius.</source>
         <translation>请给出相距更远的两个端点，或减小端盖半径。</translation>
     </message>
@@ -8980,10 +8816,6 @@
         <translation>局部体积比 det F 降至 %1</translation>
     </message>
     <message>
-        <source>the surface crosses itself in %1 pairs of triangles</source>
-        <translation>表面有 %1 对三角形相互穿过</translation>
-    </message>
-    <message>
         <source>the volume becomes %1 of what it was</source>
         <translation>体积变为原来的 %1 倍</translation>
     </message>
@@ -9006,10 +8838,6 @@
     <message>
         <source>Give 0.5 for incompressible tissue.</source>
         <translation>不可压缩组织请取 0.5。</translation>
-    </message>
-    <message>
-        <source>%1 elements asked for; a rod takes 2 to %2</source>
-        <translation>要求 %1 个单元；杆模型可取 2 至 %2 个</translation>
     </message>
     <message>
         <source>rod</source>
@@ -9316,20 +9144,8 @@
         <translation>每个标记点须有 X、Y、Z 三列，并带其序号</translation>
     </message>
     <message>
-        <source>The header promises %1 markers, the line has more</source>
-        <translation>文件头写明有 %1 个标记点，但该行更多</translation>
-    </message>
-    <message>
         <source>Times are seconds from 0 that rise from frame to frame</source>
         <translation>时间以秒计，从 0 起逐帧递增</translation>
-    </message>
-    <message>
-        <source>The line has more columns than %1 markers</source>
-        <translation>该行的列数多于 %1 个标记点所需</translation>
-    </message>
-    <message>
-        <source>The header promises %1 frames, the file has %2</source>
-        <translation>文件头写明有 %1 帧，文件中有 %2 帧</translation>
     </message>
     <message>
         <source>reference</source>
@@ -10088,20 +9904,12 @@
         <translation>位置</translation>
     </message>
     <message>
-        <source>%1 of %2 frames gave a valid position, %3 were refused</source>
-        <translation>%2 帧中有 %1 帧给出有效位置，%3 帧被拒绝</translation>
-    </message>
-    <message>
         <source>Calibrate the device again; if it stays so, have it serviced</source>
         <translation>请重新校准设备；若仍如此，请送修</translation>
     </message>
     <message>
         <source>the position stands still while the stylus is turned</source>
         <translation>转动手柄笔时位置保持不动</translation>
-    </message>
-    <message>
-        <source>the library took %1 frames with force and refused %2</source>
-        <translation>厂商库接受了 %1 帧带力的数据，拒绝了 %2 帧</translation>
     </message>
     <message>
         <source>the library&apos;s servo loop stopped calling</source>
@@ -10222,10 +10030,6 @@
     <message>
         <source>Median slip back (deg)</source>
         <translation>回滑中位数（度）</translation>
-    </message>
-    <message>
-        <source>medians over trials</source>
-        <translation>各次记录的中位数</translation>
     </message>
     <message>
         <source>is neither a number nor a list of pairs</source>
@@ -10424,10 +10228,6 @@
         <translation>将 assets/system/torsio-limits.conf 复制到 /etc/security/limits.d 并重新登录</translation>
     </message>
     <message>
-        <source>tick period %1 us, latency %2 ticks</source>
-        <translation>节拍周期 %1 微秒，延迟 %2 个节拍</translation>
-    </message>
-    <message>
         <source>stored energy of the force</source>
         <translation>力的储能</translation>
     </message>
@@ -10534,10 +10334,6 @@
     <message>
         <source>Use another device</source>
         <translation>请使用其他设备</translation>
-    </message>
-    <message>
-        <source>a recorded trial</source>
-        <translation>一次已记录的操作</translation>
     </message>
     <message>
         <source>no handle is connected: the jaw cannot be turned or closed</source>
@@ -10776,20 +10572,12 @@
         <translation>评分计划</translation>
     </message>
     <message>
-        <source>Ask raters under Scoring</source>
-        <translation>请在“评分”页邀请评分者</translation>
-    </message>
-    <message>
         <source>all sheets of the occasion &quot;%1&quot; are in</source>
         <translation>评分时点“%1”的评分表已全部提交</translation>
     </message>
     <message>
         <source>a call needs a room</source>
         <translation>呼叫必须指明房间</translation>
-    </message>
-    <message>
-        <source>run day</source>
-        <translation>训练日</translation>
     </message>
     <message>
         <source>Say where the real arm stands</source>
@@ -11012,10 +10800,6 @@
         <translation>请简短写明原因</translation>
     </message>
     <message>
-        <source>%1 people of this cohort have a finished run at this exercise; %2 are needed</source>
-        <translation>该批次中有 %1 人完成过这个练习；需要 %2 人</translation>
-    </message>
-    <message>
         <source>Let more experts make a run, or keep the tolerance of the exercise</source>
         <translation>请让更多专家完成一次，或保留练习的容差</translation>
     </message>
@@ -11028,28 +10812,12 @@
         <translation>一次通过的复位</translation>
     </message>
     <message>
-        <source>a twist let go within %1 degrees (tolerance %2)</source>
-        <translation>松开时误差在 %1 度以内的一次扭转（容差%2）</translation>
-    </message>
-    <message>
         <source>Competence design, version %1</source>
         <translation>胜任标准第 %1 版</translation>
     </message>
     <message>
         <source>Competence design shipped with the exercise (none was registered before the first attempt)</source>
         <translation>随练习提供的胜任标准（首次尝试前没有登记标准）</translation>
-    </message>
-    <message>
-        <source>%1: success is %2; able once the LC-CUSUM of failure rates %3 against %4 reaches %5, planned for %6 attempts.</source>
-        <translation>%1：成功指%2；失败率 %3 对 %4 的 LC-CUSUM 达到 %5 即为胜任，按 %6 次尝试设计。</translation>
-    </message>
-    <message>
-        <source>Within %1 attempts, %2 of trainees who fail %3 of their attempts are held to be able (false pass), and %4 of those who fail only %5 are not (false fail).</source>
-        <translation>在 %1 次尝试内，失败率为 %3 的学员中有 %2 会被误认为胜任（误通过），失败率仅为 %5 的学员中有 %4 不被认为胜任（误不通过）。</translation>
-    </message>
-    <message>
-        <source>not shown yet, %1 attempts missing</source>
-        <translation>尚未显示，还差 %1 次尝试</translation>
     </message>
     <message>
         <source>learning</source>
@@ -11132,10 +10900,6 @@
         <translation>请计划更多次尝试，或让两个失败率相差更大</translation>
     </message>
     <message>
-        <source>%1 of the adequate trainees would not pass within %2 attempts; at most %3 are wanted</source>
-        <translation>%1 的胜任者在 %2 次尝试内不会通过；最多允许 %3</translation>
-    </message>
-    <message>
         <source>Competence design registered</source>
         <translation>已登记胜任标准</translation>
     </message>
@@ -11150,10 +10914,6 @@
     <message>
         <source>How the groups were made is not in the record: they may differ from the start.</source>
         <translation>记录中没有说明如何分组：各组一开始就可能不同。</translation>
-    </message>
-    <message>
-        <source>No test of baseline differences is shown. %1 trainees were moved by hand after the draw: a difference need not be due to chance.</source>
-        <translation>不显示基线差异的检验。抽取之后有 %1 名学员被人工调组：差异不一定出于偶然。</translation>
     </message>
     <message>
         <source>No test of baseline differences is shown: allocation was drawn, so any difference is due to chance.</source>
@@ -11264,10 +11024,6 @@
         <translation>仅含模拟器上的扭转；每个点至少需要两名学员。</translation>
     </message>
     <message>
-        <source>The first points rest on up to %1 trainees of a group, the last on %2.</source>
-        <translation>最初的点基于每组至多 %1 名学员，最后的点基于 %2 名。</translation>
-    </message>
-    <message>
         <source>exponential learning curve</source>
         <translation>指数学习曲线</translation>
     </message>
@@ -11304,44 +11060,8 @@
         <translation>录制占模拟器登记时间的 %1 %；其余时间用在各次练习之间，或没有录制。</translation>
     </message>
     <message>
-        <source>Every recording is sealed in the record by its content hash; it can be replayed and compared bit for bit (torsio replay TRIAL --verify).</source>
-        <translation>每份录制都以内容哈希封存在记录中；可以重放并逐位比较（torsio replay TRIAL --verify）。</translation>
-    </message>
-    <message>
-        <source>%1 recordings have no content hash: nothing shows that they are unchanged.</source>
-        <translation>%1 份录制没有内容哈希：无法表明它们未被更改。</translation>
-    </message>
-    <message>
         <source>Strictest first. Scores are not corrected for severity, and not every trainee is scored by the same raters: a strict or lenient rater may change their order.</source>
         <translation>最严格者在前。得分未按严格程度校正，且并非每名学员都由相同的评分者评分：严格或宽松的评分者可能改变学员的次序。</translation>
-    </message>
-    <message>
-        <source>Raters were blinded: all %1 marks of the training study were given on recordings under a case label, without name, group or occasion.</source>
-        <translation>评分者处于盲态：训练研究的全部 %1 个评分都是在只有病例标签的录制上给出的，不显示姓名、组别和时点。</translation>
-    </message>
-    <message>
-        <source>Raters were not blinded: all %1 marks of the training study were given live at the real arm, where the rater sees the trainee.</source>
-        <translation>评分者未处于盲态：训练研究的全部 %1 个评分都是在真实手臂旁现场给出的，评分者看得到学员。</translation>
-    </message>
-    <message>
-        <source>Nothing shows that raters were blinded: all %1 marks of the training study were entered without a sheet of the desk.</source>
-        <translation>没有任何依据表明评分者处于盲态：训练研究的全部 %1 个评分都不是通过评分台的评分表录入的。</translation>
-    </message>
-    <message>
-        <source>Raters were blinded in part: of %1 marks of the training study %2 were given on recordings under a case label, %3 live at the real arm, where the rater sees the trainee, and %4 were entered without a sheet of the desk.</source>
-        <translation>评分者部分处于盲态：训练研究的 %1 个评分中，%2 个是在只有病例标签的录制上给出的，%3 个是在真实手臂旁现场给出的（评分者看得到学员），%4 个不是通过评分台的评分表录入的。</translation>
-    </message>
-    <message>
-        <source>All %1 models stood before their raters under hidden labels.</source>
-        <translation>全部 %1 个模型都以隐藏标签呈现给评分者。</translation>
-    </message>
-    <message>
-        <source>%1 of %2 models stood before their raters under hidden labels.</source>
-        <translation>%2 个模型中有 %1 个以隐藏标签呈现给评分者。</translation>
-    </message>
-    <message>
-        <source>%1 trainees of this cohort are raters of the models as well: their marks are not independent of their training.</source>
-        <translation>该批次中有 %1 名学员同时是模型的评分者：他们的评分与其训练并不独立。</translation>
     </message>
     <message>
         <source>The groups have %1 trainees: with fewer than two in a group nothing can be compared.</source>
@@ -11360,28 +11080,12 @@
         <translation>对种子的承诺：%1；记录中没有作出承诺的时间。</translation>
     </message>
     <message>
-        <source>Commitment to the seed: %1, made %2, after %3 trainees had been allocated.</source>
-        <translation>对种子的承诺：%1，作出于 %2，当时已有 %3 名学员分组。</translation>
-    </message>
-    <message>
-        <source>Commitment to the seed: %1, made %2, before anybody was allocated and after %3 trainees had been enrolled.</source>
-        <translation>对种子的承诺：%1，作出于 %2，在任何人分组之前、%3 名学员入组之后。</translation>
-    </message>
-    <message>
         <source>Commitment to the seed: %1, made %2, before the first enrolment.</source>
         <translation>对种子的承诺：%1，作出于 %2，在首次入组之前。</translation>
     </message>
     <message>
         <source>The sequence was repeated from the seed and was NOT found the same.</source>
         <translation>已由种子重复该序列，结果不一致。</translation>
-    </message>
-    <message>
-        <source>%1 physicians gave %2 marks at %3 occasions on a scale from %4 to %5; not every physician scored every trainee at every occasion. A trainee&apos;s score is the plain mean of the marks at hand.</source>
-        <translation>%1 名医师在 %3 个时点以 %4 到 %5 的量表给出 %2 个评分；并非每名医师在每个时点都给每名学员评了分。学员的得分为现有评分的简单平均。</translation>
-    </message>
-    <message>
-        <source>%1 raters are the fewest whose mean has a dependability of 0.80 or more.</source>
-        <translation>至少 %1 名评分者的平均分，其可靠性才达到 0.80 或以上。</translation>
     </message>
     <message>
         <source>Not even %1 raters would give a dependability of 0.80.</source>
@@ -11468,20 +11172,12 @@
         <translation>组内的进步并不表明训练有效：仅靠重复也可能进步。请比较各组。</translation>
     </message>
     <message>
-        <source>The training study is not shown: %1 of %2 sheets that raters were asked for are present. Marks and means appear once all are, or once the data set is frozen.</source>
-        <translation>训练研究未显示：要求评分者提交的 %2 份评分表中已有 %1 份。全部提交或数据集冻结之后，才显示评分和均值。</translation>
-    </message>
-    <message>
         <source>Scores of fewer than %1 marks, and means of fewer than %1 trainees or with such a score among them, are left out: a single mark could be read from them.</source>
         <translation>少于 %1 个评分的得分，以及少于 %1 名学员或含有这类得分的均值均不显示：否则可从中读出单个评分。</translation>
     </message>
     <message>
         <source>Corresponds to Fig. %1 of the paper. A score is the mean over the raters.</source>
         <translation>对应论文图 %1。得分为各评分者的平均。</translation>
-    </message>
-    <message>
-        <source>Training was shortened for this demonstration: %1 minutes of simulated exercise stand for %2 minutes of the protocol (1 : %3).</source>
-        <translation>本演示缩短了训练：%1 分钟的模拟练习代表方案中的 %2 分钟（1 : %3）。</translation>
     </message>
     <message>
         <source>Training was shortened for this demonstration.</source>
@@ -11520,10 +11216,6 @@
         <translation>该评分表已提交或已撤回</translation>
     </message>
     <message>
-        <source>Call the trainee on the run day first</source>
-        <translation>请先在运行日页面呼叫该学员</translation>
-    </message>
-    <message>
         <source>overall mark</source>
         <translation>总分</translation>
     </message>
@@ -11536,10 +11228,6 @@
         <translation>请录入纸上的内容；若纸上空白，请将此作为理由</translation>
     </message>
     <message>
-        <source>%1 of %2 sheets of the occasion &quot;%3&quot; are in</source>
-        <translation>评分时点“%3”的 %2 份评分表已收到 %1 份</translation>
-    </message>
-    <message>
         <source>Be scored on the real arm first, or say why the training begins nevertheless</source>
         <translation>请先在真实手臂上接受评分，或说明为何仍要开始训练</translation>
     </message>
@@ -11550,10 +11238,6 @@
     <message>
         <source>Question: do trainees score differently at the end (%1) who trained in different ways: %2?</source>
         <translation>问题：训练方式不同的学员在结束时（%1）得分是否不同：%2？</translation>
-    </message>
-    <message>
-        <source>People: %1 trainees in %2 groups, %3 of them withdrew; %4 physicians gave %5 marks; %6 deviations from the protocol were reported.</source>
-        <translation>人员：%1 名学员分为 %2 组，其中 %3 名退出；%4 名医师给出 %5 个分数；报告了 %6 次方案偏离。</translation>
     </message>
     <message>
         <source>Answer: none. The groups are not compared: %1.</source>
@@ -11628,16 +11312,8 @@
         <translation>概览</translation>
     </message>
     <message>
-        <source>What this does not show: with at most %1 trainees a group only large differences can be found, and a difference that was not shown is no evidence of equality. Marks on a training arm say nothing about patients.</source>
-        <translation>本报告不能说明的：每组最多 %1 名学员，只能发现较大的差异；未显示差异并不证明相同。训练手臂上的分数不能说明患者的情况。</translation>
-    </message>
-    <message>
         <source>All people and marks here are simulated: nothing may be concluded.</source>
         <translation>此处所有人员和分数均为模拟：不得据此得出任何结论。</translation>
-    </message>
-    <message>
-        <source>The evaluation of the models is not shown: %1 of %2 raters who were asked have given all marks. Marks and scores appear once all have, or once the data set is frozen.</source>
-        <translation>模型评价未显示：被要求评分的 %2 名评分者中有 %1 名已给出全部评分。全部给出或数据集冻结之后，才显示评分和得分。</translation>
     </message>
     <message>
         <source>SEM of one rater (points)</source>
@@ -11832,10 +11508,6 @@
         <translation>计划与实际采用的分析：以训练前得分为协变量的结束得分协方差分析。首末两个评分时点没有评分缺失。</translation>
     </message>
     <message>
-        <source>%1 of %2 marks of the first and the last occasion are missing</source>
-        <translation>首末两个评分时点的 %2 个评分中缺失 %1 个</translation>
-    </message>
-    <message>
         <source>Planned: the analysis of covariance of the score at the end on the score before. %1, so the linear mixed model is the primary comparison here: it takes every mark at the end that was given. The planned analysis stands beside it, of the %2 trainees with a score at both occasions.</source>
         <translation>计划的分析：以训练前得分为协变量的结束得分协方差分析。%1，因此此处以线性混合模型为主要比较，它使用结束时给出的每一个评分。计划的分析并列给出，含两个评分时点都有得分的 %2 名学员。</translation>
     </message>
@@ -11886,10 +11558,6 @@
     <message>
         <source>linear mixed model, restricted maximum likelihood</source>
         <translation>线性混合模型，限制性极大似然</translation>
-    </message>
-    <message>
-        <source>Mark at the end on group and mean mark before (fixed), trainee and rater (random, crossed); %1 marks of %2 trainees. Degrees of freedom after Satterthwaite.</source>
-        <translation>结束时评分对组别和训练前平均评分（固定效应）、学员和评分者（随机、交叉）建模；%2 名学员的 %1 个评分。自由度按 Satterthwaite 法。</translation>
     </message>
     <message>
         <source>Adjusted means: %1.</source>
@@ -12036,10 +11704,6 @@
         <translation>审计记录</translation>
     </message>
     <message>
-        <source>%1 entries at %2</source>
-        <translation>%2 时共 %1 条</translation>
-    </message>
-    <message>
         <source>Head of the audit trail</source>
         <translation>审计记录的末端哈希</translation>
     </message>
@@ -12100,16 +11764,8 @@
         <translation>其数据库结构步骤列表已被改动</translation>
     </message>
     <message>
-        <source>the machine was too busy: the force was cut %1 times, %2 of %3 ticks were skipped</source>
-        <translation>计算机过于繁忙：力中断 %1 次，%3 个周期中有 %2 个被跳过</translation>
-    </message>
-    <message>
         <source>Close other programs at this station</source>
         <translation>请关闭本站点上的其他程序</translation>
-    </message>
-    <message>
-        <source>The machine was too busy in trials: %1. Their force was cut for a moment, times in all: %2; they are marked in the data.</source>
-        <translation>有 %1 次记录期间计算机过于繁忙，力共短暂中断 %2 次；这些记录已在数据中标明。</translation>
     </message>
     <message>
         <source>the device process ended before it answered</source>
@@ -12959,6 +12615,366 @@
         <source>archived</source>
         <translation>已归档</translation>
     </message>
+    <message>
+        <source>The header promises %1 {marker|markers}, the line has more</source>
+        <translation>文件头写明有 %1 个标记点，但该行更多</translation>
+    </message>
+    <message>
+        <source>The line has more columns than %1 {marker|markers}</source>
+        <translation>该行的列数多于 %1 个标记点所需</translation>
+    </message>
+    <message>
+        <source>The header promises %1 {frame|frames}, the file has %2</source>
+        <translation>文件头写明有 %1 帧，文件中有 %2 帧</translation>
+    </message>
+    <message>
+        <source>%1 of %2 {frame|frames} gave a valid position, %3 {was|were} refused</source>
+        <translation>%2 帧中有 %1 帧给出有效位置，%3 帧被拒绝</translation>
+    </message>
+    <message>
+        <source>the library took %1 {frame|frames} with force and refused %2</source>
+        <translation>厂商库接受了 %1 帧带力的数据，拒绝了 %2 帧</translation>
+    </message>
+    <message>
+        <source>the machine was too busy: the force was cut %1 {time|times}, %2 of %3 {tick was|ticks were} skipped</source>
+        <translation>计算机过于繁忙：力中断 %1 次，%3 个周期中有 %2 个被跳过</translation>
+    </message>
+    <message>
+        <source>run %1</source>
+        <translation>操作 %1</translation>
+    </message>
+    <message>
+        <source>an age of %1 {year|years} is not likely</source>
+        <translation>年龄 %1 岁不大可能</translation>
+    </message>
+    <message>
+        <source>the line has %1 {value|values}, the header %2</source>
+        <translation>该行有 %1 个值，标题行有 %2 个</translation>
+    </message>
+    <message>
+        <source>%1 {person of this cohort has|people of this cohort have} a finished run at this exercise; %2 {is|are} needed</source>
+        <translation>该批次中有 %1 人在这个练习上有完成的操作；需要 %2 人</translation>
+    </message>
+    <message>
+        <source>a twist released within %1 {degree|degrees} (tolerance %2)</source>
+        <translation>松开时误差在 %1 度以内的一次扭转（容差%2）</translation>
+    </message>
+    <message>
+        <source>%1: success is %2; able once the LC-CUSUM of failure rates %3 against %4 reaches %5, planned for %6 {attempt|attempts}.</source>
+        <translation>%1：成功指%2；失败率 %3 对 %4 的 LC-CUSUM 达到 %5 即为胜任，按 %6 次尝试设计。</translation>
+    </message>
+    <message>
+        <source>Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are held to be able (false pass), and %4 of those who fail only %5 are not (false fail).</source>
+        <translation>在 %1 次尝试内，失败率为 %3 的学员中有 %2 会被误认为胜任（误通过），失败率仅为 %5 的学员中有 %4 不被认为胜任（误不通过）。</translation>
+    </message>
+    <message>
+        <source>not shown yet, %1 {attempt|attempts} missing</source>
+        <translation>尚未显示，还差 %1 次尝试</translation>
+    </message>
+    <message>
+        <source>no run has this id</source>
+        <translation>没有此编号的操作</translation>
+    </message>
+    <message>
+        <source>several runs begin like this</source>
+        <translation>有多个操作以此开头</translation>
+    </message>
+    <message>
+        <source>asks for %1 in a row, but only %2 {attempt is|attempts are} allowed</source>
+        <translation>要求连续 %1 次，但只允许 %2 次</translation>
+    </message>
+    <message>
+        <source>Invite raters under Scoring</source>
+        <translation>请在“评分”页邀请评分者</translation>
+    </message>
+    <message>
+        <source>today&apos;s sessions</source>
+        <translation>今日训练</translation>
+    </message>
+    <message>
+        <source>Call the trainee on the page Today&apos;s sessions first</source>
+        <translation>请先在“今日训练”页面呼叫该学员</translation>
+    </message>
+    <message>
+        <source>%1 of %2 {sheet is|sheets are} not submitted</source>
+        <translation>%2 份评分表中有 %1 份尚未提交</translation>
+    </message>
+    <message>
+        <source>a question needs words</source>
+        <translation>提问需要文字</translation>
+    </message>
+    <message>
+        <source>Write what you want to know</source>
+        <translation>请写下您想了解的内容</translation>
+    </message>
+    <message>
+        <source>sheets of the occasion &quot;%3&quot; that are in: %1 of %2</source>
+        <translation>评分时点“%3”的 %2 份评分表已收到 %1 份</translation>
+    </message>
+    <message>
+        <source>run</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>%1 of the adequate trainees would not pass within %2 {attempt|attempts}; at most %3 are wanted</source>
+        <translation>%1 的胜任者在 %2 次尝试内不会通过；最多允许 %3</translation>
+    </message>
+    <message>
+        <source>Run begun</source>
+        <translation>开始操作</translation>
+    </message>
+    <message>
+        <source>Run stopped</source>
+        <translation>停止操作</translation>
+    </message>
+    <message>
+        <source>Chi-squared(%1) = %2, %3; Kendall W = %4 over %5 {rater|raters}.</source>
+        <translation>χ²(%1) = %2，%3；%5 名评分者的 Kendall W = %4。</translation>
+    </message>
+    <message>
+        <source>People: %1 {trainee|trainees} in %2 {group|groups}, %3 of them withdrew; %4 {physician|physicians} gave %5 {mark|marks}; %6 {deviation from the protocol was|deviations from the protocol were} reported.</source>
+        <translation>人员：%1 名学员分为 %2 组，其中 %3 名退出；%4 名医师给出 %5 个分数；报告了 %6 次方案偏离。</translation>
+    </message>
+    <message>
+        <source>What this does not show: with at most %1 {trainee|trainees} a group only large differences can be found, and a difference that was not shown is no evidence of equality. Marks on a training arm say nothing about patients.</source>
+        <translation>本报告不能说明的：每组最多 %1 名学员，只能发现较大的差异；未显示差异并不证明相同。训练手臂上的分数不能说明患者的情况。</translation>
+    </message>
+    <message>
+        <source>a run is in a group that does not exist</source>
+        <translation>某次操作所在的组不存在</translation>
+    </message>
+    <message>
+        <source>No test of baseline differences is shown. %1 {trainee was|trainees were} moved by hand after the draw: a difference need not be due to chance.</source>
+        <translation>不显示基线差异的检验。抽取之后有 %1 名学员被人工调组：差异不一定出于偶然。</translation>
+    </message>
+    <message>
+        <source>Recorded runs</source>
+        <translation>已录制的操作</translation>
+    </message>
+    <message>
+        <source>Interrupted runs</source>
+        <translation>中断的操作</translation>
+    </message>
+    <message>
+        <source>Recorded runs by group and phase</source>
+        <translation>各组、各阶段已录制的操作</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>操作次数</translation>
+    </message>
+    <message>
+        <source>Means are taken over runs. Measured by the simulator; the marks of the physicians are separate.</source>
+        <translation>按操作次数取均值。由模拟器测得；医师的评分另计。</translation>
+    </message>
+    <message>
+        <source>means over runs</source>
+        <translation>各次操作的均值</translation>
+    </message>
+    <message>
+        <source>%1 {trainee was|trainees were} allocated to %2 {group|groups}; %3 more {was enrolled and is|were enrolled and are} in no group</source>
+        <translation>%1 名学员被随机分入 %2 组；另有 %3 名已登记但尚未分组</translation>
+    </message>
+    <message>
+        <source>%1 {trainee was|trainees were} allocated to %2 {group|groups}</source>
+        <translation>%1 名学员被随机分入 %2 组</translation>
+    </message>
+    <message>
+        <source>%1 {deviation from the protocol was|deviations from the protocol were} reported: %2.</source>
+        <translation>共报告 %1 次方案偏离：%2。</translation>
+    </message>
+    <message>
+        <source>%1 {run was|runs were} recorded, %2 {minute|minutes} and %3 {sample|samples} in all; samples not recorded: %4; late ticks: %5.</source>
+        <translation>共记录 %1 次操作，合计 %2 分钟、%3 个采样；未记录的采样：%4；超时周期：%5。</translation>
+    </message>
+    <message>
+        <source>The machine was too busy in runs: %1. Their force was cut for a moment, times in all: %2; they are marked in the data.</source>
+        <translation>计算机过于繁忙的操作：%1 次。其间力共短暂中断 %2 次；这些操作已在数据中标明。</translation>
+    </message>
+    <message>
+        <source>Runs with samples that were not recorded are incomplete and marked in the data.</source>
+        <translation>有采样未记录的操作不完整，已在数据中标明。</translation>
+    </message>
+    <message>
+        <source>%1 {entry|entries} at %2</source>
+        <translation>%2 时共 %1 条</translation>
+    </message>
+    <message>
+        <source>medians over runs</source>
+        <translation>各次操作的中位数</translation>
+    </message>
+    <message>
+        <source>The evaluation is not finished: %1 {mark is|marks are} in so far. Scores are computed once every class of raters that has a weight has scored every index of every model.</source>
+        <translation>评价尚未完成：目前已收到 %1 个评分。待每个有权重的评分者类别对每个模型的每项指标都评过分后，才计算得分。</translation>
+    </message>
+    <message>
+        <source>The first points rest on up to %1 {trainee|trainees} of a group, the last on %2.</source>
+        <translation>最初的点基于每组至多 %1 名学员，最后的点基于 %2 名。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 {mark of the first and the last occasion is|marks of the first and the last occasion are} missing</source>
+        <translation>首末两个评分时点的 %2 个评分中缺失 %1 个</translation>
+    </message>
+    <message>
+        <source>Mark at the end on group and mean mark before (fixed), trainee and rater (random, crossed); %1 {mark|marks} of %2 {trainee|trainees}. Degrees of freedom after Satterthwaite.</source>
+        <translation>结束时评分对组别和训练前平均评分（固定效应）、学员和评分者（随机、交叉）建模；%2 名学员的 %1 个评分。自由度按 Satterthwaite 法。</translation>
+    </message>
+    <message>
+        <source>Learning; Recorded runs</source>
+        <translation>学习过程；已录制的操作</translation>
+    </message>
+    <message>
+        <source>Every recording is sealed in the record by its content hash; it can be replayed and compared bit for bit (torsio replay RUN --verify).</source>
+        <translation>每份录制都以内容哈希封存在记录中；可以重放并逐位比较（torsio replay RUN --verify）。</translation>
+    </message>
+    <message>
+        <source>%1 {recording has|recordings have} no content hash: nothing shows that {it is|they are} unchanged.</source>
+        <translation>%1 份录制没有内容哈希：无法表明它们未被更改。</translation>
+    </message>
+    <message>
+        <source>%1 {mark could not be given and carries a reason; it counts|marks could not be given and carry a reason; they count} as missing.</source>
+        <translation>有 %1 个评分无法给出并注明了理由；按缺失处理。</translation>
+    </message>
+    <message>
+        <source>Recordings (first eight digits of the run)</source>
+        <translation>录制（操作编号的前八位）</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>操作编号</translation>
+    </message>
+    <message>
+        <source>Raters were blinded: all marks of the training study (%1) were given on recordings under a case label, without name, group or occasion.</source>
+        <translation>评分者处于盲态：训练研究的全部 %1 个评分都是在只有案例标签的录制上给出的，不显示姓名、组别和时点。</translation>
+    </message>
+    <message>
+        <source>Raters were not blinded: all marks of the training study (%1) were given live at the real arm, where the rater sees the trainee.</source>
+        <translation>评分者未处于盲态：训练研究的全部 %1 个评分都是在实物手臂旁现场给出的，评分者看得到学员。</translation>
+    </message>
+    <message>
+        <source>Nothing shows that raters were blinded: all marks of the training study (%1) were entered without a sheet of the desk.</source>
+        <translation>没有任何依据表明评分者处于盲态：训练研究的全部 %1 个评分都不是通过评分台的评分表录入的。</translation>
+    </message>
+    <message>
+        <source>Raters were blinded in part: of %1 {mark|marks} of the training study %2 {was|were} given on recordings under a case label, %3 live at the real arm, where the rater sees the trainee, and %4 {was|were} entered without a sheet of the desk.</source>
+        <translation>评分者部分处于盲态：训练研究的 %1 个评分中，%2 个是在只有案例标签的录制上给出的，%3 个是在实物手臂旁现场给出的（评分者看得到学员），%4 个不是通过评分台的评分表录入的。</translation>
+    </message>
+    <message>
+        <source>All models (%1) stood before their raters under hidden labels.</source>
+        <translation>全部 %1 个模型都以隐藏标签呈现给评分者。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 {model|models} stood before their raters under hidden labels.</source>
+        <translation>%2 个模型中有 %1 个以隐藏标签呈现给评分者。</translation>
+    </message>
+    <message>
+        <source>%1 {trainee of this cohort is a rater|trainees of this cohort are raters} of the models as well: their marks are not independent of their training.</source>
+        <translation>该批次中有 %1 名学员同时是模型的评分者：他们的评分与其训练并不独立。</translation>
+    </message>
+    <message>
+        <source>Commitment to the seed: %1, made %2, after %3 {trainee|trainees} had been allocated.</source>
+        <translation>对种子的承诺：%1，作出于 %2，当时已有 %3 名学员分组。</translation>
+    </message>
+    <message>
+        <source>Commitment to the seed: %1, made %2, before anybody was allocated and after %3 {trainee|trainees} had been enrolled.</source>
+        <translation>对种子的承诺：%1，作出于 %2，在任何人分组之前、%3 名学员入组之后。</translation>
+    </message>
+    <message>
+        <source>%1 {physician|physicians} scored every trainee at %2 {occasion|occasions} on a scale from %3 to %4. A trainee&apos;s score is the plain mean of these marks.</source>
+        <translation>%1 名医师在 %2 个评分时点按 %3 至 %4 分对每名学员评分。学员得分为这些评分的算术平均值。</translation>
+    </message>
+    <message>
+        <source>%1 {physician|physicians} gave %2 {mark|marks} at %3 {occasion|occasions} on a scale from %4 to %5; not every physician scored every trainee at every occasion. A trainee&apos;s score is the plain mean of the marks at hand.</source>
+        <translation>%1 名医师在 %3 个时点以 %4 到 %5 的量表给出 %2 个评分；并非每名医师在每个时点都给每名学员评了分。学员的得分为现有评分的简单平均。</translation>
+    </message>
+    <message>
+        <source>%1 {rater is|raters are} the fewest whose mean has a dependability of 0.80 or more.</source>
+        <translation>至少 %1 名评分者的平均分，其可靠性才达到 0.80 或以上。</translation>
+    </message>
+    <message>
+        <source>The training study is not shown: %1 of %2 {sheet that raters were asked for is|sheets that raters were asked for are} present. Marks and means appear once all are, or once the data set is frozen.</source>
+        <translation>训练研究未显示：要求评分者提交的 %2 份评分表中已有 %1 份。全部提交或数据集冻结之后，才显示评分和均值。</translation>
+    </message>
+    <message>
+        <source>The evaluation of the models is not shown: %1 of %2 {rater who was asked has|raters who were asked have} given all marks. Marks and scores appear once all have, or once the data set is frozen.</source>
+        <translation>模型评价未显示：被要求评分的 %2 名评分者中有 %1 名已给出全部评分。全部给出或数据集冻结之后，才显示评分和得分。</translation>
+    </message>
+    <message>
+        <source>Training was shortened for this demonstration: %1 {minute|minutes} of simulated exercise stand for %2 {minute|minutes} of the protocol (1 : %3).</source>
+        <translation>本演示缩短了训练：%1 分钟的模拟练习代表方案中的 %2 分钟（1 : %3）。</translation>
+    </message>
+    <message>
+        <source>%1: %2 {day|days}</source>
+        <translation>%1：%2 天</translation>
+    </message>
+    <message>
+        <source>real data use the demonstration: %1 {row refers|rows refer} from %2 to simulated rows of %3</source>
+        <translation>真实数据使用了演示数据：%2 的 %1 行引用了 %3 的模拟行</translation>
+    </message>
+    <message>
+        <source>the table %1 differs after copying (%2 {row|rows} before, %3 after); nothing was kept</source>
+        <translation>表 %1 复制后不一致（之前 %2 行，之后 %3 行）；未保留任何内容</translation>
+    </message>
+    <message>
+        <source>its audit trail does not verify (%1 {finding|findings})</source>
+        <translation>其审计记录未通过校验（%1 处）</translation>
+    </message>
+    <message>
+        <source>this rater calibration</source>
+        <translation>该次评分校准</translation>
+    </message>
+    <message>
+        <source>no such run</source>
+        <translation>没有该操作</translation>
+    </message>
+    <message>
+        <source>List the runs to find its id</source>
+        <translation>请列出操作以查找编号</translation>
+    </message>
+    <message>
+        <source>tick period %1 us, latency %2 {tick|ticks}</source>
+        <translation>节拍周期 %1 微秒，延迟 %2 个节拍</translation>
+    </message>
+    <message>
+        <source>a recorded run</source>
+        <translation>一次已记录的操作</translation>
+    </message>
+    <message>
+        <source>M12 %1 {edge|edges} shared by more than two faces, first at %2</source>
+        <translation>M12 有 %1 条边由两个以上的面共用，首个位于 %2</translation>
+    </message>
+    <message>
+        <source>M11 the surface is open: %1 boundary {edge|edges} in %2 {hole|holes}, first at %3</source>
+        <translation>M11 曲面未封闭：%2 个孔洞中有 %1 条边界边，首个位于 %3</translation>
+    </message>
+    <message>
+        <source>M12 %1 {vertex|vertices} where two parts only touch, first at %2</source>
+        <translation>M12 有 %1 个顶点处两部分仅点接触，首个位于 %2</translation>
+    </message>
+    <message>
+        <source>M10 %1 {face|faces} without area could not be repaired</source>
+        <translation>M10 有 %1 个零面积的面无法修复</translation>
+    </message>
+    <message>
+        <source>M16 the surface has %1 {handle|handles}, like a ring</source>
+        <translation>M16 曲面有 %1 个环柄，形如圆环</translation>
+    </message>
+    <message>
+        <source>M04 the header promises %1, but the file has %2 {byte|bytes}</source>
+        <translation>M04 文件头声明 %1，但文件只有 %2 字节</translation>
+    </message>
+    <message>
+        <source>the surface crosses itself in %1 {pair|pairs} of triangles</source>
+        <translation>表面有 %1 对三角形相互穿过</translation>
+    </message>
+    <message>
+        <source>%1 {element|elements} asked for; a rod takes 2 to %2</source>
+        <translation>要求 %1 个单元；杆模型可取 2 至 %2 个</translation>
+    </message>
+    <message>
+        <source>Forearm: supinate to 60 degrees, tighter tolerance</source>
+        <translation>前臂：旋后 60 度（容差更小）</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -13085,18 +13101,6 @@
 <context>
     <name>torsio::gui::AllocationPage</name>
     <message>
-        <source>How even it would come out</source>
-        <translation>各组均衡程度预览</translation>
-    </message>
-    <message>
-        <source>How even it would come out, over %1 tries with other seeds</source>
-        <translation>以 %1 个其他种子试抽得到的均衡程度</translation>
-    </message>
-    <message>
-        <source>%1 trainee(s) lack one of these details: %2</source>
-        <translation>%1 名学员缺少其中某项资料：%2</translation>
-    </message>
-    <message>
         <source>No design is locked yet. Preview the balance, then lock: the seed is drawn and sealed at that moment.</source>
         <translation>尚未锁定分组方案。请先预览均衡程度再锁定：种子在锁定时抽取并封存。</translation>
     </message>
@@ -13181,10 +13185,6 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>核对抽取</translation>
     </message>
     <message>
-        <source>The whole draw was repeated: every one of %1 records is as drawn, %2 of them moved by hand.</source>
-        <translation>已重复全部抽取：%1 条记录均与抽取一致，其中 %2 条经人工调整。</translation>
-    </message>
-    <message>
         <source>The draw does not fit its record: %1</source>
         <translation>抽取与记录不符：%1</translation>
     </message>
@@ -13227,10 +13227,6 @@ Only an allocator previews, locks and draws. An administrator gives this role to
     <message>
         <source>&amp;Lock design…</source>
         <translation>锁定方案(&amp;L)…</translation>
-    </message>
-    <message>
-        <source>What counts now</source>
-        <translation>现行方案</translation>
     </message>
     <message>
         <source>&amp;Allocate everybody</source>
@@ -13309,10 +13305,6 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>尚无人分组。</translation>
     </message>
     <message>
-        <source>Who was put where</source>
-        <translation>分组记录</translation>
-    </message>
-    <message>
         <source>Mo&amp;ve by hand…</source>
         <translation>手动调整(&amp;V)…</translation>
     </message>
@@ -13328,6 +13320,32 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <source>%1 (salt %2)</source>
         <translation>%1（盐值 %2）</translation>
     </message>
+    <message>
+        <source>Balance preview</source>
+        <translation>均衡预览</translation>
+    </message>
+    <message>
+        <source>Balance preview, over %1 draws with other seeds</source>
+        <translation>均衡预览：以其他种子试抽 %1 次</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trainee(s) lack one of these details: %1</source>
+        <translation>
+            <numerusform>%n 名学员缺少其中某项资料：%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The whole draw was repeated: every record is as drawn (%1), moved by hand: %2.</source>
+        <translation>已重复全部抽取：%1 条记录均与抽取一致，其中 %2 条经人工调整。</translation>
+    </message>
+    <message>
+        <source>Current design</source>
+        <translation>现行方案</translation>
+    </message>
+    <message>
+        <source>Allocations</source>
+        <translation>分组记录</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::AngleDial</name>
@@ -13336,16 +13354,16 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>扭转角</translation>
     </message>
     <message>
-        <source>%1 degrees, target %2 degrees</source>
-        <translation>%1 度，目标 %2 度</translation>
-    </message>
-    <message>
         <source>on target</source>
         <translation>已达目标</translation>
     </message>
     <message>
         <source>target %1</source>
         <translation>目标 %1</translation>
+    </message>
+    <message>
+        <source>%1°, target %2°</source>
+        <translation>%1°，目标 %2°</translation>
     </message>
 </context>
 <context>
@@ -13383,12 +13401,12 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>医师</translation>
     </message>
     <message>
-        <source>What do you want to know? (may stay empty)</source>
-        <translation>您想了解什么？（可留空）</translation>
-    </message>
-    <message>
         <source>Question</source>
         <translation>问题</translation>
+    </message>
+    <message>
+        <source>What do you want to know?</source>
+        <translation>您想了解什么？</translation>
     </message>
 </context>
 <context>
@@ -13404,10 +13422,6 @@ Only an allocator previews, locks and draws. An administrator gives this role to
     <message>
         <source>&amp;Verify</source>
         <translation>验证(&amp;V)</translation>
-    </message>
-    <message>
-        <source>Checks every entry, every sealed mark and every recorded trial</source>
-        <translation>检查每个条目、每个已封存的评分和每次录制的操作记录</translation>
     </message>
     <message>
         <source>Last day</source>
@@ -13493,10 +13507,6 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <source>Verifying the audit trail</source>
         <translation>正在验证审计记录</translation>
     </message>
-    <message>
-        <source>✓ Everything is as it was written: entries, marks and trials.</source>
-        <translation>✓ 条目、评分和操作记录均与写入时一致。</translation>
-    </message>
     <message numerus="yes">
         <source>⚠ %n finding(s). Do not report from this record before they are explained.</source>
         <translation>
@@ -13544,6 +13554,14 @@ Only an allocator previews, locks and draws. An administrator gives this role to
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Checks every entry, every sealed mark and every recorded run</source>
+        <translation>检查每个条目、每个已封存的评分和每次已录制的操作</translation>
+    </message>
+    <message>
+        <source>✓ Everything is as it was written: entries, marks and runs.</source>
+        <translation>✓ 条目、评分和操作均与写入时一致。</translation>
     </message>
 </context>
 <context>
@@ -13649,12 +13667,14 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         <translation>专家为同一器官复位</translation>
     </message>
     <message>
-        <source>Twist at least %1 times.</source>
-        <translation>至少扭转 %1 次。</translation>
-    </message>
-    <message>
         <source>When you are held to be able</source>
         <translation>何时被认为胜任</translation>
+    </message>
+    <message numerus="yes">
+        <source>Twist at least %n time(s).</source>
+        <translation>
+            <numerusform>至少扭转 %n 次。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13686,10 +13706,6 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
     <message>
         <source>● Called: %1</source>
         <translation>● 呼叫中：%1</translation>
-    </message>
-    <message>
-        <source>%1 of %2 sheets are in</source>
-        <translation>已提交 %1 份评分表，共 %2 份</translation>
     </message>
     <message>
         <source>missing: %1</source>
@@ -13748,6 +13764,12 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
     <message>
         <source>Call</source>
         <translation>呼叫</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n sheet(s) in</source>
+        <translation>
+            <numerusform>已收到 %1 / %n 份评分表</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13809,10 +13831,6 @@ MSM = 质点弹簧</translation>
         <translation>、</translation>
     </message>
     <message>
-        <source>Both lists of weights sum to 1; %1 raters are chosen.</source>
-        <translation>两组权重之和均为 1；已选择 %1 位评分者。</translation>
-    </message>
-    <message>
         <source>Code = name. Behind a bar (|) may stand the id of a recording made with the model, for all models or for none: the raters then watch it under its letter.</source>
         <translation>代码 = 名称。竖线（|）之后可写用该模型录制的录像编号，须为所有模型都写或都不写：评分者将在字母代号下观看录像。</translation>
     </message>
@@ -13851,6 +13869,12 @@ MSM = 质点弹簧</translation>
     <message>
         <source>proposed model</source>
         <translation>本文模型</translation>
+    </message>
+    <message numerus="yes">
+        <source>Both lists of weights sum to 1; %n rater(s) chosen.</source>
+        <translation>
+            <numerusform>两组权重之和均为 1；已选择 %n 名评分者。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -14638,12 +14662,14 @@ MSM = 质点弹簧</translation>
         <translation>请选择专家所在批次，并由其取得容差。</translation>
     </message>
     <message>
-        <source>%1 experts: mean error %2°, mean and one standard deviation %3°, bound that covers nine in ten experts %4°.</source>
-        <translation>%1 名专家：平均误差 %2°，均值加一个标准差 %3°，覆盖九成专家的界限 %4°。</translation>
-    </message>
-    <message>
         <source>Registered as version %1.</source>
         <translation>已登记为第 %1 版。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n expert(s): mean error %1°, mean and one standard deviation %2°, bound that covers nine in ten experts %3°.</source>
+        <translation>
+            <numerusform>%n 名专家：平均误差 %1°，均值加一个标准差 %2°，涵盖十分之九专家的上限 %3°。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -15129,10 +15155,6 @@ MSM = 质点弹簧</translation>
         </translation>
     </message>
     <message>
-        <source>%1 of %2 rows</source>
-        <translation>%1 / %2 行</translation>
-    </message>
-    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
@@ -15159,6 +15181,12 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Columns…</source>
         <translation>列…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n row(s)</source>
+        <translation>
+            <numerusform>%1 / %n 行</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -15268,14 +15296,6 @@ MSM = 质点弹簧</translation>
         <translation>没有可供比较的专家示范。</translation>
     </message>
     <message>
-        <source>One twist was not completed and is not counted.</source>
-        <translation>有一次扭转未完成，不计入。</translation>
-    </message>
-    <message>
-        <source>%1 twists were not completed and are not counted.</source>
-        <translation>有 %1 次扭转未完成，不计入。</translation>
-    </message>
-    <message>
         <source>Force was shown, not felt: the device of this run gives none. Its measures are computed.</source>
         <translation>力只显示、感觉不到：本次操作的设备不提供力。力的测量值由模型计算。</translation>
     </message>
@@ -15290,6 +15310,12 @@ MSM = 质点弹簧</translation>
     <message>
         <source>What was felt was not what was computed all the time: %1. %2.</source>
         <translation>手上感受到的力并非始终与计算值一致：%1。%2。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n twist(s) not completed and not counted.</source>
+        <translation>
+            <numerusform>有 %n 次扭转未完成，不计入。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -15512,10 +15538,6 @@ MSM = 质点弹簧</translation>
         <translation>钳伤：%1 处。夹持要轻，缺血组织只能承受一半的压力。</translation>
     </message>
     <message>
-        <source>The instrument slipped off: %1 times.</source>
-        <translation>器械滑脱：%1 次。</translation>
-    </message>
-    <message>
         <source>Bruises, tears, slips and relapses are not marked: the organ of this run is not on this machine.</source>
         <translation>未标出钳伤、撕裂、滑脱和回转：本机没有此次训练的器官。</translation>
     </message>
@@ -15530,6 +15552,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Turned back by %1 without a rest: let the blood return in stages.</source>
         <translation>未停歇就转回了 %1：应分阶段让血流恢复。</translation>
+    </message>
+    <message>
+        <source>Times that the instrument slipped off: %1.</source>
+        <translation>器械滑脱：%1 次。</translation>
     </message>
 </context>
 <context>
@@ -15731,10 +15757,6 @@ MSM = 质点弹簧</translation>
         <translation>已在限度之内。请松开。</translation>
     </message>
     <message>
-        <source>The twist grows. Turn the other way round.</source>
-        <translation>扭转正在加重。请朝相反方向转动。</translation>
-    </message>
-    <message>
         <source>Holding. Turn, set the clip (C), then grip anew.</source>
         <translation>已抓住。转动，上夹子 (C)，再重新抓持。</translation>
     </message>
@@ -15745,6 +15767,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Turned back by %1°. Set the clip and let it rest: %2 of %3 s</source>
         <translation>已转回 %1°。请夹住并让组织停歇：%2 / %3 s</translation>
+    </message>
+    <message>
+        <source>The twist grows. Turn in the opposite direction.</source>
+        <translation>扭转正在加重。请向相反方向转动。</translation>
     </message>
 </context>
 <context>
@@ -16249,10 +16275,6 @@ MSM = 质点弹簧</translation>
         <translation>模型评价</translation>
     </message>
     <message>
-        <source>Nine indices for each model, after each trial. Which model stands behind a letter is hidden, and the order is your own.</source>
-        <translation>每次操作后为每个模型评九项指标。字母对应的模型不公开，顺序因人而异。</translation>
-    </message>
-    <message>
         <source>Submit this model</source>
         <translation>提交此模型</translation>
     </message>
@@ -16275,6 +16297,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>%1. %2</source>
         <translation>%1。%2</translation>
+    </message>
+    <message>
+        <source>Nine indices for each model, after each run. Which model stands behind a letter is hidden, and the order is your own.</source>
+        <translation>每次操作后为每个模型评九项指标。字母对应的模型不公开，顺序因人而异。</translation>
     </message>
 </context>
 <context>
@@ -16669,10 +16695,6 @@ MSM = 质点弹簧</translation>
         <translation>第 %1 步，共 %2 步</translation>
     </message>
     <message>
-        <source>&amp;Language</source>
-        <translation>语言(&amp;L)</translation>
-    </message>
-    <message>
         <source>&amp;Name of the centre</source>
         <translation>中心名称(&amp;N)</translation>
     </message>
@@ -16687,10 +16709,6 @@ MSM = 质点弹簧</translation>
     <message>
         <source>&amp;Password</source>
         <translation>密码(&amp;P)</translation>
-    </message>
-    <message>
-        <source>The same &amp;again</source>
-        <translation>再次输入(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Begin empty</source>
@@ -16756,6 +16774,22 @@ MSM = 质点弹簧</translation>
         <source>&amp;Test the database</source>
         <translation>测试数据库(&amp;T)</translation>
     </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>语言(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Look round with simulated people</source>
+        <translation>用模拟人员浏览(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Needs no password. Everything lies in a folder of its own, which is removed when you sign out.</source>
+        <translation>无需密码。全部内容位于单独的文件夹中，退出登录时即删除。</translation>
+    </message>
+    <message>
+        <source>Repeat p&amp;assword</source>
+        <translation>重复密码(&amp;A)</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::GroupEditor</name>
@@ -16794,10 +16828,6 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Exercise of phase %1</source>
         <translation>第 %1 阶段的练习</translation>
-    </message>
-    <message>
-        <source>In all %1 minutes of training: %2 on the simulator, %3 on the real arm. Rest does not count.</source>
-        <translation>训练共 %1 分钟：模拟器 %2 分钟，真实手臂 %3 分钟。休息不计。</translation>
     </message>
     <message>
         <source>A group needs a code; it keeps %1.</source>
@@ -16862,6 +16892,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Exercise</source>
         <translation>练习</translation>
+    </message>
+    <message>
+        <source>In all %1 min of training: %2 on the simulator, %3 on the real arm. Rest does not count.</source>
+        <translation>训练共 %1 分钟：模拟器 %2 分钟，实物手臂 %3 分钟。休息不计。</translation>
     </message>
 </context>
 <context>
@@ -17143,10 +17177,6 @@ Leave it empty to remove it.</source>
         <translation>删除演示数据</translation>
     </message>
     <message>
-        <source>Remove %1 simulated people, %2 trials and %3 marks?</source>
-        <translation>删除 %1 名模拟人员、%2 次操作记录和 %3 个评分？</translation>
-    </message>
-    <message>
         <source>Your own data stay as they are. This cannot be undone.</source>
         <translation>您自己的数据不受影响。此操作无法撤销。</translation>
     </message>
@@ -17219,12 +17249,30 @@ Leave it empty to remove it.</source>
         <translation>%1。等待保存：%2 项</translation>
     </message>
     <message>
-        <source>The database refused %1 entries of this station for good. Please tell whoever looks after it</source>
-        <translation>数据库彻底拒绝了本训练台的 %1 条记录。请告知管理人员</translation>
-    </message>
-    <message>
         <source>The head of the audit trail was not kept: %1</source>
         <translation>未能保存审计记录的末端：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>The database refused %n entries of this station for good. Please tell whoever looks after it</source>
+        <translation>
+            <numerusform>数据库最终拒绝了本工作站的 %n 条记录。请告知维护人员</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remove the simulated people (%1), their runs (%2) and marks (%3)?</source>
+        <translation>删除模拟人员（%1）、其操作（%2）和评分（%3）？</translation>
+    </message>
+    <message>
+        <source>No folder can be made for it: %1</source>
+        <translation>无法为此创建文件夹：%1</translation>
+    </message>
+    <message>
+        <source>A look round: simulated people</source>
+        <translation>浏览：模拟人员</translation>
+    </message>
+    <message>
+        <source>Everybody here is simulated. Sign out, and all of it is gone</source>
+        <translation>此处所有人员均为模拟。退出登录后全部删除</translation>
     </message>
 </context>
 <context>
@@ -17254,20 +17302,8 @@ Leave it empty to remove it.</source>
         <translation>位于数据库服务器</translation>
     </message>
     <message>
-        <source>✓ Checked: sound, schema %1, %2 audit entries</source>
-        <translation>✓ 已检查：完好，结构版本 %1，审计记录 %2 条</translation>
-    </message>
-    <message>
-        <source>✗ Checked: %1 finding(s), first: %2</source>
-        <translation>✗ 已检查：发现 %1 个问题，第一个：%2</translation>
-    </message>
-    <message>
         <source>There are no simulated people in this record.</source>
         <translation>记录中没有模拟人员。</translation>
-    </message>
-    <message>
-        <source>%1 simulated people, %2 recordings, %3 marks. They are marked everywhere and can go at once; real data stay.</source>
-        <translation>模拟人员 %1 名，录制 %2 次，评分 %3 个。它们处处带有标记，可一次删除；真实数据不受影响。</translation>
     </message>
     <message>
         <source>A backup takes the place of this record, or the record goes to a database server for several stations. Both ask first and show what they will do.</source>
@@ -17290,20 +17326,8 @@ Leave it empty to remove it.</source>
         <translation>正在备份</translation>
     </message>
     <message>
-        <source>✓ Written and read back: %1 recordings, %2 marks.
-%3</source>
-        <translation>✓ 已写入并回读：录制 %1 次，评分 %2 个。
-%3</translation>
-    </message>
-    <message>
         <source>Testing a backup</source>
         <translation>正在测试备份</translation>
-    </message>
-    <message>
-        <source>✓ This backup can be restored: %1 recordings, %2 marks.
-%3</source>
-        <translation>✓ 该备份可以恢复：录制 %1 次，评分 %2 个。
-%3</translation>
     </message>
     <message>
         <source>✗ This backup is not sound. Make a new one.
@@ -17314,10 +17338,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Checking the database</source>
         <translation>正在检查数据库</translation>
-    </message>
-    <message>
-        <source>Removed: %1 simulated people, %2 recordings</source>
-        <translation>已删除：模拟人员 %1 名，录制 %2 次</translation>
     </message>
     <message>
         <source>Back up to</source>
@@ -17334,10 +17354,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Remove the demonstration</source>
         <translation>删除演示数据</translation>
-    </message>
-    <message>
-        <source>%1 simulated people and all that belongs to them go at once. This cannot be taken back.</source>
-        <translation>%1 名模拟人员及其全部数据将一次删除，无法撤销。</translation>
     </message>
     <message>
         <source>Keep longer</source>
@@ -17366,10 +17382,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Erase a record</source>
         <translation>删除个人记录</translation>
-    </message>
-    <message>
-        <source>The identity of %1 and %2 recording(s) are erased for good. Marks stay without a person, so that statistics remain right.</source>
-        <translation>%1 的身份信息和 %2 次录制将永久删除。评分去除个人信息后保留，以保证统计正确。</translation>
     </message>
     <message>
         <source>Maintenance of the record</source>
@@ -17478,6 +17490,46 @@ Leave it empty to remove it.</source>
     <message>
         <source>No key signs the heads of this station, so whoever can change the place where they are kept can replace them. torsio audit key makes one, torsio audit station sets it.</source>
         <translation>本站的末端没有密钥签名，能改动其保存位置的人就能替换它们。用 torsio audit key 生成密钥，用 torsio audit station 设置。</translation>
+    </message>
+    <message>
+        <source>✓ Checked: sound, schema %1, audit entries: %2</source>
+        <translation>✓ 已检查：完好，结构版本 %1，审计记录 %2 条</translation>
+    </message>
+    <message numerus="yes">
+        <source>✗ Checked: %n finding(s), first: %1</source>
+        <translation>
+            <numerusform>✗ 已检查：发现 %n 个问题，第一个：%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Simulated people: %1, recordings: %2, marks: %3. They are marked everywhere and can go at once; real data stay.</source>
+        <translation>模拟人员 %1 名，录制 %2 次，评分 %3 个。它们处处带有标记，可一次删除；真实数据不受影响。</translation>
+    </message>
+    <message>
+        <source>✓ Written and read back. Recordings: %1, marks: %2.
+%3</source>
+        <translation>✓ 已写入并回读：录制 %1 次，评分 %2 个。
+%3</translation>
+    </message>
+    <message>
+        <source>✓ This backup can be restored. Recordings: %1, marks: %2.
+%3</source>
+        <translation>✓ 该备份可以恢复：录制 %1 次，评分 %2 个。
+%3</translation>
+    </message>
+    <message>
+        <source>Removed: simulated people %1, recordings %2</source>
+        <translation>已删除：模拟人员 %1 名，录制 %2 次</translation>
+    </message>
+    <message>
+        <source>The simulated people (%1) and all that belongs to them go at once. This cannot be taken back.</source>
+        <translation>%1 名模拟人员及其全部数据将一次删除，无法撤销。</translation>
+    </message>
+    <message numerus="yes">
+        <source>The identity of %1 and %n recording(s) are erased for good. Marks stay without a person, so that statistics remain right.</source>
+        <translation>
+            <numerusform>%1 的身份信息和 %n 次录制将永久删除。评分去除个人信息后保留，以保证统计正确。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -17897,14 +17949,6 @@ Leave it empty to remove it.</source>
         <translation>查看</translation>
     </message>
     <message>
-        <source>One remark of a physician that you have not read</source>
-        <translation>有一条医师评语未读</translation>
-    </message>
-    <message>
-        <source>%1 remarks of physicians that you have not read</source>
-        <translation>有 %1 条医师评语未读</translation>
-    </message>
-    <message>
         <source>Read</source>
         <translation>阅读</translation>
     </message>
@@ -17947,10 +17991,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>the last attempt</source>
         <translation>最后一次尝试</translation>
-    </message>
-    <message>
-        <source>%1 attempts left</source>
-        <translation>剩余 %1 次尝试</translation>
     </message>
     <message>
         <source>&amp;Begin on the real arm</source>
@@ -18012,6 +18052,18 @@ Leave it empty to remove it.</source>
         <source>All modules</source>
         <translation>全部模块</translation>
     </message>
+    <message numerus="yes">
+        <source>%n remark(s) of physicians that you have not read</source>
+        <translation>
+            <numerusform>有 %n 条医师评语未读</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) left</source>
+        <translation>
+            <numerusform>还剩 %n 次尝试</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::OrderedList</name>
@@ -18057,10 +18109,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Co&amp;mment on the paper</source>
         <translation>纸上的评语(&amp;M)</translation>
-    </message>
-    <message>
-        <source>&amp;Keep what I typed</source>
-        <translation>保存我录入的内容(&amp;K)</translation>
     </message>
     <message>
         <source>Case</source>
@@ -18134,6 +18182,10 @@ Leave it empty to remove it.</source>
         <source>Alike: the sheet counts now.</source>
         <translation>一致：该评分表现已计入。</translation>
     </message>
+    <message>
+        <source>&amp;Save what I typed</source>
+        <translation>保存我录入的内容(&amp;S)</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::PasswordPanel</name>
@@ -18162,10 +18214,6 @@ Leave it empty to remove it.</source>
         <translation>新密码(&amp;N)</translation>
     </message>
     <message>
-        <source>The same &amp;again</source>
-        <translation>再次输入(&amp;A)</translation>
-    </message>
-    <message>
         <source>Back to the sign-in</source>
         <translation>返回登录</translation>
     </message>
@@ -18176,6 +18224,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Save password</source>
         <translation>保存密码</translation>
+    </message>
+    <message>
+        <source>Repeat p&amp;assword</source>
+        <translation>重复密码(&amp;A)</translation>
     </message>
 </context>
 <context>
@@ -18270,16 +18322,20 @@ Leave it empty to remove it.</source>
         <translation>有了评分之后，“结果”的“评分者”一节会说明需要多少名评分者。</translation>
     </message>
     <message>
-        <source>%1 trainees</source>
-        <translation>%1 名学员</translation>
-    </message>
-    <message>
-        <source>%1 trainees in each group; %2 when scores are adjusted for the score before</source>
-        <translation>每组 %1 名学员；按训练前得分校正时为 %2 名</translation>
-    </message>
-    <message>
         <source>power %1 for this effect; with power %2 they detect an effect of %3</source>
         <translation>对该效应的效能为 %1；以效能 %2 可检出 %3 的效应</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trainee(s)</source>
+        <translation>
+            <numerusform>%n 名学员</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trainee(s) in each group; %1 when scores are adjusted for the score before</source>
+        <translation>
+            <numerusform>每组 %n 名学员；以训练前得分校正时为 %1 名</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -18529,12 +18585,12 @@ Leave it empty to remove it.</source>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Hide names</source>
-        <translation>隐藏名称</translation>
+        <source>Collapse sidebar</source>
+        <translation>收起侧栏</translation>
     </message>
     <message>
-        <source>Show names</source>
-        <translation>显示名称</translation>
+        <source>Expand sidebar</source>
+        <translation>展开侧栏</translation>
     </message>
 </context>
 <context>
@@ -18959,14 +19015,6 @@ Leave it empty to remove it.</source>
         <translation>请先自评，然后可以看到医师的评分。</translation>
     </message>
     <message>
-        <source>Your own marks beside those of one physician.</source>
-        <translation>您的自评与一位医师的评分。</translation>
-    </message>
-    <message>
-        <source>Your own marks beside the mean of %1 physicians.</source>
-        <translation>您的自评与 %1 位医师的平均分。</translation>
-    </message>
-    <message>
         <source>Your marks are kept. The physicians&apos; marks appear when they are released.</source>
         <translation>您的自评已保存。医师评分发布后会显示。</translation>
     </message>
@@ -18986,9 +19034,15 @@ Leave it empty to remove it.</source>
         <source>Overall</source>
         <translation>总分</translation>
     </message>
+    <message numerus="yes">
+        <source>Your own marks beside the mean of %n physician(s).</source>
+        <translation>
+            <numerusform>您的自评与 %n 名医师平均评分的对比。</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>&amp;Keep my marks</source>
-        <translation>保存自评(&amp;K)</translation>
+        <source>&amp;Save my marks</source>
+        <translation>保存自评(&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -19105,10 +19159,6 @@ Leave it empty to remove it.</source>
         <translation>保持 %1 秒</translation>
     </message>
     <message>
-        <source>at least %1 twists</source>
-        <translation>至少扭转 %1 次</translation>
-    </message>
-    <message>
         <source>force up to %1 N</source>
         <translation>力不超过 %1 N</translation>
     </message>
@@ -19119,6 +19169,12 @@ Leave it empty to remove it.</source>
     <message>
         <source>Asked for: %1</source>
         <translation>任务要求：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>at least %n twist(s)</source>
+        <translation>
+            <numerusform>至少 %n 次扭转</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -19287,16 +19343,16 @@ Leave it empty to remove it.</source>
         <translation>文件夹 (*)</translation>
     </message>
     <message>
-        <source>%1 recordings and %2 marks written to %3</source>
-        <translation>已将 %1 条录像和 %2 项评分写入 %3</translation>
-    </message>
-    <message>
         <source>E&amp;xport…</source>
         <translation>导出(&amp;X)…</translation>
     </message>
     <message>
         <source>Workbook, tables for SPSS and R, scores for a learning system; pseudonymised if wanted</source>
         <translation>工作簿、SPSS 与 R 数据表、学习系统成绩；可选择假名化</translation>
+    </message>
+    <message>
+        <source>Recordings (%1) and marks (%2) written to %3</source>
+        <translation>已将 %1 条录制和 %2 项评分写入 %3</translation>
     </message>
 </context>
 <context>
@@ -19453,20 +19509,12 @@ Leave it empty to remove it.</source>
         <translation>最新的录制或评分</translation>
     </message>
     <message>
-        <source>What was added after the backup is no longer in the record: %1 recordings, %2 marks and %3 people. It stays in the safety backup.</source>
-        <translation>备份之后新增的内容将不再属于记录：%1 个录制、%2 个评分和 %3 名人员。它们仍保留在安全备份中。</translation>
-    </message>
-    <message>
         <source>Nothing recorded is lost: the backup has every recording, mark and person of today.</source>
         <translation>不会丢失任何记录：备份包含今天的所有录制、评分和人员。</translation>
     </message>
     <message>
         <source>Passwords, accounts, settings and consents are those of the backup. Look at consents afterwards.</source>
         <translation>密码、账户、设置和知情同意将恢复为备份时的内容。请随后核对知情同意。</translation>
-    </message>
-    <message>
-        <source>%1 people were erased after this backup. They stay erased.</source>
-        <translation>此备份之后有 %1 人被删除，他们将保持已删除状态。</translation>
     </message>
     <message>
         <source>RESTORE</source>
@@ -19539,6 +19587,16 @@ Leave it empty to remove it.</source>
     <message>
         <source>Why is it restored? Another administrator confirms it.</source>
         <translation>为什么要恢复？由另一位管理员确认。</translation>
+    </message>
+    <message>
+        <source>What was added after the backup is no longer in the record: recordings %1, marks %2, people %3. It stays in the safety backup.</source>
+        <translation>备份之后新增的内容将不再属于记录：%1 个录制、%2 个评分和 %3 名人员。它们仍保留在安全备份中。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Erased after this backup: %n person(s). They stay erased.</source>
+        <translation>
+            <numerusform>此备份之后有 %n 人被删除，恢复后仍保持删除。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -19864,10 +19922,6 @@ Leave it empty to remove it.</source>
         <translation>正在导出记录</translation>
     </message>
     <message>
-        <source>%1 tables and %2 recordings written to %3</source>
-        <translation>已将 %1 个表格和 %2 个录制写入 %3</translation>
-    </message>
-    <message>
         <source>Erase on request</source>
         <translation>应要求删除</translation>
     </message>
@@ -19894,6 +19948,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Consent &amp;texts…</source>
         <translation>知情同意文本(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Tables (%1) and recordings (%2) written to %3</source>
+        <translation>已将 %1 个表格和 %2 个录制写入 %3</translation>
     </message>
 </context>
 <context>
@@ -19927,10 +19985,6 @@ Leave it empty to remove it.</source>
         <translation>%1：%2 %</translation>
     </message>
     <message>
-        <source>Comparing %1 lines with the record…</source>
-        <translation>正在将 %1 行与记录比较…</translation>
-    </message>
-    <message>
         <source>Looking at the roster</source>
         <translation>正在查看名单</translation>
     </message>
@@ -19949,6 +20003,12 @@ Leave it empty to remove it.</source>
     <message>
         <source>The file was read as %1: look at letters with accents.</source>
         <translation>文件按 %1 编码读取：请检查带重音符号的字母。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Comparing %n line(s) with the record…</source>
+        <translation>
+            <numerusform>正在将 %n 行与记录比较…</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -20119,10 +20179,6 @@ Leave it empty to remove it.</source>
         <translation>在 %1 录制</translation>
     </message>
     <message>
-        <source>%1 recording now · %2 of %3 done · %4 sheets missing</source>
-        <translation>正在录制 %1 · 已完成 %2 / %3 · 缺评分表 %4</translation>
-    </message>
-    <message>
         <source>Nothing to run yet. Go through the pages at the left in their order: Roster (bring people in), Curricula, Cohorts, Allocation, Scoring.</source>
         <translation>尚无可运行的内容。请按左侧顺序进行：名册（录入人员）、课程、批次、分组、评分。</translation>
     </message>
@@ -20201,10 +20257,6 @@ Leave it empty to remove it.</source>
         <translation>%1 不再训练；已有记录保留。</translation>
     </message>
     <message>
-        <source>Run day</source>
-        <translation>训练日</translation>
-    </message>
-    <message>
         <source>&amp;Cohort</source>
         <translation>批次(&amp;C)</translation>
     </message>
@@ -20239,10 +20291,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>For</source>
         <translation>时长</translation>
-    </message>
-    <message>
-        <source>Last sign of life</source>
-        <translation>最近响应</translation>
     </message>
     <message>
         <source>Version</source>
@@ -20392,6 +20440,18 @@ Leave it empty to remove it.</source>
         <source>%1, last run: %2. %3.</source>
         <translation>%1，上一次运行：%2。%3。</translation>
     </message>
+    <message>
+        <source>%1 recording now · %2 of %3 done · sheets missing: %4</source>
+        <translation>正在录制 %1 · 已完成 %2 / %3 · 缺评分表 %4</translation>
+    </message>
+    <message>
+        <source>Today&apos;s sessions</source>
+        <translation>今日训练</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>最近在线</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RunPage</name>
@@ -20492,10 +20552,6 @@ Leave it empty to remove it.</source>
         <translation>没有正在进行的操作</translation>
     </message>
     <message>
-        <source>The database did not answer. The recording is kept, on this computer where need be; as soon as the database answers you find its debrief on the page 췫rief”.</source>
-        <translation>数据库无响应。录像已保留，必要时保存在本机；数据库恢复后，您可在“讲评”页面查看其讲评。</translation>
-    </message>
-    <message>
         <source>Choose a module on the page “My next step”.</source>
         <translation>请在“我的下一步”页面选择模块。</translation>
     </message>
@@ -20580,10 +20636,6 @@ Leave it empty to remove it.</source>
         <translation>快到了，请放慢。</translation>
     </message>
     <message>
-        <source>The other way round.</source>
-        <translation>方向反了。</translation>
-    </message>
-    <message>
         <source>Turn in one even movement.</source>
         <translation>一次平稳地转动。</translation>
     </message>
@@ -20624,10 +20676,6 @@ Leave it empty to remove it.</source>
         <translation>取消(&amp;C)</translation>
     </message>
     <message>
-        <source>%1 of %2 twists</source>
-        <translation>已扭转 %1 / %2 次</translation>
-    </message>
-    <message>
         <source>You are pressing too deep: draw back</source>
         <translation>压得过深：请退回</translation>
     </message>
@@ -20636,16 +20684,32 @@ Leave it empty to remove it.</source>
         <translation>尚未评分</translation>
     </message>
     <message>
-        <source>Only %1 of %2 sheets of this occasion are in, and they cannot be made up for once the training goes on. Fetch the study team. Why does the training begin nevertheless? It is noted as a deviation.</source>
-        <translation>该时点的 %2 份评分表只收到 %1 份，训练继续后将无法补评。请联系研究人员。为何仍要开始训练？这将记录为方案偏离。</translation>
-    </message>
-    <message>
         <source>Begin nevertheless</source>
         <translation>仍然开始</translation>
     </message>
     <message>
         <source>Back</source>
         <translation>返回</translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %1 of %n sheet(s) of this occasion are in, and the others cannot be made up for once the training goes on. Fetch the study team. Why does the training begin nevertheless? It is noted as a deviation.</source>
+        <translation>
+            <numerusform>该时点的 %n 份评分表只收到 %1 份，训练继续后将无法补评。请联系研究人员。为何仍要开始训练？这将记录为方案偏离。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The database did not answer. The recording is kept, on this computer where need be; as soon as the database answers you find its debrief on the page “Debrief”.</source>
+        <translation>数据库无响应。录制已保留，必要时保存在本机；数据库恢复后，您可在“训练复盘”页面查看。</translation>
+    </message>
+    <message>
+        <source>Turn in the opposite direction.</source>
+        <translation>请向相反方向转动。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n twist(s)</source>
+        <translation>
+            <numerusform>扭转 %1 / %n</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -20766,10 +20830,6 @@ Leave it empty to remove it.</source>
         <translation>每位医师首先评分的参考操作</translation>
     </message>
     <message>
-        <source>&amp;Ask raters…</source>
-        <translation>邀请评分者(&amp;A)…</translation>
-    </message>
-    <message>
         <source>Physicians could not agree and ask for one more</source>
         <translation>医师意见不一，请求再加一位</translation>
     </message>
@@ -20784,10 +20844,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Re&amp;lease marks…</source>
         <translation>公布评分(&amp;L)…</translation>
-    </message>
-    <message>
-        <source>No rater has been asked yet. Press Ask raters: each gets the cases in an order of their own.</source>
-        <translation>尚未邀请评分者。请按“邀请评分者”：每人的案例顺序各不相同。</translation>
     </message>
     <message>
         <source>Scoring &amp;sheet…</source>
@@ -20808,6 +20864,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>What raters fill in: criteria, scales, anchors and weights</source>
         <translation>评分人填写的内容：评分项、量程、锚点和权重</translation>
+    </message>
+    <message>
+        <source>&amp;Invite raters…</source>
+        <translation>邀请评分者(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>No rater has been invited yet. Press Invite raters: each gets the cases in an order of their own.</source>
+        <translation>尚未邀请评分者。请按“邀请评分者”：每人的案例顺序各不相同。</translation>
     </message>
 </context>
 <context>
@@ -21098,10 +21162,6 @@ Leave it empty to remove it.</source>
         <translation>请释放空间或检查数据库，然后导入该文件。</translation>
     </message>
     <message>
-        <source>Recorded %1 s to %2</source>
-        <translation>已录制 %1 秒，保存到 %2</translation>
-    </message>
-    <message>
         <source>Stop the recording before replaying another one.</source>
         <translation>请先停止录制，再回放其他内容。</translation>
     </message>
@@ -21128,6 +21188,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>The haptic device was lost. Let go of it; you go on with the mouse</source>
         <translation>力反馈设备已断开。请松开它；您将继续使用鼠标</translation>
+    </message>
+    <message>
+        <source>Recorded: %1. Replay shows it again</source>
+        <translation>已录制：%1。可用“回放”重新观看</translation>
     </message>
 </context>
 <context>
@@ -21173,10 +21237,6 @@ Leave it empty to remove it.</source>
         <translation>组织正在恢复</translation>
     </message>
     <message>
-        <source>Replay of a recorded trial</source>
-        <translation>正在回放录制内容</translation>
-    </message>
-    <message>
         <source>%1 mm to the surface. Wheel: nearer</source>
         <translation>距表面 %1 mm。滚轮：靠近</translation>
     </message>
@@ -21191,10 +21251,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Holding. Drag, or press Q and E, to twist; let go to release</source>
         <translation>已夹持。拖动或按 Q、E 键扭转；松开即释放</translation>
-    </message>
-    <message>
-        <source>● Recording  %1 s</source>
-        <translation>● 录制中  %1 秒</translation>
     </message>
     <message>
         <source>%1 – Torsio</source>
@@ -21243,10 +21299,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Replay</source>
         <translation>回放</translation>
-    </message>
-    <message>
-        <source>Recorded trial</source>
-        <translation>录制的操作记录</translation>
     </message>
     <message>
         <source>Torsio</source>
@@ -21379,10 +21431,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Replay…</source>
         <translation>回放…</translation>
-    </message>
-    <message>
-        <source>Look at a recorded trial again</source>
-        <translation>重新观看录制内容</translation>
     </message>
     <message>
         <source>Release</source>
@@ -21620,6 +21668,22 @@ Leave it empty to remove it.</source>
         <source>Holding. Turn the jaw to twist; open it to release</source>
         <translation>已夹持。转动钳口以扭转；张开即释放</translation>
     </message>
+    <message>
+        <source>Replay of a recorded run</source>
+        <translation>正在回放已录制的操作</translation>
+    </message>
+    <message>
+        <source>● Recording  %1</source>
+        <translation>● 正在录制  %1</translation>
+    </message>
+    <message>
+        <source>Look at a recorded run again</source>
+        <translation>重新观看已录制的操作</translation>
+    </message>
+    <message>
+        <source>Recorded run</source>
+        <translation>已录制的操作</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::StationSettingsCard</name>
@@ -21652,10 +21716,6 @@ Leave it empty to remove it.</source>
         <translation>训练绝不会因此中断。展台模式下会注销而不是锁定。</translation>
     </message>
     <message>
-        <source>&amp;Keep</source>
-        <translation>保存(&amp;K)</translation>
-    </message>
-    <message>
         <source>&amp;Name of the centre</source>
         <translation>中心名称(&amp;N)</translation>
     </message>
@@ -21670,6 +21730,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>one signature</source>
         <translation>一次签名</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -21839,10 +21903,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Practice</source>
         <translation>练习</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 秒</translation>
     </message>
     <message>
         <source>interrupted</source>

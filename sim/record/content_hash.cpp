@@ -13,8 +13,8 @@ namespace torsio {
 namespace {
 
 [[noreturn]] void unfit(const Text& what, const Trial& trial) {
-  throw Error(ErrorCode::kVerifyFailed, what, Text::tr("trial %1", trial.header.trialId),
-              Text::verbatim("Do not use this trial for scoring: it is not what was recorded"));
+  throw Error(ErrorCode::kVerifyFailed, what, Text::tr("run %1", trial.header.trialId),
+              Text::verbatim("Do not use this run for scoring: it is not what was recorded"));
 }
 
 }  // namespace

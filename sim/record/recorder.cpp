@@ -193,9 +193,9 @@ void Recorder::finishSink() {
     }
     if (spillSink_) {
       throw Error(ErrorCode::kFileUnwritable,
-                  Text::verbatim("the recorded trial could not be kept: %1", result_.problem),
+                  Text::verbatim("the recorded run could not be kept: %1", result_.problem),
                   result_.spillFile->string(),
-                  Text::verbatim("Free some disk space and record the trial again"));
+                  Text::verbatim("Free some disk space and record the run again"));
     }
     spill();
     attempt = 0;

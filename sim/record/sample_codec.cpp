@@ -317,7 +317,7 @@ std::vector<Sample> decodeChunk(const TrialChunk& chunk) {
   if (version < kVersion || version > kVersionHollow) {
     throw Error(ErrorCode::kBadData, Text::verbatim("the samples were written in another format version"),
                 Text::verbatim("recorded chunk"),
-                Text::verbatim("Open the trial with the version that wrote it, or a newer one"));
+                Text::verbatim("Open the run with the version that wrote it, or a newer one"));
   }
   const auto count = static_cast<std::size_t>(chunk.samples);
   const std::vector<std::uint8_t> packed = decompress(bytes.subspan(kHeaderSize), count);

@@ -282,8 +282,8 @@ SceneRequest sceneRequestFor(const std::string& parametersJson) {
     }
     return request;
   } catch (const std::exception&) {
-    throw Error(ErrorCode::kBadData, Text::tr("the stored model parameters cannot be read"),
-                Text::tr("trial"), Text::tr("Check the database."));
+    throw Error(ErrorCode::kBadData, Text::tr("the stored model parameters cannot be read"), Text::tr("run"),
+                Text::tr("Check the database."));
   }
 }
 

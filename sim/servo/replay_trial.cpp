@@ -24,9 +24,9 @@ void requireSameScene(const Scene& scene, const TrialHeader& header) {
     return;
   }
   throw Error(ErrorCode::kVerifyFailed,
-              sameOrgan ? Text::verbatim("the trial was recorded with other parameters of the model")
-                        : Text::verbatim("the trial was recorded with another organ"),
-              Text::tr("trial %1", header.trialId),
+              sameOrgan ? Text::verbatim("the run was recorded with other parameters of the model")
+                        : Text::verbatim("the run was recorded with another organ"),
+              Text::tr("run %1", header.trialId),
               Text::verbatim("Replay it with the scene and the version that recorded it"));
 }
 
@@ -36,8 +36,8 @@ void requireKnownRules(const std::vector<Sample>& recorded, const TrialHeader& h
     return;
   }
   throw Error(ErrorCode::kVerifyFailed,
-              Text::verbatim("the trial was recorded by rules that this version does not know"),
-              Text::tr("trial %1", header.trialId),
+              Text::verbatim("the run was recorded by rules that this version does not know"),
+              Text::tr("run %1", header.trialId),
               Text::verbatim("Replay it with the version that recorded it, or a newer one"));
 }
 

@@ -51,10 +51,10 @@ const ReportTable* tableIn(const ReportModel& report, const std::string& id) {
 TEST(ReportSentences, BlindingComesFromHowEachMarkWasGiven) {
   CohortInputs in = demonstrationCohort();
   in.markWays = {.blinded = 900};
-  EXPECT_THAT(saidBy(in), HasSubstr("Raters were blinded: all 900 marks"));
+  EXPECT_THAT(saidBy(in), HasSubstr("Raters were blinded: all marks of the training study (900)"));
   EXPECT_THAT(saidBy(in), Not(HasSubstr("not blinded")));
   in.markWays = {.live = 900};
-  EXPECT_THAT(saidBy(in), HasSubstr("Raters were not blinded: all 900 marks"));
+  EXPECT_THAT(saidBy(in), HasSubstr("Raters were not blinded: all marks of the training study (900)"));
   in.markWays = {.entered = 900};
   EXPECT_THAT(saidBy(in), HasSubstr("Nothing shows that raters were blinded"));
   in.markWays = {.blinded = 600, .live = 299, .entered = 1};
@@ -67,12 +67,12 @@ TEST(ReportSentences, BlindingComesFromHowEachMarkWasGiven) {
 TEST(ReportSentences, TheModelsWereHiddenOrNotAndRatersWereTraineesOrNot) {
   CohortInputs in = demonstrationCohort();
   in.modelsHidden = 3;
-  EXPECT_THAT(saidBy(in), HasSubstr("All 3 models stood before their raters under hidden labels"));
+  EXPECT_THAT(saidBy(in), HasSubstr("All models (3) stood before their raters under hidden labels"));
   EXPECT_THAT(saidBy(in), Not(HasSubstr("are raters of the models as well")));
   in.modelsHidden = 1;
   EXPECT_THAT(saidBy(in), HasSubstr("1 of 3 models"));
   in.ratings.front().sheets.front().rater = in.trainees.front().code;
-  EXPECT_THAT(saidBy(in), HasSubstr("1 trainees of this cohort are raters of the models as well"));
+  EXPECT_THAT(saidBy(in), HasSubstr("1 trainee of this cohort is a rater of the models as well"));
 }
 
 // R: power.t.test(n = 10, delta = 0.8, strict = TRUE)$power 0.395; n = 5: 0.2007; detectable with 0.8:
@@ -118,7 +118,7 @@ TEST(ReportSentences, ARecordingWithoutItsHashIsNotCalledSealed) {
   EXPECT_THAT(saidBy(in), HasSubstr("Every recording is sealed in the record"));
   in.trials.front().contentHash.clear();
   EXPECT_THAT(saidBy(in), Not(HasSubstr("Every recording is sealed in the record")));
-  EXPECT_THAT(saidBy(in), HasSubstr("1 recordings have no content hash"));
+  EXPECT_THAT(saidBy(in), HasSubstr("1 recording has no content hash"));
 }
 
 TEST(ReportSentences, TrainingTimeIsWhatWasRecordedBesideWhatWasPlannedAndNoted) {

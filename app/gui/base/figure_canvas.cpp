@@ -30,6 +30,13 @@ const Wording kTranslated = [](const Text& text) { return toQString(text); };
 
 }  // namespace
 
+/// Patterns are drawn for a chart of some hundred pixels; across a 4K screen their lines would melt into a
+/// tint.
+double hatchFor(int width) {
+  constexpr int kPlainUpTo = 1200;
+  return width <= kPlainUpTo ? 1.0 : 2.0;
+}
+
 ChartLook chartLook(const Theme& theme) {
   ChartLook look;
   look.ground = theme.surface;
@@ -97,6 +104,7 @@ void FigureCanvas::rebuild() {
   if (!figure_) {
     return;
   }
+  look_.hatch = hatchFor(viewport()->width());
   item_ = buildFigure(*figure_, look_, kTranslated).release();
   scene()->addItem(item_);
   fit();
@@ -113,7 +121,11 @@ void FigureCanvas::fit() {
 
 void FigureCanvas::resizeEvent(QResizeEvent* event) {
   QGraphicsView::resizeEvent(event);
-  fit();
+  if (look_.hatch != hatchFor(viewport()->width())) {
+    rebuild();
+  } else {
+    fit();
+  }
 }
 
 QImage FigureCanvas::picture(const QSize& size) const {

@@ -5,11 +5,14 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
+#include "app/gui/widgets/accessible_role.h"
+
 namespace torsio::gui {
 
 ChoiceRow::ChoiceRow(QWidget* parent)
     : QWidget(parent), row_(new QHBoxLayout(this)), group_(new QButtonGroup(this)) {
   row_->setContentsMargins(0, 0, 0, 0);
+  setAccessibleRole(this, QAccessible::Grouping);
 }
 
 void ChoiceRow::setChoices(const std::vector<QString>& texts, std::size_t chosen) {
@@ -23,6 +26,7 @@ void ChoiceRow::setChoices(const std::vector<QString>& texts, std::size_t chosen
   }
   for (std::size_t i = 0; i < texts.size(); ++i) {
     auto* button = new QToolButton(this);
+    setAccessibleRole(button, QAccessible::RadioButton);
     button->setCheckable(true);
     button->setChecked(i == chosen);
     button->setText(texts[i]);

@@ -290,9 +290,8 @@ void EvaluationPage::showDefinition() {
 }
 
 void EvaluationPage::retranslate() {
-  heading_->setTexts(tr("Evaluation"),
-                     tr("Nine indices for each model, after each trial. Which model stands behind a letter "
-                        "is hidden, and the order is your own."));
+  heading_->setTexts(tr("Evaluation"), tr("Nine indices for each model, after each run. Which model stands "
+                                          "behind a letter is hidden, and the order is your own."));
   campaigns_->setAccessibleName(tr("Evaluation"));
   submit_->setText(tr("Submit this model"));
   submit_->setToolTip(tr("Ctrl+Enter"));

@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/background.h"
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/sign_dialog.h"
 #include "app/gui/physician/review_labels.h"

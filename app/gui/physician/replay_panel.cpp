@@ -12,6 +12,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/widgets/form.h"
@@ -183,7 +184,7 @@ QString ReplayPanel::taskText(const BlindedTask& task) {
       parts << tr("hold for %1 s").arg(pointsText(rules.hold_s));
     }
     if (rules.leastTwists > 1) {
-      parts << tr("at least %1 twists").arg(rules.leastTwists);
+      parts << tr("at least %n twist(s)", nullptr, static_cast<int>(rules.leastTwists));
     }
   }
   if (rules.forceLimit_N) {

@@ -9,11 +9,6 @@
 
 namespace torsio::gui {
 
-QString clockTime(std::int64_t time_us) {
-  const std::int64_t seconds = time_us / 1'000'000;
-  return QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0'));
-}
-
 QString pointsText(double points) {
   QLocale locale;
   const bool whole = std::abs(points - std::round(points)) < 1e-9;

@@ -13,8 +13,6 @@
 
 namespace torsio::gui {
 
-/// "3:05": minutes and seconds.
-[[nodiscard]] QString clockTime(std::int64_t time_us);
 /// "7.5" in the reader's notation, without needless decimals.
 [[nodiscard]] QString pointsText(double points);
 [[nodiscard]] QString scoreText(std::int64_t score_steps, const ScoreScale& scale);

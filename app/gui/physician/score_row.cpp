@@ -15,6 +15,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_panel.h"
+#include "app/gui/widgets/accessible_role.h"
 #include "app/gui/widgets/form.h"
 #include "assessment/rating/rubric.h"
 
@@ -46,6 +47,7 @@ ScoreRow::ScoreRow(std::string code, const QString& label, const ScoreScale& sca
       anchor_(sentence(this)),
       reason_(new QLineEdit(this)) {
   setFocusPolicy(Qt::StrongFocus);
+  setAccessibleRole(this, QAccessible::Slider);
   setMouseTracking(true);
   strip_->setObjectName(QStringLiteral("scale"));
   strip_->setAttribute(Qt::WA_TransparentForMouseEvents);

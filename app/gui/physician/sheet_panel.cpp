@@ -36,6 +36,9 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   scroll_->installEventFilter(this);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column->addWidget(scroll_, 1);
+  overallLayout_ = new QVBoxLayout;
+  overallLayout_->setContentsMargins(0, 0, kSpace, 0);
+  column->addLayout(overallLayout_);
   comment_->setObjectName(QStringLiteral("comment"));
   commentLabel_->setBuddy(comment_);
   comment_->setTabChangesFocus(true);
@@ -129,8 +132,10 @@ void SheetPanel::build() {
     row->deleteLater();
   }
   rows_.clear();
-  while (QLayoutItem* item = rowsLayout_->takeAt(0)) {
-    delete item;
+  for (QVBoxLayout* rows : {rowsLayout_, overallLayout_}) {
+    while (QLayoutItem* item = rows->takeAt(0)) {
+      delete item;
+    }
   }
   if (editor_ == nullptr) {
     return;
@@ -141,7 +146,7 @@ void SheetPanel::build() {
     row->setTheme(*theme_);
     row->setReadOnly(readOnly_);
     row->retranslate();
-    rowsLayout_->addWidget(row);
+    (code == kOverallRow ? overallLayout_ : rowsLayout_)->addWidget(row);
     row->show();  // at once: it may be given the focus before the layout has run
     rows_.push_back(row);
     connect(row, &ScoreRow::wanted, this, [this, code] { setCurrentRow(code); });

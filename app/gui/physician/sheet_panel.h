@@ -79,6 +79,7 @@ class SheetPanel : public QWidget {
   const Theme* theme_;
   QScrollArea* scroll_;
   QVBoxLayout* rowsLayout_;
+  QVBoxLayout* overallLayout_;  ///< below what scrolls: the overall mark is always seen
   QLabel* commentLabel_;
   QPlainTextEdit* comment_;
   std::vector<ScoreRow*> rows_;

@@ -9,6 +9,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/physician/review_labels.h"
 
 namespace torsio::gui {

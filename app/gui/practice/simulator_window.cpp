@@ -2,6 +2,7 @@
 #include "app/gui/practice/simulator_window.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <QApplication>
@@ -14,6 +15,7 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/practice/engineer_panel.h"
 #include "app/gui/scene/instrument_geometry.h"
@@ -327,7 +329,7 @@ void SimulatorWindow::showHint(const LiveState& state) {
   if (noticeLeft_s_ > 0.0) {
     text = notice_;
   } else if (mode == SimulationController::Mode::kReplay) {
-    text = tr("Replay of a recorded trial");
+    text = tr("Replay of a recorded run");
   } else if (const QString untwisting = detorsion_->cue(); !untwisting.isEmpty()) {
     text = untwisting;
   } else if (mode != SimulationController::Mode::kEmpty && !controller_->hapticModel().isEmpty()) {
@@ -357,7 +359,8 @@ void SimulatorWindow::showHint(const LiveState& state) {
     hint_->setText(text);
   }
   if (mode == SimulationController::Mode::kRecording) {
-    recordingTime_->setText(tr("\u25cf Recording  %1 s").arg(controller_->recorded_s(), 0, 'f', 0));
+    recordingTime_->setText(
+        tr("\u25cf Recording  %1").arg(clockTime(std::llround(1e6 * controller_->recorded_s()))));
   }
 }
 

@@ -33,7 +33,7 @@ void SimulatorWindow::nameActions() {
   name(a.strip, tr("Film strip\u2026"),
        tr("Save the twist at 0, 30, 60 \u2026 degrees, or the recording that is replayed, as one picture"));
   name(a.record, tr("Record"), tr("Start the exercise anew and record it"));
-  name(a.replay, tr("Replay\u2026"), tr("Look at a recorded trial again"));
+  name(a.replay, tr("Replay\u2026"), tr("Look at a recorded run again"));
   name(a.compare, tr("Compare models"),
        tr("Twist this organ by the twist model, finite elements and springs under one torque"));
   name(a.release, tr("Release"), tr("Let go of the tissue; it returns to rest"));

@@ -63,7 +63,7 @@ void SimulatorWindow::chooseReplay() {
     }
     bool chosen = false;
     const QString line =
-        QInputDialog::getItem(this, tr("Replay"), tr("Recorded trial"), lines, 0, false, &chosen);
+        QInputDialog::getItem(this, tr("Replay"), tr("Recorded run"), lines, 0, false, &chosen);
     if (!chosen) {
       return;
     }

@@ -27,6 +27,7 @@
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/simulator/untwisting_states.h"
+#include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/picture.h"
 #include "app/report/typeface.h"
 #include "assessment/people/account.h"
@@ -382,6 +383,7 @@ int runScreenshots(int argc, char** argv) {
   SceneView::prepareGraphics();
   QApplication application(argc, argv);
   useTypeface(application);
+  QApplication::setWindowIcon(applicationIcon());
   ScreenshotsRequest request = parseScreenshots(QApplication::arguments());
   request.progress = [](const Progress& progress) {
     std::fprintf(stderr, "torsio: %s\n", progress.step.str().c_str());

@@ -19,6 +19,7 @@
 #include "app/gui/program/screenshot.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/shell/main_window.h"
+#include "app/gui/widgets/icons.h"
 #include "app/recording/trial_store.h"
 #include "app/report/typeface.h"
 #include "sim/base/angle.h"
@@ -261,6 +262,7 @@ int runWindow(int argc, char** argv) {
   QApplication::setApplicationVersion(toQString(softwareVersion()));
   QApplication application(argc, argv);
   useTypeface(application);
+  QApplication::setWindowIcon(applicationIcon());
   const WindowOptions options = parse(QApplication::arguments());
   return options.simulator ? runSimulator(options) : runShell(options);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QEvent>
 #include <QGuiApplication>
@@ -20,7 +21,6 @@
 #include "app/gui/scene/organ_geometry.h"
 #include "app/gui/scene/stress_legend.h"
 #include "app/gui/scene/view_frame.h"
-#include "app/gui/widgets/theme.h"
 #include "sim/scene/hollow_view.h"
 #include "sim/servo/indentation.h"
 
@@ -93,7 +93,9 @@ class NoSceneSentence : public QLabel {
 
 ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene, const std::string& tissue) {
   ViewScene view;
-  view.look = tissueLook(tissue.empty() ? scene->id : tissue);
+  const std::string& tissueId = tissue.empty() ? scene->id : tissue;
+  view.look = tissueLook(tissueId);
+  view.surroundings = surroundingsOf(tissueId);
   view.surface = OrganSurface(scene->mesh);
   if (SceneView::platformCanRender()) {
     view.skin = std::make_shared<const TissueSkin>(paintSkin(*scene, view.look));
@@ -138,6 +140,7 @@ void SceneView::registerTypes() {
     initSceneResources();
     qmlRegisterType<OrganGeometry>("Torsio.Scene", 1, 0, "OrganGeometry");
     qmlRegisterType<SkinTexture>("Torsio.Scene", 1, 0, "SkinTexture");
+    qmlRegisterType<SurroundingsTexture>("Torsio.Scene", 1, 0, "SurroundingsTexture");
     qmlRegisterType<WireGeometry>("Torsio.Scene", 1, 0, "WireGeometry");
     qmlRegisterType<RibbonGeometry>("Torsio.Scene", 1, 0, "RibbonGeometry");
     qmlRegisterType<MarkerGeometry>("Torsio.Scene", 1, 0, "MarkerGeometry");
@@ -181,6 +184,7 @@ void SceneView::createScene() {
   lattice_ = root_->property("lattice").value<RibbonGeometry*>();
   markers_ = root_->property("markers").value<MarkerGeometry*>();
   ghost_ = root_->property("ghost").value<OrganGeometry*>();
+  surroundings_ = root_->property("surroundings").value<SurroundingsTexture*>();
   grasp_ = root_->property("graspBand").value<RibbonGeometry*>();
   connect(quick_->quickWindow(), &QQuickWindow::afterRendering, this, &SceneView::noteFrame,
           Qt::DirectConnection);
@@ -232,6 +236,7 @@ void SceneView::setScene(const ViewScene& view) {
   }
   organCentre_ = 0.5F * (low + high);
   organRadius_ = 0.5F * (high - low).length();
+  showSurroundings(low.z());
   if (root_ != nullptr) {
     if (view_.skin) {
       skin_->setSkin(*view_.skin);
@@ -251,6 +256,21 @@ void SceneView::setScene(const ViewScene& view) {
   setShearVisible(shearVisible_);
   setMarkersVisible(markersVisible_);
   frameOrgan();
+}
+
+void SceneView::showSurroundings(float back_mm) {
+  constexpr float kBehind = 0.12F;  // radii: nothing that is twisted reaches it
+  setRootProperty("surroundingsPosition",
+                  QVector3D(organCentre_.x(), organCentre_.y(), back_mm - kBehind * organRadius_));
+  setRootProperty("surroundingsSize", 2.0F * kSurroundingsReach * organRadius_);
+  paintSurroundings();
+}
+
+void SceneView::paintSurroundings() {
+  if (surroundings_ != nullptr && !view_.surface.vertices().empty()) {
+    surroundings_->setPicture(gui::paintSurroundings(view_.surroundings, theme(themeKind_), view_.surface,
+                                                     organCentre_, organRadius_));
+  }
 }
 
 void SceneView::forgetScene() {
@@ -479,6 +499,9 @@ void SceneView::setTheme(const Theme& theme) {
   setRootProperty("markerColour", theme.accent);
   setRootProperty("ghostColour", theme.grasp);
   legend_->setTheme(theme);
+  if (std::exchange(themeKind_, theme.kind) != theme.kind) {
+    paintSurroundings();
+  }
 }
 
 void SceneView::applyCamera() {

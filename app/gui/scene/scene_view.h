@@ -22,8 +22,10 @@
 #include "app/gui/scene/organ_surface.h"
 #include "app/gui/scene/quality_control.h"
 #include "app/gui/scene/shear_map.h"
+#include "app/gui/scene/surroundings.h"
 #include "app/gui/scene/tissue_look.h"
 #include "app/gui/scene/tissue_skin.h"
+#include "app/gui/widgets/theme.h"
 #include "sim/base/live_types.h"
 #include "sim/base/pose.h"
 #include "sim/scene/organ_state.h"
@@ -46,6 +48,7 @@ struct ViewScene {
   std::shared_ptr<const TissueSkin> skin;  ///< null where no scene can be drawn
   LatticeLines lines;
   TissueLook look;
+  Surroundings surroundings = Surroundings::kDrape;
   ShearMap shear;                   ///< empty: no map can be shown
   BloodMap blood;                   ///< empty: the tissue keeps its colour
   std::vector<SkinAnchor> markers;  ///< empty: the organ has none
@@ -154,6 +157,9 @@ class SceneView : public QWidget {
   void deformSkin(const OrganState& state);
   void paintSkin();
   void showLook(const TissueLook& look);
+  /// `back_mm`: farthest point of the organ from the viewer in front of it.
+  void showSurroundings(float back_mm);
+  void paintSurroundings();
   void placeMarkers();
   void placeLegend();
   void setRootProperty(const char* name, const QVariant& value);
@@ -166,6 +172,8 @@ class SceneView : public QWidget {
   RibbonGeometry* lattice_ = nullptr;
   RibbonGeometry* grasp_ = nullptr;
   OrganGeometry* ghost_ = nullptr;
+  SurroundingsTexture* surroundings_ = nullptr;
+  ThemeKind themeKind_ = ThemeKind::kLight;
   MarkerGeometry* markers_ = nullptr;
   StressLegend* legend_ = nullptr;
 

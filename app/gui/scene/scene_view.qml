@@ -10,6 +10,7 @@ Rectangle {
     property alias organ: organGeometry
     property alias skin: skinData
     property alias ghost: ghostGeometry
+    property alias surroundings: surroundingsData
     property alias markers: markerGeometry
     property alias wire: wireGeometry
     property alias lattice: latticeGeometry
@@ -28,6 +29,9 @@ Rectangle {
     property real jawAngle: 12       // each jaw, degrees
     property vector3d jawPivot
     property bool toolVisible: true
+
+    property vector3d surroundingsPosition
+    property real surroundingsSize: 100   // mm: side of the square
 
     property color backdropTop: "#eef2f5"
     property color backdropBottom: "#c9d4dc"
@@ -147,6 +151,24 @@ Rectangle {
         PrincipledMaterial {
             id: stressMap
             lighting: PrincipledMaterial.NoLighting
+        }
+
+        // What lies behind the organ, with its shadow painted on: no lamp is asked, at either level.
+        Model {
+            objectName: "surroundings"
+            source: "#Rectangle"    // 100 high, 100 wide
+            position: root.surroundingsPosition
+            scale: Qt.vector3d(0.01 * root.surroundingsSize, 0.01 * root.surroundingsSize, 1)
+            castsShadows: false
+            receivesShadows: false
+            materials: PrincipledMaterial {
+                lighting: PrincipledMaterial.NoLighting
+                baseColorMap: Texture {
+                    textureData: SurroundingsTexture { id: surroundingsData }
+                    generateMipmaps: true
+                    mipFilter: Texture.Linear
+                }
+            }
         }
 
         Model {

@@ -256,6 +256,11 @@ bool Desk::open(PageId id, const QVariant& argument) {
     rail_->setCurrent(id);
     problem_->hide();
     page->enter(argument);
+    // A page that says what it is in a heading of its own is not told twice.
+    const auto labels = page->findChildren<QLabel*>();
+    title_->setHidden(std::any_of(labels.begin(), labels.end(), [page](const QLabel* label) {
+      return label->property("heading").toBool() && label->isVisibleTo(page);
+    }));
     focusInto(*page);
   });
   return currentId_ == id;

@@ -71,7 +71,9 @@ FirstRunPanel::FirstRunPanel(const QString& defaultFile, QWidget* parent)
     steps_->addWidget(step);
   }
   column->addWidget(steps_, 1);
-  column->addWidget(answer_);
+  answerPlace_ = new QVBoxLayout;
+  answerPlace_->addWidget(answer_);
+  column->addLayout(answerPlace_);
   column->addWidget(job_);
   column->addSpacing(kSpace);
   back_ = linkButton(this);
@@ -100,6 +102,12 @@ QWidget* FirstRunPanel::createCentreStep() {
   languageLabel_ = addField(column, language_);
   centreLabel_ = addField(column, centre_);
   column->addStretch(1);
+  look_ = new QPushButton(widget);
+  look_->setObjectName(QStringLiteral("lookRound"));
+  column->addWidget(look_, 0, Qt::AlignLeft);
+  lookNote_ = sentence(widget);
+  column->addWidget(lookNote_);
+  connect(look_, &QPushButton::clicked, this, &FirstRunPanel::lookRoundWanted);
   connect(language_, &QComboBox::activated, this, [this](int index) {
     Q_EMIT languageWanted(static_cast<Language>(language_->itemData(index).toInt()));
   });
@@ -242,6 +250,10 @@ void FirstRunPanel::setLanguage(Language language) {
   language_->setCurrentIndex(language_->findData(static_cast<int>(language)));
 }
 
+Language FirstRunPanel::language() const {
+  return static_cast<Language>(language_->currentData().toInt());
+}
+
 void FirstRunPanel::setWorking(bool working) {
   working_ = working;
   steps_->setEnabled(!working);
@@ -250,25 +262,41 @@ void FirstRunPanel::setWorking(bool working) {
 }
 
 void FirstRunPanel::say(const QString& text) {
+  answerPlace_->addWidget(answer_);  // it may stand below a field
+  answer_->show();
+  setLook(answer_, "caution", !text.isEmpty());
   answer_->setText(text);
 }
 
-QString FirstRunPanel::missing() const {
+void FirstRunPanel::sayAt(const Gap& gap) {
+  say(gap.sentence);
+  auto* column = qobject_cast<QVBoxLayout*>(gap.field->parentWidget()->layout());
+  const int place = column != nullptr ? column->indexOf(gap.field) : -1;
+  if (place >= 0) {
+    column->insertWidget(place + 1, answer_);
+    answer_->show();  // at once, not in the next round of events
+  }
+  gap.field->setFocus();
+}
+
+FirstRunPanel::Gap FirstRunPanel::missing() const {
   switch (steps_->currentIndex()) {
     case kCentre:
-      return centre_->text().trimmed().isEmpty() ? tr("Enter the name of your centre") : QString();
+      return centre_->text().trimmed().isEmpty() ? Gap{tr("Enter the name of your centre"), centre_} : Gap{};
     case kAdministrator:
       if (login_->text().trimmed().isEmpty()) {
-        return tr("Enter a sign-in name");
+        return {tr("Enter a sign-in name"), login_};
       }
       try {
         checkPassword(password_->text().toStdString(), login_->text().trimmed().toStdString());
       } catch (...) {
-        return problemSentence(std::current_exception());
+        return {problemSentence(std::current_exception()), password_};
       }
-      return password_->text() == again_->text() ? QString() : tr("The two passwords are not the same");
+      return password_->text() == again_->text() ? Gap{}
+                                                 : Gap{tr("The two passwords are not the same"), again_};
     case kDatabase:
-      return locator().isEmpty() ? tr("Say where the database is") : QString();
+      return locator().isEmpty() ? Gap{tr("Say where the database is"), file_->isChecked() ? path_ : address_}
+                                 : Gap{};
     default:
       return {};
   }
@@ -284,8 +312,8 @@ void FirstRunPanel::next() {
     Q_EMIT done();
     return;
   }
-  if (const QString gap = missing(); !gap.isEmpty()) {
-    say(gap);
+  if (const Gap gap = missing(); !gap.sentence.isEmpty()) {
+    sayAt(gap);
     return;
   }
   if (step < kDemonstration) {
@@ -296,7 +324,7 @@ void FirstRunPanel::next() {
   choice.first.centre = centre_->text().trimmed().toStdString();
   choice.first.login = login_->text().trimmed().toStdString();
   choice.first.password = password_->text().toStdString();
-  choice.first.language = languageCode(static_cast<Language>(language_->currentData().toInt())).toStdString();
+  choice.first.language = languageCode(language()).toStdString();
   choice.first.demonstration = with_->isChecked();
   choice.locator = locator();
   Q_EMIT chosen(choice);
@@ -353,12 +381,15 @@ void FirstRunPanel::retranslate() {
   step_->setVisible(step < kNumberedSteps);
   heading_->setText(headings[step]);
   why_->setText(reasons[step]);
-  nameField(languageLabel_, tr("&Language"));
+  nameField(languageLabel_, tr("Lan&guage"));
   nameField(centreLabel_, tr("&Name of the centre"));
+  look_->setText(tr("&Look round with simulated people"));
+  lookNote_->setText(
+      tr("Needs no password. Everything lies in a folder of its own, which is removed when you sign out."));
   centre_->setPlaceholderText(tr("Skills laboratory, city hospital"));
   nameField(loginLabel_, tr("Sign-in &name"));
   nameField(passwordLabel_, tr("&Password"));
-  nameField(againLabel_, tr("The same &again"));
+  nameField(againLabel_, tr("Repeat p&assword"));
   without_->setText(tr("&Begin empty"));
   withoutNote_->setText(tr("People, curricula and cohorts are entered or imported."));
   with_->setText(tr("With a &demonstration cohort"));

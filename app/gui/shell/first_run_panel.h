@@ -16,6 +16,7 @@ class QLineEdit;
 class QPushButton;
 class QRadioButton;
 class QStackedWidget;
+class QVBoxLayout;
 
 namespace torsio::gui {
 
@@ -44,6 +45,8 @@ class FirstRunPanel : public QWidget {
   void setWorking(bool working);
   /// After success: the accounts with their start passwords, once. Without any the panel is done at once.
   void showAccounts(const std::vector<StartAccount>& accounts);
+  /// The language that is chosen here.
+  [[nodiscard]] Language language() const;
   /// Under the buttons: what is missing, or what went wrong.
   void say(const QString& sentence);
 
@@ -51,6 +54,8 @@ class FirstRunPanel : public QWidget {
   void languageWanted(torsio::gui::Language language);
   void chosen(const torsio::gui::FirstRunChoice& choice);
   void done();
+  /// Nothing is to be set up: only a look at what a centre looks like.
+  void lookRoundWanted();
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -65,8 +70,14 @@ class FirstRunPanel : public QWidget {
   void next();
   /// Enter in a field that is no line of text.
   void nextOnEnter(QWidget* field);
-  /// Empty when the present step is complete; else what is missing.
-  [[nodiscard]] QString missing() const;
+  /// What is missing in the present step, and in which field; no sentence: nothing.
+  struct Gap {
+    QString sentence;
+    QWidget* field = nullptr;
+  };
+  [[nodiscard]] Gap missing() const;
+  /// Says it right below its field, where the keyboard goes.
+  void sayAt(const Gap& gap);
   [[nodiscard]] QString locator() const;
   void chooseFile();
   void testDatabase();
@@ -81,8 +92,11 @@ class FirstRunPanel : public QWidget {
   QLabel* heading_;
   QLabel* why_;
   QLabel* answer_;
+  QVBoxLayout* answerPlace_ = nullptr;
   QPushButton* back_;
   QPushButton* next_;
+  QPushButton* look_ = nullptr;
+  QLabel* lookNote_ = nullptr;
   bool working_ = false;
 
   QLabel* languageLabel_ = nullptr;

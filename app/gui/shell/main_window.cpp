@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QShortcut>
 #include <QStackedWidget>
+#include <QTemporaryDir>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -78,7 +79,7 @@ MainWindow::MainWindow(const ShellSetup& setup)
   column->addWidget(awayBanner_);
   column->addWidget(stack_);
   SceneView::prepareWindow(*this);
-  applyChoices({}, true);
+  applyChoices({});
   createPanels();
   createKeys();
   retranslate();
@@ -122,6 +123,7 @@ void MainWindow::createPanels() {
   connect(firstRun_, &FirstRunPanel::languageWanted, this, &MainWindow::chooseLanguage);
   connect(firstRun_, &FirstRunPanel::chosen, this, &MainWindow::setUp);
   connect(firstRun_, &FirstRunPanel::done, this, &MainWindow::enterDesk);
+  connect(firstRun_, &FirstRunPanel::lookRoundWanted, this, &MainWindow::lookRound);
   connect(&firstRun_->job(), &JobPanel::cancelled, this, [this] { setUpCancelled_->store(true); });
   connect(signIn_, &SignInPanel::passwordGiven, this, &MainWindow::tryPassword);
   connect(signIn_, &SignInPanel::pinGiven, this, &MainWindow::tryPin);
@@ -197,13 +199,13 @@ void MainWindow::watchIdleness() {
   }
   if (state == IdleState::kWarning) {
     const std::int64_t left_s = (idle_.untilLock_us() + 999'999) / 1'000'000;
-    const bool ends = setup_.kiosk || session_->actor().practiceOnly;
+    const bool ends = setup_.kiosk || session_->actor().practiceOnly || lookedAt_;
     idleWarning_->setText(
         ends ? tr("Nobody here? You will be signed out in %1 s. Press any key to stay").arg(left_s)
              : tr("Nobody here? The screen will be locked in %1 s. Press any key to stay").arg(left_s));
   } else if (state == IdleState::kLocked) {
     idle_.unlock();  // the lock panel is the lock; the guard counts anew once it is open
-    const bool ends = setup_.kiosk || session_->actor().practiceOnly;
+    const bool ends = setup_.kiosk || session_->actor().practiceOnly || lookedAt_;
     if (ends) {
       signOutBeyondDialogs(tr("You were signed out because nobody was here"));
     } else {
@@ -233,8 +235,8 @@ void MainWindow::heartbeat() {
     refusedTold_ = refused;
     if (refused > 0 && desk_ != nullptr) {
       desk_->context().notify(
-          tr("The database refused %1 entries of this station for good. Please tell whoever looks after it")
-              .arg(refused));
+          tr("The database refused %n entries of this station for good. Please tell whoever looks after it",
+             nullptr, static_cast<int>(refused)));
     }
   }
 }
@@ -271,6 +273,10 @@ void MainWindow::reconnect() {
 
 QString MainWindow::forgetActor() {
   if (!session_ || session_->actor().userId.empty()) {
+    return {};
+  }
+  if (lookedAt_) {
+    session_->setActor({});
     return {};
   }
   const bool office = session_->actor().hasRole("administrator");
@@ -312,15 +318,18 @@ void MainWindow::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-void MainWindow::applyChoices(const QString& user, bool station) {
+void MainWindow::applyChoices(const QString& user) {
   const auto language = preferences_.language(user);
   const auto stations = preferences_.language({});
   if (language || stations) {
     language_.choose(language ? *language : *stations);
   }
-  // The station stands in a dark room; other rooms follow the desktop.
-  const ThemeKind usual = station || setup_.systemIsDark ? ThemeKind::kDark : ThemeKind::kLight;
-  const auto remembered = preferences_.themeKind(user);
+  // A kiosk stands in a dark room; other places follow the desktop, from the first page on.
+  const ThemeKind usual = setup_.kiosk || setup_.systemIsDark ? ThemeKind::kDark : ThemeKind::kLight;
+  auto remembered = preferences_.themeKind(user);
+  if (!remembered) {
+    remembered = preferences_.themeKind({});
+  }
   theme_ = setup_.theme.value_or(remembered.value_or(usual));
   applyTheme(*qApp, theme(theme_));
   if (trouble_ != nullptr) {

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,7 +14,9 @@
 #include <QWidget>
 
 #include "app/access/access_service.h"
+#include "app/access/first_run.h"
 #include "app/access/idle_guard.h"
+#include "app/base/progress.h"
 #include "app/gui/base/background.h"
 #include "app/gui/base/language.h"
 #include "app/gui/shell/desk.h"
@@ -23,6 +26,7 @@
 #include "assessment/people/account.h"
 
 class QLabel;
+class QTemporaryDir;
 class QStackedWidget;
 
 namespace torsio::gui {
@@ -48,6 +52,8 @@ struct ShellSetup {
   const Clock* clock = nullptr;    ///< of the idle lock; null: the machine's
   PasswordCost passwordCost = PasswordCost::kModerate;
   LinePatience linePatience;
+  /// Fills a record with simulated people; empty: the demonstration of the paper's protocol.
+  std::function<std::vector<StartAccount>(SessionContext&, const ProgressCallback&)> simulatedPeople;
   std::filesystem::path unstored;  ///< where recordings wait for their database; empty: unstoredFolder()
 };
 
@@ -93,6 +99,10 @@ class MainWindow : public QWidget {
   void openDatabase();
   void setUp(const FirstRunChoice& choice);
   void enterFirstRun();
+  /// A record of simulated people in a folder of its own, for whoever is only curious.
+  void lookRound();
+  /// Removes that record; nothing of it stays, nor of what was chosen meanwhile.
+  void endLookRound();
   void enterSignIn();
   void settle();
   void settleAgain();
@@ -120,7 +130,7 @@ class MainWindow : public QWidget {
   void toggleFullScreen();
   void leaveKiosk();
   void retranslate();
-  void applyChoices(const QString& userId, bool station);
+  void applyChoices(const QString& userId);
   [[nodiscard]] QString userId() const;
   [[nodiscard]] SessionKey key() const;
 
@@ -131,6 +141,8 @@ class MainWindow : public QWidget {
   MonotonicClock machineClock_;
   IdleGuard idle_;
   QTimer second_;
+  std::unique_ptr<QTemporaryDir> lookedAt_;  ///< the record of a look round; outlives its session
+  QString lookedFrom_;                       ///< the locator before it
   std::unique_ptr<SessionContext> session_;
   std::unique_ptr<StationWriter> line_;
   std::size_t refusedTold_ = 0;

@@ -40,8 +40,7 @@ void MainWindow::enterDesk() {
   if (!setup_.idle) {
     idle_.setLimits(centreIdleLimits(session_->connectionWithoutRight()));
   }
-  const bool station = homeOf(session_->actor()) == Home::kStation;
-  applyChoices(userId(), station);
+  applyChoices(userId());
   openDesk();
   tellKept();
 }
@@ -97,6 +96,11 @@ bool MainWindow::signOut(const QString& reason) {
   }
   leaveDesk();
   const QString notKept = forgetActor();
+  if (lookedAt_) {
+    endLookRound();
+    openDatabase();
+    return true;
+  }
   enterSignIn();
   if (!notKept.isEmpty()) {
     signIn_->say(notKept, true);
@@ -110,7 +114,7 @@ bool MainWindow::lock() {
   if (desk_ == nullptr || stack_->currentWidget() != desk_ || desk_->busy()) {
     return false;
   }
-  if (session_->actor().practiceOnly) {
+  if (session_->actor().practiceOnly || lookedAt_) {
     return signOut();  // nothing to come back to
   }
   for (LockPanel* lock : {lock_, &dialogLock_->panel()}) {
@@ -161,7 +165,7 @@ void MainWindow::removeDemonstration() {
     }
     const QLocale locale;
     QMessageBox question(QMessageBox::Question, tr("Remove demonstration data"),
-                         tr("Remove %1 simulated people, %2 trials and %3 marks?")
+                         tr("Remove the simulated people (%1), their runs (%2) and marks (%3)?")
                              .arg(locale.toString(static_cast<qlonglong>(size.people)),
                                   locale.toString(static_cast<qlonglong>(size.trials)),
                                   locale.toString(static_cast<qlonglong>(size.marks))),

@@ -2,6 +2,7 @@
 // Of MainWindow: everything before the desk.
 #include <utility>
 
+#include <QTemporaryDir>
 #include <QUrl>
 
 #include "app/access/first_run.h"
@@ -163,6 +164,39 @@ void MainWindow::enterFirstRun() {
   show(firstRun_);
 }
 
+void MainWindow::lookRound() {
+  lookedAt_ = std::make_unique<QTemporaryDir>();
+  if (!lookedAt_->isValid()) {
+    firstRun_->say(tr("No folder can be made for it: %1").arg(lookedAt_->errorString()));
+    lookedAt_.reset();
+    return;
+  }
+  lookedFrom_ = setup_.locator;
+  preferences_.keep(false);
+  FirstRunChoice choice;
+  choice.locator = lookedAt_->filePath(QStringLiteral("torsio.sqlite"));
+  choice.first.centre = tr("A look round: simulated people").toStdString();
+  choice.first.login = "visitor";
+  choice.first.password = randomStartPassword();
+  choice.first.language = languageCode(firstRun_->language()).toStdString();
+  choice.first.demonstration = true;
+  setUp(choice);
+}
+
+void MainWindow::endLookRound() {
+  if (!lookedAt_) {
+    return;
+  }
+  if (line_) {
+    line_->leave();
+  }
+  line_.reset();
+  session_.reset();  // nobody has the record open now
+  lookedAt_.reset();
+  setup_.locator = lookedFrom_;
+  preferences_.keep(true);
+}
+
 void MainWindow::setUp(const FirstRunChoice& choice) {
   if (!QUrl(choice.locator).password().isEmpty()) {
     firstRun_->say(
@@ -186,14 +220,16 @@ void MainWindow::setUp(const FirstRunChoice& choice) {
           };
         }
         const auto accounts = performFirstRun(own, choice.first, [this](SessionContext& session) {
-          return addDemonstration(session, setup_.assets, [this](const Progress& progress) {
+          const ProgressCallback told = [this](const Progress& progress) {
             if (setUpCancelled_->load()) {
               throw Cancelled{};
             }
             QMetaObject::invokeMethod(this, [this, progress] {
               firstRun_->job().move(toQString(Text(progress.step)), progress.fraction, progress.remaining_s);
             });
-          });
+          };
+          return setup_.simulatedPeople ? setup_.simulatedPeople(session, told)
+                                        : addDemonstration(session, setup_.assets, told);
         });
         return [this, actor = own.actor(), choice, accounts] {
           firstRun_->job().end();
@@ -202,12 +238,18 @@ void MainWindow::setUp(const FirstRunChoice& choice) {
           session_->setActor(actor);
           startLine();
           centre_ = toQString(choice.first.centre);
+          if (lookedAt_) {
+            enterDesk();
+            desk_->context().notify(tr("Everybody here is simulated. Sign out, and all of it is gone"));
+            return;
+          }
           preferences_.setDatabase(choice.locator);
           firstRun_->showAccounts(accounts);
         };
       },
       [this](const std::exception_ptr& problem) {
         firstRun_->job().end();
+        endLookRound();
         try {
           std::rethrow_exception(problem);
         } catch (const Cancelled&) {
@@ -219,7 +261,7 @@ void MainWindow::setUp(const FirstRunChoice& choice) {
 }
 
 void MainWindow::enterSignIn() {
-  applyChoices({}, true);
+  applyChoices({});
   signIn_->setCentre(centre_);
   signIn_->clear();
   show(signIn_);

@@ -115,7 +115,7 @@ void PasswordPanel::retranslate() {
               : tr("At least fifteen characters, a short sentence for example. Nothing else is asked for."));
   nameField(oldLabel_, tr("&Present password"));
   nameField(newLabel_, tr("&New password"));
-  nameField(againLabel_, tr("The same &again"));
+  nameField(againLabel_, tr("Repeat p&assword"));
   back_->setText(forced_ ? tr("Back to the sign-in") : tr("Cancel"));
   save_->setText(tr("Save password"));
 }

@@ -19,7 +19,7 @@ QVariant Preferences::read(const QString& key) const {
 }
 
 void Preferences::write(const QString& key, const QVariant& value) const {
-  if (remember_) {
+  if (remember_ && keep_) {
     QSettings().setValue(key, value);
   }
 }

@@ -18,6 +18,9 @@ class Preferences {
   /// `remember` off (tests, pictures): nothing is read or written.
   explicit Preferences(bool remember) : remember_(remember) {}
 
+  /// Off: nothing is written until it is on again; what was written before is still read.
+  void keep(bool on) noexcept { keep_ = on; }
+
   /// Empty user id: the station's own choice, which everybody begins with.
   [[nodiscard]] std::optional<Language> language(const QString& userId) const;
   void setLanguage(const QString& userId, Language language);
@@ -35,6 +38,7 @@ class Preferences {
   [[nodiscard]] QVariant read(const QString& key) const;
   void write(const QString& key, const QVariant& value) const;
   bool remember_;
+  bool keep_ = true;
 };
 
 }  // namespace torsio::gui

@@ -8,6 +8,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "app/gui/widgets/accessible_role.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/theme.h"
 
@@ -35,7 +36,10 @@ Rail::Rail(const std::vector<RailGroup>& groups, QWidget* parent)
   name_->setContentsMargins(kSpace + 4, 2, 0, kSpace + 2);
   column->addWidget(name_);
 
-  auto* list = new QWidget;
+  list_ = new QWidget;
+  auto* list = list_;
+  list->setObjectName(QStringLiteral("pages"));
+  setAccessibleRole(list, QAccessible::List);
   auto* lines = new QVBoxLayout(list);
   lines->setContentsMargins(0, 0, 0, 0);
   lines->setSpacing(2);
@@ -70,6 +74,7 @@ Rail::Rail(const std::vector<RailGroup>& groups, QWidget* parent)
 
 void Rail::addLine(const RailItem& item, QVBoxLayout* column) {
   auto* button = new QPushButton;
+  setAccessibleRole(button, QAccessible::ListItem);
   button->setCheckable(true);
   button->setMinimumHeight(kLeastHeight);
   button->setIconSize({20, 20});
@@ -106,6 +111,7 @@ void Rail::setTheme(const Theme& theme) {
 
 void Rail::retranslate() {
   setAccessibleName(tr("Pages"));
+  list_->setAccessibleName(tr("Pages"));
   name_->setVisible(!narrow_);
   for (const Heading& heading : headings_) {
     heading.label->setText(heading.title());
@@ -124,8 +130,8 @@ void Rail::retranslate() {
     line.button->setToolTip(
         keys.isEmpty() ? title : tr("%1 (%2)").arg(title, keys.toString(QKeySequence::NativeText)));
   }
-  fold_->setText(narrow_ ? QString() : tr("Hide names"));
-  fold_->setAccessibleName(narrow_ ? tr("Show names") : tr("Hide names"));
+  fold_->setText(narrow_ ? QString() : tr("Collapse sidebar"));
+  fold_->setAccessibleName(narrow_ ? tr("Expand sidebar") : tr("Collapse sidebar"));
   fold_->setToolTip(fold_->accessibleName());
   if (narrow_) {
     setFixedWidth(kNarrow);

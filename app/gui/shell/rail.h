@@ -63,6 +63,7 @@ class Rail : public QFrame {
   std::vector<Line> lines_;
   std::vector<Heading> headings_;
   QLabel* name_;
+  QWidget* list_ = nullptr;
   QPushButton* fold_;
   std::optional<PageId> current_;
   bool narrow_ = false;

@@ -350,7 +350,7 @@ QString DetorsionPanel::cue() const {
     return tr("It lies within the limits. Let go.");
   }
   if (std::abs(shown_.response.angle_rad) > std::abs(heldFrom_rad_) + kWrongWay_rad) {
-    return tr("The twist grows. Turn the other way round.");
+    return tr("The twist grows. Turn in the opposite direction.");
   }
   return tr("Holding. Turn, set the clip (C), then grip anew.");
 }

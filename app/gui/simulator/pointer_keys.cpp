@@ -151,7 +151,7 @@ bool askPointerKeys(QWidget* parent) {
   }
   show();
   auto* buttons = new QDialogButtonBox(&dialog);
-  buttons->addButton(PointerKeys::tr("Keep"), QDialogButtonBox::AcceptRole);
+  buttons->addButton(PointerKeys::tr("Save"), QDialogButtonBox::AcceptRole);
   buttons->addButton(PointerKeys::tr("Cancel"), QDialogButtonBox::RejectRole);
   QPushButton* usual = buttons->addButton(PointerKeys::tr("Usual keys"), QDialogButtonBox::ResetRole);
   QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);

@@ -20,7 +20,7 @@ namespace {
 constexpr double kSpeeds[] = {0.25, 0.5, 1.0, 2.0, 4.0};
 constexpr int kSliderStep_us = 10'000;
 
-QString clockTime(std::int64_t time_us) {
+QString tenthsTime(std::int64_t time_us) {
   const std::int64_t tenths = time_us / 100'000;
   return QStringLiteral("%1:%2.%3")
       .arg(tenths / 600)
@@ -95,7 +95,7 @@ void ReplayBar::show(const TrialPlayback* playback) {
     position_->setValue(static_cast<int>(playback->position_us() / kSliderStep_us));
   }
   const QString text =
-      clockTime(playback->position_us()) + QStringLiteral(" / ") + clockTime(playback->duration_us());
+      tenthsTime(playback->position_us()) + QStringLiteral(" / ") + tenthsTime(playback->duration_us());
   if (time_->text() != text) {
     time_->setText(text);
   }

@@ -2,11 +2,13 @@
 #include "app/gui/simulator/simulation_controller.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
 #include <QUuid>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/recording/recording_host.h"
 #include "sim/base/clock.h"
@@ -39,7 +41,7 @@ LoadedScene loadRecorded(const SceneLoader& loader, SceneRequest request, const 
   }
   throw Error(ErrorCode::kVerifyFailed,
               Text::tr("the organ or its parameters are not those of the recording"),
-              Text::tr("trial %1", header.trialId),
+              Text::tr("run %1", header.trialId),
               Text::tr("Open the organ file of the recording first, or use the version that recorded it: %1",
                        header.softwareVersion));
 }
@@ -411,9 +413,8 @@ void SimulationController::stopRecording() {
     if (result->spillFile) {
       tellSpilled(*result);
     } else {
-      Q_EMIT noticed(tr("Recorded %1 s to %2")
-                         .arg(spanOf_s(result->summary.samples), 0, 'f', 1)
-                         .arg(toQString(recording_.place)));
+      Q_EMIT noticed(tr("Recorded: %1. Replay shows it again")
+                         .arg(clockTime(std::llround(1e6 * spanOf_s(result->summary.samples)))));
     }
   }
   practise(takeHaptic());

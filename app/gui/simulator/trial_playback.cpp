@@ -31,12 +31,12 @@ TrialPlayback::TrialPlayback(Trial trial, const Reader& reader)
   places_.reserve(chunks_.size());
   for (std::size_t i = 0; i < chunks_.size(); ++i) {
     if (chunks_[i].index != static_cast<std::int64_t>(i)) {
-      refuse(Text::tr("a part of the recording is missing"), Text::tr("trial %1", header_.trialId),
+      refuse(Text::tr("a part of the recording is missing"), Text::tr("run %1", header_.trialId),
              Text::tr("Choose another recording"));
     }
     const std::vector<Sample> samples = decodeChunk(chunks_[i]);
     if (samples.front().tick <= lastTick) {
-      refuse(Text::tr("the parts of the recording are out of order"), Text::tr("trial %1", header_.trialId),
+      refuse(Text::tr("the parts of the recording are out of order"), Text::tr("run %1", header_.trialId),
              Text::tr("Choose another recording"));
     }
     lastTick = samples.back().tick;
@@ -50,7 +50,7 @@ TrialPlayback::TrialPlayback(Trial trial, const Reader& reader)
     }
   }
   if (chunks_.empty()) {
-    refuse(Text::tr("the recording is empty"), Text::tr("trial %1", header_.trialId),
+    refuse(Text::tr("the recording is empty"), Text::tr("run %1", header_.trialId),
            Text::tr("Choose another recording"));
   }
   duration_us_ = end_us - places_.front().begin_us;

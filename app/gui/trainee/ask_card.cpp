@@ -39,6 +39,9 @@ AskCard::AskCard(ShellContext& shell, QWidget* parent)
   content()->addLayout(row);
   list_->setSpacing(kSpace / 2);
   content()->addLayout(list_);
+  ask_->setEnabled(false);
+  connect(text_, &QLineEdit::textChanged, this,
+          [this](const QString& now) { ask_->setEnabled(!now.trimmed().isEmpty()); });
   connect(ask_, &QPushButton::clicked, this, &AskCard::ask);
   connect(text_, &QLineEdit::returnPressed, this, &AskCard::ask);
   hide();
@@ -68,7 +71,7 @@ void AskCard::setMoment(double at_s) {
 }
 
 void AskCard::ask() {
-  if (!desk_.mayAsk) {
+  if (!desk_.mayAsk || text_->text().trimmed().isEmpty()) {
     return;
   }
   attempt(shell_, [&] {
@@ -117,7 +120,7 @@ void AskCard::retranslate() {
   setTitle(tr("Ask a physician about this moment"));
   whomLabel_->setText(tr("&To"));
   whom_->setAccessibleName(tr("Physician"));
-  text_->setPlaceholderText(tr("What do you want to know? (may stay empty)"));
+  text_->setPlaceholderText(tr("What do you want to know?"));
   text_->setAccessibleName(tr("Question"));
   setMoment(at_s_);
   fill();

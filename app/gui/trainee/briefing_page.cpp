@@ -56,7 +56,7 @@ QStringList twist(const TrainingModule& module) {
                 .arg(static_cast<double>(module.hold_us) * 1e-6, 0, 'f', 1);
   }
   if (module.leastTwists > 1) {
-    task << BriefingPage::tr("Twist at least %1 times.").arg(module.leastTwists);
+    task << BriefingPage::tr("Twist at least %n time(s).", nullptr, static_cast<int>(module.leastTwists));
   }
   return task;
 }

@@ -260,10 +260,8 @@ void DebriefPage::fillNotes() {
     checks_->addWidget(words);
   };
   if (debrief_.unfinishedTwists > 0) {
-    add("unfinished",
-        debrief_.unfinishedTwists == 1
-            ? tr("One twist was not completed and is not counted.")
-            : tr("%1 twists were not completed and are not counted.").arg(debrief_.unfinishedTwists));
+    add("unfinished", tr("%n twist(s) not completed and not counted.", nullptr,
+                         static_cast<int>(debrief_.unfinishedTwists)));
   }
   if (debrief_.deviceForce_N && debrief_.forceFelt) {
     add("deviceForce", tr("Judged is the force on the tissue. The device gave at most %1 N of it.")

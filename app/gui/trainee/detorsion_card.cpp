@@ -164,7 +164,7 @@ QStringList DetorsionCard::verdicts(const DetorsionStory& story) {
     out << tr("Bruises by the jaw: %1. Grip with less force, ischaemic tissue bears half.").arg(bruises);
   }
   if (const auto slips = count(DetorsionMoment::kSlip); slips > 0) {
-    out << tr("The instrument slipped off: %1 times.").arg(slips);
+    out << tr("Times that the instrument slipped off: %1.").arg(slips);
   }
   if (const auto relapse = measureOf(story, "detorse.relapse"); relapse && *relapse != 0.0) {
     out << tr("It turned back after it had been undone.");

@@ -129,9 +129,8 @@ void NextStepPage::fillNotices() {
         tr("Look at it"), PageId::kDebrief, toQString(trial.trialId));
   }
   if (steps_.unreadRemarks > 0) {
-    add(steps_.unreadRemarks == 1
-            ? tr("One remark of a physician that you have not read")
-            : tr("%1 remarks of physicians that you have not read").arg(steps_.unreadRemarks),
+    add(tr("%n remark(s) of physicians that you have not read", nullptr,
+           static_cast<int>(steps_.unreadRemarks)),
         tr("Read"), PageId::kRemarks, {});
   }
 }
@@ -177,8 +176,9 @@ void NextStepPage::fillNext() {
     facts << tr("takes at most %1").arg(StationLabels::minutes(step.needed_us))
           << StationLabels::lastResult(step);
     if (step.attemptsLeft) {
-      facts << (*step.attemptsLeft == 1 ? tr("the last attempt")
-                                        : tr("%1 attempts left").arg(*step.attemptsLeft));
+      facts << (*step.attemptsLeft == 1
+                    ? tr("the last attempt")
+                    : tr("%n attempt(s) left", nullptr, static_cast<int>(*step.attemptsLeft)));
     }
     quiet->setText(facts.join(QStringLiteral("  \u00b7  ")));
     texts->addWidget(quiet);

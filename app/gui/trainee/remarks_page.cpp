@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/trainee/remarks_page.h"
 
-#include <cmath>
+#include <algorithm>
 #include <memory>
 
 #include <QDoubleSpinBox>
@@ -229,12 +229,11 @@ void RemarksPage::fillMarks() {
     return;
   }
   auto* hint = plainLabel(marks_, "quiet");
-  hint->setText(!gap.selfScored ? tr("Score yourself first; then you see the physicians' marks.")
-                : gap.raters > 0
-                    ? (gap.raters == 1
-                           ? tr("Your own marks beside those of one physician.")
-                           : tr("Your own marks beside the mean of %1 physicians.").arg(gap.raters))
-                    : tr("Your marks are kept. The physicians' marks appear when they are released."));
+  hint->setText(
+      !gap.selfScored ? tr("Score yourself first; then you see the physicians' marks.")
+      : gap.raters > 0
+          ? tr("Your own marks beside the mean of %n physician(s).", nullptr, static_cast<int>(gap.raters))
+          : tr("Your marks are kept. The physicians' marks appear when they are released."));
   sheet_->addWidget(hint);
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(2 * kSpace);
@@ -257,11 +256,13 @@ void RemarksPage::fillMarks() {
     grid->addWidget(name, line, 0);
     if (!gap.selfScored) {
       auto* field = new QDoubleSpinBox(marks_);
-      field->setRange(row.lowest, row.highest);
+      // One step below the scale stands for "not given yet".
+      field->setRange(row.lowest - std::max(row.step, 0.5), row.highest);
+      field->setSpecialValueText(QStringLiteral("\u2013"));
       field->setButtonSymbols(QAbstractSpinBox::NoButtons);
       field->setSingleStep(std::max(row.step, 0.5));
       field->setDecimals(row.step < 0.99 ? 1 : 0);
-      field->setValue(std::round(0.5 * (row.lowest + row.highest)));
+      field->setValue(field->minimum());
       field->setAccessibleName(name->text());
       name->setBuddy(field);
       fields->emplace_back(row.code, field);
@@ -277,7 +278,16 @@ void RemarksPage::fillMarks() {
   }
   auto* keep = primaryButton(marks_);
   keep->setObjectName(QStringLiteral("selfScore"));
-  keep->setText(tr("&Keep my marks"));
+  keep->setText(tr("&Save my marks"));
+  const auto given = [fields, keep] {
+    keep->setEnabled(std::all_of(fields->begin(), fields->end(), [](const auto& field) {
+      return field.second->value() > field.second->minimum();
+    }));
+  };
+  for (const auto& [code, field] : *fields) {
+    connect(field, &QDoubleSpinBox::valueChanged, keep, given);
+  }
+  given();
   connect(keep, &QPushButton::clicked, this, [this, fields, id = trial->trialId] {
     attempt(shell(), [&] {
       std::vector<SelfScoreRow> sheet;

@@ -198,11 +198,11 @@ bool RunPage::askWhyUnscored(RunRequest& request) {
   QInputDialog dialog(this);
   dialog.setWindowTitle(tr("Not scored yet"));
   dialog.setLabelText(
-      tr("Only %1 of %2 sheets of this occasion are in, and they cannot be made up for once the "
+      tr("Only %1 of %n sheet(s) of this occasion are in, and the others cannot be made up for once the "
          "training goes on. Fetch the study team. Why does the training begin nevertheless? It "
-         "is noted as a deviation.")
-          .arg(steps.scoringDue->submitted)
-          .arg(steps.scoringDue->asked));
+         "is noted as a deviation.",
+         nullptr, static_cast<int>(steps.scoringDue->asked))
+          .arg(steps.scoringDue->submitted));
   dialog.setOkButtonText(tr("Begin nevertheless"));
   dialog.setCancelButtonText(tr("Back"));
   if (dialog.exec() != QDialog::Accepted || dialog.textValue().trimmed().isEmpty()) {

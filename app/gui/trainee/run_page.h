@@ -79,12 +79,15 @@ class RunPage : public Page {
   void showLive(const LiveState& state);
   void showCount();
   [[nodiscard]] QString cue(const LiveState& state) const;
+  /// How much of the time to be held on target is over.
+  double heldShare(const LiveState& state);
 
   const Theme* theme_;
   std::optional<RunSession> runSession_;
   QString lastTrial_;
-  TwistCount twists_;     // of the present recording
-  bool waiting_ = false;  // for the scene and the device, before the clock starts
+  std::int64_t onTargetFrom_us_ = -1;  // of the present stay on target; -1: not there
+  TwistCount twists_;                  // of the present recording
+  bool waiting_ = false;               // for the scene and the device, before the clock starts
   std::optional<std::unique_ptr<HapticDevice>> device_;  // opened for the next recording; null: the pointer
   bool haptic_ = false;                                  // the run's device renders force
   bool inFile_ = false;                                  // a recording of this run waits for its database

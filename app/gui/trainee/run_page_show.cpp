@@ -68,7 +68,8 @@ void RunPage::showState() {
     noticeFigure_->clear();
     noticeText_->setText(inFile_ ? tr("The database did not answer. The recording is kept, on this computer "
                                       "where need be; as soon as the database answers you find its debrief "
-                                      "on the page \u201cDebrief\u201d.")
+                                      "on the page \u201c"
+                                      "Debrief\u201d.")
                                  : tr("Choose a module on the page \u201cMy next step\u201d."));
     goOn_->hide();
     rest_->hide();
@@ -164,7 +165,7 @@ QString RunPage::cue(const LiveState& state) const {
         return tr("Nearly there. Slow down.");
       }
       if (way < 0.0) {
-        return tr("The other way round.");
+        return tr("Turn in the opposite direction.");
       }
       return tr("Turn in one even movement.");
     }
@@ -174,13 +175,26 @@ QString RunPage::cue(const LiveState& state) const {
   return {};
 }
 
+double RunPage::heldShare(const LiveState& state) {
+  const TrainingModule& module = runSession_->step().module;
+  const bool there = state.phase == ExercisePhase::kTwisting && dial_->onTarget();
+  if (!there || module.hold_us <= 0) {
+    onTargetFrom_us_ = -1;
+    return 0.0;
+  }
+  if (onTargetFrom_us_ < 0) {
+    onTargetFrom_us_ = state.time_us;
+  }
+  return static_cast<double>(state.time_us - onTargetFrom_us_) / static_cast<double>(module.hold_us);
+}
+
 void RunPage::showCount() {
   if (!runSession_) {
     return;
   }
   const std::int64_t wanted = runSession_->step().module.leastTwists;
   count_->setVisible(wanted > 1);
-  count_->setText(tr("%1 of %2 twists").arg(twists_.completed()).arg(wanted));
+  count_->setText(tr("%1 of %n twist(s)", nullptr, static_cast<int>(wanted)).arg(twists_.completed()));
 }
 
 void RunPage::showLive(const LiveState& state) {
@@ -189,6 +203,7 @@ void RunPage::showLive(const LiveState& state) {
   }
   detorsion_->show(state);
   dial_->setAngle(state.response.angle_rad);
+  dial_->setHeld(heldShare(state));
   torque_->setValue(std::abs(state.response.torque_Nm));
   force_->setValue(norm(state.response.force_N));
   twists_.see(state);

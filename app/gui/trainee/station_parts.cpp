@@ -29,6 +29,7 @@ PageColumn pageColumn(QWidget* page, int widest) {
   if (widest > 0) {
     body->setMaximumWidth(widest);
   }
+  row->addStretch(1);
   row->addWidget(body, 100);
   row->addStretch(1);
   PageColumn made;

@@ -145,8 +145,9 @@ QString StationLabels::clock(std::int64_t left_us) {
 }
 
 QString StationLabels::seconds(double at_s) {
-  const int minutes = static_cast<int>(at_s / 60.0);
-  return QStringLiteral("%1:%2").arg(minutes).arg(at_s - 60.0 * minutes, 4, 'f', 1, QLatin1Char('0'));
+  const auto tenths = static_cast<std::int64_t>(std::llround(10.0 * at_s));  // 59.96 s are 1:00.0
+  const double within_s = 0.1 * static_cast<double>(tenths % 600);
+  return QStringLiteral("%1:%2").arg(tenths / 600).arg(within_s, 4, 'f', 1, QLatin1Char('0'));
 }
 
 QString StationLabels::minutes(std::int64_t span_us) {
@@ -167,7 +168,7 @@ QString StationLabels::waited(std::int64_t span_us) {
   if (minutes < 48 * 60) {
     return tr("%1 h").arg(minutes / 60);
   }
-  return tr("%1 days").arg(minutes / (24 * 60));
+  return tr("%n day(s)", nullptr, static_cast<int>(minutes / (24 * 60)));
 }
 
 QString StationLabels::when(std::int64_t utc_us) {
@@ -219,11 +220,10 @@ QString StationLabels::rule(const RuleProgress& progress) {
     return goal;
   }
   if (progress.met) {
-    return tr("%1, in %2 runs in a row").arg(goal).arg(progress.rule.consecutive);
+    return tr("%1, in %n run(s) in a row", nullptr, static_cast<int>(progress.rule.consecutive)).arg(goal);
   }
-  return tr("%1, in %2 runs in a row (%3 so far)")
+  return tr("%1, in %n run(s) in a row (%2 so far)", nullptr, static_cast<int>(progress.rule.consecutive))
       .arg(goal)
-      .arg(progress.rule.consecutive)
       .arg(progress.streak);
 }
 
@@ -259,7 +259,8 @@ QString StationLabels::lastResult(const ModuleStep& step) {
   if (isUntwisting(last)) {
     return tr("Last time: %1").arg(result(last));
   }
-  return tr("Last time: %1 of %2 twists on target").arg(last.onTarget).arg(last.twists);
+  return tr("Last time: %1 of %n twist(s) on target", nullptr, static_cast<int>(last.twists))
+      .arg(last.onTarget);
 }
 
 QString StationLabels::unlocks(const ModuleStep& step) {
@@ -284,7 +285,7 @@ QString StationLabels::check(const TargetCheck& check, std::size_t twists) {
           .arg(check.value.value_or(0.0), 0, 'f', 0)
           .arg(check.wanted, 0, 'f', 0);
     case TargetCheck::Kind::kAngle:
-      return tr("Twists let go on target: %1 of %2, wanted %3")
+      return tr("Twists released on target: %1 of %2, wanted %3")
           .arg(check.value.value_or(0.0), 0, 'f', 0)
           .arg(twists)
           .arg(check.wanted, 0, 'f', 0);
@@ -380,9 +381,8 @@ QString StationLabels::advice(const std::string& id) {
 QString StationLabels::level(const CompetenceVerdict& verdict) {
   switch (verdict.level) {
     case SkillLevel::kNotShown:
-      return verdict.attemptsUntilLevel == 1
-                 ? tr("One more attempt until a level is shown")
-                 : tr("%1 more attempts until a level is shown").arg(verdict.attemptsUntilLevel);
+      return tr("%n more attempt(s) until a level is shown", nullptr,
+                static_cast<int>(verdict.attemptsUntilLevel));
     case SkillLevel::kLearning:
       return tr("Learning");
     case SkillLevel::kSteady:
@@ -400,8 +400,8 @@ QString StationLabels::levelMeaning(const CompetenceVerdict& verdict) {
     case SkillLevel::kNotShown:
       return tr("So few attempts can show nobody to be able.");
     case SkillLevel::kLearning:
-      return tr("Not yet shown to be able. %1 good attempts in a row show it.")
-          .arg(fewestForAble(verdict.design));
+      return tr("Not yet shown to be able. %n good attempt(s) in a row show it.", nullptr,
+                static_cast<int>(fewestForAble(verdict.design)));
     case SkillLevel::kSteady:
       return tr("Able, and staying so.");
     case SkillLevel::kWatch:

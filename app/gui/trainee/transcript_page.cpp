@@ -2,6 +2,7 @@
 #include "app/gui/trainee/transcript_page.h"
 
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 
 #include <QPageLayout>
@@ -13,6 +14,7 @@
 #include <QTextDocument>
 #include <QVBoxLayout>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
@@ -107,16 +109,16 @@ QString TranscriptPage::html(bool paper) const {
     }
     page += QStringLiteral("</tr>");
     for (const Attempt& attempt : module.attempts) {
-      page +=
-          QStringLiteral("<tr>%1%2%3%4%5</tr>")
-              .arg(cell(StationLabels::when(attempt.startedUtc_us)),
-                   cell(attempt.mode == AttemptMode::kGraded ? tr("Graded") : tr("Practice")),
-                   cell(tr("%1 s").arg(attempt.duration_s, 0, 'f', 0)), cell(StationLabels::result(attempt)),
-                   cell(attempt.interrupted ? tr("interrupted")
-                        : !attempt.ended    ? tr("running")
-                        : attempt.forceCuts == 0
-                            ? QString()
-                            : tr("force cut by the machine, times: %1").arg(attempt.forceCuts)));
+      page += QStringLiteral("<tr>%1%2%3%4%5</tr>")
+                  .arg(cell(StationLabels::when(attempt.startedUtc_us)),
+                       cell(attempt.mode == AttemptMode::kGraded ? tr("Graded") : tr("Practice")),
+                       cell(clockTime(std::llround(1e6 * attempt.duration_s))),
+                       cell(StationLabels::result(attempt)),
+                       cell(attempt.interrupted ? tr("interrupted")
+                            : !attempt.ended    ? tr("running")
+                            : attempt.forceCuts == 0
+                                ? QString()
+                                : tr("force cut by the machine, times: %1").arg(attempt.forceCuts)));
     }
     page += QStringLiteral("</table>");
   }

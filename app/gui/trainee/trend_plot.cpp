@@ -100,7 +100,7 @@ void TrendPlot::drawGrid(QPainter& painter) const {
       break;
     }
   }
-  step = answer ? 1.0 : step;
+  step = answer || isCountMetric(trend_.metric) ? std::max(1.0, std::round(step)) : step;
   const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
   for (double v = std::ceil(low_ / step) * step; v <= high_; v += step) {
     painter.setPen(theme_->line);

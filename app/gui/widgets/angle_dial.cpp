@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kDiameter = 146;
 constexpr double kRing = 10.0;
+constexpr double kHeldRing = 4.0;
 constexpr double kTargetReach = 5.0;  // the target's mark sticks out of the ring this far
 constexpr double kLeastTolerance_deg = 1.0;
 
@@ -72,8 +73,16 @@ bool AngleDial::onTarget() const noexcept {
   return target_rad_ != 0.0 && std::abs(angle_rad_ - target_rad_) <= tolerance_rad_;
 }
 
+void AngleDial::setHeld(double share) {
+  const double held = std::clamp(share, 0.0, 1.0);
+  if (held != held_) {
+    held_ = held;
+    update();
+  }
+}
+
 void AngleDial::describe() {
-  setAccessibleDescription(tr("%1 degrees, target %2 degrees")
+  setAccessibleDescription(tr("%1\u00b0, target %2\u00b0")
                                .arg(degrees(angle_rad_), 0, 'f', 1)
                                .arg(degrees(target_rad_), 0, 'f', 0));
 }
@@ -92,6 +101,13 @@ void AngleDial::paintEvent(QPaintEvent*) {
   const QColor way = onTarget() ? theme_->good : theme_->accent;
   painter.setPen(QPen(way, kRing, Qt::SolidLine, Qt::FlatCap));
   drawArc(painter, ring, 0.0, std::clamp(angle_deg, -360.0, 360.0));
+
+  if (held_ > 0.0) {
+    const double within = radius - 0.5 * kRing - kHeldRing;
+    painter.setPen(QPen(theme_->good, kHeldRing, Qt::SolidLine, Qt::RoundCap));
+    drawArc(painter, QRectF(centre.x() - within, centre.y() - within, 2.0 * within, 2.0 * within), 0.0,
+            360.0 * held_);
+  }
 
   if (target_rad_ != 0.0) {
     const double half_deg = std::max(degrees(tolerance_rad_), kLeastTolerance_deg);

@@ -19,6 +19,9 @@ class AngleDial : public QWidget {
   void setTheme(const Theme& theme);
   void setTarget(double target_rad, double tolerance_rad);
   void setAngle(double angle_rad);
+  /// How much of the time to be held on target is over, 0 to 1: a thin ring inside the other fills.
+  void setHeld(double share);
+  [[nodiscard]] double held() const noexcept { return held_; }
 
   [[nodiscard]] bool onTarget() const noexcept;
   [[nodiscard]] QSize sizeHint() const override;
@@ -34,6 +37,7 @@ class AngleDial : public QWidget {
   double angle_rad_ = 0.0;
   double target_rad_ = 0.0;
   double tolerance_rad_ = 0.0;
+  double held_ = 0.0;
 };
 
 }  // namespace torsio::gui

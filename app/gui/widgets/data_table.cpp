@@ -347,7 +347,7 @@ void DataTable::showCount() {
   const int all = model_->rowCount({});
   const int seen = proxy_->rowCount();
   count_->setText(seen == all ? tr("%n row(s)", nullptr, all)
-                              : tr("%1 of %2 rows").arg(locale().toString(seen), locale().toString(all)));
+                              : tr("%1 of %n row(s)", nullptr, all).arg(locale().toString(seen)));
   totals_->setText(totals());
   totals_->setVisible(!totals_->text().isEmpty());
   empty_->setVisible(all == 0 && !empty_->text().isEmpty());

@@ -47,7 +47,16 @@ QIcon icon(const QString& name, const Theme& theme) {
   for (const int size : kSizes) {
     result.addPixmap(pixmap(svg, theme.text, size), QIcon::Normal, QIcon::Off);
     result.addPixmap(pixmap(svg, theme.accent, size), QIcon::Normal, QIcon::On);
-    result.addPixmap(pixmap(svg, theme.border, size), QIcon::Disabled, QIcon::Off);
+    result.addPixmap(pixmap(svg, theme.disabledText, size), QIcon::Disabled, QIcon::Off);
+  }
+  return result;
+}
+
+QIcon applicationIcon() {
+  const QByteArray svg = drawing(QStringLiteral("application"));
+  QIcon result;
+  for (const int size : {16, 24, 32, 48, 64, 128, 256}) {
+    result.addPixmap(pixmap(svg, Qt::white, size));
   }
   return result;
 }

@@ -29,6 +29,7 @@ Theme lightTheme() {
   t.border = QColor(0x7E, 0x8C, 0x98);
   t.text = QColor(0x17, 0x22, 0x2B);
   t.quietText = QColor(0x51, 0x60, 0x6C);
+  t.disabledText = QColor(0x5F, 0x6D, 0x78);
   t.accent = QColor(0x0B, 0x63, 0x84);
   t.onAccent = QColor(0xFF, 0xFF, 0xFF);
   t.good = QColor(0x1B, 0x7A, 0x4B);
@@ -54,6 +55,7 @@ Theme darkTheme() {
   t.border = QColor(0x71, 0x80, 0x8D);
   t.text = QColor(0xE8, 0xED, 0xF1);
   t.quietText = QColor(0xA3, 0xB1, 0xBC);
+  t.disabledText = QColor(0x93, 0xA1, 0xAC);
   t.accent = QColor(0x62, 0xB9, 0xD8);
   t.onAccent = QColor(0x08, 0x1D, 0x27);
   t.good = QColor(0x63, 0xC4, 0x93);
@@ -90,8 +92,9 @@ QPalette paletteOf(const Theme& t) {
   palette.setColor(QPalette::Mid, t.line);
   palette.setColor(QPalette::Dark, t.border);
   palette.setColor(QPalette::Shadow, t.line);
-  for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
-    palette.setColor(QPalette::Disabled, role, t.border);
+  for (const QPalette::ColorRole role :
+       {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::PlaceholderText}) {
+    palette.setColor(QPalette::Disabled, role, t.disabledText);
   }
   return palette;
 }
@@ -107,7 +110,7 @@ QMenuBar::item:selected { background: %raised; }
 QMenu { background: %surface; color: %text; border: 1px solid %line; padding: 6px; }
 QMenu::item { padding: 7px 28px 7px 28px; border-radius: 4px; }
 QMenu::item:selected { background: %accent; color: %onAccent; }
-QMenu::item:disabled { color: %border; }
+QMenu::item:disabled { color: %disabledText; }
 QMenu::separator { height: 1px; background: %line; margin: 6px 8px; }
 QMenu::indicator { width: 14px; height: 14px; left: 8px; }
 QToolBar { background: %window; border: none; border-bottom: 1px solid %line; spacing: 2px; padding: 3px 10px; }
@@ -121,7 +124,7 @@ QToolButton:hover { background: %raised; }
 QToolButton:pressed { background: %track; }
 QToolButton:checked { background: %raised; border-color: %accent; color: %accent; }
 QToolButton:focus { border-color: %accent; }
-QToolButton:disabled { color: %border; }
+QToolButton:disabled { color: %disabledText; }
 QStatusBar { background: %window; color: %quietText; border-top: 1px solid %line; }
 QStatusBar::item { border: none; }
 QStatusBar QLabel { color: %quietText; padding: 4px 12px; }
@@ -132,7 +135,7 @@ QComboBox, QDoubleSpinBox, QSpinBox { background: %surface; color: %text; border
   border-radius: 6px; padding: 4px 8px; min-height: 20px; selection-background-color: %accent;
   selection-color: %onAccent; }
 QComboBox:focus, QDoubleSpinBox:focus, QSpinBox:focus { border: 2px solid %accent; padding: 3px 7px; }
-QComboBox:disabled, QDoubleSpinBox:disabled, QSpinBox:disabled { color: %border; border-color: %line; }
+QComboBox:disabled, QDoubleSpinBox:disabled, QSpinBox:disabled { color: %disabledText; border-color: %line; }
 QComboBox { combobox-popup: 0; }
 QComboBox::drop-down { border: none; width: 24px; }
 QComboBox::down-arrow { image: url(%chevron); width: 12px; height: 12px; }
@@ -147,13 +150,13 @@ QComboBox QAbstractItemView::item { min-height: 28px; padding: 0 6px; border-rad
 QComboBox QAbstractItemView::item:selected { background: %accent; color: %onAccent; }
 QComboBox QAbstractItemView { background: %surface; color: %text; border: 1px solid %line; padding: 4px;
   selection-background-color: %accent; selection-color: %onAccent; outline: none; }
-QLineEdit, QPlainTextEdit, QTextEdit, QDateEdit, QDateTimeEdit, QTimeEdit { background: %surface; color: %text;
+QLineEdit, QPlainTextEdit, QTextEdit, QDateEdit, QDateTimeEdit, QTimeEdit { background: %surface;
   border: 1px solid %border; border-radius: 6px; padding: 5px 8px; selection-background-color: %accent;
   selection-color: %onAccent; }
 QLineEdit { min-height: 22px; }
 QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QDateEdit:focus, QDateTimeEdit:focus, QTimeEdit:focus {
   border: 2px solid %accent; padding: 4px 7px; }
-QLineEdit:disabled, QPlainTextEdit:disabled { color: %border; border-color: %line; }
+QLineEdit:disabled, QPlainTextEdit:disabled { border-color: %line; }
 QLineEdit[readOnly="true"], QPlainTextEdit[readOnly="true"] { background: %window; }
 QCheckBox, QRadioButton { spacing: 8px; }
 QCheckBox::indicator, QListView::indicator, QTreeView::indicator, QRadioButton::indicator { width: 14px; height: 14px;
@@ -197,7 +200,7 @@ QPushButton:hover { background: %track; }
 QPushButton:checked { background: %accent; color: %onAccent; border-color: %accent; }
 QPushButton:default { background: %accent; color: %onAccent; border-color: %accent; }
 QPushButton:focus { border: 2px solid %accent; padding: 6px 15px; outline: none; }
-QPushButton:disabled, QPushButton:default:disabled { background: %raised; color: %border; border-color: %line; }
+QPushButton:disabled, QPushButton:default:disabled { background: %raised; color: %disabledText; border-color: %line; }
 QFrame#rail { background: %surface; border: none; border-right: 1px solid %line; }
 QFrame#rail QPushButton { background: transparent; border: 1px solid transparent; border-radius: 6px; color: %text;
   text-align: left; padding: 8px 12px; }
@@ -214,11 +217,11 @@ QLabel#toast { background: %text; color: %window; border-radius: 6px; padding: 1
 QPushButton[primary="true"] { background: %accent; color: %onAccent; border-color: %accent; font-weight: 600; }
 QPushButton[primary="true"]:hover { border-color: %text; }
 QPushButton[primary="true"]:focus { border: 2px solid %text; padding: 6px 15px; }
-QPushButton[primary="true"]:disabled { background: %raised; color: %border; border-color: %line; }
+QPushButton[primary="true"]:disabled { background: %raised; color: %disabledText; border-color: %line; }
 QPushButton[link="true"] { background: transparent; color: %accent; border: 1px solid transparent; padding: 7px 8px; }
 QPushButton[link="true"]:hover { text-decoration: underline; }
 QPushButton[link="true"]:focus { border: 1px solid %accent; padding: 7px 8px; }
-QPushButton[link="true"]:disabled { color: %border; }
+QPushButton[link="true"]:disabled { color: %disabledText; }
 QScrollArea { background: transparent; border: none; }
 QScrollArea > QWidget > QWidget { background: transparent; }
 QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
@@ -239,10 +242,13 @@ QToolTip { background: %surface; color: %text; border: 1px solid %border; paddin
                   QStringLiteral(":/torsio/icons/%1-%2.svg").arg(QLatin1String(drawing), kind));
   }
   const std::pair<const char*, QColor> colours[] = {
-      {"%window", t.window},       {"%surface", t.surface}, {"%raised", t.raised},
-      {"%line", t.line},           {"%border", t.border},   {"%text", t.text},
-      {"%quietText", t.quietText}, {"%accent", t.accent},   {"%onAccent", t.onAccent},
-      {"%track", t.track},         {"%good", t.good},       {"%caution", t.caution},
+      {"%window", t.window},       {"%surface", t.surface},
+      {"%raised", t.raised},       {"%line", t.line},
+      {"%border", t.border},       {"%text", t.text},
+      {"%quietText", t.quietText}, {"%disabledText", t.disabledText},
+      {"%accent", t.accent},       {"%onAccent", t.onAccent},
+      {"%track", t.track},         {"%good", t.good},
+      {"%caution", t.caution},
   };
 
   for (const auto& [name, colour] : colours) {

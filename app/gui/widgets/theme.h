@@ -20,8 +20,9 @@ struct Theme {
   QColor line;     ///< hairlines between areas, never the only sign of anything
   QColor border;   ///< outline of a field or button
   QColor text;
-  QColor quietText;  ///< labels, hints
-  QColor accent;     ///< the one colour of action and selection
+  QColor quietText;     ///< labels, hints
+  QColor disabledText;  ///< what cannot be used now: dimmer, and still legible
+  QColor accent;        ///< the one colour of action and selection
   QColor onAccent;
   QColor good;         ///< target reached
   QColor caution;      ///< force limit: amber, never red, in a dark room

@@ -114,7 +114,7 @@ void RetentionRepository::setRule(const RetentionRule& rule) {
   if (rule.keep_days < 1 || rule.keep_days > kLongest_days) {
     throw Error(ErrorCode::kBadParameter,
                 Text::tr("records are kept for one day at least and a hundred years at most"),
-                Text::tr("%1: %2 days", rule.category, rule.keep_days), Text::tr("Enter 1 to 36500"));
+                Text::tr("%1: %2 {day|days}", rule.category, rule.keep_days), Text::tr("Enter 1 to 36500"));
   }
   connection_.execute(insertInto("retention_rule", "category, keep_days, basis, changed_utc_us") +
                           " ON CONFLICT (category) DO UPDATE SET keep_days = excluded.keep_days, basis ="

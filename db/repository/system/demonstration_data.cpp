@@ -96,10 +96,11 @@ void refuseUses(Connection& connection, const std::vector<DemonstrationUse>& use
     return;
   }
   const DemonstrationUse& use = uses.front();
-  throw Error(ErrorCode::kBadData,
-              Text::tr("real data use the demonstration: %1 rows of %2 refer to simulated rows of %3",
-                       use.rows, use.table, use.used),
-              connection.location(), Text::tr("Finish or move what uses them first; nothing was removed"));
+  throw Error(
+      ErrorCode::kBadData,
+      Text::tr("real data use the demonstration: %1 {row refers|rows refer} from %2 to simulated rows of %3",
+               use.rows, use.table, use.used),
+      connection.location(), Text::tr("Finish or move what uses them first; nothing was removed"));
 }
 
 }  // namespace

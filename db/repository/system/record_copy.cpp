@@ -89,10 +89,11 @@ void requireSame(Connection& to, const TableDigest& original, const TableDigest&
   if (original == copy) {
     return;
   }
-  throw Error(ErrorCode::kVerifyFailed,
-              Text::tr("the table %1 differs after copying (%2 rows before, %3 after); nothing was kept",
-                       original.table, original.rows, copy.rows),
-              to.location(), Text::tr("Check both machines, then copy again"));
+  throw Error(
+      ErrorCode::kVerifyFailed,
+      Text::tr("the table %1 differs after copying (%2 {row|rows} before, %3 after); nothing was kept",
+               original.table, original.rows, copy.rows),
+      to.location(), Text::tr("Check both machines, then copy again"));
 }
 
 VerifyProgress verifyProgress(const CopyProgress& progress, CopyPhase phase) {
@@ -134,8 +135,8 @@ CopyReport copyRecord(Connection& from, Connection& to, const CopyProgress& prog
       verifyAuditTrail(from, verifyProgress(progress, CopyPhase::kVerifying));
   if (!findings.empty()) {
     throw Error(ErrorCode::kBadData,
-                Text::tr("its audit trail does not verify (%1 findings)", findings.size()), from.location(),
-                Text::tr("Run torsio audit verify on it and restore a backup"));
+                Text::tr("its audit trail does not verify (%1 {finding|findings})", findings.size()),
+                from.location(), Text::tr("Run torsio audit verify on it and restore a backup"));
   }
   std::int64_t all = 0;
   for (const SchemaTable& table : tables) {

@@ -168,7 +168,7 @@ void RemarkRepository::addWarmup(const CalibrationScore& warmup) {
                                                   {"panel_offset_steps", warmup.panelOffset_steps},
                                                   {"created_utc_us", warmup.createdUtc_us, Kind::kIgnored},
                                                   {"demonstration", warmup.demonstration}}};
-  insertIdempotent(connection_, "rater_warmup", columns, Text::tr("this warm-up"));
+  insertIdempotent(connection_, "rater_warmup", columns, Text::tr("this rater calibration"));
   transaction.commit();
 }
 

@@ -185,7 +185,7 @@ Value traineeId(Connection& connection, const std::string& code) {
   if (id) {
     return *id;
   }
-  throw Error(ErrorCode::kBadData, Text::tr("no trainee has the code %1", code), Text::tr("trial"),
+  throw Error(ErrorCode::kBadData, Text::tr("no trainee has the code %1", code), Text::tr("run"),
               Text::tr("Enter the trainee first"));
 }
 
@@ -321,8 +321,8 @@ Trial TrialLoader::load(const TrialId& trialId) {
   header_.execute({trialId});
   const std::optional<TrialHeader> header = readFirst(header_, headerOf);
   if (!header) {
-    throw Error(ErrorCode::kBadData, Text::tr("no such trial"), trialId,
-                Text::tr("List the trials to find its id"));
+    throw Error(ErrorCode::kBadData, Text::tr("no such run"), trialId,
+                Text::tr("List the runs to find its id"));
   }
   Trial trial{.header = *header, .chunks = {}, .summary = {}};
   chunks_.execute({trialId});

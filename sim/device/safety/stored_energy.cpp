@@ -13,7 +13,7 @@ StoredEnergyLimit::StoredEnergyLimit(const StoredEnergyOptions& options) : optio
   const bool latencyFits = options.latency_ticks >= 0 && options.latency_ticks <= kLongestLatency_ticks;
   if (options.tickPeriod_us <= 0 || !latencyFits) {
     throw Error(ErrorCode::kBadParameter,
-                Text::tr("tick period %1 us, latency %2 ticks", std::to_string(options.tickPeriod_us),
+                Text::tr("tick period %1 us, latency %2 {tick|ticks}", std::to_string(options.tickPeriod_us),
                          std::to_string(options.latency_ticks)),
                 Text::tr("stored energy of the force"),
                 Text::tr("The period lies above zero, the latency in 0..16 ticks"));

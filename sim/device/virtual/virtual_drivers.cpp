@@ -46,9 +46,9 @@ DeviceDriver scriptedHandDriver() {
 }
 
 DeviceDriver replayDriver() {
-  DeviceDriver driver = alwaysThere("replay", "Recorded trial", DriverUse::kNoHand,
+  DeviceDriver driver = alwaysThere("replay", "Recorded run", DriverUse::kNoHand,
                                     Text::tr("always there; repeats a recording tick by tick"));
-  driver.needs = Text::tr("a recorded trial");
+  driver.needs = Text::tr("a recorded run");
   driver.open = [](const DeviceRequest& request) {
     return std::make_unique<ReplayDevice>(request.recorded, request.recordedWith);
   };

@@ -186,17 +186,17 @@ void requireSize(const MeshReport& report, const std::string& where, double unit
 
 void requireClosedManifold(const MeshReport& r, const std::string& where) {
   if (r.nonManifoldEdges > 0) {
-    refuseMesh(Text::tr("M12 %1 edge(s) shared by more than two faces, first at %2",
+    refuseMesh(Text::tr("M12 %1 {edge|edges} shared by more than two faces, first at %2",
                         std::to_string(r.nonManifoldEdges), pointMm(r.firstNonManifold_m)),
                where, Text::tr("Remove inner or doubled faces in a mesh editor"));
   }
   if (r.boundaryEdges > 0) {
-    refuseMesh(Text::tr("M11 the surface is open: %1 boundary edge(s) in %2 hole(s), first at %3",
+    refuseMesh(Text::tr("M11 the surface is open: %1 boundary {edge|edges} in %2 {hole|holes}, first at %3",
                         std::to_string(r.boundaryEdges), std::to_string(r.holes), pointMm(r.firstHole_m)),
                where, Text::tr("Close the holes in a mesh editor"));
   }
   if (r.nonManifoldVertices > 0) {
-    refuseMesh(Text::tr("M12 %1 vertex(es) where two parts only touch, first at %2",
+    refuseMesh(Text::tr("M12 %1 {vertex|vertices} where two parts only touch, first at %2",
                         std::to_string(r.nonManifoldVertices), pointMm(r.firstNonManifold_m)),
                where, Text::tr("Separate or join the parts in a mesh editor"));
   }
@@ -205,12 +205,12 @@ void requireClosedManifold(const MeshReport& r, const std::string& where) {
 void requireShape(const MeshReport& r, const std::string& where) {
   if (r.degenerateFaces > 0) {
     refuseMesh(
-        Text::tr("M10 %1 face(s) without area could not be repaired", std::to_string(r.degenerateFaces)),
+        Text::tr("M10 %1 {face|faces} without area could not be repaired", std::to_string(r.degenerateFaces)),
         where, Text::tr("Remesh the surface"));
   }
   if (r.genus() != 0) {
-    refuseMesh(Text::tr("M16 the surface has %1 handle(s), like a ring", std::to_string(r.genus())), where,
-               Text::tr("Close the tunnels: an organ's outer surface has none"));
+    refuseMesh(Text::tr("M16 the surface has %1 {handle|handles}, like a ring", std::to_string(r.genus())),
+               where, Text::tr("Close the tunnels: an organ's outer surface has none"));
   }
   const double thickness_m = r.area_m2 > 0.0 ? 2.0 * r.volume_m3 / r.area_m2 : 0.0;
   if (!(thickness_m > kThinnestOrgan_m)) {

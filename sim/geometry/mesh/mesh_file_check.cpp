@@ -93,10 +93,10 @@ void refuseFormat(const std::string& where, std::string_view format, const Text&
 }
 
 void refuseShort(const std::string& where, const std::string& promised, std::uint64_t size) {
-  throw Error(
-      ErrorCode::kFileUnreadable,
-      Text::tr("M04 the header promises %1, but the file has %2 bytes", promised, std::to_string(size)),
-      where, Text::tr("The file is damaged or cut off: export it again"));
+  throw Error(ErrorCode::kFileUnreadable,
+              Text::tr("M04 the header promises %1, but the file has %2 {byte|bytes}", promised,
+                       std::to_string(size)),
+              where, Text::tr("The file is damaged or cut off: export it again"));
 }
 
 void refuseRow(const std::string& where, const std::string& row, const Text& why) {

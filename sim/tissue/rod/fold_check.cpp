@@ -36,7 +36,7 @@ Text FoldReport::reason() const {
     return Text::tr("det F, the local volume ratio, falls to %1", shortNumber(minDeterminant));
   }
   if (crossings > 0) {
-    return Text::tr("the surface crosses itself in %1 pairs of triangles", std::to_string(crossings));
+    return Text::tr("the surface crosses itself in %1 {pair|pairs} of triangles", std::to_string(crossings));
   }
   if (!(std::abs(volumeRatio - 1.0) <= kMostVolumeChange)) {
     return Text::tr("the volume becomes %1 of what it was", shortNumber(volumeRatio));

@@ -124,8 +124,9 @@ void checkMaterial(const RodMaterial& material, int elements) {
         Text::tr("material"), Text::tr("Give 0.5 for incompressible tissue."));
   }
   if (elements < 2 || elements >= kMostRodNodes) {
-    refuseParameter(Text::tr("%1 elements asked for; a rod takes 2 to %2", elements, kMostRodNodes - 1),
-                    Text::tr("rod"), Text::tr("Choose a number inside the range."));
+    refuseParameter(
+        Text::tr("%1 {element|elements} asked for; a rod takes 2 to %2", elements, kMostRodNodes - 1),
+        Text::tr("rod"), Text::tr("Choose a number inside the range."));
   }
 }
 

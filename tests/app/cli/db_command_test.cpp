@@ -67,7 +67,7 @@ TEST_F(DbCommandTest, BacksUpVerifiesAndRestores) {
   const ProgramRun backup = run("db backup --as-system " + file("backup.sqlite") + database);
   EXPECT_EQ(backup.code, 0) << backup.err;
   EXPECT_NE(backup.out.find("Backup written and checked"), std::string::npos) << backup.out;
-  EXPECT_NE(backup.out.find("1 trials, 2 marks"), std::string::npos) << backup.out;
+  EXPECT_NE(backup.out.find("1 run, 2 marks"), std::string::npos) << backup.out;
   const ProgramRun verify = run("db verify " + file("backup.sqlite"));
   EXPECT_EQ(verify.code, 0) << verify.err;
   EXPECT_NE(verify.out.find("The backup is sound"), std::string::npos) << verify.out;

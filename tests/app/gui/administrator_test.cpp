@@ -199,13 +199,13 @@ void askAllRaters(AdministratorDesk& office, const CohortId& cohortId) {
     EXPECT_TRUE(testing::button(dialog, QStringLiteral("Ask"))->isEnabled());
     dialog.accept();
   });
-  press(*page, QStringLiteral("Ask raters"));
+  press(*page, QStringLiteral("Invite raters"));
   answer([](QDialog& dialog) {
     auto& raters = *dialog.findChild<DataTable*>();
     EXPECT_EQ(raters.selectedIds().size(), raters.visibleRows());  // all have open sheets by now
     dialog.reject();
   });
-  press(*page, QStringLiteral("Ask raters"));
+  press(*page, QStringLiteral("Invite raters"));
   EXPECT_EQ(child<DataTable>(*page, "matrix").visibleRows(), 90);
 }
 

@@ -95,7 +95,7 @@ TEST_F(CallsFromTheBoard, AScannedCodeCallsAndTheLineSaysWhoIsMissing) {
   ASSERT_EQ(lines().size(), 1);
   EXPECT_TRUE(lines()[0].contains(QStringLiteral("T-02")));
   EXPECT_TRUE(lines()[0].contains(QStringLiteral("Skills lab")));
-  EXPECT_TRUE(lines()[0].contains(QStringLiteral("0 of 2 sheets are in; missing: R-01, R-02")))
+  EXPECT_TRUE(lines()[0].contains(QStringLiteral("0 of 2 sheet(s) in; missing: R-01, R-02")))
       << lines()[0].toStdString();
   EXPECT_TRUE(child<QLineEdit>(*page_, "callCode").text().isEmpty()) << "ready for the next scan";
   press(*page_, QStringLiteral("Copy reminder"));
@@ -184,7 +184,7 @@ TEST_F(CallsFromTheBoard, SheetsThatComeInAreSeenWithoutATouch) {
   constexpr int kPatience_ms = 30'000;
   EXPECT_TRUE(QTest::qWaitFor(
       [&] {
-        return lines().join(QChar(u'\n')).contains(QStringLiteral("1 of 2 sheets are in; missing: R-02"));
+        return lines().join(QChar(u'\n')).contains(QStringLiteral("1 of 2 sheet(s) in; missing: R-02"));
       },
       kPatience_ms))
       << lines().join(QChar(u'\n')).toStdString();

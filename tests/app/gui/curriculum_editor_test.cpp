@@ -19,6 +19,7 @@
 #include "app/gui/administrator/curriculum/competence_dialog.h"
 #include "app/gui/administrator/curriculum/curricula_page.h"
 #include "app/gui/administrator/study/power_dialog.h"
+#include "app/gui/base/language.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/recording/competence_service.h"
@@ -326,6 +327,7 @@ TEST(CompetenceDialog, PreviewsBothErrorRatesBeforeADesignIsRegistered) {
 // R: power.t.test(delta = 0.8, power = 0.8) n = 25.52; power.t.test(n = 10, delta = 0.8) 0.395;
 // power.t.test(n = 10, power = 0.8) delta = 1.325.
 TEST(PowerDialog, AnswersAtOnceHowManyTraineesAreNeededAndWhatTheyShow) {
+  const LanguageSwitch english;  // its plurals
   PowerDialog dialog(nullptr);
   EXPECT_EQ(child<QLabel>(dialog, "needed").text(),
             QStringLiteral("26 trainees in each group; 20 when scores are adjusted for the score before"));

@@ -105,7 +105,7 @@ TEST_F(UntwistingPanel, SaysWhatToDoNextAndWhenTheTwistGrows) {
 
   EXPECT_EQ(before, QString());
   EXPECT_EQ(holding, QStringLiteral("Holding. Turn, set the clip (C), then grip anew."));
-  EXPECT_EQ(wrong, QStringLiteral("The twist grows. Turn the other way round."));
+  EXPECT_EQ(wrong, QStringLiteral("The twist grows. Turn in the opposite direction."));
   EXPECT_EQ(clipped, QStringLiteral("The clip holds it. Take the clip off (C), then turn on."));
   EXPECT_EQ(panel_.cue(),
             QStringLiteral("It lies within the limits. Keep your hands off, check the blood flow."));

@@ -29,7 +29,7 @@ TEST_F(CarePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) {
   click(child<QPushButton>(page, "checkButton"));
   ASSERT_TRUE(child<QLabel>(page, "lossText").isVisible());
   EXPECT_TRUE(
-      child<QLabel>(page, "lossText").text().contains(QStringLiteral("0 recordings, 0 marks and 1 people")));
+      child<QLabel>(page, "lossText").text().contains(QStringLiteral("recordings 0, marks 0, people 1")));
   EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isEnabled());
   child<QLineEdit>(page, "word").setText(QStringLiteral("yes"));
   EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isEnabled());

@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -18,9 +19,11 @@
 #include "app/gui/physician/questions_card.h"
 #include "app/gui/physician/replies_card.h"
 #include "app/gui/trainee/ask_card.h"
+#include "app/gui/trainee/remarks_page.h"
 #include "app/gui/widgets/theme.h"
 #include "app/review/remark_replies.h"
 #include "app/training/questions.h"
+#include "app/training/remarks.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/trial/remark_repository.h"
 #include "tests/app/support/training_centre.h"
@@ -78,6 +81,10 @@ TEST_F(QuestionCards, ATraineeAsksAboutTheMomentThatIsShown) {
   ASSERT_FALSE(card.isHidden());
   EXPECT_EQ(card.findChild<QComboBox*>(QStringLiteral("whom"))->currentText(), QStringLiteral("Dr. Li Na"));
   auto* text = card.findChild<QLineEdit*>(QStringLiteral("question"));
+  // Without words there is nothing to send.
+  EXPECT_FALSE(card.findChild<QPushButton*>(QStringLiteral("ask"))->isEnabled());
+  Q_EMIT text->returnPressed();
+  EXPECT_FALSE(asked_s.has_value());
   text->setText(QStringLiteral("too fast?"));
 
   card.findChild<QPushButton*>(QStringLiteral("ask"))->click();
@@ -199,6 +206,36 @@ TEST_F(QuestionCards, AnAnswerToARemarkIsShownUntilItWasRead) {
   settle();
   EXPECT_TRUE(card.isHidden());
   EXPECT_TRUE(repliesToMe(shell.session()).empty());
+  EXPECT_TRUE(said_.isEmpty()) << said_.join('\n').toStdString();
+}
+
+TEST_F(QuestionCards, AnOwnSheetIsEmptyUntilItIsFilledIn) {
+  ShellContext& chief = shellOf("chief");
+  RemarkRepository(centre_.connection())
+      .add({.id = "11111111-1111-4111-8111-111111111111",
+            .trialId = trial_,
+            .author = chief.session().actor().userId,
+            .authorPersonId = chief.session().actor().personId,
+            .purpose = "remark",
+            .text = "let go more gently"});
+  RemarksPage page(shellOf("T-01"));
+  page.retranslate();
+  page.enter({});
+  auto* save = page.findChild<QPushButton*>(QStringLiteral("selfScore"));
+  ASSERT_NE(save, nullptr) << textsOf(page).toStdString();
+  const auto fields = page.findChildren<QDoubleSpinBox*>();
+  ASSERT_FALSE(fields.isEmpty());
+
+  for (QDoubleSpinBox* field : fields) {
+    EXPECT_EQ(field->text(), QStringLiteral("\u2013")) << field->accessibleName().toStdString();
+    EXPECT_FALSE(save->isEnabled());
+    field->setValue(field->maximum());
+  }
+  EXPECT_TRUE(save->isEnabled());
+  save->click();
+  settle();
+
+  EXPECT_TRUE(scoreGap(centre_.session(), trial_).selfScored);
   EXPECT_TRUE(said_.isEmpty()) << said_.join('\n').toStdString();
 }
 

@@ -3,12 +3,14 @@
 #include <memory>
 
 #include <QAbstractButton>
+#include <QAccessible>
 #include <QApplication>
 #include <QClipboard>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSettings>
 #include <QTableView>
 #include <QTest>
@@ -311,6 +313,32 @@ TEST(CasePage, BookmarksRemarksAndSteps) {
   EXPECT_EQ(remarks[0].time_us, 40'000);
   EXPECT_EQ(remarks[0].text, "second grip slips");
   EXPECT_EQ(remarks[1].time_us, 80'000);
+}
+
+TEST(CasePage, TheOverallMarkIsSeenWithoutScrollingAndRowsAreSliders) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  page.resize(1146, 420);  // less than a screen of 768 lines leaves it
+  QApplication::processEvents();
+
+  const ScoreRow* overall = nullptr;
+  for (ScoreRow* row : page.findChildren<ScoreRow*>()) {
+    QAccessibleInterface* told = QAccessible::queryAccessibleInterface(row);
+    ASSERT_NE(told, nullptr);
+    EXPECT_EQ(told->role(), QAccessible::Slider);
+    EXPECT_TRUE(told->text(QAccessible::Value).contains(QStringLiteral("1 to 10")))
+        << told->text(QAccessible::Value).toStdString();
+    if (row->code() == kOverallRow) {
+      overall = row;
+    }
+  }
+  ASSERT_NE(overall, nullptr);
+  for (const QScrollArea* area : page.findChildren<QScrollArea*>()) {
+    EXPECT_FALSE(area->isAncestorOf(overall));
+  }
+  const QRect shown(overall->mapTo(&page, QPoint(0, 0)), overall->size());
+  EXPECT_TRUE(page.rect().contains(shown)) << shown.bottom() << " of " << page.height();
 }
 
 TEST(CasePage, AmendingNeedsAReasonAndKeepsBothVersions) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the scene is drawn from: camera, frames, skin, lines, light. No renderer.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -11,8 +12,10 @@
 #include "app/gui/scene/orbit_camera.h"
 #include "app/gui/scene/organ_surface.h"
 #include "app/gui/scene/studio_light.h"
+#include "app/gui/scene/surroundings.h"
 #include "app/gui/scene/tissue_look.h"
 #include "app/gui/scene/view_frame.h"
+#include "app/gui/widgets/theme.h"
 #include "sim/base/error.h"
 #include "tests/app/gui/bar_view.h"
 
@@ -34,6 +37,53 @@ TEST(ViewFrame, ShowsThePatientUprightAndFacingTheViewer) {
   EXPECT_EQ(toView({0.001, 0.0, 0.0}), QVector3D(1, 0, 0));   // the patient's left at the viewer's right
   EXPECT_EQ(toView({0.0, 0.0, 0.001}), QVector3D(0, 1, 0));   // the head on top
   EXPECT_EQ(toView({0.0, -0.001, 0.0}), QVector3D(0, 0, 1));  // the front towards the viewer
+}
+
+TEST(Surroundings, AreThoseOfTheOrganWithItsShadowAtTheLowerRight) {
+  EXPECT_EQ(surroundingsOf("forearm"), Surroundings::kDrape);
+  EXPECT_EQ(surroundingsOf("testis"), Surroundings::kDrape);
+  EXPECT_EQ(surroundingsOf("a mesh of one's own"), Surroundings::kDrape);
+  EXPECT_EQ(surroundingsOf("stomach"), Surroundings::kStomach);
+  EXPECT_EQ(surroundingsOf("gastric-organo-axial"), Surroundings::kStomach);
+  EXPECT_EQ(surroundingsOf("sigmoid"), Surroundings::kIntestine);
+
+  const OrganSurface organ(testing::loadBar({}).scene->mesh);
+  float reach = 0.0F;
+  for (const SurfaceVertex& v : organ.vertices()) {
+    reach = std::max(reach, std::hypot(v.position[0], v.position[1]));
+  }
+  for (const ThemeKind kind : {ThemeKind::kLight, ThemeKind::kDark}) {
+    for (const Surroundings around :
+         {Surroundings::kDrape, Surroundings::kStomach, Surroundings::kIntestine}) {
+      const QImage picture = paintSurroundings(around, theme(kind), organ, {}, reach);
+      EXPECT_EQ(picture, paintSurroundings(around, theme(kind), organ, {}, reach));
+      int reddish = 0;
+      for (int y = 0; y < picture.height(); y += 4) {
+        for (int x = 0; x < picture.width(); x += 4) {
+          const QColor c = picture.pixelColor(x, y);
+          reddish += c.red() > c.blue() + 25 ? 1 : 0;  // only the organ looks like tissue
+        }
+      }
+      EXPECT_EQ(reddish, 0);
+    }
+    // Without the organ the same cloth lies in the light.
+    const QImage bare = paintSurroundings(Surroundings::kDrape, theme(kind), OrganSurface(), {}, reach);
+    const QImage shaded = paintSurroundings(Surroundings::kDrape, theme(kind), organ, {}, reach);
+    double right = 0.0;
+    double down = 0.0;
+    double all = 0.0;
+    for (int y = 0; y < bare.height(); ++y) {
+      for (int x = 0; x < bare.width(); ++x) {
+        const double taken = qGray(bare.pixel(x, y)) - qGray(shaded.pixel(x, y));
+        right += taken * (x - 0.5 * bare.width());
+        down += taken * (y - 0.5 * bare.height());
+        all += taken;
+      }
+    }
+    ASSERT_GT(all, 0.0);
+    EXPECT_GT(right / all, 2.0);
+    EXPECT_GT(down / all, 2.0);
+  }
 }
 
 TEST(ViewFrame, GivesPointsBack) {

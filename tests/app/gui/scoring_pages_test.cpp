@@ -116,7 +116,7 @@ TEST_F(ScoringPages, FindsAThirdRaterInTwoClicks) {
 
 TEST_F(ScoringPages, ADeadlineIsGivenWithTheRequestAndWhoOwesWhatIsCopied) {
   open();
-  press("Ask raters", [](QDialog& dialog) {
+  press("Invite raters", [](QDialog& dialog) {
     dialog.findChild<DataTable*>()->view().selectAll();
     EXPECT_FALSE(child<QDateEdit>(dialog, "due").isEnabled()) << "no deadline unless one is wanted";
     child<QCheckBox>(dialog, "limited").setChecked(true);

@@ -89,7 +89,7 @@ class FirstRunOnServer : public DatabaseTest {
     press("Next");
     field("Sign-in name")->setText(QStringLiteral("admin"));
     field("Password")->setText(QString::fromLatin1(kPassword));
-    field("The same again")->setText(QString::fromLatin1(kPassword));
+    field("Repeat password")->setText(QString::fromLatin1(kPassword));
     press("Next");
     for (QRadioButton* choice : window_->findChildren<QRadioButton*>()) {
       if (choice->text().contains(QStringLiteral("SQL")) && choice->isVisible()) {

@@ -3,10 +3,13 @@
 #include <condition_variable>
 #include <mutex>
 
+#include <QAccessible>
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
 #include <QDialog>
+#include <QDir>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -29,6 +32,8 @@
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/shell/rail.h"
 #include "app/gui/shell/sign_in_panel.h"
+#include "app/gui/widgets/theme.h"
+#include "app/maintenance/demonstration_removal.h"
 #include "assessment/people/account.h"
 #include "assessment/people/person.h"
 #include "db/connection/connection.h"
@@ -171,6 +176,18 @@ TEST_F(Shell, TheFirstRunMakesACentreAndLeadsItsAdministratorToTheFirstPage) {
 
   press(*window_, QStringLiteral("Next"));
   EXPECT_TRUE(says(*window_, QStringLiteral("Enter the name of your centre")));
+  {  // right below the field that it is about, which has the keyboard
+    QApplication::processEvents();
+    const auto* field = named<QLineEdit>(*window_, QStringLiteral("Name of the centre"));
+    for (const QLabel* label : window_->findChildren<QLabel*>()) {
+      if (label->isVisible() && label->text().contains(QStringLiteral("Enter the name of your centre"))) {
+        const int gap = label->mapTo(window_.get(), QPoint(0, 0)).y() -
+                        field->mapTo(window_.get(), QPoint(0, field->height())).y();
+        EXPECT_GE(gap, 0);
+        EXPECT_LT(gap, 3 * kSpace);
+      }
+    }
+  }
   named<QLineEdit>(*window_, QStringLiteral("Name of the centre"))->setText(QStringLiteral("City hospital"));
   press(*window_, QStringLiteral("Next"));
   named<QLineEdit>(*window_, QStringLiteral("Sign-in name"))->setText(QStringLiteral("admin"));
@@ -178,7 +195,7 @@ TEST_F(Shell, TheFirstRunMakesACentreAndLeadsItsAdministratorToTheFirstPage) {
   press(*window_, QStringLiteral("Next"));
   EXPECT_TRUE(says(*window_, QStringLiteral("The first administrator")));  // a weak password leads nowhere
   named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(QString::fromLatin1(kAdminPassword));
-  named<QLineEdit>(*window_, QStringLiteral("The same again"))->setText(QString::fromLatin1(kAdminPassword));
+  named<QLineEdit>(*window_, QStringLiteral("Repeat password"))->setText(QString::fromLatin1(kAdminPassword));
   press(*window_, QStringLiteral("Next"));
   press(*window_, QStringLiteral("Next"));
   press(*window_, QStringLiteral("Set up"));
@@ -187,6 +204,77 @@ TEST_F(Shell, TheFirstRunMakesACentreAndLeadsItsAdministratorToTheFirstPage) {
   ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
   EXPECT_EQ(window_->desk()->pageId(), PageId::kUsers);
   EXPECT_TRUE(says(*window_, QStringLiteral("City hospital")));
+}
+
+TEST_F(Shell, ALookRoundNeedsNoPasswordAndLeavesNothingBehind) {
+  ShellSetup with = setup();
+  with.simulatedPeople = [](SessionContext& session, const ProgressCallback&) {
+    Trainee simulated;
+    simulated.person = {.id = "simulated", .code = "T-99", .demonstration = true};
+    PeopleRepository(session.connection()).addTrainees({&simulated, 1});
+    return std::vector<StartAccount>{{.login = "demo.trainee", .role = "trainee"}};
+  };
+  open(with);
+  press(*window_, QStringLiteral("&Look round with simulated people"));
+  testing::waitFor(window_->background());
+
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
+  EXPECT_TRUE(says(*window_, QStringLiteral("Everybody here is simulated")));
+  const QString file = toQString(window_->session()->key().locator);
+  EXPECT_TRUE(QFileInfo::exists(file));
+  EXPECT_FALSE(QFileInfo::exists(setup().locator));
+  EXPECT_EQ(demonstrationSize(*window_->session()).people, 1);
+  window_->chooseTheme(ThemeKind::kDark);
+  ASSERT_TRUE(window_->signOut());
+
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
+  EXPECT_FALSE(QFileInfo::exists(file));
+  EXPECT_FALSE(QFileInfo::exists(QFileInfo(file).absolutePath()));
+  EXPECT_TRUE(QDir(folder_.path()).isEmpty());
+}
+
+TEST_F(Shell, TheNavigationIsAListAndItsLinesCanBePressed) {
+  openFoundedCentre(setup());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  auto* list = window_->findChild<QWidget*>(QStringLiteral("pages"));
+  ASSERT_NE(list, nullptr);
+  QAccessibleInterface* pages = QAccessible::queryAccessibleInterface(list);
+  ASSERT_NE(pages, nullptr);
+  EXPECT_EQ(pages->role(), QAccessible::List);
+  EXPECT_EQ(pages->text(QAccessible::Name), QStringLiteral("Pages"));
+
+  QAccessibleInterface* audit = nullptr;
+  for (int i = 0; i < pages->childCount(); ++i) {
+    if (pages->child(i)->text(QAccessible::Name) == QStringLiteral("Audit trail")) {
+      audit = pages->child(i);
+    }
+  }
+  ASSERT_NE(audit, nullptr);
+  EXPECT_EQ(audit->role(), QAccessible::ListItem);
+  EXPECT_FALSE(audit->state().selected);
+  ASSERT_TRUE(audit->actionInterface()->actionNames().contains(QAccessibleActionInterface::pressAction()));
+  audit->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+
+  EXPECT_EQ(window_->desk()->pageId(), PageId::kAudit);
+  EXPECT_TRUE(audit->state().selected);
+}
+
+TEST_F(Shell, ThePagesBeginInTheColoursOfTheSignIn) {
+  for (const bool dark : {false, true}) {
+    ShellSetup with = setup();
+    with.systemIsDark = dark;
+    if (dark) {
+      open(with);
+    } else {
+      openFoundedCentre(with);
+    }
+    const QColor first = QApplication::palette().color(QPalette::Window);
+    enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+
+    EXPECT_EQ(first, theme(dark ? ThemeKind::kDark : ThemeKind::kLight).window);
+    EXPECT_EQ(QApplication::palette().color(QPalette::Window), first);
+    window_.reset();
+  }
 }
 
 TEST_F(Shell, AServerAddressWithAPasswordIsRefusedBeforeItIsStored) {
@@ -257,7 +345,7 @@ TEST_F(Shell, AStartPasswordMustBeChangedBeforeAnythingElse) {
   enter(QStringLiteral("chen"), QString::fromLatin1(kStartPassword));
   ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("password"));
   named<QLineEdit>(*window_, QStringLiteral("New password"))->setText(QString::fromLatin1(kOwnPassword));
-  named<QLineEdit>(*window_, QStringLiteral("The same again"))->setText(QString::fromLatin1(kOwnPassword));
+  named<QLineEdit>(*window_, QStringLiteral("Repeat password"))->setText(QString::fromLatin1(kOwnPassword));
   press(*window_, QStringLiteral("Save password"));
   testing::waitFor(window_->background());
 
@@ -619,7 +707,7 @@ TEST_F(Shell, OneChoiceInTheMenuRemovesTheDemonstration) {
   QTimer::singleShot(0, qApp, [] {
     auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
     ASSERT_NE(question, nullptr);
-    EXPECT_TRUE(question->text().contains(QStringLiteral("1 simulated people")));
+    EXPECT_TRUE(question->text().contains(QStringLiteral("simulated people (1)")));
     for (QAbstractButton* button : question->buttons()) {
       if (button->text() == QStringLiteral("Remove")) {
         button->click();

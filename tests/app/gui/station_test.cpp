@@ -17,6 +17,7 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/language.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/debrief_page.h"
 #include "app/gui/trainee/debrief_plot.h"
@@ -27,6 +28,7 @@
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/trainee/transcript_page.h"
 #include "app/gui/trainee/trend_page.h"
+#include "app/gui/widgets/angle_dial.h"
 #include "app/gui/widgets/theme.h"
 #include "app/people/consent_service.h"
 #include "app/recording/station_writer.h"
@@ -60,6 +62,41 @@ TEST(Station, WhatTheDeviceCheckFoundStandsOnTheBoardOfTheDay) {
   EXPECT_EQ(shown.problem.str(), "scripted");
   EXPECT_EQ(shown.checkedUtc_us, centre.session().now_us());
   station.shell().setLine(nullptr);
+}
+
+TEST(StationPages, TheRingFillsWhileTheTargetIsHeldAndEmptiesBesideIt) {
+  TrainingCentre::Setup setup;
+  setup.hold_us = kSecond_us;
+  TrainingCentre centre(setup);
+  Station station(centre);
+  station.open(PageId::kNextStep);
+  station.press("begin");
+  station.press("goOn");
+  station.press("start");
+  ASSERT_EQ(station.pageId, PageId::kRun);
+  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  auto* dial = station.page->findChild<AngleDial*>();
+  auto* scene = station.page->findChild<LiveScene*>();
+  ASSERT_NE(dial, nullptr);
+  ASSERT_NE(scene, nullptr);
+  const auto heldAfter = [&](double seconds, double angle_rad, ExercisePhase phase) {
+    LiveState state;
+    state.time_us = static_cast<std::int64_t>(seconds * 1e6);
+    state.phase = phase;
+    state.response.angle_rad = angle_rad;
+    Q_EMIT scene->shown(state);
+    return dial->held();
+  };
+  const double target = torsio::testing::trainingBar().pattern.targetAngle_rad;
+
+  EXPECT_DOUBLE_EQ(heldAfter(1.0, 0.5 * target, ExercisePhase::kTwisting), 0.0);
+  EXPECT_DOUBLE_EQ(heldAfter(2.0, target, ExercisePhase::kTwisting), 0.0);
+  EXPECT_DOUBLE_EQ(heldAfter(2.5, target, ExercisePhase::kTwisting), 0.5);
+  EXPECT_DOUBLE_EQ(heldAfter(9.0, target, ExercisePhase::kTwisting), 1.0);
+  EXPECT_DOUBLE_EQ(heldAfter(9.1, 1.3 * target, ExercisePhase::kTwisting), 0.0);
+  EXPECT_DOUBLE_EQ(heldAfter(9.2, target, ExercisePhase::kTwisting), 0.0);  // begins anew
+  EXPECT_DOUBLE_EQ(heldAfter(9.4, target, ExercisePhase::kTwisting), 0.2);
+  EXPECT_DOUBLE_EQ(heldAfter(9.5, target, ExercisePhase::kReleased), 0.0);
 }
 
 TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
@@ -105,8 +142,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
 
   ASSERT_EQ(station.pageId, PageId::kTrend);
   EXPECT_EQ(static_cast<TrendPage&>(*station.page).trend().points.size(), 1U);
-  EXPECT_TRUE(
-      station.find<QLabel>("level")->text().endsWith(QStringLiteral("more attempts until a level is shown")));
+  EXPECT_TRUE(station.find<QLabel>("level")->text().endsWith(QStringLiteral("until a level is shown")));
   EXPECT_TRUE(station.find<QLabel>("competence")
                   ->text()
                   .contains(QStringLiteral("are held to be able (false pass)")));
@@ -286,6 +322,7 @@ TEST(StationPages, TheDebriefTellsOfATwistThatTheEndCutOff) {
   ASSERT_FALSE(cutOff.empty());
   ASSERT_FALSE(whole.empty());
 
+  const LanguageSwitch english;  // its plurals
   station.open(PageId::kDebrief, toQString(cutOff));
 
   EXPECT_TRUE(station.allText().contains(QStringLiteral("One twist was not completed and is not counted.")))
@@ -357,6 +394,7 @@ TEST(StationPages, TheRunCountsItsTwists) {
   TrainingCentre::Setup setup;
   setup.leastTwists = 3;
   TrainingCentre centre(setup);
+  const LanguageSwitch english;  // its plurals
   Station station(centre);
   station.openRun(false, [](const Scene& scene, double target_rad) -> std::unique_ptr<HapticDevice> {
     return std::make_unique<ScriptedHand>(practised(scene, target_rad));

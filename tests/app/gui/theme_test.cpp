@@ -3,14 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <vector>
 
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
 #include <QDir>
+#include <QIcon>
 #include <QImage>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/page_id.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/level_bar.h"
 
@@ -55,6 +62,66 @@ TEST_P(ThemeContrast, TextIsLegibleOnEveryGround) {
     EXPECT_GE(contrast(words, t.window), kText);
   }
   EXPECT_GE(contrast(t.onAccent, t.accent), kText);
+}
+
+/// Colour of a text as it is painted: a hint may be a text that shines through.
+QColor shownOn(const QColor& ground, const QColor& text) {
+  const auto mixed = [&](int from, int to) { return static_cast<int>(from + (to - from) * text.alphaF()); };
+  return QColor(mixed(ground.red(), text.red()), mixed(ground.green(), text.green()),
+                mixed(ground.blue(), text.blue()));
+}
+
+TEST_P(ThemeContrast, HintsInFieldsAndWhatIsDisabledAreLegible) {
+  const Theme& t = theme(GetParam());
+  applyTheme(*qApp, t);
+  for (const QColor& ground : {t.window, t.surface, t.raised}) {
+    EXPECT_GE(contrast(t.disabledText, ground), kText);
+  }
+
+  QWidget window;
+  QLineEdit line(&window);
+  QPlainTextEdit text(&window);
+  QPushButton button(QStringLiteral("Save"), &window);
+  QComboBox box(&window);
+  const std::vector<QWidget*> fields{&line, &text, &button, &box};
+  window.show();
+  for (QWidget* field : fields) {
+    field->ensurePolished();
+    const QPalette& palette = field->palette();
+    for (const QPalette::ColorGroup group : {QPalette::Active, QPalette::Inactive, QPalette::Disabled}) {
+      EXPECT_GE(contrast(shownOn(t.surface, palette.color(group, QPalette::PlaceholderText)), t.surface),
+                kText)
+          << field->metaObject()->className() << ' ' << group;
+      EXPECT_GE(contrast(shownOn(t.raised, palette.color(group, QPalette::ButtonText)), t.raised), kText)
+          << field->metaObject()->className() << ' ' << group;
+      EXPECT_GE(contrast(shownOn(t.surface, palette.color(group, QPalette::Text)), t.surface), kText)
+          << field->metaObject()->className() << ' ' << group;
+    }
+  }
+}
+
+TEST(Icons, AreAnotherOneForEachPageOfTheNavigation) {
+  std::map<QString, PageId> pages;
+  for (int i = 0; i <= static_cast<int>(PageId::kDevices); ++i) {
+    const auto id = static_cast<PageId>(i);
+    const QString name = QString::fromLatin1(factsOf(id).icon);
+    if (name.isEmpty()) {
+      continue;
+    }
+    const auto [other, first] = pages.emplace(name, id);
+    EXPECT_TRUE(first) << name.toStdString() << ": " << pageText(id).toStdString() << " and "
+                       << pageText(other->second).toStdString();
+  }
+  EXPECT_GT(pages.size(), 20U);
+}
+
+TEST(Icons, TheProgramHasOneOfItsOwnInEverySize) {
+  const QIcon sign = applicationIcon();
+  for (const int size : {16, 32, 64, 256}) {
+    const QImage picture = sign.pixmap(size, size).toImage();
+    ASSERT_EQ(picture.width(), size);
+    EXPECT_GT(picture.pixelColor(size / 2, size / 16 + 1).alpha(), 200);
+  }
 }
 
 TEST_P(ThemeContrast, MarksStandOutFromTheirGround) {

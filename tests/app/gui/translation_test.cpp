@@ -101,6 +101,72 @@ TEST(ChineseTranslation, IsCompleteAndFillsTheSamePlaces) {
   }
 }
 
+/// What nobody says any more, by language; docs/glossary.md has the word in its place.
+const QStringList kFormerWords{QStringLiteral("Hide names"),        QStringLiteral("The same again"),
+                               QStringLiteral("What counts now"),   QStringLiteral("Who was put where"),
+                               QStringLiteral("How even it would"), QStringLiteral("sign of life"),
+                               QStringLiteral("run day"),           QStringLiteral("Ask raters"),
+                               QStringLiteral("let go on target"),  QStringLiteral("other way round"),
+                               QStringLiteral("shuffle of"),        QStringLiteral(", nearer"),
+                               QStringLiteral("warm-up"),           QStringLiteral("third rater"),
+                               QStringLiteral("scoring point"),     QStringLiteral("training run")};
+const QStringList kFormerChineseWords{QStringLiteral("\u8bb2\u8bc4"),                    // debrief
+                                      QStringLiteral("\u70ed\u8eab"),                    // rater calibration
+                                      QStringLiteral("\u8bc4\u5206\u8005\u6821\u51c6"),  // rater calibration
+                                      QStringLiteral("\u8bc4\u5206\u5bf9\u9f50"),        // discrepancy review
+                                      QStringLiteral("\u5dee\u5f02\u590d\u6838"),        // discrepancy review
+                                      QStringLiteral("\u672a\u89e3\u9501"),              // locked
+                                      QStringLiteral("\u5c55\u53f0"),                    // kiosk
+                                      QStringLiteral("\u771f\u5b9e\u624b\u81c2"),        // real arm
+                                      QStringLiteral("\u75c5\u4f8b"),                    // case
+                                      QStringLiteral("\u5f55\u50cf")};                   // recording
+
+TEST(Translations, HaveTheWordsOfTheGlossaryAndNotTheFormerOnes) {
+  static const QRegularExpression kTrial(QStringLiteral("\\btrials?\\b"),
+                                         QRegularExpression::CaseInsensitiveOption);
+  static const QRegularExpression kAlone(QStringLiteral("(?<!\u65b9\u6848)\u504f\u79bb"));  // deviation
+  for (const Message& message : chineseMessages()) {
+    for (const QString& word : kFormerWords) {
+      EXPECT_FALSE(message.source.contains(word, Qt::CaseInsensitive)) << message.source.toStdString();
+    }
+    EXPECT_FALSE(message.source.contains(kTrial)) << message.source.toStdString();
+    for (const QString& word : kFormerChineseWords) {
+      EXPECT_FALSE(message.translation.contains(word)) << message.translation.toStdString();
+    }
+    if (message.source.contains(QLatin1String("deviation"), Qt::CaseInsensitive) &&
+        !message.source.contains(QLatin1String("standard deviation"))) {
+      EXPECT_FALSE(message.translation.contains(kAlone)) << message.translation.toStdString();
+    }
+  }
+}
+
+/// The parser of lupdate reads an escape as far as it sees hexadecimal digits: a letter after it is
+/// swallowed.
+TEST(Translations, HaveNoCharacterThatNobodyWrote) {
+  for (const Message& message : chineseMessages()) {
+    for (const QChar character : message.source) {
+      EXPECT_LT(character.unicode(), 0x3000U) << message.source.toStdString();
+    }
+  }
+}
+
+TEST(EnglishPlurals, AreSaidInFull) {
+  for (const Message& message : messagesOf(kTranslations + QStringLiteral("/torsio_en.ts"))) {
+    EXPECT_TRUE(message.finished) << message.source.toStdString();
+    EXPECT_FALSE(message.translation.contains(QLatin1String("(s)"))) << message.translation.toStdString();
+  }
+  static const QRegularExpression kEnding(QStringLiteral("[a-z]\\((s|es|ies)\\)"));
+  static const QRegularExpression kPair(QStringLiteral("(?<!\\{)\\{[^{}|%]*\\}"));
+  for (const Message& message : chineseMessages()) {
+    if (!message.source.contains(QLatin1String("%n"))) {
+      EXPECT_FALSE(message.source.contains(kEnding)) << message.source.toStdString();
+    }
+    EXPECT_FALSE(message.source.contains(kPair)) << message.source.toStdString();
+    EXPECT_EQ(message.translation.count(QLatin1Char('{')), message.source.count(QLatin1String("{{")) * 2)
+        << message.translation.toStdString();
+  }
+}
+
 using Key = std::tuple<std::string, std::string, std::string>;
 
 std::set<Key> keysOf(const std::vector<Message>& messages) {

@@ -190,7 +190,7 @@ void askTheTen(AdministratorDesk& office, const CohortId& cohortId, const std::v
     chooseCodes(dialog, chiefs);
     dialog.accept();
   });
-  press(*page, QStringLiteral("Ask raters"));
+  press(*page, QStringLiteral("Invite raters"));
   EXPECT_EQ(child<DataTable>(*page, "matrix").visibleRows(), 90);  // 30 trainees at three scoring points
 }
 

@@ -101,7 +101,7 @@ QString withoutKeptWords(QString text) {
       "Bland-Altman|Shapiro-Wilk|Bonferroni|Student|Biau|Porcher|Shrout-Fleiss|Shrout|Fleiss|Krippendorff|"
       "Hedges|Kruskal-Wallis|Dunn|Holm|"
       "Mann-Whitney|Friedman|Kendall|Rasch|Greenhouse-Geisser|Hyndman-Fan|Fisher-Yates|Torsio|torsio replay "
-      "TRIAL "
+      "RUN "
       "--verify|LC-CUSUM|CUSUM|ICC|SEM|FEM|MSM|CSV|III|UTC|min|saint_venant|final|admin|mt19937_64|"
       "(evaluation|training|allocation)-\\d|\\b[0-9a-f]{16,}\\b"));
   return text.remove(kKept);

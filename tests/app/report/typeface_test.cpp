@@ -28,13 +28,19 @@ TEST(Typeface, IsThatOfTheApplicationAndOfTheReport) {
 }
 
 TEST(Typeface, NamesEachFamilyThatAMachineLacks) {
-  const QStringList onlyAnother{QStringLiteral("Noto Sans")};
-  const QStringList onlyLatin{QLatin1String(kTypeface)};
+  const QString latin = QLatin1String(kTypeface);
+  const QString fallback = QLatin1String(kFallbackTypeface);
+  const QString chinese = QLatin1String(kChineseTypeface);
 
-  EXPECT_EQ(missingTypefaces(onlyAnother),
-            QStringList({QLatin1String(kTypeface), QLatin1String(kChineseTypeface)}));
-  EXPECT_EQ(missingTypefaces(onlyLatin), QStringList({QLatin1String(kChineseTypeface)}));
-  EXPECT_TRUE(missingTypefaces({QLatin1String(kTypeface), QLatin1String(kChineseTypeface)}).isEmpty());
+  EXPECT_EQ(missingTypefaces({QStringLiteral("Comic Sans MS")}), QStringList({latin, fallback, chinese}));
+  EXPECT_EQ(missingTypefaces({latin}), QStringList({fallback, chinese}));
+  EXPECT_TRUE(missingTypefaces({chinese, fallback, latin}).isEmpty());
+}
+
+TEST(Typeface, FallsBackInTheDocumentedOrder) {
+  EXPECT_EQ(typeface().families().mid(0, 3),
+            QStringList({QStringLiteral("Noto Sans"), QStringLiteral("DejaVu Sans"),
+                         QStringLiteral("Noto Sans CJK SC")}));
 }
 
 }  // namespace

@@ -3,14 +3,18 @@
 // database first.
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <set>
 
 #include <gtest/gtest.h>
 
+#include "app/review/blinded_case.h"
 #include "app/review/case_sheet.h"
 #include "app/review/discrepancy_review.h"
 #include "app/review/range_pyramid.h"
 #include "app/review/review_queue.h"
 #include "app/review/sheet_editor.h"
+#include "app/study/reminders.h"
 #include "assessment/rating/rubric.h"
 #include "assessment/rating/sheet.h"
 #include "db/connection/connection.h"
@@ -324,6 +328,43 @@ TEST(CaseSheet, BelongsToItsRaterAlone) {
   EXPECT_EQ(refusal([&] { static_cast<void>(openSheet(*own, "no such case")); }), ErrorCode::kPermission);
   SheetRepository(centre.connection()).withdraw(id, "on leave", "office", testing::kReviewTime_us);
   EXPECT_EQ(refusal([&] { static_cast<void>(openSheet(*own, id)); }), ErrorCode::kPermission);
+}
+
+TEST(ReviewQueue, TellsOneDeadlineForAllRecordedCases) {
+  ReviewCentre::Setup setup;
+  setup.trainees = 4;
+  setup.dueByTrainee = true;
+  ReviewCentre centre(setup);
+  const auto desk = centre.physician(0);
+  const std::int64_t told_us = testing::kReviewTime_us + 4 * testing::kReviewDay_us;
+  const auto deadlines = [&] {
+    std::set<std::optional<std::int64_t>> seen;
+    for (const QueueLine& line : reviewQueue(*desk).lines) {
+      seen.insert(line.shown.dueUtc_us);
+      seen.insert(blindedCase(*desk, line.shown.assignmentId).dueUtc_us);
+    }
+    return seen;
+  };
+
+  EXPECT_EQ(deadlines(), (std::set<std::optional<std::int64_t>>{told_us}));
+  // What is left does not say so after a sheet is in.
+  WatchLog watched = whole(2'000'000);
+  submitSheet(*desk, centre.cases(0).front(), reviewSheet(5, 5, 5), watched);
+  EXPECT_EQ(deadlines(), (std::set<std::optional<std::int64_t>>{told_us}));
+  // The last day of the first case has gone by: nothing tells which one it was.
+  centre.passTime_us(2 * testing::kReviewDay_us);
+  EXPECT_EQ(reviewQueue(*desk).overdue, 0U);
+  const auto office = centre.administrator();
+  Statement cohorts = centre.connection().prepare("SELECT id FROM cohort");
+  cohorts.execute({});
+  ASSERT_TRUE(cohorts.step());
+  const CohortId cohort(cohorts.text(0));
+  for (const Reminder& reminder : reminders(*office, cohort)) {
+    for (const SheetAwaited& sheet : reminder.sheets) {
+      EXPECT_EQ(sheet.dueUtc_us, std::optional(told_us));
+      EXPECT_FALSE(sheet.late);
+    }
+  }
 }
 
 TEST(ReviewQueue, CountsEstimatesAndKnowsWhatComesNext) {

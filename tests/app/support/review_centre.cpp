@@ -191,7 +191,8 @@ void ReviewCentre::addAssignments(const Setup& setup) {
       one.rubricRevisionId = rubricRevisionId_;
       one.caseLabel = std::to_string(k + 2) + std::string(1, "CFHKMPRTWX"[rater % 10]);
       one.position = static_cast<std::int64_t>(k);
-      one.dueUtc_us = kReviewTime_us + 3 * kReviewDay_us;
+      one.dueUtc_us =
+          kReviewTime_us + (setup.dueByTrainee ? 1 + static_cast<std::int64_t>(trainee) : 3) * kReviewDay_us;
       one.assignedBy = "office";
       one.assignedUtc_us = kReviewTime_us;
       assignments.push_back(one);

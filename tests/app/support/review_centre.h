@@ -29,8 +29,9 @@ class ReviewCentre {
     int raters = 2;
     int trainees = 2;
     double trial_s = 2.0;
-    bool live = false;   ///< also the live cases
-    bool called = true;  ///< all live cases were called to the real arm
+    bool live = false;          ///< also the live cases
+    bool dueByTrainee = false;  ///< each trainee's cases have a deadline of their own, days 1, 2 ...
+    bool called = true;         ///< all live cases were called to the real arm
     /// Of the recordings; empty: the bar of the servo tests (which no file describes).
     const Scene* scene = nullptr;
   };

@@ -38,6 +38,7 @@ TrainingModule moduleOf(const std::string& id, const std::string& code, const st
   module.tolerance_rad = radians(5.0);
   module.maxForce_N = 6.0;  // a quarter turn of the bar takes 4 N; the device saturates at 3.3 N
   module.leastTwists = setup.leastTwists;
+  module.hold_us = setup.hold_us;
   module.mastery = setup.mastery;
   if (module.mastery.empty()) {
     module.mastery.push_back(

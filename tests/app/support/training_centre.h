@@ -46,6 +46,7 @@ class TrainingCentre {
     /// Rules of every module in place of those of the table.
     std::vector<MasteryCriterion> mastery{};
     std::int64_t leastTwists = 1;  ///< of every module
+    std::int64_t hold_us = 0;      ///< of every module
   };
   TrainingCentre() : TrainingCentre(Setup{}) {}
   explicit TrainingCentre(const Setup& setup);

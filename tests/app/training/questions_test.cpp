@@ -107,13 +107,18 @@ TEST_F(QuestionsTest, GoToTheChiefAndTheAnswerComesBackAtTheMoment) {
   EXPECT_EQ(remarks[0].remarks[0].replies[0].text, "No, but let go later.");
 }
 
-TEST_F(QuestionsTest, NeedNoWordsAndAreBookmarksToo) {
-  const RemarkId id = askPhysician(desk(), trial_, 2.0, chief_, "");
+TEST_F(QuestionsTest, NeedWordsAndAreBookmarksToo) {
+  for (const char* nothing : {"", "  "}) {
+    EXPECT_EQ(refusedWith([&] { askPhysician(desk(), trial_, 2.0, chief_, nothing); }),
+              ErrorCode::kBadParameter);
+  }
+  EXPECT_TRUE(questionDesk(desk(), trial_).questions.empty());
+  const RemarkId id = askPhysician(desk(), trial_, 2.0, chief_, "too fast?");
 
   const QuestionDesk now = questionDesk(desk(), trial_);
   ASSERT_EQ(now.questions.size(), 1U);
   EXPECT_EQ(now.questions[0].id, id);
-  EXPECT_TRUE(now.questions[0].text.empty());
+  EXPECT_EQ(now.questions[0].text, "too fast?");
   EXPECT_TRUE(ownRemarks(desk()).empty());  // nothing to read before the answer
 }
 
@@ -144,10 +149,10 @@ TEST_F(QuestionsTest, BelongToTheTraineeAndToTheChiefWhoWasAsked) {
 
 TEST_F(QuestionsTest, WantAMomentWithinTheRunAndAPhysicianWhoCanBeAsked) {
   for (const double moment : {-1.0, 1e6, std::nan("")}) {
-    EXPECT_EQ(refusedWith([&] { askPhysician(desk(), trial_, moment, chief_, ""); }),
+    EXPECT_EQ(refusedWith([&] { askPhysician(desk(), trial_, moment, chief_, "?"); }),
               ErrorCode::kBadParameter);
   }
-  EXPECT_EQ(refusedWith([&] { askPhysician(desk(), trial_, 1.0, centre_.person(), ""); }),
+  EXPECT_EQ(refusedWith([&] { askPhysician(desk(), trial_, 1.0, centre_.person(), "?"); }),
             ErrorCode::kBadParameter);
 }
 

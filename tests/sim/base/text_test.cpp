@@ -28,6 +28,20 @@ TEST(Text, TakesTextsAsArguments) {
   EXPECT_EQ(text.arguments().front().pattern(), "module %1");
 }
 
+TEST(Text, SaysOneOrManyByTheNumberBefore) {
+  const auto said = [](int trainees, int groups) {
+    return Text::verbatim("%1 {trainee was|trainees were} put into %2 {group|groups}", trainees, groups)
+        .str();
+  };
+
+  EXPECT_EQ(said(1, 1), "1 trainee was put into 1 group");
+  EXPECT_EQ(said(0, 1), "0 trainees were put into 1 group");
+  EXPECT_EQ(said(11, 3), "11 trainees were put into 3 groups");
+  // What is no pair stays, and so does what an argument says.
+  EXPECT_EQ(Text::verbatim("%1 {a} of {b", 2).str(), "2 {a} of {b");
+  EXPECT_EQ(Text::verbatim("{a|b} %1", Text::verbatim("{c|d}")).str(), "{a|b} {c|d}");
+}
+
 TEST(Text, NeverReadsAnArgumentAsAPattern) {
   EXPECT_EQ(Text::verbatim("%1 and %2", Text::verbatim("100 %2"), Text::verbatim("b")).str(), "100 %2 and b");
 }

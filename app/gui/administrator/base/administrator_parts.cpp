@@ -104,9 +104,4 @@ QString shownTime(std::int64_t utc_us, const QLocale& locale) {
   return locale.toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
 }
 
-QString shownSpan(std::int64_t duration_us) {
-  const std::int64_t seconds = duration_us / 1'000'000;
-  return QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0'));
-}
-
 }  // namespace torsio::gui

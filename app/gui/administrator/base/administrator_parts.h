@@ -45,7 +45,5 @@ void chooseId(QComboBox* chooser, const std::string& id);
 [[nodiscard]] QString orDash(const std::string& text);
 /// Date and time in the user's language; a dash for 0.
 [[nodiscard]] QString shownTime(std::int64_t utc_us, const QLocale& locale);
-/// "12:30" of minutes and seconds.
-[[nodiscard]] QString shownSpan(std::int64_t duration_us);
 
 }  // namespace torsio::gui

@@ -228,9 +228,9 @@ bool CompetenceDialog::takeFromExperts() {
         expertTolerance_deg(shell_.session(), chosen()->moduleId, chosenId(cohort_));
     experts_ = static_cast<std::int64_t>(found.experts);
     standard_->setText(
-        tr("%1 experts: mean error %2\u00b0, mean and one standard deviation %3\u00b0, bound that "
-           "covers nine in ten experts %4\u00b0.")
-            .arg(found.experts)
+        tr("%n expert(s): mean error %1\u00b0, mean and one standard deviation %2\u00b0, bound that "
+           "covers nine in ten experts %3\u00b0.",
+           nullptr, static_cast<int>(found.experts))
             .arg(found.mean, 0, 'f', 2)
             .arg(found.oneDeviation, 0, 'f', 2)
             .arg(found.toleranceBound, 0, 'f', 2));

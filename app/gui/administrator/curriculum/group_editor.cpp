@@ -234,11 +234,10 @@ void GroupEditor::showTotals(const StudyArm& arm) {
   for (const TrainingPhase& phase : arm.phases) {
     (phase.kind == PhaseKind::kReal ? real_us : virtual_us) += phase.duration_us;
   }
-  totals_->setText(tr("In all %1 minutes of training: %2 on the simulator, %3 on the real arm. Rest does not "
-                      "count.")
-                       .arg(locale().toString(minutes(virtual_us + real_us), 'g', 6),
-                            locale().toString(minutes(virtual_us), 'g', 6),
-                            locale().toString(minutes(real_us), 'g', 6)));
+  totals_->setText(
+      tr("In all %1 min of training: %2 on the simulator, %3 on the real arm. Rest does not count.")
+          .arg(locale().toString(minutes(virtual_us + real_us), 'g', 6),
+               locale().toString(minutes(virtual_us), 'g', 6), locale().toString(minutes(real_us), 'g', 6)));
 }
 
 void GroupEditor::take(const std::function<void(StudyArm&)>& change) {

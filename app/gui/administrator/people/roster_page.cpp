@@ -279,7 +279,7 @@ void RosterPage::exportPerson(const std::filesystem::path& folder, const std::st
         *package = exportPersonPackage(session, id, folder, reason);
       },
       [this, package] {
-        shell().notify(tr("%1 tables and %2 recordings written to %3")
+        shell().notify(tr("Tables (%1) and recordings (%2) written to %3")
                            .arg(package->tables)
                            .arg(package->recordings)
                            .arg(toQString(package->folder.string())));

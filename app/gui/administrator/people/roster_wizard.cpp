@@ -307,7 +307,8 @@ void RosterPreviewPage::showProgress(const QString& step, double fraction) {
 void RosterPreviewPage::initializePage() {
   import_.preview.reset();
   lines_->setRows({});
-  begin(tr("Comparing %1 lines with the record\u2026").arg(import_.file->rows.size()));
+  begin(
+      tr("Comparing %n line(s) with the record\u2026", nullptr, static_cast<int>(import_.file->rows.size())));
   struct Found {
     std::optional<RosterPreview> preview;
     std::optional<Error> problem;

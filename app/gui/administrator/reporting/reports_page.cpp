@@ -292,7 +292,7 @@ bool ReportsPage::exportTables(const std::filesystem::path& folder) {
       exportCriteria(session, cohort, folder / "criteria.csv", usualTableLook());
       exportRubrics(session, cohort, folder / "rubrics.csv", usualTableLook());
     }
-    shell().notify(tr("%1 recordings and %2 marks written to %3")
+    shell().notify(tr("Recordings (%1) and marks (%2) written to %3")
                        .arg(recordings)
                        .arg(marks)
                        .arg(toQString(folder.string())));

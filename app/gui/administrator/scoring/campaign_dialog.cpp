@@ -185,8 +185,8 @@ void CampaignDialog::check() {
     sums_->setText(
         tr("Choose raters of every class that has a weight. Missing: %1.").arg(empty.join(tr(", "))));
   } else {
-    sums_->setText(
-        tr("Both lists of weights sum to 1; %1 raters are chosen.").arg(raters_->selectedIds().size()));
+    sums_->setText(tr("Both lists of weights sum to 1; %n rater(s) chosen.", nullptr,
+                      static_cast<int>(raters_->selectedIds().size())));
   }
   buttons_->button(QDialogButtonBox::Ok)
       ->setEnabled(even && empty.isEmpty() && !name_->text().trimmed().isEmpty() &&

@@ -20,6 +20,7 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/scene_titles.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
@@ -151,7 +152,7 @@ void RaterCalibrationDialog::read() {
          {{out ? QStringLiteral("\u2013") : tr("Reference %1").arg(run.number), static_cast<int>(run.number)},
           {orDash(run.traineeCode)},
           {titles.scene(run.sceneId)},
-          {shownSpan(run.length_us.value_or(0)), static_cast<qlonglong>(run.length_us.value_or(0))},
+          {clockTime(run.length_us.value_or(0)), static_cast<qlonglong>(run.length_us.value_or(0))},
           {locale.toString(run.panel_points, 'f', 1), run.panel_points},
           {locale.toString(static_cast<qlonglong>(run.panelRaters))},
           timeCell(run.setUtc_us),
@@ -164,7 +165,7 @@ void RaterCalibrationDialog::read() {
                     {{orDash(one.traineeCode)},
                      {titles.scene(one.sceneId)},
                      {orDash(toQString(Text(one.phaseLabel)).toStdString())},
-                     {shownSpan(one.length_us), static_cast<qlonglong>(one.length_us)},
+                     {clockTime(one.length_us), static_cast<qlonglong>(one.length_us)},
                      timeCell(one.startedUtc_us)}});
   }
   candidates_->setRows(std::move(rows));

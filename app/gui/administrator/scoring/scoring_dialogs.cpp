@@ -37,7 +37,7 @@ QString translated(const char* text) {
 std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<PersonRow>& raters,
                                         const ScoringMatrix& matrix) {
   QuestionDialog dialog(
-      parent, translated(QT_TRANSLATE_NOOP("Scoring", "Ask raters")),
+      parent, translated(QT_TRANSLATE_NOOP("Scoring", "Invite raters")),
       translated(QT_TRANSLATE_NOOP("Scoring",
                                    "Every rater gets an order of their own and case labels that tell "
                                    "neither name, group nor stage.")));
@@ -152,7 +152,7 @@ std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<Relea
   for (const ReleaseState& state : states) {
     point->addItem(
         translated(state.released ? QT_TRANSLATE_NOOP("Scoring", "%1: released, take back")
-                                  : QT_TRANSLATE_NOOP("Scoring", "%1: release, %2 of %3 sheets missing"))
+                                  : QT_TRANSLATE_NOOP("Scoring", "%1: release, sheets missing: %2 of %3"))
             .arg(occasionName(state.occasion))
             .arg(state.missing)
             .arg(state.sheets),
@@ -203,7 +203,7 @@ Row rowOf(const ThirdRequest& request) {
 void fillThirds(QComboBox* box, const ThirdRequest& request) {
   box->clear();
   for (const Adjudicator& rater : request.free) {
-    box->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "%1, %2: %3 sheets wait"))
+    box->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "%1, %2: sheets waiting: %3"))
                      .arg(toQString(rater.code), orDash(rater.classCode))
                      .arg(rater.open),
                  toQString(rater.id));

@@ -283,15 +283,15 @@ void ScoringPage::retranslate() {
   revise_->setText(tr("Scoring &sheet\u2026"));
   revise_->setToolTip(tr("What raters fill in: criteria, scales, anchors and weights"));
   warmUp_->setToolTip(tr("The reference runs that every physician scores first"));
-  ask_->setText(tr("&Ask raters\u2026"));
+  ask_->setText(tr("&Invite raters\u2026"));
   third_->setToolTip(tr("Physicians could not agree and ask for one more"));
   cohortLabel_->setText(tr("&Cohort"));
   reassign_->setText(tr("&Reassign\u2026"));
   remind_->setText(tr("Copy re&minders"));
   remind_->setToolTip(tr("Whom to remind of which cases, as a text for your mail"));
   release_->setText(tr("Re&lease marks\u2026"));
-  table_->setEmptyText(
-      tr("No rater has been asked yet. Press Ask raters: each gets the cases in an order of their own."));
+  table_->setEmptyText(tr(
+      "No rater has been invited yet. Press Invite raters: each gets the cases in an order of their own."));
   showContent();
 }
 

@@ -130,7 +130,7 @@ void AuditPage::retranslate() {
       tr("Who did what, when, where and why. Entries are chained: none can be changed or taken out "
          "without being found."));
   verify_->setText(tr("&Verify"));
-  verify_->setToolTip(tr("Checks every entry, every sealed mark and every recorded trial"));
+  verify_->setToolTip(tr("Checks every entry, every sealed mark and every recorded run"));
   const QStringList spans{tr("Last day"), tr("Last week"), tr("Last month"), tr("Everything"),
                           tr("Between two days")};
   for (int index = 0; index < spans.size(); ++index) {
@@ -277,7 +277,7 @@ void AuditPage::showVerdict() {
   verdict_->setProperty("good", sound);
   verdict_->setProperty("caution", !sound);
   if (sound) {
-    verdict_->setText(tr("\u2713 Everything is as it was written: entries, marks and trials."));
+    verdict_->setText(tr("\u2713 Everything is as it was written: entries, marks and runs."));
   } else {
     QStringList lines{tr("\u26A0 %n finding(s). Do not report from this record before they are explained.",
                          nullptr, static_cast<int>(findings_->size()))};

@@ -176,11 +176,11 @@ void MaintenancePage::showRecord() {
     disk_->setVisible(false);
   }
   if (check_) {
-    lines << (check_->sound() ? tr("\u2713 Checked: sound, schema %1, %2 audit entries")
+    lines << (check_->sound() ? tr("\u2713 Checked: sound, schema %1, audit entries: %2")
                                     .arg(check_->schemaVersion)
                                     .arg(check_->auditEntries)
-                              : tr("\u2717 Checked: %1 finding(s), first: %2")
-                                    .arg(check_->damage.size() + check_->audit.size())
+                              : tr("\u2717 Checked: %n finding(s), first: %1", nullptr,
+                                   static_cast<int>(check_->damage.size() + check_->audit.size()))
                                     .arg(check_->damage.empty() ? toQString(check_->audit.front().what)
                                                                 : toQString(check_->damage.front())));
   }
@@ -188,8 +188,8 @@ void MaintenancePage::showRecord() {
   setLook(recordText_, "caution", check_ && !check_->sound());
   simulatedText_->setText(demonstration_.people == 0
                               ? tr("There are no simulated people in this record.")
-                              : tr("%1 simulated people, %2 recordings, %3 marks. They are marked everywhere "
-                                   "and can go at once; real data stay.")
+                              : tr("Simulated people: %1, recordings: %2, marks: %3. They are marked "
+                                   "everywhere and can go at once; real data stay.")
                                     .arg(demonstration_.people)
                                     .arg(demonstration_.trials)
                                     .arg(demonstration_.marks));
@@ -236,7 +236,7 @@ void MaintenancePage::backUp(const std::filesystem::path& file) {
         *head = anchoredHead(file.string(), stationAnchor().key, session.now_us());
       },
       [this, file, content, head] {
-        QString text = tr("\u2713 Written and read back: %1 recordings, %2 marks.\n%3")
+        QString text = tr("\u2713 Written and read back. Recordings: %1, marks: %2.\n%3")
                            .arg(content->trials)
                            .arg(content->marks)
                            .arg(toQString(file));
@@ -262,7 +262,7 @@ void MaintenancePage::testBackup(const std::filesystem::path& file) {
       [this, file, found] {
         backupText_->setText(
             found->database.sound()
-                ? tr("\u2713 This backup can be restored: %1 recordings, %2 marks.\n%3")
+                ? tr("\u2713 This backup can be restored. Recordings: %1, marks: %2.\n%3")
                       .arg(found->content.trials)
                       .arg(found->content.marks)
                       .arg(toQString(file))
@@ -287,7 +287,7 @@ bool MaintenancePage::removeDemonstration(const std::string& reason) {
   return attempt(shell(), [&] {
     const DemonstrationSize gone = removeDemonstrationData(shell().session(), reason);
     read();
-    shell().notify(tr("Removed: %1 simulated people, %2 recordings").arg(gone.people).arg(gone.trials));
+    shell().notify(tr("Removed: simulated people %1, recordings %2").arg(gone.people).arg(gone.trials));
   });
 }
 
@@ -307,10 +307,10 @@ void MaintenancePage::askTest() {
 }
 
 void MaintenancePage::askRemoveDemonstration() {
-  const std::optional<std::string> reason =
-      askReason(this, tr("Remove the demonstration"),
-                tr("%1 simulated people and all that belongs to them go at once. This cannot be taken back.")
-                    .arg(demonstration_.people));
+  const std::optional<std::string> reason = askReason(
+      this, tr("Remove the demonstration"),
+      tr("The simulated people (%1) and all that belongs to them go at once. This cannot be taken back.")
+          .arg(demonstration_.people));
   if (reason) {
     removeDemonstration(*reason);
   }
@@ -382,10 +382,10 @@ void MaintenancePage::erase() {
     const RetentionOutcome tried = eraseDue(shell().session(), who, "dry run", true);
     const std::optional<std::string> reason =
         askReason(this, tr("Erase a record"),
-                  tr("The identity of %1 and %2 recording(s) are erased for good. Marks stay without a "
-                     "person, so that statistics remain right.")
-                      .arg(toQString(item->code))
-                      .arg(tried.recordings));
+                  tr("The identity of %1 and %n recording(s) are erased for good. Marks stay without a "
+                     "person, so that statistics remain right.",
+                     nullptr, static_cast<int>(tried.recordings))
+                      .arg(toQString(item->code)));
     if (!reason) {
       return;
     }

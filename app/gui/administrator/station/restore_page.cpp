@@ -228,8 +228,8 @@ void RestorePage::showPlan() {
   }
   const bool loses = plan.lostTrials + plan.lostMarks + plan.lostPeople > 0;
   QString words =
-      loses ? tr("What was added after the backup is no longer in the record: %1 recordings, %2 marks and %3 "
-                 "people. It stays in the safety backup.")
+      loses ? tr("What was added after the backup is no longer in the record: recordings %1, marks %2, "
+                 "people %3. It stays in the safety backup.")
                   .arg(number(plan.lostTrials, locale()), number(plan.lostMarks, locale()),
                        number(plan.lostPeople, locale()))
             : tr("Nothing recorded is lost: the backup has every recording, mark and person of today.");
@@ -242,8 +242,8 @@ void RestorePage::showPlan() {
       QLatin1Char('\n') +
       tr("Passwords, accounts, settings and consents are those of the backup. Look at consents afterwards.");
   if (plan.erasedSince > 0) {
-    words += QLatin1Char('\n') +
-             tr("%1 people were erased after this backup. They stay erased.").arg(plan.erasedSince);
+    words += QLatin1Char('\n') + tr("Erased after this backup: %n person(s). They stay erased.", nullptr,
+                                    static_cast<int>(plan.erasedSince));
   }
   loss_->setText(words);
   setLook(loss_, "caution", loses || plan.otherCentre);

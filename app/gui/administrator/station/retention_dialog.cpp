@@ -107,7 +107,7 @@ std::optional<RetentionRulesEdit> askRetentionRules(QWidget* parent,
     rows.push_back(addRow(asked, *grid, category, rules));
   }
   asked.column()->addLayout(grid);
-  QPushButton* ok = asked.finish(RetentionDialog::tr("Keep these rules"));
+  QPushButton* ok = asked.finish(RetentionDialog::tr("Save these rules"));
   const auto check = [&rows, ok] {
     ok->setEnabled(std::all_of(rows.begin(), rows.end(), [](const RuleRow& row) {
       return !row.wanted->isChecked() || !row.basis->text().trimmed().isEmpty();

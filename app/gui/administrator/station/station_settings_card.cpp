@@ -130,7 +130,7 @@ void StationSettingsCard::retranslate() {
   sign_->setSuffix(tr(" min"));
   sign_->setSpecialValueText(tr("one signature"));
   note_->setText(tr("A run is never interrupted by this. A kiosk signs out instead of locking."));
-  keep_->setText(tr("&Keep"));
+  keep_->setText(tr("&Save"));
 }
 
 }  // namespace torsio::gui

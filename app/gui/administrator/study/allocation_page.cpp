@@ -239,12 +239,12 @@ void AllocationPage::showBalance() {
     }
   }
   balance_->setRows(std::move(rows));
-  QString title = tr("How even it would come out");
+  QString title = tr("Balance preview");
   if (preview_) {
-    title = tr("How even it would come out, over %1 tries with other seeds").arg(preview_->tries);
+    title = tr("Balance preview, over %1 draws with other seeds").arg(preview_->tries);
     if (!preview_->missing.empty()) {
-      title = tr("%1 trainee(s) lack one of these details: %2")
-                  .arg(preview_->missing.size())
+      title = tr("%n trainee(s) lack one of these details: %1", nullptr,
+                 static_cast<int>(preview_->missing.size()))
                   .arg(toQString(preview_->missing.front()));
     }
   }
@@ -417,13 +417,12 @@ void AllocationPage::askCards() {
 void AllocationPage::check() {
   attempt(shell(), [&] {
     const AllocationCheck found = checkAllocation(shell().session(), designs_.back().stored.id);
-    QMessageBox::information(this, tr("Check of the draw"),
-                             found.sound
-                                 ? tr("The whole draw was repeated: every one of %1 records is as drawn, %2 "
-                                      "of them moved by hand.")
-                                       .arg(found.records)
-                                       .arg(found.overrides)
-                                 : tr("The draw does not fit its record: %1").arg(toQString(found.finding)));
+    QMessageBox::information(
+        this, tr("Check of the draw"),
+        found.sound ? tr("The whole draw was repeated: every record is as drawn (%1), moved by hand: %2.")
+                          .arg(found.records)
+                          .arg(found.overrides)
+                    : tr("The draw does not fit its record: %1").arg(toQString(found.finding)));
   });
 }
 
@@ -444,7 +443,7 @@ void AllocationPage::retranslate() {
   }
   previewButton_->setText(tr("&Preview balance"));
   lock_->setText(tr("&Lock design\u2026"));
-  state_->setTitle(tr("What counts now"));
+  state_->setTitle(tr("Current design"));
   allocate_->setText(tr("&Allocate everybody"));
   cards_->setText(tr("Ca&rds\u2026"));
   cards_->setToolTip(tr("A page with a label and a card for each envelope, to print"));
@@ -462,7 +461,7 @@ void AllocationPage::retranslate() {
   records_->setColumns(
       {{tr("No."), true}, {tr("Trainee")}, {tr("Group")}, {tr("Number"), true}, {tr("How")}, {tr("Hash")}});
   records_->setEmptyText(tr("Nobody is allocated yet."));
-  recordsTitle_->setText(tr("Who was put where"));
+  recordsTitle_->setText(tr("Allocations"));
   showBalance();
   attempt(shell(), [&] { showDesign(); });
 }

@@ -134,7 +134,8 @@ QString CallBar::lineText(const CalledCase& called) const {
                           .arg(toQString(called.caseLabel), toQString(called.traineeCode),
                                occasionName(called.occasion), toQString(called.call.room));
   QString text = (called.call.endedUtc_us ? tr("! Late: %1") : tr("\u25CF Called: %1")).arg(who);
-  text += QStringLiteral(": ") + tr("%1 of %2 sheets are in").arg(called.submitted).arg(called.asked);
+  text += QStringLiteral(": ") +
+          tr("%1 of %n sheet(s) in", nullptr, static_cast<int>(called.asked)).arg(called.submitted);
   if (!called.missing.empty()) {
     text += QStringLiteral("; ") + tr("missing: %1").arg(joined(called.missing));
   }

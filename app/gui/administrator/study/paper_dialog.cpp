@@ -78,7 +78,7 @@ PaperDialog::PaperDialog(ShellContext& shell, CohortId cohortId, QWidget* parent
   column->addLayout(halves, 1);
   column->addWidget(buttons);
   nameField(commentLabel_, tr("Co&mment on the paper"));
-  keep_->setText(tr("&Keep what I typed"));
+  keep_->setText(tr("&Save what I typed"));
   table_->setColumns({{tr("Case")}, {tr("Rater")}, {tr("Called")}, {tr("State")}});
   table_->setEmptyText(tr("No live sheet is missing. Sheets appear here once their trainee was called."));
   connect(table_, &DataTable::currentChanged, this, &PaperDialog::showForm);

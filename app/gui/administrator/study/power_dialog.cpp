@@ -110,11 +110,12 @@ void PowerDialog::showAnswer() {
   groups_->setEnabled(design == kSeveralGroups);
   correlation_->setEnabled(design != kBeforeAfter);
   const double size = sizeOf(design, groups, effect_->value(), power_->value(), alpha_->value());
-  const auto whole = [](double needed) { return QString::number(std::ceil(needed), 'f', 0); };
+  const auto whole = [](double needed) { return static_cast<int>(std::ceil(needed)); };
   needed_->setText(design == kBeforeAfter
-                       ? tr("%1 trainees").arg(whole(size))
-                       : tr("%1 trainees in each group; %2 when scores are adjusted for the score before")
-                             .arg(whole(size), whole(sizeWithCovariate(size, correlation_->value()))));
+                       ? tr("%n trainee(s)", nullptr, whole(size))
+                       : tr("%n trainee(s) in each group; %1 when scores are adjusted for the score before",
+                            nullptr, whole(size))
+                             .arg(whole(sizeWithCovariate(size, correlation_->value()))));
   shown_->setText(tr("power %1 for this effect; with power %2 they detect an effect of %3")
                       .arg(powerOf(design, groups, n, effect_->value(), alpha_->value()), 0, 'f', 2)
                       .arg(power_->value(), 0, 'f', 2)

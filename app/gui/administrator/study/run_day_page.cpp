@@ -21,6 +21,7 @@
 #include "app/gui/administrator/study/call_bar.h"
 #include "app/gui/administrator/study/run_day_dialogs.h"
 #include "app/gui/base/background.h"
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
@@ -200,9 +201,9 @@ void RunDayPage::showContent() {
            {{toQString(row.traineeCode)},
             {orDash(row.groupCode), {}, toQString(row.armLabel)},
             {nowText(row)},
-            {open ? shownSpan(row.progress.left_us) : QStringLiteral("\u2013"),
+            {open ? clockTime(row.progress.left_us) : QStringLiteral("\u2013"),
              static_cast<qlonglong>(open ? row.progress.left_us : -1)},
-            {open ? shownSpan(row.progress.restLeft_us) : QStringLiteral("\u2013"),
+            {open ? clockTime(row.progress.restLeft_us) : QStringLiteral("\u2013"),
              static_cast<qlonglong>(open ? row.progress.restLeft_us : -1)},
             {row.runningTrialId.empty() ? QStringLiteral("\u2013")
                                         : tr("records at %1").arg(toQString(row.station))},
@@ -214,7 +215,7 @@ void RunDayPage::showContent() {
     }
   }
   table_->setRows(std::move(rows));
-  summary_->setText(board_ ? tr("%1 recording now \u00B7 %2 of %3 done \u00B7 %4 sheets missing")
+  summary_->setText(board_ ? tr("%1 recording now \u00b7 %2 of %3 done \u00b7 sheets missing: %4")
                                  .arg(running)
                                  .arg(done)
                                  .arg(board_->rows.size())
@@ -318,7 +319,7 @@ void RunDayPage::showStations() {
                        : tr("\u25CB free")},
             {records ? toQString(station.traineeCode) : QStringLiteral("\u2013")},
             {records ? orDash(station.phaseLabel) : QStringLiteral("\u2013")},
-            {records ? shownSpan(board_->asOfUtc_us - station.startedUtc_us) : QStringLiteral("\u2013")},
+            {records ? clockTime(board_->asOfUtc_us - station.startedUtc_us) : QStringLiteral("\u2013")},
             timeCell(station.heartbeatUtc_us),
             {orDash(station.softwareVersion)},
             {device.device.empty() ? orDash({}) : toQString(device.device)},
@@ -443,7 +444,7 @@ void RunDayPage::retranslate() {
   typeIn_->setObjectName(QStringLiteral("typeSheets"));
   reminders_->setText(tr("Copy who owes which sheet"));
   heading_->setTexts(
-      tr("Run day"),
+      tr("Today's sessions"),
       tr("Who is at what, what is left, which sheets are missing, and whether the devices are fit."));
   cohortLabel_->setText(tr("&Cohort"));
   callBar_->retranslate();
@@ -456,7 +457,7 @@ void RunDayPage::retranslate() {
                          {tr("Trainee")},
                          {tr("Phase")},
                          {tr("For"), true},
-                         {tr("Last sign of life")},
+                         {tr("Last seen")},
                          {tr("Version")},
                          {tr("Device")},
                          {tr("Device check")}});

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAccessible>
+
+class QWidget;
+
+namespace torsio::gui {
+
+/// Tells screen readers what a widget is where its class does not: a drawn row of marks is a slider, the
+/// navigation a list. Its value is the accessible description; a button that became a line of a list can
+/// still be pressed. GUI thread, before anybody asks for the widget's accessible interface.
+void setAccessibleRole(QWidget* widget, QAccessible::Role role);
+
+}  // namespace torsio::gui
