@@ -12433,7 +12433,7 @@
     </message>
     <message>
         <source>has no column %1 any more</source>
-        <translation type="unfinished"></translation>
+        <translation>不再有列 %1</translation>
     </message>
     <message>
         <source>a purpose has no title or no text</source>
