@@ -20,11 +20,13 @@ constexpr std::uint64_t kStartStream = 41;
 constexpr double kSlopeStep_rad = radians(0.5);
 // Share of a span, from its ends, along which a wall goes over into its neighbour, which keeps its radius.
 constexpr double kClampedShare = 0.08;
-constexpr double kWoundShare = 0.35;  // of two limbs, which draw nearer to each other as a whole
+// Of two limbs, which draw nearer to each other as a whole: a foot that stands apart leans over to the other.
+constexpr double kWoundHeldShare = 0.25;
+constexpr double kWoundShare = 0.35;
 
 /// How free a wall is to change its radius: 0 at the ends of a span, 1 away from them, smooth between.
-double freeShare(double share, double mobileShare) noexcept {
-  const double way = std::clamp(std::min(share / kClampedShare, (1.0 - share) / mobileShare), 0.0, 1.0);
+double freeShare(double share, double heldShare, double mobileShare) noexcept {
+  const double way = std::clamp(std::min(share / heldShare, (1.0 - share) / mobileShare), 0.0, 1.0);
   return way * way * (3.0 - 2.0 * way);
 }
 
@@ -241,7 +243,8 @@ HollowOrgan::Section HollowOrgan::sectionIn(int span, double share, const OrganS
 }
 
 double HollowOrgan::freeShareOf(double share) const noexcept {
-  return freeShare(share, wound_ ? kWoundShare : kClampedShare);
+  return wound_ ? freeShare(share, kWoundHeldShare, kWoundShare)
+                : freeShare(share, kClampedShare, kClampedShare);
 }
 
 void HollowOrgan::sectionsOf(int span, const OrganState& state, Sections& sections) const noexcept {

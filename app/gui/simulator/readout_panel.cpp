@@ -78,6 +78,11 @@ ReadoutPanel::ReadoutPanel(QWidget* parent) : QWidget(parent), theme_(&theme(The
   std::tie(framesName_, frames_) = addRow(grid, timing_);
   timing_->content()->addLayout(grid);
   column->addWidget(timing_);
+  // A card is as tall as what it shows, also when the panel gets more room than that.
+  for (Card* card : {twist_, load_, timing_}) {
+    card->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  }
+  column->addStretch(1);
 
   retranslate();
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/base/angle.h"
+#include "sim/base/refusal.h"
 #include "sim/tissue/hollow/tube_onset.h"
 
 namespace torsio {
@@ -141,6 +142,10 @@ struct WringTable::Path {
     goUntilClosed(kRateStep * place.slenderness,
                   std::min(kRateStep, foldOnset(place) / kFirstSteps) * place.slenderness,
                   kMostRate * place.slenderness);
+    if (steps.size() < 2) {  // let down from a high pressure a wall is thick and narrow
+      refuseParameter(Text::verbatim("the wall leaves no tube before it is turned"), Text::verbatim("wall"),
+                      Text::verbatim("Give less pressure, or a stiffer or a thinner wall."));
+    }
     refineJump();
     readMarks();
   }

@@ -22,6 +22,7 @@
 #include "app/gui/simulator/exercise_panel.h"
 #include "app/gui/simulator/readout_panel.h"
 #include "app/gui/widgets/angle_dial.h"
+#include "app/gui/widgets/card.h"
 #include "app/gui/widgets/level_bar.h"
 #include "app/gui/widgets/picture.h"
 #include "sim/base/error.h"
@@ -280,6 +281,20 @@ TEST_F(Window, ReadoutsFollowTheState) {
     phase = phase || label->text().contains(ReadoutPanel::phaseName(ExercisePhase::kTwisting));
   }
   EXPECT_TRUE(phase);
+}
+
+TEST_F(Window, ReadoutsOfAnOrganThatCameTwistedLeaveNoRoomForTheDial) {
+  ReadoutPanel panel;
+  panel.resize(290, 900);
+  panel.setVisible(true);
+  LiveState state;
+  state.hollow.present = true;
+  panel.show(state, 31.0);
+  QCoreApplication::processEvents();
+
+  for (const Card* card : panel.findChildren<Card*>()) {
+    EXPECT_LE(card->height(), card->sizeHint().height()) << card->accessibleName().toStdString();
+  }
 }
 
 TEST_F(Window, SaysWhyTheOrganWasLetGo) {

@@ -90,6 +90,9 @@ TEST(WrungOrgan, RefusesNumbersOutOfRange) {
   EXPECT_THROW(WrungOrgan(places(30, 3), 0.0, content), Error);
   EXPECT_THROW(WrungOrgan(places(30, 3), 0.2, {.shearModulus_Pa = 0.0}), Error);
   EXPECT_THROW(WrungOrgan(places(30, 3), 0.2, {.shearModulus_Pa = 5e3, .restPressure_Pa = -1.0}), Error);
+  // Drawn there is a tube; let down, the wall alone would fill it.
+  const HollowContent full{.shearModulus_Pa = 5e3, .restPressure_Pa = 1067.0, .highestPressure_Pa = 1067.0};
+  EXPECT_THROW(WrungOrgan(places(10, 4), 0.2, full), Error);
 }
 
 }  // namespace
