@@ -52,4 +52,14 @@ std::vector<AuditFinding> verifyAudit(SessionContext& session) {
   return findings;
 }
 
+std::string headWords(std::int64_t length, const std::string& hash, std::int64_t utc_us) {
+  return "torsio-head 1 " + std::to_string(length) + " " + (hash.empty() ? "-" : hash) + " " +
+         std::to_string(utc_us);
+}
+
+std::string plainHead(Connection& connection, std::int64_t now_us) {
+  const TrailHead head = AuditRepository(connection).head();
+  return headWords(head.length, head.hash, now_us) + " - -";
+}
+
 }  // namespace torsio

@@ -24,4 +24,9 @@ namespace torsio {
 /// what was found, is audited. Takes seconds with many trials. kAuditView.
 [[nodiscard]] std::vector<AuditFinding> verifyAudit(SessionContext& session);
 
+/// What is signed of a head of the trail: "torsio-head 1 LENGTH HASH TIME"; `hash` empty: "-".
+[[nodiscard]] std::string headWords(std::int64_t length, const std::string& hash, std::int64_t utc_us);
+/// The head now, without a signature, as one cell of a table that leaves the record. Throws DbError.
+[[nodiscard]] std::string plainHead(Connection& connection, std::int64_t now_us);
+
 }  // namespace torsio

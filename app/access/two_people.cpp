@@ -325,15 +325,16 @@ std::string confirmRequest(SessionContext& session, const std::string& requestId
   return drawSecondHalf(session, request, *user, &roles);
 }
 
-void requireSecondPerson(SessionContext& session, DutyAct act, const std::string& subject) {
+UserId requireSecondPerson(SessionContext& session, DutyAct act, const std::string& subject) {
   if (oneIsEnough(session)) {
-    return;
+    return {};
   }
   const std::optional<DutyRequest> request = confirmable(session, act, subject);
   if (!request) {
     throw SecondPersonNeeded(act, subject);
   }
   close(session, *request, DutyDecision::kConfirmed, request->reason);
+  return request->requestedBy;
 }
 
 bool secondPersonIsThere(SessionContext& session, DutyAct act, const std::string& subject) {

@@ -74,8 +74,8 @@ std::string confirmRequest(SessionContext& session, const std::string& requestId
 
 /// For a service, inside the transaction of its act and after it has asked for its right: uses up the request
 /// of another person. Does nothing when the rule is off or the actor is the system, which owns the record.
-/// Throws SecondPersonNeeded.
-void requireSecondPerson(SessionContext& session, DutyAct act, const std::string& subject);
+/// Returns who asked; empty: one person was enough. Throws SecondPersonNeeded.
+UserId requireSecondPerson(SessionContext& session, DutyAct act, const std::string& subject);
 
 /// Whether `after` has a role that `before` has not and that two people must give. False where the centre
 /// does not ask for two, for an account of the demonstration, and for the second administrator, whom nobody

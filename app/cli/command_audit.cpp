@@ -14,6 +14,8 @@
 #include "app/maintenance/database_maintenance.h"
 #include "app/maintenance/station_anchor.h"
 #include "assessment/people/audit_entry.h"
+#include "db/connection/connection.h"
+#include "db/migrations/migrations.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
 
@@ -117,7 +119,23 @@ void setStation(const AuditArguments& arguments) {
             << "Key: " << (anchor.key.empty() ? "none, heads are not signed" : anchor.key.string()) << "\n";
 }
 
+void replaceKey(const AuditArguments& arguments) {
+  Connection connection = openRecord(arguments.database.locator(), OpenMode::kReadOnly);
+  const ReplacedKey made = replaceAnchorKey(connection, arguments.key, arguments.file, utcNow_us());
+  if (!arguments.witness.empty()) {
+    appendToWitness(arguments.witness, made.line);
+  }
+  std::cout << "Public key: " << made.publicKey << "\n"
+            << made.line << "\n"
+            << "Keep this line with the heads of the older key; torsio audit station --key " << arguments.file
+            << " sets the new one.\n";
+}
+
 void makeKey(const AuditArguments& arguments) {
+  if (!arguments.key.empty()) {
+    replaceKey(arguments);
+    return;
+  }
   std::cout << "Public key: " << makeAnchorKey(arguments.file) << "\n"
             << "Keep " << arguments.file
             << " away from the record, and the public key where you check heads.\n";
@@ -156,6 +174,9 @@ void addAudit(CLI::App& program) {
 
   command = audit->add_subcommand("key", "Makes a key that signs heads, in a file of its own");
   command->add_option("FILE", arguments->file, "The new file")->required();
+  command->add_option("--replaces", arguments->key, "File of the key in whose place it comes");
+  command->add_option("--witness", arguments->witness, "File that the line of the replacement is added to");
+  addDatabase(*command);
   command->callback([arguments] { makeKey(*arguments); });
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/maintenance/anchor.h"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -10,6 +12,7 @@
 
 #include <sodium.h>
 
+#include "app/access/audit_service.h"
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
@@ -27,6 +30,7 @@ namespace {
 
 constexpr const char* kHeadWord = "torsio-head";
 constexpr const char* kKeyWord = "torsio-anchor-key";
+constexpr const char* kReplacedWord = "torsio-key";
 constexpr const char* kNone = "-";
 
 using PublicKey = std::array<std::uint8_t, crypto_sign_PUBLICKEYBYTES>;
@@ -40,10 +44,7 @@ struct Head {
   std::string publicKey = kNone;
   std::string signature = kNone;
 
-  [[nodiscard]] std::string signedText() const {
-    return std::string(kHeadWord) + " 1 " + std::to_string(length) + " " + hash + " " +
-           std::to_string(utc_us);
-  }
+  [[nodiscard]] std::string signedText() const { return headWords(length, hash, utc_us); }
   [[nodiscard]] std::string line() const { return signedText() + " " + publicKey + " " + signature; }
 };
 
@@ -88,6 +89,11 @@ std::string publicOf(const SecretKey& key) {
   return toHex(open);
 }
 
+[[noreturn]] void notReadable(const std::string& line) {
+  throw Error(ErrorCode::kBadData, Text::tr("is no head of an audit trail"), line.substr(0, 80),
+              Text::tr("Give a line that torsio audit head printed"));
+}
+
 Head headOf(const std::string& line) {
   std::istringstream words(line);
   std::string word;
@@ -95,27 +101,145 @@ Head headOf(const std::string& line) {
   Head head;
   words >> word >> version >> head.length >> head.hash >> head.utc_us >> head.publicKey >> head.signature;
   if (!words || word != kHeadWord || version != "1") {
-    throw Error(ErrorCode::kBadData, Text::tr("is no head of an audit trail"), line.substr(0, 80),
-                Text::tr("Give a line that torsio audit head printed"));
+    notReadable(line);
   }
   return head;
 }
 
-/// Empty: signed by that key.
-std::string flawOfSignature(const Head& head, const std::string& publicKey) {
-  if (publicKey.empty()) {
+/// One key in the place of another, from some length of the trail on.
+struct Replacement {
+  std::string old{};
+  std::string fresh{};
+  std::int64_t length = 0;
+  std::int64_t utc_us = 0;
+  std::string signatureOfOld{};
+  std::string signatureOfFresh{};
+
+  [[nodiscard]] std::string signedText() const {
+    return std::string(kReplacedWord) + " 1 " + old + " " + fresh + " " + std::to_string(length) + " " +
+           std::to_string(utc_us);
+  }
+  [[nodiscard]] std::string line() const {
+    return signedText() + " " + signatureOfOld + " " + signatureOfFresh;
+  }
+};
+
+Replacement replacementOf(const std::string& line) {
+  std::istringstream words(line);
+  std::string word;
+  std::string version;
+  Replacement made;
+  words >> word >> version >> made.old >> made.fresh >> made.length >> made.utc_us >> made.signatureOfOld >>
+      made.signatureOfFresh;
+  if (!words || version != "1") {
+    notReadable(line);
+  }
+  return made;
+}
+
+std::string signedWith(const SecretKey& key, const std::string& text) {
+  Signature signature{};
+  crypto_sign_detached(signature.data(), nullptr, bytesOfText(text), text.size(), key.data());
+  return toHex(signature);
+}
+
+bool genuine(const std::string& text, const std::string& signedBy, const std::string& publicKey) {
+  const auto key = bytesOf<PublicKey>(publicKey);
+  const auto signature = bytesOf<Signature>(signedBy);
+  return key && signature &&
+         crypto_sign_verify_detached(signature->data(), bytesOfText(text), text.size(), key->data()) == 0;
+}
+
+/// Keys whose heads count, each for the lengths of the trail in its time.
+class TrustedKeys {
+ public:
+  /// `root` empty: no signature is asked for.
+  TrustedKeys(const std::string& root, const std::vector<Replacement>& replacements) {
+    if (root.empty()) {
+      return;
+    }
+    times_[root] = {};
+    for (std::string later = root; const Replacement* next = from(replacements, &Replacement::old, later);) {
+      times_[later].last = next->length;
+      later = next->fresh;
+      if (!times_.try_emplace(later, Time{.first = next->length}).second) {
+        break;
+      }
+    }
+    for (std::string older = root;
+         const Replacement* next = from(replacements, &Replacement::fresh, older);) {
+      older = next->old;
+      if (!times_.try_emplace(older, Time{.last = next->length}).second) {
+        break;
+      }
+    }
+  }
+  [[nodiscard]] bool asksForSignatures() const { return !times_.empty(); }
+  /// Empty: signed by a key of its time.
+  [[nodiscard]] std::string flawOf(const Head& head) const {
+    const auto found = times_.find(head.publicKey);
+    if (found == times_.end()) {
+      return "the head is not signed by this key";
+    }
+    if (!genuine(head.signedText(), head.signature, head.publicKey)) {
+      return "the signature of the head is not genuine";
+    }
+    const bool inTime = head.length >= found->second.first && head.length <= found->second.last;
+    return inTime ? std::string() : "the head is signed by a key that was not in use at its time";
+  }
+
+ private:
+  struct Time {
+    std::int64_t first = 0;
+    std::int64_t last = std::numeric_limits<std::int64_t>::max();
+  };
+
+  static const Replacement* from(const std::vector<Replacement>& replacements, std::string Replacement::*side,
+                                 const std::string& key) {
+    const auto found = std::find_if(replacements.begin(), replacements.end(),
+                                    [&](const Replacement& one) { return one.*side == key; });
+    return found == replacements.end() ? nullptr : &*found;
+  }
+
+  std::map<std::string, Time> times_;
+};
+
+/// What was kept elsewhere, sorted.
+struct KeptLines {
+  std::vector<Head> heads;
+  std::vector<Replacement> replacements;  ///< both signatures genuine
+  std::vector<Replacement> forged;
+  std::string firstKey;  ///< that signed a head
+};
+
+KeptLines sorted(const std::vector<std::string>& lines) {
+  KeptLines kept;
+  for (const std::string& line : lines) {
+    if (line.starts_with(std::string(kReplacedWord) + " ")) {
+      Replacement made = replacementOf(line);
+      const bool sound = genuine(made.signedText(), made.signatureOfOld, made.old) &&
+                         genuine(made.signedText(), made.signatureOfFresh, made.fresh);
+      (sound ? kept.replacements : kept.forged).push_back(std::move(made));
+      continue;
+    }
+    kept.heads.push_back(headOf(line));
+    if (kept.firstKey.empty() && kept.heads.back().publicKey != kNone) {
+      kept.firstKey = kept.heads.back().publicKey;
+    }
+  }
+  return kept;
+}
+
+/// Empty: the trail has the head's entry as it was.
+std::string flawOfTrail(const Head& head, const std::map<std::int64_t, std::string>& hashes) {
+  if (head.length == 0) {
     return {};
   }
-  const auto key = bytesOf<PublicKey>(publicKey);
-  const auto signature = bytesOf<Signature>(head.signature);
-  const std::string text = head.signedText();
-  if (head.publicKey != publicKey) {
-    return "the head is not signed by this key";
+  const std::string& present = hashes.at(head.length);
+  if (present.empty()) {
+    return "the audit trail had this entry, and has it no more: it was cut off, or an older file lies here";
   }
-  const bool genuine =
-      key && signature &&
-      crypto_sign_verify_detached(signature->data(), bytesOfText(text), text.size(), key->data()) == 0;
-  return genuine ? std::string() : "the signature of the head is not genuine";
+  return present == head.hash ? std::string() : "the audit trail was rewritten at this entry or before it";
 }
 
 }  // namespace
@@ -135,6 +259,19 @@ std::string makeAnchorKey(const fs::path& file) {
   return toHex(open);
 }
 
+ReplacedKey replaceAnchorKey(Connection& connection, const fs::path& old, const fs::path& file,
+                             std::int64_t now_us) {
+  const SecretKey before = readKey(old);
+  const std::string fresh = makeAnchorKey(file);
+  Replacement made{.old = publicOf(before),
+                   .fresh = fresh,
+                   .length = AuditRepository(connection).head().length,
+                   .utc_us = now_us};
+  made.signatureOfOld = signedWith(before, made.signedText());
+  made.signatureOfFresh = signedWith(readKey(file), made.signedText());
+  return {.publicKey = fresh, .line = made.line()};
+}
+
 std::string publicAnchorKey(const fs::path& file) {
   return publicOf(readKey(file));
 }
@@ -149,11 +286,8 @@ std::string anchoredHead(Connection& connection, const fs::path& key, std::int64
   Head head{.length = newest.length, .hash = newest.length == 0 ? kNone : newest.hash, .utc_us = now_us};
   if (!key.empty()) {
     const SecretKey secret = readKey(key);
-    const std::string text = head.signedText();
-    Signature signature{};
-    crypto_sign_detached(signature.data(), nullptr, bytesOfText(text), text.size(), secret.data());
     head.publicKey = publicOf(secret);
-    head.signature = toHex(signature);
+    head.signature = signedWith(secret, head.signedText());
   }
   return head.line();
 }
@@ -169,41 +303,46 @@ void appendToWitness(const fs::path& witness, const std::string& head) {
   }
 }
 
-std::vector<AuditFinding> compareWithHeads(const std::string& locator, const std::vector<std::string>& heads,
+std::vector<AuditFinding> compareWithHeads(const std::string& locator, const std::vector<std::string>& lines,
+                                           const std::string& publicKey) {
+  Connection connection = openRecord(locator, OpenMode::kReadOnly);
+  return compareWithHeads(connection, lines, publicKey);
+}
+
+std::vector<AuditFinding> compareWithHeads(Connection& connection, const std::vector<std::string>& lines,
                                            const std::string& publicKey) {
   TORSIO_EXPECTS(sodium_init() >= 0);
-  std::vector<Head> kept;
+  const KeptLines kept = sorted(lines);
+  const TrustedKeys keys(publicKey.empty() ? kept.firstKey : publicKey, kept.replacements);
   std::map<std::int64_t, std::string> hashes;  // of the entries that a head names; empty: not there
-  std::string key = publicKey;
-  for (const std::string& line : heads) {
-    kept.push_back(headOf(line));
-    hashes[kept.back().length];
-    if (key.empty() && kept.back().publicKey != kNone) {
-      key = kept.back().publicKey;
-    }
+  for (const Head& head : kept.heads) {
+    hashes[head.length];
   }
-  Connection connection = openRecord(locator, OpenMode::kReadOnly);
   AuditRepository(connection).forEach([&hashes](const AuditEntry& entry) {
     if (const auto wanted = hashes.find(entry.sequence); wanted != hashes.end()) {
       wanted->second = entry.entryHash;
     }
   });
+  std::int64_t vouchedFor = -1;  // the longest trail that a signed head fits
+  for (const Head& head : kept.heads) {
+    if (keys.asksForSignatures() && keys.flawOf(head).empty() && flawOfTrail(head, hashes).empty()) {
+      vouchedFor = std::max(vouchedFor, head.length);
+    }
+  }
   std::vector<AuditFinding> findings;
-  for (const Head& head : kept) {
-    const auto report = [&](const std::string& what) {
-      findings.push_back({head.length, "head", head.hash.substr(0, 16), what});
-    };
-    if (const std::string flaw = flawOfSignature(head, key); !flaw.empty()) {
-      report(flaw);
-      continue;
+  for (const Head& head : kept.heads) {
+    const bool vouched = head.publicKey == kNone && head.length <= vouchedFor;
+    std::string flaw = keys.asksForSignatures() && !vouched ? keys.flawOf(head) : std::string();
+    if (flaw.empty()) {
+      flaw = flawOfTrail(head, hashes);
     }
-    const std::string& present = hashes.at(head.length);
-    if (head.length > 0 && present.empty()) {
-      report(
-          "the audit trail had this entry, and has it no more: it was cut off, or an older file lies here");
-    } else if (head.length > 0 && present != head.hash) {
-      report("the audit trail was rewritten at this entry or before it");
+    if (!flaw.empty()) {
+      findings.push_back({head.length, "head", head.hash.substr(0, 16), flaw});
     }
+  }
+  for (const Replacement& forged : kept.forged) {
+    findings.push_back({forged.length, "head", forged.fresh.substr(0, 16),
+                        "the line that puts this key in the place of another is not genuine"});
   }
   return findings;
 }

@@ -15,6 +15,15 @@ class Connection;
 /// read. Returns its public part, 64 hexadecimal digits, by which signatures are checked. Throws Error
 /// (kFileUnwritable) when the file exists.
 [[nodiscard]] std::string makeAnchorKey(const std::filesystem::path& file);
+/// Makes a new key in place of the one in `old`, whose heads it vouches for up to now. Returns its public
+/// part and the line that says so, signed by both: "torsio-key 1 OLD NEW LENGTH TIME SIGNATURE SIGNATURE", to
+/// be kept among the heads. Throws Error as makeAnchorKey() and publicAnchorKey(), DbError.
+struct ReplacedKey {
+  std::string publicKey{};
+  std::string line{};
+};
+[[nodiscard]] ReplacedKey replaceAnchorKey(Connection& connection, const std::filesystem::path& old,
+                                           const std::filesystem::path& file, std::int64_t now_us);
 /// Public part of the key in `file`. Throws Error: kFileMissing, kBadData, kPermission when other accounts
 /// can read it.
 [[nodiscard]] std::string publicAnchorKey(const std::filesystem::path& file);
@@ -29,14 +38,18 @@ class Connection;
 /// Adds a line to a witness file; makes the file. Throws Error (kFileUnwritable).
 void appendToWitness(const std::filesystem::path& witness, const std::string& head);
 
-/// Compares the audit trail with heads that were kept elsewhere: finds entries that were cut off, a chain
-/// that was rewritten, an older file in the record's place, a head that nobody signed with `publicKey`
-/// (empty: the key that the first signed head names). Throws Error (kBadData) for a line that is no head,
-/// DbError.
-[[nodiscard]] std::vector<AuditFinding> compareWithHeads(const std::string& locator,
-                                                         const std::vector<std::string>& heads,
+/// Compares the audit trail with lines that were kept elsewhere: finds entries that were cut off, a chain
+/// that was rewritten, an older file in the record's place, a head that was signed neither with `publicKey`
+/// (empty: the key that the first signed head names) nor, in its time, with a key that it replaced or that
+/// replaced it. A head without a signature counts where a later one with a signature fits. Throws Error
+/// (kBadData) for a line that is no head, DbError.
+[[nodiscard]] std::vector<AuditFinding> compareWithHeads(Connection& connection,
+                                                         const std::vector<std::string>& lines,
                                                          const std::string& publicKey);
-/// Heads of a witness file, one a line. Throws Error: kFileMissing; kBadData when it is empty.
+[[nodiscard]] std::vector<AuditFinding> compareWithHeads(const std::string& locator,
+                                                         const std::vector<std::string>& lines,
+                                                         const std::string& publicKey);
+/// Lines of a witness file. Throws Error: kFileMissing; kBadData when it is empty.
 [[nodiscard]] std::vector<std::string> headsOf(const std::filesystem::path& witness);
 
 }  // namespace torsio

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <QDateTime>
+#include <nlohmann/json.hpp>
 
 #include "app/access/two_people.h"
 #include "app/base/build_info.h"
@@ -196,24 +197,34 @@ std::optional<Connection> presentRecord(const std::string& file, std::string& un
   }
 }
 
+/// Adds who asked and who did it, where two people were needed: the requests stay in the record that goes.
+std::string withPeople(nlohmann::ordered_json what, const SessionContext& session, const UserId& askedBy) {
+  if (!askedBy.empty()) {
+    what["asked_by"] = askedBy.text();
+    what["confirmed_by"] = session.actor().userId.text();
+  }
+  return what.dump();
+}
+
 /// The audit entry in the trail of `connection`.
 void tell(SessionContext& session, Connection& connection, AuditAction action, const RestorePlan& plan,
-          const fs::path& safety) {
+          const fs::path& safety, const UserId& askedBy) {
   SessionKey key = session.key();
   const SessionContext there(connection, session.ids(), key, [&session] { return session.now_us(); });
   there.note({.action = action,
               .objectKind = AuditObject::kDatabase,
               .objectId = plan.backup.filename().string(),
-              .newJson = R"({"trials":)" + std::to_string(plan.restored.trials) + R"(,"marks":)" +
-                         std::to_string(plan.restored.marks) + R"(,"lost_trials":)" +
-                         std::to_string(plan.lostTrials) + R"(,"lost_marks":)" +
-                         std::to_string(plan.lostMarks) + R"(,"safety_backup":")" +
-                         safety.filename().string() + "\"}"});
+              .newJson = withPeople({{"trials", plan.restored.trials},
+                                     {"marks", plan.restored.marks},
+                                     {"lost_trials", plan.lostTrials},
+                                     {"lost_marks", plan.lostMarks},
+                                     {"safety_backup", safety.filename().string()}},
+                                    session, askedBy)});
 }
 
 /// Brings the copy up to date, erases again, tells of the restore.
 void bringToday(SessionContext& session, const fs::path& ready, const RestorePlan& plan,
-                const fs::path& safety) {
+                const fs::path& safety, const UserId& askedBy) {
   Connection copy = openRecord(ready.string(), OpenMode::kReadWrite,
                                {.softwareVersion = softwareVersion(), .backup = false});
   for (const Erasure& erasure : erasedSince(session.connection(), copy)) {
@@ -221,7 +232,7 @@ void bringToday(SessionContext& session, const fs::path& ready, const RestorePla
   }
   registerCopy(copy, CopyKind::kBeforeRestore, safety, session.now_us());
   registerCopy(copy, CopyKind::kBackup, plan.backup, session.now_us());
-  tell(session, copy, AuditAction::kDatabaseRestore, plan, safety);
+  tell(session, copy, AuditAction::kDatabaseRestore, plan, safety, askedBy);
 }
 
 }  // namespace
@@ -262,11 +273,11 @@ std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session, const R
   session.require(Operation::kDatabaseRestore);
   requireFile(session);
   requireNobodyAtWork(session);
-  requireSecondPerson(session, DutyAct::kRestore, plan.backupHash);
+  const UserId askedBy = requireSecondPerson(session, DutyAct::kRestore, plan.backupHash);
   const fs::path record = session.key().locator;
   requireRoom(record, plan.backup);
   const fs::path safety = safetyName(record, session.now_us());
-  tell(session, session.connection(), AuditAction::kDatabaseRestoreBegin, plan, safety);
+  tell(session, session.connection(), AuditAction::kDatabaseRestoreBegin, plan, safety, askedBy);
   tellProgress(progress, Text::tr("Backing up the record as it is now"), 0.0);
   backupSqlite(session.connection(), safety);
   (void)checkBackup(safety);
@@ -275,7 +286,7 @@ std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session, const R
   const fs::path& ready = prepared->ready();
   copyStepwise(plan.backup, ready, partOf(progress, 0.5, 0.7));
   tellProgress(progress, Text::tr("Preparing the restored record"), 0.7);
-  bringToday(session, ready, plan, safety);
+  bringToday(session, ready, plan, safety, askedBy);
   tellProgress(progress, Text::tr("Checking the restored record"), 0.8);
   settleSqlite(ready);
   tellProgress(progress, Text::tr("Ready"), 1.0);
@@ -298,11 +309,11 @@ fs::path PreparedRestore::takeOver() {
 void noteRestore(SessionContext& session, const fs::path& backup) {
   session.require(Operation::kDatabaseRestore);
   Transaction transaction(session.connection());
-  requireSecondPerson(session, DutyAct::kRestore, hashOfFile(backup));
+  const UserId askedBy = requireSecondPerson(session, DutyAct::kRestore, hashOfFile(backup));
   session.note({.action = AuditAction::kDatabaseRestore,
                 .objectKind = AuditObject::kDatabase,
                 .objectId = backup.filename().string(),
-                .newJson = R"({"present":"unreadable"})"});
+                .newJson = withPeople({{"present", "unreadable"}}, session, askedBy)});
   transaction.commit();
 }
 

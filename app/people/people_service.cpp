@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/access/audit_service.h"
 #include "app/base/csv_table.h"
 #include "app/people/person_codes.h"
 #include "app/people/person_text.h"
@@ -348,20 +349,25 @@ std::size_t exportPeople(SessionContext& session, const std::filesystem::path& f
   std::string text = kByteOrderMark;
   std::vector<std::string> header{"code",       "trainee",   "rater_class", "sex",  "level",
                                   "experience", "age_years", "handedness",  "state"};
+  const std::string head = plainHead(session.connection(), session.now_us());
+  const auto add = [&text](std::vector<std::string> cells, const std::string& last) {
+    cells.push_back(last);
+    text += csvLine(cells);
+  };
   std::size_t count = 0;
   if (withNames) {
     header.insert(header.end(), {"full_name", "external_id", "email"});
-    text += csvLine(header);
+    add(header, "trail_head");
     for (const NamedPersonRow& named : namedPeople(session)) {
       std::vector<std::string> cells = codedCells(named.row);
       cells.insert(cells.end(), {named.identity.fullName, named.identity.externalId, named.identity.email});
-      text += csvLine(cells);
+      add(std::move(cells), head);
       ++count;
     }
   } else {
-    text += csvLine(header);
+    add(header, "trail_head");
     for (const PersonRow& row : people(session)) {
-      text += csvLine(codedCells(row));
+      add(codedCells(row), head);
       ++count;
     }
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -39,9 +40,13 @@ constexpr std::int64_t kAllTrials = 1'000'000;
 constexpr std::int64_t kAllEntries = INT64_MAX;
 
 /// Keeps in the audit trail what leaves, then writes it: a trace of a file that could not be written is
-/// better than data that left without a trace.
-std::size_t write(SessionContext& session, const AuditNote& what, const std::vector<Cells>& lines,
+/// better than data that left without a trace. The last column is the head of the audit trail as it was.
+std::size_t write(SessionContext& session, const AuditNote& what, std::vector<Cells> lines,
                   const std::filesystem::path& file, const CsvLook& look) {
+  const std::string told = plainHead(session.connection(), session.now_us());
+  for (Cells& cells : lines) {
+    cells.push_back(&cells == &lines.front() ? "trail_head" : told);
+  }
   std::string text = "\xEF\xBB\xBF";
   for (const Cells& cells : lines) {
     text += csvLine(cells);
@@ -156,7 +161,8 @@ std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
                        endOf(*trial), std::string(tissueModelId(trial->model))});
     }
   }
-  return write(session, {AuditAction::kTrialExportCoded, AuditObject::kCohort, cohortId}, lines, file, look);
+  return write(session, {AuditAction::kTrialExportCoded, AuditObject::kCohort, cohortId}, std::move(lines),
+               file, look);
 }
 
 std::size_t exportMarks(SessionContext& session, const CohortId& cohortId, const std::filesystem::path& file,
@@ -178,7 +184,8 @@ std::size_t exportMarks(SessionContext& session, const CohortId& cohortId, const
     addSignature(lines.back(), signatures, mark);
     lines.back().push_back(rubrics.meanOf(mark));
   }
-  return write(session, {AuditAction::kMarkExportCoded, AuditObject::kCohort, cohortId}, lines, file, look);
+  return write(session, {AuditAction::kMarkExportCoded, AuditObject::kCohort, cohortId}, std::move(lines),
+               file, look);
 }
 
 std::size_t exportCriteria(SessionContext& session, const CohortId& cohortId,
@@ -206,7 +213,8 @@ std::size_t exportCriteria(SessionContext& session, const CohortId& cohortId,
                        answer->score_steps ? "no" : "yes", formatUtc(mark.submittedUtc_us), programHash()});
     }
   }
-  return write(session, {AuditAction::kMarkExportCoded, AuditObject::kCohort, cohortId}, lines, file, look);
+  return write(session, {AuditAction::kMarkExportCoded, AuditObject::kCohort, cohortId}, std::move(lines),
+               file, look);
 }
 
 std::size_t exportRubrics(SessionContext& session, const CohortId& cohortId,
@@ -232,7 +240,8 @@ std::size_t exportRubrics(SessionContext& session, const CohortId& cohortId,
       }
     }
   }
-  return write(session, {AuditAction::kMarkExportCoded, AuditObject::kCohort, cohortId}, lines, file, look);
+  return write(session, {AuditAction::kMarkExportCoded, AuditObject::kCohort, cohortId}, std::move(lines),
+               file, look);
 }
 
 std::size_t exportAuditTrail(SessionContext& session, AuditFilter filter, const std::filesystem::path& file,
@@ -255,7 +264,7 @@ std::size_t exportAuditTrail(SessionContext& session, AuditFilter filter, const 
                      named(subjects, entry.objectId), entry.objectId, entry.oldJson, entry.newJson,
                      entry.reason, entry.entryHash});
   }
-  return write(session, {AuditAction::kAuditExport, AuditObject::kAuditEntry}, lines, file, look);
+  return write(session, {AuditAction::kAuditExport, AuditObject::kAuditEntry}, std::move(lines), file, look);
 }
 
 }  // namespace torsio

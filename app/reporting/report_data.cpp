@@ -138,11 +138,20 @@ void nameTrainees(SessionContext& session, CohortInputs& inputs) {
   for (CohortDeviation& deviation : inputs.deviations) {
     rename(deviation.trainee);
   }
+  for (const Rater& rater : people.raters()) {
+    if (const auto name = nameOf.find(rater.person.id); name != nameOf.end() && !name->second.empty()) {
+      shown[rater.person.code] = rater.person.code + " " + name->second;
+    }
+  }
+  for (CohortSignature& signature : inputs.signatures) {
+    rename(signature.trainee);
+    rename(signature.signer);
+  }
 }
 
 /// Whether two people were asked for, and what was signed.
 void addSafeguards(SessionContext& session, const CohortId& cohortId, const FreezeId& frozenId,
-                   CohortInputs& inputs) {
+                   const Occasions& occasions, CohortInputs& inputs) {
   Connection& connection = session.connection();
   inputs.provenance.emplace_back(
       Text::tr("Two people for passwords, roles, erasing, restoring and the allocation"),
@@ -150,11 +159,29 @@ void addSafeguards(SessionContext& session, const CohortId& cohortId, const Free
   SignatureRepository signatures(connection);
   const std::map<std::string, Signature> signedMarks = signatures.all(SignedKind::kTrainingMark);
   const std::vector<SubmittedMark> marks = RatingRepository(connection).marks(cohortId);
-  const auto count = std::count_if(marks.begin(), marks.end(),
-                                   [&](const SubmittedMark& mark) { return signedMarks.contains(mark.id); });
+  const std::vector<Text> texts = occasionTexts(occasions);
+  const auto textOf = [&](const std::string& code) -> Text {
+    const std::optional<std::size_t> place = occasions.positionOf(code);
+    return place ? texts.at(*place) : Text(code);
+  };
+  for (const SubmittedMark& mark : marks) {
+    const auto found = signedMarks.find(mark.id);
+    if (found == signedMarks.end()) {
+      ++inputs.unsignedMarks;
+      continue;
+    }
+    const Signature& one = found->second;
+    inputs.signatures.push_back({.signer = mark.raterCode,
+                                 .trainee = mark.traineeCode,
+                                 .occasion = textOf(mark.occasionCode),
+                                 .version = mark.version,
+                                 .meaning = termsOf(one.meaning)[static_cast<std::size_t>(one.meaning)].label,
+                                 .reason = one.reason,
+                                 .signedUtc_us = one.signedUtc_us});
+  }
   if (!marks.empty()) {
     inputs.provenance.emplace_back(Text::tr("Marks signed with a password"),
-                                   Text::tr("%1 of %2", count, marks.size()));
+                                   Text::tr("%1 of %2", inputs.signatures.size(), marks.size()));
   }
   const std::map<std::string, Signature> frozen = signatures.all(SignedKind::kFrozenDataset);
   if (const auto found = frozen.find(frozenId); found != frozen.end()) {
@@ -215,7 +242,7 @@ CohortInputs reportInputs(SessionContext& session, const ReportRequest& request,
   }
   addAllocation(session, cohort.id, inputs);
   addFreeze(session, request, inputs);
-  addSafeguards(session, cohort.id, request.frozenId, inputs);
+  addSafeguards(session, cohort.id, request.frozenId, training.occasions, inputs);
   inputs.singleMarks = showsSingleMarks(session, request, inputs);
   inputs.trials = digests.ofCohort(session, cohort.id, progress);
   inputs.competence = digests.competenceOf(session, cohort.curriculumVersionId, inputs.trainees);

@@ -303,6 +303,29 @@ ReportSection deviationsSection(const CohortInputs& in) {
   return section;
 }
 
+/// Name, meaning and time beside what was signed: 21 CFR 11.50.
+ReportSection signaturesSection(const CohortInputs& in) {
+  ReportSection section;
+  section.title = Text::tr("Signatures of the marks");
+  section.paragraphs.push_back(Text::tr("%1 marks were signed with the password of their rater, %2 were not.",
+                                        in.signatures.size(), in.unsignedMarks));
+  ReportTable table;
+  table.id = "table-mark-signatures";
+  table.title = Text::tr("Who signed which mark");
+  table.individual = true;
+  table.columns = {Text::tr("Signed by"), Text::tr("Trainee"), Text::tr("Occasion"), Text::tr("Version"),
+                   Text::tr("Meaning"),   Text::tr("When"),    Text::tr("Why")};
+  for (const CohortSignature& one : in.signatures) {
+    table.rows.push_back({one.signer, one.trainee, one.occasion, std::to_string(one.version), one.meaning,
+                          formatUtc(one.signedUtc_us),
+                          in.singleMarks ? Text(one.reason) : Text()});  // a reason may tell the mark
+  }
+  table.provenance.n = std::ssize(in.signatures);
+  table.provenance.flags = commonFlags(in);
+  section.tables.push_back(table);
+  return section;
+}
+
 ReportSection trialsSection(const CohortInputs& in) {
   ReportSection section;
   section.title = Text::tr("Recorded runs");
@@ -425,6 +448,9 @@ ReportModel reportOf(const CohortInputs& in) {
   }
   if (!in.trainees.empty()) {
     report.sections.push_back(deviationsSection(in));
+  }
+  if (!in.signatures.empty()) {
+    report.sections.push_back(signaturesSection(in));
   }
   report.sections.push_back(methodsSection(in));
   report.sections.push_back(provenanceSection(in));

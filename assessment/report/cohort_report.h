@@ -145,6 +145,17 @@ struct CohortCompetence {
   Text errors;                      ///< both rates in words, within the attempts of the design
 };
 
+/// What a rater said by signing one mark.
+struct CohortSignature {
+  std::string signer{};  ///< code, or code and name
+  std::string trainee{};
+  Text occasion{};
+  std::int64_t version = 1;
+  Text meaning{};
+  std::string reason{};
+  std::int64_t signedUtc_us = 0;
+};
+
 /// An evaluation that cannot be computed yet.
 struct UnfinishedEvaluation {
   std::int64_t marks = 0;                   ///< so far
@@ -198,6 +209,8 @@ struct CohortInputs {
   std::int64_t notAssessable = 0;  ///< marks that a rater could not give, with a reason
   std::vector<CohortDose> doses;
   std::vector<CohortDeviation> deviations;
+  std::vector<CohortSignature> signatures;  ///< of the marks that were signed
+  std::int64_t unsignedMarks = 0;           ///< the others
 
   std::vector<TrialSummaryRow> trials;
   std::vector<CohortCompetence> competence;

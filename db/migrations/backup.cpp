@@ -91,9 +91,10 @@ void requireReplaceable(const fs::path& target, Replace replace) {
   if (!fs::exists(status)) {
     return;
   }
-  const SqliteHead head = fs::is_regular_file(status) ? headOf(target) : SqliteHead{};
-  if (!fs::is_regular_file(status) ||
-      (head.database && (head.writeAheadLog || head.application != kBackupMark))) {
+  const bool file = fs::is_regular_file(status);
+  const SqliteHead head = file ? headOf(target) : SqliteHead{};
+  const bool backup = head.database && !head.writeAheadLog && head.application == kBackupMark;
+  if (!backup && !(file && fs::file_size(target, ignored) == 0)) {
     throw Error(ErrorCode::kFileUnwritable, Text::tr("is no backup, so it is never replaced by one"),
                 target.string(), Text::tr("Name another file"));
   }

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #ifndef _WIN32
+#include <sys/resource.h>
 #include <sys/stat.h>
 #endif
 
@@ -34,6 +35,8 @@ bool closeToOthers(const fs::path& file) noexcept {
 void keepFilesPrivate() noexcept {
 #ifndef _WIN32
   umask(S_IRWXG | S_IRWXO);
+  const rlimit none{.rlim_cur = 0, .rlim_max = 0};
+  setrlimit(RLIMIT_CORE, &none);
 #endif
 }
 

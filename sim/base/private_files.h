@@ -6,7 +6,8 @@
 namespace torsio {
 
 /// From now on every file that this process makes is for its owner alone (mode 0600), every folder too
-/// (0700): records, backups, packages, exports, pictures. On Windows the user's folders are private already.
+/// (0700): records, backups, packages, exports, pictures; and a crash of it leaves no core dump, which would
+/// hold names and passwords. On Windows the user's folders are private already.
 /// Call once, before any thread.
 void keepFilesPrivate() noexcept;
 

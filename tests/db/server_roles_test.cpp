@@ -271,6 +271,20 @@ TEST_F(ServerRolesTest, ErasingGoesThroughTheOwnersFunctionForWhoeverMayErase) {
   EXPECT_EQ(findingsIn(station), "");
 }
 
+TEST_F(ServerRolesTest, AStationIsToldWhoRemovesTheDemonstration) {
+  {
+    Connection station = openDatabase(stationLocator(), OpenMode::kReadWrite);
+    try {
+      (void)removeDemonstration(station, "u-office", "ward", "why", 1);
+      ADD_FAILURE() << "a station removed rows";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kPermission);
+      EXPECT_NE(error.remedy().find("owns the database"), std::string::npos) << error.remedy();
+    }
+  }
+  EXPECT_NO_THROW((void)removeDemonstration(*connection_, "u-office", "ward", "why", 1));
+}
+
 TEST_F(ServerRolesTest, PreparingTwiceChangesNothingAndTheOwnerIsNoStation) {
   writeServerRoles(*connection_, allTables(*connection_), closedTables(), role_);
 

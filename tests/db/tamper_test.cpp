@@ -142,6 +142,32 @@ TEST_F(TamperTest, AGuardThatWasSwitchedOffIsNamed) {
   EXPECT_EQ(schemaFindings(*connection_).size(), 2U);
 }
 
+TEST_F(TamperTest, WhatPassesByTheGuardsOfAServerIsNamed) {
+  if (!onPostgresql()) {
+    GTEST_SKIP() << "SQLite's schema is compared word by word";
+  }
+  const auto finds = [this](const std::string& sql, const std::string& part) {
+    const Transaction undone(*connection_);
+    connection_->executeVerbatim(sql);
+    const std::vector<SchemaFinding> findings = schemaFindings(*connection_);
+    ASSERT_EQ(findings.size(), 1U) << sql;
+    EXPECT_EQ(findings[0].part, part);
+  };
+  finds(
+      "DROP TRIGGER training_mark_append_only ON training_mark;"
+      "CREATE TRIGGER training_mark_append_only BEFORE UPDATE OR DELETE ON training_mark"
+      " FOR EACH ROW WHEN (false) EXECUTE FUNCTION refuse_change()",
+      "trigger training_mark_append_only");
+  finds("CREATE RULE kept AS ON INSERT TO consent DO INSTEAD NOTHING", "rule consent kept");
+  finds("ALTER TABLE training_mark ALTER score_steps TYPE numeric", "column training_mark.score_steps");
+  finds("ALTER TABLE person ALTER state DROP NOT NULL", "column person.state");
+  finds("ALTER TABLE person ADD nickname text", "column person.nickname");
+  finds("ALTER TABLE person DROP CONSTRAINT person_state_check", "checks of person");
+  finds("ALTER TABLE person_identity DROP CONSTRAINT person_identity_person_id_fkey",
+        "references person_identity to person");
+  finds("ALTER TABLE person DROP CONSTRAINT person_code_key", "keys of person");
+}
+
 TEST_F(TamperTest, AChangedMarkWithASecondSealIsFound) {
   dropTriggers("training_mark");
   connection_->executeVerbatim("UPDATE training_mark SET score_steps = 90");

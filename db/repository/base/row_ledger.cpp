@@ -2,6 +2,7 @@
 #include "db/repository/base/row_ledger.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <optional>
 #include <unordered_map>
@@ -21,6 +22,7 @@ namespace torsio {
 namespace {
 
 constexpr std::string_view kTrail = "audit_entry";
+constexpr std::size_t kKnownPlans = 1'000;
 
 /// A statement that changes rows of one table.
 class LedgerPlan : public ChangeWatch::Plan {
@@ -245,19 +247,13 @@ class Sealer {
 class RowLedger : public ChangeWatch {
  public:
   std::shared_ptr<const Plan> planOf(std::string_view sql) override {
-    std::optional<ChangedStatement> change = changedBy(sql);
-    if (!change) {
-      return nullptr;
+    if (const auto known = plans_.find(sql); known != plans_.end()) {
+      return known->second;
     }
-    if (change->table == kTrail && change->kind == ChangedStatement::Kind::kInsert) {
-      return std::make_shared<LedgerPlan>(std::move(*change), nullptr);
+    if (plans_.size() >= kKnownPlans) {
+      plans_.clear();
     }
-    const SealRule* rule = sealRuleOf(change->table);
-    if (rule == nullptr ||
-        (change->kind == ChangedStatement::Kind::kUpdate && onlyUnsealed(*change, *rule))) {
-      return nullptr;
-    }
-    return std::make_shared<LedgerPlan>(std::move(*change), rule);
+    return plans_.try_emplace(std::string(sql), newPlan(sql)).first->second;
   }
 
   void changed(const std::shared_ptr<const Plan>& plan, std::span<const Value> bound, const Rows& returned,
@@ -315,6 +311,22 @@ class RowLedger : public ChangeWatch {
   }
 
  private:
+  static std::shared_ptr<const Plan> newPlan(std::string_view sql) {
+    std::optional<ChangedStatement> change = changedBy(sql);
+    if (!change) {
+      return nullptr;
+    }
+    if (change->table == kTrail && change->kind == ChangedStatement::Kind::kInsert) {
+      return std::make_shared<LedgerPlan>(std::move(*change), nullptr);
+    }
+    const SealRule* rule = sealRuleOf(change->table);
+    if (rule == nullptr ||
+        (change->kind == ChangedStatement::Kind::kUpdate && onlyUnsealed(*change, *rule))) {
+      return nullptr;
+    }
+    return std::make_shared<LedgerPlan>(std::move(*change), rule);
+  }
+
   static bool onlyUnsealed(const ChangedStatement& change, const SealRule& rule) {
     const std::vector<std::string> unsealed = columnsOf(rule.unsealed);
     return std::all_of(change.columns.begin(), change.columns.end(),
@@ -373,6 +385,7 @@ class RowLedger : public ChangeWatch {
     std::string station{};
   };
 
+  std::map<std::string, std::shared_ptr<const Plan>, std::less<>> plans_;  // of statements heard before
   std::vector<Touched> touched_;
   std::unordered_map<std::string, std::size_t> places_;
   std::int64_t entries_ = 0;  // of the audit trail, in this transaction

@@ -103,6 +103,19 @@ void refuseUses(Connection& connection, const std::vector<DemonstrationUse>& use
       connection.location(), Text::tr("Finish or move what uses them first; nothing was removed"));
 }
 
+/// A station of a prepared server may add rows and remove none.
+void requireOwner(Connection& connection) {
+  if (connection.engine() != Engine::kPostgresql ||
+      selectFirst(connection, "SELECT has_table_privilege('trial', 'DELETE')", {}, readBoolean)
+          .value_or(false)) {
+    return;
+  }
+  throw Error(ErrorCode::kPermission,
+              Text::tr("a station may not remove rows from this server, the demonstration neither"),
+              connection.location(),
+              Text::tr("Start Torsio once with the account that owns the database, and remove it there"));
+}
+
 }  // namespace
 
 std::vector<DemonstrationRows> demonstrationRows(Connection& connection) {
@@ -133,6 +146,7 @@ bool holdsOnlySimulated(Connection& connection) {
 std::vector<DemonstrationRows> removeDemonstration(Connection& connection, const std::string& requestedBy,
                                                    const std::string& station, const std::string& reason,
                                                    std::int64_t utc_us) {
+  requireOwner(connection);
   Transaction transaction(connection);
   const std::vector<SchemaTable> tables = tablesInReferenceOrder(connection);
   const Conditions conditions = conditionsOf(tables);

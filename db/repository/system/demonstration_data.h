@@ -27,8 +27,8 @@ struct DemonstrationRows {
 /// Removes all demonstration data through the erasure gate, in one transaction, with an entry in the audit
 /// trail for every sealed mark and trial that goes and one for the whole. Real rows stay as they are; a
 /// station that shows a simulated trial shows none. Returns what was removed, children first, without tables
-/// that had nothing. Throws Error (kBadData) naming the table when a real row uses a simulated one; nothing
-/// is removed then.
+/// that had nothing. Throws Error (kBadData) naming the table when a real row uses a simulated one, and
+/// (kPermission) as a station of a prepared server; nothing is removed then.
 std::vector<DemonstrationRows> removeDemonstration(Connection& connection, const std::string& requestedBy,
                                                    const std::string& station, const std::string& reason,
                                                    std::int64_t utc_us);

@@ -159,6 +159,47 @@ TEST_F(Anchor, AWitnessThatSomebodyElseSignedOrChangedIsFound) {
   }
 }
 
+TEST_F(Anchor, AKeyThatIsReplacedStaysGoodForItsTimeAndNoLonger) {
+  const ProgramRun replaced = run("audit key " + file("new") + " --replaces " + file("key") + database() +
+                                  " --witness " + file("witness"));
+  ASSERT_EQ(replaced.code, 0) << replaced.err;
+  {
+    Connection connection = openRecord(file("record.sqlite"), OpenMode::kReadWrite);
+    append(connection, "later");
+  }
+  ASSERT_EQ(run("audit head" + database() + " --key " + file("new") + " --witness " + file("witness")).code,
+            0);
+  const auto code = [this](const std::string& witness, const std::string& key) {
+    return run("audit verify" + database() + " --witness " + file(witness) + " --key " + file(key)).code;
+  };
+
+  EXPECT_EQ(code("witness", "new"), 0) << "the new key vouches for the older one";
+  EXPECT_EQ(code("witness", "key"), 0) << "the older key named its successor";
+  EXPECT_EQ(run("audit verify" + database() + " --witness " + file("witness")).code, 0);
+
+  const std::string witness = readFile(file("witness"));
+  writeFileAtomically(file("late"), witness + run("audit head" + database() + " --key " + file("key")).out);
+  EXPECT_EQ(code("late", "new"), kVerifyFailed) << "the older key signed after it was replaced";
+
+  std::string forged = witness;
+  const std::size_t line = forged.find("torsio-key 1 ");
+  ASSERT_NE(line, std::string::npos);
+  forged[forged.find('\n', line) - 1] = forged[forged.find('\n', line) - 1] == '0' ? '1' : '0';
+  writeFileAtomically(file("forged"), forged);
+  EXPECT_EQ(code("forged", "new"), kVerifyFailed);
+}
+
+TEST_F(Anchor, HeadsFromBeforeTheFirstKeyCountWithALaterOneThatIsSigned) {
+  ASSERT_EQ(run("audit head" + database() + " --witness " + file("mixed")).code, 0);
+  const std::string verify =
+      "audit verify" + database() + " --witness " + file("mixed") + " --key " + file("key");
+  EXPECT_EQ(run(verify).code, kVerifyFailed) << "nobody signed anything";
+
+  ASSERT_EQ(run("audit head" + database() + " --witness " + file("mixed") + " --key " + file("key")).code, 0);
+
+  EXPECT_EQ(run(verify).code, 0);
+}
+
 TEST_F(Anchor, TheKeyIsForItsOwnerAloneAndNeverReplaced) {
   const std::string key = readFile(file("key"));
   EXPECT_EQ(fs::status(file("key")).permissions(), fs::perms::owner_read | fs::perms::owner_write);

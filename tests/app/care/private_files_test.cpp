@@ -2,7 +2,13 @@
 // What is about people is for the owner of the record alone, and what was erased is not left on the disk.
 #include "sim/base/private_files.h"
 
+#include <chrono>
+#include <csignal>
 #include <fstream>
+#include <sstream>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -14,6 +20,7 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/file_io.h"
+#include "tests/app/care/killed_program.h"
 #include "tests/app/cli/program.h"
 #include "tests/db/full_record.h"
 #include "tests/db/sample_record.h"
@@ -25,6 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::emptyFolder;
 using test::runTorsio;
+using test::startSilent;
 
 constexpr auto kOthers = fs::perms::group_all | fs::perms::others_all;
 
@@ -53,6 +61,44 @@ TEST(PrivateFiles, WhatTheProgramWritesIsForItsOwnerAlone) {
     ++files;
   }
   EXPECT_GE(files, 5U) << "record, backup, record before the restore, report and table";
+}
+
+TEST(PrivateFiles, ACrashLeavesNoDump) {
+  const fs::path folder = emptyFolder("shown");
+  rlimit before{};
+  getrlimit(RLIMIT_CORE, &before);
+  rlimit all = before;
+  all.rlim_cur = all.rlim_max;
+  setrlimit(RLIMIT_CORE, &all);
+  const pid_t program = startSilent({"demo", "--shorten", "60", "--out", (folder / "out").string()});
+  setrlimit(RLIMIT_CORE, &before);
+  ASSERT_GT(program, 0);
+  const std::string shown = "/proc/" + std::to_string(program);
+  const auto limits = [&shown] {
+    std::ifstream in(shown + "/limits");
+    for (std::string line; std::getline(in, line);) {
+      if (line.starts_with("Max core file size")) {
+        return line;
+      }
+    }
+    return std::string();
+  };
+  std::istringstream words;
+  for (int tries = 0; tries < 1'000 && !fs::exists(folder / "out"); ++tries) {  // it has begun its work
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  words.str(limits().substr(18));
+  std::string soft;
+  std::string hard;
+  words >> soft >> hard;
+  kill(program, SIGSEGV);
+  int status = 0;
+  waitpid(program, &status, 0);
+
+  EXPECT_EQ(soft, "0");
+  EXPECT_EQ(hard, "0");
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_FALSE(WCOREDUMP(status));
 }
 
 TEST(PrivateFiles, RecordsThatOthersCouldReadAreClosedAndNamed) {

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Torsio never destroys a record: what the command line is told to write, and where a program may be killed.
 #include <chrono>
-#include <csignal>
-#include <cstdlib>
-#include <fcntl.h>
 #include <fstream>
-#include <spawn.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -20,18 +14,19 @@
 #include "db/migrations/migrations.h"
 #include "db/migrations/record_exchange.h"
 #include "sim/base/error.h"
+#include "tests/app/care/killed_program.h"
 #include "tests/app/cli/program.h"
 #include "tests/db/full_record.h"
 #include "tests/db/test_database.h"
-
-extern char** environ;
 
 namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
 using test::emptyFolder;
+using test::killInstants;
 using test::ProgramRun;
+using test::runAndKill;
 using test::runTorsio;
 
 constexpr const char* kShort = " --shorten 600 --seed 7";
@@ -151,6 +146,20 @@ TEST_F(RecordSafety, ABackupReplacesAnOlderBackupWhenToldToAndARecordNever) {
 
   EXPECT_EQ(readFile(file("other.sqlite")), other);
   EXPECT_EQ(run("db check" + database).code, 0);
+}
+
+TEST_F(RecordSafety, ABackupReplacesNoFileOfAnotherKind) {
+  makeRecord("record.sqlite");
+  std::ofstream(file("thesis.txt")) << "two years of work";
+  std::ofstream(file("empty.tmp"));
+
+  const auto replace = [this](const char* name) {
+    return run("db backup --as-system --replace " + file(name) + " --database " + file("record.sqlite")).code;
+  };
+
+  EXPECT_EQ(replace("thesis.txt"), codeOf(ErrorCode::kFileUnwritable));
+  EXPECT_EQ(readFile(file("thesis.txt")), "two years of work");
+  EXPECT_EQ(replace("empty.tmp"), 0) << "a name that mktemp made";
 }
 
 TEST_F(RecordSafety, ARestoredRecordIsNoBackupAnyMore) {
@@ -292,40 +301,20 @@ TEST_F(RecordSafety, ARecordThatLostItsNameGetsItBackAtTheNextStart) {
   EXPECT_FALSE(fs::exists(file("record.sqlite.restoring")));
 }
 
-/// Starts the program and kills it after so long.
-void runAndKill(const std::vector<std::string>& arguments, std::chrono::microseconds after) {
-  std::vector<char*> words{const_cast<char*>(TORSIO_PROGRAM)};
-  for (const std::string& argument : arguments) {
-    words.push_back(const_cast<char*>(argument.c_str()));
-  }
-  words.push_back(nullptr);
-  posix_spawn_file_actions_t silent{};
-  posix_spawn_file_actions_init(&silent);
-  posix_spawn_file_actions_addopen(&silent, 1, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&silent, 2, "/dev/null", O_WRONLY, 0);
-  pid_t child = 0;
-  ASSERT_EQ(posix_spawn(&child, TORSIO_PROGRAM, &silent, nullptr, words.data(), environ), 0);
-  posix_spawn_file_actions_destroy(&silent);
-  std::this_thread::sleep_for(after);
-  kill(child, SIGKILL);
-  int status = 0;
-  waitpid(child, &status, 0);
-}
-
 TEST_F(RecordSafety, ARestoreThatIsKilledAtAnyInstantLeavesAWholeRecord) {
   makeRecord("record.sqlite", "original");
   makeRecord("b.sqlite", "b");
   ASSERT_EQ(run("db backup --as-system " + file("b.backup") + " --database " + file("b.sqlite")).code, 0);
-  const char* wanted = std::getenv("TORSIO_KILL_INSTANTS");
-  const int kills = wanted == nullptr ? 12 : std::atoi(wanted);
+  const int kills = killInstants(12);
   const auto begin = std::chrono::steady_clock::now();
   ASSERT_EQ(run("db restore --as-system " + file("b.backup") + " --database " + file("timed.sqlite")).code,
             0);
   const auto whole = std::chrono::steady_clock::now() - begin;
 
   for (int i = 0; i < kills; ++i) {
-    runAndKill({"db", "restore", "--as-system", file("b.backup"), "--database", file("record.sqlite")},
-               std::chrono::duration_cast<std::chrono::microseconds>(whole) * (i + 1) / kills);
+    ASSERT_TRUE(
+        runAndKill({"db", "restore", "--as-system", file("b.backup"), "--database", file("record.sqlite")},
+                   std::chrono::duration_cast<std::chrono::microseconds>(whole) * (i + 1) / kills));
     const std::string person = personIn("record.sqlite", OpenMode::kReadWrite);  // as the next start does
     EXPECT_TRUE(person.starts_with("original") || person.starts_with("b")) << person;
   }

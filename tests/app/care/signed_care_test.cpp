@@ -1,18 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whoever takes care of a record from the command line is named, and leaves an entry in its trail.
+#include <array>
+#include <chrono>
+#include <csignal>
 #include <fstream>
+#include <iterator>
 #include <string>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
 
 #include "db/connection/connection.h"
+#include "db/connection/row_reader.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
+#include "tests/app/care/killed_program.h"
 #include "tests/app/cli/program.h"
 #include "tests/db/full_record.h"
 #include "tests/db/test_database.h"
@@ -24,6 +33,7 @@ namespace fs = std::filesystem;
 using test::emptyFolder;
 using test::ProgramRun;
 using test::runTorsio;
+using test::startSilent;
 
 constexpr const char* kPassword = "four walls and a lamp";
 constexpr int kPermission = static_cast<int>(ErrorCode::kPermission);
@@ -130,6 +140,11 @@ TEST_F(SignedCare, ARestoreTakesTwoWhereTheCentreAsksForThem) {
   const ProgramRun both = run("db restore " + file("b.sqlite") + as("office") + with + "second");
   EXPECT_EQ(both.code, 0) << both.err;
   EXPECT_EQ(newestActorOf("database.restore"), "u-second");
+  Connection restored = open();
+  const std::string told =
+      selectAll(restored, "SELECT new_json FROM audit_entry WHERE action = 'database.restore'", {}, readText)
+          .at(0);
+  EXPECT_NE(told.find(R"("asked_by":"u-office","confirmed_by":"u-second")"), std::string::npos) << told;
 }
 
 TEST_F(SignedCare, ADamagedRecordIsRestoredByWhoeverSignsInToTheBackup) {
@@ -159,6 +174,35 @@ TEST_F(SignedCare, TheSystemCaresOnlyForWhatItOwns) {
   EXPECT_EQ(backup.code, kPermission);
   EXPECT_NE(backup.err.find("belongs to another account"), std::string::npos) << backup.err;
   EXPECT_EQ(run("db backup " + file("b.sqlite") + as("office")).code, 0);
+}
+
+TEST_F(SignedCare, ThePasswordOfWhoeverSignsInIsInNoListOfProcesses) {
+  // The program waits at the descriptor for the rest of the password, so that it can be looked at.
+  std::array<int, 2> pipe{};
+  ASSERT_EQ(::pipe(pipe.data()), 0);
+  const std::string half = "half-of-a-secret";
+  ASSERT_EQ(write(pipe[1], half.data(), half.size()), static_cast<ssize_t>(half.size()));
+  const pid_t program = startSilent({"db", "backup", file("b.sqlite"), "--as", "office", "--password-fd",
+                                     std::to_string(pipe[0]), "--database", file("record.sqlite")});
+  ASSERT_GT(program, 0);
+  const std::string shown = "/proc/" + std::to_string(program);
+  int waiting = 1;
+  for (int tries = 0; tries < 1'000 && waiting > 0; ++tries) {  // until it has read what was sent
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ioctl(pipe[0], FIONREAD, &waiting);
+  }
+  std::string told;
+  for (const char* what : {"/cmdline", "/environ"}) {
+    std::ifstream in(shown + what, std::ios::binary);
+    told.append(std::istreambuf_iterator<char>(in), {});
+  }
+  EXPECT_EQ(waiting, 0);
+  EXPECT_NE(told.find("--password-fd"), std::string::npos);
+  EXPECT_EQ(told.find(half), std::string::npos);
+  kill(program, SIGKILL);
+  waitpid(program, nullptr, 0);
+  close(pipe[0]);
+  close(pipe[1]);
 }
 
 TEST_F(SignedCare, APasswordInAnAddressIsRefusedAndNotRepeated) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a report is made from, who may take it out, and what is kept about it.
 #include <algorithm>
+#include <iterator>
+#include <span>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,7 +26,10 @@
 #include "assessment/report/number_format.h"
 #include "assessment/study/cohort.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/people/signature_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/digest_repository.h"
@@ -144,6 +149,8 @@ TEST(CodedTables, TellTheCriteriaTheAnchorsTheRevisionAndTheBuild) {
     anchors += std::max<std::size_t>(1, row.anchors.size());
   }
   EXPECT_EQ(recordsOf(folder / "rubrics.csv").size(), 1 + anchors);
+  EXPECT_EQ(criteria[0].values.back(), "trail_head");
+  EXPECT_TRUE(criteria[1].values.back().starts_with("torsio-head 1 ")) << criteria[1].values.back();
   const std::vector<CsvRecord> german = recordsOf(folder / "german.csv", ';');
   ASSERT_EQ(german.size(), 2U);
   EXPECT_EQ(german[0].values.size(), german[1].values.size());
@@ -163,6 +170,53 @@ TEST(CsvLook, ChangesNumbersAndNothingElse) {
                       {'\t', '.'}),
             "\xEF\xBB\xBF"
             "a\tb\r\n1.5\tc\r\n");
+}
+
+TEST(ReportInputs, EachSignedMarkNamesItsSignerTheMeaningAndTheTime) {
+  SmallStudy study;
+  const RaterId chief = study.centre.addChiefs(1).at(0);
+  Connection& connection = study.centre.connection();
+  const std::vector<Enrolment> enrolments = StudyRepository(connection).enrolments(study.request.cohortId);
+  for (const char* id : {"signed", "unsigned"}) {
+    SubmittedMark mark;
+    mark.id = id;
+    mark.enrolmentId = enrolments.at(id == std::string("signed") ? 0 : 1).id;
+    mark.raterId = chief;
+    mark.occasionCode = "pre";
+    mark.score_steps = 70;
+    mark.submittedUtc_us = testing::kStudyTime_us;
+    RatingRepository(connection, "ward").submit(std::span(&mark, 1));
+  }
+  SignatureRepository(connection)
+      .add({.objectId = "signed",
+            .userId = AccessRepository(connection).users().at(0).id,
+            .personId = chief,
+            .reason = "seen twice",
+            .signedUtc_us = testing::kStudyTime_us,
+            .passwordShownUtc_us = testing::kStudyTime_us});
+
+  const CohortInputs inputs = reportInputs(study.centre.as("statistician"), study.request, study.digests);
+
+  ASSERT_EQ(inputs.signatures.size(), 1U);
+  EXPECT_EQ(inputs.unsignedMarks, 1);
+  const ReportModel report = cohortReport(inputs);
+  std::vector<ReportTable> tables;
+  for (const ReportSection& section : report.sections) {
+    std::copy_if(section.tables.begin(), section.tables.end(), std::back_inserter(tables),
+                 [](const ReportTable& table) { return table.id == "table-mark-signatures"; });
+  }
+  ASSERT_EQ(tables.size(), 1U);
+  ASSERT_EQ(tables[0].rows.size(), 1U);
+  EXPECT_EQ(tables[0].rows[0].at(0), inputs.signatures[0].signer);
+  EXPECT_EQ(tables[0].rows[0].at(2), "before");
+  EXPECT_EQ(tables[0].rows[0].at(4), "I scored this case");
+  EXPECT_EQ(tables[0].rows[0].at(5), formatUtc(testing::kStudyTime_us));
+  EXPECT_EQ(tables[0].rows[0].at(6), "seen twice");
+
+  study.request.identity = ReportIdentity::kNamed;
+  const CohortInputs named = reportInputs(study.centre.as("administrator"), study.request, study.digests);
+  EXPECT_GT(named.signatures.at(0).signer.size(), inputs.signatures[0].signer.size())
+      << "with the printed name: " << named.signatures[0].signer;
 }
 
 TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
