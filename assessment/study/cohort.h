@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "assessment/study/protocol_terms.h"
@@ -25,6 +26,8 @@ struct Cohort {
   std::int64_t createdUtc_us = 0;
   bool demonstration = false;
   CurriculumVersionId curriculumVersionId{};  ///< filled when read; empty: follows none yet
+  /// Planned: smaller differences of scores, in points, do not matter; above 0. Empty: none was planned.
+  std::optional<double> equivalenceMargin{};
 };
 
 /// An arm of the study (paper section 6: 40 min virtual; 20 + 20 min; 40 min real).

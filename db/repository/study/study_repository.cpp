@@ -76,8 +76,9 @@ std::optional<Centre> StudyRepository::centre() const {
 void StudyRepository::addCohort(const Cohort& cohort, std::span<const StudyGroup> groups) {
   Transaction transaction(connection_);
   connection_.execute(
-      insertInto("cohort", "id, name, description, created_utc_us, demonstration"),
-      {cohort.id, cohort.name, cohort.description, cohort.createdUtc_us, cohort.demonstration});
+      insertInto("cohort", "id, name, description, created_utc_us, demonstration, equivalence_margin"),
+      {cohort.id, cohort.name, cohort.description, cohort.createdUtc_us, cohort.demonstration,
+       cohort.equivalenceMargin});
   Statement insert = connection_.prepare(insertInto("training_group", "id, cohort_id, number, code, label"));
   for (const StudyGroup& group : groups) {
     insert.execute({group.id, cohort.id, group.number, group.code, group.label});
@@ -86,13 +87,13 @@ void StudyRepository::addCohort(const Cohort& cohort, std::span<const StudyGroup
 }
 
 std::vector<Cohort> StudyRepository::cohorts() const {
-  return selectAll(
-      connection_,
-      "SELECT id, name, description, created_utc_us, demonstration, curriculum_version_id FROM cohort"
-      " ORDER BY created_utc_us, name",
-      {}, [](RowReader& row) {
-        return Cohort{row.text(), row.text(), row.text(), row.int64(), row.boolean(), row.text()};
-      });
+  return selectAll(connection_,
+                   "SELECT id, name, description, created_utc_us, demonstration, curriculum_version_id,"
+                   " equivalence_margin FROM cohort ORDER BY created_utc_us, name",
+                   {}, [](RowReader& row) {
+                     return Cohort{row.text(),    row.text(), row.text(),     row.int64(),
+                                   row.boolean(), row.text(), row.maybeReal()};
+                   });
 }
 
 Cohort StudyRepository::cohort(const CohortId& cohortId) const {
