@@ -116,6 +116,15 @@ Json panelJson(const RatingGrid& grid) {
   return list;
 }
 
+/// Resamples of so many scores that take about a second for all metrics.
+int resamplesWithin(std::size_t scores) {
+  constexpr double kMostDrawn = 8e7;
+  constexpr double kFewest = 999.0;
+  constexpr double kMost = 9999.0;
+  return static_cast<int>(
+      std::clamp(kMostDrawn / std::max(1.0, static_cast<double>(scores)), kFewest, kMost));
+}
+
 }  // namespace
 
 Json overviewJson(const RatingGrid& grid) {
@@ -170,6 +179,7 @@ Json intraclassJson(const RatingGrid& grid) {
 }
 
 Json krippendorffJson(const RatingGrid& grid, const AgreementOptions& options) {
+  const int resamples = options.resamples.value_or(resamplesWithin(grid.given));
   Json out;
   out["krippendorff"] = byMetric(grid, [&](AlphaMetric metric) {
     return outcomeJson(krippendorffAlpha(grid.ratersByTarget, metric), [&](const KrippendorffResult& result) {
@@ -178,7 +188,7 @@ Json krippendorffJson(const RatingGrid& grid, const AgreementOptions& options) {
                  {"expected", result.expected},
                  {"pairable", result.pairable}};
       entry["bootstrap"] =
-          outcomeJson(krippendorffInterval(grid.ratersByTarget, metric, options.seed, options.resamples),
+          outcomeJson(krippendorffInterval(grid.ratersByTarget, metric, options.seed, resamples),
                       [](const AlphaBootstrap& bootstrap) {
                         Json interval = intervalJson(bootstrap.interval);
                         interval["resamples"] = bootstrap.resamples;

@@ -20,7 +20,7 @@ struct AgreementOptions {
   std::vector<double> categories;       ///< kappa: the full list in order; empty: the scores that occur
   std::string disagreement;             ///< kappa: file with own weights; empty: none
   std::uint64_t seed = 1;               ///< krippendorff
-  int resamples = 9999;                 ///< krippendorff
+  std::optional<int> resamples;         ///< krippendorff; empty: as many as take about a second
   std::optional<std::int64_t> lowest;   ///< rasch: of the scale; empty: the lowest score that occurs
   std::optional<std::int64_t> highest;  ///< rasch
   std::vector<double> raters;           ///< generalizability: numbers to plan with; empty: as in the study

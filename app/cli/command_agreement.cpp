@@ -81,9 +81,10 @@ void addMethodOptions(CLI::App& command, AgreementOptions& options) {
   command.add_option("--disagreement", options.disagreement,
                      "kappa: CSV with the columns first,second,disagreement; weights of your own");
   command.add_option("--seed", options.seed, "krippendorff: of the resamples")->capture_default_str();
-  command.add_option("--resamples", options.resamples, "krippendorff: how many for the interval")
-      ->check(CLI::Range(99, 1'000'000))
-      ->capture_default_str();
+  command
+      .add_option("--resamples", options.resamples,
+                  "krippendorff: how many for the interval; default: 9999, of more than 8000 scores fewer")
+      ->check(CLI::Range(99, 1'000'000));
   command.add_option("--lowest", options.lowest, "rasch: lowest category; default: the lowest score");
   command.add_option("--highest", options.highest, "rasch: highest category; default: the highest score");
   const auto planned = [&](const char* name, std::vector<double>& numbers, const char* what) {

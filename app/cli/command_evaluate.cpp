@@ -158,6 +158,25 @@ class MarkReader {
     return ratings;
   }
 
+  /// Refuses what the policy does not allow by the line of the missing score. A rater who has no line for an
+  /// index is left to the evaluation. `ratings`: as read().
+  void requireScores(const std::vector<EvaluationRating>& ratings, MissingPolicy policy) const {
+    if (policy == MissingPolicy::kRefuse) {
+      for (std::size_t row = 0; row < ratings.size(); ++row) {
+        if (!ratings[row].steps) {
+          table_.refuse(row,
+                        "rater \"" + ratings[row].rater + "\" gave no score for index \"" +
+                            table_.cell(row, "index") + "\" of model \"" + ratings[row].model + "\"",
+                        Text::verbatim("Complete the ratings or choose another --policy for missing ones"));
+        }
+      }
+    } else if (policy == MissingPolicy::kAvailableCase) {
+      requireScoreOfEachClass(ratings);
+    } else if (policy == MissingPolicy::kListWise) {
+      requireWholeRater(ratings);
+    }
+  }
+
   [[nodiscard]] Json indexJson(std::size_t index) const {
     const std::string& text = spelling_[index];
     if (text.empty()) {
@@ -167,6 +186,68 @@ class MarkReader {
   }
 
  private:
+  void requireScoreOfEachClass(const std::vector<EvaluationRating>& ratings) const {
+    // model, class, index -> its first line, as long as none has a score
+    std::map<std::tuple<std::string, std::size_t, std::size_t>, std::optional<std::size_t>> without;
+    for (std::size_t row = 0; row < ratings.size(); ++row) {
+      const EvaluationRating& rating = ratings[row];
+      const auto place =
+          without.emplace(std::tuple{rating.model, rating.raterClass, rating.index}, row).first;
+      if (rating.steps || instrument_.classes[rating.raterClass].weight_milli == 0) {
+        place->second.reset();
+      }
+    }
+    std::optional<std::size_t> first;
+    for (const auto& [of, row] : without) {
+      if (row && (!first || *row < *first)) {
+        first = row;
+      }
+    }
+    if (first) {
+      table_.refuse(*first,
+                    "class " + instrument_.classes[ratings[*first].raterClass].id +
+                        " has no ratings for index \"" + table_.cell(*first, "index") + "\" of model \"" +
+                        ratings[*first].model + "\": each of its scores is missing, this one first",
+                    Text::verbatim("Collect the ratings, or choose --policy renormalise"));
+    }
+  }
+
+  void requireWholeRater(const std::vector<EvaluationRating>& ratings) const {
+    struct Sheet {
+      std::size_t scores = 0;
+      std::optional<std::size_t> firstEmpty;
+    };
+    std::map<std::pair<std::string, std::size_t>, std::map<std::string, Sheet>>
+        classes;  // model, class; rater
+    for (std::size_t row = 0; row < ratings.size(); ++row) {
+      const EvaluationRating& rating = ratings[row];
+      Sheet& sheet = classes[{rating.model, rating.raterClass}][rating.rater];
+      sheet.scores += rating.steps ? 1 : 0;
+      if (!rating.steps && !sheet.firstEmpty) {
+        sheet.firstEmpty = row;
+      }
+    }
+    for (const auto& [of, raters] : classes) {
+      const auto& [model, raterClass] = of;
+      std::optional<std::size_t> first;
+      for (const auto& [rater, sheet] : raters) {
+        if (sheet.scores == instrument_.indices.size()) {
+          first.reset();
+          break;
+        }
+        if (sheet.firstEmpty && (!first || *sheet.firstEmpty < *first)) {
+          first = sheet.firstEmpty;
+        }
+      }
+      if (first && instrument_.classes[raterClass].weight_milli > 0) {
+        table_.refuse(*first,
+                      "class " + instrument_.classes[raterClass].id +
+                          " has no rater with every score of model \"" + model + "\"; here one is missing",
+                      Text::verbatim("Collect the ratings, or choose another --policy"));
+      }
+    }
+  }
+
   EvaluationRating readRow(std::size_t row) {
     EvaluationRating rating;
     rating.model = table_.text(row, "model");
@@ -295,6 +376,7 @@ void runEvaluate(const EvaluateArguments& arguments) {
   const std::vector<EvaluationRating> ratings = reader.read();
   EvaluationPolicy policy;
   policy.missing = policyOf(arguments.policy);
+  reader.requireScores(ratings, policy.missing);
   Json out;
   out["models"] = Json::array();
   try {

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/base/csv_table.h"
+#include "app/base/name_places.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
 #include "assessment/statistics/curve_fit.h"
@@ -52,15 +53,15 @@ struct Attempts {
 
 std::vector<Attempts> readAttempts(const CsvTable& table) {
   std::vector<Attempts> list;
+  NamePlaces subjects;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const std::string& name = table.text(row, "subject");
     const std::int64_t attempt = table.whole(row, "attempt", 1, kMostAttempts);
-    auto found =
-        std::find_if(list.begin(), list.end(), [&](const Attempts& other) { return other.subject == name; });
-    if (found == list.end()) {
-      found = list.insert(list.end(), Attempts{name, {}});
+    const std::size_t place = subjects(name);
+    if (place == list.size()) {
+      list.push_back({name, {}});
     }
-    const auto [first, isNew] = found->rowOf.emplace(attempt, row);
+    const auto [first, isNew] = list[place].rowOf.emplace(attempt, row);
     if (!isNew) {
       table.refuse(row,
                    "attempt " + std::to_string(attempt) + " of subject \"" + name +
@@ -110,18 +111,19 @@ Json curveJson(LearningFamily family, const std::vector<double>& t, const std::v
     out["sigma"] = curve.fit.sigma;
     out["aicc"] = curve.fit.aicc;
     out["band"] = Json::array();
-    for (const double attempt : t) {
-      const Interval band = learningBandAt(curve, attempt);
-      out["band"].push_back({{"attempt", static_cast<std::int64_t>(attempt)},
-                             {"value", learningCurveAt(curve, attempt)},
-                             {"lower", band.lower},
-                             {"upper", band.upper}});
+    const std::vector<Interval> band = learningBand(curve, t);
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      out["band"].push_back({{"attempt", static_cast<std::int64_t>(t[i])},
+                             {"value", learningCurveAt(curve, t[i])},
+                             {"lower", band[i].lower},
+                             {"upper", band[i].upper}});
     }
     return out;
   });
 }
 
-Json tabularJson(const LearningArguments& arguments, const std::vector<double>& y) {
+/// `runLength`: the same for everybody.
+Json tabularJson(const LearningArguments& arguments, const std::vector<double>& y, const Json& runLength) {
   if (const std::optional<Text> reason =
           beyondArithmetic(y, std::array{*arguments.target, *arguments.sigma, arguments.h})) {
     return undefinedJson(reason->str());
@@ -134,8 +136,7 @@ Json tabularJson(const LearningArguments& arguments, const std::vector<double>& 
     out["lower"].push_back(point.lower);
   }
   out["first_signal"] = cusum.firstSignal ? Json(*cusum.firstSignal) : undefinedJson("there is no signal");
-  out["average_run_length"] = numberJson(averageRunLengthTwoSided(kUsualReference, arguments.h, 0.0),
-                                         "it is longer than 1e12 values");
+  out["average_run_length"] = runLength;
   return out;
 }
 
@@ -150,6 +151,10 @@ Json proficiencyJson(const LearningArguments& arguments, const std::vector<doubl
 Json valuesJson(const LearningArguments& arguments, const CsvTable& table,
                 const std::vector<Attempts>& subjects) {
   Json list = Json::array();
+  const Json runLength = arguments.target
+                             ? numberJson(averageRunLengthTwoSided(kUsualReference, arguments.h, 0.0),
+                                          "it is longer than 1e12 values")
+                             : Json();
   for (const Attempts& subject : subjects) {
     std::vector<double> t;
     std::vector<double> y;
@@ -173,7 +178,7 @@ Json valuesJson(const LearningArguments& arguments, const CsvTable& table,
                   {"r_squared", line.rSquared}};
     });
     if (arguments.target) {
-      entry["cusum"] = tabularJson(arguments, y);
+      entry["cusum"] = tabularJson(arguments, y, runLength);
     }
     if (arguments.threshold) {
       entry["proficient_at"] = proficiencyJson(arguments, t, y);

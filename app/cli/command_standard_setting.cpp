@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,7 +10,7 @@
 #include "app/base/csv_table.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
-#include "app/cli/rating_grid.h"
+#include "app/study/standard_tables.h"
 #include "assessment/statistics/standard_setting.h"
 #include "sim/base/error.h"
 
@@ -30,40 +28,10 @@ struct StandardArguments {
   std::optional<double> borderline;
 };
 
-/// Refuses a second row with the same name; one name is one person.
-class NamesOnce {
- public:
-  NamesOnce(const CsvTable& table, const std::string& column) : table_(table), column_(column) {}
-
-  void take(std::size_t row) {
-    const auto [first, isNew] = rowOf_.emplace(table_.text(row, column_), row);
-    if (!isNew) {
-      table_.refuse(
-          row,
-          column_ + " \"" + first->first + "\" stands a second time, first in " + table_.where(first->second),
-          "Keep one row for each " + column_);
-    }
-  }
-
- private:
-  const CsvTable& table_;
-  std::string column_;
-  std::map<std::string, std::size_t> rowOf_;
-};
-
 Json contrastingGroupsJson(const CsvTable& table) {
-  std::vector<double> novices;
-  std::vector<double> masters;
-  NamesOnce subjects(table, "subject");
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    subjects.take(row);
-    const std::string& group = table.text(row, "group");
-    if (group != "novice" && group != "master") {
-      table.refuse(row, "\"" + group + "\" is no group of this method",
-                   Text::verbatim("Write novice or master"));
-    }
-    (group == "novice" ? novices : masters).push_back(table.number(row, "score"));
-  }
+  const ContrastedScores groups = readContrastedScores(table);
+  const std::vector<double>& novices = groups.novices;
+  const std::vector<double>& masters = groups.masters;
   return outcomeJson(contrastingGroups(novices, masters), [&](const ContrastingGroups& result) {
     Json out{{"cut", result.cutNormal}};
     out["false_pass"] = result.falsePass;
@@ -85,76 +53,36 @@ Json contrastingGroupsJson(const CsvTable& table) {
 }
 
 Json angoffJson(const CsvTable& table) {
-  std::vector<std::string> judges;
-  std::vector<std::string> items;
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> rowOf;  // judge, item
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const std::size_t judge = positionOf(judges, table.text(row, "judge"));
-    const std::size_t item = positionOf(items, table.text(row, "item"));
-    const auto [first, isNew] = rowOf.emplace(std::pair{judge, item}, row);
-    if (!isNew) {
-      table.refuse(row,
-                   "judge \"" + judges[judge] + "\" judges item \"" + items[item] +
-                       "\" a second time, first in " + table.where(first->second),
-                   Text::verbatim("Keep one percentage for each judge and item"));
-    }
-  }
-  NumberTable percent(judges.size(), items.size());
-  for (std::size_t judge = 0; judge < judges.size(); ++judge) {
-    for (std::size_t item = 0; item < items.size(); ++item) {
-      const auto found = rowOf.find({judge, item});
-      if (found == rowOf.end()) {
-        throw Error(ErrorCode::kBadData,
-                    "judge \"" + judges[judge] + "\" has no percentage for item \"" + items[item] + "\"",
-                    table.name(), Text::verbatim("Every judge judges every item"));
-      }
-      const double value = table.number(found->second, "percent");
-      if (value < 0.0 || value > 100.0) {
-        table.refuse(found->second,
-                     "the percentage " + table.cell(found->second, "percent") + " lies outside 0 to 100",
-                     Text::verbatim("Give the chance of a borderline trainee in percent"));
-      }
-      percent.at(judge, item) = value;
-    }
-  }
-  return outcomeJson(angoff(percent), [&](const Angoff& result) {
-    Json out{{"cut", result.cut}, {"items", items.size()}, {"percent", result.percent}};
+  const JudgedItems judged = readJudgedItems(table);
+  return outcomeJson(angoff(judged.percent), [&](const Angoff& result) {
+    Json out{{"cut", result.cut}, {"items", judged.items.size()}, {"percent", result.percent}};
     const std::string alone = "there is only one judge";
     out["sd"] = numberJson(result.deviation, alone);
     out["error"] = numberJson(result.error, alone);
     out["judges"] = Json::array();
-    for (std::size_t judge = 0; judge < judges.size(); ++judge) {
-      out["judges"].push_back({{"judge", judges[judge]}, {"cut", result.judgeTotals[judge]}});
+    for (std::size_t judge = 0; judge < judged.judges.size(); ++judge) {
+      out["judges"].push_back({{"judge", judged.judges[judge]}, {"cut", result.judgeTotals[judge]}});
     }
     return out;
   });
 }
 
 Json borderlineJson(const CsvTable& table, double borderline) {
-  std::vector<double> ratings;
-  std::vector<double> scores;
-  NamesOnce subjects(table, "subject");
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    subjects.take(row);
-    ratings.push_back(table.number(row, "global"));
-    scores.push_back(table.number(row, "score"));
-  }
-  return outcomeJson(
-      borderlineRegression(ratings, scores, borderline), [&](const BorderlineRegression& result) {
-        return Json{
-            {"cut", result.cut},        {"error", result.error},         {"borderline", borderline},
-            {"slope", result.slope},    {"intercept", result.intercept}, {"r_squared", result.rSquared},
-            {"subjects", scores.size()}};
-      });
+  const RatedScores rated = readRatedScores(table);
+  return outcomeJson(borderlineRegression(rated.ratings, rated.scores, borderline),
+                     [&](const BorderlineRegression& result) {
+                       return Json{{"cut", result.cut},
+                                   {"error", result.error},
+                                   {"borderline", borderline},
+                                   {"slope", result.slope},
+                                   {"intercept", result.intercept},
+                                   {"r_squared", result.rSquared},
+                                   {"subjects", rated.scores.size()}};
+                     });
 }
 
 Json proficiencyJson(const CsvTable& table, const ProficiencyOptions& options) {
-  std::vector<double> values;
-  NamesOnce experts(table, "expert");
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    experts.take(row);
-    values.push_back(table.number(row, "value"));
-  }
+  const std::vector<double> values = readExpertValues(table);
   return outcomeJson(proficiencyThreshold(values, options), [&](const ProficiencyThreshold& result) {
     return Json{{"mean", result.mean},
                 {"one_sd", result.oneDeviation},

@@ -177,8 +177,9 @@ class Comparison {
   std::vector<double> residuals() const {
     std::vector<double> out;
     for (const std::vector<double>& group : groups_) {
+      const double mean = group.empty() ? 0.0 : meanOf(group);
       for (const double score : group) {
-        out.push_back(score - meanOf(group));
+        out.push_back(score - mean);
       }
     }
     return out;

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests of the same subjects at several occasions, and bootstrap intervals: compare-groups --paired,
 // --bootstrap.
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -151,17 +156,64 @@ Json correlationJson(const PairedScores& pairs) {
 
 constexpr double kMostResamples = 1e6;
 
+/// Median of values of which each may be drawn several times. The values are put in order once, so that a
+/// resample need only be counted.
+class DrawnMedian {
+ public:
+  explicit DrawnMedian(const std::vector<double>& values)
+      : ordered_(values), place_(values.size()), drawn_(values.size()) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      ordered_[i] = values[order[i]];
+      place_[order[i]] = i;
+    }
+  }
+
+  double operator()(std::span<const std::size_t> rows) {
+    std::fill(drawn_.begin(), drawn_.end(), std::size_t{0});
+    for (const std::size_t row : rows) {
+      ++drawn_[place_[row]];
+    }
+    std::size_t at = 0;
+    std::size_t before = drawn_.front();  // drawn up to `at`
+    const auto valueOf = [&](std::size_t rank) {
+      while (before <= rank) {
+        before += drawn_[++at];
+      }
+      return ordered_[at];
+    };
+    const std::size_t half = rows.size() / 2;
+    if (rows.size() % 2 == 1) {
+      return valueOf(half);
+    }
+    const double lower = valueOf(half - 1);
+    return 0.5 * (lower + valueOf(half));
+  }
+
+ private:
+  std::vector<double> ordered_;
+  std::vector<std::size_t> place_;
+  std::vector<std::size_t> drawn_;
+};
+
 Json bootstrapOf(const std::vector<double>& values, const BootstrapRequest& request) {
   const double n = static_cast<double>(values.size());
   if (request.everyResample && std::pow(n, n) > kMostResamples) {
     return undefinedJson("more than seven subjects have more than a million resamples");
   }
+  DrawnMedian median(values);
   const ResampledStatistic statistic = [&](std::span<const std::size_t> rows) {
+    if (request.median) {
+      return median(rows);
+    }
     std::vector<double> drawn;
     for (const std::size_t row : rows) {
       drawn.push_back(values[row]);
     }
-    return request.median ? medianOf(drawn) : meanOf(drawn);
+    return meanOf(drawn);
   };
   const BootstrapOptions options{request.seed, request.resamples, request.everyResample, kUsualConfidence};
   return outcomeJson(bootstrap(values.size(), statistic, options), [](const Bootstrap& result) {

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "app/base/name_places.h"
+
 namespace torsio::cli {
 
 namespace {
@@ -28,27 +30,22 @@ Outcome<std::vector<NumberTable>> incomplete(std::size_t missing, std::size_t wa
 
 }  // namespace
 
-std::size_t positionOf(std::vector<std::string>& names, const std::string& name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found != names.end()) {
-    return static_cast<std::size_t>(found - names.begin());
-  }
-  names.push_back(name);
-  return names.size() - 1;
-}
-
 RatingGrid readRatingGrid(const CsvTable& table) {
   RatingGrid grid;
+  NamePlaces targets;
+  NamePlaces raters;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> rowOf;  // rater, target
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const std::string& target = table.text(row, "target");
     const std::string& rater = table.text(row, "rater");
-    const std::pair key{positionOf(grid.raters, rater), positionOf(grid.targets, target)};
+    const std::pair key{raters(rater), targets(target)};
     const auto [first, isNew] = rowOf.emplace(key, row);
     if (!isNew) {
       refuseSecondScore(table, row, first->second, "");
     }
   }
+  grid.targets = targets.names();
+  grid.raters = raters.names();
   grid.ratersByTarget.assign(grid.raters.size(),
                              std::vector<std::optional<double>>(grid.targets.size(), std::nullopt));
   for (const auto& [key, row] : rowOf) {
@@ -100,24 +97,27 @@ SharedScores sharedScores(const RatingGrid& grid, std::size_t first, std::size_t
 
 FacetTables readFacetTables(const CsvTable& table, const std::string& levelColumn, bool crossed) {
   FacetTables out;
-  std::vector<std::string> targets;
-  std::vector<std::vector<std::string>> raters;  // by level; crossed: one list
+  NamePlaces levels;
+  NamePlaces targets;
+  std::vector<NamePlaces> raters;  // by level; crossed: one list
   std::map<std::tuple<std::size_t, std::size_t, std::size_t>, std::size_t> rowOf;  // level, target, rater
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const std::size_t level = positionOf(out.levels, table.text(row, levelColumn));
+    const std::size_t level = levels(table.text(row, levelColumn));
     const std::size_t list = crossed ? 0 : level;
     raters.resize(std::max(raters.size(), list + 1));
-    const std::size_t target = positionOf(targets, table.text(row, "target"));
-    const std::size_t rater = positionOf(raters[list], table.text(row, "rater"));
+    const std::size_t target = targets(table.text(row, "target"));
+    const std::size_t rater = raters[list](table.text(row, "rater"));
     const auto [first, isNew] = rowOf.emplace(std::tuple{level, target, rater}, row);
     if (!isNew) {
-      refuseSecondScore(table, row, first->second, " at " + levelColumn + " \"" + out.levels[level] + "\"");
+      refuseSecondScore(table, row, first->second,
+                        " at " + levelColumn + " \"" + levels.names()[level] + "\"");
     }
   }
-  out.targets = targets.size();
-  out.raters = raters.front().size();
+  out.levels = levels.names();
+  out.targets = targets.names().size();
+  out.raters = raters.front().names().size();
   if (std::any_of(raters.begin(), raters.end(),
-                  [&](const auto& list) { return list.size() != out.raters; })) {
+                  [&](const NamePlaces& list) { return list.names().size() != out.raters; })) {
     out.tables =
         Outcome<std::vector<NumberTable>>::undefined(Text::tr("the tasks have different numbers of raters"));
     return out;

@@ -11,9 +11,6 @@
 
 namespace torsio::cli {
 
-/// Returns the place of a name among `names`, to which it is added when it is new.
-[[nodiscard]] std::size_t positionOf(std::vector<std::string>& names, const std::string& name);
-
 /// Who was rated by whom, in the order in which the file names them.
 struct RatingGrid {
   std::vector<std::string> targets;

@@ -316,8 +316,13 @@ DemonstrationStudy storeDemonstrationPeople(Connection& connection, IdSource& id
     groups.push_back({ids.newUuid(), study.cohortId, number, "G" + std::to_string(number), label});
     study.groupLabels.emplace_back(label);
   }
-  studies.addCohort({study.cohortId, "Twist training, three arms (demonstration)",
-                     "Simulated trainees after section 6 of the paper", utc_us, true},
+  constexpr double kMargin = 0.5;  // points
+  studies.addCohort({.id = study.cohortId,
+                     .name = "Twist training, three arms (demonstration)",
+                     .description = "Simulated trainees after section 6 of the paper",
+                     .createdUtc_us = utc_us,
+                     .demonstration = true,
+                     .equivalenceMargin = kMargin},
                     groups);
   allocateTrainees(connection, ids, trainees, groups, seed, utc_us, study);
   study.people.groups.resize(groups.size());

@@ -4,7 +4,6 @@
 #include <system_error>
 
 #include <QStorageInfo>
-
 #include <nlohmann/json.hpp>
 
 #include "app/access/session_context.h"

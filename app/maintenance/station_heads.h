@@ -17,11 +17,11 @@ class SessionContext;
 /// What somebody at this station should know about its heads.
 struct StationHeads {
   StationAnchor anchor{};
-  std::string publicKey{};      ///< empty: no key, or none that can be used
-  Text trouble{};               ///< why key or witness cannot be used; "": they can, as far as they are set
-  std::int64_t kept = 0;        ///< lines of the witness file
-  bool witnessOnDisk = false;   ///< of the record: whoever takes the disk has both
-  bool keyBesideRecord = false; ///< in its folder
+  std::string publicKey{};       ///< empty: no key, or none that can be used
+  Text trouble{};                ///< why key or witness cannot be used; "": they can, as far as they are set
+  std::int64_t kept = 0;         ///< lines of the witness file
+  bool witnessOnDisk = false;    ///< of the record: whoever takes the disk has both
+  bool keyBesideRecord = false;  ///< in its folder
 };
 
 /// Needs the right to see the audit trail.
@@ -29,8 +29,8 @@ struct StationHeads {
 /// The head now as one line, signed where this station has a key. Writes nothing. Needs the right to see the
 /// audit trail. Throws Error, DbError.
 [[nodiscard]] std::string headNow(SessionContext& session);
-/// Adds the head now to the witness file of this station. Needs the right to see the audit trail. Throws Error
-/// (kUsage: no witness file is set), DbError.
+/// Adds the head now to the witness file of this station. Needs the right to see the audit trail. Throws
+/// Error (kUsage: no witness file is set), DbError.
 void keepHeadNow(SessionContext& session);
 
 /// From now on this station keeps heads in `file`, a first one at once; empty: nowhere. Needs the right to

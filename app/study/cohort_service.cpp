@@ -51,6 +51,11 @@ void checkNewCohort(const NewCohort& cohort) {
     bad(Text::tr("the cohort has no groups"),
         Text::tr("Name its groups, or choose a curriculum whose arms they follow"));
   }
+  if (cohort.equivalenceMargin &&
+      !(*cohort.equivalenceMargin > 0.0 && *cohort.equivalenceMargin <= kLargestMargin)) {
+    bad(Text::tr("a margin of equivalence lies above 0 and is at most %1 points", kLargestMargin),
+        Text::tr("Enter the largest difference that does not matter, or none"));
+  }
   std::set<std::string> codes;
   for (const NewGroup& group : cohort.groups) {
     if (group.code.empty()) {
@@ -180,10 +185,19 @@ CohortId addCohort(SessionContext& session, const NewCohort& cohort) {
     groups.push_back(
         {session.ids().newUuid(), id, static_cast<std::int64_t>(groups.size() + 1), group.code, group.label});
   }
-  study.addCohort({id, cohort.name, cohort.description, session.now_us(), cohort.demonstration}, groups);
+  study.addCohort({.id = id,
+                   .name = cohort.name,
+                   .description = cohort.description,
+                   .createdUtc_us = session.now_us(),
+                   .demonstration = cohort.demonstration,
+                   .equivalenceMargin = cohort.equivalenceMargin},
+                  groups);
   nlohmann::json now{{"groups", nlohmann::json::array()}, {"curriculum_version", cohort.curriculumVersionId}};
   for (const StudyGroup& group : groups) {
     now["groups"].push_back(group.code);
+  }
+  if (cohort.equivalenceMargin) {
+    now["equivalence_margin"] = *cohort.equivalenceMargin;
   }
   if (!cohort.curriculumVersionId.empty()) {
     curricula.assign(id, cohort.curriculumVersionId);

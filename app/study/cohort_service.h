@@ -34,15 +34,20 @@ struct NewGroup {
   std::string code{};   ///< "G1"
   std::string label{};  ///< "40 min virtual"
 };
+inline constexpr int kLargestMargin = 100;  // points
 struct NewCohort {
   std::string name{};
   std::string description{};
   std::vector<NewGroup> groups{};             ///< empty: taken from the arms of the curriculum
   CurriculumVersionId curriculumVersionId{};  ///< may be empty: assignCurriculum() later
   bool demonstration = false;
+  /// Smaller differences of scores do not matter, points; part of the plan, so that it never changes. Empty:
+  /// equivalence is not tested.
+  std::optional<double> equivalenceMargin{};
 };
 /// Returns the id. Audited. kStudySetup. Throws Error{kBadParameter}: no name or that of another cohort, no
-/// groups, a code twice; kBadData when the curriculum is not running or has not an arm a group.
+/// groups, a code twice, a margin that is not above 0 and at most kLargestMargin; kBadData when the
+/// curriculum is not running or has not an arm a group.
 CohortId addCohort(SessionContext& session, const NewCohort& cohort);
 /// Ties the groups, number by number, to the arms of a running version. Audited. kStudySetup. Refused once
 /// training has begun.

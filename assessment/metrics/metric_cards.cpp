@@ -34,6 +34,10 @@ constexpr std::array kCards = std::to_array<MetricCard>({
     {"twist.ldlj", "Smoothness (LDLJ)", "Jerkiness of the turning; compare only values with the same filter.",
      "-ln(T^3 / peak^2 x integral of jerk^2) of the signed angular speed, filtered at 10 Hz", "1", kHolding,
      kHigher},
+    {"twist.ldlj_unsigned", "Smoothness (LDLJ, unsigned)",
+     "The same of the speed without its direction, which has a kink at each turning back; to compare with "
+     "programs that take that.",
+     "-ln(T^3 / peak^2 x integral of jerk^2) of |angular speed|, filtered at 10 Hz", "1", kHolding, kHigher},
     {"twist.peaks", "Sub-movements", "Number of separate pushes in the turning.",
      "peaks of angular speed, prominence 5 % of the maximum, 0.1 s apart", "count", kHolding, kLower},
     {"twist.overshoot", "Overshoot", "How far the turn went beyond the target.",

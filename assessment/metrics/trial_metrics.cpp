@@ -216,6 +216,7 @@ class Measurer {
     for (double& value : speed) {
       value = std::abs(value);
     }
+    set("twist.ldlj_unsigned", logDimensionlessJerk(speed, kRate_Hz));
     set("twist.sparc", spectralArcLength(speed, kRate_Hz));
     set("twist.peaks", static_cast<double>(speedPeaks(speed, kRate_Hz).size()));
     const double target_rad = s_.target.empty() ? targets_.target_rad : s_.target[held_.second - 1];

@@ -8,8 +8,8 @@
 namespace torsio {
 
 /// The one deadline that a rater is told for every recorded case, UTC in microseconds: the latest of theirs.
-/// Deadlines of their own would sort the cases by occasion, and one that moved with each submitted sheet would
-/// tell the occasion of what is left.
+/// Deadlines of their own would sort the cases by occasion, and one that moved with each submitted sheet
+/// would tell the occasion of what is left.
 class BlindedDue {
  public:
   /// Takes in the deadline of a recorded case, submitted or not; empty where it has none.

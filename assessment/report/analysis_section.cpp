@@ -156,6 +156,7 @@ ReportSection analysisSection(const CohortInputs& in, const StudyAnalysis& study
   }
   addTable(agreementTable(in, study));
   addTable(agreementWithinTable(in, study));
+  addTable(kappaTable(in, study));
   if (study.occasions.size() >= 2) {
     for (ReportFigure& figure : differenceFigures(in, study)) {
       section.figures.push_back(std::move(figure));
@@ -169,6 +170,12 @@ ReportSection analysisSection(const CohortInputs& in, const StudyAnalysis& study
     addTable(covarianceTable(in, study));
     addTable(slopesTable(in, study));
     addTable(boundsTable(in, study));
+    addTable(equivalenceTable(in, study));
+    if (!in.equivalenceMargin) {
+      section.paragraphs.push_back(Text::tr(
+          "No margin was planned within which a difference would not matter. Nothing here shows that "
+          "groups are equal, however far a difference is from significant."));
+    }
     addTable(courseTable(in, study));
     addTable(gainTable(in, study));
   } else {

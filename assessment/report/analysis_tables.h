@@ -18,6 +18,8 @@ namespace torsio {
 [[nodiscard]] ReportTable agreementTable(const CohortInputs& inputs, const StudyAnalysis& study);
 /// Returns agreement within each group: what is left when differences between the groups do not count.
 [[nodiscard]] ReportTable agreementWithinTable(const CohortInputs& inputs, const StudyAnalysis& study);
+/// Returns agreement of the pairs of raters where marks are taken in whole points.
+[[nodiscard]] ReportTable kappaTable(const CohortInputs& inputs, const StudyAnalysis& study);
 [[nodiscard]] std::optional<ReportFigure> agreementFigure(const CohortInputs& inputs,
                                                           const StudyAnalysis& study);
 
@@ -26,6 +28,10 @@ namespace torsio {
 [[nodiscard]] ReportTable covarianceTable(const CohortInputs& inputs, const StudyAnalysis& study);
 /// Returns what the differences are when each group has a slope of its own; empty where slopes do not differ.
 [[nodiscard]] std::optional<ReportTable> slopesTable(const CohortInputs& inputs, const StudyAnalysis& study);
+/// Returns whether the differences of the primary comparison lie within the margin of the plan; empty where
+/// none was planned.
+[[nodiscard]] std::optional<ReportTable> equivalenceTable(const CohortInputs& inputs,
+                                                          const StudyAnalysis& study);
 /// Returns adjusted and standardised differences with intervals; none when they are not defined.
 [[nodiscard]] std::vector<ReportFigure> differenceFigures(const CohortInputs& inputs,
                                                           const StudyAnalysis& study);

@@ -178,6 +178,8 @@ struct CohortInputs {
   ReportIdentity identity = ReportIdentity::kCoded;
   std::optional<CohortFreeze> freeze;  ///< empty: the data as they are now
   std::int64_t notAllocated = 0;       ///< enrolled, but in no group
+  /// Planned: smaller differences, in points, do not matter; above 0. Empty: none was planned.
+  std::optional<double> equivalenceMargin;
 
   std::vector<CohortGroup> groups;
   std::vector<CohortTrainee> trainees;

@@ -7,6 +7,7 @@
 
 #include "assessment/statistics/distributions.h"
 #include "assessment/statistics/quantiles.h"
+#include "assessment/statistics/ratio_differences.h"
 #include "sim/base/error.h"
 #include "sim/base/random.h"
 
@@ -47,13 +48,6 @@ PairableRatings pairableRatings(const IncompleteRatings& ratings) {
     }
   }
   return out;
-}
-
-/// Squared relative difference of two values.
-double ratioDifference2(double a, double b) {
-  const double sum = a + b;
-  const double ratio = sum == 0.0 ? 0.0 : (a - b) / sum;
-  return ratio * ratio;
 }
 
 /// Where the values stand on a line on which their squared difference is the square of their distance: the
@@ -106,12 +100,7 @@ double betweenAll(AlphaMetric metric, const std::vector<double>& places, const s
       }
       return sum;
     case AlphaMetric::kRatio:
-      for (std::size_t c = 0; c < places.size(); ++c) {
-        for (std::size_t k = 0; k < c && counts[c] > 0.0; ++k) {
-          sum += 2.0 * counts[c] * counts[k] * ratioDifference2(places[c], places[k]);
-        }
-      }
-      return sum;
+      return sumOfRatioDifferences2(places, counts);
     case AlphaMetric::kOrdinal:
     case AlphaMetric::kInterval:
       break;

@@ -22,7 +22,7 @@ using IncompleteRatings = std::vector<std::vector<std::optional<double>>>;  ///<
 
 /// Computes Krippendorff's alpha for any pattern of missing ratings. Undefined when fewer than two values
 /// can be paired, all are the same (agreement without variation is not perfect reliability) or their squares
-/// overflow. Time: n log n of n ratings; under kRatio the square of the number of distinct values.
+/// overflow. Time: n log n of n ratings.
 [[nodiscard]] Outcome<KrippendorffResult> krippendorffAlpha(const IncompleteRatings& codersByUnit,
                                                             AlphaMetric metric);
 

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -57,6 +60,29 @@ Eigen::VectorXd dampedStep(const State& state, double lambda) {
     stacked(n + j, j) = std::sqrt(lambda) * std::max(1e-300, state.jacobian.col(j).norm());
   }
   return stacked.colPivHouseholderQr().solve(right);
+}
+
+/// Gauss-Newton steps as long as they shrink: near the minimum the squares no longer tell parameters apart
+/// whose differences their derivatives still show.
+void polish(const Curve& curve, std::span<const double> x, std::span<const double> y, State& state,
+            Eigen::VectorXd& b) {
+  constexpr int kMostSteps = 50;
+  constexpr double kShrinks = 0.9;
+  constexpr double kRounding = 1e-9;  // of the squares
+  double before = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMostSteps; ++i) {
+    const Eigen::VectorXd step = dampedStep(state, 0.0);
+    if (!step.allFinite() || !(step.norm() < kShrinks * before)) {
+      return;
+    }
+    const std::optional<State> next = evaluate(curve, x, y, b + step);
+    if (!next || next->rss > (1.0 + kRounding) * state.rss) {
+      return;
+    }
+    before = step.norm();
+    b += step;
+    state = *next;
+  }
 }
 
 void finish(const State& state, const Eigen::VectorXd& b, CurveFit& out) {
@@ -115,6 +141,7 @@ Outcome<CurveFit> fitCurve(const Curve& curve, std::span<const double> x, std::s
       if (!(state->rss > 0.0)) {
         return Outcome<CurveFit>::undefined(Text::tr("the curve passes through every point"));
       }
+      polish(curve, x, y, *state, b);
       CurveFit out;
       out.iterations = iteration;
       finish(*state, b, out);
@@ -151,37 +178,112 @@ Curve familyCurve(LearningFamily family, bool withAsymptote) {
   };
 }
 
-/// The best of several starts: for a given rate the other parameters are a straight line.
+/// For a given rate the other parameters are a straight line: the start, and the squares that it leaves.
+struct Start {
+  std::vector<double> parameters;
+  double rss = 0.0;
+};
+
+Start startAt(LearningFamily family, std::span<const double> t, std::span<const double> y, bool asymptote,
+              double rate) {
+  double forms = 0.0;
+  double values = 0.0;
+  double squares = 0.0;
+  double products = 0.0;
+  std::vector<double> form;
+  form.reserve(t.size());
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    form.push_back(shape(family, rate, t[i]));
+    forms += form[i];
+    values += y[i];
+  }
+  const double n = static_cast<double>(t.size());
+  const double meanForm = asymptote ? forms / n : 0.0;
+  const double meanY = asymptote ? values / n : 0.0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    squares += (form[i] - meanForm) * (form[i] - meanForm);
+    products += (form[i] - meanForm) * (y[i] - meanY);
+  }
+  const double slope = products / std::max(1e-300, squares);
+  Start out;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const double rest = y[i] - meanY - slope * (form[i] - meanForm);
+    out.rss += rest * rest;
+  }
+  out.parameters = asymptote ? std::vector<double>{meanY - slope * meanForm, slope, rate}
+                             : std::vector<double>{slope, rate};
+  return out;
+}
+
+/// Squares that a curve leaves at infinite rate: the first point stands by itself.
+double restAtFastest(std::span<const double> t, std::span<const double> y, bool asymptote) {
+  const auto first = std::min_element(t.begin(), t.end()) - t.begin();
+  std::vector<double> others;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    if (static_cast<std::ptrdiff_t>(i) != first) {
+      others.push_back(y[i]);
+    }
+  }
+  return asymptote ? sumOfSquares(others)
+                   : std::inner_product(others.begin(), others.end(), others.begin(), 0.0);
+}
+
+/// Squares that a curve with an asymptote leaves as its rate goes to zero: a straight line of t, or for the
+/// power law of its logarithm.
+double restAtSlowest(LearningFamily family, std::span<const double> t, std::span<const double> y) {
+  std::vector<double> x;
+  for (const double at : t) {
+    x.push_back(family == LearningFamily::kExponential ? at : std::log(at));
+  }
+  const double meanX = meanOf(x);
+  const double meanY = meanOf(y);
+  double product = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    product += (x[i] - meanX) * (y[i] - meanY);
+  }
+  const double slope = product / std::max(1e-300, sumOfSquares(x));
+  double rest = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double d = y[i] - meanY - slope * (x[i] - meanX);
+    rest += d * d;
+  }
+  return rest;
+}
+
+/// Starts from the best rate of a grid, which lies in the lowest valley. Where the squares fall towards the
+/// slow end of the rates and beyond it, a straight line is better than any curve.
 Outcome<CurveFit> bestFit(LearningFamily family, std::span<const double> t, std::span<const double> y,
                           bool asymptote) {
-  std::optional<CurveFit> best;
-  Text reason = Text::tr("no start converges");
-  for (const double rate : {0.05, 0.2, 0.5, 1.0, 2.0}) {
-    std::vector<double> form;
-    for (const double at : t) {
-      form.push_back(shape(family, rate, at));
-    }
-    const double meanForm = meanOf(form);
-    const double meanY = meanOf(y);
-    double product = 0.0;
-    for (std::size_t i = 0; i < form.size(); ++i) {
-      product += (form[i] - meanForm) * (y[i] - meanY);
-    }
-    const double slope = product / std::max(1e-300, sumOfSquares(form));
-    const std::vector<double> start = asymptote ? std::vector<double>{meanY - slope * meanForm, slope, rate}
-                                                : std::vector<double>{meanY / meanForm, rate};
-    const Outcome<CurveFit> fit = fitCurve(familyCurve(family, asymptote), t, y, start);
-    if (!fit) {
-      reason = fit.reason();
-    }
-    if (fit && (!best || fit->rss < best->rss)) {
-      best = *fit;
+  constexpr double kFastest = 8.0;
+  constexpr double kStep = 1.4;
+  constexpr double kLeastDecay = 0.05;  // over all attempts
+  const auto [first, last] = std::minmax_element(t.begin(), t.end());
+  const double range =
+      family == LearningFamily::kExponential ? *last - *first : std::log(*last) - std::log(*first);
+  const double slowest = std::min(0.01, kLeastDecay / std::max(range, kLeastDecay));
+  std::optional<Start> best;
+  double fastest = slowest;
+  for (double rate = slowest; rate < kFastest * kStep; rate *= kStep) {
+    Start start = startAt(family, t, y, asymptote, rate);
+    fastest = rate;
+    if (!best || start.rss < best->rss) {
+      best = std::move(start);
     }
   }
-  if (!best) {
-    return Outcome<CurveFit>::undefined(reason);
+  if (best->parameters.back() == fastest && restAtFastest(t, y, asymptote) <= best->rss) {
+    // The first point stands by itself: what comes after it is known, the rate only for fast.
+    for (const double rate : {2.0, 1.0, 0.5, 0.2, 0.05}) {
+      const Start start = startAt(family, t, y, asymptote, rate);
+      if (const Outcome<CurveFit> fit = fitCurve(familyCurve(family, asymptote), t, y, start.parameters)) {
+        return fit;
+      }
+    }
+    return Outcome<CurveFit>::undefined(Text::tr("the parameters cannot be told apart"));
   }
-  return *best;
+  if (asymptote && best->parameters.back() == slowest && restAtSlowest(family, t, y) <= best->rss) {
+    return Outcome<CurveFit>::undefined(Text::tr("the fit does not settle"));
+  }
+  return fitCurve(familyCurve(family, asymptote), t, y, best->parameters);
 }
 
 }  // namespace
@@ -227,19 +329,28 @@ double learningCurveAt(const LearningCurve& curve, double t) {
   return curve.asymptote + curve.gain * shape(curve.family, curve.rate, t);
 }
 
-Interval learningBandAt(const LearningCurve& curve, double t, double confidence) {
+std::vector<Interval> learningBand(const LearningCurve& curve, std::span<const double> t, double confidence) {
   const std::size_t p = curve.fit.parameters.size();
+  const Curve family = familyCurve(curve.family, !curve.asymptoteAtZero);
+  const double quantile = tQuantile(0.5 * (1.0 + confidence), static_cast<double>(curve.fit.n - p));
   std::vector<double> gradient(p);
-  const double value = familyCurve(curve.family, !curve.asymptoteAtZero)(curve.fit.parameters, t, gradient);
-  double variance = 0.0;
-  for (std::size_t i = 0; i < p; ++i) {
-    for (std::size_t j = 0; j < p; ++j) {
-      variance += gradient[i] * gradient[j] * curve.fit.covariance[i * p + j];
+  std::vector<Interval> out;
+  for (const double at : t) {
+    const double value = family(curve.fit.parameters, at, gradient);
+    double variance = 0.0;
+    for (std::size_t i = 0; i < p; ++i) {
+      for (std::size_t j = 0; j < p; ++j) {
+        variance += gradient[i] * gradient[j] * curve.fit.covariance[i * p + j];
+      }
     }
+    const double reach = quantile * std::sqrt(std::max(0.0, variance));
+    out.push_back({value - reach, value + reach});
   }
-  const double df = static_cast<double>(curve.fit.n - p);
-  const double reach = tQuantile(0.5 * (1.0 + confidence), df) * std::sqrt(std::max(0.0, variance));
-  return {value - reach, value + reach};
+  return out;
+}
+
+Interval learningBandAt(const LearningCurve& curve, double t, double confidence) {
+  return learningBand(curve, std::span(&t, 1), confidence).front();
 }
 
 Outcome<LogLogLine> logLogLine(std::span<const double> attempt, std::span<const double> value) {
@@ -264,13 +375,15 @@ Outcome<LogLogLine> logLogLine(std::span<const double> attempt, std::span<const 
   if (xx == 0.0 || yy == 0.0) {
     return Outcome<LogLogLine>::undefined(Text::tr("the values do not vary"));
   }
+  const double meanX = meanOf(x);
+  const double meanY = meanOf(y);
   double xy = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    xy += (x[i] - meanOf(x)) * (y[i] - meanOf(y));
+    xy += (x[i] - meanX) * (y[i] - meanY);
   }
   LogLogLine out;
   out.slope = xy / xx;
-  out.intercept = meanOf(y) - out.slope * meanOf(x);
+  out.intercept = meanY - out.slope * meanX;
   out.ratePerDoubling = std::exp2(out.slope);
   out.rSquared = xy * xy / (xx * yy);
   return out;

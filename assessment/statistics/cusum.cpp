@@ -152,6 +152,7 @@ class LcCusumStates {
   double attempt(double failureRate) {
     const double atStart = std::exchange(atZero_, atZero_ * failureRate);
     double declared = 0.0;
+    std::size_t holding = 1;
     // From many failures and successes to few: what has moved is not met again.
     for (std::size_t f = used_; f-- > 0;) {
       Row& row = rows_[f];
@@ -160,10 +161,12 @@ class LcCusumStates {
         if (share < kNothing) {
           continue;
         }
+        holding = std::max(holding, f + 2);
         fail(f + 1, row.fewest + i, share * failureRate);
         (i + 1 < row.states.size() ? row.states[i + 1] : declared) += share * (1.0 - failureRate);
       }
     }
+    used_ = std::min(holding, rows_.size());
     (rows_.front().states.empty() ? declared : rows_.front().states.front()) += atStart * (1.0 - failureRate);
     return declared;
   }
@@ -179,7 +182,6 @@ class LcCusumStates {
   void fail(std::size_t failures, std::size_t successes, double share) {
     if (failures < rows_.size() && successes >= rows_[failures].fewest) {
       rows_[failures].states[successes - rows_[failures].fewest] += share;
-      used_ = std::max(used_, failures + 1);
     } else {
       atZero_ += share;
     }
@@ -192,14 +194,41 @@ class LcCusumStates {
 
 }  // namespace
 
-double lcCusumProbability(const LcCusumDesign& design, double failureRate, std::size_t attempts) {
-  TORSIO_EXPECTS(failureRate >= 0.0 && failureRate <= 1.0);
+namespace {
+
+/// Probability of reaching the limit within the attempts; above `enough` it is a lower bound. After some
+/// hundred attempts those who have not reached it do so at a constant rate each time, to the last digits:
+/// the rest needs no counting.
+double reachedWithin(const LcCusumDesign& design, double failureRate, std::size_t attempts, double enough) {
+  constexpr double kConstant = 1e-14;
+  constexpr int kLong = 64;  // attempts over which the rate has not changed
   LcCusumStates states(design, attempts);
   double declared = 0.0;
-  for (std::size_t attempt = 0; attempt < attempts; ++attempt) {
-    declared += states.attempt(failureRate);
+  double left = 1.0;
+  double rate = 0.0;
+  int constant = 0;
+  for (std::size_t attempt = 1; attempt <= attempts; ++attempt) {
+    const double now = states.attempt(failureRate);
+    declared += now;
+    if (declared > enough) {
+      return declared;
+    }
+    const double before = std::exchange(rate, left > 0.0 ? now / left : 0.0);
+    left -= now;
+    constant = rate > 0.0 && std::abs(rate - before) <= kConstant * rate ? constant + 1 : 0;
+    if (constant == kLong) {
+      const double more = static_cast<double>(attempts - attempt);
+      return declared - left * std::expm1(more * std::log1p(-rate));
+    }
   }
   return declared;
+}
+
+}  // namespace
+
+double lcCusumProbability(const LcCusumDesign& design, double failureRate, std::size_t attempts) {
+  TORSIO_EXPECTS(failureRate >= 0.0 && failureRate <= 1.0);
+  return reachedWithin(design, failureRate, attempts, 1.0);
 }
 
 std::optional<double> chooseLcCusumLimit(double adequate, double inadequate, std::size_t attempts,
@@ -209,13 +238,21 @@ std::optional<double> chooseLcCusumLimit(double adequate, double inadequate, std
   const double largest = weightsOf(design).success * static_cast<double>(attempts);
   // The probability falls as the limit rises: bisect over hundredths.
   int low = 0;
-  int high = static_cast<int>(std::floor(100.0 * largest));
+  int high = 1;
+  const int most = static_cast<int>(std::floor(100.0 * largest));
   const auto passes = [&](int hundredths) {
     design.limit = hundredths / 100.0;
-    return lcCusumProbability(design, inadequate, attempts);
+    return reachedWithin(design, inadequate, attempts, falsePass);
   };
-  if (high < 1 || passes(high) > falsePass) {
+  if (most < 1) {
     return std::nullopt;
+  }
+  while (passes(high) > falsePass) {  // small limits are quickly counted
+    if (high == most) {
+      return std::nullopt;
+    }
+    low = high;
+    high = std::min(2 * high, most);
   }
   while (high - low > 1) {
     const int middle = (low + high) / 2;

@@ -64,7 +64,8 @@ struct Extent {
 
 void extend(Extent& extent, std::span<const double> values) {
   for (const double value : values) {
-    extent.largest = std::max(extent.largest, std::abs(value));
+    extent.largest = std::isfinite(value) ? std::max(extent.largest, std::abs(value))
+                                          : std::numeric_limits<double>::infinity();
     extent.lowest = std::min(extent.lowest, value);
     extent.highest = std::max(extent.highest, value);
   }

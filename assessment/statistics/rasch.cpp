@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -52,6 +53,20 @@ Category categoryAt(double location, const std::vector<double>& tau) {
   return out;
 }
 
+/// What the ratings say about the parameters: abilities by themselves, and beside them the few severities and
+/// thresholds. The square of the abilities is diagonal, so that thousands of persons stay cheap.
+struct Information {
+  Eigen::VectorXd persons;  // diagonal
+  Eigen::MatrixXd across;   // persons x border
+  Eigen::MatrixXd border;
+
+  /// Information of the border alone, after the persons.
+  [[nodiscard]] Eigen::LDLT<Eigen::MatrixXd> reduced() const {
+    return Eigen::LDLT<Eigen::MatrixXd>(border -
+                                        across.transpose() * persons.cwiseInverse().asDiagonal() * across);
+  }
+};
+
 /// Free parameters: abilities, then severities and thresholds without their last, which makes the sums 0.
 class JointModel {
  public:
@@ -59,7 +74,16 @@ class JointModel {
       : plan_(plan),
         thresholds_(static_cast<std::size_t>(plan.highest())),
         persons_(plan.estimatedPersons()),
-        raters_(plan.estimatedRaters()) {}
+        raters_(plan.estimatedRaters()) {
+    // Severities and thresholds from the free ones: the last of either is minus the sum of the others.
+    const auto r = static_cast<Index>(raters_.size());
+    const auto k = static_cast<Index>(thresholds_);
+    free_ = Eigen::MatrixXd::Zero(r + k, r + k - 2);
+    free_.topLeftCorner(r - 1, r - 1).setIdentity();
+    free_.block(r - 1, 0, 1, r - 1).setConstant(-1.0);
+    free_.block(r, r - 1, k - 1, k - 1).setIdentity();
+    free_.block(r + k - 1, r - 1, 1, k - 1).setConstant(-1.0);
+  }
 
   [[nodiscard]] Index size() const {
     return static_cast<Index>(persons_.size() + raters_.size() + thresholds_ - 2);
@@ -81,41 +105,66 @@ class JointModel {
     return out;
   }
 
-  double evaluate(const Eigen::VectorXd& x, Eigen::VectorXd* gradient, Eigen::MatrixXd* information) const {
+  /// Computes the log-likelihood; with `gradient` also that and the information.
+  double evaluate(const Eigen::VectorXd& x, Eigen::VectorXd* gradient, Information* information) const {
     const std::vector<double> thresholds = tau(x);
+    const auto n = static_cast<Index>(persons_.size());
+    const auto r = static_cast<Index>(raters_.size());
+    const auto k = static_cast<Index>(thresholds_);
     double logLikelihood = 0.0;
-    if (gradient != nullptr) {
-      gradient->setZero(size());
-    }
-    if (information != nullptr) {
-      information->setZero(size(), size());
-    }
-    for (std::size_t i = 0; i < persons_.size(); ++i) {
-      for (std::size_t j = 0; j < raters_.size(); ++j) {
-        if (!plan_.used(persons_[i], raters_[j])) {
+    Eigen::VectorXd slopes = Eigen::VectorXd::Zero(n);
+    Eigen::VectorXd border = Eigen::VectorXd::Zero(r + k);
+    Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n);
+    Eigen::MatrixXd across = Eigen::MatrixXd::Zero(n, r + k);
+    Eigen::MatrixXd square = Eigen::MatrixXd::Zero(r + k, r + k);
+    Eigen::VectorXd above(k);  // probability of a category above each threshold
+    Eigen::VectorXd joint(k);  // its covariance with the category
+    for (Index i = 0; i < n; ++i) {
+      for (Index j = 0; j < r; ++j) {
+        const std::size_t person = persons_[static_cast<std::size_t>(i)];
+        const std::size_t rater = raters_[static_cast<std::size_t>(j)];
+        if (!plan_.used(person, rater)) {
           continue;
         }
-        const int mark = plan_.mark(persons_[i], raters_[j]);
-        const Category at = categoryAt(ability(x, i) - severity(x, j), thresholds);
+        const int mark = plan_.mark(person, rater);
+        const Category at = categoryAt(
+            ability(x, static_cast<std::size_t>(i)) - severity(x, static_cast<std::size_t>(j)), thresholds);
         logLikelihood += std::log(at.p[static_cast<std::size_t>(mark)]);
         if (gradient == nullptr) {
           continue;
         }
-        // Each category k has the log weight s_k . x with a design row s_k; gradient and information are the
-        // mean and covariance of these rows.
-        Eigen::VectorXd mean = Eigen::VectorXd::Zero(size());
-        for (std::size_t k = 0; k < at.p.size(); ++k) {
-          mean += at.p[k] * design(i, j, k);
+        const double rest = static_cast<double>(mark) - at.mean;
+        slopes[i] += rest;
+        border[j] -= rest;
+        double tail = 0.0;
+        double weighted = 0.0;
+        for (Index s = k; s-- > 0;) {
+          const double p = at.p[static_cast<std::size_t>(s) + 1];
+          tail += p;
+          weighted += static_cast<double>(s + 1) * p;
+          above[s] = tail;
+          joint[s] = weighted - at.mean * tail;
+          border[r + s] -= (mark > s ? 1.0 : 0.0) - tail;
         }
-        *gradient += design(i, j, static_cast<std::size_t>(mark)) - mean;
-        if (information == nullptr) {
-          continue;
-        }
-        for (std::size_t k = 0; k < at.p.size(); ++k) {
-          const Eigen::VectorXd d = design(i, j, k) - mean;
-          *information += at.p[k] * d * d.transpose();
+        diagonal[i] += at.variance;
+        across(i, j) -= at.variance;
+        across.row(i).tail(k) -= joint.transpose();
+        square(j, j) += at.variance;
+        square.row(j).tail(k) += joint.transpose();
+        for (Index s = 0; s < k; ++s) {
+          for (Index u = s; u < k; ++u) {  // a category above the higher threshold is above the lower one
+            square(r + s, r + u) += above[u] - above[s] * above[u];
+          }
         }
       }
+    }
+    if (gradient != nullptr) {
+      square.triangularView<Eigen::StrictlyLower>() = square.transpose();
+      gradient->resize(size());
+      *gradient << slopes, free_.transpose() * border;
+      information->persons = std::move(diagonal);
+      information->across = across * free_;
+      information->border = free_.transpose() * square * free_;
     }
     return logLikelihood;
   }
@@ -133,57 +182,47 @@ class JointModel {
     return -sum;
   }
 
-  static void add(Eigen::VectorXd& row, std::size_t from, std::size_t count, std::size_t which,
-                  double weight) {
-    if (which + 1 < count) {
-      row[static_cast<Index>(from + which)] += weight;
-      return;
-    }
-    for (std::size_t i = 0; i + 1 < count; ++i) {
-      row[static_cast<Index>(from + i)] -= weight;
-    }
-  }
-
-  [[nodiscard]] Eigen::VectorXd design(std::size_t i, std::size_t j, std::size_t category) const {
-    Eigen::VectorXd row = Eigen::VectorXd::Zero(size());
-    const double k = static_cast<double>(category);
-    row[static_cast<Index>(i)] = k;
-    add(row, persons_.size(), raters_.size(), j, -k);
-    for (std::size_t step = 0; step < category; ++step) {
-      add(row, persons_.size() + raters_.size() - 1, thresholds_, step, -1.0);
-    }
-    return row;
-  }
-
   const RatingPlan& plan_;
   std::size_t thresholds_;
   std::vector<std::size_t> persons_;
   std::vector<std::size_t> raters_;
+  Eigen::MatrixXd free_;  // all severities and thresholds x the free ones
 };
+
+/// Newton's step.
+std::optional<Eigen::VectorXd> stepOf(const Information& information, const Eigen::VectorXd& gradient) {
+  const Eigen::LDLT<Eigen::MatrixXd> solver = information.reduced();
+  if (solver.info() != Eigen::Success) {
+    return std::nullopt;
+  }
+  const Index n = information.persons.size();
+  const Eigen::VectorXd own = gradient.head(n).cwiseQuotient(information.persons);
+  Eigen::VectorXd step(gradient.size());
+  const Eigen::VectorXd border =
+      solver.solve(gradient.tail(gradient.size() - n) - information.across.transpose() * own);
+  step << own - (information.across * border).cwiseQuotient(information.persons), border;
+  return step.allFinite() ? std::optional(step) : std::nullopt;
+}
 
 /// Newton with step halving; the log-likelihood is concave and has one maximum. Empty when rounding keeps the
 /// iteration from settling.
 std::optional<int> maximise(const JointModel& model, Eigen::VectorXd& x) {
   Eigen::VectorXd gradient;
-  Eigen::MatrixXd information;
+  Information information;
   double value = model.evaluate(x, &gradient, &information);
   for (int iteration = 1; iteration <= kMostRaschRounds; ++iteration) {
-    const Eigen::LDLT<Eigen::MatrixXd> solver(information);
-    if (solver.info() != Eigen::Success) {
+    std::optional<Eigen::VectorXd> step = stepOf(information, gradient);
+    if (!step) {
       return std::nullopt;
     }
-    Eigen::VectorXd step = solver.solve(gradient);
-    if (!step.allFinite()) {
-      return std::nullopt;
-    }
-    double next = model.evaluate(x + step, nullptr, nullptr);
+    double next = model.evaluate(x + *step, nullptr, nullptr);
     for (int halving = 0; halving < 40 && !(next >= value - 1e-12 * std::abs(value)); ++halving) {
-      step *= 0.5;
-      next = model.evaluate(x + step, nullptr, nullptr);
+      *step *= 0.5;
+      next = model.evaluate(x + *step, nullptr, nullptr);
     }
-    x += step;
+    x += *step;
     value = model.evaluate(x, &gradient, &information);
-    if (step.cwiseAbs().maxCoeff() < kConverged) {
+    if (step->cwiseAbs().maxCoeff() < kConverged) {
       return iteration;
     }
   }
@@ -199,10 +238,14 @@ struct FitSums {
 
 void report(const JointModel& model, const RatingPlan& plan, const Eigen::VectorXd& x, RaschResult& out) {
   out.thresholds = model.tau(x);
-  Eigen::MatrixXd information;
+  Information information;
   Eigen::VectorXd gradient;
   out.logLikelihood = model.evaluate(x, &gradient, &information);
-  const Eigen::MatrixXd covariance = information.inverse();
+  // Variance of an ability: its own, and what the border adds.
+  const Eigen::MatrixXd own = information.persons.cwiseInverse().asDiagonal() * information.across;
+  const Eigen::VectorXd variance =
+      information.persons.cwiseInverse() +
+      own.cwiseProduct(information.reduced().solve(own.transpose()).transpose()).rowwise().sum();
   std::vector<FitSums> raterSums(plan.raters().size());
   for (std::size_t i = 0; i < model.persons().size(); ++i) {
     FitSums sums;
@@ -223,7 +266,7 @@ void report(const JointModel& model, const RatingPlan& plan, const Eigen::Vector
     }
     person.ability = model.ability(x, i);
     person.error = 1.0 / std::sqrt(sums.variances);
-    person.jointError = std::sqrt(covariance(static_cast<Index>(i), static_cast<Index>(i)));
+    person.jointError = std::sqrt(variance[static_cast<Index>(i)]);
     person.fairAverage = categoryAt(*person.ability, out.thresholds).mean;
     person.infit = sums.squares / sums.variances;
     person.outfit = sums.standardized / sums.n;

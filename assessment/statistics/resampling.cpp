@@ -56,14 +56,16 @@ Outcome<Jackknife> jackknife(std::size_t trainees, const ResampledStatistic& sta
     return Outcome<Jackknife>::undefined(Text::tr("there are fewer than three trainees"));
   }
   std::vector<double> values;
+  std::vector<std::size_t> rows(trainees - 1);
+  std::iota(rows.begin(), rows.end(), std::size_t{1});
   for (std::size_t out = 0; out < trainees; ++out) {
-    std::vector<std::size_t> rows;
-    for (std::size_t i = 0; i < trainees; ++i) {
-      if (i != out) {
-        rows.push_back(i);
-      }
+    if (out > 0) {
+      rows[out - 1] = out - 1;  // the one that was left out before
     }
     values.push_back(statistic(rows));
+  }
+  if (const std::optional<Text> reason = beyondArithmetic(values)) {
+    return Outcome<Jackknife>::undefined(*reason);
   }
   const double mean = meanOf(values);
   double squares = 0.0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "assessment/study/protocol_terms.h"
@@ -26,6 +27,8 @@ struct Cohort {
   bool demonstration = false;
   CurriculumVersionId curriculumVersionId{};  ///< filled when read; empty: follows none yet
   CohortState state = CohortState::kDraft;    ///< filled when read
+  /// Planned: smaller differences of scores, in points, do not matter; above 0. Empty: none was planned.
+  std::optional<double> equivalenceMargin{};
 };
 
 /// An arm of the study (paper section 6: 40 min virtual; 20 + 20 min; 40 min real).

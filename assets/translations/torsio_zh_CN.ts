@@ -8615,10 +8615,6 @@
         <translation>批次报告</translation>
     </message>
     <message>
-        <source>no start converges</source>
-        <translation>所有初值均不收敛</translation>
-    </message>
-    <message>
         <source>a group has fewer than two values</source>
         <translation>某组的数值不足两个</translation>
     </message>
@@ -13042,6 +13038,130 @@
         <source>Start Torsio once with the account that owns the database, and remove it there</source>
         <translation>请用数据库所有者的账户启动一次 Torsio，并在其中删除</translation>
     </message>
+    <message>
+        <source>a margin of equivalence lies above 0 and is at most %1 points</source>
+        <translation>等效界值应大于 0 且不超过 %1 分</translation>
+    </message>
+    <message>
+        <source>Enter the largest difference that does not matter, or none</source>
+        <translation>请填写无关紧要的最大差异，或不填</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; stands a second time, first in %3</source>
+        <translation>%1“%2”第二次出现，首次见于 %3</translation>
+    </message>
+    <message>
+        <source>Keep one row for each %1</source>
+        <translation>每个 %1 只保留一行</translation>
+    </message>
+    <message>
+        <source>judge &quot;%1&quot; judges item &quot;%2&quot; a second time, first in %3</source>
+        <translation>评判者“%1”第二次评判项目“%2”，首次见于 %3</translation>
+    </message>
+    <message>
+        <source>Keep one percentage for each judge and item</source>
+        <translation>每位评判者对每个项目只保留一个百分比</translation>
+    </message>
+    <message>
+        <source>judge &quot;%1&quot; has no percentage for item &quot;%2&quot;</source>
+        <translation>评判者“%1”没有给出项目“%2”的百分比</translation>
+    </message>
+    <message>
+        <source>Every judge judges every item</source>
+        <translation>每位评判者都要评判每个项目</translation>
+    </message>
+    <message>
+        <source>the percentage %1 lies outside 0 to 100</source>
+        <translation>百分比 %1 不在 0 到 100 之间</translation>
+    </message>
+    <message>
+        <source>Give the chance of a borderline trainee in percent</source>
+        <translation>请以百分比给出处于及格边缘的学员成功的可能性</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no group of this method</source>
+        <translation>“%1”不是该方法的组别</translation>
+    </message>
+    <message>
+        <source>Write novice or master</source>
+        <translation>请写 novice（新手）或 master（熟练者）</translation>
+    </message>
+    <message>
+        <source>The intervals take scores for normal. Of strongly skewed scores they hold the true coefficient in about four of five cases, not in 95 %.</source>
+        <translation>这些区间以得分呈正态分布为前提。得分明显偏态时，区间包含真实系数的情况约为五分之四，而不是 95 %。</translation>
+    </message>
+    <message>
+        <source>No margin was planned within which a difference would not matter. Nothing here shows that groups are equal, however far a difference is from significant.</source>
+        <translation>研究计划没有规定多大的差异无关紧要。无论差异离显著有多远，这里都没有任何结果说明各组相等。</translation>
+    </message>
+    <message>
+        <source>Whether the groups are equal within the margin</source>
+        <translation>各组在界值之内是否等效</translation>
+    </message>
+    <message>
+        <source>two one-sided tests, linear mixed model</source>
+        <translation>双单侧检验，线性混合模型</translation>
+    </message>
+    <message>
+        <source>two one-sided tests, analysis of covariance</source>
+        <translation>双单侧检验，协方差分析</translation>
+    </message>
+    <message>
+        <source>Difference [90 %, not adjusted]</source>
+        <translation>差异 [90 %，未校正]</translation>
+    </message>
+    <message>
+        <source>p (of equality)</source>
+        <translation>p（等效）</translation>
+    </message>
+    <message>
+        <source>Equal within %1 points (5 %)</source>
+        <translation>在 %1 分之内等效（5 %）</translation>
+    </message>
+    <message>
+        <source>Planned with the cohort: a difference of at most %1 points does not matter. Equal: the 90 % interval lies within -%1 to %1, which is where p is below 0.05. Not shown to be equal does not say that the groups differ.</source>
+        <translation>随队列计划规定：不超过 %1 分的差异无关紧要。等效：90 % 区间落在 -%1 到 %1 之内，即 p 小于 0.05。未显示等效并不说明各组不同。</translation>
+    </message>
+    <message>
+        <source>not shown</source>
+        <translation>未显示</translation>
+    </message>
+    <message>
+        <source>Agreement of the raters in whole points, pair by pair</source>
+        <translation>评分者按整分两两比较的一致性</translation>
+    </message>
+    <message>
+        <source>Cohen&apos;s kappa with quadratic weights; marks rounded to whole points</source>
+        <translation>二次加权的 Cohen κ；评分取整到整分</translation>
+    </message>
+    <message>
+        <source>Pairs of raters</source>
+        <translation>评分者对数</translation>
+    </message>
+    <message>
+        <source>Marks compared</source>
+        <translation>比较的评分数</translation>
+    </message>
+    <message>
+        <source>Kappa, median (lowest to highest)</source>
+        <translation>κ，中位数（最低至最高）</translation>
+    </message>
+    <message>
+        <source>Same point</source>
+        <translation>同一整分</translation>
+    </message>
+    <message>
+        <source>Within one point</source>
+        <translation>相差不超过一分</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1（%2 至 %3）</translation>
+    </message>
+    <message>
+        <source>Kappa is agreement beyond what the raters&apos; own habits would give; a distance counts by its square. One pair far below the others names raters who should talk: see their severity.</source>
+        <translation>κ 表示超出评分者各自习惯所能给出的一致性；差距按平方计。某一对远低于其他对时，这两位评分者应当沟通：参见其严格度。</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -14384,6 +14504,22 @@ MSM = 质点弹簧</translation>
         <source>Do it</source>
         <translation>执行</translation>
     </message>
+    <message>
+        <source>none planned</source>
+        <translation>未计划</translation>
+    </message>
+    <message>
+        <source> points</source>
+        <translation> 分</translation>
+    </message>
+    <message>
+        <source>Differences that do not &amp;matter, up to</source>
+        <translation>无关紧要的差异，不超过(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The report then tests whether groups are equal within it. It belongs to the plan: it cannot be changed later.</source>
+        <translation>报告随后检验各组在此范围内是否等效。它属于研究计划：以后不能更改。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::CohortsPage</name>
@@ -14534,6 +14670,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Show arch&amp;ived</source>
         <translation>显示已归档(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Trainees of %1 (planned: differences up to %2 points do not matter)</source>
+        <translation>%1 的学员（计划：不超过 %2 分的差异无关紧要）</translation>
     </message>
 </context>
 <context>
@@ -15162,6 +15302,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Co&amp;mpetence…</source>
         <translation>胜任标准(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Where to draw the &amp;line…</source>
+        <translation>及格线划在哪里(&amp;L)…</translation>
     </message>
 </context>
 <context>
@@ -18508,10 +18652,6 @@ Leave it empty to remove it.</source>
 <context>
     <name>torsio::gui::PowerDialog</name>
     <message>
-        <source>How many trainees?</source>
-        <translation>需要多少学员？</translation>
-    </message>
-    <message>
         <source>two groups (t test, Cohen&apos;s d)</source>
         <translation>两组（t 检验，Cohen d）</translation>
     </message>
@@ -18560,10 +18700,6 @@ Leave it empty to remove it.</source>
         <translation>能够表明</translation>
     </message>
     <message>
-        <source>How many raters are needed stands under Results, in the section Raters, once marks are there.</source>
-        <translation>有了评分之后，“结果”的“评分者”一节会说明需要多少名评分者。</translation>
-    </message>
-    <message>
         <source>power %1 for this effect; with power %2 they detect an effect of %3</source>
         <translation>对该效应的效能为 %1；以效能 %2 可检出 %3 的效应</translation>
     </message>
@@ -18578,6 +18714,42 @@ Leave it empty to remove it.</source>
         <translation>
             <numerusform>每组 %n 名学员；以训练前得分校正时为 %1 名</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>How many trainees and raters?</source>
+        <translation>需要多少学员和评分者？</translation>
+    </message>
+    <message>
+        <source>agreement of raters (ICC, width of its 95 % interval)</source>
+        <translation>评分者间一致性（ICC，其 95 % 区间的宽度）</translation>
+    </message>
+    <message>
+        <source>Agreement of one rater e&amp;xpected (ICC)</source>
+        <translation>预期的单个评分者一致性（ICC）(&amp;X)</translation>
+    </message>
+    <message>
+        <source>&amp;Width of its interval, at most</source>
+        <translation>其区间宽度，至多(&amp;W)</translation>
+    </message>
+    <message>
+        <source>R&amp;aters who score everybody</source>
+        <translation>为所有人评分的评分者(&amp;A)</translation>
+    </message>
+    <message>
+        <source>How many raters a mean score needs stands under Results, in the section Raters, once marks are there.</source>
+        <translation>平均得分需要多少评分者，有评分之后见“结果”中的“评分者”一节。</translation>
+    </message>
+    <message>
+        <source>%1 trainees, each scored by %2 raters</source>
+        <translation>%1 名学员，每人由 %2 名评分者评分</translation>
+    </message>
+    <message>
+        <source>%1 raters are enough for this width</source>
+        <translation>%1 名评分者足以达到此宽度</translation>
+    </message>
+    <message>
+        <source>too few for this width, however many raters score them</source>
+        <translation>无论由多少评分者评分，都太少，达不到此宽度</translation>
     </message>
 </context>
 <context>
@@ -21917,6 +22089,109 @@ Leave it empty to remove it.</source>
     <message>
         <source>Recorded run</source>
         <translation>已录制的操作</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::StandardDialog</name>
+    <message>
+        <source>Pass from %1 of %2 items on (%3 %).</source>
+        <translation>达到 %1 项（共 %2 项，%3 %）即通过。</translation>
+    </message>
+    <message>
+        <source>%1 judges; they differ by %2 items (standard deviation), the cut is sure to %3 (standard error).</source>
+        <translation>%1 位评判者；彼此相差 %2 项（标准差），界线准确到 %3（标准误）。</translation>
+    </message>
+    <message>
+        <source>One judge alone says nothing about how sure this is.</source>
+        <translation>只有一位评判者，无法说明其可靠程度。</translation>
+    </message>
+    <message>
+        <source>Pass from a score of %1 on (standard error %2). The ratings of %3 subjects explain %4 % of the scores.</source>
+        <translation>得分达到 %1 即通过（标准误 %2）。%3 名受试者的总体评级解释了得分变异的 %4 %。</translation>
+    </message>
+    <message>
+        <source>Pass from a score of %1 on: %2 % of %3 novices would pass wrongly, %4 % of %5 masters fail wrongly, were their scores normal.</source>
+        <translation>得分达到 %1 即通过：若得分呈正态分布，%3 名新手中有 %2 % 会误通过，%5 名熟练者中有 %4 % 会误不通过。</translation>
+    </message>
+    <message>
+        <source>Where to draw the line</source>
+        <translation>及格线划在哪里</translation>
+    </message>
+    <message>
+        <source>judges say who would succeed (Angoff)</source>
+        <translation>评判者估计谁会成功（Angoff）</translation>
+    </message>
+    <message>
+        <source>global ratings beside scores (borderline regression)</source>
+        <translation>总体评级与得分对照（边缘回归）</translation>
+    </message>
+    <message>
+        <source>novices and masters (contrasting groups)</source>
+        <translation>新手与熟练者（对照组法）</translation>
+    </message>
+    <message>
+        <source>&amp;Method</source>
+        <translation>方法(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Table</source>
+        <translation>表格(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Rating that means borderline</source>
+        <translation>表示处于边缘的评级(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The line</source>
+        <translation>界线</translation>
+    </message>
+    <message>
+        <source>One line for each judge and item: of a hundred borderline trainees, how many would succeed in it.</source>
+        <translation>每位评判者对每个项目一行：一百名处于及格边缘的学员中，有多少人会成功。</translation>
+    </message>
+    <message>
+        <source>One line for each subject: the score, and an expert&apos;s rating of the whole performance.</source>
+        <translation>每位受试者一行：得分，以及专家对整体表现的评级。</translation>
+    </message>
+    <message>
+        <source>One line for each subject: novice or master, as others have judged, and the score; higher is better.</source>
+        <translation>每位受试者一行：由他人判定的新手或熟练者，以及得分；越高越好。</translation>
+    </message>
+    <message>
+        <source>judge,item,percent
+J1,grip,80
+J2,grip,70</source>
+        <translation>judge,item,percent
+J1,grip,80
+J2,grip,70</translation>
+    </message>
+    <message>
+        <source>subject,global,score
+T-01,3,14.5
+T-02,4,17</source>
+        <translation>subject,global,score
+T-01,3,14.5
+T-02,4,17</translation>
+    </message>
+    <message>
+        <source>subject,group,score
+T-01,novice,11
+T-02,master,17</source>
+        <translation>subject,group,score
+T-01,novice,11
+T-02,master,17</translation>
+    </message>
+    <message>
+        <source>Paste the table above, with its first line as in the example.</source>
+        <translation>请把表格粘贴到上方，第一行与示例相同。</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>表格</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>

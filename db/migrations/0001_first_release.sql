@@ -529,7 +529,8 @@ CREATE TABLE cohort (
   description TEXT NOT NULL,
   created_utc_us BIGINT NOT NULL,
   demonstration BOOLEAN NOT NULL,
-  curriculum_version_id TEXT REFERENCES curriculum_version (id)
+  curriculum_version_id TEXT REFERENCES curriculum_version (id),
+  equivalence_margin DOUBLE PRECISION CHECK (equivalence_margin > 0)
 );
 
 -- Decided by hand; without a row a cohort is a draft until somebody is allocated or trains.

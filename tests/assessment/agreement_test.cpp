@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -239,6 +241,48 @@ TEST(KrippendorffAlpha, TakesThousandsOfDistinctScoresAndRefusesSquaresThatOverf
   EXPECT_NEAR(krippendorffAlpha(ratings, AlphaMetric::kNominal)->alpha, 0.0, 0.01);
   EXPECT_FALSE(krippendorffInterval(ratings, AlphaMetric::kRatio, 1, 99));  // 8,000 values squared each time
   EXPECT_FALSE(krippendorffAlpha({{1e200, -1e200}, {1e200, 2e200}}, AlphaMetric::kInterval));
+}
+
+/// Expected disagreement of a ratio scale, pair by pair.
+double expectedRatio(const IncompleteRatings& ratings) {
+  std::vector<double> all;
+  for (const auto& coder : ratings) {
+    for (const std::optional<double>& value : coder) {
+      all.push_back(value.value());
+    }
+  }
+  double sum = 0.0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double ratio = all[i] + all[j] == 0.0 ? 0.0 : (all[i] - all[j]) / (all[i] + all[j]);
+      sum += 2.0 * ratio * ratio;
+    }
+  }
+  const double n = static_cast<double>(all.size());
+  return sum / (n * (n - 1.0));
+}
+
+TEST(KrippendorffAlpha, OfARatioScaleSumsThousandsOfValuesAsPairByPair) {
+  const auto ratings = [](const std::function<double(Random&)>& draw) {
+    Random random(11);
+    IncompleteRatings out(3, std::vector<std::optional<double>>(900));
+    for (auto& coder : out) {
+      for (std::optional<double>& value : coder) {
+        value = draw(random);
+      }
+    }
+    return out;
+  };
+  for (const IncompleteRatings& of :
+       {ratings([](Random& random) { return 10.0 * random.uniform(); }),
+        ratings([](Random& random) { return 1000.0 + 0.1 * random.uniform(); }),
+        ratings([](Random& random) { return std::exp(40.0 * (random.uniform() - 0.5)); }),
+        ratings([](Random& random) { return random.uniform() < 0.1 ? 0.0 : 0.5 + random.uniform(); }),
+        ratings(
+            [](Random& random) { return random.uniform() < 0.5 ? 1.0 + 1e-6 * random.uniform() : 1e6; })}) {
+    const double expected = expectedRatio(of);
+    EXPECT_NEAR(krippendorffAlpha(of, AlphaMetric::kRatio)->expected / expected, 1.0, 1e-10);
+  }
 }
 
 TEST(KrippendorffAlpha, AgreesOnCompleteDataOfThreeRaters) {

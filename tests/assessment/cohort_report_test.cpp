@@ -2,6 +2,7 @@
 #include "assessment/report/cohort_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <set>
@@ -14,6 +15,7 @@
 #include "assessment/report/figure_table.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/study_analysis.h"
+#include "assessment/statistics/distributions.h"
 #include "sim/base/error.h"
 #include "tests/support/demonstration_cohort.h"
 
@@ -139,13 +141,13 @@ TEST(CohortReport, ComparesGroupsAndRatersWhenTheMarksAreGiven) {
   for (const ReportTable& table : section->tables) {
     ids.push_back(table.id);
   }
-  EXPECT_THAT(ids, ::testing::ElementsAre("table-agreement", "table-agreement-groups", "table-means",
-                                          "table-ancova", "table-mixed-anova", "table-gains",
+  EXPECT_THAT(ids, ::testing::ElementsAre("table-agreement", "table-agreement-groups", "table-kappa",
+                                          "table-means", "table-ancova", "table-mixed-anova", "table-gains",
                                           "table-friedman", "table-within-groups"));
   EXPECT_EQ(section->tables[0].rows.size(), 3U);
   EXPECT_EQ(section->tables[1].rows.size(), 9U);  // occasions x groups
-  EXPECT_EQ(section->tables[2].rows.size(), 9U);
-  EXPECT_EQ(section->tables[3].rows.size(), 3U);
+  EXPECT_EQ(section->tables[3].rows.size(), 9U);
+  EXPECT_EQ(section->tables[4].rows.size(), 3U);
   EXPECT_THAT(section->paragraphs[1].str(), ::testing::HasSubstr("Planned and used"));
   for (const ReportTable& table : section->tables) {
     for (const std::vector<Text>& row : table.rows) {
@@ -415,6 +417,59 @@ TEST(CohortReport, SlopesThatDifferAreAnalysedAsWell) {
   ASSERT_NE(slopes, nullptr);
   EXPECT_EQ(slopes->rows.size(), 9U);  // pairs x stated scores before
   EXPECT_THAT(tableOf(report, "table-ancova")->notes[1].str(), ::testing::HasSubstr("The slopes differ"));
+}
+
+TEST(CohortReport, ShowsKappaOfMarksInWholePoints) {
+  CohortInputs in = demonstrationCohort();
+  const ReportModel usual = cohortReport(in);
+  const ReportTable* table = tableOf(usual, "table-kappa");
+  ASSERT_NE(table, nullptr);
+  ASSERT_EQ(table->rows.size(), in.occasions.size());
+  EXPECT_EQ(table->rows[0][1].str(), "45");  // pairs of ten raters
+
+  const std::string first = in.trainingMarks.front().rater;
+  std::map<std::pair<std::string, std::size_t>, std::int64_t> marks;  // by trainee and occasion
+  for (const TrainingMark& mark : in.trainingMarks) {
+    if (mark.rater == first) {
+      marks[{mark.trainee, mark.occasion}] = mark.steps;
+    }
+  }
+  for (TrainingMark& mark : in.trainingMarks) {  // all give what the first gives, but within the same point
+    const std::int64_t whole = marks.at({mark.trainee, mark.occasion}) / 10 * 10;
+    mark.steps = std::clamp(whole + (mark.rater == first ? 0 : 4), in.trainingScale.lo, in.trainingScale.hi);
+  }
+  in.scores = traineeScores(in.trainingScale, in.trainingMarks);
+  in.summaries = groupSummaries(in.trainingScale, in.trainingMarks);
+  const ReportModel alike = cohortReport(in);
+  EXPECT_EQ(tableOf(alike, "table-kappa")->rows[0][3].str(), "1.000 (1.000 to 1.000)");
+  EXPECT_EQ(tableOf(alike, "table-kappa")->rows[0][4].str(), "100 %");
+}
+
+TEST(CohortReport, TestsEquivalenceWithTheMarginOfThePlanAndWithoutOneSaysSo) {
+  CohortInputs in = demonstrationCohort();
+  EXPECT_EQ(tableOf(cohortReport(in), "table-equivalence"), nullptr);
+  EXPECT_THAT(textOf(cohortReport(in)), ::testing::HasSubstr("No margin was planned"));
+
+  const Outcome<Ancova> model = analyseStudy(in).ancova;
+  const AdjustedDifference& pair = model->pairs.front();
+  const double reach = tQuantile(0.95, model->residualDf) * pair.error;
+  for (const bool wide : {false, true}) {
+    in.equivalenceMargin = std::abs(pair.difference) + reach * (wide ? 1.01 : 0.99);
+    const ReportModel report = cohortReport(in);
+    const ReportTable* table = tableOf(report, "table-equivalence");
+    ASSERT_NE(table, nullptr);
+    ASSERT_EQ(table->rows.size(), 3U);
+    EXPECT_EQ(table->rows[0][3].str(), wide ? "yes" : "not shown");
+    EXPECT_THAT(textOf(report), ::testing::Not(::testing::HasSubstr("No margin was planned")));
+  }
+
+  const TrainingMark lost = in.trainingMarks.back();
+  CohortInputs holed = without([&](const TrainingMark& mark) {
+    return mark.trainee == lost.trainee && mark.rater == lost.rater && mark.occasion == 2;
+  });
+  holed.equivalenceMargin = 1.0;
+  const ReportModel report = cohortReport(holed);
+  EXPECT_THAT(tableOf(report, "table-equivalence")->provenance.formula.str(), ::testing::HasSubstr("mixed"));
 }
 
 TEST(CohortReport, ShowsTheResidualsOfTheComparison) {

@@ -146,6 +146,8 @@ TEST(Bootstrap, RepeatsForTheSameSeedAndIsUndefinedForAConstant) {
   };
   EXPECT_EQ(bootstrap(6, mean, {.seed = 3})->bca.lower, bootstrap(6, mean, {.seed = 3})->bca.lower);
   EXPECT_FALSE(bootstrap(6, [](std::span<const std::size_t>) { return 1.0; }));
+  const auto huge = [](std::span<const std::size_t> rows) { return rows.front() == 0 ? 1e308 : -1e308; };
+  EXPECT_FALSE(bootstrap(6, huge));
 }
 
 TEST(Jackknife, AgreesOnTheLawSchoolData) {

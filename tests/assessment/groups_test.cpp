@@ -87,6 +87,7 @@ TEST(MeanTests, OfNumbersWhoseSquaresAreNoneAreUndefinedAndSayWhy) {
   EXPECT_EQ(oneWayAnova({usual, huge}).reason(), Text::tr("the values are too large to be squared"));
   EXPECT_EQ(shapiroWilk(close).reason(), Text::tr("the values lie too close together to be squared"));
   EXPECT_TRUE(welchT(usual, std::vector<double>{1e70, -1e70, 3e69}));
+  EXPECT_TRUE(beyondArithmetic(std::vector<double>{1.0, std::nan(""), 2.0}));  // a mean that overflowed
 }
 
 TEST(WelchT, AgreesOnTheSleepData) {

@@ -178,6 +178,8 @@ TEST(LcCusumProbability, OfManyAttemptsIsThatOfARenewalProcess) {
 
   EXPECT_GT(some, more);
   EXPECT_NEAR(most / more, more / some, 1e-9);  // who has not passed by then has forgotten the start
+  const double endless = 1.0 - lcCusumProbability({0.1, 0.2, 6.0}, 0.2, 20'000);
+  EXPECT_NEAR(endless, std::pow(1.0 - lcCusumProbability({0.1, 0.2, 6.0}, 0.2, 10'000), 2), 0.01 * endless);
 }
 
 TEST(LcCusumProbability, AgreesWithTheExactTable) {
@@ -219,6 +221,10 @@ TEST(ChooseLcCusumLimit, KeepsTheFalsePassRate) {
   EXPECT_LE(lcCusumProbability({0.1, 0.2, *limit}, 0.2, 50), 0.05);
   EXPECT_GT(lcCusumProbability({0.1, 0.2, *limit - 0.01}, 0.2, 50), 0.05);
   EXPECT_FALSE(chooseLcCusumLimit(0.1, 0.2, 3, 0.05).has_value());
+  const std::optional<double> ofMany = chooseLcCusumLimit(0.1, 0.2, 10'000, 0.05);
+  ASSERT_TRUE(ofMany.has_value());
+  EXPECT_LE(lcCusumProbability({0.1, 0.2, *ofMany}, 0.2, 10'000), 0.05);
+  EXPECT_GT(lcCusumProbability({0.1, 0.2, *ofMany - 0.01}, 0.2, 10'000), 0.05);
 }
 
 TEST(WatchForRelapse, AlarmsAfterFailuresAndNotAfterSuccesses) {

@@ -315,13 +315,24 @@ TrialTrace twistTrial() {
   return trace;
 }
 
+TEST(MeasureTrial, TurningBackHasAKinkInTheUnsignedSpeedOnly) {
+  TrialTrace trace = twistTrial();
+  for (std::size_t i = 500; i < 2500; ++i) {
+    trace.angle_rad[i] = 0.5 * std::sin(kPi_ * static_cast<double>(i - 500) / 2000.0);
+  }
+  const TrialMetrics got = measureTrial(trace, {});
+  EXPECT_LT(*got.at("twist.ldlj_unsigned"), *got.at("twist.ldlj") - 0.5);
+}
+
 TEST(MeasureTrial, GivesEveryMetricThatAppliesAndLeavesTheOthersUndefined) {
   TrialTargets targets;
   targets.target_rad = 0.5 * kPi_;
   targets.forceLimit_N = 1.5;
   targets.axisPoint_m = Vec3{};
   const TrialMetrics got = measureTrial(twistTrial(), targets);
-  EXPECT_EQ(got.values.size(), 35U);  // none of an untwisting
+  EXPECT_EQ(got.values.size(), 36U);  // none of an untwisting
+  // It never turns back, but for what the filter leaves of the end of the turn.
+  EXPECT_NEAR(*got.at("twist.ldlj"), *got.at("twist.ldlj_unsigned"), 0.1);
   EXPECT_DOUBLE_EQ(*got.at("time.total"), 4.0);
   EXPECT_NEAR(*got.at("twist.economy"), 1.0, 1e-3);
   // A turn of 2 s and a hold of 1 s in one window: longer than the turn alone, but as smooth.

@@ -223,7 +223,11 @@ void addCurriculum(Connection& connection, const std::string& prefix, bool demon
 void addTrialAndMark(Connection& connection, const FullRecord& record, const std::string& prefix,
                      bool demonstration) {
   StudyRepository study(connection);
-  study.addCohort({prefix + " cohort", prefix + " autumn", "", kSampleTime_us, demonstration},
+  study.addCohort({.id = prefix + " cohort",
+                   .name = prefix + " autumn",
+                   .createdUtc_us = kSampleTime_us,
+                   .demonstration = demonstration,
+                   .equivalenceMargin = 0.5},
                   std::vector<StudyGroup>{{prefix + " group", prefix + " cohort", 1, "G1", "virtual"}});
   study.enrol(std::vector<Enrolment>{{.id = prefix + " enrolment",
                                       .cohortId = prefix + " cohort",

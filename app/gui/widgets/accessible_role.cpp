@@ -51,7 +51,9 @@ class WithRole final : public QAccessibleWidget {
 
 QAccessibleInterface* withRole(const QString&, QObject* object) {
   const QVariant role = object != nullptr ? object->property(kRole) : QVariant();
-  return role.isValid() ? new WithRole(static_cast<QWidget*>(object), static_cast<QAccessible::Role>(role.toInt())) : nullptr;
+  return role.isValid()
+             ? new WithRole(static_cast<QWidget*>(object), static_cast<QAccessible::Role>(role.toInt()))
+             : nullptr;
 }
 
 }  // namespace

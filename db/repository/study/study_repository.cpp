@@ -76,8 +76,9 @@ std::optional<Centre> StudyRepository::centre() const {
 void StudyRepository::addCohort(const Cohort& cohort, std::span<const StudyGroup> groups) {
   Transaction transaction(connection_);
   connection_.execute(
-      insertInto("cohort", "id, name, description, created_utc_us, demonstration"),
-      {cohort.id, cohort.name, cohort.description, cohort.createdUtc_us, cohort.demonstration});
+      insertInto("cohort", "id, name, description, created_utc_us, demonstration, equivalence_margin"),
+      {cohort.id, cohort.name, cohort.description, cohort.createdUtc_us, cohort.demonstration,
+       cohort.equivalenceMargin});
   Statement insert = connection_.prepare(insertInto("training_group", "id, cohort_id, number, code, label"));
   for (const StudyGroup& group : groups) {
     insert.execute({group.id, cohort.id, group.number, group.code, group.label});
@@ -92,7 +93,7 @@ std::vector<Cohort> StudyRepository::cohorts() const {
       " COALESCE((SELECT s.state FROM cohort_state s WHERE s.cohort_id = c.id ORDER BY s.sequence DESC"
       " LIMIT 1), CASE WHEN EXISTS (SELECT 1 FROM enrolment e WHERE e.cohort_id = c.id AND (e.group_id IS"
       " NOT NULL OR EXISTS (SELECT 1 FROM trial t WHERE t.enrolment_id = e.id) OR EXISTS (SELECT 1 FROM"
-      " exposure x WHERE x.enrolment_id = e.id))) THEN 'running' ELSE 'draft' END)"
+      " exposure x WHERE x.enrolment_id = e.id))) THEN 'running' ELSE 'draft' END), c.equivalence_margin"
       " FROM cohort c ORDER BY c.created_utc_us, c.name",
       {}, [](RowReader& row) {
         return Cohort{row.text(),
@@ -101,7 +102,8 @@ std::vector<Cohort> StudyRepository::cohorts() const {
                       row.int64(),
                       row.boolean(),
                       row.text(),
-                      readTerm<CohortState>(row, "state")};
+                      readTerm<CohortState>(row, "state"),
+                      row.maybeReal()};
       });
 }
 

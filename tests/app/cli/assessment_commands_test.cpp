@@ -105,9 +105,21 @@ TEST_F(AssessmentCommands, EvaluateRefusesAnEmptyClassUnlessTheWeightsAreSharedO
   EXPECT_EQ(model["flags"], json::array({"few raters", "renormalised"}));
 }
 
+TEST_F(AssessmentCommands, EvaluateNamesTheLineOfAClassWhoseScoresAreAllMissing) {
+  const std::string file = write("empty.csv", std::string(kFiveRaters) + "1,c1,C,m,\n1,c2,C,m,\n");
+  const std::string call = "evaluate --weights 1 --ratings " + file;
+  expectRefused(call, {"empty.csv, line 6", "class C", "renormalise"});
+  expectRefused(call + " --policy list-wise", {"empty.csv, line 6", "class C"});
+  expectRefused(call + " --policy refuse", {"empty.csv, line 6", "c1"});
+  EXPECT_EQ(answer(call + " --policy renormalise")["models"][0]["indices"][0]["M"], 7.6);
+  // A class without weight may be empty.
+  expectRefused("evaluate --weights 1 --class-weights 0.4,0,0.6 --ratings " + file, {"line 6"});
+  answer("evaluate --weights 1 --class-weights 0.4,0.6,0 --ratings " + file);
+}
+
 TEST_F(AssessmentCommands, EvaluateKeepsMissingMarksApartFromZero) {
   const std::string file = write("hole.csv", std::string(kFiveRaters) + "1,c1,C,m,9\n1,c2,C,m,\n");
-  expectRefused("evaluate --weights 1 --policy refuse --ratings " + file, {"hole.csv", "c2"});
+  expectRefused("evaluate --weights 1 --policy refuse --ratings " + file, {"hole.csv, line 7", "c2"});
   const json model = answer("evaluate --weights 1 --ratings " + file)["models"][0];
   EXPECT_EQ(model["indices"][0]["M"], 8.3);
   EXPECT_EQ(model["indices"][0]["n"], 5);

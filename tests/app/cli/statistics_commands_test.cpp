@@ -166,6 +166,11 @@ TEST_F(StatisticsCommands, AgreementByKappaRefusesWhatTheCategoriesDoNotHold) {
   expectRefused(kappa + " --categories 1,2,1", {"1.0", "twice"}, ErrorCode::kBadParameter);
   expectRefused(kappa + " --categories 1,2,3 --disagreement " + half, {"half.csv", "1.0 and 3.0"});
   expectRefused(kappa + " --disagreement " + twice, {"twice.csv, line 3"});
+  std::string table = "target,rater,score\n";
+  for (int i = 0; i < 101; ++i) {
+    table += "t" + std::to_string(i) + ",x," + std::to_string(i) + ".5\n";
+  }
+  expectRefused("agreement --method kappa --ratings " + write("scores.csv", table), {"101", "Collapse"});
 }
 
 TEST_F(StatisticsCommands, AgreementByBlandAltmanGivesTheLimitsOfThePaper) {

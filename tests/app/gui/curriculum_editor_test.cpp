@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
+#include <QPlainTextEdit>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSpinBox>
@@ -18,6 +19,7 @@
 
 #include "app/gui/administrator/curriculum/competence_dialog.h"
 #include "app/gui/administrator/curriculum/curricula_page.h"
+#include "app/gui/administrator/curriculum/standard_dialog.h"
 #include "app/gui/administrator/study/power_dialog.h"
 #include "app/gui/base/language.h"
 #include "app/gui/widgets/child.h"
@@ -335,6 +337,44 @@ TEST(PowerDialog, AnswersAtOnceHowManyTraineesAreNeededAndWhatTheyShow) {
             QStringLiteral("power 0.40 for this effect; with power 0.80 they detect an effect of 1.32"));
   child<QComboBox>(dialog, "design").setCurrentIndex(1);
   EXPECT_EQ(child<QLabel>(dialog, "needed").text(), QStringLiteral("15 trainees"));  // type = "paired": 14.3
+}
+
+TEST(StandardDialog, SaysWhereTheLineIsAndWhatIsWrongInTheTable) {
+  StandardDialog dialog(nullptr);
+  auto& table = child<QPlainTextEdit>(dialog, "table");
+  const auto said = [&] { return child<QLabel>(dialog, "answer").text().toStdString(); };
+  const auto says = [&](const char* part) { return said().find(part) != std::string::npos; };
+  EXPECT_TRUE(says("Paste")) << said();
+  table.setPlainText(QStringLiteral("judge,item,percent\nA,grip,80\nA,turn,60\nB,grip,60\nB,turn,40\n"));
+  // Judges expect 1.4 and 1.0 items: 1.2 in the mean, standard deviation 0.28, error 0.2.
+  EXPECT_TRUE(says("Pass from 1.20 of 2 items on (60.00 %)")) << said();
+  EXPECT_TRUE(says("0.28 items (standard deviation), the cut is sure to 0.20")) << said();
+  table.setPlainText(QStringLiteral("judge,item,percent\nA,grip,180\n"));
+  EXPECT_TRUE(says("line 2")) << said();
+  table.setPlainText(QStringLiteral("judge,item,percent\nA,grip,80\nB,turn,60\n"));
+  EXPECT_TRUE(says("no percentage")) << said();
+
+  child<QComboBox>(dialog, "method").setCurrentIndex(1);
+  table.setPlainText(QStringLiteral("subject,global,score\na,1,10\nb,2,12\nc,3,14\nd,4,16.4\n"));
+  child<QDoubleSpinBox>(dialog, "borderline").setValue(2.5);
+  EXPECT_TRUE(says("Pass from a score of 13.10 on")) << said();  // at the mean rating: 52.4 / 4
+
+  child<QComboBox>(dialog, "method").setCurrentIndex(2);
+  table.setPlainText(
+      QStringLiteral("subject,group,score\na,novice,9\nb,novice,11\nc,master,15\nd,master,17\n"));
+  EXPECT_TRUE(says("Pass from a score of 13.00 on: 2 % of 2 novices")) << said();
+}
+
+// Bonett (2002): 8 z^2 (1 - r)^2 (1 + (k - 1) r)^2 / (k (k - 1) w^2) + 1 trainees; with r = 0.7 and w = 0.3
+// 30.5 for three raters, 25.6 for four, and never below 16.
+TEST(PowerDialog, AnswersHowManyRatersAgreementNeeds) {
+  PowerDialog dialog(nullptr);
+  child<QComboBox>(dialog, "design").setCurrentIndex(3);
+  EXPECT_EQ(child<QLabel>(dialog, "needed").text(), QStringLiteral("26 trainees, each scored by 4 raters"));
+  EXPECT_EQ(child<QLabel>(dialog, "shown").text(),
+            QStringLiteral("too few for this width, however many raters score them"));
+  child<QSpinBox>(dialog, "atHand").setValue(31);
+  EXPECT_EQ(child<QLabel>(dialog, "shown").text(), QStringLiteral("3 raters are enough for this width"));
 }
 
 }  // namespace

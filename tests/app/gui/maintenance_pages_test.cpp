@@ -128,7 +128,8 @@ TEST_F(HeadsPages, AHeadThatWasTypedFindsATrailThatWasCutOff) {
   child<QPlainTextEdit>(heads, "keptHeads").setPlainText(QStringLiteral("something else"));
   click(child<QPushButton>(heads, "verifyHeads"));
   ASSERT_EQ(failures_.size(), 1);
-  EXPECT_TRUE(failures_[0].contains(QStringLiteral("no head of an audit trail"))) << failures_[0].toStdString();
+  EXPECT_TRUE(failures_[0].contains(QStringLiteral("no head of an audit trail")))
+      << failures_[0].toStdString();
 }
 
 TEST_F(CarePages, TheBackupOfAnotherCentreIsNamedAndTakesItsNameToRestore) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a report is made from, who may take it out, and what is kept about it.
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <span>
 
@@ -63,6 +64,23 @@ struct SmallStudy {
     allocateAll(centre.session(), request.cohortId);
   }
 };
+
+TEST(ReportInputs, HoldTheMarginOfEquivalenceThatWasPlannedWithTheCohort) {
+  StudyCentre centre;
+  const std::string version = centre.runPaperCurriculum();
+  for (const double wrong : {0.0, -1.0, 2.0 * kLargestMargin, std::nan("")}) {
+    EXPECT_THROW(addCohort(centre.session(),
+                           {.name = "Study", .curriculumVersionId = version, .equivalenceMargin = wrong}),
+                 Error);
+  }
+  ReportRequest request;
+  request.cohortId = addCohort(centre.session(),
+                               {.name = "Study", .curriculumVersionId = version, .equivalenceMargin = 0.75});
+
+  TrialDigests digests{centre.assets()};
+  EXPECT_EQ(reportInputs(centre.as("administrator"), request, digests).equivalenceMargin, 0.75);
+  EXPECT_EQ(cohorts(centre.session()).front().cohort.equivalenceMargin, 0.75);
+}
 
 TEST(ReportInputs, AreForThoseWhoMayComputeResults) {
   SmallStudy study;

@@ -30,10 +30,10 @@ QString copiesText(SessionContext& session, const PersonId& personId, const QLoc
                  CopiesText::tr("These copies still hold this person; Torsio deletes none of them:");
   for (std::size_t i = 0; i < std::min(copies.size(), kShown); ++i) {
     const ListedCopy& listed = copies[i];
-    text += QLatin1Char('\n') +
-            CopiesText::tr("%1 at %2: %3, to be deleted by %4")
-                .arg(toQString(Text(copyKindLabel(listed.copy.kind))), toQString(listed.copy.station),
-                     toQString(listed.copy.place), shownTime(listed.dueUtc_us, locale));
+    text += QLatin1Char('\n') + CopiesText::tr("%1 at %2: %3, to be deleted by %4")
+                                    .arg(toQString(Text(copyKindLabel(listed.copy.kind))),
+                                         toQString(listed.copy.station), toQString(listed.copy.place),
+                                         shownTime(listed.dueUtc_us, locale));
   }
   if (copies.size() > kShown) {
     text += QLatin1Char('\n') + CopiesText::tr("and %1 older ones; torsio db copies lists all")

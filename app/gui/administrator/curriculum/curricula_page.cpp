@@ -22,6 +22,7 @@
 #include "app/gui/administrator/curriculum/competence_dialog.h"
 #include "app/gui/administrator/curriculum/curriculum_editor.h"
 #include "app/gui/administrator/curriculum/curriculum_state.h"
+#include "app/gui/administrator/curriculum/standard_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
@@ -43,6 +44,7 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
       add_(new QPushButton(this)),
+      standard_(new QPushButton(this)),
       table_(new DataTable(QStringLiteral("curricula"), this)),
       showing_(new QLabel(this)),
       versions_(new QComboBox(this)),
@@ -59,6 +61,8 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
   table_->setObjectName(QStringLiteral("curricula"));
   editor_->setObjectName(QStringLiteral("editor"));
   add_->setProperty("primary", true);
+  standard_->setObjectName(QStringLiteral("standard"));
+  heading_->addAction(standard_);
   heading_->addAction(add_);
   auto* right = editing_ = new QWidget(this);
   auto* rightColumn = new QVBoxLayout(right);
@@ -88,6 +92,7 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
   column->addWidget(splitter, 1);
 
   connect(add_, &QPushButton::clicked, this, &CurriculaPage::askNew);
+  connect(standard_, &QPushButton::clicked, this, [this] { StandardDialog(this).exec(); });
   connect(save_, &QPushButton::clicked, this, &CurriculaPage::save);
   connect(publish_, &QPushButton::clicked, this, &CurriculaPage::askPublish);
   connect(take_, &QPushButton::clicked, this, &CurriculaPage::takeAsDraft);
@@ -448,6 +453,7 @@ void CurriculaPage::retranslate() {
   begin_->setText(tr("&Begin"));
   close_->setText(tr("&Close\u2026"));
   competence_->setText(tr("Co&mpetence\u2026"));
+  standard_->setText(tr("Where to draw the &line\u2026"));
   table_->setColumns({{tr("Name")}, {tr("Newest version")}});
   table_->setEmptyText(tr("No curriculum yet. Begin with the template of the paper's three arms."));
   editor_->retranslate();

@@ -65,6 +65,7 @@ class CurriculaPage : public Page {
   bool dirty_ = false;
   PageHeading* heading_;
   QPushButton* add_;
+  QPushButton* standard_;
   DataTable* table_;
   QLabel* showing_;
   QComboBox* versions_;

@@ -187,8 +187,9 @@ void HeadsPage::showStation() {
              tr("! The key lies beside the record: whoever takes the folder can sign. Move it away.");
     }
   } else {
-    key = tr("! This station has no key, so its heads are not signed: whoever can change the place where they "
-             "are kept can replace them.");
+    key =
+        tr("! This station has no key, so its heads are not signed: whoever can change the place where they "
+           "are kept can replace them.");
   }
   keyText_->setText(key);
   setLook(keyText_, "caution", heads_.publicKey.empty() || heads_.keyBesideRecord);
@@ -197,17 +198,18 @@ void HeadsPage::showStation() {
   QString witness;
   const bool kept = !heads_.anchor.witness.empty();
   if (kept) {
-    witness = tr("Each sign-out of an administrator adds a head to %1. Lines now: %2")
-                  .arg(toQString(heads_.anchor.witness),
-                       locale().toString(static_cast<qlonglong>(heads_.kept)));
+    witness =
+        tr("Each sign-out of an administrator adds a head to %1. Lines now: %2")
+            .arg(toQString(heads_.anchor.witness), locale().toString(static_cast<qlonglong>(heads_.kept)));
     if (heads_.witnessOnDisk) {
       witness += QLatin1Char('\n') +
                  tr("! It lies on the disk of the record: whoever takes the disk, or puts an older one back, "
                     "has both. Choose a file on another disk.");
     }
   } else {
-    witness = tr("! This station keeps no heads. A record that was cut off, rewritten or put back is not "
-                 "found by itself.");
+    witness =
+        tr("! This station keeps no heads. A record that was cut off, rewritten or put back is not "
+           "found by itself.");
   }
   if (!heads_.trouble.str().empty()) {
     witness += QLatin1Char('\n') + QStringLiteral("! ") + toQString(heads_.trouble);
@@ -249,8 +251,8 @@ void HeadsPage::keepIn(const std::filesystem::path& witness) {
 }
 
 void HeadsPage::askKey() {
-  const QString file = askFileToSave(this, tr("Make a key in a new file"), QStringLiteral("torsio-key"),
-                                     tr("Key (*)"));
+  const QString file =
+      askFileToSave(this, tr("Make a key in a new file"), QStringLiteral("torsio-key"), tr("Key (*)"));
   if (!file.isEmpty()) {
     makeKey(toPath(file));
   }
@@ -291,9 +293,9 @@ void HeadsPage::printHead() {
     return;
   }
   QTextDocument document;
-  document.setPlainText(tr("Head of the audit trail, printed at %1")
-                            .arg(shownTime(shell().session().now_us(), locale())) +
-                        QStringLiteral("\n\n") + line_->toPlainText());
+  document.setPlainText(
+      tr("Head of the audit trail, printed at %1").arg(shownTime(shell().session().now_us(), locale())) +
+      QStringLiteral("\n\n") + line_->toPlainText());
   document.print(&printer);
 }
 
@@ -347,9 +349,10 @@ void HeadsPage::showVerdict() {
 }
 
 void HeadsPage::retranslate() {
-  heading_->setTexts(tr("Heads of the audit trail"),
-                     tr("What is kept outside of the record, and finds what the record cannot tell of itself: "
-                        "entries cut off, a trail rewritten, an older file put back."));
+  heading_->setTexts(
+      tr("Heads of the audit trail"),
+      tr("What is kept outside of the record, and finds what the record cannot tell of itself: "
+         "entries cut off, a trail rewritten, an older file put back."));
   back_->setText(tr("&Back to the audit trail"));
   station_->setTitle(tr("This station"));
   useKey_->setText(tr("&Use another key\u2026"));

@@ -385,7 +385,7 @@ void MaintenancePage::erase() {
                   tr("The identity of %1 and %n recording(s) are erased for good. Marks stay without a "
                      "person, so that statistics remain right.",
                      nullptr, static_cast<int>(tried.recordings))
-                      .arg(toQString(item->code)) +
+                          .arg(toQString(item->code)) +
                       copiesText(shell().session(), who.front(), locale()));
     if (!reason) {
       return;

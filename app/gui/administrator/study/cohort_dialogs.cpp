@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QInputDialog>
 #include <QLabel>
@@ -24,6 +25,7 @@ CohortDialog::CohortDialog(const std::vector<CurriculumRow>& curricula, QWidget*
       curriculum_(new QComboBox(this)),
       groups_(new QLineEdit(this)),
       groupsLabel_(new QLabel(tr("&Groups"), this)),
+      margin_(new QDoubleSpinBox(this)),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
   name_->setObjectName(QStringLiteral("name"));
   setWindowTitle(tr("New cohort"));
@@ -41,6 +43,18 @@ CohortDialog::CohortDialog(const std::vector<CurriculumRow>& curricula, QWidget*
   form->addRow(tr("&Description"), description_);
   form->addRow(tr("&Curriculum"), curriculum_);
   form->addRow(groupsLabel_, groups_);
+  margin_->setObjectName(QStringLiteral("margin"));
+  margin_->setDecimals(2);
+  margin_->setSingleStep(0.25);
+  margin_->setRange(0.0, kLargestMargin);
+  margin_->setSpecialValueText(tr("none planned"));
+  margin_->setSuffix(tr(" points"));
+  form->addRow(tr("Differences that do not &matter, up to"), margin_);
+  auto* why = sentence(this);
+  why->setText(
+      tr("The report then tests whether groups are equal within it. It belongs to the plan: it cannot be "
+         "changed later."));
+  form->addRow(QString(), why);
   buttons_->button(QDialogButtonBox::Ok)->setText(tr("Create"));
   form->addRow(buttons_);
   name_->setMinimumWidth(360);
@@ -64,6 +78,9 @@ NewCohort CohortDialog::cohort() const {
   NewCohort out;
   out.name = name_->text().trimmed().toStdString();
   out.description = description_->text().trimmed().toStdString();
+  if (margin_->value() > 0.0) {
+    out.equivalenceMargin = margin_->value();
+  }
   out.curriculumVersionId = chosenId(curriculum_);
   if (!out.curriculumVersionId.empty()) {
     return out;

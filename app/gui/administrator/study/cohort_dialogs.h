@@ -13,13 +13,14 @@
 
 class QComboBox;
 class QDialogButtonBox;
+class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 
 namespace torsio::gui {
 
 /// Asks for a new cohort: name, words, and the running curriculum whose arms become its groups; without one,
-/// the groups by name.
+/// the groups by name; and what difference of scores the plan takes for none.
 class CohortDialog : public QDialog {
   Q_OBJECT
 
@@ -36,6 +37,7 @@ class CohortDialog : public QDialog {
   QComboBox* curriculum_;
   QLineEdit* groups_;
   QLabel* groupsLabel_;
+  QDoubleSpinBox* margin_;
   QDialogButtonBox* buttons_;
 };
 

@@ -135,7 +135,12 @@ void CohortsPage::showMembers() {
                     shell().may(Operation::kStudySetup));
   allocate_->setEnabled(row != nullptr && shell().may(Operation::kAllocationView));
   state_->setEnabled(false);
-  membersTitle_->setText(row != nullptr ? tr("Trainees of %1").arg(toQString(row->cohort.name)) : QString());
+  membersTitle_->setText(row == nullptr ? QString()
+                         : row->cohort.equivalenceMargin
+                             ? tr("Trainees of %1 (planned: differences up to %2 points do not matter)")
+                                   .arg(toQString(row->cohort.name))
+                                   .arg(*row->cohort.equivalenceMargin)
+                             : tr("Trainees of %1").arg(toQString(row->cohort.name)));
   enrolments_.clear();
   if (row != nullptr) {
     attempt(shell(), [&] { enrolments_ = enrolments(session, row->cohort.id); });

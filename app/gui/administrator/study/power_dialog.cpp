@@ -18,9 +18,10 @@ namespace torsio::gui {
 
 namespace {
 
-enum Design { kTwoGroups, kBeforeAfter, kSeveralGroups };
+enum Design { kTwoGroups, kBeforeAfter, kSeveralGroups, kAgreement };
 
 constexpr int kPowerDialogWidth = 560;
+constexpr int kMostRaters = 50;
 
 QDoubleSpinBox* spinOf(QWidget* parent, const char* name, double low, double high, double value) {
   auto* spin = new QDoubleSpinBox(parent);
@@ -60,10 +61,14 @@ PowerDialog::PowerDialog(QWidget* parent)
       power_(spinOf(this, "power", 0.5, 0.99, 0.8)),
       alpha_(spinOf(this, "alpha", 0.01, 0.2, kUsualAlpha)),
       correlation_(spinOf(this, "correlation", 0.0, 0.95, 0.5)),
+      icc_(spinOf(this, "icc", 0.05, 0.95, 0.7)),
+      width_(spinOf(this, "width", 0.05, 1.0, 0.3)),
+      raters_(new QSpinBox(this)),
       atHand_(new QSpinBox(this)),
+      form_(new QFormLayout),
       needed_(sentence(this, false)),
       shown_(sentence(this, false)) {
-  setWindowTitle(tr("How many trainees?"));
+  setWindowTitle(tr("How many trainees and raters?"));
   setMinimumWidth(kPowerDialogWidth);
   design_->setObjectName(QStringLiteral("design"));
   needed_->setObjectName(QStringLiteral("needed"));
@@ -71,33 +76,41 @@ PowerDialog::PowerDialog(QWidget* parent)
   design_->addItem(tr("two groups (t test, Cohen's d)"));
   design_->addItem(tr("one group before and after (d of the differences)"));
   design_->addItem(tr("several groups (analysis of variance, Cohen's f)"));
+  design_->addItem(tr("agreement of raters (ICC, width of its 95 % interval)"));
+  raters_->setObjectName(QStringLiteral("raters"));
+  raters_->setRange(2, kMostRaters);
+  raters_->setValue(4);
   groups_->setRange(3, 10);
+  atHand_->setObjectName(QStringLiteral("atHand"));
   atHand_->setRange(3, 1000);
   atHand_->setValue(10);
-  auto* form = new QFormLayout;
-  form->addRow(tr("&Comparison"), design_);
-  form->addRow(tr("&Groups"), groups_);
-  form->addRow(tr("&Effect that must not be missed"), effect_);
-  form->addRow(tr("&Power wanted"), power_);
-  form->addRow(tr("Significance &level"), alpha_);
-  form->addRow(tr("Co&rrelation of the scores before and after"), correlation_);
-  form->addRow(tr("Needed"), needed_);
-  form->addRow(tr("Trainees at &hand, each group"), atHand_);
-  form->addRow(tr("What they show"), shown_);
+  form_->addRow(tr("&Comparison"), design_);
+  form_->addRow(tr("&Groups"), groups_);
+  form_->addRow(tr("&Effect that must not be missed"), effect_);
+  form_->addRow(tr("&Power wanted"), power_);
+  form_->addRow(tr("Significance &level"), alpha_);
+  form_->addRow(tr("Co&rrelation of the scores before and after"), correlation_);
+  form_->addRow(tr("Agreement of one rater e&xpected (ICC)"), icc_);
+  form_->addRow(tr("&Width of its interval, at most"), width_);
+  form_->addRow(tr("R&aters who score everybody"), raters_);
+  form_->addRow(tr("Needed"), needed_);
+  form_->addRow(tr("Trainees at &hand, each group"), atHand_);
+  form_->addRow(tr("What they show"), shown_);
   auto* column = new QVBoxLayout(this);
-  column->addLayout(form);
+  column->addLayout(form_);
   auto* raters = sentence(this);
   raters->setText(
-      tr("How many raters are needed stands under Results, in the section Raters, once marks are there."));
+      tr("How many raters a mean score needs stands under Results, in the section Raters, once marks are "
+         "there."));
   column->addWidget(raters);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   column->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(design_, &QComboBox::currentIndexChanged, this, &PowerDialog::showAnswer);
-  for (QSpinBox* spin : {groups_, atHand_}) {
+  for (QSpinBox* spin : {groups_, raters_, atHand_}) {
     connect(spin, &QSpinBox::valueChanged, this, &PowerDialog::showAnswer);
   }
-  for (QDoubleSpinBox* spin : {effect_, power_, alpha_, correlation_}) {
+  for (QDoubleSpinBox* spin : {effect_, power_, alpha_, correlation_, icc_, width_}) {
     connect(spin, &QDoubleSpinBox::valueChanged, this, &PowerDialog::showAnswer);
   }
   showAnswer();
@@ -105,6 +118,19 @@ PowerDialog::PowerDialog(QWidget* parent)
 
 void PowerDialog::showAnswer() {
   const int design = design_->currentIndex();
+  for (QWidget* of :
+       {static_cast<QWidget*>(groups_), static_cast<QWidget*>(effect_), static_cast<QWidget*>(power_),
+        static_cast<QWidget*>(alpha_), static_cast<QWidget*>(correlation_)}) {
+    form_->setRowVisible(of, design != kAgreement);
+  }
+  for (QWidget* of :
+       {static_cast<QWidget*>(icc_), static_cast<QWidget*>(width_), static_cast<QWidget*>(raters_)}) {
+    form_->setRowVisible(of, design == kAgreement);
+  }
+  if (design == kAgreement) {
+    showAgreement();
+    return;
+  }
   const int groups = groups_->value();
   const double n = atHand_->value();
   groups_->setEnabled(design == kSeveralGroups);
@@ -120,6 +146,22 @@ void PowerDialog::showAnswer() {
                       .arg(powerOf(design, groups, n, effect_->value(), alpha_->value()), 0, 'f', 2)
                       .arg(power_->value(), 0, 'f', 2)
                       .arg(detectableOf(design, groups, n, power_->value(), alpha_->value()), 0, 'f', 2));
+}
+
+void PowerDialog::showAgreement() {
+  const auto sizeFor = [this](int raters) {
+    return std::ceil(sizeIccWidth(icc_->value(), raters, width_->value()));
+  };
+  needed_->setText(tr("%1 trainees, each scored by %2 raters")
+                       .arg(QString::number(sizeFor(raters_->value()), 'f', 0))
+                       .arg(raters_->value()));
+  int raters = 2;
+  while (raters < kMostRaters && sizeFor(raters) > atHand_->value()) {
+    ++raters;
+  }
+  shown_->setText(sizeFor(raters) <= atHand_->value()
+                      ? tr("%1 raters are enough for this width").arg(raters)
+                      : tr("too few for this width, however many raters score them"));
 }
 
 }  // namespace torsio::gui

@@ -5,12 +5,14 @@
 
 class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
 class QSpinBox;
 
 namespace torsio::gui {
 
-/// How many trainees a study needs, and what a number of trainees can show (torsio power). GUI thread.
+/// How many trainees or raters a study needs, and what a number of trainees can show (torsio power). GUI
+/// thread.
 class PowerDialog : public QDialog {
   Q_OBJECT
 
@@ -19,6 +21,7 @@ class PowerDialog : public QDialog {
 
  private:
   void showAnswer();
+  void showAgreement();
 
   QComboBox* design_;
   QSpinBox* groups_;
@@ -26,7 +29,11 @@ class PowerDialog : public QDialog {
   QDoubleSpinBox* power_;
   QDoubleSpinBox* alpha_;
   QDoubleSpinBox* correlation_;
+  QDoubleSpinBox* icc_;
+  QDoubleSpinBox* width_;
+  QSpinBox* raters_;
   QSpinBox* atHand_;
+  QFormLayout* form_;
   QLabel* needed_;
   QLabel* shown_;
 };

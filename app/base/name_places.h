@@ -6,9 +6,9 @@
 #include <unordered_map>
 #include <vector>
 
-namespace torsio::cli {
+namespace torsio {
 
-/// Names in the order in which a file brings them, each once, found in constant time. Private to app/cli.
+/// Names in the order in which a file brings them, each once, found in constant time.
 class NamePlaces {
  public:
   /// Returns the place of a name, to which it is added when it is new.
@@ -26,4 +26,4 @@ class NamePlaces {
   std::unordered_map<std::string, std::size_t> places_;
 };
 
-}  // namespace torsio::cli
+}  // namespace torsio

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QPlainTextEdit;
+
+namespace torsio::gui {
+
+/// Where to draw the line between pass and fail: a table of judges or scores is pasted, and the cut stands
+/// below it at once (torsio standard-setting). Nothing is stored. GUI thread.
+class StandardDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit StandardDialog(QWidget* parent);
+
+ private:
+  void showMethod();
+  void showAnswer();
+
+  QComboBox* method_;
+  QLabel* asks_;
+  QPlainTextEdit* table_;
+  QDoubleSpinBox* borderline_;
+  QLabel* answer_;
+  QFormLayout* form_;
+};
+
+}  // namespace torsio::gui
