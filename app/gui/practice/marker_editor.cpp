@@ -90,7 +90,9 @@ QWidget* MarkerEditor::createPanel() {
   hint_->setMinimumHeight(kHintLines * hint_->fontMetrics().lineSpacing());  // in any language
   list_ = new QListWidget(card_);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  list_->setTextElideMode(Qt::ElideRight);
+  list_->setTextElideMode(Qt::ElideNone);
+  list_->setWordWrap(true);
+  list_->setResizeMode(QListView::Adjust);
   name_ = new QLineEdit(card_);
   section_ = new QSpinBox(card_);
   ridge_ = new QSpinBox(card_);

@@ -82,7 +82,7 @@ ExercisePanel::ExercisePanel(QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   auto* grid = new QGridLayout;
   grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(2 * kSpace);
+  grid->setHorizontalSpacing(kSpace);
   grid->setVerticalSpacing(kSpace - 2);
   grid->setColumnStretch(1, 1);
   organLabel_ = addField(grid, organ_);

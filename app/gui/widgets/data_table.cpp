@@ -197,13 +197,25 @@ void DataTable::shareWidth() {
       widths[static_cast<std::size_t>(column)] = 0;
     }
   }
+  // A column gives way down to its title, which stays whole.
+  std::vector<int> room(widths.size(), 0);
+  for (int column = 0; column < header->count(); ++column) {
+    const auto at = static_cast<std::size_t>(column);
+    room[at] = std::max(0, widths[at] - std::max(kLeastWidth, header->sectionSizeHint(column)));
+  }
   int over = std::accumulate(widths.begin(), widths.end(), 0) - view_->viewport()->width();
   for (; over > 0 && !widths.empty(); --over) {
-    const auto widest = std::max_element(widths.begin(), widths.end());
-    if (*widest <= kLeastWidth) {
+    std::size_t widest = widths.size();
+    for (std::size_t at = 0; at < widths.size(); ++at) {
+      if (room[at] > 0 && (widest == widths.size() || widths[at] > widths[widest])) {
+        widest = at;
+      }
+    }
+    if (widest == widths.size()) {
       break;
     }
-    --*widest;
+    --widths[widest];
+    --room[widest];
   }
   sharing_ = true;
   for (int column = 0; column < header->count(); ++column) {

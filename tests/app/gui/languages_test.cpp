@@ -31,6 +31,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/program/screenshots.h"
 #include "app/report/typeface.h"
+#include "tests/app/gui/clipped_texts.h"
 
 namespace torsio::gui {
 namespace {
@@ -51,7 +52,7 @@ bool staysAsItIs(const QString& text) {
                                                // statistics
       "(evaluation|training)-1|Saint-Venant|"  // versions and names of formulas
       "[\\W\\d_]*([kmµ]?(Pa|N|Nm|N m|m|s|Hz|B|MiB|GiB)|CSV|PDF|PIN|ms|µs|X|Y|Z|F1)?[\\W\\d_]*|"  // units
-      "/.*|[0-9a-f]{8,}.*|\\d.*UTC"  // paths, hashes, times
+      "/.*|[0-9a-f]{8,}.*|R-[0-9]+-[0-9a-f]{8}|\\d.*UTC"  // paths, hashes, numbers of reports, times
       ")$"));
   return kKept.match(text.trimmed()).hasMatch();
 }
@@ -277,6 +278,7 @@ class Walk {
   Findings stuck;     // texts that do not come back in English
   Findings cut;       // pseudo language
   Findings doubled;   // keys that two things of one screen want, and titles that are told twice
+  Findings clipped;   // English and Chinese
   int screens = 0;
 
   Walk() {
@@ -300,6 +302,9 @@ class Walk {
     ++screens;
     const QStringList before = withoutNumbers(seenTexts(window));
     findDoubled(name, window);
+    for (const QString& text : testing::clippedTexts(window)) {
+      clipped[name].insert(text);
+    }
     {
       LanguageSwitch chinese;
       chinese.choose(Language::kSimplifiedChinese);
@@ -310,6 +315,9 @@ class Walk {
         }
       }
       findDoubled(name, window);
+      for (const QString& text : testing::clippedTexts(window)) {
+        clipped[name + QStringLiteral(" (Chinese)")].insert(text);
+      }
       chinese.choose(Language::kEnglish);
       retranslated();
     }
@@ -366,6 +374,7 @@ TEST(EveryScreen, IsChineseAfterALiveSwitchEnglishAgainAndHasRoomForALongerLangu
   EXPECT_TRUE(walk.stuck.empty()) << told(walk.stuck);
   EXPECT_TRUE(walk.cut.empty()) << told(walk.cut);
   EXPECT_TRUE(walk.doubled.empty()) << told(walk.doubled);
+  EXPECT_TRUE(walk.clipped.empty()) << told(walk.clipped);
 }
 
 TEST(Spoken, PutsArgumentsIntoTheChineseSentence) {

@@ -58,6 +58,9 @@ TEST(ConsentTexts, AreEditedInEachLanguageAndPublishedAsTheNextVersion) {
   QStringList seen;
   answer([&seen](QDialog& dialog) {
     EXPECT_FALSE(named(dialog, "publish").isEnabled()) << "nothing has changed yet";
+    for (const QPushButton* button : dialog.findChildren<QPushButton*>()) {
+      EXPECT_FALSE(button->autoDefault()) << "Enter in a field presses nothing";
+    }
     EXPECT_FALSE(named(dialog, "removePurpose").isEnabled()) << "the training record stays";
     child<QPlainTextEdit>(dialog, "text").setPlainText(QStringLiteral("We keep it for two years."));
     named(dialog, "addPurpose").click();
@@ -158,6 +161,10 @@ TEST(RubricDialog, EditsTheSheetBesideWhatTheRaterSeesAndPublishesARevision) {
       QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
       return dialog.findChildren<ScoreRow*>().size();
     };
+    for (const QPushButton* button : dialog.findChildren<QPushButton*>()) {
+      EXPECT_FALSE(button->text().isEmpty()) << button->objectName().toStdString();
+      EXPECT_FALSE(button->autoDefault()) << "Enter in a field presses nothing";
+    }
     const auto before = previewed();
     EXPECT_FALSE(named(dialog, "publish").isEnabled());
     typeInto(child<QLineEdit>(dialog, "label"), QStringLiteral("Time to the last twist"));

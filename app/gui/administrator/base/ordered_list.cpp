@@ -36,7 +36,9 @@ OrderedList::OrderedList(const QString& name, QWidget* form, QWidget* parent)
   list_->setObjectName(name);
   list_->setMinimumWidth(kOrderedWidth);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  list_->setTextElideMode(Qt::ElideRight);
+  list_->setTextElideMode(Qt::ElideNone);
+  list_->setWordWrap(true);
+  list_->setResizeMode(QListView::Adjust);
   auto* buttons = new QGridLayout;
   buttons->setSpacing(kSpace / 2);
   int next = 0;

@@ -82,6 +82,9 @@ ConsentDialog::ConsentDialog(ShellContext& shell, PersonId personId, const QStri
   buttons->addButton(tr("&Close"), QDialogButtonBox::RejectRole);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   column->addWidget(buttons);
+  for (QPushButton* button : findChildren<QPushButton*>()) {
+    button->setAutoDefault(false);  // Enter ends an input and decides nothing
+  }
   decisions_->setColumns(
       {{tr("When")}, {tr("Purpose")}, {tr("Decision")}, {tr("How")}, {tr("Signed on")}, {tr("Text")}});
   decisions_->setEmptyText(tr("Nothing was decided yet."));

@@ -134,9 +134,11 @@ void ConsentTextsDialog::build() {
   buttons->addButton(publish_, QDialogButtonBox::ActionRole);
   buttons->addButton(tr("&Close"), QDialogButtonBox::RejectRole);
   publish_->setProperty("primary", true);
-  publish_->setAutoDefault(false);
   connect(buttons, &QDialogButtonBox::rejected, this, &ConsentTextsDialog::reject);
   column->addWidget(buttons);
+  for (QPushButton* button : findChildren<QPushButton*>()) {
+    button->setAutoDefault(false);  // Enter ends an input and presses nothing
+  }
 }
 
 void ConsentTextsDialog::read() {

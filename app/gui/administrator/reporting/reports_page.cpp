@@ -31,11 +31,11 @@ namespace torsio::gui {
 
 namespace {
 
-QLabel* gridField(QGridLayout* grid, int column, QWidget* field) {
+QLabel* gridField(QGridLayout* grid, int line, int column, QWidget* field) {
   auto* label = new QLabel;
   label->setBuddy(field);
-  grid->addWidget(label, 0, column);
-  grid->addWidget(field, 1, column);
+  grid->addWidget(label, 2 * line, column);
+  grid->addWidget(field, 2 * line + 1, column);
   return label;
 }
 
@@ -72,14 +72,14 @@ ReportsPage::ReportsPage(ShellContext& shell)
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(2 * kSpace);
   grid->setVerticalSpacing(kSpace / 2);
-  cohortLabel_ = gridField(grid, 0, cohort_);
-  campaignLabel_ = gridField(grid, 1, campaign_);
-  frozenLabel_ = gridField(grid, 2, frozen_);
+  cohortLabel_ = gridField(grid, 0, 0, cohort_);
+  campaignLabel_ = gridField(grid, 0, 1, campaign_);
+  frozenLabel_ = gridField(grid, 0, 2, frozen_);
   grid->addWidget(freeze_, 1, 3);
-  identityLabel_ = gridField(grid, 4, identity_);
-  languageLabel_ = gridField(grid, 5, language_);
-  for (const auto& [column, share] : {std::pair(0, 3), std::pair(1, 3), std::pair(2, 2), std::pair(4, 1)}) {
-    grid->setColumnStretch(column, share);  // names of cohorts and campaigns are long
+  identityLabel_ = gridField(grid, 1, 0, identity_);
+  languageLabel_ = gridField(grid, 1, 1, language_);
+  for (const int column : {0, 1, 2}) {
+    grid->setColumnStretch(column, 1);  // names of cohorts and campaigns are long
   }
   for (QComboBox* box : {cohort_, campaign_, frozen_, identity_}) {
     box->setMinimumContentsLength(10);

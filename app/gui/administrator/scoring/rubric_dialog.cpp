@@ -92,6 +92,7 @@ void RubricDialog::build() {
   auto* right = new QVBoxLayout;
   preview_->setFixedWidth(kPreviewWidth);
   preview_->setTheme(theme(shell_.themeKind()));
+  preview_->retranslate();
   nameField(addField(right, preview_), tr("As the rater sees it"));
   right->setStretchFactor(preview_, 1);
   middle->addLayout(right);
@@ -104,11 +105,11 @@ void RubricDialog::build() {
   buttons->addButton(publish_, QDialogButtonBox::ActionRole);
   buttons->addButton(tr("C&lose"), QDialogButtonBox::RejectRole);
   publish_->setProperty("primary", true);
-  for (QPushButton* button : {import_, export_, publish_}) {
-    button->setAutoDefault(false);
-  }
   connect(buttons, &QDialogButtonBox::rejected, this, &RubricDialog::reject);
   column->addWidget(buttons);
+  for (QPushButton* button : findChildren<QPushButton*>()) {
+    button->setAutoDefault(false);  // Enter ends an input and presses nothing
+  }
 }
 
 void RubricDialog::read() {

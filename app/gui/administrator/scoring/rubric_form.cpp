@@ -108,6 +108,7 @@ RubricForm::RubricForm(QWidget* parent)
       overall_(new ScaleFields(QStringLiteral("overall"))) {
   rows_ = new OrderedList(QStringLiteral("criteria"), rowForm(), this);
   rows_->setListName(tr("Criteria"));
+  rows_->retranslate();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kSpace);
