@@ -13580,10 +13580,6 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>就这一时刻向医师提问</translation>
     </message>
     <message>
-        <source>&amp;To</source>
-        <translation>收件人(&amp;T)</translation>
-    </message>
-    <message>
         <source>Physician</source>
         <translation>医师</translation>
     </message>
@@ -13594,6 +13590,10 @@ Only an allocator previews, locks and draws. An administrator gives this role to
     <message>
         <source>What do you want to know?</source>
         <translation>您想了解什么？</translation>
+    </message>
+    <message>
+        <source>T&amp;o</source>
+        <translation>收件人(&amp;O)</translation>
     </message>
 </context>
 <context>
@@ -16094,10 +16094,6 @@ MSM = 质点弹簧</translation>
         <translation>请坐好，将手柄放回底座，前臂放松。</translation>
     </message>
     <message>
-        <source>&amp;Check again</source>
-        <translation>重新检查(&amp;C)</translation>
-    </message>
-    <message>
         <source>Practise with the &amp;mouse</source>
         <translation>用鼠标练习(&amp;M)</translation>
     </message>
@@ -16145,6 +16141,10 @@ MSM = 质点弹簧</translation>
         <source>Sit down and take the device into your hand.</source>
         <translation>请坐好，把设备拿在手中。</translation>
     </message>
+    <message>
+        <source>Check &amp;again</source>
+        <translation>重新检查(&amp;A)</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::DevicesPage</name>
@@ -16189,10 +16189,6 @@ MSM = 质点弹簧</translation>
         <translation>检查设备(&amp;C)</translation>
     </message>
     <message>
-        <source>Device &amp;name</source>
-        <translation>设备名称(&amp;N)</translation>
-    </message>
-    <message>
         <source>the usual one</source>
         <translation>默认设备</translation>
     </message>
@@ -16233,8 +16229,12 @@ MSM = 质点弹簧</translation>
         <translation>第一个可用的设备</translation>
     </message>
     <message>
-        <source>This &amp;station works with</source>
-        <translation>本工作站使用(&amp;S)</translation>
+        <source>This station w&amp;orks with</source>
+        <translation>本工作站使用(&amp;O)</translation>
+    </message>
+    <message>
+        <source>De&amp;vice name</source>
+        <translation>设备名称(&amp;V)</translation>
     </message>
 </context>
 <context>
@@ -16799,20 +16799,20 @@ MSM = 质点弹簧</translation>
 <context>
     <name>torsio::gui::FigureCard</name>
     <message>
-        <source>&amp;Picture</source>
-        <translation>图形(&amp;P)</translation>
-    </message>
-    <message>
-        <source>&amp;Values</source>
-        <translation>数值(&amp;V)</translation>
-    </message>
-    <message>
-        <source>&amp;Copy</source>
-        <translation>复制(&amp;C)</translation>
-    </message>
-    <message>
         <source>Copies the picture and its table (Ctrl+C)</source>
         <translation>复制图形及其数据表（Ctrl+C）</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>图形</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
     </message>
 </context>
 <context>
@@ -22233,16 +22233,16 @@ T-02,master,17</translation>
         <translation>评分者和研究管理者的新密码与角色，以及删除、恢复和启封分组，须两人共同完成(&amp;T)</translation>
     </message>
     <message>
-        <source>A password that was entered &amp;signs for</source>
-        <translation>输入一次密码可签名(&amp;S)</translation>
-    </message>
-    <message>
         <source>one signature</source>
         <translation>一次签名</translation>
     </message>
     <message>
         <source>&amp;Save</source>
         <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>A password that was &amp;entered signs for</source>
+        <translation>输入一次密码可签名(&amp;E)</translation>
     </message>
 </context>
 <context>

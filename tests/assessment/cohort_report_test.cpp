@@ -110,7 +110,7 @@ TEST(CohortReport, BeginsWithAPageThatABoardReadsInAMinute) {
   EXPECT_THAT(
       board.paragraphs[1].str(),
       ::testing::HasSubstr("30 trainees in 3 groups, 0 of them withdrew; 10 physicians gave 900 marks; "
-                           "1 deviations"));
+                           "1 deviation from"));
   ASSERT_EQ(board.figures.size(), 1U);
   EXPECT_EQ(board.figures[0].id, "figure-answer");
   const ReportModel whole = cohortReport(in);

@@ -157,7 +157,7 @@ TEST_F(DemonstrationDataTest, RefusesWhileARealRowUsesASimulatedOne) {
   const Refusal refusal = refusalFrom([&] { remove(connection); });
 
   EXPECT_EQ(refusal.code, ErrorCode::kBadData);
-  EXPECT_NE(refusal.text.find("1 rows of app_user refer to simulated rows of person"), std::string::npos)
+  EXPECT_NE(refusal.text.find("1 row refers from app_user to simulated rows of person"), std::string::npos)
       << refusal.text;
   EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM person"), people);
   EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM erasure_gate"), 0);

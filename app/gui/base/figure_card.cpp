@@ -166,9 +166,9 @@ void FigureCard::changeEvent(QEvent* event) {
 }
 
 void FigureCard::retranslate() {
-  picture_->setText(tr("&Picture"));
-  values_->setText(tr("&Values"));
-  copy_->setText(tr("&Copy"));
+  picture_->setText(tr("Picture"));
+  values_->setText(tr("Values"));
+  copy_->setText(tr("Copy"));
   copy_->setToolTip(tr("Copies the picture and its table (Ctrl+C)"));
   showTexts();
 }

@@ -159,10 +159,13 @@ Rectangle {
             source: "#Rectangle"    // 100 high, 100 wide
             position: root.surroundingsPosition
             scale: Qt.vector3d(0.01 * root.surroundingsSize, 0.01 * root.surroundingsSize, 1)
+            // Drawn first and leaving no depth: it hides nothing, also where the instrument comes from behind.
+            depthBias: -100000
             castsShadows: false
             receivesShadows: false
             materials: PrincipledMaterial {
                 lighting: PrincipledMaterial.NoLighting
+                depthDrawMode: Material.NeverDepthDraw
                 baseColorMap: Texture {
                     textureData: SurroundingsTexture { id: surroundingsData }
                     generateMipmaps: true

@@ -20,8 +20,8 @@ constexpr int kSide_px = 768;
 constexpr int kCloth_px = 256;   // folds are broad
 constexpr int kShadow_px = 192;  // and the shadow is soft
 constexpr double kShadowDepth = 0.38;
-constexpr double kShadowRight = 0.13;  // radii: the lamp stands at the upper left
-constexpr double kShadowDown = 0.15;
+constexpr double kShadowRight = 0.07;  // radii: the lamp stands at the upper left
+constexpr double kShadowDown = 0.08;
 
 bool onDrape(Surroundings kind) {
   return kind == Surroundings::kDrape;
@@ -121,6 +121,29 @@ void drawRim(QPainter& painter, const Theme& theme) {
   painter.drawEllipse(QPointF(0.0, 0.0), 2.82, 2.52);
 }
 
+/// Means over squares, three times over: nearly a bell.
+QImage softened(const QImage& sharp) {
+  constexpr int kReach = 5;
+  QImage soft = sharp;
+  for (int pass = 0; pass < 6; ++pass) {
+    const bool across = pass % 2 == 0;
+    QImage next(soft.size(), QImage::Format_Grayscale8);
+    for (int y = 0; y < soft.height(); ++y) {
+      for (int x = 0; x < soft.width(); ++x) {
+        int sum = 0;
+        for (int k = -kReach; k <= kReach; ++k) {
+          const int px = std::clamp(across ? x + k : x, 0, soft.width() - 1);
+          const int py = std::clamp(across ? y : y + k, 0, soft.height() - 1);
+          sum += soft.constScanLine(py)[px];
+        }
+        next.scanLine(y)[x] = static_cast<uchar>(sum / (2 * kReach + 1));
+      }
+    }
+    soft = next;
+  }
+  return soft;
+}
+
 /// How much of the lamp the organ takes, 0 to 255, over the square.
 QImage shadowOf(const OrganSurface& organ, const QVector3D& centre_mm, float radius_mm) {
   QImage shade(kShadow_px, kShadow_px, QImage::Format_Grayscale8);
@@ -141,9 +164,7 @@ QImage shadowOf(const OrganSurface& organ, const QVector3D& centre_mm, float rad
     painter.drawPolygon(corners.data(), 3);
   }
   painter.end();
-  // Smaller and larger again: a soft edge.
-  const int coarse = kShadow_px / 10;
-  return shade.scaled(coarse, coarse, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+  return softened(shade)
       .scaled(kSide_px, kSide_px, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
       .convertToFormat(QImage::Format_Grayscale8);
 }

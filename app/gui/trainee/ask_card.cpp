@@ -118,7 +118,7 @@ void AskCard::fill() {
 
 void AskCard::retranslate() {
   setTitle(tr("Ask a physician about this moment"));
-  whomLabel_->setText(tr("&To"));
+  whomLabel_->setText(tr("T&o"));
   whom_->setAccessibleName(tr("Physician"));
   text_->setPlaceholderText(tr("What do you want to know?"));
   text_->setAccessibleName(tr("Question"));

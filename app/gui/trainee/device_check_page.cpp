@@ -132,7 +132,7 @@ void DeviceCheckPage::fill() {
                      : known && !desk_.readiness->haptic
                          ? tr("Sit down and take the device into your hand.")
                          : tr("Sit down, put the stylus into its dock, and rest your forearm."));
-  again_->setText(tr("&Check again"));
+  again_->setText(tr("Check &again"));
   mouse_->setText(tr("Practise with the &mouse"));
   practise_->setText(tr("&Practise"));
   goOn_->setText(desk_.graded ? tr("&Continue to the graded run") : tr("&Continue"));

@@ -118,7 +118,7 @@ TEST_F(SignedCare, ARestoreErasesAgainWhoWasErasedSinceAndTellsOfItself) {
   const ProgramRun restored = run("db restore " + file("b.sqlite") + as("office"));
 
   EXPECT_EQ(restored.code, 0) << restored.err;
-  EXPECT_NE(restored.out.find("erased again: 1 people"), std::string::npos) << restored.out;
+  EXPECT_NE(restored.out.find("erased again: 1 person"), std::string::npos) << restored.out;
   EXPECT_EQ(newestActorOf("database.restore"), "u-office");
   Connection connection = open();
   EXPECT_EQ(numberFrom(connection,

@@ -211,7 +211,7 @@ TEST_F(Shell, ALookRoundNeedsNoPasswordAndLeavesNothingBehind) {
   with.simulatedPeople = [](SessionContext& session, const ProgressCallback&) {
     Trainee simulated;
     simulated.person = {.id = "simulated", .code = "T-99", .demonstration = true};
-    PeopleRepository(session.connection()).addTrainees({&simulated, 1});
+    PeopleRepository(session.connectionWithoutRight()).addTrainees({&simulated, 1});
     return std::vector<StartAccount>{{.login = "demo.trainee", .role = "trainee"}};
   };
   open(with);

@@ -66,7 +66,8 @@ TEST_P(ThemeContrast, TextIsLegibleOnEveryGround) {
 
 /// Colour of a text as it is painted: a hint may be a text that shines through.
 QColor shownOn(const QColor& ground, const QColor& text) {
-  const auto mixed = [&](int from, int to) { return static_cast<int>(from + (to - from) * text.alphaF()); };
+  const auto alpha = static_cast<double>(text.alphaF());
+  const auto mixed = [alpha](int from, int to) { return static_cast<int>(from + (to - from) * alpha); };
   return QColor(mixed(ground.red(), text.red()), mixed(ground.green(), text.green()),
                 mixed(ground.blue(), text.blue()));
 }

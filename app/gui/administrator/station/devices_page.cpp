@@ -153,9 +153,9 @@ void DevicesPage::retranslate() {
   settings_->retranslate();
   heading_->setTexts(tr("Devices"), tr("Whether the haptic device of this station is fit for a graded run."));
   check_->setText(tr("&Check the device"));
-  driverLabel_->setText(tr("This &station works with"));
+  driverLabel_->setText(tr("This station w&orks with"));
   driver_->setItemText(0, tr("the first device that is there"));
-  nameLabel_->setText(tr("Device &name"));
+  nameLabel_->setText(tr("De&vice name"));
   name_->setPlaceholderText(tr("the usual one"));
   force_->setText(tr("&Force test: somebody holds the stylus"));
   table_->setColumns(

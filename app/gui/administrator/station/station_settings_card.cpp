@@ -126,7 +126,7 @@ void StationSettingsCard::retranslate() {
   two_->setText(
       tr("&Two people for new passwords and roles of those who score or run the study, for erasing, "
          "restoring and opening the allocation"));
-  nameField(signLabel_, tr("A password that was entered &signs for"));
+  nameField(signLabel_, tr("A password that was &entered signs for"));
   sign_->setSuffix(tr(" min"));
   sign_->setSpecialValueText(tr("one signature"));
   note_->setText(tr("A run is never interrupted by this. A kiosk signs out instead of locking."));
