@@ -242,8 +242,10 @@ void DebriefPage::fillTexts(bool any) {
   again_->setEnabled(any && !debrief_.moduleId.empty());
   trend_->setEnabled(any && !debrief_.moduleId.empty());
   const QString mode = debrief_.mode == AttemptMode::kGraded ? tr("Graded run") : tr("Practice");
+  // A module of another enrolment is known by the label of its trial.
+  const std::string& title = debrief_.moduleTitle.empty() ? debrief_.phaseLabel : debrief_.moduleTitle;
   heading_->setTexts(
-      any && !debrief_.moduleTitle.empty() ? toQString(Text(debrief_.moduleTitle)) : tr("Your run"),
+      any && !title.empty() ? toQString(Text(title)) : tr("Your run"),
       any ? tr("%1  \u00b7  %2  \u00b7  %3 s")
                 .arg(mode, StationLabels::when(debrief_.startedUtc_us))
                 .arg(debrief_.duration_s, 0, 'f', 0)

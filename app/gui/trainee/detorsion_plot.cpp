@@ -2,6 +2,7 @@
 #include "app/gui/trainee/detorsion_plot.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <QHelpEvent>
@@ -27,8 +28,24 @@ constexpr double kLegendBelow = 20.0;
 constexpr double kLegendHeight = 34.0;  // two lines
 constexpr double kSignRoom = 13.0;
 constexpr double kTipWithin = 6.0;
-constexpr int kTimeMarks = 6;
+constexpr int kTimeMarks = 7;
 constexpr double kPressureStep_mmHg = 5.0;
+
+/// The smallest round step of a clock that needs no more than kTimeMarks steps.
+double timeStep_s(double whole_s) {
+  constexpr std::array kMinutes{1, 2, 5, 10, 15, 30, 60, 120};
+  double step_s = 60.0;
+  for (const int minutes : kMinutes) {
+    step_s = 60.0 * minutes;
+    if (whole_s <= step_s * kTimeMarks) {
+      return step_s;
+    }
+  }
+  while (whole_s > step_s * kTimeMarks) {
+    step_s *= 2.0;
+  }
+  return step_s;
+}
 
 }  // namespace
 
@@ -224,12 +241,15 @@ void DetorsionPlot::drawLane(QPainter& painter, const Lane& lane, const QString&
 
 void DetorsionPlot::drawTime(QPainter& painter, double bottom) const {
   painter.setPen(theme_->quietText);
-  for (int i = 0; i <= kTimeMarks; ++i) {
-    const double at_s = story_.time_s.back() * i / kTimeMarks;
-    const Qt::Alignment side = i == 0 ? Qt::AlignLeft : i == kTimeMarks ? Qt::AlignRight : Qt::AlignHCenter;
-    const double left = i == 0 ? 0.0 : i == kTimeMarks ? 80.0 : 40.0;
-    painter.drawText(QRectF(xOf(at_s) - left, bottom + 2.0, 80.0, 16.0), static_cast<int>(side.toInt()),
-                     DetorsionPanel::clockText(at_s * story_.timeScale));
+  const double whole_s = story_.time_s.back() * story_.timeScale;  // of the tissue
+  const double step_s = timeStep_s(whole_s);
+  for (double at_s = 0.0; at_s <= whole_s; at_s += step_s) {
+    const double x = xOf(at_s / story_.timeScale);
+    const bool last = x + 40.0 > width();
+    const Qt::Alignment side = at_s == 0.0 ? Qt::AlignLeft : last ? Qt::AlignRight : Qt::AlignHCenter;
+    const double left = at_s == 0.0 ? 0.0 : last ? 80.0 : 40.0;
+    painter.drawText(QRectF(x - left, bottom + 2.0, 80.0, 16.0), static_cast<int>(side.toInt()),
+                     DetorsionPanel::clockText(at_s));
   }
 }
 
