@@ -79,6 +79,16 @@
     </message>
 </context>
 <context>
+    <name>torsio::gui::HeadsPage</name>
+    <message numerus="yes">
+        <source>⚠ %n finding(s). Do not report from this record before they are explained.</source>
+        <translation>
+            <numerusform>⚠ %n finding. Do not report from this record before it is explained.</numerusform>
+            <numerusform>⚠ %n findings. Do not report from this record before they are explained.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::MainWindow</name>
     <message numerus="yes">
         <source>%n recording(s) of this station could not be stored</source>

@@ -32,6 +32,21 @@
     </message>
 </context>
 <context>
+    <name>CopiesText</name>
+    <message>
+        <source>These copies still hold this person; Torsio deletes none of them:</source>
+        <translation>以下副本仍包含此人的资料；Torsio 不会删除它们：</translation>
+    </message>
+    <message>
+        <source>%1 at %2: %3, to be deleted by %4</source>
+        <translation>%1，位于 %2：%3，应于 %4 前删除</translation>
+    </message>
+    <message>
+        <source>and %1 older ones; torsio db copies lists all</source>
+        <translation>另有 %1 个更早的副本；用 torsio db copies 可列出全部</translation>
+    </message>
+</context>
+<context>
     <name>CurriculumState</name>
     <message>
         <source>%1: changed, not saved. The draft is also saved when you leave.</source>
@@ -292,6 +307,10 @@
     <message>
         <source>Devices</source>
         <translation>设备</translation>
+    </message>
+    <message>
+        <source>Heads of the audit trail</source>
+        <translation>审计记录的链头</translation>
     </message>
 </context>
 <context>
@@ -12006,7 +12025,7 @@
     </message>
     <message>
         <source>Head of the audit trail</source>
-        <translation>审计记录的末端哈希</translation>
+        <translation>审计记录的链头哈希</translation>
     </message>
     <message>
         <source>the column %1 was altered on its way into the record; nothing was kept</source>
@@ -12375,6 +12394,58 @@
     <message>
         <source>Able: at every exercise that was tried, by the designs of the section Competence. An inadequate trainee is held to be able in at most %1 %, an adequate one is not in at most %2 % of cases.</source>
         <translation>已胜任：按“胜任”一节的标准，在所有尝试过的练习中均已胜任。能力不足的学员被误判为已胜任的概率至多为 %1 %，能力足够者未被判为已胜任的概率至多为 %2 %。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>this station keeps no heads</source>
+        <translation>本站不保存链头</translation>
+    </message>
+    <message>
+        <source>Choose a witness file first</source>
+        <translation>请先选择见证文件</translation>
+    </message>
+    <message>
+        <source>Signatures of the marks</source>
+        <translation>评分的签名</translation>
+    </message>
+    <message>
+        <source>%1 marks were signed with the password of their rater, %2 were not.</source>
+        <translation>%1 个评分由评分者用密码签名，%2 个没有。</translation>
+    </message>
+    <message>
+        <source>Who signed which mark</source>
+        <translation>各评分由谁签名</translation>
+    </message>
+    <message>
+        <source>Signed by</source>
+        <translation>签名人</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>版本</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>含义</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>has no column %1 any more</source>
+        <translation>已没有列 %1</translation>
+    </message>
+    <message>
+        <source>a station may not remove rows from this server, the demonstration neither</source>
+        <translation>工作站不能从此服务器删除数据行，演示数据也不能</translation>
+    </message>
+    <message>
+        <source>Start Torsio once with the account that owns the database, and remove it there</source>
+        <translation>请用数据库所有者的账户启动一次 Torsio，并在其中删除</translation>
     </message>
 </context>
 <context>
@@ -12961,6 +13032,14 @@ Only an allocator previews, locks and draws. An administrator gives this role to
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>&amp;Heads…</source>
+        <translation>链头(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>The key of this station, its witness file, and what kept heads say</source>
+        <translation>本站的密钥、见证文件，以及已保存链头的核对结果</translation>
     </message>
 </context>
 <context>
@@ -15934,6 +16013,173 @@ MSM = 质点弹簧</translation>
     </message>
 </context>
 <context>
+    <name>torsio::gui::HeadsPage</name>
+    <message>
+        <source>Heads are signed with the key in %1
+Its public part, to be kept where heads are checked: %2</source>
+        <translation>链头用此文件中的密钥签名：%1
+其公钥请保存在核对链头的地方：%2</translation>
+    </message>
+    <message>
+        <source>! The key lies beside the record: whoever takes the folder can sign. Move it away.</source>
+        <translation>! 密钥与记录放在同一文件夹：拿到该文件夹的人就能签名。请将它移走。</translation>
+    </message>
+    <message>
+        <source>! This station has no key, so its heads are not signed: whoever can change the place where they are kept can replace them.</source>
+        <translation>! 本站没有密钥，链头未签名：能改动其保存位置的人就能替换它们。</translation>
+    </message>
+    <message>
+        <source>&amp;Make a key…</source>
+        <translation>生成密钥(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>&amp;Replace the key…</source>
+        <translation>更换密钥(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Each sign-out of an administrator adds a head to %1. Lines now: %2</source>
+        <translation>管理员每次退出登录时，都会在 %1 中添加一个链头。现有行数：%2</translation>
+    </message>
+    <message>
+        <source>! It lies on the disk of the record: whoever takes the disk, or puts an older one back, has both. Choose a file on another disk.</source>
+        <translation>! 它与记录在同一磁盘上：拿走该磁盘或换回旧磁盘的人同时拥有两者。请选择另一磁盘上的文件。</translation>
+    </message>
+    <message>
+        <source>! This station keeps no heads. A record that was cut off, rewritten or put back is not found by itself.</source>
+        <translation>! 本站不保存链头。记录若被截断、重写或换成旧的，无法自行发现。</translation>
+    </message>
+    <message>
+        <source>The key is made. Note its public part elsewhere</source>
+        <translation>密钥已生成。请在别处记下其公钥</translation>
+    </message>
+    <message>
+        <source>Make a key in a new file</source>
+        <translation>在新文件中生成密钥</translation>
+    </message>
+    <message>
+        <source>Key (*)</source>
+        <translation>密钥 (*)</translation>
+    </message>
+    <message>
+        <source>Choose the file of a key</source>
+        <translation>选择密钥文件</translation>
+    </message>
+    <message>
+        <source>Keep heads in a file on another disk</source>
+        <translation>将链头保存到另一磁盘上的文件</translation>
+    </message>
+    <message>
+        <source>Heads (*)</source>
+        <translation>链头 (*)</translation>
+    </message>
+    <message>
+        <source>The head was added to the witness file</source>
+        <translation>链头已添加到见证文件</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>已复制</translation>
+    </message>
+    <message>
+        <source>Head of the audit trail, printed at %1</source>
+        <translation>审计记录的链头，打印于 %1</translation>
+    </message>
+    <message>
+        <source>Heads that were kept</source>
+        <translation>已保存的链头</translation>
+    </message>
+    <message>
+        <source>Comparing the record with kept heads</source>
+        <translation>正在将记录与已保存的链头核对</translation>
+    </message>
+    <message>
+        <source>✓ The audit trail is the one that these heads were taken from, and nothing was cut off.</source>
+        <translation>✓ 审计记录正是取得这些链头时的那一份，没有内容被截断。</translation>
+    </message>
+    <message numerus="yes">
+        <source>⚠ %n finding(s). Do not report from this record before they are explained.</source>
+        <translation>
+            <numerusform>⚠ 发现 %n 处异常。在查明之前，请勿据此记录出具报告。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>• entry %1: %2</source>
+        <translation>• 条目 %1：%2</translation>
+    </message>
+    <message>
+        <source>Heads of the audit trail</source>
+        <translation>审计记录的链头</translation>
+    </message>
+    <message>
+        <source>What is kept outside of the record, and finds what the record cannot tell of itself: entries cut off, a trail rewritten, an older file put back.</source>
+        <translation>保存在记录之外，用来发现记录本身看不出的改动：条目被截断、审计记录被重写、换回旧文件。</translation>
+    </message>
+    <message>
+        <source>&amp;Back to the audit trail</source>
+        <translation>返回审计记录(&amp;B)</translation>
+    </message>
+    <message>
+        <source>This station</source>
+        <translation>本站</translation>
+    </message>
+    <message>
+        <source>&amp;Use another key…</source>
+        <translation>使用另一密钥(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Choose the &amp;witness file…</source>
+        <translation>选择见证文件(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>Keep &amp;no heads</source>
+        <translation>不保存链头(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The head now</source>
+        <translation>当前链头</translation>
+    </message>
+    <message>
+        <source>Length, hash and time of the trail in one line. Keep it where nobody who can change the record can change it: on paper, in a mail, on another disk.</source>
+        <translation>一行中包含审计记录的长度、哈希值和时间。请保存在能改动记录的人无法改动的地方：纸上、邮件中、另一磁盘上。</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>打印(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>&amp;Add to the witness file</source>
+        <translation>添加到见证文件(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Compare with heads that were kept</source>
+        <translation>与已保存的链头核对</translation>
+    </message>
+    <message>
+        <source>Paste or type heads, one a line, or read a witness file. Without a public key they must be signed with the key of this station, where it has one.</source>
+        <translation>粘贴或输入链头，每行一个，或读取见证文件。未填公钥时，若本站有密钥，链头须由本站的密钥签名。</translation>
+    </message>
+    <message>
+        <source>Read a &amp;file…</source>
+        <translation>读取文件(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Public &amp;key</source>
+        <translation>公钥(&amp;K)</translation>
+    </message>
+    <message>
+        <source>that of this station</source>
+        <translation>本站的公钥</translation>
+    </message>
+    <message>
+        <source>&amp;Verify</source>
+        <translation>验证(&amp;V)</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::JobPanel</name>
     <message>
         <source>%1 min left</source>
@@ -16293,7 +16539,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>The head of the audit trail was not kept: %1</source>
-        <translation>未能保存审计记录的末端：%1</translation>
+        <translation>未能保存审计记录的链头：%1</translation>
     </message>
 </context>
 <context>
@@ -16542,11 +16788,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Head of the audit trail, to be kept elsewhere: %1</source>
-        <translation>审计记录的末端，请另处保存：%1</translation>
+        <translation>审计记录的链头，请另处保存：%1</translation>
     </message>
     <message>
-        <source>No key signs the heads of this station, so whoever can change the place where they are kept can replace them. torsio audit key makes one, torsio audit station sets it.</source>
-        <translation>本站的末端没有密钥签名，能改动其保存位置的人就能替换它们。用 torsio audit key 生成密钥，用 torsio audit station 设置。</translation>
+        <source>No key signs the heads of this station, so whoever can change the place where they are kept can replace them. Make one: Audit trail, Heads.</source>
+        <translation>本站的链头没有密钥签名，能改动其保存位置的人就能替换它们。请在“审计记录”的“链头”中生成密钥。</translation>
     </message>
 </context>
 <context>
@@ -18411,14 +18657,6 @@ Leave it empty to remove it.</source>
         <translation>拒绝(&amp;D)…</translation>
     </message>
     <message>
-        <source>Open Maintenance, Restore, and choose the backup %1: that confirms it</source>
-        <translation>请打开“维护”的“恢复”，选择备份 %1：即为确认</translation>
-    </message>
-    <message>
-        <source>The keeper of the allocation opens it on the page Allocation: that confirms it</source>
-        <translation>由分组管理员在“随机分组”页面启封：即为确认</translation>
-    </message>
-    <message>
         <source>Erase a person</source>
         <translation>删除一名人员</translation>
     </message>
@@ -18461,6 +18699,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>The request is closed and stays in the audit trail.</source>
         <translation>该申请将关闭，并保留在审计记录中。</translation>
+    </message>
+    <message>
+        <source>Choose the backup %1: restoring it confirms the request</source>
+        <translation>请选择备份 %1：恢复它即为确认该申请</translation>
+    </message>
+    <message>
+        <source>The keeper of the allocation opens it on this page: that confirms the request</source>
+        <translation>由分组管理员在此页面启封：即为确认该申请</translation>
     </message>
 </context>
 <context>
@@ -18943,14 +19189,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>C&amp;onsents…</source>
         <translation>知情同意(&amp;O)…</translation>
-    </message>
-    <message>
-        <source>%1 at %2: %3, to be deleted by %4</source>
-        <translation>%1，位于 %2：%3，应于 %4 前删除</translation>
-    </message>
-    <message>
-        <source>These copies still hold this person; Torsio deletes none of them:</source>
-        <translation>以下副本仍包含此人的资料；Torsio 不会删除它们：</translation>
     </message>
 </context>
 <context>

@@ -13,6 +13,7 @@
 #include "app/gui/administrator/scoring/scoring_page.h"
 #include "app/gui/administrator/station/audit_page.h"
 #include "app/gui/administrator/station/devices_page.h"
+#include "app/gui/administrator/station/heads_page.h"
 #include "app/gui/administrator/station/maintenance_page.h"
 #include "app/gui/administrator/station/move_page.h"
 #include "app/gui/administrator/station/restore_page.h"
@@ -38,13 +39,21 @@ ScreenEntry screen(const char* name, PageId page, std::function<void(Page&)> pre
 }  // namespace
 
 std::vector<PageEntry> administratorPages() {
-  return {entry<RunDayPage>(PageId::kRunDay),         entry<RosterPage>(PageId::kRoster),
-          entry<CurriculaPage>(PageId::kCurricula),   entry<CohortsPage>(PageId::kCohorts),
-          entry<AllocationPage>(PageId::kAllocation), entry<ScoringPage>(PageId::kScoring),
-          entry<CampaignsPage>(PageId::kCampaigns),   entry<ResultsPage>(PageId::kResults),
-          entry<ReportsPage>(PageId::kReports),       entry<UsersPage>(PageId::kUsers),
-          entry<AuditPage>(PageId::kAudit),           entry<MaintenancePage>(PageId::kCare),
-          entry<RestorePage>(PageId::kRestore),       entry<MovePage>(PageId::kMove),
+  return {entry<RunDayPage>(PageId::kRunDay),
+          entry<RosterPage>(PageId::kRoster),
+          entry<CurriculaPage>(PageId::kCurricula),
+          entry<CohortsPage>(PageId::kCohorts),
+          entry<AllocationPage>(PageId::kAllocation),
+          entry<ScoringPage>(PageId::kScoring),
+          entry<CampaignsPage>(PageId::kCampaigns),
+          entry<ResultsPage>(PageId::kResults),
+          entry<ReportsPage>(PageId::kReports),
+          entry<UsersPage>(PageId::kUsers),
+          entry<AuditPage>(PageId::kAudit),
+          entry<HeadsPage>(PageId::kHeads),
+          entry<MaintenancePage>(PageId::kCare),
+          entry<RestorePage>(PageId::kRestore),
+          entry<MovePage>(PageId::kMove),
           entry<DevicesPage>(PageId::kDevices)};
 }
 
@@ -81,6 +90,7 @@ std::vector<ScreenEntry> administratorScreens() {
       screen("administrator-users", PageId::kUsers),
       screen("administrator-audit", PageId::kAudit),
       screen("administrator-maintenance", PageId::kCare),
+      screen("administrator-heads", PageId::kHeads),
       screen("administrator-restore", PageId::kRestore),
       screen("administrator-move", PageId::kMove,
              [](Page& page) {

@@ -69,6 +69,8 @@ constexpr std::array kPages{
               kUserManage},
     PageFacts{PageId::kAudit, "administrator.audit", "audit", QT_TRANSLATE_NOOP("Pages", "Audit trail"),
               kAuditView},
+    PageFacts{PageId::kHeads, "administrator.heads", "",
+              QT_TRANSLATE_NOOP("Pages", "Heads of the audit trail"), kAuditView},
     PageFacts{PageId::kCare, "administrator.maintenance", "care", QT_TRANSLATE_NOOP("Pages", "Maintenance"),
               kDatabaseBackup},
     PageFacts{PageId::kRestore, "administrator.restore", "", QT_TRANSLATE_NOOP("Pages", "Restore"),

@@ -44,6 +44,7 @@ enum class PageId {
   kReports,
   kUsers,
   kAudit,
+  kHeads,
   kCare,
   kRestore,
   kMove,

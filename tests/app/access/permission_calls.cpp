@@ -18,6 +18,7 @@
 #include "app/maintenance/retention.h"
 #include "app/maintenance/server_move.h"
 #include "app/maintenance/server_preparation.h"
+#include "app/maintenance/station_heads.h"
 #include "app/people/consent_service.h"
 #include "app/people/people_service.h"
 #include "app/people/roster_accounts.h"
@@ -146,6 +147,16 @@ std::vector<ServiceCall> administratorCalls() {
       {O::kAuditView, "exportAuditTrail",
        [](SessionContext& w, Path folder) { (void)exportAuditTrail(w, {}, folder / "trail.csv"); }},
       {O::kAuditView, "verifyAudit", [](SessionContext& w, Path) { (void)verifyAudit(w); }},
+      {O::kAuditView, "stationHeads", [](SessionContext& w, Path) { (void)stationHeads(w); }},
+      {O::kAuditView, "headNow", [](SessionContext& w, Path) { (void)headNow(w); }},
+      {O::kAuditView, "keepHeadNow", [](SessionContext& w, Path) { keepHeadNow(w); }},
+      {O::kAuditView, "verifyHeads", [](SessionContext& w, Path) { (void)verifyHeads(w, {}, ""); }},
+      {O::kSettingsEdit, "chooseWitness",
+       [](SessionContext& w, Path folder) { chooseWitness(w, folder / kNoSuch / "witness"); }},
+      {O::kSettingsEdit, "makeStationKey",
+       [](SessionContext& w, Path folder) { makeStationKey(w, folder / kNoSuch / "key"); }},
+      {O::kSettingsEdit, "chooseStationKey",
+       [](SessionContext& w, Path folder) { chooseStationKey(w, folder / kNoSuch / "key"); }},
       {O::kDatabaseBackup, "checkDatabase", [](SessionContext& w, Path) { (void)checkDatabase(w); }},
       {O::kDatabaseRestore, "othersAtWork", [](SessionContext& w, Path) { (void)othersAtWork(w); }},
       {O::kDatabaseRestore, "requireNobodyAtWork", [](SessionContext& w, Path) { requireNobodyAtWork(w); }},

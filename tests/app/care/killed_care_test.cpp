@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every care command may be killed at any instant: the record stays whole, what it writes is whole or not there,
-// and the same command does its work afterwards. TORSIO_KILL_INSTANTS says at how many instants.
+// Every care command may be killed at any instant: the record stays whole, what it writes is whole or not
+// there, and the same command does its work afterwards. TORSIO_KILL_INSTANTS says at how many instants.
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -48,9 +48,9 @@ class KilledCare : public DatabaseTest {
     if (IsSkipped()) {
       return;
     }
-    folder_ = emptyFolder(std::string("killed-") +
-                          ::testing::UnitTest::GetInstance()->current_test_info()->name() +
-                          (onPostgresql() ? "-server" : ""));
+    folder_ =
+        emptyFolder(std::string("killed-") + ::testing::UnitTest::GetInstance()->current_test_info()->name() +
+                    (onPostgresql() ? "-server" : ""));
     makeRecord("record.sqlite", "real");
   }
   [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
@@ -75,8 +75,8 @@ class KilledCare : public DatabaseTest {
     before();
     const auto begin = std::chrono::steady_clock::now();
     ASSERT_EQ(run(arguments), 0) << runTorsio(lineOf(arguments), folder_).err;
-    const auto whole = std::chrono::duration_cast<std::chrono::microseconds>(
-        std::chrono::steady_clock::now() - begin);
+    const auto whole =
+        std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - begin);
     after();
     const int kills = killInstants(10);
     for (int i = 0; i < kills && !HasFailure(); ++i) {
@@ -118,13 +118,14 @@ TEST_F(KilledCare, ABackupIsWholeOrNotThere) {
   if (onPostgresql()) {
     GTEST_SKIP() << "a server is backed up by its own tools";
   }
-  killEverywhere({"db", "backup", "--as-system", file("b.backup"), "--database", file("record.sqlite")},
-                 [this] { fs::remove(file("b.backup")); },
-                 [this] {
-                   if (fs::exists(file("b.backup"))) {
-                     EXPECT_EQ(checkBackup(file("b.backup")).schemaVersion, 1);
-                   }
-                 });
+  killEverywhere(
+      {"db", "backup", "--as-system", file("b.backup"), "--database", file("record.sqlite")},
+      [this] { fs::remove(file("b.backup")); },
+      [this] {
+        if (fs::exists(file("b.backup"))) {
+          EXPECT_EQ(checkBackup(file("b.backup")).schemaVersion, 1);
+        }
+      });
   expectNothingHalf();
 }
 
@@ -136,9 +137,7 @@ TEST_F(KilledCare, ABackupThatIsReplacedIsTheOldOneOrTheNewOne) {
   ASSERT_EQ(run({"db", "backup", "--as-system", file("old.backup"), "--database", file("other.sqlite")}), 0);
   killEverywhere(
       {"db", "backup", "--as-system", "--replace", file("b.backup"), "--database", file("record.sqlite")},
-      [this] {
-        fs::copy_file(file("old.backup"), file("b.backup"), fs::copy_options::overwrite_existing);
-      },
+      [this] { fs::copy_file(file("old.backup"), file("b.backup"), fs::copy_options::overwrite_existing); },
       [this] {
         EXPECT_EQ(checkBackup(file("b.backup")).schemaVersion, 1);
         Connection backup = openDatabase(file("b.backup"), OpenMode::kReadOnly);
@@ -163,21 +162,20 @@ TEST_F(KilledCare, AMoveToAnotherDatabaseIsWholeOrEmpty) {
     server.executeVerbatim("DROP SCHEMA " + schema + " CASCADE");
     server.executeVerbatim("CREATE SCHEMA " + schema);
   };
-  killEverywhere(
-      {"db", "copy", "--as-system", file("record.sqlite"), target}, clear, [this, &target] {
-        if (!onPostgresql() && !fs::exists(target)) {
-          return;
-        }
-        Connection moved = openDatabase(target, OpenMode::kReadWrite);
-        std::string person;
-        try {
-          person = personIn(moved);
-        } catch (const DbError&) {
-          return;  // killed before the schema was made
-        }
-        EXPECT_TRUE(person.empty() || person.starts_with("real")) << person;
-        EXPECT_TRUE(person.empty() || isSound(moved)) << "rows of a record that is not whole";
-      });
+  killEverywhere({"db", "copy", "--as-system", file("record.sqlite"), target}, clear, [this, &target] {
+    if (!onPostgresql() && !fs::exists(target)) {
+      return;
+    }
+    Connection moved = openDatabase(target, OpenMode::kReadWrite);
+    std::string person;
+    try {
+      person = personIn(moved);
+    } catch (const DbError&) {
+      return;  // killed before the schema was made
+    }
+    EXPECT_TRUE(person.empty() || person.starts_with("real")) << person;
+    EXPECT_TRUE(person.empty() || isSound(moved)) << "rows of a record that is not whole";
+  });
 }
 
 TEST_F(KilledCare, TheRolesOfAServerAreWrittenWholeOrNot) {
@@ -190,11 +188,12 @@ TEST_F(KilledCare, TheRolesOfAServerAreWrittenWholeOrNot) {
   }
   const std::string schema = parseLocator(locator()).schema;
   const std::string role = "station_" + schema.substr(schema.size() - 8);
-  killEverywhere({"db", "prepare-server", "--as-system", addressWithoutPassword(), "--station-role", role}, [] {},
-                 [this] {
-                   Connection record = openRecord(locator(), OpenMode::kReadWrite);
-                   EXPECT_TRUE(isSound(record));
-                 });
+  killEverywhere(
+      {"db", "prepare-server", "--as-system", addressWithoutPassword(), "--station-role", role}, [] {},
+      [this] {
+        Connection record = openRecord(locator(), OpenMode::kReadWrite);
+        EXPECT_TRUE(isSound(record));
+      });
   Connection connection = open();
   connection.executeVerbatim("DROP OWNED BY " + role);
   connection.executeVerbatim("DROP ROLE " + role);

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Restoring a backup through the program's window, as an administrator does it.
+#include <algorithm>
 #include <fstream>
 
 #include <QComboBox>
+#include <QPlainTextEdit>
 #include <QSettings>
 
 #include "app/gui/administrator/station/devices_page.h"
+#include "app/gui/administrator/station/heads_page.h"
 #include "app/gui/administrator/station/move_page.h"
 #include "app/gui/administrator/station/restore_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
+#include "app/maintenance/anchor.h"
+#include "app/maintenance/station_anchor.h"
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/system/audit_verification.h"
@@ -56,6 +61,75 @@ TEST_F(CarePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) {
     EXPECT_TRUE(verifyAuditTrail(restored).empty());
   }
   signIn();
+}
+
+/// The settings of this account, in which a station keeps its key and its witness, in a folder of their own.
+class HeadsPages : public CarePages {
+ protected:
+  void SetUp() override {
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                       folder_.path() + QStringLiteral("/settings"));
+    CarePages::SetUp();
+  }
+  HeadsPage& page() {
+    window_->desk()->open(PageId::kAudit);
+    QTest::mouseClick(&child<QPushButton>(*window_->desk()->page(), "heads"), Qt::LeftButton);
+    return dynamic_cast<HeadsPage&>(*window_->desk()->page());
+  }
+  QString verdictOn(HeadsPage& page, const QString& lines) {
+    child<QPlainTextEdit>(page, "keptHeads").setPlainText(lines);
+    click(child<QPushButton>(page, "verifyHeads"));
+    return child<QLabel>(page, "headsVerdict").text();
+  }
+};
+
+TEST_F(HeadsPages, AStationWithoutAKeyIsToldSoMakesOneAndReplacesIt) {
+  HeadsPage& heads = page();
+  EXPECT_TRUE(child<QLabel>(heads, "keyText").text().contains(QStringLiteral("has no key")));
+  EXPECT_TRUE(child<QLabel>(heads, "witnessText").text().contains(QStringLiteral("keeps no heads")));
+  EXPECT_FALSE(child<QPushButton>(heads, "addHead").isEnabled());
+  EXPECT_TRUE(child<QPlainTextEdit>(heads, "head").toPlainText().endsWith(QStringLiteral(" - -")));
+
+  heads.keepIn(in("heads"));
+  heads.makeKey(in("key"));
+  const std::string first = publicAnchorKey(in("key"));
+  EXPECT_TRUE(child<QLabel>(heads, "keyText").text().contains(toQString(first)));
+  EXPECT_TRUE(child<QLabel>(heads, "keyText").text().contains(QStringLiteral("beside the record")));
+  EXPECT_TRUE(child<QLabel>(heads, "witnessText").text().contains(QStringLiteral("disk of the record")));
+  EXPECT_TRUE(child<QPlainTextEdit>(heads, "head").toPlainText().contains(toQString(first)));
+  click(child<QPushButton>(heads, "addHead"));
+  heads.makeKey(in("second"));
+  click(child<QPushButton>(heads, "addHead"));
+
+  EXPECT_EQ(stationAnchor().key, in("second"));
+  EXPECT_TRUE(fs::exists(in("key"))) << "older heads are checked with it";
+  const std::vector<std::string> lines = headsOf(in("heads"));
+  ASSERT_EQ(lines.size(), 4U) << "at the choice, with the first key, its replacement, with the second";
+  EXPECT_TRUE(lines[2].starts_with("torsio-key 1 "));
+  QStringList kept;
+  for (const std::string& line : lines) {
+    kept << toQString(line);
+  }
+  EXPECT_TRUE(verdictOn(heads, kept.join(QLatin1Char('\n'))).contains(QStringLiteral("nothing was cut off")));
+  EXPECT_EQ(std::ranges::count(trail(record()), "setting.change"), 3 + 1) << "and the one of the set-up";
+  EXPECT_TRUE(failures_.isEmpty()) << failures_.join(QLatin1Char('\n')).toStdString();
+}
+
+TEST_F(HeadsPages, AHeadThatWasTypedFindsATrailThatWasCutOff) {
+  HeadsPage& heads = page();
+  QString head = child<QPlainTextEdit>(heads, "head").toPlainText();
+  EXPECT_TRUE(verdictOn(heads, QLatin1Char(' ') + head).contains(QStringLiteral("nothing was cut off")));
+
+  QStringList words = head.split(QLatin1Char(' '));
+  words[2] = QStringLiteral("4000");
+  EXPECT_TRUE(verdictOn(heads, words.join(QLatin1Char(' '))).contains(QStringLiteral("it was cut off")));
+  EXPECT_TRUE(failures_.isEmpty());
+
+  child<QPlainTextEdit>(heads, "keptHeads").setPlainText(QStringLiteral("something else"));
+  click(child<QPushButton>(heads, "verifyHeads"));
+  ASSERT_EQ(failures_.size(), 1);
+  EXPECT_TRUE(failures_[0].contains(QStringLiteral("no head of an audit trail")))
+      << failures_[0].toStdString();
 }
 
 TEST_F(CarePages, TheBackupOfAnotherCentreIsNamedAndTakesItsNameToRestore) {

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/copies_text.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/second_person.h"
 #include "app/gui/administrator/people/user_dialogs.h"
@@ -29,7 +30,7 @@ RequestsDialog::RequestsDialog(ShellContext& shell, QWidget* parent)
       decline_(listButton(table_)) {
   setObjectName(QStringLiteral("requestsDialog"));
   setWindowTitle(tr("Requests"));
-  resize(860, 420);
+  resize(1080, 460);
   confirm_->setObjectName(QStringLiteral("confirmRequest"));
   decline_->setObjectName(QStringLiteral("declineRequest"));
   confirm_->setText(tr("&Confirm\u2026"));
@@ -97,22 +98,33 @@ void RequestsDialog::confirm() {
     case DutyAct::kErase:
       return erase(request);
     case DutyAct::kRestore:
-      return shell_.notify(tr("Open Maintenance, Restore, and choose the backup %1: that confirms it")
-                               .arg(toQString(request.shown)));
+      return goTo(
+          PageId::kRestore,
+          tr("Choose the backup %1: restoring it confirms the request").arg(toQString(request.shown)));
     case DutyAct::kRevealAllocation:
-      return shell_.notify(
-          tr("The keeper of the allocation opens it on the page Allocation: that confirms it"));
+      return goTo(PageId::kAllocation,
+                  tr("The keeper of the allocation opens it on this page: that confirms the request"));
     default:
       return confirmAccount(request);
   }
 }
 
+/// Another page confirms it, and says so there: this window would hide what passes by.
+void RequestsDialog::goTo(PageId page, const QString& sentence) {
+  accept();
+  shell_.open(page);
+  shell_.notify(sentence);
+}
+
 void RequestsDialog::erase(const OpenRequest& request) {
-  QuestionDialog dialog(
-      this, tr("Erase a person"),
-      tr("%1 asks to erase %2: \u201C%3\u201D. The identity is gone for good; marks stay "
-         "under the code.")
-          .arg(toQString(request.requestedBy), toQString(request.shown), toQString(request.request.reason)));
+  QString copies;
+  attempt(shell_, [&] { copies = copiesText(shell_.session(), request.request.subject, locale()); });
+  QuestionDialog dialog(this, tr("Erase a person"),
+                        tr("%1 asks to erase %2: \u201C%3\u201D. The identity is gone for good; marks stay "
+                           "under the code.")
+                                .arg(toQString(request.requestedBy), toQString(request.shown),
+                                     toQString(request.request.reason)) +
+                            copies);
   dialog.finish(tr("&Erase"));
   if (dialog.exec() != QDialog::Accepted) {
     return;

@@ -6,6 +6,7 @@
 #include <QDialog>
 
 #include "app/access/two_people.h"
+#include "app/gui/base/page_id.h"
 
 class QPushButton;
 
@@ -26,6 +27,7 @@ class RequestsDialog : public QDialog {
   void showButtons();
   void confirm();
   void decline();
+  void goTo(PageId page, const QString& sentence);
   void erase(const OpenRequest& request);
   void confirmAccount(const OpenRequest& request);
   [[nodiscard]] const OpenRequest* current() const;

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/copies_text.h"
 #include "app/gui/administrator/base/list_dialogs.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/second_person.h"
@@ -23,7 +24,6 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/page_heading.h"
-#include "app/maintenance/copies.h"
 #include "app/maintenance/person_package.h"
 
 namespace torsio::gui {
@@ -291,26 +291,13 @@ void RosterPage::askErasePerson() {
     return;
   }
   QString copies;
-  attempt(shell(), [&] {
-    for (const ListedCopy& listed : copiesHolding(shell().session(), person->row.person.id)) {
-      copies += QLatin1Char('\n') + tr("%1 at %2: %3, to be deleted by %4")
-                                        .arg(toQString(Text(copyKindLabel(listed.copy.kind))),
-                                             toQString(listed.copy.station), toQString(listed.copy.place),
-                                             shownTime(listed.dueUtc_us, locale()));
-    }
-  });
-  const QString held = copies.isEmpty()
-                           ? QString()
-                           : QStringLiteral("\n\n") +
-                                 tr("These copies still hold this person; Torsio deletes none of "
-                                    "them:") +
-                                 copies;
+  attempt(shell(), [&] { copies = copiesText(shell().session(), person->row.person.id, locale()); });
   const std::optional<std::string> reason =
       askReason(this, tr("Erase on request"),
                 tr("Name, number and recordings of %1 are erased for good. Marks stay without a person, so "
                    "that statistics remain right. This cannot be taken back.")
                         .arg(toQString(person->row.person.code)) +
-                    held);
+                    copies);
   if (!reason) {
     return;
   }

@@ -51,6 +51,7 @@ AuditPage::AuditPage(ShellContext& shell)
       most_(kFirstEntries),
       heading_(new PageHeading(this)),
       verify_(new QPushButton(this)),
+      heads_(new QPushButton(this)),
       verdict_(new QLabel(this)),
       days_(new QComboBox(this)),
       from_(new QDateEdit(this)),
@@ -60,6 +61,8 @@ AuditPage::AuditPage(ShellContext& shell)
       table_(new DataTable(QStringLiteral("audit"), this)),
       entry_(new QPlainTextEdit(this)) {
   verify_->setProperty("primary", true);
+  heads_->setObjectName(QStringLiteral("heads"));
+  heading_->addAction(heads_);
   heading_->addAction(verify_);
   verdict_->setWordWrap(true);
   verdict_->hide();
@@ -99,6 +102,7 @@ AuditPage::AuditPage(ShellContext& shell)
   }
   days_->setCurrentIndex(1);
   connect(verify_, &QPushButton::clicked, this, &AuditPage::verify);
+  connect(heads_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kHeads); });
   connect(export_, &QPushButton::clicked, this, &AuditPage::askExport);
   connect(days_, &QComboBox::currentIndexChanged, this, [this] {
     most_ = kFirstEntries;
@@ -130,6 +134,8 @@ void AuditPage::retranslate() {
       tr("Who did what, when, where and why. Entries are chained: none can be changed or taken out "
          "without being found."));
   verify_->setText(tr("&Verify"));
+  heads_->setText(tr("&Heads\u2026"));
+  heads_->setToolTip(tr("The key of this station, its witness file, and what kept heads say"));
   verify_->setToolTip(tr("Checks every entry, every sealed mark and every recorded trial"));
   const QStringList spans{tr("Last day"), tr("Last week"), tr("Last month"), tr("Everything"),
                           tr("Between two days")};
@@ -249,8 +255,15 @@ void AuditPage::showEntry(const QString& id) {
   add(tr("Object"),
       QStringLiteral("%1 %2").arg(withCode(auditObjectLabel(found->objectKind), found->objectKind),
                                   toQString(found->objectId)));
-  add(tr("Before"), indented(found->oldJson));
-  add(tr("After"), indented(found->newJson));
+  const auto told = [this](const std::string& json) {  // a user's id says nothing to anybody
+    QString text = indented(json);
+    for (const auto& [user, login] : logins_) {
+      text.replace(toQString(user), QStringLiteral("%1 (%2)").arg(toQString(login), toQString(user)));
+    }
+    return text;
+  };
+  add(tr("Before"), told(found->oldJson));
+  add(tr("After"), told(found->newJson));
   add(tr("Why"), toQString(found->reason));
   add(tr("Seal"), toQString(found->entryHash));
   entry_->setPlainText(lines.join(QLatin1Char('\n')));

@@ -58,6 +58,7 @@ class AuditPage : public Page {
   std::optional<std::vector<AuditFinding>> findings_;  // empty: not looked for yet
   PageHeading* heading_;
   QPushButton* verify_;
+  QPushButton* heads_;
   QLabel* verdict_;
   QComboBox* days_;
   QDateEdit* from_;

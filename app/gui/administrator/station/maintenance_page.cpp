@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/copies_text.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/second_person.h"
 #include "app/gui/administrator/station/retention_dialog.h"
@@ -245,8 +246,7 @@ void MaintenancePage::backUp(const std::filesystem::path& file) {
         if (remindOfKey()) {
           text += QLatin1Char('\n') +
                   tr("No key signs the heads of this station, so whoever can change the place "
-                     "where they are kept can replace them. torsio audit key makes one, torsio "
-                     "audit station sets it.");
+                     "where they are kept can replace them. Make one: Audit trail, Heads.");
         }
         backupText_->setText(text);
       });
@@ -384,8 +384,9 @@ void MaintenancePage::erase() {
         askReason(this, tr("Erase a record"),
                   tr("The identity of %1 and %2 recording(s) are erased for good. Marks stay without a "
                      "person, so that statistics remain right.")
-                      .arg(toQString(item->code))
-                      .arg(tried.recordings));
+                          .arg(toQString(item->code))
+                          .arg(tried.recordings) +
+                      copiesText(shell().session(), who.front(), locale()));
     if (!reason) {
       return;
     }

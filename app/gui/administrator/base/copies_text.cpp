@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/base/copies_text.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <QCoreApplication>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/maintenance/copies.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr std::size_t kShown = 5;  // a year of daily backups fits no screen
+
+struct CopiesText {
+  Q_DECLARE_TR_FUNCTIONS(CopiesText)
+};
+
+}  // namespace
+
+QString copiesText(SessionContext& session, const PersonId& personId, const QLocale& locale) {
+  const std::vector<ListedCopy> copies = copiesHolding(session, personId);
+  if (copies.empty()) {
+    return {};
+  }
+  QString text = QStringLiteral("\n\n") +
+                 CopiesText::tr("These copies still hold this person; Torsio deletes none of them:");
+  for (std::size_t i = 0; i < std::min(copies.size(), kShown); ++i) {
+    const ListedCopy& listed = copies[i];
+    text += QLatin1Char('\n') + CopiesText::tr("%1 at %2: %3, to be deleted by %4")
+                                    .arg(toQString(Text(copyKindLabel(listed.copy.kind))),
+                                         toQString(listed.copy.station), toQString(listed.copy.place),
+                                         shownTime(listed.dueUtc_us, locale));
+  }
+  if (copies.size() > kShown) {
+    text += QLatin1Char('\n') + CopiesText::tr("and %1 older ones; torsio db copies lists all")
+                                    .arg(locale.toString(static_cast<qlonglong>(copies.size() - kShown)));
+  }
+  return text;
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLocale>
+#include <QString>
+
+#include "sim/base/ids.h"
+
+namespace torsio {
+class SessionContext;
+}
+
+namespace torsio::gui {
+
+/// The places that still hold a person whom somebody is about to erase, each with the day by which it should
+/// be gone, as a paragraph to be put below the question; empty: none is known. Needs the right to erase.
+[[nodiscard]] QString copiesText(SessionContext& session, const PersonId& personId, const QLocale& locale);
+
+}  // namespace torsio::gui

@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/station/heads_page.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <memory>
+#include <sstream>
+
+#include <QClipboard>
+#include <QFontDatabase>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPrintDialog>
+#include <QPrinter>
+#include <QPushButton>
+#include <QTextDocument>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/file_choice.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+#include "app/maintenance/anchor.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kHeadLines = 4;
+constexpr int kCompareLines = 6;
+constexpr std::size_t kShownFindings = 10;
+
+/// A field for heads, which are long words.
+QPlainTextEdit* lineField(QWidget* parent, const char* name, int lines) {
+  auto* field = new QPlainTextEdit(parent);
+  field->setObjectName(QString::fromLatin1(name));
+  field->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  field->setWordWrapMode(QTextOption::WrapAnywhere);
+  field->setTabChangesFocus(true);
+  field->setFixedHeight(field->fontMetrics().lineSpacing() * lines + 2 * kSpace);
+  return field;
+}
+
+QPushButton* namedButton(QWidget* parent, const char* name) {
+  auto* button = new QPushButton(parent);
+  button->setObjectName(QString::fromLatin1(name));
+  return button;
+}
+
+void addRow(Card* card, std::initializer_list<QPushButton*> buttons) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kSpace);
+  for (QPushButton* button : buttons) {
+    row->addWidget(button);
+  }
+  row->addStretch(1);
+  card->content()->addLayout(row);
+}
+
+std::vector<std::string> linesOf(const QString& text) {
+  std::vector<std::string> lines;
+  for (const QString& line : text.split(QLatin1Char('\n'))) {
+    if (const QString words = line.simplified(); !words.isEmpty()) {
+      lines.push_back(words.toStdString());
+    }
+  }
+  return lines;
+}
+
+}  // namespace
+
+HeadsPage::HeadsPage(ShellContext& shell)
+    : Page(shell),
+      heading_(new PageHeading(this)),
+      back_(new QPushButton(this)),
+      station_(new Card(QString(), this)),
+      keyText_(sentence(this, false)),
+      makeKey_(namedButton(this, "makeKey")),
+      useKey_(namedButton(this, "useKey")),
+      witnessText_(sentence(this, false)),
+      witness_(namedButton(this, "chooseWitness")),
+      noWitness_(namedButton(this, "noWitness")),
+      now_(new Card(QString(), this)),
+      nowText_(sentence(this, false)),
+      line_(lineField(this, "head", kHeadLines)),
+      copy_(namedButton(this, "copyHead")),
+      print_(namedButton(this, "printHead")),
+      add_(namedButton(this, "addHead")),
+      compare_(new Card(QString(), this)),
+      compareText_(sentence(this, false)),
+      lines_(lineField(this, "keptHeads", kCompareLines)),
+      load_(namedButton(this, "loadWitness")),
+      publicLabel_(nullptr),
+      public_(new QLineEdit(this)),
+      verify_(namedButton(this, "verifyHeads")),
+      verdict_(sentence(this, false)) {
+  keyText_->setObjectName(QStringLiteral("keyText"));
+  witnessText_->setObjectName(QStringLiteral("witnessText"));
+  public_->setObjectName(QStringLiteral("publicKey"));
+  verdict_->setObjectName(QStringLiteral("headsVerdict"));
+  line_->setReadOnly(true);
+  layOut();
+  connect(back_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kAudit); });
+  connect(makeKey_, &QPushButton::clicked, this, &HeadsPage::askKey);
+  connect(useKey_, &QPushButton::clicked, this, &HeadsPage::askOtherKey);
+  connect(witness_, &QPushButton::clicked, this, &HeadsPage::askWitness);
+  connect(noWitness_, &QPushButton::clicked, this, [this] { keepIn({}); });
+  connect(copy_, &QPushButton::clicked, this, &HeadsPage::copyHead);
+  connect(print_, &QPushButton::clicked, this, &HeadsPage::printHead);
+  connect(add_, &QPushButton::clicked, this, &HeadsPage::addHead);
+  connect(load_, &QPushButton::clicked, this, &HeadsPage::loadWitness);
+  connect(verify_, &QPushButton::clicked, this, &HeadsPage::verify);
+  connect(lines_, &QPlainTextEdit::textChanged, this, [this] {
+    findings_.reset();
+    showVerdict();
+    showButtons();
+  });
+  connect(&shell, &ShellContext::jobStarted, this, &HeadsPage::showButtons);
+  connect(&shell, &ShellContext::jobEnded, this, &HeadsPage::showButtons);
+  retranslate();
+}
+
+void HeadsPage::layOut() {
+  heading_->addAction(back_);
+  QVBoxLayout* column = scrolledColumn(this);
+  column->addWidget(heading_);
+  for (Card* card : {station_, now_, compare_}) {
+    column->addWidget(card);
+  }
+  column->addStretch(1);
+
+  for (QLabel* text : {keyText_, witnessText_}) {
+    text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  }
+  station_->content()->addWidget(keyText_);
+  addRow(station_, {makeKey_, useKey_});
+  station_->content()->addSpacing(kSpace);
+  station_->content()->addWidget(witnessText_);
+  addRow(station_, {witness_, noWitness_});
+
+  now_->content()->addWidget(nowText_);
+  now_->content()->addWidget(line_);
+  addRow(now_, {copy_, print_, add_});
+
+  verify_->setProperty("primary", true);
+  compare_->content()->addWidget(compareText_);
+  compare_->content()->addWidget(lines_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kSpace);
+  row->addWidget(load_);
+  row->addSpacing(kSpace);
+  publicLabel_ = addField(row, public_);
+  row->setStretchFactor(public_, 1);
+  row->addWidget(verify_);
+  compare_->content()->addLayout(row);
+  compare_->content()->addWidget(verdict_);
+}
+
+void HeadsPage::enter(const QVariant&) {
+  findings_.reset();
+  showVerdict();
+  read();
+}
+
+void HeadsPage::read() {
+  attempt(shell(), [&] {
+    heads_ = stationHeads(shell().session());
+    head_.clear();
+    showStation();
+    head_ = headNow(shell().session());
+    showStation();
+  });
+}
+
+void HeadsPage::showStation() {
+  QString key;
+  if (!heads_.publicKey.empty()) {
+    key = tr("Heads are signed with the key in %1\nIts public part, to be kept where heads are checked: %2")
+              .arg(toQString(heads_.anchor.key), toQString(heads_.publicKey));
+    if (heads_.keyBesideRecord) {
+      key += QLatin1Char('\n') +
+             tr("! The key lies beside the record: whoever takes the folder can sign. Move it away.");
+    }
+  } else {
+    key =
+        tr("! This station has no key, so its heads are not signed: whoever can change the place where they "
+           "are kept can replace them.");
+  }
+  keyText_->setText(key);
+  setLook(keyText_, "caution", heads_.publicKey.empty() || heads_.keyBesideRecord);
+  makeKey_->setText(heads_.publicKey.empty() ? tr("&Make a key\u2026") : tr("&Replace the key\u2026"));
+
+  QString witness;
+  const bool kept = !heads_.anchor.witness.empty();
+  if (kept) {
+    witness =
+        tr("Each sign-out of an administrator adds a head to %1. Lines now: %2")
+            .arg(toQString(heads_.anchor.witness), locale().toString(static_cast<qlonglong>(heads_.kept)));
+    if (heads_.witnessOnDisk) {
+      witness += QLatin1Char('\n') +
+                 tr("! It lies on the disk of the record: whoever takes the disk, or puts an older one back, "
+                    "has both. Choose a file on another disk.");
+    }
+  } else {
+    witness =
+        tr("! This station keeps no heads. A record that was cut off, rewritten or put back is not "
+           "found by itself.");
+  }
+  if (!heads_.trouble.str().empty()) {
+    witness += QLatin1Char('\n') + QStringLiteral("! ") + toQString(heads_.trouble);
+  }
+  witnessText_->setText(witness);
+  setLook(witnessText_, "caution", !kept || heads_.witnessOnDisk || !heads_.trouble.str().empty());
+  line_->setPlainText(toQString(head_));
+  showButtons();
+}
+
+void HeadsPage::showButtons() {
+  const bool settings = shell().may(Operation::kSettingsEdit);
+  for (QPushButton* button : {makeKey_, useKey_, witness_}) {
+    button->setEnabled(settings);
+  }
+  noWitness_->setEnabled(settings && !heads_.anchor.witness.empty());
+  add_->setEnabled(!heads_.anchor.witness.empty());
+  copy_->setEnabled(!head_.empty());
+  print_->setEnabled(!head_.empty());
+  verify_->setEnabled(!shell().working() && !lines_->toPlainText().trimmed().isEmpty());
+}
+
+void HeadsPage::makeKey(const std::filesystem::path& file) {
+  attempt(shell(), [&] {
+    makeStationKey(shell().session(), file);
+    shell().notify(tr("The key is made. Note its public part elsewhere"));
+  });
+  read();
+}
+
+void HeadsPage::useKey(const std::filesystem::path& file) {
+  attempt(shell(), [&] { chooseStationKey(shell().session(), file); });
+  read();
+}
+
+void HeadsPage::keepIn(const std::filesystem::path& witness) {
+  attempt(shell(), [&] { chooseWitness(shell().session(), witness); });
+  read();
+}
+
+void HeadsPage::askKey() {
+  const QString file =
+      askFileToSave(this, tr("Make a key in a new file"), QStringLiteral("torsio-key"), tr("Key (*)"));
+  if (!file.isEmpty()) {
+    makeKey(toPath(file));
+  }
+}
+
+void HeadsPage::askOtherKey() {
+  const QString file = askFileToOpen(this, tr("Choose the file of a key"), tr("Key (*)"));
+  if (!file.isEmpty()) {
+    useKey(toPath(file));
+  }
+}
+
+void HeadsPage::askWitness() {
+  const QString file = askFileToSave(this, tr("Keep heads in a file on another disk"),
+                                     QStringLiteral("torsio-heads"), tr("Heads (*)"));
+  if (!file.isEmpty()) {
+    keepIn(toPath(file));
+  }
+}
+
+void HeadsPage::addHead() {
+  attempt(shell(), [&] {
+    keepHeadNow(shell().session());
+    shell().notify(tr("The head was added to the witness file"));
+  });
+  read();
+}
+
+void HeadsPage::copyHead() {
+  QGuiApplication::clipboard()->setText(line_->toPlainText());
+  shell().notify(tr("Copied"));
+}
+
+void HeadsPage::printHead() {
+  QPrinter printer;
+  QPrintDialog dialog(&printer, this);
+  if (dialog.exec() != QDialog::Accepted) {
+    return;
+  }
+  QTextDocument document;
+  document.setPlainText(
+      tr("Head of the audit trail, printed at %1").arg(shownTime(shell().session().now_us(), locale())) +
+      QStringLiteral("\n\n") + line_->toPlainText());
+  document.print(&printer);
+}
+
+void HeadsPage::loadWitness() {
+  const QString file =
+      askFileToOpen(this, tr("Heads that were kept"), tr("Heads (*)"), toQString(heads_.anchor.witness));
+  if (file.isEmpty()) {
+    return;
+  }
+  attempt(shell(), [&] {
+    QStringList lines;
+    for (const std::string& line : headsOf(toPath(file))) {
+      lines << toQString(line);
+    }
+    lines_->setPlainText(lines.join(QLatin1Char('\n')));
+  });
+}
+
+void HeadsPage::verify() {
+  const auto findings = std::make_shared<std::vector<AuditFinding>>();
+  shell().run(
+      tr("Comparing the record with kept heads"),
+      [findings, lines = linesOf(lines_->toPlainText()), key = public_->text().trimmed().toStdString()](
+          SessionContext& session, const ProgressCallback&) { *findings = verifyHeads(session, lines, key); },
+      [this, findings] {
+        findings_ = *findings;
+        showVerdict();
+        read();
+      });
+}
+
+void HeadsPage::showVerdict() {
+  verdict_->setVisible(findings_.has_value());
+  if (!findings_) {
+    return;
+  }
+  const bool sound = findings_->empty();
+  QStringList lines{sound ? tr("\u2713 The audit trail is the one that these heads were taken from, and "
+                               "nothing was cut off.")
+                          : tr("\u26A0 %n finding(s). Do not report from this record before they are "
+                               "explained.",
+                               nullptr, static_cast<int>(findings_->size()))};
+  for (std::size_t i = 0; i < std::min(findings_->size(), kShownFindings); ++i) {
+    const AuditFinding& finding = (*findings_)[i];
+    lines << tr("\u2022 entry %1: %2")
+                 .arg(locale().toString(static_cast<qlonglong>(finding.sequence)), toQString(finding.what));
+  }
+  verdict_->setText(lines.join(QLatin1Char('\n')));
+  setLook(verdict_, "good", sound);
+  setLook(verdict_, "caution", !sound);
+}
+
+void HeadsPage::retranslate() {
+  heading_->setTexts(
+      tr("Heads of the audit trail"),
+      tr("What is kept outside of the record, and finds what the record cannot tell of itself: "
+         "entries cut off, a trail rewritten, an older file put back."));
+  back_->setText(tr("&Back to the audit trail"));
+  station_->setTitle(tr("This station"));
+  useKey_->setText(tr("&Use another key\u2026"));
+  witness_->setText(tr("Choose the &witness file\u2026"));
+  noWitness_->setText(tr("Keep &no heads"));
+  now_->setTitle(tr("The head now"));
+  nowText_->setText(
+      tr("Length, hash and time of the trail in one line. Keep it where nobody who can change the record can "
+         "change it: on paper, in a mail, on another disk."));
+  line_->setAccessibleName(tr("The head now"));
+  copy_->setText(tr("&Copy"));
+  print_->setText(tr("&Print\u2026"));
+  add_->setText(tr("&Add to the witness file"));
+  compare_->setTitle(tr("Compare with heads that were kept"));
+  compareText_->setText(
+      tr("Paste or type heads, one a line, or read a witness file. Without a public key they must be signed "
+         "with the key of this station, where it has one."));
+  lines_->setAccessibleName(tr("Heads that were kept"));
+  load_->setText(tr("Read a &file\u2026"));
+  nameField(publicLabel_, tr("Public &key"));
+  public_->setPlaceholderText(tr("that of this station"));
+  verify_->setText(tr("&Verify"));
+  showStation();
+  showVerdict();
+}
+
+}  // namespace torsio::gui

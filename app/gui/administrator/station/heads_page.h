@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/gui/base/page.h"
+#include "app/maintenance/station_heads.h"
+
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+
+namespace torsio::gui {
+
+class Card;
+class PageHeading;
+
+/// Heads of the audit trail that are kept elsewhere: with which key this station signs and where it keeps
+/// them, the head now to be copied or printed, and what kept heads say of the record.
+class HeadsPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit HeadsPage(ShellContext& shell);
+
+  void enter(const QVariant& argument) override;
+  void retranslate() override;
+
+  void makeKey(const std::filesystem::path& file);
+  void useKey(const std::filesystem::path& file);
+  void keepIn(const std::filesystem::path& witness);
+  /// Compares with the lines of the field.
+  void verify();
+
+ private:
+  void layOut();
+  void read();
+  void showStation();
+  void showVerdict();
+  void showButtons();
+  void askKey();
+  void askOtherKey();
+  void askWitness();
+  void addHead();
+  void loadWitness();
+  void copyHead();
+  void printHead();
+
+  StationHeads heads_;
+  std::string head_;
+  std::optional<std::vector<AuditFinding>> findings_;  ///< empty: not compared yet
+  PageHeading* heading_;
+  QPushButton* back_;
+  Card* station_;
+  QLabel* keyText_;
+  QPushButton* makeKey_;
+  QPushButton* useKey_;
+  QLabel* witnessText_;
+  QPushButton* witness_;
+  QPushButton* noWitness_;
+  Card* now_;
+  QLabel* nowText_;
+  QPlainTextEdit* line_;
+  QPushButton* copy_;
+  QPushButton* print_;
+  QPushButton* add_;
+  Card* compare_;
+  QLabel* compareText_;
+  QPlainTextEdit* lines_;
+  QPushButton* load_;
+  QLabel* publicLabel_;
+  QLineEdit* public_;
+  QPushButton* verify_;
+  QLabel* verdict_;
+};
+
+}  // namespace torsio::gui
