@@ -14,8 +14,6 @@
 #include "app/maintenance/database_maintenance.h"
 #include "app/maintenance/station_anchor.h"
 #include "assessment/people/audit_entry.h"
-#include "db/connection/connection.h"
-#include "db/migrations/migrations.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
 
@@ -120,8 +118,8 @@ void setStation(const AuditArguments& arguments) {
 }
 
 void replaceKey(const AuditArguments& arguments) {
-  Connection connection = openRecord(arguments.database.locator(), OpenMode::kReadOnly);
-  const ReplacedKey made = replaceAnchorKey(connection, arguments.key, arguments.file, utcNow_us());
+  const ReplacedKey made =
+      replaceAnchorKey(arguments.database.locator(), arguments.key, arguments.file, utcNow_us());
   if (!arguments.witness.empty()) {
     appendToWitness(arguments.witness, made.line);
   }

@@ -259,6 +259,12 @@ std::string makeAnchorKey(const fs::path& file) {
   return toHex(open);
 }
 
+ReplacedKey replaceAnchorKey(const std::string& locator, const fs::path& old, const fs::path& file,
+                             std::int64_t now_us) {
+  Connection connection = openRecord(locator, OpenMode::kReadOnly);
+  return replaceAnchorKey(connection, old, file, now_us);
+}
+
 ReplacedKey replaceAnchorKey(Connection& connection, const fs::path& old, const fs::path& file,
                              std::int64_t now_us) {
   const SecretKey before = readKey(old);

@@ -22,6 +22,8 @@ struct ReplacedKey {
   std::string publicKey{};
   std::string line{};
 };
+[[nodiscard]] ReplacedKey replaceAnchorKey(const std::string& locator, const std::filesystem::path& old,
+                                           const std::filesystem::path& file, std::int64_t now_us);
 [[nodiscard]] ReplacedKey replaceAnchorKey(Connection& connection, const std::filesystem::path& old,
                                            const std::filesystem::path& file, std::int64_t now_us);
 /// Public part of the key in `file`. Throws Error: kFileMissing, kBadData, kPermission when other accounts
