@@ -114,6 +114,9 @@ class Filler {
     if (table.name == "sign_in_failure") {
       values["bucket"] = static_cast<std::int64_t>(prefix_.front());  // its only key is a number
     }
+    if (table.name == "consent_version") {
+      values["number"] = static_cast<std::int64_t>(prefix_.front());  // unique besides the key
+    }
     for (const TableReference& reference : table.references) {
       refer(reference, values);
     }
