@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kPageWidth_mm = 210.0;
 constexpr double kPageHeight_mm = 297.0;
-constexpr double kReference_pt = 5.5;  // two hashes in one line
+constexpr double kReference_pt = 5.5;  // a hash in each of two lines
 constexpr int kTextFlags = Qt::AlignLeft | Qt::TextWordWrap;
 const QColor kInk(0x26, 0x32, 0x38);
 const QColor kHeaderFill(0xE4, 0xEC, 0xF2);
@@ -160,7 +160,7 @@ void PageFlow::drawFrame(QPainter& painter, std::size_t page, double unit) const
   painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, style_.pageText(page + 1, pages_.size()));
   if (!style_.reference.isEmpty()) {
     painter.setFont(font(kReference_pt, false));
-    painter.drawText(QRectF(left, (kPageHeight_mm - 9.0) * unit, wide, 4.0 * unit),
+    painter.drawText(QRectF(left, (kPageHeight_mm - 9.2) * unit, wide, 5.2 * unit),
                      Qt::AlignLeft | Qt::AlignVCenter, style_.reference);
   }
   const QRectF head(left, 9.0 * unit, wide, 6.0 * unit);

@@ -262,7 +262,7 @@ void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
     style.headerText = wording(model.title);
     style.footerText = QStringLiteral("Torsio %1  |  %2").arg(version, created);
     if (!model.number.empty()) {
-      style.reference = wording(Text::tr("Report %1  |  numbers %2  |  audit trail %3", model.number,
+      style.reference = wording(Text::tr("Report %1  |  numbers %2\naudit trail %3", model.number,
                                          model.numbersHash, model.auditHead));
     }
     if (model.demonstration) {

@@ -76,10 +76,10 @@ inline constexpr std::array<Term<EnrolmentState>, 3> kEnrolmentStates{{
      "takes part no more; what was recorded stays"},
 }};
 
-/// Where a cohort stands. It is a draft until its people are allocated; the rest is decided by hand.
+/// Where a cohort stands. It is a draft until somebody is allocated or trains; the rest is decided by hand.
 enum class CohortState : std::uint8_t { kDraft, kRunning, kClosed, kArchived };
 inline constexpr std::array<Term<CohortState>, 4> kCohortStates{{
-    {CohortState::kDraft, "draft", Text::tr("draft"), "nobody is allocated yet"},
+    {CohortState::kDraft, "draft", Text::tr("draft"), "nobody is allocated and nobody has trained"},
     {CohortState::kRunning, "running", Text::tr("running"), "trains and is scored"},
     {CohortState::kClosed, "closed", Text::tr("closed"),
      "takes nothing new; what was asked for may be finished"},

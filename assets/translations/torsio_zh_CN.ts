@@ -12531,8 +12531,10 @@
         <translation>请重新生成报告</translation>
     </message>
     <message>
-        <source>Report %1  |  numbers %2  |  audit trail %3</source>
-        <translation>报告 %1  |  数值 %2  |  审计追踪 %3</translation>
+        <source>Report %1  |  numbers %2
+audit trail %3</source>
+        <translation>报告 %1  |  数值 %2
+审计追踪 %3</translation>
     </message>
     <message>
         <source>another cohort has this name</source>

@@ -40,7 +40,7 @@ const std::map<std::string, Value> kRuled{{"kind", "virtual"},
                                           {"record_copy.kind", "backup"},
                                           {"curriculum_state.state", "running"},
                                           {"consent.form", "screen"},
-                                          {"signed_utc_us", Value()},
+                                          {"consent.signed_utc_us", Value()},
                                           {"cohort_state.state", "running"},
                                           {"trial_remark.purpose", "remark"},
                                           {"reply_to", Value()},
@@ -113,6 +113,9 @@ class Filler {
     }
     if (table.name == "sign_in_failure") {
       values["bucket"] = static_cast<std::int64_t>(prefix_.front());  // its only key is a number
+    }
+    if (table.name == "consent_version") {
+      values["number"] = static_cast<std::int64_t>(prefix_.front());  // unique besides the key
     }
     for (const TableReference& reference : table.references) {
       refer(reference, values);
