@@ -33,6 +33,7 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   scroll_->setWidget(ground);
   scroll_->setWidgetResizable(true);
   scroll_->setFocusPolicy(Qt::NoFocus);
+  scroll_->setMinimumHeight(6 * kSpace);  // a row or two where a screen is small
   scroll_->installEventFilter(this);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column->addWidget(scroll_, 1);
