@@ -94,7 +94,6 @@ ReplayPanel::ReplayPanel(const std::filesystem::path& assets, QWidget* parent)
   sentence_->setAlignment(Qt::AlignCenter);
   sentence_->setContentsMargins(2 * kSpace, kSpace, 2 * kSpace, kSpace);
   view_->setInstrument(loadInstrument(assets, "grasper"));
-  view_->setMinimumHeight(216);  // traces, task and texts stand below it on a small screen
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kSpace);
