@@ -33,6 +33,7 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   scroll_->setWidget(ground);
   scroll_->setWidgetResizable(true);
   scroll_->setFocusPolicy(Qt::NoFocus);
+  scroll_->setMinimumHeight(6 * kSpace);  // a row or two where a screen is small
   scroll_->installEventFilter(this);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column->addWidget(scroll_, 1);
@@ -42,7 +43,7 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   comment_->setObjectName(QStringLiteral("comment"));
   commentLabel_->setBuddy(comment_);
   comment_->setTabChangesFocus(true);
-  comment_->setFixedHeight((largeTargets ? 2 : 3) * fontMetrics().lineSpacing() + 2 * kSpace);
+  comment_->setFixedHeight(2 * fontMetrics().lineSpacing() + 2 * kSpace);
   column->addWidget(commentLabel_);
   column->addWidget(comment_);
   connect(comment_, &QPlainTextEdit::textChanged, this, [this] {

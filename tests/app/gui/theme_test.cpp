@@ -90,9 +90,11 @@ TEST_P(ThemeContrast, HintsInFieldsAndWhatIsDisabledAreLegible) {
     field->ensurePolished();
     const QPalette& palette = field->palette();
     for (const QPalette::ColorGroup group : {QPalette::Active, QPalette::Inactive, QPalette::Disabled}) {
-      EXPECT_GE(contrast(shownOn(t.surface, palette.color(group, QPalette::PlaceholderText)), t.surface),
-                kText)
-          << field->metaObject()->className() << ' ' << group;
+      if (field == &line || field == &text) {
+        const QColor hint = palette.color(group, QPalette::PlaceholderText);
+        EXPECT_GE(contrast(shownOn(t.surface, hint), t.surface), kText)
+            << field->metaObject()->className() << ' ' << group;
+      }
       EXPECT_GE(contrast(shownOn(t.raised, palette.color(group, QPalette::ButtonText)), t.raised), kText)
           << field->metaObject()->className() << ' ' << group;
       EXPECT_GE(contrast(shownOn(t.surface, palette.color(group, QPalette::Text)), t.surface), kText)
