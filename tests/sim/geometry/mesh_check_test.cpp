@@ -217,8 +217,7 @@ TEST(RequireOrgan, RefusesAnOpenSurfaceAndSaysWhere) {
     return mesh.vertices_m[t[0]].z > 0.07;  // the top is cut off
   });
 
-  EXPECT_THAT(refusal(mesh),
-              HasSubstr("M11 the surface is open: 24 boundary edges in 1 hole, first at ("));
+  EXPECT_THAT(refusal(mesh), HasSubstr("M11 the surface is open: 24 boundary edges in 1 hole, first at ("));
 }
 
 TEST(RequireOrgan, RefusesAnEdgeWithThreeFaces) {
