@@ -42,7 +42,7 @@ struct ConsentVersion {
   std::string id{};  ///< stored with each decision: "2026-1" as it ships, "centre-1" of the centre's own
   std::int64_t number = 0;                ///< 0: as it ships
   std::string note{};                     ///< what changed
-  std::vector<ConsentWords> languages{};  ///< the same purposes in the same order in each
+  std::vector<ConsentWords> languages{};  ///< each has the purposes of the others in their order
   std::string publishedBy{};
   std::int64_t publishedUtc_us = 0;
 };

@@ -59,7 +59,7 @@ inline constexpr std::size_t kFewestAttempts = 8;
 /// Returns the confidence band of the mean at t, by the delta method.
 [[nodiscard]] Interval learningBandAt(const LearningCurve& curve, double t,
                                       double confidence = kUsualConfidence);
-/// The same at several attempts.
+/// Returns the confidence band of the mean at each t, by the delta method.
 [[nodiscard]] std::vector<Interval> learningBand(const LearningCurve& curve, std::span<const double> t,
                                                  double confidence = kUsualConfidence);
 

@@ -14666,8 +14666,8 @@ MSM = 质点弹簧</translation>
         <translation>改名(&amp;R)…</translation>
     </message>
     <message>
-        <source>Close or &amp;archive…</source>
-        <translation>关闭或归档(&amp;A)…</translation>
+        <source>Clo&amp;se or archive…</source>
+        <translation>关闭或归档(&amp;S)…</translation>
     </message>
     <message>
         <source>Show arch&amp;ived</source>

@@ -17,7 +17,7 @@ TEST(ServoWords, ACutOrManySkippedTicksAreToldWithWhatTheSystemRefused) {
   const Text cut = servoTrouble({true, true, 0, 1}, 60'000);
   const Text skipped = servoTrouble({false, true, 61, 0}, 60'000);
 
-  EXPECT_NE(cut.str().find("cut 1 times, 0 of 60000 ticks"), std::string::npos) << cut.str();
+  EXPECT_NE(cut.str().find("cut 1 time, 0 of 60000 ticks"), std::string::npos) << cut.str();
   EXPECT_NE(skipped.str().find("cut 0 times, 61 of 60061 ticks"), std::string::npos) << skipped.str();
   EXPECT_EQ(cut.str().find("refuses"), std::string::npos);
   EXPECT_NE(skipped.str().find("; the system refuses real-time priority"), std::string::npos);

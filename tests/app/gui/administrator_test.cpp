@@ -226,24 +226,24 @@ void expectResultsFollowTheLanguage(ResultsPage& results) {
 
 /// The report in the language chosen beside it, whatever that of the window.
 /// Shows what will leave, and writes a workbook, pseudonymised tables and a gradebook.
-void expectExports(ReportsPage& reports, const fs::path& folder) {
-  answer([&folder](QDialog& dialog) {
+void expectExports(ReportsPage& reports, ShellContext& shell, const fs::path& folder) {
+  answer([&](QDialog& dialog) {
     auto& exported = dynamic_cast<ExportDialog&>(dialog);
-    exported.settle();
+    shell.waitForJobs();
     EXPECT_EQ(child<QTableWidget>(dialog, "rows").item(0, 0)->text().left(2), QStringLiteral("T-"));
     type(dialog, QStringLiteral("for the board"));
     exported.writeTo(folder / "cohort.xlsx");
-    exported.settle();
+    shell.waitForJobs();
     child<QComboBox>(dialog, "format").setCurrentIndex(1);
     child<QCheckBox>(dialog, "pseudonymised").setChecked(true);
-    exported.settle();
+    shell.waitForJobs();
     EXPECT_EQ(child<QTableWidget>(dialog, "rows").item(0, 0)->text().left(2), QStringLiteral("P-"));
     EXPECT_TRUE(child<QLabel>(dialog, "what").text().contains(QStringLiteral("shared by at least")));
     exported.writeTo(folder / "tables");
-    exported.settle();
+    shell.waitForJobs();
     child<QComboBox>(dialog, "format").setCurrentIndex(4);
     exported.writeTo(folder / "grades.csv");
-    exported.settle();
+    shell.waitForJobs();
     EXPECT_TRUE(child<QLabel>(dialog, "done").text().contains(QStringLiteral("grades.csv")));
     dialog.reject();
   });
@@ -304,7 +304,7 @@ TEST(AdministratorPages, RunsAWholeStudyFromTheRosterToTheReport) {
   EXPECT_NE(readFile(csv).find("icc_2_k"), std::string::npos);
   expectReportInChinese(*reports, office.centre.folder() / "chinese.pdf");
   EXPECT_EQ(office.centre.audited("report.export_coded"), 3);
-  expectExports(*reports, office.centre.folder());
+  expectExports(*reports, office.shell(), office.centre.folder());
   EXPECT_EQ(office.centre.audited("report.export_coded"), 5);
   EXPECT_EQ(office.centre.audited("report.export_named"), 1);
   EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();

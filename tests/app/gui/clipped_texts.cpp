@@ -13,6 +13,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QStyle>
 #include <QStyleOptionComboBox>
 #include <QTabBar>
@@ -38,6 +39,7 @@ class Looker {
       if (!tabs->isVisibleTo(&window_)) {
         continue;
       }
+      const QSignalBlocker quiet(tabs);  // a page that is told of its tab may begin to load
       const int before = tabs->currentIndex();
       for (int i = 0; i < tabs->count(); ++i) {
         if (i != before) {

@@ -99,6 +99,7 @@ void sayAll(const ReportModel& model, const Say& say) {
 QString withoutKeptWords(QString text) {
   static const QRegularExpression kKept(QStringLiteral(
       "Bland-Altman|Shapiro-Wilk|Bonferroni|Student|Biau|Porcher|Shrout-Fleiss|Shrout|Fleiss|Krippendorff|"
+      "Cohen|"
       "Hedges|Kruskal-Wallis|Dunn|Holm|"
       "Mann-Whitney|Friedman|Kendall|Rasch|Greenhouse-Geisser|Hyndman-Fan|Fisher-Yates|Torsio|torsio replay "
       "RUN "

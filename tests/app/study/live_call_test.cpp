@@ -263,7 +263,7 @@ TEST_F(LiveDay, TrainingBeforeTheSheetsAreInIsStoppedOrNotedWithItsReason) {
   DeviceReadiness device;
   device.findings.push_back({"force", Light::kGreen, ""});
   RunRequest wanted{steps.modules.at(0).module.id, false, device};
-  EXPECT_NE(refusal([&] { RunSession(trainee(), wanted, clock); }).find("0 of 3 sheets"), std::string::npos);
+  EXPECT_NE(refusal([&] { RunSession(trainee(), wanted, clock); }).find("are in: 0 of 3"), std::string::npos);
   EXPECT_TRUE(deviations(office(), cohort).empty());
 
   wanted.reason = "the arm is out of order";

@@ -234,8 +234,4 @@ void ExportDialog::writeTo(const std::filesystem::path& place) {
       });
 }
 
-void ExportDialog::settle() {
-  shell_.waitForJobs();
-}
-
 }  // namespace torsio::gui

@@ -34,8 +34,6 @@ class ExportDialog : public QDialog {
 
   /// Writes in the chosen form, beside the window; what went wrong is said. Does nothing while data are read.
   void writeTo(const std::filesystem::path& place);
-  /// Waits until what is shown is read or written: pictures and tests.
-  void settle();
 
  private:
   void build();

@@ -285,7 +285,7 @@ void CohortsPage::retranslate() {
   follow_->setText(tr("&Curriculum\u2026"));
   allocate_->setText(tr("&Allocation"));
   rename_->setText(tr("&Rename\u2026"));
-  life_->setText(tr("Close or &archive\u2026"));
+  life_->setText(tr("Clo&se or archive\u2026"));
   archived_->setText(tr("Show arch&ived"));
   state_->setText(tr("&Withdraw or take back\u2026"));
   table_->setColumns({{tr("Name")},
