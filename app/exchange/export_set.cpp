@@ -162,7 +162,7 @@ class Sorter {
     }
     const std::vector<ExportColumn> head = {participant(),
                                             groupColumn(),
-                                            number("trial_number", Text::tr("Number of the trial")),
+                                            number("trial_number", Text::tr("Number of the run")),
                                             {"phase", Text::tr("Phase")},
                                             {"model", Text::tr("Tissue model")},
                                             {"interrupted", Text::tr("Interrupted")},
@@ -170,8 +170,8 @@ class Sorter {
                                             {"trial", Text::tr("Recording")},
                                             {"content_hash", Text::tr("Hash of the recording")}};
     set.trials = {"trials",
-                  Text::tr("Trials"),
-                  Text::tr("Metrics of each recorded trial, measured again from its samples"),
+                  Text::tr("Recorded runs"),
+                  Text::tr("Metrics of each recorded run, measured again from its samples"),
                   head,
                   {}};
     for (ExportColumn& column : numbers) {
@@ -183,7 +183,7 @@ class Sorter {
                   Text::tr("Absolute error of each completed twist when the jaw was opened, in its order"),
                   {participant(),
                    groupColumn(),
-                   number("trial_number", Text::tr("Number of the trial")),
+                   number("trial_number", Text::tr("Number of the run")),
                    {"phase", Text::tr("Phase")},
                    number("twist_number", Text::tr("Number of the twist")),
                    number("twist_error_deg", Text::tr("Error of the angle"), "deg")},

@@ -147,11 +147,11 @@
     </message>
     <message>
         <source>the whole cohort</source>
-        <translation>整个队列</translation>
+        <translation>整个批次</translation>
     </message>
     <message>
         <source>Deviations</source>
-        <translation>偏离方案</translation>
+        <translation>方案偏离</translation>
     </message>
     <message>
         <source>What went otherwise than the protocol says. The report lists it as well.</source>
@@ -175,7 +175,7 @@
     </message>
     <message>
         <source>No deviation was noted.</source>
-        <translation>没有记录任何偏离。</translation>
+        <translation>没有记录任何方案偏离。</translation>
     </message>
 </context>
 <context>
@@ -186,7 +186,7 @@
     </message>
     <message>
         <source>Debrief</source>
-        <translation>讲评</translation>
+        <translation>训练复盘</translation>
     </message>
     <message>
         <source>Trend</source>
@@ -230,7 +230,7 @@
     </message>
     <message>
         <source>Rater calibration</source>
-        <translation>评分者校准</translation>
+        <translation>评分校准</translation>
     </message>
     <message>
         <source>Live sheet</source>
@@ -238,7 +238,7 @@
     </message>
     <message>
         <source>Discrepancy review</source>
-        <translation>差异复核</translation>
+        <translation>评分分歧复核</translation>
     </message>
     <message>
         <source>My severity</source>
@@ -904,7 +904,7 @@
     </message>
     <message>
         <source>on the real arm</source>
-        <translation>在真实手臂上</translation>
+        <translation>在实物手臂上</translation>
     </message>
     <message>
         <source>rest</source>
@@ -960,7 +960,7 @@
     </message>
     <message>
         <source>Report a deviation</source>
-        <translation>报告偏离</translation>
+        <translation>报告方案偏离</translation>
     </message>
     <message>
         <source>What happened, without names</source>
@@ -996,7 +996,7 @@
     </message>
     <message>
         <source>Their groups stay as drawn; a deviation is noted for both and appears in the report.</source>
-        <translation>双方分组不变；两人均记录偏离并列入报告。</translation>
+        <translation>双方分组不变；两人均记录方案偏离并列入报告。</translation>
     </message>
     <message>
         <source>Swap</source>
@@ -1313,7 +1313,7 @@
     </message>
     <message>
         <source>Locked</source>
-        <translation>未解锁</translation>
+        <translation>已锁定</translation>
     </message>
     <message>
         <source>Open</source>
@@ -1838,7 +1838,7 @@
     </message>
     <message>
         <source>real arm</source>
-        <translation>真实手臂</translation>
+        <translation>实物手臂</translation>
     </message>
     <message>
         <source>share of twists on target</source>
@@ -2216,11 +2216,11 @@
     </message>
     <message>
         <source>20 min virtual, 20 min real arm</source>
-        <translation>虚拟 20 分钟，真实手臂 20 分钟</translation>
+        <translation>虚拟 20 分钟，实物手臂 20 分钟</translation>
     </message>
     <message>
         <source>40 min real arm</source>
-        <translation>真实手臂 40 分钟</translation>
+        <translation>实物手臂 40 分钟</translation>
     </message>
     <message>
         <source>40 min virtual</source>
@@ -2436,7 +2436,7 @@
     </message>
     <message>
         <source>Checking recording %1 of %2</source>
-        <translation>正在检查第 %1 条录像，共 %2 条</translation>
+        <translation>正在检查第 %1 条录制，共 %2 条</translation>
     </message>
     <message>
         <source>Choose a folder in which you may write</source>
@@ -2512,7 +2512,7 @@
     </message>
     <message>
         <source>Choose another recording: a case must be blinded</source>
-        <translation>请选择其他录像：案例必须盲评</translation>
+        <translation>请选择其他录制：案例必须盲评</translation>
     </message>
     <message>
         <source>Choose another trainee</source>
@@ -3416,7 +3416,7 @@
     </message>
     <message>
         <source>Open rater calibration again</source>
-        <translation>请重新打开评分者校准</translation>
+        <translation>请重新打开评分校准</translation>
     </message>
     <message>
         <source>Open your own record</source>
@@ -3828,7 +3828,7 @@
     </message>
     <message>
         <source>The recording is kept in a file until it does</source>
-        <translation>在此之前录像保存在文件中</translation>
+        <translation>在此之前录制保存在文件中</translation>
     </message>
     <message>
         <source>This program reads %1.</source>
@@ -3836,7 +3836,7 @@
     </message>
     <message>
         <source>Three groups train for 40 minutes: all virtual, half virtual and half on the real arm, all real. Marks before, after 20 and after 40 minutes, always on the real arm. Each trainee may rest once for 5 minutes.</source>
-        <translation>三组各训练 40 分钟：全部虚拟；一半虚拟、一半真实手臂；全部真实手臂。训练前、20 分钟后和 40 分钟后均在真实手臂上评分。每位学员可休息一次，5 分钟。</translation>
+        <translation>三组各训练 40 分钟：全部虚拟；一半虚拟、一半实物手臂；全部实物手臂。训练前、20 分钟后和 40 分钟后均在实物手臂上评分。每位学员可休息一次，5 分钟。</translation>
     </message>
     <message>
         <source>Training time</source>
@@ -4044,7 +4044,7 @@
     </message>
     <message>
         <source>a part of the recording is missing</source>
-        <translation>录像缺少一部分</translation>
+        <translation>录制缺少一部分</translation>
     </message>
     <message>
         <source>a phase or a rest has no sensible length</source>
@@ -4052,7 +4052,7 @@
     </message>
     <message>
         <source>a physician was asked about this recording by name</source>
-        <translation>已就此录像向医师实名提问</translation>
+        <translation>已就此录制向医师实名提问</translation>
     </message>
     <message>
         <source>a quote does not close</source>
@@ -4304,7 +4304,7 @@
     </message>
     <message>
         <source>deviation</source>
-        <translation>偏离</translation>
+        <translation>方案偏离</translation>
     </message>
     <message>
         <source>device</source>
@@ -4628,7 +4628,7 @@
     </message>
     <message>
         <source>names a module of the simulator, but happens on the real arm</source>
-        <translation>指定了模拟器模块，但在真实手臂上进行</translation>
+        <translation>指定了模拟器模块，但在实物手臂上进行</translation>
     </message>
     <message>
         <source>needs either a mark or a reason why there is none</source>
@@ -4824,7 +4824,7 @@
     </message>
     <message>
         <source>only %1 % of the recording has been played</source>
-        <translation>仅播放了录像的 %1 %</translation>
+        <translation>仅播放了录制的 %1 %</translation>
     </message>
     <message>
         <source>organs and scenes are not installed</source>
@@ -4880,15 +4880,15 @@
     </message>
     <message>
         <source>real arm 0-20 min</source>
-        <translation>真实手臂 0–20 分钟</translation>
+        <translation>实物手臂 0–20 分钟</translation>
     </message>
     <message>
         <source>real arm 20-40 min</source>
-        <translation>真实手臂 20–40 分钟</translation>
+        <translation>实物手臂 20–40 分钟</translation>
     </message>
     <message>
         <source>recordings of this station still wait in files (%1)</source>
-        <translation>本工作站仍有录像等待入库（%1）</translation>
+        <translation>本工作站仍有录制等待入库（%1）</translation>
     </message>
     <message>
         <source>records are kept for one day at least and a hundred years at most</source>
@@ -5208,7 +5208,7 @@
     </message>
     <message>
         <source>the digest of a recording is cut off</source>
-        <translation>某条录像的摘要不完整</translation>
+        <translation>某条录制的摘要不完整</translation>
     </message>
     <message>
         <source>the direction of ridge 0 is not finite</source>
@@ -5344,7 +5344,7 @@
     </message>
     <message>
         <source>the marks of this recording are not released yet</source>
-        <translation>此录像的评分尚未公布</translation>
+        <translation>此录制的评分尚未公布</translation>
     </message>
     <message>
         <source>the maximum force must be above 0 N</source>
@@ -5360,7 +5360,7 @@
     </message>
     <message>
         <source>the moment lies outside the recording</source>
-        <translation>该时刻超出录像范围</translation>
+        <translation>该时刻超出录制范围</translation>
     </message>
     <message>
         <source>the motors are warm</source>
@@ -5388,11 +5388,11 @@
     </message>
     <message>
         <source>the organ here is not the one of the recording</source>
-        <translation>此处的器官与录像中的不同</translation>
+        <translation>此处的器官与录制中的不同</translation>
     </message>
     <message>
         <source>the organ or its parameters are not those of the recording</source>
-        <translation>器官或其参数与录像中的不同</translation>
+        <translation>器官或其参数与录制中的不同</translation>
     </message>
     <message>
         <source>the other rater was asked about this case before</source>
@@ -5412,7 +5412,7 @@
     </message>
     <message>
         <source>the parts of the recording are out of order</source>
-        <translation>录像各部分的顺序不正确</translation>
+        <translation>录制各部分的顺序不正确</translation>
     </message>
     <message>
         <source>the password is a simple pattern</source>
@@ -5464,19 +5464,19 @@
     </message>
     <message>
         <source>the recording cannot be opened</source>
-        <translation>无法打开录像</translation>
+        <translation>无法打开录制</translation>
     </message>
     <message>
         <source>the recording is empty</source>
-        <translation>录像为空</translation>
+        <translation>录制为空</translation>
     </message>
     <message>
         <source>the recording is not what was recorded</source>
-        <translation>录像与当时录制的不一致</translation>
+        <translation>录制与当时录制的不一致</translation>
     </message>
     <message>
         <source>the recording was played at a speed that is not allowed</source>
-        <translation>录像以不允许的速度播放</translation>
+        <translation>录制以不允许的速度播放</translation>
     </message>
     <message>
         <source>the records do not follow from the sealed seed</source>
@@ -5716,7 +5716,7 @@
     </message>
     <message>
         <source>there is no such complete recording</source>
-        <translation>没有该完整录像</translation>
+        <translation>没有该完整录制</translation>
     </message>
     <message>
         <source>there is no such curriculum</source>
@@ -5764,7 +5764,7 @@
     </message>
     <message>
         <source>there is no such recording</source>
-        <translation>没有该录像</translation>
+        <translation>没有该录制</translation>
     </message>
     <message>
         <source>there is no such reference run</source>
@@ -5828,7 +5828,7 @@
     </message>
     <message>
         <source>this case has no recording to score</source>
-        <translation>该案例没有可评分的录像</translation>
+        <translation>该案例没有可评分的录制</translation>
     </message>
     <message>
         <source>this case is not yours</source>
@@ -5836,7 +5836,7 @@
     </message>
     <message>
         <source>this case is scored live and has no recording</source>
-        <translation>该案例为现场评分，没有录像</translation>
+        <translation>该案例为现场评分，没有录制</translation>
     </message>
     <message>
         <source>this case was taken back</source>
@@ -5884,11 +5884,11 @@
     </message>
     <message>
         <source>this kind of deviation is not known</source>
-        <translation>无法识别该类偏离</translation>
+        <translation>无法识别该类方案偏离</translation>
     </message>
     <message>
         <source>this module is locked: first master %1</source>
-        <translation>该模块未解锁：请先掌握“%1”</translation>
+        <translation>该模块已锁定：请先掌握“%1”</translation>
     </message>
     <message>
         <source>this needs a reason</source>
@@ -5932,7 +5932,7 @@
     </message>
     <message>
         <source>this recording belongs to somebody else</source>
-        <translation>该录像属于其他人</translation>
+        <translation>该录制属于其他人</translation>
     </message>
     <message>
         <source>this run is or may be judged without names</source>
@@ -6228,7 +6228,7 @@
     </message>
     <message>
         <source>%1, the same in every run</source>
-        <translation>%1，每次运行均相同</translation>
+        <translation>%1，每次操作均相同</translation>
     </message>
     <message>
         <source>%1. Method: %2; generator: %3; seed: %4.</source>
@@ -6664,7 +6664,7 @@
     </message>
     <message>
         <source>Locked</source>
-        <translation>锁定时间</translation>
+        <translation>已锁定</translation>
     </message>
     <message>
         <source>Lower quartile</source>
@@ -7103,8 +7103,8 @@
         <translation>训练研究；一致性与组间比较；评分者</translation>
     </message>
     <message>
-        <source>Trials</source>
-        <translation>操作次数</translation>
+        <source>Recorded runs</source>
+        <translation>操作记录</translation>
     </message>
     <message>
         <source>Twist training: cohort report</source>
@@ -7996,7 +7996,7 @@
     </message>
     <message>
         <source>Deviation reported</source>
-        <translation>报告偏离</translation>
+        <translation>报告方案偏离</translation>
     </message>
     <message>
         <source>Draft of a curriculum saved</source>
@@ -8080,11 +8080,11 @@
     </message>
     <message>
         <source>Own mark kept in the discrepancy review</source>
-        <translation>差异复核：保留自己的评分</translation>
+        <translation>评分分歧复核：保留自己的评分</translation>
     </message>
     <message>
         <source>Own mark amended in the discrepancy review</source>
-        <translation>差异复核：修订自己的评分</translation>
+        <translation>评分分歧复核：修订自己的评分</translation>
     </message>
     <message>
         <source>Own password changed</source>
@@ -8156,7 +8156,7 @@
     </message>
     <message>
         <source>Reference run scored for rater calibration</source>
-        <translation>评分者校准：为参考操作评分</translation>
+        <translation>评分校准：为参考操作评分</translation>
     </message>
     <message>
         <source>Reference run withdrawn</source>
@@ -8396,11 +8396,11 @@
     </message>
     <message>
         <source>this recording is no reference run, or was withdrawn already</source>
-        <translation>此录像不是参考操作，或已被撤回</translation>
+        <translation>此录制不是参考操作，或已被撤回</translation>
     </message>
     <message>
         <source>this recording is or was a reference run</source>
-        <translation>此录像是或曾是参考操作</translation>
+        <translation>此录制是或曾是参考操作</translation>
     </message>
     <message>
         <source>training time</source>
@@ -8416,7 +8416,7 @@
     </message>
     <message>
         <source>rater calibration</source>
-        <translation>评分者校准</translation>
+        <translation>评分校准</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a number</source>
@@ -8452,7 +8452,7 @@
     </message>
     <message>
         <source>List of recordings exported under codes</source>
-        <translation>导出录像列表（仅代码）</translation>
+        <translation>导出录制列表（仅代码）</translation>
     </message>
     <message>
         <source>Single marks exported under codes</source>
@@ -8808,7 +8808,7 @@
     </message>
     <message>
         <source>on the real arm</source>
-        <translation>在真实手臂上</translation>
+        <translation>在实物手臂上</translation>
     </message>
     <message>
         <source>rest</source>
@@ -9652,7 +9652,7 @@
     </message>
     <message>
         <source>there is no recording of this model</source>
-        <translation>该模型没有录像</translation>
+        <translation>该模型没有录制</translation>
     </message>
     <message>
         <source>Score what you have met</source>
@@ -9660,7 +9660,7 @@
     </message>
     <message>
         <source>a model has no recording</source>
-        <translation>有一个模型没有录像</translation>
+        <translation>有一个模型没有录制</translation>
     </message>
     <message>
         <source>Choose one for each model, or for none</source>
@@ -9668,23 +9668,23 @@
     </message>
     <message>
         <source>this recording has no end</source>
-        <translation>该录像没有结尾</translation>
+        <translation>该录制没有结尾</translation>
     </message>
     <message>
         <source>Choose a finished one</source>
-        <translation>请选择已完成的录像</translation>
+        <translation>请选择已完成的录制</translation>
     </message>
     <message>
         <source>this recording belongs to a trainee</source>
-        <translation>该录像属于一位学员</translation>
+        <translation>该录制属于一位学员</translation>
     </message>
     <message>
         <source>Choose one of free practice</source>
-        <translation>请选择自由练习的录像</translation>
+        <translation>请选择自由练习的录制</translation>
     </message>
     <message>
         <source>two recordings were made with the same model</source>
-        <translation>有两份录像是用同一模型录制的</translation>
+        <translation>有两份录制是用同一模型录制的</translation>
     </message>
     <message>
         <source>Choose one of each model</source>
@@ -10528,7 +10528,7 @@
     </message>
     <message>
         <source>this case has not been called to the real arm yet</source>
-        <translation>该案例尚未被呼叫到真实手臂</translation>
+        <translation>该案例尚未被呼叫到实物手臂</translation>
     </message>
     <message>
         <source>Its sheet opens by itself when the office calls it</source>
@@ -10576,11 +10576,11 @@
     </message>
     <message>
         <source>this cohort has no such occasion</source>
-        <translation>该队列没有这个评分时点</translation>
+        <translation>该批次没有这个评分时点</translation>
     </message>
     <message>
         <source>no rater is asked to score %1 on the real arm at the occasion &quot;%2&quot;</source>
-        <translation>未邀请任何评分者在评分时点“%2”于真实手臂上为 %1 评分</translation>
+        <translation>未邀请任何评分者在评分时点“%2”于实物手臂上为 %1 评分</translation>
     </message>
     <message>
         <source>the scoring plan</source>
@@ -10596,7 +10596,7 @@
     </message>
     <message>
         <source>Say where the real arm stands</source>
-        <translation>请填写真实手臂所在的房间</translation>
+        <translation>请填写实物手臂所在的房间</translation>
     </message>
     <message>
         <source>Say why the trainee is called nevertheless</source>
@@ -10616,7 +10616,7 @@
     </message>
     <message>
         <source>nobody in this cohort has this code</source>
-        <translation>该队列中没有这个编号</translation>
+        <translation>该批次中没有这个编号</translation>
     </message>
     <message>
         <source>Scan the card again, or type the code</source>
@@ -10624,15 +10624,15 @@
     </message>
     <message>
         <source>Trainee called to the real arm</source>
-        <translation>学员被呼叫到真实手臂</translation>
+        <translation>学员被呼叫到实物手臂</translation>
     </message>
     <message>
         <source>Call to the real arm ended</source>
-        <translation>真实手臂呼叫结束</translation>
+        <translation>实物手臂呼叫结束</translation>
     </message>
     <message>
         <source>Call to the real arm taken back</source>
-        <translation>真实手臂呼叫已撤回</translation>
+        <translation>实物手臂呼叫已撤回</translation>
     </message>
     <message>
         <source>Audit trail exported</source>
@@ -10640,7 +10640,7 @@
     </message>
     <message>
         <source>call to the real arm</source>
-        <translation>真实手臂呼叫</translation>
+        <translation>实物手臂呼叫</translation>
     </message>
     <message>
         <source>the marks of the panel are open now</source>
@@ -10816,7 +10816,7 @@
     </message>
     <message>
         <source>Let more experts make a run, or keep the tolerance of the exercise</source>
-        <translation>请让更多专家完成一次，或保留练习的容差</translation>
+        <translation>请让更多专家完成一次操作，或保留练习的容差</translation>
     </message>
     <message>
         <source>Keep the tolerance of the exercise</source>
@@ -11072,7 +11072,7 @@
     </message>
     <message>
         <source>Recordings make up %1 % of the time noted on the simulator; the rest was spent between the runs, or is not recorded.</source>
-        <translation>录制占模拟器登记时间的 %1 %；其余时间用在各次练习之间，或没有录制。</translation>
+        <translation>录制占模拟器登记时间的 %1 %；其余时间用在各次操作之间，或没有录制。</translation>
     </message>
     <message>
         <source>Strictest first. Scores are not corrected for severity, and not every trainee is scored by the same raters: a strict or lenient rater may change their order.</source>
@@ -11224,7 +11224,7 @@
     </message>
     <message>
         <source>there is no such sheet of the real arm</source>
-        <translation>没有这样的真实手臂评分表</translation>
+        <translation>没有这样的实物手臂评分表</translation>
     </message>
     <message>
         <source>this sheet is in already, or was withdrawn</source>
@@ -11244,7 +11244,7 @@
     </message>
     <message>
         <source>Be scored on the real arm first, or say why the training begins nevertheless</source>
-        <translation>请先在真实手臂上接受评分，或说明为何仍要开始训练</translation>
+        <translation>请先在实物手臂上接受评分，或说明为何仍要开始训练</translation>
     </message>
     <message>
         <source>%1 points [%2; %3]</source>
@@ -11464,7 +11464,7 @@
     </message>
     <message>
         <source>complete cases [95 %]</source>
-        <translation>完整病例 [95 %]</translation>
+        <translation>完整案例 [95 %]</translation>
     </message>
     <message>
         <source>mixed model, primary [95 %]</source>
@@ -11720,7 +11720,7 @@
     </message>
     <message>
         <source>Head of the audit trail</source>
-        <translation>审计记录的末端哈希</translation>
+        <translation>审计记录的链头哈希</translation>
     </message>
     <message>
         <source>the column %1 was altered on its way into the record; nothing was kept</source>
@@ -12052,7 +12052,7 @@
     </message>
     <message>
         <source>Choose one of %1</source>
-        <translation>请选择其中之一：%1 {1?}</translation>
+        <translation>请选择其中之一：%1</translation>
     </message>
     <message>
         <source>connection parameter %1 is given twice</source>
@@ -12219,8 +12219,8 @@
         <translation>评分</translation>
     </message>
     <message>
-        <source>Number of the trial</source>
-        <translation>试次序号</translation>
+        <source>Number of the run</source>
+        <translation>操作序号</translation>
     </message>
     <message>
         <source>Tissue model</source>
@@ -12243,8 +12243,8 @@
         <translation>记录的哈希值</translation>
     </message>
     <message>
-        <source>Metrics of each recorded trial, measured again from its samples</source>
-        <translation>由采样重新测得的各试次指标</translation>
+        <source>Metrics of each recorded run, measured again from its samples</source>
+        <translation>由采样重新测得的各次操作指标</translation>
     </message>
     <message>
         <source>Learning curves</source>
@@ -12763,10 +12763,6 @@ audit trail %3</source>
     <message>
         <source>No test of baseline differences is shown. %1 {trainee was|trainees were} moved by hand after the draw: a difference need not be due to chance.</source>
         <translation>不显示基线差异的检验。抽取之后有 %1 名学员被人工调组：差异不一定出于偶然。</translation>
-    </message>
-    <message>
-        <source>Recorded runs</source>
-        <translation>已录制的操作</translation>
     </message>
     <message>
         <source>Interrupted runs</source>
@@ -13809,7 +13805,7 @@ Mouse: left button grips, dragging turns, the wheel moves nearer.</source>
     </message>
     <message>
         <source>An expert&apos;s run of the same twist</source>
-        <translation>专家完成同一扭转的示范</translation>
+        <translation>专家对同一扭转的操作</translation>
     </message>
     <message>
         <source>&amp;Watch again</source>
@@ -13882,7 +13878,7 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
     </message>
     <message>
         <source>Say in which room the real arm stands.</source>
-        <translation>请填写真实手臂所在的房间。</translation>
+        <translation>请填写实物手臂所在的房间。</translation>
     </message>
     <message>
         <source>Call nevertheless</source>
@@ -13944,7 +13940,7 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
     </message>
     <message>
         <source>Call to the real &amp;arm</source>
-        <translation>呼叫到真实手臂(&amp;A)</translation>
+        <translation>呼叫到实物手臂(&amp;A)</translation>
     </message>
     <message>
         <source>R&amp;oom</source>
@@ -14029,11 +14025,11 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Code = name. Behind a bar (|) may stand the id of a recording made with the model, for all models or for none: the raters then watch it under its letter.</source>
-        <translation>代码 = 名称。竖线（|）之后可写用该模型录制的录像编号，须为所有模型都写或都不写：评分者将在字母代号下观看录像。</translation>
+        <translation>代码 = 名称。竖线（|）之后可写用该模型录制的录制编号，须为所有模型都写或都不写：评分者将在字母代号下观看录制。</translation>
     </message>
     <message>
         <source>Recording</source>
-        <translation>录像</translation>
+        <translation>录制</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -14049,11 +14045,11 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>No recordings of free practice yet.</source>
-        <translation>还没有自由练习的录像。</translation>
+        <translation>还没有自由练习的录制。</translation>
     </message>
     <message>
         <source>Choose one recording of each model: the raters watch it under its letter.</source>
-        <translation>每个模型选一份录像：评分者在字母代号下观看。</translation>
+        <translation>每个模型选一份录制：评分者在字母代号下观看。</translation>
     </message>
     <message>
         <source>finite elements</source>
@@ -14165,7 +14161,7 @@ MSM = 质点弹簧</translation>
     <name>torsio::gui::CasePage</name>
     <message>
         <source>The recording could not be opened.</source>
-        <translation>无法打开录像。</translation>
+        <translation>无法打开录制。</translation>
     </message>
     <message>
         <source>Draft found and opened</source>
@@ -14173,11 +14169,11 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>This case is scored live; there is no recording.</source>
-        <translation>此案例为现场评分，没有录像。</translation>
+        <translation>此案例为现场评分，没有录制。</translation>
     </message>
     <message>
         <source>The recording is being opened. You may score meanwhile.</source>
-        <translation>正在打开录像，您可以先评分。</translation>
+        <translation>正在打开录制，您可以先评分。</translation>
     </message>
     <message>
         <source>Opening case %1</source>
@@ -15450,7 +15446,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>&amp;Whole run</source>
-        <translation>全程(&amp;W)</translation>
+        <translation>整个操作(&amp;W)</translation>
     </message>
     <message>
         <source>&amp;Again</source>
@@ -15474,7 +15470,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Your run</source>
-        <translation>您的训练</translation>
+        <translation>您的操作</translation>
     </message>
     <message>
         <source>%1  ·  %2  ·  %3 s</source>
@@ -15482,7 +15478,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>One moment: your run is compared with what was asked for and with an expert&apos;s.</source>
-        <translation>请稍候：正在将您的训练与要求及专家的操作进行比较。</translation>
+        <translation>请稍候：正在将您的操作与要求及专家的操作进行比较。</translation>
     </message>
     <message>
         <source>After your first run you see here what was good and what to work on.</source>
@@ -15514,7 +15510,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>There is no expert&apos;s run to compare with.</source>
-        <translation>没有可供比较的专家示范。</translation>
+        <translation>没有可供比较的专家操作。</translation>
     </message>
     <message>
         <source>Force was shown, not felt: the device of this run gives none. Its measures are computed.</source>
@@ -15522,7 +15518,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Your run in 3D</source>
-        <translation>您的训练（三维）</translation>
+        <translation>您的操作（三维）</translation>
     </message>
     <message>
         <source>Judged is the force on the tissue. The device gave at most %1 N of it.</source>
@@ -15570,11 +15566,11 @@ MSM = 质点弹簧</translation>
     <name>torsio::gui::DebriefReplay</name>
     <message>
         <source>Your run in three dimensions; the expert&apos;s organ shines through</source>
-        <translation>您的训练的三维画面；专家的器官以半透明显示</translation>
+        <translation>您的操作的三维画面；专家的器官以半透明显示</translation>
     </message>
     <message>
         <source>Time in the run, for your run and the expert&apos;s</source>
-        <translation>训练中的时间，同时控制您和专家的画面</translation>
+        <translation>操作中的时间，同时控制您和专家的画面</translation>
     </message>
     <message>
         <source>Plays or pauses</source>
@@ -15601,7 +15597,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>A run is going on. Finish or stop it first</source>
-        <translation>训练正在进行，请先完成或停止</translation>
+        <translation>操作正在进行，请先完成或停止</translation>
     </message>
     <message>
         <source>The database does not answer now. This page opens as soon as it does</source>
@@ -15720,7 +15716,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Blood did not come back in this run.</source>
-        <translation>本次训练中血流未恢复。</translation>
+        <translation>本次操作中血流未恢复。</translation>
     </message>
     <message>
         <source>The ischaemic dose came to %1: from 1 on the tissue is lost.</source>
@@ -15760,7 +15756,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Bruises, tears, slips and relapses are not marked: the organ of this run is not on this machine.</source>
-        <translation>未标出钳伤、撕裂、滑脱和回转：本机没有此次训练的器官。</translation>
+        <translation>未标出钳伤、撕裂、滑脱和回转：本机没有此次操作的器官。</translation>
     </message>
     <message>
         <source>Enough blood flowed from the beginning on.</source>
@@ -16287,7 +16283,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Discrepancy review</source>
-        <translation>差异复核</translation>
+        <translation>评分分歧复核</translation>
     </message>
     <message>
         <source>Only cases that all have submitted, and only where your mark differs from the others. The others are not named, nor are you to them.</source>
@@ -16505,15 +16501,15 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>The recording is being opened. You may score meanwhile.</source>
-        <translation>正在打开录像，您可以先评分。</translation>
+        <translation>正在打开录制，您可以先评分。</translation>
     </message>
     <message>
         <source>Opening the recording of model %1</source>
-        <translation>正在打开模型 %1 的录像</translation>
+        <translation>正在打开模型 %1 的录制</translation>
     </message>
     <message>
         <source>There is no recording of this model here: score what you have met at the station. An administrator can lay a recording down for each model.</source>
-        <translation>此处没有该模型的录像：请按您在工作站上的体验评分。管理员可为每个模型配备录像。</translation>
+        <translation>此处没有该模型的录制：请按您在工作站上的体验评分。管理员可为每个模型配备录制。</translation>
     </message>
     <message>
         <source>%1. %2</source>
@@ -17464,18 +17460,18 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
     <message>
         <source>Real arm: the sheet follows the call. Works without a network; every tap is saved.</source>
-        <translation>真实手臂：评分表随呼叫切换。无需网络；每次点按均会保存。</translation>
+        <translation>实物手臂：评分表随呼叫切换。无需网络；每次点按均会保存。</translation>
     </message>
     <message>
         <source>Real arm: the sheet follows the call. Every tap is saved on the centre&apos;s server; if it cannot be reached, it is said at once.</source>
-        <translation>真实手臂：评分表随呼叫切换。每次点按均保存到中心服务器；无法连接时会立即提示。</translation>
+        <translation>实物手臂：评分表随呼叫切换。每次点按均保存到中心服务器；无法连接时会立即提示。</translation>
     </message>
 </context>
 <context>
     <name>torsio::gui::LockPanel</name>
     <message>
         <source>Locked</source>
-        <translation>未解锁</translation>
+        <translation>已锁定</translation>
     </message>
     <message>
         <source>%1 is signed in here. Nothing was lost; the work goes on where it was left.</source>
@@ -17514,7 +17510,7 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
     <message>
         <source>The database does not answer. Your run goes on; it is kept on this computer and stored as soon as the database answers</source>
-        <translation>数据库没有应答。您的训练继续进行；记录保存在本机，数据库恢复后立即存入</translation>
+        <translation>数据库没有应答。您的操作继续进行；录制保存在本机，数据库恢复后立即存入</translation>
     </message>
     <message>
         <source>The database does not answer. Torsio tries again by itself; what is stored is safe</source>
@@ -17586,15 +17582,15 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Leave kiosk mode</source>
-        <translation>退出展台模式</translation>
+        <translation>退出自助终端模式</translation>
     </message>
     <message>
         <source>An administrator ends the kiosk with name and password.</source>
-        <translation>管理员可用登录名和密码结束展台模式。</translation>
+        <translation>管理员可用登录名和密码结束自助终端模式。</translation>
     </message>
     <message>
         <source>Only an administrator can end the kiosk</source>
-        <translation>只有管理员可以结束展台模式</translation>
+        <translation>只有管理员可以结束自助终端模式</translation>
     </message>
     <message>
         <source>The database answers again, and what was kept meanwhile is stored</source>
@@ -17638,7 +17634,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>The head of the audit trail was not kept: %1</source>
-        <translation>未能保存审计记录的末端：%1</translation>
+        <translation>未能保存审计记录的链头：%1</translation>
     </message>
     <message numerus="yes">
         <source>The database refused %n entries of this station for good. Please tell whoever looks after it</source>
@@ -17873,7 +17869,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Head of the audit trail, to be kept elsewhere: %1</source>
-        <translation>审计记录的末端，请另处保存：%1</translation>
+        <translation>审计记录的链头，请另处保存：%1</translation>
     </message>
     <message>
         <source>✓ Checked: sound, schema %1, audit entries: %2</source>
@@ -18366,7 +18362,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>On the real arm: %1</source>
-        <translation>真实手臂训练：%1</translation>
+        <translation>实物手臂训练：%1</translation>
     </message>
     <message>
         <source>%1 left. The timer logs your training time; nothing is recorded.</source>
@@ -18382,7 +18378,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>&amp;Begin on the real arm</source>
-        <translation>开始真实手臂训练(&amp;B)</translation>
+        <translation>开始实物手臂训练(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Begin graded run</source>
@@ -18808,7 +18804,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Opening the run</source>
-        <translation>正在打开训练记录</translation>
+        <translation>正在打开操作</translation>
     </message>
     <message>
         <source>A question of %1</source>
@@ -18863,7 +18859,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Rater cali&amp;bration</source>
-        <translation>评分者校准(&amp;B)</translation>
+        <translation>评分校准(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Live sheet</source>
@@ -18871,7 +18867,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Discrep&amp;ancy review</source>
-        <translation>差异复核(&amp;A)</translation>
+        <translation>评分分歧复核(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Evaluation</source>
@@ -18903,7 +18899,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>No recorded case is assigned to you. New ones appear here by themselves.</source>
-        <translation>没有分配给您的录像案例。新案例会自动出现在这里。</translation>
+        <translation>没有分配给您的录制案例。新案例会自动出现在这里。</translation>
     </message>
     <message>
         <source>%1 submitted so far</source>
@@ -18927,7 +18923,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>from the length of the recordings</source>
-        <translation>按录像时长估计</translation>
+        <translation>按录制时长估计</translation>
     </message>
     <message>
         <source>%1 overdue</source>
@@ -18983,11 +18979,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Called to the real arm, your sheet is not in: %1. To be called: %2.</source>
-        <translation>已呼叫到真实手臂、您尚未提交：%1。待呼叫：%2。</translation>
+        <translation>已呼叫到实物手臂、您尚未提交：%1。待呼叫：%2。</translation>
     </message>
     <message>
         <source>Cases that will be called to the real arm: %1. The sheet follows the call.</source>
-        <translation>将被呼叫到真实手臂的案例：%1。评分表会随呼叫打开。</translation>
+        <translation>将被呼叫到实物手臂的案例：%1。评分表会随呼叫打开。</translation>
     </message>
 </context>
 <context>
@@ -19021,7 +19017,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Reference runs for rater calibration</source>
-        <translation>评分者校准用的参考操作</translation>
+        <translation>评分校准用的参考操作</translation>
     </message>
     <message>
         <source>Name</source>
@@ -19097,7 +19093,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>The reference run is added to rater calibration</source>
-        <translation>参考操作已加入评分者校准</translation>
+        <translation>参考操作已加入评分校准</translation>
     </message>
     <message>
         <source>&amp;Withdraw…</source>
@@ -19113,7 +19109,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>No recording can be offered: each is being scored, is or was a reference run, or is incomplete.</source>
-        <translation>没有可供选择的录像：每一段都正在评分、是或曾是参考操作，或者不完整。</translation>
+        <translation>没有可供选择的录制：每一段都正在评分、是或曾是参考操作，或者不完整。</translation>
     </message>
     <message>
         <source>The panel scores the run together before it is used. Keep the runs as they are where you can, so that every physician calibrates on the same ones.</source>
@@ -19133,7 +19129,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>No physician is given this run any more. Marks given on it stay. A run that is withdrawn cannot be used for rater calibration again.</source>
-        <translation>此参考操作不再提供给任何医师。已有的评分会保留。撤回后不能再次用于评分者校准。</translation>
+        <translation>此参考操作不再提供给任何医师。已有的评分会保留。撤回后不能再次用于评分校准。</translation>
     </message>
     <message>
         <source>The reference run is withdrawn</source>
@@ -19144,7 +19140,7 @@ Leave it empty to remove it.</source>
     <name>torsio::gui::RaterCalibrationPage</name>
     <message>
         <source>The recording could not be opened.</source>
-        <translation>无法打开录像。</translation>
+        <translation>无法打开录制。</translation>
     </message>
     <message>
         <source>No reference run has been chosen yet. You may begin with your queue.</source>
@@ -19152,11 +19148,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>The recording is being opened. You may score meanwhile.</source>
-        <translation>正在打开录像，您可以先评分。</translation>
+        <translation>正在打开录制，您可以先评分。</translation>
     </message>
     <message>
         <source>Opening reference %1</source>
-        <translation>正在打开参考录像 %1</translation>
+        <translation>正在打开参考录制 %1</translation>
     </message>
     <message>
         <source>Reference %1, scored</source>
@@ -19208,11 +19204,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Over all reference runs: %1 points from the panel. You may score a run again; every try is kept.</source>
-        <translation>全部参考录像：与专家组相差 %1 分。您可以重新评分，每次尝试均保留。</translation>
+        <translation>全部参考操作：与专家组相差 %1 分。您可以重新评分，每次尝试均保留。</translation>
     </message>
     <message>
         <source>You may score it again, or go on with the next run.</source>
-        <translation>您可以重新评分，或继续下一段。</translation>
+        <translation>您可以重新评分，或继续下一个操作。</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -19224,11 +19220,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Rater calibration</source>
-        <translation>评分者校准</translation>
+        <translation>评分校准</translation>
     </message>
     <message>
         <source>Score the reference runs before the real cases and see your own offset from the panel. Nobody else sees it.</source>
-        <translation>在正式评分之前先评参考录像，了解您与专家组的差距。其他人看不到。</translation>
+        <translation>在正式评分之前先评参考操作，了解您与专家组的差距。其他人看不到。</translation>
     </message>
     <message>
         <source>Ctrl+Enter</source>
@@ -19356,11 +19352,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Each remark stands at the second of the run that it concerns.</source>
-        <translation>每条评语都标在所涉及的训练时刻。</translation>
+        <translation>每条评语都标在操作中所涉及的那一秒。</translation>
     </message>
     <message>
         <source>No remarks yet. They appear here when the marks of a run have been released, or when a physician answers a question of yours.</source>
-        <translation>尚无评语。当某次训练的评分发布后，或医师回答您的提问后，会显示在这里。</translation>
+        <translation>尚无评语。当某次操作的评分公布后，或医师回答您的提问后，会显示在这里。</translation>
     </message>
     <message>
         <source>Remarks on this run</source>
@@ -19520,15 +19516,15 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Time in the recording</source>
-        <translation>录像时间</translation>
+        <translation>录制时间</translation>
     </message>
     <message>
         <source>Proves that this is the recording as it was stored. It tells nothing else, and it is another one for each physician</source>
-        <translation>证明此录像与存储时一致。它不透露其他信息，且每位医师各不相同</translation>
+        <translation>证明此录制与存储时一致。它不透露其他信息，且每位医师各不相同</translation>
     </message>
     <message>
         <source>The organ of this recording is not on this machine; the traces are complete.</source>
-        <translation>本机没有此录像的器官模型；曲线是完整的。</translation>
+        <translation>本机没有此录制的器官模型；曲线是完整的。</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -19552,7 +19548,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Scored recordings play as they happened</source>
-        <translation>评分录像按原速播放</translation>
+        <translation>评分录制按原速播放</translation>
     </message>
     <message>
         <source>J slower, L faster; the speed is kept with the mark</source>
@@ -19560,7 +19556,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Recording %1, unchanged</source>
-        <translation>录像 %1，未改动</translation>
+        <translation>录制 %1，未改动</translation>
     </message>
     <message>
         <source>Undo the twist, then hands off</source>
@@ -19744,7 +19740,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Recordings and single marks under their codes, as far as you may see them</source>
-        <translation>在您的权限内，以代码列出录像和单项评分</translation>
+        <translation>在您的权限内，以代码列出录制和单项评分</translation>
     </message>
     <message>
         <source>New folder for the tables</source>
@@ -20634,7 +20630,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Swapped; both deviations are noted.</source>
-        <translation>已互换；双方的偏离均已记录。</translation>
+        <translation>已互换；双方的方案偏离均已记录。</translation>
     </message>
     <message>
         <source>&amp;Back in…</source>
@@ -20706,7 +20702,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>&amp;Deviation…</source>
-        <translation>偏离(&amp;D)…</translation>
+        <translation>方案偏离(&amp;D)…</translation>
     </message>
     <message>
         <source>Group</source>
@@ -20734,7 +20730,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Deviations</source>
-        <translation>偏离</translation>
+        <translation>方案偏离</translation>
     </message>
     <message>
         <source>%1: the device is not fit for graded runs: %2.</source>
@@ -20778,7 +20774,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>All deviations of this cohort</source>
-        <translation>本队列的全部偏离</translation>
+        <translation>本批次的全部方案偏离</translation>
     </message>
     <message>
         <source>Call to the arm</source>
@@ -20846,7 +20842,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>%1, last run: %2. %3.</source>
-        <translation>%1，上一次运行：%2。%3。</translation>
+        <translation>%1，上次操作：%2。%3。</translation>
     </message>
     <message>
         <source>%1 recording now · %2 of %3 done · sheets missing: %4</source>
@@ -20873,7 +20869,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>The haptic device was lost: the graded run has ended</source>
-        <translation>力反馈设备已断开：评分训练已结束</translation>
+        <translation>力反馈设备已断开：计分操作已结束</translation>
     </message>
     <message>
         <source>What was recorded is kept as interrupted, and no attempt was used. Check the device, then begin again</source>
@@ -20889,7 +20885,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>The time on the real arm is over. It has been logged.</source>
-        <translation>真实手臂训练时间结束，已记录。</translation>
+        <translation>实物手臂训练时间结束，已记录。</translation>
     </message>
     <message>
         <source>End this run now?</source>
@@ -20953,7 +20949,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Your run is safe</source>
-        <translation>您的训练已妥善保存</translation>
+        <translation>您的操作已妥善保存</translation>
     </message>
     <message>
         <source>No run goes on</source>
@@ -20989,7 +20985,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Go to the real arm</source>
-        <translation>请到真实手臂处</translation>
+        <translation>请到实物手臂处</translation>
     </message>
     <message>
         <source>Come to the simulator</source>
@@ -21005,7 +21001,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Train on the real arm</source>
-        <translation>在真实手臂上训练</translation>
+        <translation>在实物手臂上训练</translation>
     </message>
     <message>
         <source>This timer logs your training time. Nothing is recorded by the simulator.</source>
@@ -21231,7 +21227,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Rater cali&amp;bration…</source>
-        <translation>评分者校准(&amp;B)…</translation>
+        <translation>评分校准(&amp;B)…</translation>
     </message>
     <message>
         <source>The reference runs that every physician scores first</source>
@@ -21532,7 +21528,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Leave kiosk mode…</source>
-        <translation>退出展台模式…</translation>
+        <translation>退出自助终端模式…</translation>
     </message>
     <message>
         <source>A training tool and not a medical device. No patient data.</source>
@@ -22220,11 +22216,11 @@ T-02,master,17</translation>
     </message>
     <message>
         <source>&amp;Grade runs with mouse and keyboard</source>
-        <translation>鼠标和键盘的训练也评分(&amp;G)</translation>
+        <translation>鼠标和键盘的操作也计分(&amp;G)</translation>
     </message>
     <message>
         <source>A run is never interrupted by this. A kiosk signs out instead of locking.</source>
-        <translation>训练绝不会因此中断。展台模式下会注销而不是锁定。</translation>
+        <translation>操作绝不会因此中断。自助终端模式下会注销而不是锁定。</translation>
     </message>
     <message>
         <source>&amp;Name of the centre</source>
@@ -22381,7 +22377,7 @@ T-02,master,17</translation>
     </message>
     <message>
         <source>Time trained: %1 min on the simulator, %2 min on the real arm, %3 min of rest.</source>
-        <translation>训练时间：模拟器 %1 分钟，真实手臂 %2 分钟，休息 %3 分钟。</translation>
+        <translation>训练时间：模拟器 %1 分钟，实物手臂 %2 分钟，休息 %3 分钟。</translation>
     </message>
     <message>
         <source>%1. Level: %2.</source>
@@ -22576,7 +22572,7 @@ T-02,master,17</translation>
     </message>
     <message>
         <source>in the last run; wanted: %1</source>
-        <translation>最近一次；要求：%1</translation>
+        <translation>上次操作；要求：%1</translation>
     </message>
     <message>
         <source>%1 A yes or no has no learning curve.</source>

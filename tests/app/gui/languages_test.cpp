@@ -10,6 +10,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QEventLoop>
 #include <QFont>
 #include <QFontInfo>
 #include <QFontMetricsF>
@@ -23,6 +24,7 @@
 #include <QTabBar>
 #include <QTableView>
 #include <QTextDocumentFragment>
+#include <QTimer>
 #include <QTranslator>
 #include <gtest/gtest.h>
 
@@ -60,6 +62,9 @@ bool staysAsItIs(const QString& text) {
 /// Sentences that stand for a moment while something is opened or done and are not said again, and the anchor
 /// under a row, which follows the row that is current. A problem that is open keeps the language it was told
 /// in.
+constexpr int kMostWaits = 40;
+constexpr int kWait_ms = 50;
+
 bool passes(const QString& text) {
   static const QRegularExpression kPassing(
       QStringLiteral("^(Opening .*|Draft found and opened|The recording is being opened.*|On target\\..*|: "
@@ -298,6 +303,16 @@ class Walk {
     }
   }
 
+  [[nodiscard]] static std::set<QString> othersThan(const QStringList& before, QWidget& window) {
+    std::set<QString> others;
+    for (const QString& text : withoutNumbers(seenTexts(window))) {
+      if (!before.contains(text) && !passes(text)) {
+        others.insert(text);
+      }
+    }
+    return others;
+  }
+
   void look(const QString& name, QWidget& window) {
     ++screens;
     const QStringList before = withoutNumbers(seenTexts(window));
@@ -321,11 +336,16 @@ class Walk {
       chinese.choose(Language::kEnglish);
       retranslated();
     }
-    const QStringList after = seenTexts(window);
-    for (const QString& text : withoutNumbers(after)) {
-      if (!before.contains(text) && !passes(text)) {
-        stuck[name].insert(text);
-      }
+    // What goes on while a screen stands says its next word in the language chosen last.
+    std::set<QString> left = othersThan(before, window);
+    for (int wait = 0; wait < kMostWaits && !left.empty(); ++wait) {
+      QEventLoop loop;
+      QTimer::singleShot(kWait_ms, &loop, &QEventLoop::quit);
+      loop.exec();
+      left = othersThan(before, window);
+    }
+    if (!left.empty()) {
+      stuck[name] = left;
     }
     PseudoTranslator pseudo;
     QCoreApplication::installTranslator(&pseudo);
