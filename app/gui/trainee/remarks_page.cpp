@@ -49,6 +49,18 @@ void addGapCells(QGridLayout& grid, int line, const ScoreGapRow& row, QWidget* p
   cell(3, row.own && row.panel ? std::optional(*row.own - *row.panel) : std::nullopt, true);
 }
 
+/// A score between the bounds of its row; one step below the scale stands for "not given yet".
+QDoubleSpinBox* scoreField(const ScoreGapRow& row, QWidget* parent) {
+  auto* field = new QDoubleSpinBox(parent);
+  field->setRange(row.lowest - std::max(row.step, 0.5), row.highest);
+  field->setSpecialValueText(QStringLiteral("\u2013"));
+  field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  field->setSingleStep(std::max(row.step, 0.5));
+  field->setDecimals(row.step < 0.99 ? 1 : 0);
+  field->setValue(field->minimum());
+  return field;
+}
+
 }  // namespace
 
 RemarksPage::RemarksPage(ShellContext& context, QWidget* parent)
@@ -255,14 +267,7 @@ void RemarksPage::fillMarks() {
     auto* name = new QLabel(row.code.empty() ? tr("Overall") : toQString(Text(row.label)), marks_);
     grid->addWidget(name, line, 0);
     if (!gap.selfScored) {
-      auto* field = new QDoubleSpinBox(marks_);
-      // One step below the scale stands for "not given yet".
-      field->setRange(row.lowest - std::max(row.step, 0.5), row.highest);
-      field->setSpecialValueText(QStringLiteral("\u2013"));
-      field->setButtonSymbols(QAbstractSpinBox::NoButtons);
-      field->setSingleStep(std::max(row.step, 0.5));
-      field->setDecimals(row.step < 0.99 ? 1 : 0);
-      field->setValue(field->minimum());
+      QDoubleSpinBox* field = scoreField(row, marks_);
       field->setAccessibleName(name->text());
       name->setBuddy(field);
       fields->emplace_back(row.code, field);
