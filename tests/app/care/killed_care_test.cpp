@@ -129,6 +129,17 @@ TEST_F(KilledCare, ABackupIsWholeOrNotThere) {
   expectNothingHalf();
 }
 
+TEST_F(KilledCare, ALockThatNamesNobodyIsNoObstacle) {
+  if (onPostgresql()) {
+    GTEST_SKIP() << "a server is backed up by its own tools";
+  }
+  std::ofstream(file("b.backup.part.lock")).close();
+  std::ofstream(file("b.backup.part-journal")) << "half";
+  EXPECT_EQ(run({"db", "backup", "--as-system", file("b.backup"), "--database", file("record.sqlite")}), 0);
+  EXPECT_EQ(checkBackup(file("b.backup")).schemaVersion, 1);
+  expectNothingHalf();
+}
+
 TEST_F(KilledCare, ABackupThatIsReplacedIsTheOldOneOrTheNewOne) {
   if (onPostgresql()) {
     GTEST_SKIP() << "a server is backed up by its own tools";
