@@ -52,6 +52,7 @@ std::string keyOf(const std::string& file) {
   while (!key.empty() && (key.back() == '\n' || key.back() == '\r')) {
     key.pop_back();
   }
+  (void)Pseudonyms(key);  // refuses one that is too short; an empty one would silently be another each time
   return key;
 }
 

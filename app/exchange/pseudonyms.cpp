@@ -151,6 +151,17 @@ CohortInputs pseudonymised(CohortInputs in, std::map<TrialId, std::int64_t>& sta
       rater(composite.rater);
     }
   }
+  in.centre.clear();
+  if (in.freeze) {
+    in.freeze->frozenBy = names.of("A", in.freeze->frozenBy);
+  }
+  if (!withFreeText) {  // names of cohorts and data sets, and descriptions
+    in.title = CohortInputs().title;
+    in.facts.clear();
+    if (in.freeze) {
+      in.freeze->name = names.of("F", in.freeze->name);
+    }
+  }
   in.allocation.seed = 0;
   in.allocation.sealed = true;
   in.allocation.commitment.clear();

@@ -43,7 +43,8 @@ struct PseudonymReport {
 /// Returns the inputs as somebody outside may have them: opaque names for trainees and raters, in the order
 /// of those names; recordings by opaque names, too; times of each person moved, those of `startedUtc_us` (by
 /// recording) as well; sex and level left out where fewer than kSmallestCell share them within their group;
-/// hashes of recordings, the seed of the draw and, but for `withFreeText`, what somebody wrote are left out.
+/// the centre, hashes of recordings, the seed of the draw and, but for `withFreeText`, what somebody wrote
+/// (names of cohort and data set, too) are left out; who froze the data has an opaque name.
 /// `report`: what was done. Numbers change in their last digits at most, because sums run in another order.
 [[nodiscard]] CohortInputs pseudonymised(CohortInputs inputs, std::map<TrialId, std::int64_t>& startedUtc_us,
                                          const Pseudonyms& names, bool withFreeText, PseudonymReport& report);

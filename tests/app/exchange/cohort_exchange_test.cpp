@@ -7,11 +7,13 @@
 
 #include "app/study/allocation_service.h"
 #include "app/study/cohort_service.h"
+#include "app/study/frozen_data.h"
 #include "assessment/people/audit_entry.h"
 #include "db/repository/base/audit_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "tests/app/exchange/foreign_readers.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {
@@ -77,6 +79,37 @@ TEST(CohortExchange, IsPseudonymisedForWhoeverMayNotSeeNames) {
   EXPECT_GT(done.files.size(), 9U);
   EXPECT_THAT(study.newest().newJson, HasSubstr("pseudonymised"));
   EXPECT_EQ(pseudonymSentences(data).size(), 3U);
+}
+
+TEST(CohortExchange, APseudonymisedWorkbookNamesNeitherPeopleNorCentreNorWhatTheyWrote) {
+  if (!testing::outputOf("/usr/bin/python3 -c 'import zipfile'", testing::OwnFolder().path()).empty()) {
+    GTEST_SKIP() << "python3 is not installed";
+  }
+  SmallStudy study;
+  renameCohort(study.centre.as("administrator"), study.request.cohortId, "Interns of Dr Li");
+  study.request.frozenId =
+      freezeData(study.centre.as("administrator"), study.request.cohortId, "for Dr Wang").id;
+  study.request.pseudonymised = true;
+  const std::filesystem::path file = study.centre.folder() / "cohort.xlsx";
+  const auto contents = [&](bool withFreeText) {
+    study.request.withFreeText = withFreeText;
+    SessionContext& session = study.centre.as("administrator");
+    const ExchangeData data = exchangeData(session, study.request, study.digests);
+    exportWorkbook(
+        study.centre.as("administrator"), data, [](const Text& text) { return text.str(); }, file);
+    return testing::outputOf("/usr/bin/python3 -c \"import zipfile; z = zipfile.ZipFile('" + file.string() +
+                                 "'); print(*(z.read(n).decode() for n in z.namelist()))\"",
+                             study.centre.folder());
+  };
+  const std::string hidden = contents(false);
+  ASSERT_THAT(hidden, HasSubstr("worksheet"));
+  for (const char* secret : {"Dr Li", "Dr Wang", "by ten minutes", "administrator", "T-01", "T-06"}) {
+    EXPECT_THAT(hidden, Not(HasSubstr(secret))) << secret;
+  }
+  const std::string told = contents(true);
+  EXPECT_THAT(told, HasSubstr("by ten minutes"));
+  EXPECT_THAT(told, HasSubstr("Dr Wang"));
+  EXPECT_THAT(told, Not(HasSubstr("T-01")));
 }
 
 TEST(CohortExchange, IsRefusedToWhoeverMayNotExport) {
