@@ -100,7 +100,7 @@ void sweepCheck(const fs::path& folder) {
   QLockFile lock(QString::fromStdString((folder / kCheckLock).string()));
   lock.setStaleLockTime(0);
   std::error_code ignored;
-  if (fs::exists(folder / kCheckLock, ignored) && lock.tryLock(0)) {
+  if (fs::exists(folder / kCheckLock, ignored) && takeLock(lock)) {
     fs::remove_all(folder, ignored);
   }
 }

@@ -24,19 +24,6 @@ std::unique_ptr<QLockFile> lockBeside(const fs::path& unfinished) {
   return lock;
 }
 
-/// Takes the lock unless a living program holds it. Who was killed between making the lock and writing down
-/// whose it is has left one that names nobody: it goes when the system says that nobody holds it.
-bool taken(QLockFile& lock) {
-  if (lock.tryLock(0)) {
-    return true;
-  }
-  qint64 process = 0;
-  QString machine;
-  QString program;
-  return lock.error() == QLockFile::LockFailedError && !lock.getLockInfo(&process, &machine, &program) &&
-         lock.removeStaleLockFile() && lock.tryLock(0);
-}
-
 }  // namespace
 
 fs::path withSuffix(fs::path file, const std::string& suffix) {
@@ -72,9 +59,21 @@ fs::path numberedName(const fs::path& stem) {
   return withSuffix(stem, "-" + std::to_string(number));
 }
 
+bool takeLock(QLockFile& lock) {
+  if (lock.tryLock(0)) {
+    return true;
+  }
+  // One that names nobody goes when the system says that nobody holds it.
+  qint64 process = 0;
+  QString machine;
+  QString program;
+  return lock.error() == QLockFile::LockFailedError && !lock.getLockInfo(&process, &machine, &program) &&
+         lock.removeStaleLockFile() && lock.tryLock(0);
+}
+
 FileInTheMaking::FileInTheMaking(const fs::path& target)
     : path_(temporaryBeside(target)), lock_(lockBeside(path_)) {
-  if (!taken(*lock_)) {
+  if (!takeLock(*lock_)) {
     if (lock_->error() == QLockFile::LockFailedError) {
       throw Error(ErrorCode::kDatabase, Text::tr("another program is writing this file now"), target.string(),
                   Text::tr("Wait until it has come to its end"));
@@ -102,7 +101,7 @@ void sweepUnfinished(const fs::path& folder) {
   }
   for (const fs::path& file : unfinished) {
     const std::unique_ptr<QLockFile> lock = lockBeside(file);
-    if (taken(*lock)) {
+    if (takeLock(*lock)) {
       removeDatabase(file);
     }
   }

@@ -23,6 +23,10 @@ void removeDatabase(const std::filesystem::path& file) noexcept;
 /// Returns the first of "<stem>-1", "<stem>-2" ... that nothing has.
 [[nodiscard]] std::filesystem::path numberedName(const std::filesystem::path& stem);
 
+/// Takes `lock`, whose stale time is 0, unless a living program holds it: one left by a killed program goes,
+/// also when that was killed before it wrote down whose it is. Does not wait.
+[[nodiscard]] bool takeLock(QLockFile& lock);
+
 /// The temporary file "<target>.part" of a database that is being made: held by a lock file beside it while
 /// this object lives, gone with its logs at the end unless it was renamed. What a killed program leaves is
 /// found by its lock, and swept.

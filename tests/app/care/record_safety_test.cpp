@@ -258,6 +258,9 @@ TEST_F(RecordSafety, WhatKilledProgramsLeftIsSweptAndWhatOthersMakeStays) {
   fs::create_directories(check);
   std::ofstream(check / "copy.sqlite") << "names";
   std::ofstream(check / "in-use") << "4194399\ntorsio\n\n";
+  const fs::path nobodys = check.string() + "-nobody";  // killed before it wrote down whose the lock is
+  fs::create_directories(nobodys);
+  std::ofstream(nobodys / "in-use").close();
   const FileInTheMaking mine(file("mine.sqlite"));
   std::ofstream(mine.path()) << "being made";
 
@@ -266,6 +269,7 @@ TEST_F(RecordSafety, WhatKilledProgramsLeftIsSweptAndWhatOthersMakeStays) {
 
   EXPECT_EQ(backup.code, 0) << backup.err;
   EXPECT_FALSE(fs::exists(check));
+  EXPECT_FALSE(fs::exists(nobodys));
   EXPECT_TRUE(fs::exists(mine.path()));
   EXPECT_TRUE(fs::exists(file("unrelated.part")));
   fs::remove_all(check);
