@@ -71,6 +71,38 @@ void sortBy(std::vector<Item>& items, const Key& key) {
   std::stable_sort(items.begin(), items.end(), [&](const Item& a, const Item& b) { return key(a) < key(b); });
 }
 
+/// Trials under opaque ids, without their content's hash; each start is moved by its person's days.
+void renameTrials(std::vector<TrialSummaryRow>& trials, std::map<TrialId, std::int64_t>& startedUtc_us,
+                  const Pseudonyms& names) {
+  std::map<TrialId, std::int64_t> moved;
+  for (TrialSummaryRow& one : trials) {
+    const TrialId opaque(names.of("T", one.trialId.text()));
+    if (const auto began = startedUtc_us.find(one.trialId); began != startedUtc_us.end()) {
+      moved[opaque] = began->second + names.shift_us(one.trainee);
+    }
+    one.trainee = one.trainee.empty() ? one.trainee : names.of("P", one.trainee);
+    one.trialId = opaque;
+    one.contentHash.clear();
+  }
+  startedUtc_us = std::move(moved);
+}
+
+/// The order of the record would tell who is who.
+void sortByCode(CohortInputs& in) {
+  sortBy(in.trainees, [](const CohortTrainee& one) { return one.code; });
+  sortBy(in.scores, [](const TraineeScore& one) { return std::pair(one.trainee, one.occasion); });
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> counted;  // by group and occasion
+  for (TraineeScore& one : in.scores) {
+    one.number = ++counted[{one.group, one.occasion}];
+  }
+  sortBy(in.trainingMarks,
+         [](const TrainingMark& one) { return std::tuple(one.trainee, one.occasion, one.rater); });
+  sortBy(in.trials, [](const TrialSummaryRow& one) { return one.trainee; });
+  sortBy(in.competence, [](const CohortCompetence& one) { return one.trainee; });
+  sortBy(in.deviations,
+         [](const CohortDeviation& one) { return std::pair(one.trainee, one.happenedUtc_us); });
+}
+
 }  // namespace
 
 Pseudonyms::Pseudonyms(std::string key) : key_(std::move(key)) {
@@ -130,17 +162,7 @@ CohortInputs pseudonymised(CohortInputs in, std::map<TrialId, std::int64_t>& sta
   for (CohortCompetence& one : in.competence) {
     person(one.trainee);
   }
-  std::map<TrialId, std::int64_t> moved;
-  for (TrialSummaryRow& one : in.trials) {
-    const TrialId opaque(names.of("T", one.trialId.text()));
-    if (const auto began = startedUtc_us.find(one.trialId); began != startedUtc_us.end()) {
-      moved[opaque] = began->second + names.shift_us(one.trainee);
-    }
-    person(one.trainee);
-    one.trialId = opaque;
-    one.contentHash.clear();
-  }
-  startedUtc_us = std::move(moved);
+  renameTrials(in.trials, startedUtc_us, names);
   for (ModelRatings& model : in.ratings) {
     for (RaterSheet& sheet : model.sheets) {
       rater(sheet.rater);
@@ -167,18 +189,7 @@ CohortInputs pseudonymised(CohortInputs in, std::map<TrialId, std::int64_t>& sta
   in.allocation.commitment.clear();
   in.provenance.clear();
 
-  sortBy(in.trainees, [](const CohortTrainee& one) { return one.code; });
-  sortBy(in.scores, [](const TraineeScore& one) { return std::pair(one.trainee, one.occasion); });
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> counted;  // by group and occasion
-  for (TraineeScore& one : in.scores) {
-    one.number = ++counted[{one.group, one.occasion}];
-  }
-  sortBy(in.trainingMarks,
-         [](const TrainingMark& one) { return std::tuple(one.trainee, one.occasion, one.rater); });
-  sortBy(in.trials, [](const TrialSummaryRow& one) { return one.trainee; });
-  sortBy(in.competence, [](const CohortCompetence& one) { return one.trainee; });
-  sortBy(in.deviations,
-         [](const CohortDeviation& one) { return std::pair(one.trainee, one.happenedUtc_us); });
+  sortByCode(in);
   return in;
 }
 
