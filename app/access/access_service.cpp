@@ -18,8 +18,6 @@ namespace torsio {
 
 namespace {
 
-constexpr const char* kAdministrator = "administrator";
-
 AccessRepository repository(SessionContext& session) {
   return AccessRepository(session.connection(), session.passwordCost());
 }
@@ -37,10 +35,6 @@ UserAccount userOf(const AccessRepository& access, const UserId& userId) {
   }
   throw Error(ErrorCode::kBadParameter, Text::tr("there is no such user"), userId,
               Text::tr("Choose one from the list"));
-}
-
-bool isActiveAdministrator(const UserAccount& user) {
-  return user.active && std::find(user.roles.begin(), user.roles.end(), kAdministrator) != user.roles.end();
 }
 
 /// Somebody must be left who can let others in.
@@ -132,13 +126,13 @@ void setUpCentre(SessionContext& session, const FirstRun& first) {
   SettingRepository settings(session.connectionWithoutRight());
   settings.set("language", first.language, now_us);
   const UserId userId = session.ids().newUuid();
-  access.addUser({.id = userId, .login = first.login, .createdUtc_us = now_us, .roles = {kAdministrator}},
+  access.addUser({.id = userId, .login = first.login, .createdUtc_us = now_us, .roles = {kAdministratorRole}},
                  password);
   access.setPassword(userId, password, false);
   session.note({.action = AuditAction::kCentreSetUp,
                 .objectKind = AuditObject::kAppUser,
                 .objectId = userId,
-                .newJson = rolesJson({kAdministrator})});
+                .newJson = rolesJson({kAdministratorRole})});
   transaction.commit();
 }
 
@@ -226,7 +220,7 @@ void setUserRoles(SessionContext& session, const UserId& userId, const std::vect
   session.require(Operation::kUserManage);
   Transaction transaction(session.connection());
   const UserAccount before = userOf(repository(session), userId);
-  const bool keepsRole = std::find(roles.begin(), roles.end(), kAdministrator) != roles.end();
+  const bool keepsRole = std::find(roles.begin(), roles.end(), kAdministratorRole) != roles.end();
   if (isActiveAdministrator(before) && !keepsRole) {
     keepAnAdministrator(session, userId);
   }
@@ -295,7 +289,7 @@ Home homeOf(const Actor& actor) {
   if (actor.practiceOnly) {
     return Home::kStation;
   }
-  for (const char* role : {kAdministrator, "allocator", "statistician"}) {
+  for (const char* role : {kAdministratorRole, "allocator", "statistician"}) {
     if (actor.hasRole(role)) {
       return Home::kAdministrator;
     }

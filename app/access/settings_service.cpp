@@ -13,6 +13,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/time_units.h"
 
 namespace torsio {
 
@@ -21,7 +22,6 @@ namespace {
 constexpr std::size_t kLongestValue = 4000;
 constexpr const char* kIdleWarn = "idle_warn_minutes";
 constexpr const char* kIdleLock = "idle_lock_minutes";
-constexpr std::int64_t kMinute_us = 60'000'000;
 
 bool sensible(int warn_min, int lock_min) {
   return warn_min >= 1 && warn_min < lock_min && lock_min >= kShortestIdleLock_min &&

@@ -10,12 +10,11 @@
 #include "db/connection/connection.h"
 #include "db/repository/people/signature_repository.h"
 #include "db/repository/system/setting_repository.h"
+#include "sim/base/time_units.h"
 
 namespace torsio {
 
 namespace {
-
-constexpr std::int64_t kMinute_us = 60'000'000;
 
 AuditObject auditObjectOf(SignedKind kind) {
   switch (kind) {

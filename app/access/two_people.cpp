@@ -19,7 +19,6 @@ namespace torsio {
 
 namespace {
 
-constexpr const char* kAdministrator = "administrator";
 constexpr std::size_t kHalf = 11;  // of a random start password: two of its four groups
 
 AccessRepository accountsOf(SessionContext& session) {
@@ -39,8 +38,7 @@ std::optional<UserAccount> findUser(SessionContext& session, const UserId& userI
 std::int64_t administrators(SessionContext& session) {
   const std::vector<UserAccount> all = accountsOf(session).users();
   return std::count_if(all.begin(), all.end(), [](const UserAccount& user) {
-    return user.active && !user.demonstration &&
-           std::find(user.roles.begin(), user.roles.end(), kAdministrator) != user.roles.end();
+    return !user.demonstration && isActiveAdministrator(user);
   });
 }
 
@@ -232,7 +230,7 @@ bool givesGuardedRole(SessionContext& session, bool demonstration, const std::ve
   bool guarded = false;
   for (const std::string& role : after) {
     const bool given = std::find(before.begin(), before.end(), role) == before.end();
-    const bool second = role == kAdministrator && administrators(session) < 2;
+    const bool second = role == kAdministratorRole && administrators(session) < 2;
     guarded = guarded || (given && isGuardedRole(role) && !second);
   }
   return guarded;

@@ -33,6 +33,7 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/time_units.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {
@@ -42,7 +43,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kPhaseLength_min = 20.0;
-constexpr std::int64_t kWeek_us = 7 * 86'400'000'000;
+constexpr std::int64_t kWeek_us = 7 * kDay_us;
 constexpr double kUntwistingsFrom = 0.68;  // of the whole work
 constexpr double kUntwistingsShare = 0.2;
 

@@ -26,12 +26,12 @@
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
 #include "sim/base/random.h"
+#include "sim/base/time_units.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr std::int64_t kDay_us = 86'400'000'000;
 constexpr std::int64_t kWorking_us = 150'000'000;
 constexpr const char* kRecordedPoint = "mid";
 constexpr const char* kLivePoint = "post";

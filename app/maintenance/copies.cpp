@@ -9,14 +9,13 @@
 #include "db/repository/base/copy_register.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/clock.h"
+#include "sim/base/time_units.h"
 
 namespace torsio {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::int64_t kDay_us = 86'400'000'000;
 
 std::int64_t keep_us(Connection& connection) {
   int days = kCopyKeep_days;

@@ -14,12 +14,11 @@
 #include "sim/base/file_io.h"
 #include "sim/base/ids.h"
 #include "sim/base/refusal.h"
+#include "sim/base/time_units.h"
 
 namespace torsio {
 
 namespace {
-
-constexpr std::int64_t kDay_us = 86'400'000'000;
 
 std::vector<std::string> purposesOf(const ConsentWords& words) {
   std::vector<std::string> purposes;

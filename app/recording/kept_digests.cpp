@@ -12,16 +12,13 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
+#include "sim/base/time_units.h"
 #include "sim/record/sample_codec.h"
 #include "sim/scene/scene_file.h"
 
 namespace torsio {
 
-namespace {
-
-constexpr double kMinute_us = 60e6;
-
-}  // namespace
+namespace {}  // namespace
 
 AttemptRules ExerciseRules::of(Connection& connection, const SceneId& sceneId, const PatternId& patternId,
                                const ModuleId& moduleId) {

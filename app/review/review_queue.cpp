@@ -13,6 +13,7 @@
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/base/ids.h"
+#include "sim/base/time_units.h"
 
 namespace torsio {
 
@@ -22,7 +23,6 @@ constexpr std::int64_t kPaceCases = 20;
 constexpr std::size_t kFewestForPace = 3;
 constexpr double kMinuteForTheSheet = 1.0;
 constexpr double kLiveCase_min = 4.0;
-constexpr double kMinute_us = 60e6;
 
 /// Minutes a case takes this rater; empty before there are enough of them.
 std::optional<double> ownPace_min(DeskRepository& desk, const RaterId& raterId) {

@@ -21,6 +21,7 @@
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
+#include "sim/base/time_units.h"
 
 namespace torsio {
 
@@ -80,8 +81,6 @@ CohortAllocation checkedAllocation(StudyRepository& study, const CohortId& cohor
       });
   return shown;
 }
-
-constexpr double kMinute_us = 60e6;
 
 /// Minutes of the phases of one kind.
 double plannedMinutes(const StudyArm& arm, PhaseKind kind) {

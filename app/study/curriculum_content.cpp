@@ -10,6 +10,7 @@
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/time_units.h"
 #include "sim/scene/json_fields.h"
 
 namespace torsio {
@@ -19,8 +20,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kFormat = "torsio curriculum 1";
-constexpr double kMinute_us = 60e6;
-constexpr double kSecond_us = 1e6;
 constexpr double kMostSeconds = 1e6;
 constexpr double kMostDegrees = 3600.0;
 constexpr double kMost = 1e9;

@@ -22,12 +22,11 @@
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
 #include "sim/base/refusal.h"
+#include "sim/base/time_units.h"
 
 namespace torsio {
 
 namespace {
-
-constexpr double kMinute_us = 60e6;
 
 std::string plainCode(const std::string& code) {
   std::string plain;

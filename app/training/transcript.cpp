@@ -7,12 +7,11 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/ids.h"
+#include "sim/base/time_units.h"
 
 namespace torsio {
 
 namespace {
-
-constexpr double kMinute_us = 60e6;
 
 void addTimes(SessionContext& session, const NextSteps& steps, Transcript& transcript) {
   if (steps.cohortId.empty()) {

@@ -10,12 +10,12 @@
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
 #include "sim/base/tick_period.h"
+#include "sim/base/time_units.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr double kSecond_us = 1e6;
 // Ischaemic tissue bears less: limits x (1 - .5 min(D, 1)); assumed (docs/model.md P).
 constexpr double kLostStrength = 0.5;
 

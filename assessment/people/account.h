@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -28,6 +29,13 @@ struct UserAccount {
   bool demonstration = false;
   std::vector<std::string> roles{};  ///< codes
 };
+
+inline constexpr const char* kAdministratorRole = "administrator";
+
+[[nodiscard]] inline bool isActiveAdministrator(const UserAccount& user) {
+  return user.active &&
+         std::find(user.roles.begin(), user.roles.end(), kAdministratorRole) != user.roles.end();
+}
 
 /// What came of a try to sign in.
 enum class SignIn {

@@ -19,7 +19,7 @@ namespace {
 constexpr int kDirections = 24;        // tried round the section
 constexpr double kStartWay_m = 0.090;  // of the resting tip from the surface
 constexpr double kFreeFrom_m = 0.006;  // from here outwards nothing may be in the way
-constexpr double kProbe_m = 0.004;
+constexpr double kHandProbe_m = 0.004;
 constexpr double kSmallestArm_m = 0.008;  // nearer to the axis a twist has no lever
 // An end section may lie within its cap: the hand grasps a little inside.
 constexpr double kEndMargin = 0.02;
@@ -42,7 +42,7 @@ Candidate candidateAt(const Scene& scene, double arc_m, double angle_rad) {
   }
   found.outwards = normalized(arm);
   const double tipRadius_m = scene.instrument.tipRadius_m;
-  for (double height_m = kFreeFrom_m; height_m <= kStartWay_m; height_m += kProbe_m) {
+  for (double height_m = kFreeFrom_m; height_m <= kStartWay_m; height_m += kHandProbe_m) {
     const Vec3 probe_m = found.point_m + found.outwards * height_m;
     if (scene.collision.closest(probe_m).distance_m <= tipRadius_m) {
       return found;

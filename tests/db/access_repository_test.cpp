@@ -7,6 +7,7 @@
 #include "assessment/people/password_rule.h"
 #include "db/connection/connection.h"
 #include "sim/base/error.h"
+#include "sim/base/time_units.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 #include "tests/support/stored_rows.h"
@@ -15,7 +16,6 @@ namespace torsio {
 namespace {
 
 const char* const kPassword = "the organ turns slowly";
-constexpr std::int64_t kSecond_us = 1'000'000;
 
 class AccessRepositoryTest : public DatabaseTest {
  protected:

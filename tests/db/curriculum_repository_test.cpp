@@ -6,13 +6,12 @@
 #include "db/connection/db_error.h"
 #include "db/repository/study/competence_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/time_units.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 
 namespace torsio {
 namespace {
-
-constexpr std::int64_t kMinute_us = 60'000'000;
 
 class CurriculumRepositoryTest : public DatabaseTest {
  protected:

@@ -163,6 +163,6 @@ int main(int argc, char** argv) {
   if (argc == 3 && std::string(argv[1]) == torsio::kRecord) {
     torsio::recordForever(argv[2]);
   }
-  testing::InitGoogleTest(&argc, argv);
+  ::testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

@@ -13,13 +13,12 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/time_units.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 
 namespace torsio {
 namespace {
-
-constexpr std::int64_t kDay_us = 86'400'000'000;
 
 class RetentionRepositoryTest : public DatabaseTest {
  protected:

@@ -24,13 +24,13 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/theme.h"
 #include "sim/base/ids.h"
 
 namespace torsio::gui {
 
 namespace {
 
-constexpr int kTouch_px = 44;
 constexpr int kTick_ms = 100;
 constexpr int kFollow_ms = 2'000;
 constexpr std::int64_t kSitting_us = 12 * 3'600'000'000LL;  // sealed before that: another day's work

@@ -17,6 +17,7 @@
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/accessible_role.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/theme.h"
 #include "assessment/rating/rubric.h"
 
 namespace torsio::gui {
@@ -24,7 +25,6 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kMostCells = 11;
-constexpr int kTouch_px = 44;
 constexpr int kLeastCell_px = 32;
 constexpr int kCellGap = 3;
 constexpr int kMarkWidth = 4;

@@ -11,6 +11,7 @@
 
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "sim/base/time_units.h"
 
 namespace torsio::gui {
 
@@ -18,7 +19,6 @@ namespace {
 
 constexpr int kSignInWidth = 420;
 constexpr int kSecond_ms = 1000;
-constexpr std::int64_t kSecond_us = 1'000'000;
 
 }  // namespace
 

@@ -46,6 +46,8 @@ inline constexpr double kFigureText_pt = 21.0;
 
 /// The one scale of distances, device-independent pixels.
 inline constexpr int kSpace = 8;
+/// The least height of what a finger presses.
+inline constexpr int kTouch_px = 44;
 
 /// Palette, fonts and style sheet of the whole application.
 void applyTheme(QApplication& application, const Theme& chosen);

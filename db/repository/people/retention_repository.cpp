@@ -10,6 +10,7 @@
 #include "db/repository/base/stored_term.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
+#include "sim/base/time_units.h"
 
 namespace torsio {
 
@@ -17,7 +18,6 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kCategories{kRetainTrainee, kRetainRater, kRetainLeft,
                                                       kRetainWithdrawn};
-constexpr std::int64_t kDay_us = 86'400'000'000;
 constexpr std::int64_t kLongest_days = 36'500;
 
 /// State and creation; whether trainee and rater; kActivityTimes times of what they did; since when consent

@@ -21,7 +21,7 @@ struct Ring {
   double fraction = 1.0;    // of the way from the centre to the outline
 };
 
-double squaredDistance(const Point2& a, const Point2& b) {
+double squaredGap(const Point2& a, const Point2& b) {
   const double dx = b[0] - a[0], dy = b[1] - a[1];
   return dx * dx + dy * dy;
 }
@@ -41,8 +41,7 @@ std::vector<std::array<int, 3>> strip(const PlaneMesh& mesh, const Ring& outer, 
     // The outer points up to the middle one look at b0, the others at b1.
     const auto a = [&](std::size_t k) { return outer.points[k % n]; };
     std::size_t middle = begin + (end - begin) / 2;
-    if (end == begin + 1 &&
-        squaredDistance(point(a(end)), point(b0)) <= squaredDistance(point(a(begin)), point(b1))) {
+    if (end == begin + 1 && squaredGap(point(a(end)), point(b0)) <= squaredGap(point(a(begin)), point(b1))) {
       middle = end;
     }
     for (std::size_t k = begin; k < middle; ++k) {
@@ -64,7 +63,7 @@ bool allAnticlockwise(const PlaneMesh& mesh, const std::vector<std::array<int, 3
     const Point2& a = mesh.points[static_cast<std::size_t>(t[0])];
     const Point2& b = mesh.points[static_cast<std::size_t>(t[1])];
     const Point2& c = mesh.points[static_cast<std::size_t>(t[2])];
-    const double edges = squaredDistance(a, b) + squaredDistance(b, c) + squaredDistance(c, a);
+    const double edges = squaredGap(a, b) + squaredGap(b, c) + squaredGap(c, a);
     if (orientation(a, b, c) < kLeastRoundness * edges) {
       return false;
     }

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using test::emptyFolder;
 using test::ProgramRun;
 
-class DeviceCommand : public testing::Test {
+class DeviceCommand : public ::testing::Test {
  protected:
   fs::path folder_ = emptyFolder("device");
 

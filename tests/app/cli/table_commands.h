@@ -16,7 +16,7 @@
 namespace torsio::test {
 
 /// Tables in a folder of their own, and the commands that read them.
-class TableCommands : public testing::Test {
+class TableCommands : public ::testing::Test {
  protected:
   std::filesystem::path folder_ = emptyFolder("assessment");
 

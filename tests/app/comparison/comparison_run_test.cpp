@@ -37,7 +37,7 @@ ComparisonOptions quick() {
   return options;
 }
 
-class ComparisonOfTheForearm : public testing::Test {
+class ComparisonOfTheForearm : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     const Scene scene = coarseForearm();

@@ -15,12 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kAssets = fs::path(TORSIO_SOURCE_DIR) / "assets";
+const fs::path kAssetFolder = fs::path(TORSIO_SOURCE_DIR) / "assets";
 
 const Scene& forearm() {
   static const Scene kScene = [] {
     SceneRequest request;
-    request.assets = kAssets;
+    request.assets = kAssetFolder;
     request.ridges = 12;
     request.sections = 9;
     return loadScene(request);
@@ -33,7 +33,7 @@ fs::path markerFile() {
 }
 
 /// Where a file of these bytes is refused, without its folder; "" when it is not.
-std::string refusedAt(const std::string& bytes) {
+std::string markersRefusedAt(const std::string& bytes) {
   std::ofstream(markerFile()) << bytes;
   try {
     static_cast<void>(readMarkers(markerFile(), forearm()));
@@ -50,7 +50,7 @@ std::string oneMarker(const std::string& fields) {
 }
 
 TEST(OrganMarkers, OfTheForearmAreTenPointsOfItsSurface) {
-  const std::vector<OrganMarker> markers = readOrganMarkers(kAssets, forearm());
+  const std::vector<OrganMarker> markers = readOrganMarkers(kAssetFolder, forearm());
 
   ASSERT_EQ(markers.size(), 10U);
   EXPECT_EQ(markers[7].number, 8);
@@ -93,29 +93,30 @@ TEST(OrganMarkers, RefuseWhatBreaksTheirRulesAndSayWhere) {
   const std::string file = "torsio_organ_markers_test.json";
   const std::string place = R"("face": 0, "barycentric": [0.2, 0.3, 0.5])";
 
-  EXPECT_EQ(refusedAt(oneMarker(R"("number": 1, "name": "a", )" + place)), "");
-  EXPECT_EQ(refusedAt("{"), file);
-  EXPECT_EQ(refusedAt("[1]"), file);
-  EXPECT_EQ(refusedAt(R"({"markers": []})"), file);
-  EXPECT_EQ(refusedAt(R"({"organ_hash": "another", "markers": []})"), file);
-  EXPECT_EQ(refusedAt(oneMarker(R"("number": 2, "name": "a", )" + place)),
+  EXPECT_EQ(markersRefusedAt(oneMarker(R"("number": 1, "name": "a", )" + place)), "");
+  EXPECT_EQ(markersRefusedAt("{"), file);
+  EXPECT_EQ(markersRefusedAt("[1]"), file);
+  EXPECT_EQ(markersRefusedAt(R"({"markers": []})"), file);
+  EXPECT_EQ(markersRefusedAt(R"({"organ_hash": "another", "markers": []})"), file);
+  EXPECT_EQ(markersRefusedAt(oneMarker(R"("number": 2, "name": "a", )" + place)),
             file + ", marker 1, field \"number\"");
-  EXPECT_EQ(refusedAt(oneMarker(R"("number": 1, "name": " ", )" + place)),
+  EXPECT_EQ(markersRefusedAt(oneMarker(R"("number": 1, "name": " ", )" + place)),
             file + ", marker 1, field \"name\"");
-  EXPECT_EQ(refusedAt(oneMarker(R"("number": 1, "name": "a", "face": -1, "barycentric": [1, 0, 0])")),
+  EXPECT_EQ(markersRefusedAt(oneMarker(R"("number": 1, "name": "a", "face": -1, "barycentric": [1, 0, 0])")),
             file + ", marker 1, field \"face\"");
-  EXPECT_EQ(refusedAt(oneMarker(R"("number": 1, "name": "a", "face": 0)")),
+  EXPECT_EQ(markersRefusedAt(oneMarker(R"("number": 1, "name": "a", "face": 0)")),
             file + ", marker 1, field \"barycentric\"");
-  EXPECT_EQ(refusedAt(oneMarker(R"("number": 1, "name": "a", "face": 0, "barycentric": [1, 0.1, 0])")),
+  EXPECT_EQ(markersRefusedAt(oneMarker(R"("number": 1, "name": "a", "face": 0, "barycentric": [1, 0.1, 0])")),
             file + ", marker 1, field \"barycentric\"");
-  EXPECT_EQ(refusedAt(oneMarker(R"("number": 1, "name": "a", "face": 0, "barycentric": [1, "b", 0])")),
+  EXPECT_EQ(markersRefusedAt(oneMarker(R"("number": 1, "name": "a", "face": 0, "barycentric": [1, "b", 0])")),
             file + ", marker 1, field \"barycentric\"");
-  EXPECT_EQ(refusedAt(oneMarker(R"("number": 1, "name": "a", "position_mm": [0, 0, 100])")),
+  EXPECT_EQ(markersRefusedAt(oneMarker(R"("number": 1, "name": "a", "position_mm": [0, 0, 100])")),
             file + ", marker 1, field \"position_mm\"")
       << "on the axis";
-  EXPECT_EQ(refusedAt(oneMarker(R"("number": 1, "name": "a")")), file + ", marker 1, field \"position_mm\"");
-  EXPECT_EQ(refusedAt(R"({"markers": [{"number": 1, "name": "a", )" + place +
-                      R"(}, {"number": 2, "name": "a", )" + place + "}]}"),
+  EXPECT_EQ(markersRefusedAt(oneMarker(R"("number": 1, "name": "a")")),
+            file + ", marker 1, field \"position_mm\"");
+  EXPECT_EQ(markersRefusedAt(R"({"markers": [{"number": 1, "name": "a", )" + place +
+                             R"(}, {"number": 2, "name": "a", )" + place + "}]}"),
             file + ", marker 2, field \"name\"");
 }
 

@@ -44,7 +44,7 @@ class HapticStation : public ::testing::Test {
   static void SetUpTestSuite() {
     setenv("TORSIO_DEVICE_PROGRAM", TORSIO_DEVICE_PROGRAM, 1);
     // What this test remembers is not what the user of this machine remembers.
-    settings() = testing::TempDir() + "torsio_station_" + std::to_string(getpid());
+    settings() = ::testing::TempDir() + "torsio_station_" + std::to_string(getpid());
     setenv("XDG_CONFIG_HOME", settings().c_str(), 1);
   }
   static void TearDownTestSuite() { std::filesystem::remove_all(settings()); }

@@ -22,6 +22,7 @@
 #include "assessment/people/audit_entry.h"
 #include "assessment/people/retention.h"
 #include "db/repository/base/audit_repository.h"
+#include "sim/base/time_units.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {
@@ -135,7 +136,6 @@ TEST(MaintenancePage, SortsTheQueueByTimeThoughTimesArePutIntoWordsOnlyWhenLooke
   AdministratorDesk office;
   office.centre.as("administrator");
   setRetentionRule(office.centre.session(), kRetainTrainee, 1, "contract");
-  constexpr std::int64_t kDay_us = 86'400'000'000;
   for (int i = 0; i < 12; ++i) {
     addPerson(office.centre.session(), {.fullName = "Li Na"});
     office.centre.passTime_us(kDay_us);

@@ -17,7 +17,7 @@
 namespace torsio::gui {
 namespace {
 
-constexpr double kPixel = 0.05;
+constexpr double kNear_px = 0.05;
 constexpr double kAngle = 1e-9;
 
 class Controls : public ::testing::Test {
@@ -70,10 +70,10 @@ class Controls : public ::testing::Test {
 
 TEST_F(Controls, TheTipStaysUnderTheMouse) {
   move({500, 300});
-  EXPECT_NEAR(tipPixel().x(), 500, kPixel);
+  EXPECT_NEAR(tipPixel().x(), 500, kNear_px);
   move({620, 410});
-  EXPECT_NEAR(tipPixel().x(), 620, kPixel);
-  EXPECT_NEAR(tipPixel().y(), 410, kPixel);
+  EXPECT_NEAR(tipPixel().x(), 620, kNear_px);
+  EXPECT_NEAR(tipPixel().y(), 410, kNear_px);
 }
 
 TEST_F(Controls, TheWheelMovesAlongTheLineOfSight) {
@@ -84,8 +84,8 @@ TEST_F(Controls, TheWheelMovesAlongTheLineOfSight) {
 
   const Vec3 way = controls_.input().onPlane_m - before;
   EXPECT_GT(way.y, 0.010);  // away from the viewer: backwards in the patient
-  EXPECT_NEAR(tipPixel().x(), 600, kPixel);
-  EXPECT_NEAR(tipPixel().y(), 250, kPixel);
+  EXPECT_NEAR(tipPixel().x(), 600, kNear_px);
+  EXPECT_NEAR(tipPixel().y(), 250, kNear_px);
 }
 
 TEST_F(Controls, TheLeftButtonAndSpaceGripWhileTheyAreHeld) {
@@ -205,8 +205,8 @@ TEST_F(Controls, AfterATurnTheTipComesUnderTheMouseAgain) {
 
   move({560, 350}, Qt::NoButton);
 
-  EXPECT_NEAR(tipPixel().x(), 560, kPixel);
-  EXPECT_NEAR(tipPixel().y(), 350, kPixel);
+  EXPECT_NEAR(tipPixel().x(), 560, kNear_px);
+  EXPECT_NEAR(tipPixel().y(), 350, kNear_px);
 }
 
 TEST_F(Controls, LettingGoBringsTheShaftBack) {

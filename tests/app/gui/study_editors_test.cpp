@@ -37,11 +37,11 @@ namespace {
 using testing::AdministratorDesk;
 using testing::answer;
 
-QPushButton& named(QWidget& page, const char* name) {
+QPushButton& editorButton(QWidget& page, const char* name) {
   return child<QPushButton>(page, name);
 }
 
-void giveReason(QDialog& dialog) {
+void giveBoardsReason(QDialog& dialog) {
   child<QLineEdit>(dialog, "reason").setText(QStringLiteral("as the board asked"));
   dialog.accept();
 }
@@ -57,13 +57,13 @@ TEST(ConsentTexts, AreEditedInEachLanguageAndPublishedAsTheNextVersion) {
   auto page = office.open<RosterPage>("administrator");
   QStringList seen;
   answer([&seen](QDialog& dialog) {
-    EXPECT_FALSE(named(dialog, "publish").isEnabled()) << "nothing has changed yet";
+    EXPECT_FALSE(editorButton(dialog, "publish").isEnabled()) << "nothing has changed yet";
     for (const QPushButton* button : dialog.findChildren<QPushButton*>()) {
       EXPECT_FALSE(button->autoDefault()) << "Enter in a field presses nothing";
     }
-    EXPECT_FALSE(named(dialog, "removePurpose").isEnabled()) << "the training record stays";
+    EXPECT_FALSE(editorButton(dialog, "removePurpose").isEnabled()) << "the training record stays";
     child<QPlainTextEdit>(dialog, "text").setPlainText(QStringLiteral("We keep it for two years."));
-    named(dialog, "addPurpose").click();
+    editorButton(dialog, "addPurpose").click();
     typeInto(child<QLineEdit>(dialog, "title"), QStringLiteral("Photographs"));
     child<QPlainTextEdit>(dialog, "text").setPlainText(QStringLiteral("My picture may be shown."));
     auto& language = child<QComboBox>(dialog, "language");
@@ -72,9 +72,9 @@ TEST(ConsentTexts, AreEditedInEachLanguageAndPublishedAsTheNextVersion) {
     typeInto(child<QLineEdit>(dialog, "title"), QStringLiteral("\u7167\u7247"));
     child<QPlainTextEdit>(dialog, "text")
         .setPlainText(QStringLiteral("\u53ef\u4ee5\u5c55\u793a\u7167\u7247\u3002"));
-    EXPECT_TRUE(named(dialog, "publish").isEnabled());
-    answer(giveReason);
-    named(dialog, "publish").click();
+    EXPECT_TRUE(editorButton(dialog, "publish").isEnabled());
+    answer(giveBoardsReason);
+    editorButton(dialog, "publish").click();
     for (int i = 0; i < child<QComboBox>(dialog, "version").count(); ++i) {
       seen << child<QComboBox>(dialog, "version").itemText(i);
     }
@@ -83,7 +83,7 @@ TEST(ConsentTexts, AreEditedInEachLanguageAndPublishedAsTheNextVersion) {
     dialog.reject();
   });
 
-  named(*page, "consentTexts").click();
+  editorButton(*page, "consentTexts").click();
 
   EXPECT_EQ(seen, QStringList({QStringLiteral("centre-1: as the board asked"),
                                QStringLiteral("2026-1 (as it ships)")}));
@@ -107,12 +107,12 @@ TEST(ConsentTexts, AnotherLanguageBeginsWithTheTextsThatAreShown) {
     testing::press(asked, QStringLiteral("Add"));
   });
 
-  named(dialog, "addLanguage").click();
+  editorButton(dialog, "addLanguage").click();
 
   EXPECT_EQ(child<QComboBox>(dialog, "language").currentData().toString(), QStringLiteral("de"));
   EXPECT_EQ(child<QListWidget>(dialog, "purposes").count(), 5);
-  answer(giveReason);
-  named(dialog, "publish").click();
+  answer(giveBoardsReason);
+  editorButton(dialog, "publish").click();
   EXPECT_EQ(wordsIn(askedConsent(office.centre.as("administrator"), office.centre.assets()), "de").language,
             "de");
 }
@@ -166,25 +166,25 @@ TEST(RubricDialog, EditsTheSheetBesideWhatTheRaterSeesAndPublishesARevision) {
       EXPECT_FALSE(button->autoDefault()) << "Enter in a field presses nothing";
     }
     const auto before = previewed();
-    EXPECT_FALSE(named(dialog, "publish").isEnabled());
+    EXPECT_FALSE(editorButton(dialog, "publish").isEnabled());
     typeInto(child<QLineEdit>(dialog, "label"), QStringLiteral("Time to the last twist"));
     child<QDoubleSpinBox>(dialog, "weight").setValue(2.0);
     child<QTableWidget>(dialog, "anchors").item(0, 1)->setText(QStringLiteral("never ends"));
-    EXPECT_TRUE(named(dialog, "publish").isEnabled());
+    EXPECT_TRUE(editorButton(dialog, "publish").isEnabled());
     child<QDoubleSpinBox>(dialog, "row.to").setValue(5.0);
-    EXPECT_FALSE(named(dialog, "publish").isEnabled()) << "anchors at 7 and 10 lie outside";
+    EXPECT_FALSE(editorButton(dialog, "publish").isEnabled()) << "anchors at 7 and 10 lie outside";
     EXPECT_FALSE(child<QLabel>(dialog, "problem").text().isEmpty());
     child<QDoubleSpinBox>(dialog, "row.to").setValue(10.0);
     EXPECT_EQ(previewed(), before);
-    answer(giveReason);
-    named(dialog, "publish").click();
+    answer(giveBoardsReason);
+    editorButton(dialog, "publish").click();
     child<QComboBox>(dialog, "revision").setCurrentIndex(1);
     EXPECT_TRUE(child<QLineEdit>(dialog, "label").isReadOnly());
     EXPECT_EQ(child<QLineEdit>(dialog, "label").text(), QStringLiteral("Training time"));
     dialog.reject();
   });
 
-  named(*page, "reviseRubric").click();
+  editorButton(*page, "reviseRubric").click();
 
   const RubricRow rubric = rubrics(office.centre.as("administrator")).at(0);
   ASSERT_EQ(rubric.revisions.size(), 2U);
@@ -209,8 +209,8 @@ TEST(RubricDialog, WritesASheetToAFileAndTakesOneFromAFile) {
   written.revision.rows.pop_back();
   writeFileAtomically(file, rubricText("other", written.revision));
   ASSERT_TRUE(dialog.importFrom(file));
-  answer(giveReason);
-  named(dialog, "publish").click();
+  answer(giveBoardsReason);
+  editorButton(dialog, "publish").click();
 
   const RubricRow rubric = rubrics(office.centre.as("administrator")).at(0);
   EXPECT_EQ(rubric.name, "Twist training");
@@ -234,14 +234,14 @@ TEST(CohortsPage, RenamesClosesAndArchivesACohort) {
     child<QLineEdit>(dialog, "name").setText(QStringLiteral("Autumn 2026"));
     dialog.accept();
   });
-  named(*page, "renameCohort").click();
-  answer(giveReason);
-  named(*page, "cohortState").click();
+  editorButton(*page, "renameCohort").click();
+  answer(giveBoardsReason);
+  editorButton(*page, "cohortState").click();
 
   EXPECT_TRUE(table.asText().contains(QStringLiteral("Autumn 2026")));
   EXPECT_TRUE(table.asText().contains(QStringLiteral("closed")));
-  answer(giveReason);
-  named(*page, "cohortState").click();
+  answer(giveBoardsReason);
+  editorButton(*page, "cohortState").click();
 
   EXPECT_EQ(table.visibleRows(), 0);
   EXPECT_TRUE(office.open<ScoringPage>("administrator")->findChild<QComboBox*>()->currentText().isEmpty())
@@ -249,8 +249,8 @@ TEST(CohortsPage, RenamesClosesAndArchivesACohort) {
   child<QCheckBox>(*page, "archived").setChecked(true);
   EXPECT_EQ(table.visibleRows(), 1);
   table.select(toQString(id));
-  answer(giveReason);
-  named(*page, "cohortState").click();
+  answer(giveBoardsReason);
+  editorButton(*page, "cohortState").click();
   EXPECT_EQ(cohorts(office.centre.as("administrator")).at(0).cohort.state, CohortState::kRunning);
 }
 

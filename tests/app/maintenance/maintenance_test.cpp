@@ -32,6 +32,7 @@
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/time_units.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/trial_file.h"
 #include "tests/app/support/audit_entries.h"
@@ -43,7 +44,6 @@ namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::int64_t kDay_us = 86'400'000'000;
 
 /// A record with real and simulated rows in every table, and an administrator at work.
 class CareTest : public ::testing::Test {

@@ -10,6 +10,7 @@
 #include "assessment/people/account.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/time_units.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {
@@ -225,7 +226,6 @@ TEST(ConsentService, WhatWasSignedOnPaperKeepsTheDayOfTheSignature) {
   StudyCentre centre;
   const std::string id = centre.addTrainees(1).front();
   SessionContext& session = centre.session();
-  constexpr std::int64_t kDay_us = 86'400'000'000;
 
   recordConsent(session, id, "video", true, "2026-1", testing::kStudyTime_us - 3 * kDay_us);
   recordConsent(session, id, "teaching", true, "2026-1");

@@ -29,14 +29,14 @@ using testing::reviewSheet;
 
 constexpr std::int64_t kLater_us = 1'000'000;
 
-WatchLog whole() {
+WatchLog wholeLog() {
   WatchLog log(2'000'000);
   log.played(0, 2'000'000, 1.0);
   return log;
 }
 
 template <typename Action>
-ErrorCode refusal(const Action& action) {
+ErrorCode refusalOf(const Action& action) {
   try {
     action();
   } catch (const Error& error) {
@@ -55,8 +55,8 @@ class Disagreement : public ::testing::Test {
   std::string internId_ = addRater("IN-900", "intern");
 
   void SetUp() override {
-    submitSheet(*centre_.physician(0), centre_.caseAbout(0, 0), reviewSheet(2, 2, 2), whole());
-    submitSheet(*centre_.physician(1), centre_.caseAbout(1, 0), reviewSheet(8, 8, 8), whole());
+    submitSheet(*centre_.physician(0), centre_.caseAbout(0, 0), reviewSheet(2, 2, 2), wholeLog());
+    submitSheet(*centre_.physician(1), centre_.caseAbout(1, 0), reviewSheet(8, 8, 8), wholeLog());
     centre_.passTime_us(kLater_us);
   }
 
@@ -100,7 +100,7 @@ TEST_F(Disagreement, IsTakenToAThirdRaterUnderAnotherLabelAndIsThenDone) {
   askForThird(*centre_.physician(0), asked, "I cannot explain the distance");
   centre_.passTime_us(kLater_us);
   const auto office = centre_.administrator();
-  EXPECT_EQ(refusal([&] { assignThird(*office, cohortId_, asked, centre_.raterId(1)); }),
+  EXPECT_EQ(refusalOf([&] { assignThird(*office, cohortId_, asked, centre_.raterId(1)); }),
             ErrorCode::kBadData);
 
   std::string made;
@@ -115,7 +115,7 @@ TEST_F(Disagreement, IsTakenToAThirdRaterUnderAnotherLabelAndIsThenDone) {
   EXPECT_EQ(third.rubricRevisionId, before.rubricRevisionId);
   EXPECT_NE(third.caseLabel, before.caseLabel);
   EXPECT_TRUE(thirdRequests(*office, cohortId_).empty());
-  EXPECT_EQ(refusal([&] { assignThird(*office, cohortId_, asked, internId_); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusalOf([&] { assignThird(*office, cohortId_, asked, internId_); }), ErrorCode::kBadData);
   // Until the third has committed nobody sees the others' marks again.
   EXPECT_TRUE(alignmentCases(*centre_.physician(0)).empty());
 }
@@ -129,12 +129,12 @@ TEST_F(Disagreement, IsNoRequestAnyMoreOnceThePhysicianDecidesOtherwise) {
 
 TEST_F(Disagreement, IsTheAdministratorsBusinessOnly) {
   const auto rater = centre_.physician(0);
-  EXPECT_EQ(refusal([&] { static_cast<void>(thirdRequests(*rater, cohortId_)); }), ErrorCode::kPermission);
-  EXPECT_EQ(refusal([&] { assignThird(*rater, cohortId_, centre_.caseAbout(0, 0), chiefId_); }),
+  EXPECT_EQ(refusalOf([&] { static_cast<void>(thirdRequests(*rater, cohortId_)); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusalOf([&] { assignThird(*rater, cohortId_, centre_.caseAbout(0, 0), chiefId_); }),
             ErrorCode::kPermission);
-  EXPECT_EQ(refusal([&] { static_cast<void>(referenceCandidates(*rater)); }), ErrorCode::kPermission);
-  EXPECT_EQ(refusal([&] { static_cast<void>(referenceRows(*rater)); }), ErrorCode::kPermission);
-  EXPECT_EQ(refusal([&] { addReferenceRuns(*rater, {}); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusalOf([&] { static_cast<void>(referenceCandidates(*rater)); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusalOf([&] { static_cast<void>(referenceRows(*rater)); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusalOf([&] { addReferenceRuns(*rater, {}); }), ErrorCode::kPermission);
 }
 
 TEST(ReferenceRuns, AreOfferedFromRecordingsThatNobodyScores) {
@@ -173,7 +173,7 @@ TEST(ReferenceRuns, AreRefusedWhenTheyCannotBeScoredAgainst) {
   const auto office = centre.administrator();
   const auto add = [&](const std::string& trial, const std::string& rubric, double points,
                        std::int64_t raters) {
-    return refusal([&] { addReferenceRuns(*office, {{trial, rubric, points, raters, false}}); });
+    return refusalOf([&] { addReferenceRuns(*office, {{trial, rubric, points, raters, false}}); });
   };
   const std::string trial = centre.trialIds()[0];
   EXPECT_EQ(add("no such", centre.rubricRevisionId(), 6.0, 5), ErrorCode::kBadData);

@@ -34,7 +34,7 @@ using testing::ReviewCentre;
 using testing::reviewSheet;
 
 template <typename Action>
-std::pair<ErrorCode, std::string> refusal(const Action& action) {
+std::pair<ErrorCode, std::string> refusedWith(const Action& action) {
   try {
     action();
   } catch (const Error& error) {
@@ -44,7 +44,7 @@ std::pair<ErrorCode, std::string> refusal(const Action& action) {
   return {};
 }
 
-WatchLog whole() {
+WatchLog watchedWhole() {
   WatchLog log(2'000'000);
   log.played(0, 2'000'000, 1.0);
   return log;
@@ -93,15 +93,16 @@ TEST(BlindedRecording, IsForAssignedRatersOnlyAndOnlyWhileAssigned) {
   const auto desk = centre.physician(0);
   const auto other = centre.physician(1);
   const std::string id = centre.cases(0).front();
-  EXPECT_EQ(refusal([&] { static_cast<void>(loadBlindedRecording(*other, id)); }).first,
+  EXPECT_EQ(refusedWith([&] { static_cast<void>(loadBlindedRecording(*other, id)); }).first,
             ErrorCode::kPermission);
-  EXPECT_EQ(
-      refusal([&] { static_cast<void>(loadBlindedRecording(*desk, centre.cases(0, true).front())); }).first,
-      ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] {
+              static_cast<void>(loadBlindedRecording(*desk, centre.cases(0, true).front()));
+            }).first,
+            ErrorCode::kBadData);
 
   SheetRepository(centre.connection()).withdraw(id, "on leave", "office", testing::kReviewTime_us);
 
-  EXPECT_EQ(refusal([&] { static_cast<void>(loadBlindedRecording(*desk, id)); }).first,
+  EXPECT_EQ(refusedWith([&] { static_cast<void>(loadBlindedRecording(*desk, id)); }).first,
             ErrorCode::kPermission);
 }
 
@@ -124,14 +125,14 @@ TEST(Alignment, NobodySeesAnotherMarkBeforeAllHaveCommitted) {
   setup.trainees = 1;
   ReviewCentre centre(setup);
   const auto first = centre.physician(0);
-  submitSheet(*first, centre.caseAbout(0, 0), reviewSheet(2, 2, 2), whole());
-  submitSheet(*centre.physician(1), centre.caseAbout(1, 0), reviewSheet(8, 8, 8), whole());
+  submitSheet(*first, centre.caseAbout(0, 0), reviewSheet(2, 2, 2), watchedWhole());
+  submitSheet(*centre.physician(1), centre.caseAbout(1, 0), reviewSheet(8, 8, 8), watchedWhole());
   EXPECT_TRUE(alignmentCases(*first).empty());
   EXPECT_TRUE(ownSeverity(*first).cases.empty());
   EXPECT_EQ(ownSeverity(*first).waiting, 1U);
-  EXPECT_EQ(refusal([&] { keepMark(*first, centre.caseAbout(0, 0), ""); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { keepMark(*first, centre.caseAbout(0, 0), ""); }).first, ErrorCode::kBadData);
 
-  submitSheet(*centre.physician(2), centre.caseAbout(2, 0), reviewSheet(7, 7, 7), whole());
+  submitSheet(*centre.physician(2), centre.caseAbout(2, 0), reviewSheet(7, 7, 7), watchedWhole());
 
   const std::vector<DiscrepancyCase> cases = alignmentCases(*first);
   ASSERT_EQ(cases.size(), 1U);
@@ -150,15 +151,15 @@ TEST(Alignment, ShowsDisagreementsOnlyAndRemembersWhatWasDecided) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto first = centre.physician(0);
   for (std::size_t trainee = 0; trainee < 2; ++trainee) {
-    submitSheet(*first, centre.caseAbout(0, trainee), reviewSheet(4, 4, 4), whole());
+    submitSheet(*first, centre.caseAbout(0, trainee), reviewSheet(4, 4, 4), watchedWhole());
     const double theirs = trainee == 0 ? 4.5 : 8.0;
     submitSheet(*centre.physician(1), centre.caseAbout(1, trainee), reviewSheet(theirs, theirs, theirs),
-                whole());
+                watchedWhole());
   }
   ASSERT_EQ(alignmentCases(*first).size(), 1U);
   const std::string id = alignmentCases(*first)[0].shown.assignmentId;
   EXPECT_EQ(id, centre.caseAbout(0, 1));
-  EXPECT_EQ(refusal([&] { askForThird(*first, id, ""); }).first, ErrorCode::kBadParameter);
+  EXPECT_EQ(refusedWith([&] { askForThird(*first, id, ""); }).first, ErrorCode::kBadParameter);
 
   askForThird(*first, id, "I cannot explain the distance");
   EXPECT_EQ(alignmentCases(*first)[0].decision, DiscrepancyChoice::kThird);
@@ -168,7 +169,7 @@ TEST(Alignment, ShowsDisagreementsOnlyAndRemembersWhatWasDecided) {
 
   EXPECT_TRUE(alignmentCases(*first).empty());  // nothing lies apart any more
   EXPECT_EQ(sheetVersions(*first, id).size(), 2U);
-  EXPECT_EQ(refusal([&] { keepMark(*centre.physician(1), id, ""); }).first, ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] { keepMark(*centre.physician(1), id, ""); }).first, ErrorCode::kPermission);
 }
 
 TEST(CaseRemarks, AreTheRatersOwn) {
@@ -189,7 +190,7 @@ TEST(RaterCalibration, ShowsThePanelOnlyAfterTheOwnMark) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto desk = centre.physician(0);
   const auto office = centre.administrator();
-  EXPECT_EQ(refusal([&] { addReferenceRuns(*desk, {}); }).first, ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] { addReferenceRuns(*desk, {}); }).first, ErrorCode::kPermission);
   addReferenceRuns(*office, {{centre.trialIds()[0], centre.rubricRevisionId(), 6.2, 8, false},
                              {centre.trialIds()[1], centre.rubricRevisionId(), 3.0, 8, false}});
   const RaterCalibration before = warmUp(*desk);
@@ -210,8 +211,8 @@ TEST(RaterCalibration, ShowsThePanelOnlyAfterTheOwnMark) {
   EXPECT_NEAR(*after.runs[1].offset_points, -0.5, 1e-12);  // 2.5 - 3.0
   EXPECT_NEAR(*after.meanOffset_points(), 0.15, 1e-12);
   EXPECT_FALSE(reviewQueue(*desk).warmUpWaiting);
-  EXPECT_EQ(refusal([&] { scoreReferenceRun(*desk, 3, 50); }).first, ErrorCode::kBadData);
-  EXPECT_EQ(refusal([&] { scoreReferenceRun(*desk, 1, 101); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { scoreReferenceRun(*desk, 3, 50); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { scoreReferenceRun(*desk, 1, 101); }).first, ErrorCode::kBadData);
 }
 
 TEST(RaterCalibration, GivesAWithdrawnRunToNobodyAndKeepsWhatWasScored) {
@@ -221,11 +222,11 @@ TEST(RaterCalibration, GivesAWithdrawnRunToNobodyAndKeepsWhatWasScored) {
   addReferenceRuns(*office, {{centre.trialIds()[0], centre.rubricRevisionId(), 6.2, 8, false},
                              {centre.trialIds()[1], centre.rubricRevisionId(), 3.0, 8, false}});
   scoreReferenceRun(*desk, 1, 50);
-  EXPECT_EQ(refusal([&] { withdrawReferenceRun(*desk, centre.trialIds()[0], "why"); }).first,
+  EXPECT_EQ(refusedWith([&] { withdrawReferenceRun(*desk, centre.trialIds()[0], "why"); }).first,
             ErrorCode::kPermission);
-  EXPECT_EQ(refusal([&] { withdrawReferenceRun(*office, centre.trialIds()[0], ""); }).first,
+  EXPECT_EQ(refusedWith([&] { withdrawReferenceRun(*office, centre.trialIds()[0], ""); }).first,
             ErrorCode::kBadParameter);
-  EXPECT_EQ(refusal([&] { withdrawReferenceRun(*office, "none", "why"); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { withdrawReferenceRun(*office, "none", "why"); }).first, ErrorCode::kBadData);
 
   testing::expectAudited(centre.connection(), office->actor().userId, "reference_run.withdraw", [&] {
     withdrawReferenceRun(*office, centre.trialIds()[0], "the panel met only in part");
@@ -235,7 +236,7 @@ TEST(RaterCalibration, GivesAWithdrawnRunToNobodyAndKeepsWhatWasScored) {
   ASSERT_EQ(left.runs.size(), 1U);  // the second is the first now
   EXPECT_FALSE(left.runs[0].own_steps.has_value());
   EXPECT_FALSE(left.complete());
-  EXPECT_EQ(refusal([&] { scoreReferenceRun(*desk, 2, 50); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { scoreReferenceRun(*desk, 2, 50); }).first, ErrorCode::kBadData);
   EXPECT_EQ(RemarkRepository(centre.connection()).warmups(centre.raterId(0)).size(), 1U);
   const std::vector<ReferenceRow> rows = referenceRows(*office);
   ASSERT_EQ(rows.size(), 2U);
@@ -253,8 +254,8 @@ TEST(RaterCalibration, TakesAWithdrawnRunNeitherBackNorOutTwice) {
   addReferenceRuns(*office, {{trial, centre.rubricRevisionId(), 6.2, 8, false}});
   withdrawReferenceRun(*office, trial, "wrong recording");
 
-  EXPECT_EQ(refusal([&] { withdrawReferenceRun(*office, trial, "again"); }).first, ErrorCode::kBadData);
-  EXPECT_EQ(refusal([&] {
+  EXPECT_EQ(refusedWith([&] { withdrawReferenceRun(*office, trial, "again"); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] {
               addReferenceRuns(*office, {{trial, centre.rubricRevisionId(), 6.2, 8, false}});
             }).first,
             ErrorCode::kBadData);
@@ -284,17 +285,18 @@ TEST(EvaluationForm, HidesTheModelsAndKeepsTheOwnOrder) {
   for (std::size_t i = 0; i < 8; ++i) {
     saveEvaluationScore(*desk, campaign.id, "M", i, 73);
   }
-  EXPECT_EQ(refusal([&] { submitEvaluation(*desk, campaign.id, "M"); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { submitEvaluation(*desk, campaign.id, "M"); }).first, ErrorCode::kBadData);
   saveEvaluationScore(*desk, campaign.id, "M", 8, 100);
   EXPECT_EQ(evaluationForms(*desk)[0].models[0].scores[0], 73);  // the draft is on the disk
-  EXPECT_EQ(refusal([&] { saveEvaluationScore(*desk, campaign.id, "M", 8, 101); }).first,
+  EXPECT_EQ(refusedWith([&] { saveEvaluationScore(*desk, campaign.id, "M", 8, 101); }).first,
             ErrorCode::kBadData);
 
   submitEvaluation(*desk, campaign.id, "M");
 
   EXPECT_TRUE(evaluationForms(*desk)[0].models[0].submitted);
   EXPECT_EQ(EvaluationRepository(centre.connection()).marks(campaign.id).size(), 9U);
-  EXPECT_EQ(refusal([&] { saveEvaluationScore(*desk, campaign.id, "M", 0, 10); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { saveEvaluationScore(*desk, campaign.id, "M", 0, 10); }).first,
+            ErrorCode::kBadData);
   EXPECT_TRUE(DeskRepository(centre.connection()).evaluationDraft(campaign.id, centre.raterId(0)).empty());
 }
 
@@ -320,9 +322,9 @@ TEST(EvaluationForm, ShowsRealRecordingsUnderTheirLettersAndNeverTheirModel) {
   EXPECT_EQ(shown.trial.header.traineeCode, "");
   EXPECT_EQ(shown.trial.summary.contentHash, "");
   EXPECT_FALSE(shown.trial.chunks.empty());
-  EXPECT_EQ(refusal([&] { (void)loadEvaluationRecording(*desk, campaign.id, "K2"); }).first,
+  EXPECT_EQ(refusedWith([&] { (void)loadEvaluationRecording(*desk, campaign.id, "K2"); }).first,
             ErrorCode::kBadData);
-  EXPECT_EQ(refusal([&] { (void)loadEvaluationRecording(*centre.physician(1), campaign.id, "M"); }).first,
+  EXPECT_EQ(refusedWith([&] { (void)loadEvaluationRecording(*centre.physician(1), campaign.id, "M"); }).first,
             ErrorCode::kPermission);
 }
 
@@ -356,11 +358,11 @@ TEST(ReviewDesk, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
   });
   auditedBy(*desk, "warmup.score", [&] { scoreReferenceRun(*desk, 1, 50); });
   auditedBy(*desk, "remark.add", [&] { addCaseRemark(*desk, own, {900'000, "second grip slips"}); });
-  auditedBy(*desk, "sheet.submit", [&] { submitSheet(*desk, own, reviewSheet(4, 4, 4), whole()); });
+  auditedBy(*desk, "sheet.submit", [&] { submitSheet(*desk, own, reviewSheet(4, 4, 4), watchedWhole()); });
   auditedBy(*desk, "sheet.amend", [&] { amendSheet(*desk, own, reviewSheet(3, 3, 3), "a slip"); });
   const auto other = centre.physician(1);
   auditedBy(*other, "sheet.submit",
-            [&] { submitSheet(*other, centre.caseAbout(1, 0), reviewSheet(8, 8, 8), whole()); });
+            [&] { submitSheet(*other, centre.caseAbout(1, 0), reviewSheet(8, 8, 8), watchedWhole()); });
   auditedBy(*desk, "alignment.third", [&] { askForThird(*desk, own, "far apart"); });
   auditedBy(*desk, "alignment.keep", [&] { keepMark(*desk, own, ""); });
   auditedBy(*desk, "alignment.move", [&] { moveMark(*desk, own, reviewSheet(7, 7, 7), "seen again"); });

@@ -21,13 +21,13 @@ namespace {
 using testing::StudyCentre;
 
 /// Thirty trainees, enrolled in a cohort of three groups.
-struct Study {
+struct AllocationStudy {
   StudyCentre centre;
   CohortId cohortId;
   std::vector<TraineeId> people;
   std::vector<EnrolmentId> enrolmentIds;
 
-  explicit Study(std::size_t trainees = 30, std::size_t enrolled = 30)
+  explicit AllocationStudy(std::size_t trainees = 30, std::size_t enrolled = 30)
       : people(centre.addTrainees(trainees)) {
     cohortId = addCohort(centre.session(),
                          {.name = "Study", .groups = {{"G1", "one"}, {"G2", "two"}, {"G3", "three"}}});
@@ -60,7 +60,7 @@ TEST(AllocationService, EveryMethodDividesEvenlyAndCanBeRepeatedFromTheSeed) {
   for (const AllocationMethod method :
        {AllocationMethod::kCompletePermutation, AllocationMethod::kPermutedBlocks,
         AllocationMethod::kStratifiedBlocks, AllocationMethod::kMinimisation}) {
-    Study study;
+    AllocationStudy study;
     SessionContext& allocator = study.centre.as("allocator");
     const AllocationDesignRow design = lockAllocation(allocator, study.plan(method));
 
@@ -79,7 +79,7 @@ TEST(AllocationService, EveryMethodDividesEvenlyAndCanBeRepeatedFromTheSeed) {
 TEST(AllocationService, OneByOneGivesWhatAllAtOnceGives) {
   std::vector<std::string> groups[2];
   for (const bool together : {true, false}) {
-    Study study(30, 6);  // a design is locked for those who wait, with their sexes and levels
+    AllocationStudy study(30, 6);  // a design is locked for those who wait, with their sexes and levels
     AllocationPlan plan = study.plan(AllocationMethod::kStratifiedBlocks);
     plan.seed = 20240601;
     lockAllocation(study.centre.as("allocator"), plan);
@@ -106,7 +106,7 @@ TEST(AllocationService, OneByOneGivesWhatAllAtOnceGives) {
 }
 
 TEST(AllocationService, PaperSizedPermutationFollowsThePublishedVector) {
-  Study study;
+  AllocationStudy study;
   AllocationPlan plan = study.plan(AllocationMethod::kCompletePermutation);
   plan.seed = 20240601;
   SessionContext& allocator = study.centre.as("allocator");
@@ -127,7 +127,7 @@ TEST(AllocationService, PaperSizedPermutationFollowsThePublishedVector) {
 }
 
 TEST(AllocationService, SeedStaysSealedUntilItIsRevealed) {
-  Study study(6);
+  AllocationStudy study(6);
   SessionContext& allocator = study.centre.as("allocator");
   const AllocationDesignRow design = lockAllocation(allocator, study.plan(AllocationMethod::kPermutedBlocks));
 
@@ -143,7 +143,7 @@ TEST(AllocationService, SeedStaysSealedUntilItIsRevealed) {
 }
 
 TEST(AllocationService, PreviewTellsTheBalanceWithoutTheRealSeed) {
-  Study study;
+  AllocationStudy study;
   SessionContext& allocator = study.centre.as("allocator");
   const auto before = study.centre.rowCounts();
 
@@ -160,7 +160,7 @@ TEST(AllocationService, PreviewTellsTheBalanceWithoutTheRealSeed) {
 }
 
 TEST(AllocationService, NamesThoseWhoseFactorsAreMissing) {
-  Study study(3);
+  AllocationStudy study(3);
   const PersonId extra =
       addPerson(study.centre.as("administrator"), {.fullName = "No Sex", .externalId = "X"});
   enrolTrainees(study.centre.session(), study.cohortId, {extra});
@@ -175,7 +175,7 @@ TEST(AllocationService, NamesThoseWhoseFactorsAreMissing) {
 }
 
 TEST(AllocationService, OverrideIsARecordBesideTheDrawnOne) {
-  Study study(6);
+  AllocationStudy study(6);
   SessionContext& allocator = study.centre.as("allocator");
   const AllocationDesignRow design = lockAllocation(allocator, study.plan(AllocationMethod::kPermutedBlocks));
   allocateAll(allocator, study.cohortId);
@@ -203,7 +203,7 @@ TEST(AllocationService, OverrideIsARecordBesideTheDrawnOne) {
 }
 
 TEST(AllocationService, CheckFindsAGroupThatWasChangedBehindItsBack) {
-  Study study(6);
+  AllocationStudy study(6);
   SessionContext& allocator = study.centre.as("allocator");
   const AllocationDesignRow design = lockAllocation(allocator, study.plan(AllocationMethod::kPermutedBlocks));
   allocateAll(allocator, study.cohortId);
@@ -229,7 +229,7 @@ TEST(AllocationService, RepeatsTheAllocationOfTheDemonstrationToo) {
 }
 
 TEST(AllocationService, ASecondDesignNeedsAReasonAndLeavesGroupsAlone) {
-  Study study(6);
+  AllocationStudy study(6);
   SessionContext& allocator = study.centre.as("allocator");
   lockAllocation(allocator, study.plan(AllocationMethod::kCompletePermutation));
   allocateAll(allocator, study.cohortId);

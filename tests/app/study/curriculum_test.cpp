@@ -13,14 +13,13 @@
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/time_units.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {
 namespace {
 
 using testing::StudyCentre;
-
-constexpr std::int64_t kMinute_us = 60'000'000;
 
 CurriculumVersion shipped(const StudyCentre& centre, const std::string& id) {
   for (CurriculumTemplate& one : curriculumTemplates(centre.assets())) {

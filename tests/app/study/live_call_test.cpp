@@ -32,6 +32,7 @@
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
+#include "sim/base/time_units.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {
@@ -39,7 +40,6 @@ namespace {
 
 using testing::StudyCentre;
 
-constexpr std::int64_t kMinute_us = 60'000'000;
 constexpr const char* kRoom = "Skills lab";
 
 /// Four trainees by the paper's curriculum, three chiefs asked for live sheets at all three occasions.

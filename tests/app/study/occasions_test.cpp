@@ -27,14 +27,13 @@
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
+#include "sim/base/time_units.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {
 namespace {
 
 using testing::StudyCentre;
-
-constexpr std::int64_t kMinute_us = 60'000'000;
 
 /// The paper's protocol with so much more training in every arm and a fourth occasion after it.
 CurriculumVersion longerPaperProtocol(StudyCentre& centre, const Occasion& fourth,

@@ -35,6 +35,7 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
+#include "sim/base/time_units.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "tests/app/support/study_centre.h"
@@ -43,8 +44,6 @@ namespace torsio {
 namespace {
 
 using testing::StudyCentre;
-
-constexpr std::int64_t kMinute_us = 60'000'000;
 
 /// Six trainees in three groups who follow the paper's curriculum, three chiefs, the shipped rubric.
 struct Study {

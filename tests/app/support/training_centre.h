@@ -17,12 +17,13 @@
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/ids.h"
+#include "sim/base/time_units.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::testing {
 
-inline constexpr std::int64_t kSecond_us = 1'000'000;
-inline constexpr std::int64_t kMinute_us = 60 * kSecond_us;
+using torsio::kMinute_us;
+using torsio::kSecond_us;
 inline constexpr std::int64_t kCentreTime_us = 1'763'712'000'000'000;  // 2025-11-21 08:00 UTC
 
 /// A small centre in an SQLite file of its own: trainees T-01 and T-02 with users, one chief, one cohort that

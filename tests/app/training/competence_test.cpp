@@ -19,7 +19,7 @@ namespace {
 using testing::kMinute_us;
 using testing::TrainingCentre;
 
-constexpr double kExpert = 1.0;
+constexpr double kExpertSkill = 1.0;
 
 /// Signs in somebody who may edit curricula.
 SessionContext& asAdministrator(TrainingCentre& centre) {
@@ -43,7 +43,7 @@ CompetenceDesign stricter(TrainingCentre& centre) {
 
 TEST(CompetenceDesigns, CountForThoseWhoBeginAfterTheyWereRegistered) {
   TrainingCentre centre;
-  centre.attempt("first", "practice", kExpert);  // T-01 begins before
+  centre.attempt("first", "practice", kExpertSkill);  // T-01 begins before
   centre.passTime_us(kMinute_us);
   const CompetenceDesign stored = registerCompetence(asAdministrator(centre), stricter(centre));
   EXPECT_EQ(stored.version, 1);
@@ -59,7 +59,7 @@ TEST(CompetenceDesigns, CountForThoseWhoBeginAfterTheyWereRegistered) {
   centre.become("T-02");
   const CompetenceVerdict shown = trend(centre.session(), centre.person(), centre.module("first")).competence;
   EXPECT_EQ(shown.design, stored);  // before the first attempt already
-  centre.attempt("first", "practice", kExpert);
+  centre.attempt("first", "practice", kExpertSkill);
   const Transcript paper = transcript(centre.session(), centre.person());
   EXPECT_EQ(paper.modules.front().competence.design, stored);
   EXPECT_EQ(paper.modules.front().competence.errors.attempts, 30);

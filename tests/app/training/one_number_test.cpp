@@ -30,7 +30,7 @@ namespace {
 
 using testing::TrainingCentre;
 
-constexpr std::uint64_t kSeed = 20251122;
+constexpr std::uint64_t kRunSeed = 20251122;
 constexpr int kRecordings = 200;
 constexpr double kTolerance_deg = 5.0;  // of the modules of the centre
 
@@ -48,7 +48,7 @@ struct Truth {
 class RandomRecording {
  public:
   RandomRecording(std::uint64_t stream, double firstTarget_deg)
-      : random_(Random::forStream(kSeed, stream)), target_deg_(firstTarget_deg) {
+      : random_(Random::forStream(kRunSeed, stream)), target_deg_(firstTarget_deg) {
     jitters_ = chance(0.8);
     const int twists = whole(1, 5);
     idle(whole(50, 300));

@@ -133,6 +133,6 @@ int main(int argc, char** argv) {
   if (argc == 3 && std::strcmp(argv[1], torsio::kTrain) == 0) {
     torsio::trainForever(argv[2]);
   }
-  testing::InitGoogleTest(&argc, argv);
+  ::testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

@@ -6,13 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
+#include "sim/base/time_units.h"
 
 namespace torsio {
 namespace {
 
 using Kind = RunEvent::Kind;
-constexpr std::int64_t kSecond_us = 1'000'000;
-constexpr std::int64_t kMinute_us = 60 * kSecond_us;
 
 /// The second arm of the paper's study (section 6): 20 min virtual, 20 min on the real arm, 5 min of rest.
 RunPlan paperArm() {

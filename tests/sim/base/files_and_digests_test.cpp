@@ -49,11 +49,11 @@ TEST(Digest, MayBeAskedInBetween) {
   EXPECT_EQ(digest.hex(), "bddd813c634239723171ef3fee98579b94964e3bb1cb3e427262c8c068d52319");
 }
 
-class FileIo : public testing::Test {
+class FileIo : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder = fs::temp_directory_path() /
-             (std::string("torsio_file_io_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    folder = fs::temp_directory_path() / (std::string("torsio_file_io_") +
+                                          ::testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(folder);
     ensureFolder(folder);
   }

@@ -24,7 +24,7 @@ struct BodyCase {
   std::function<std::unique_ptr<ElasticBody>(const SweptSolid&)> make;
 };
 
-class Body : public testing::TestWithParam<BodyCase> {
+class Body : public ::testing::TestWithParam<BodyCase> {
  protected:
   SweptSolid solid_ = bentBar(6, 2, 2, 0.02, 0.04, 0.5);
   std::unique_ptr<ElasticBody> body_ = GetParam().make(solid_);
@@ -107,30 +107,30 @@ TEST_P(Body, KeepsItsEnergyWhenMovedAsARigidBody) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Body,
-                         testing::Values(BodyCase{"LinearWedges",
-                                                  [](const SweptSolid& s) {
-                                                    return std::make_unique<NeoHookeanElements>(
-                                                        linearWedges(s), s.points_m, kConstants);
-                                                  }},
-                                         BodyCase{"QuadraticWedges",
-                                                  [](const SweptSolid& s) {
-                                                    return std::make_unique<NeoHookeanElements>(
-                                                        quadraticWedges(s), s.points_m, kConstants);
-                                                  }},
-                                         BodyCase{"QuadraticTetrahedra",
-                                                  [](const SweptSolid& s) {
-                                                    return std::make_unique<NeoHookeanElements>(
-                                                        quadraticTetrahedra(s), s.points_m, kConstants);
-                                                  }},
-                                         BodyCase{"Tetrahedra",
-                                                  [](const SweptSolid& s) {
-                                                    return std::make_unique<CorotationalTetrahedra>(
-                                                        tetrahedra(s), s.points_m, kConstants);
-                                                  }},
-                                         BodyCase{"Springs",
-                                                  [](const SweptSolid& s) {
-                                                    return std::make_unique<SpringLattice>(s, kConstants);
-                                                  }}),
+                         ::testing::Values(BodyCase{"LinearWedges",
+                                                    [](const SweptSolid& s) {
+                                                      return std::make_unique<NeoHookeanElements>(
+                                                          linearWedges(s), s.points_m, kConstants);
+                                                    }},
+                                           BodyCase{"QuadraticWedges",
+                                                    [](const SweptSolid& s) {
+                                                      return std::make_unique<NeoHookeanElements>(
+                                                          quadraticWedges(s), s.points_m, kConstants);
+                                                    }},
+                                           BodyCase{"QuadraticTetrahedra",
+                                                    [](const SweptSolid& s) {
+                                                      return std::make_unique<NeoHookeanElements>(
+                                                          quadraticTetrahedra(s), s.points_m, kConstants);
+                                                    }},
+                                           BodyCase{"Tetrahedra",
+                                                    [](const SweptSolid& s) {
+                                                      return std::make_unique<CorotationalTetrahedra>(
+                                                          tetrahedra(s), s.points_m, kConstants);
+                                                    }},
+                                           BodyCase{"Springs",
+                                                    [](const SweptSolid& s) {
+                                                      return std::make_unique<SpringLattice>(s, kConstants);
+                                                    }}),
                          [](const auto& tested) { return tested.param.name; });
 
 TEST(CorotationalTetrahedra, WarpedStiffnessIsTheExactOneAtRestAndGivesTheSameForces) {

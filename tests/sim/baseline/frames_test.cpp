@@ -12,18 +12,18 @@
 namespace torsio {
 namespace {
 
-constexpr double kRadius_m = 0.03;
-constexpr double kLength_m = 0.18;
-constexpr ElasticConstants kConstants{4000.0, 0.30};
+constexpr double kFrameRadius_m = 0.03;
+constexpr double kFrameLength_m = 0.18;
+constexpr ElasticConstants kFrameConstants{4000.0, 0.30};
 
 DynamicsOptions damped() {
   DynamicsOptions options;
-  options.drag_per_s = criticalDrag_per_s(kConstants, options.density_kg_per_m3, kLength_m);
+  options.drag_per_s = criticalDrag_per_s(kFrameConstants, options.density_kg_per_m3, kFrameLength_m);
   return options;
 }
 
 double stiffness_Nm() {
-  return kConstants.shearModulus_Pa * 0.5 * kPi * std::pow(kRadius_m, 4) / kLength_m;
+  return kFrameConstants.shearModulus_Pa * 0.5 * kPi * std::pow(kFrameRadius_m, 4) / kFrameLength_m;
 }
 
 double equilibriumTurn(const ElasticBody& body, const SweptSolid& bar, const TwistEnds& ends,
@@ -35,11 +35,11 @@ double equilibriumTurn(const ElasticBody& body, const SweptSolid& bar, const Twi
 
 TEST(TwistDynamics, DragOfTissueKeepsTheFirstTwistFromSwinging) {
   // sqrt(4000 / 1000) = 2 m/s; pi 2 / 0.18 = 34.9 /s
-  EXPECT_NEAR(criticalDrag_per_s(kConstants, 1000.0, kLength_m), 34.907, 0.001);
+  EXPECT_NEAR(criticalDrag_per_s(kFrameConstants, 1000.0, kFrameLength_m), 34.907, 0.001);
 }
 
 TEST(TwistDynamics, NodesWeighWhatTheirBarWeighs) {
-  const SweptSolid bar = straightBar(12, 6, 2, kRadius_m, kLength_m);
+  const SweptSolid bar = straightBar(12, 6, 2, kFrameRadius_m, kFrameLength_m);
 
   const std::vector<double> masses_kg = nodeMasses(tetrahedra(bar), bar.points_m, 1000.0);
 
@@ -47,12 +47,12 @@ TEST(TwistDynamics, NodesWeighWhatTheirBarWeighs) {
   for (const double m : masses_kg) {
     sum_kg += m;
   }
-  EXPECT_NEAR(sum_kg, 1000.0 * 3.0 * kRadius_m * kRadius_m * kLength_m, 1e-12);
+  EXPECT_NEAR(sum_kg, 1000.0 * 3.0 * kFrameRadius_m * kFrameRadius_m * kFrameLength_m, 1e-12);
 }
 
 TEST(CorotationalFrames, ComeToRestInTheEquilibriumOfTheirElements) {
-  const SweptSolid bar = straightBar(12, 10, 2, kRadius_m, kLength_m);
-  CorotationalFrames frames(bar, twistEnds(bar), kConstants, damped());
+  const SweptSolid bar = straightBar(12, 10, 2, kFrameRadius_m, kFrameLength_m);
+  CorotationalFrames frames(bar, twistEnds(bar), kFrameConstants, damped());
   const double torque_Nm = stiffness_Nm() * 1.0;
 
   for (int frame = 0; frame < 150; ++frame) {
@@ -66,8 +66,8 @@ TEST(CorotationalFrames, ComeToRestInTheEquilibriumOfTheirElements) {
 }
 
 TEST(CorotationalFrames, TurnedByAJawComeToRestInTheEquilibriumOfTheirElements) {
-  const SweptSolid bar = bentBar(12, 10, 2, kRadius_m, kLength_m, kPi / 3.0);
-  CorotationalFrames frames(bar, twistEnds(bar, jawAt(0.7)), kConstants, damped());
+  const SweptSolid bar = bentBar(12, 10, 2, kFrameRadius_m, kFrameLength_m, kPi / 3.0);
+  CorotationalFrames frames(bar, twistEnds(bar, jawAt(0.7)), kFrameConstants, damped());
   const double torque_Nm = 0.5 * stiffness_Nm();
 
   for (int frame = 0; frame < 150; ++frame) {
@@ -80,8 +80,8 @@ TEST(CorotationalFrames, TurnedByAJawComeToRestInTheEquilibriumOfTheirElements) 
 }
 
 TEST(CorotationalFrames, StayAtRestWithoutATorque) {
-  const SweptSolid bar = straightBar(12, 6, 2, kRadius_m, kLength_m);
-  CorotationalFrames frames(bar, twistEnds(bar), kConstants, damped());
+  const SweptSolid bar = straightBar(12, 6, 2, kFrameRadius_m, kFrameLength_m);
+  CorotationalFrames frames(bar, twistEnds(bar), kFrameConstants, damped());
 
   frames.step(0.0);
 
@@ -92,14 +92,14 @@ TEST(CorotationalFrames, StayAtRestWithoutATorque) {
 SpringLattice springsOf(const SweptSolid& bar) {
   std::vector<Vec3> turned = bar.points_m;
   for (Vec3& p : turned) {
-    const double angle = 0.01 * p.z / kLength_m;
+    const double angle = 0.01 * p.z / kFrameLength_m;
     p = {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y, p.z};
   }
-  return SpringLattice(bar, kConstants).calibrated(turned, 0.5e-4 * stiffness_Nm());
+  return SpringLattice(bar, kFrameConstants).calibrated(turned, 0.5e-4 * stiffness_Nm());
 }
 
 TEST(XpbdFrames, ApproachTheEquilibriumOfTheirSpringsWithMoreSubsteps) {
-  const SweptSolid bar = straightBar(12, 10, 2, kRadius_m, kLength_m);
+  const SweptSolid bar = straightBar(12, 10, 2, kFrameRadius_m, kFrameLength_m);
   const double torque_Nm = 0.5 * stiffness_Nm();
   std::vector<double> errors;
   for (const int substeps : {5, 20, 80}) {
@@ -118,9 +118,9 @@ TEST(XpbdFrames, ApproachTheEquilibriumOfTheirSpringsWithMoreSubsteps) {
 }
 
 TEST(XpbdFrames, TurnedByAJawApproachTheEquilibriumOfTheirSprings) {
-  const SweptSolid bar = bentBar(12, 10, 2, kRadius_m, kLength_m, kPi / 3.0);
+  const SweptSolid bar = bentBar(12, 10, 2, kFrameRadius_m, kFrameLength_m, kPi / 3.0);
   const double torque_Nm = 0.3 * stiffness_Nm();
-  XpbdFrames frames(bar, twistEnds(bar, jawAt(0.7)), SpringLattice(bar, kConstants), damped(), 80);
+  XpbdFrames frames(bar, twistEnds(bar, jawAt(0.7)), SpringLattice(bar, kFrameConstants), damped(), 80);
 
   for (int frame = 0; frame < 150; ++frame) {
     frames.step(torque_Nm);
@@ -131,9 +131,9 @@ TEST(XpbdFrames, TurnedByAJawApproachTheEquilibriumOfTheirSprings) {
 }
 
 TEST(XpbdFrames, RefuseAFrameWithoutSubsteps) {
-  const SweptSolid bar = straightBar(6, 3, 1, kRadius_m, kLength_m);
+  const SweptSolid bar = straightBar(6, 3, 1, kFrameRadius_m, kFrameLength_m);
 
-  EXPECT_THROW(XpbdFrames(bar, twistEnds(bar), SpringLattice(bar, kConstants), damped(), 0), Error);
+  EXPECT_THROW(XpbdFrames(bar, twistEnds(bar), SpringLattice(bar, kFrameConstants), damped(), 0), Error);
 }
 
 }  // namespace

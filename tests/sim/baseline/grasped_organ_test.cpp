@@ -14,13 +14,13 @@
 namespace torsio {
 namespace {
 
-constexpr double kRadius_m = 0.04;
-constexpr double kLength_m = 0.25;
-constexpr double kShear_Pa = 5000.0;
+constexpr double kGraspedRadius_m = 0.04;
+constexpr double kGraspedLength_m = 0.25;
+constexpr double kGraspedShear_Pa = 5000.0;
 
 /// A round bar along z that stands at z = 0.
 struct Bar {
-  TriangleMesh mesh = testing::prism(testing::circleOutline(kRadius_m, 48), kLength_m, 24);
+  TriangleMesh mesh = testing::prism(testing::circleOutline(kGraspedRadius_m, 48), kGraspedLength_m, 24);
   SectionLattice lattice;
   TwistModel model;
 
@@ -30,16 +30,18 @@ struct Bar {
     wanted.ridges = 12;
     wanted.sections = 11;
     wanted.mode = LatticeMode::kStraightAxis;
-    wanted.freeEnd_m = {0.0, 0.0, kLength_m};
+    wanted.freeEnd_m = {0.0, 0.0, kGraspedLength_m};
     wanted.ridgeZero = {1.0, 0.0, 0.0};
     return wanted;
   }
   static Material material() {
     Material soft;
-    soft.shearModulus_Pa = kShear_Pa;
+    soft.shearModulus_Pa = kGraspedShear_Pa;
     return soft;
   }
-  [[nodiscard]] Grasp graspAt(double share) const { return {&mesh, &lattice, &model, share * kLength_m}; }
+  [[nodiscard]] Grasp graspAt(double share) const {
+    return {&mesh, &lattice, &model, share * kGraspedLength_m};
+  }
 };
 
 const Bar& bar() {
@@ -59,7 +61,7 @@ TEST_P(InAHand, ResistsTheJawInItsDirectionAndLiesAtRestWithoutIt) {
 
   EXPECT_NEAR(organ->angle_rad(), 0.5, 1e-12);
   // G pi r^4 / (2 s) for the twist model (0.101 N m/rad); coarse elements lock, coarse springs are soft.
-  const double exact_Nm = kShear_Pa * 3.14159265 * std::pow(kRadius_m, 4) / (2.0 * 0.2) * 0.5;
+  const double exact_Nm = kGraspedShear_Pa * 3.14159265 * std::pow(kGraspedRadius_m, 4) / (2.0 * 0.2) * 0.5;
   EXPECT_GT(organ->torque_Nm(), 0.3 * exact_Nm);
   EXPECT_LT(organ->torque_Nm(), 4.0 * exact_Nm);
   EXPECT_NEAR(organ->slope_Nm_per_rad(), organ->torque_Nm() / 0.5, 1e-9);
@@ -84,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Models, InAHand, ::testing::ValuesIn(kTissueModels),
 TEST(FiniteElementsInAHand, NeedAtRestTheTorqueOfTheirEquilibrium) {
   const auto organ = graspedOrgan(TissueModel::kFiniteElements, bar().graspAt(1.0));
   const SweptSolid solid = sweptSolid(bar().lattice, kGraspedRings);
-  const CorotationalTetrahedra body(tetrahedra(solid), solid.points_m, {kShear_Pa, kGraspedPoisson});
+  const CorotationalTetrahedra body(tetrahedra(solid), solid.points_m, {kGraspedShear_Pa, kGraspedPoisson});
   const TwistEnds ends = twistEnds(solid);
   TwistPose pose{solid.points_m};
   turnEnd(ends, solid.points_m, 0.4, pose);

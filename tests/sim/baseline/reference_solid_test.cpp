@@ -21,9 +21,9 @@
 namespace torsio {
 namespace {
 
-constexpr double kRadius_m = 0.025;
-constexpr double kLength_m = 0.240;
-constexpr ElasticConstants kConstants{10000.0, 0.45};
+constexpr double kSolidRadius_m = 0.025;
+constexpr double kSolidLength_m = 0.240;
+constexpr ElasticConstants kSolidConstants{10000.0, 0.45};
 
 nlohmann::json calculixOf(const std::string& name) {
   std::ifstream file(std::string(TORSIO_TEST_DATA) + "/calculix/" + name + ".json");
@@ -31,12 +31,12 @@ nlohmann::json calculixOf(const std::string& name) {
 }
 
 SweptSolid bentBy90(int points, int layers) {
-  return bentBar(points, layers, 2, kRadius_m, kLength_m, kPi / 2.0);
+  return bentBar(points, layers, 2, kSolidRadius_m, kSolidLength_m, kPi / 2.0);
 }
 
 TEST(ReferenceSolid, HasTorqueAndProfileOfCalculixOnABentBar) {
   const nlohmann::json calculix = calculixOf("bent90");  // stations every 6 mm
-  ReferenceSolid bar(bentBy90(24, 40), kConstants, {});
+  ReferenceSolid bar(bentBy90(24, 40), kSolidConstants, {});
 
   bar.turnTo(radians(1.0));
 
@@ -52,7 +52,7 @@ TEST(ReferenceSolid, HasTorqueAndProfileOfCalculixOnABentBar) {
 }
 
 TEST(ReferenceSolid, QuadraticTetrahedraSayTheSameAsWedges) {
-  ReferenceSolid bar(bentBy90(24, 40), kConstants, {}, {}, ReferenceElements::kTetrahedra);
+  ReferenceSolid bar(bentBy90(24, 40), kSolidConstants, {}, {}, ReferenceElements::kTetrahedra);
 
   bar.turnTo(radians(1.0));
 
@@ -72,7 +72,7 @@ double turnAlong(const nlohmann::json& r, const Vec3& tangent) {
 
 TEST(ReferenceSolid, FollowsNeoHookeanCalculixTo90Degrees) {
   const nlohmann::json calculix = calculixOf("bent90_finite");  // 28 layers
-  ReferenceSolid bar(bentBy90(16, 28), kConstants, {});
+  ReferenceSolid bar(bentBy90(16, 28), kSolidConstants, {});
   const Vec3 axis = bar.ends().axis;
   double worst = 0.0;
 
@@ -98,9 +98,9 @@ TEST(ReferenceSolid, FollowsNeoHookeanCalculixTo90Degrees) {
 }
 
 TEST(ReferenceSolid, AnAngleNeedsTheTorqueThatLeadsToIt) {
-  ReferenceSolid turned(bentBy90(12, 12), kConstants, jawAt(0.6));
+  ReferenceSolid turned(bentBy90(12, 12), kSolidConstants, jawAt(0.6));
   turned.turnTo(radians(20.0));
-  ReferenceSolid loaded(bentBy90(12, 12), kConstants, jawAt(0.6));
+  ReferenceSolid loaded(bentBy90(12, 12), kSolidConstants, jawAt(0.6));
 
   loaded.load(turned.torque_Nm());
 
@@ -110,7 +110,7 @@ TEST(ReferenceSolid, AnAngleNeedsTheTorqueThatLeadsToIt) {
 }
 
 TEST(ReferenceSolid, AnAngleOfZeroIsRest) {
-  ReferenceSolid bar(bentBy90(12, 12), kConstants, {});
+  ReferenceSolid bar(bentBy90(12, 12), kSolidConstants, {});
   bar.turnTo(radians(5.0));
 
   bar.turnTo(0.0);
@@ -165,13 +165,13 @@ TEST(JawEnds, RefuseAGraspOutsideTheOrganOrOnTheHeldEnd) {
 }
 
 TEST(ReferenceSolid, AJawOnAStraightBarTwistsWhatLiesBeforeIt) {
-  const SweptSolid bar = straightBar(24, 48, 2, kRadius_m, kLength_m);
-  ReferenceSolid gripped(bar, kConstants, jawAt(0.5));  // a section every 5 mm: the jaw begins at 110 mm
+  const SweptSolid bar = straightBar(24, 48, 2, kSolidRadius_m, kSolidLength_m);
+  ReferenceSolid gripped(bar, kSolidConstants, jawAt(0.5));  // a section every 5 mm: the jaw begins at 110 mm
 
   gripped.turnTo(radians(0.5));
 
   const double expected_Nm =
-      kConstants.shearModulus_Pa * 0.5 * kPi * std::pow(kRadius_m, 4) / 0.110 * radians(0.5);
+      kSolidConstants.shearModulus_Pa * 0.5 * kPi * std::pow(kSolidRadius_m, 4) / 0.110 * radians(0.5);
   EXPECT_NEAR(gripped.torque_Nm() / expected_Nm, 1.0, 2e-3);
   const std::vector<double> turns = sectionTurns_rad(bar, gripped.pose().places_m);
   EXPECT_NEAR(turns[22], radians(0.5), 1e-9);
@@ -180,12 +180,12 @@ TEST(ReferenceSolid, AJawOnAStraightBarTwistsWhatLiesBeforeIt) {
 
 /// The rod of the same bar: 40 elements, so that its jaw has the sections of the elements' jaw.
 Rod bentRodOf(int elements) {
-  const RodPose pose = bentPose(kLength_m, kPi / 2.0, elements);
-  const double young_Pa = 2.0 * kConstants.shearModulus_Pa * (1.0 + kConstants.poissonRatio);
-  const EllipticSection section{kRadius_m, kRadius_m, young_Pa, kConstants.shearModulus_Pa};
+  const RodPose pose = bentPose(kSolidLength_m, kPi / 2.0, elements);
+  const double young_Pa = 2.0 * kSolidConstants.shearModulus_Pa * (1.0 + kSolidConstants.poissonRatio);
+  const EllipticSection section{kSolidRadius_m, kSolidRadius_m, young_Pa, kSolidConstants.shearModulus_Pa};
   std::vector<RodElement> chain;
   for (int i = 0; i < elements; ++i) {
-    chain.push_back(curvedElement(section, kPi / 2.0 / kLength_m, kLength_m / elements));
+    chain.push_back(curvedElement(section, kPi / 2.0 / kSolidLength_m, kSolidLength_m / elements));
     chain.back().axial_N = std::exchange(chain.back().stretch_N[8], 0.0);
   }
   restAt(pose, chain);
@@ -196,12 +196,12 @@ TEST(ReferenceSolid, AgreesWithTheRodThatAJawTurns) {
   constexpr int kLayers = 40;
   const Rod rod = bentRodOf(kLayers);
   for (const double grasp : {0.5, 0.8}) {
-    ReferenceSolid bar(bentBy90(16, kLayers), kConstants, jawAt(grasp));
+    ReferenceSolid bar(bentBy90(16, kLayers), kSolidConstants, jawAt(grasp));
     for (const double angle_deg : {1.0, 30.0, 60.0, 90.0}) {
       const TurnedRod turned = solveTurned(rod, {.angle_rad = radians(angle_deg),
                                                  .node = static_cast<int>(std::lround(grasp * kLayers)),
                                                  .holdsPlace = false,
-                                                 .halfWidth_m = 0.5 * kRadius_m});
+                                                 .halfWidth_m = 0.5 * kSolidRadius_m});
       ASSERT_TRUE(turned.balance.converged) << angle_deg;
 
       bar.turnTo(radians(angle_deg));
@@ -222,8 +222,8 @@ TEST(ReferenceSolid, AgreesWithTheRodThatAJawTurns) {
 
 /// Torque of tetrahedra turned by ten degrees over that of the reference, less 1, per torsion constant.
 double excessOfTetrahedra(int points, const std::optional<double>& grasp, double reference_Nm) {
-  const SweptSolid solid = bentBar(points, 20, points / 6, kRadius_m, kLength_m, kPi / 2.0);
-  const CorotationalTetrahedra body(tetrahedra(solid), solid.points_m, kConstants);
+  const SweptSolid solid = bentBar(points, 20, points / 6, kSolidRadius_m, kSolidLength_m, kPi / 2.0);
+  const CorotationalTetrahedra body(tetrahedra(solid), solid.points_m, kSolidConstants);
   const TwistEnds ends = twistEnds(solid, jawAt(grasp));
   Equilibrium newton(body, ends, solid.points_m);
   TwistPose pose{solid.points_m};
@@ -235,8 +235,8 @@ double excessOfTetrahedra(int points, const std::optional<double>& grasp, double
 }
 
 TEST(ReferenceSolid, TetrahedraTurnedByAnEndAndByAJawAreAlikeTooStiff) {
-  ReferenceSolid end(bentBy90(16, 20), kConstants, {});
-  ReferenceSolid jaw(bentBy90(16, 20), kConstants, jawAt(0.6));
+  ReferenceSolid end(bentBy90(16, 20), kSolidConstants, {});
+  ReferenceSolid jaw(bentBy90(16, 20), kSolidConstants, jawAt(0.6));
   end.turnTo(radians(10.0));
   jaw.turnTo(radians(10.0));
 

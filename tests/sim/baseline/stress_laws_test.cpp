@@ -19,7 +19,7 @@ struct Law {
   Matrix9 (*tangent)(const Matrix3&, const ElasticConstants&);
 };
 
-class StressLaw : public testing::TestWithParam<Law> {};
+class StressLaw : public ::testing::TestWithParam<Law> {};
 
 Matrix3 product(const Matrix3& a, const Matrix3& b) {
   Matrix3 c{};
@@ -132,8 +132,8 @@ TEST_P(StressLaw, SmallStrainIsHookesLaw) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, StressLaw,
-                         testing::Values(Law{"NeoHookean", neoHookeanStress, neoHookeanTangent},
-                                         Law{"Corotational", corotationalStress, corotationalTangent}),
+                         ::testing::Values(Law{"NeoHookean", neoHookeanStress, neoHookeanTangent},
+                                           Law{"Corotational", corotationalStress, corotationalTangent}),
                          [](const auto& tested) { return tested.param.name; });
 
 TEST(RotationOf, TurnsAStretchedStateBack) {

@@ -13,13 +13,13 @@
 namespace torsio {
 namespace {
 
-constexpr double kRadius_m = 0.03;
-constexpr double kLength_m = 0.18;
+constexpr double kTwistRadius_m = 0.03;
+constexpr double kTwistLength_m = 0.18;
 
 /// A round bar of soft tissue with every model of it.
 class Comparison : public ::testing::Test {
  protected:
-  TriangleMesh mesh_ = testing::prism(testing::circleOutline(kRadius_m, 96), kLength_m, 40);
+  TriangleMesh mesh_ = testing::prism(testing::circleOutline(kTwistRadius_m, 96), kTwistLength_m, 40);
   SectionLattice lattice_{mesh_, options()};
   Material material_{"tissue", 4000.0, "assumed", "Tissue", 4000.0, 4000.0};
   TwistModel model_{mesh_, lattice_, material_, {}};
@@ -32,12 +32,12 @@ class Comparison : public ::testing::Test {
     options.mode = LatticeMode::kStraightAxis;
     options.spacing = RidgeSpacing::kAngle;
     options.fixedEnd_m = {0.0, 0.0, 0.0};
-    options.freeEnd_m = {0.0, 0.0, kLength_m};
+    options.freeEnd_m = {0.0, 0.0, kTwistLength_m};
     return options;
   }
   [[nodiscard]] ComparedOrgan compared() const {
     ComparedOrgan organ{&mesh_, &lattice_, {4000.0, 0.45}, {}, {}};
-    organ.dynamics.drag_per_s = criticalDrag_per_s(organ.constants, 1000.0, kLength_m);
+    organ.dynamics.drag_per_s = criticalDrag_per_s(organ.constants, 1000.0, kTwistLength_m);
     return organ;
   }
   /// Torque that turns the end by this angle as the membrane analogy says.
@@ -59,7 +59,7 @@ TEST_F(Comparison, ReferenceAndTwistModelAgreeOnARoundBar) {
   EXPECT_NEAR(reference->angle_rad(), 1.0, 0.01);
   EXPECT_NEAR(twist->energy_J() / reference->energy_J(), 1.0, 0.02);
   const LatticePlaces places = twist->surface();
-  EXPECT_LT(rootMeanSquareDistance_m(places, reference->surface()), 0.02 * kRadius_m);
+  EXPECT_LT(rootMeanSquareDistance_m(places, reference->surface()), 0.02 * kTwistRadius_m);
   EXPECT_NEAR(latticeVolume_m3(places) / latticeVolume_m3(restPlaces(lattice_)), 1.0, 1e-3);
   EXPECT_LT(twist->unknowns(), reference->unknowns());
 }
@@ -106,14 +106,14 @@ TEST_F(Comparison, SpringsCalibratedInEquilibriumTurnAsTheMembraneAnalogySays) {
 }
 
 TEST_F(Comparison, TurnedOnDoublesTheTurnOfEverySection) {
-  const SweptSolid solid = straightBar(12, 6, 1, kRadius_m, kLength_m);
+  const SweptSolid solid = straightBar(12, 6, 1, kTwistRadius_m, kTwistLength_m);
   TwistPose pose{solid.points_m, 0.4};
   const auto turnedBy = [](const Vec3& p, double angle) {
     return Vec3{std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y,
                 p.z};
   };
   for (Vec3& p : pose.places_m) {
-    p = turnedBy(p, 3.0 * p.z / kLength_m);
+    p = turnedBy(p, 3.0 * p.z / kTwistLength_m);
   }
 
   const TwistPose twice = turnedOn(solid, twistEnds(solid), pose, 2.0);
@@ -122,7 +122,7 @@ TEST_F(Comparison, TurnedOnDoublesTheTurnOfEverySection) {
   for (std::size_t i = 0; i + static_cast<std::size_t>(solid.pointsPerSection()) < twice.places_m.size();
        ++i) {
     const Vec3& rest = solid.points_m[i];
-    EXPECT_NEAR(norm(twice.places_m[i] - turnedBy(rest, 6.0 * rest.z / kLength_m)), 0.0, 1e-12);
+    EXPECT_NEAR(norm(twice.places_m[i] - turnedBy(rest, 6.0 * rest.z / kTwistLength_m)), 0.0, 1e-12);
   }
 }
 

@@ -19,7 +19,7 @@ DeviceRequest anyRequest(const std::string& library) {
 }
 
 /// The device process that was built beside the tests.
-class DeviceDrivers : public testing::Test {
+class DeviceDrivers : public ::testing::Test {
  protected:
   DeviceDrivers() { setenv("TORSIO_DEVICE_PROGRAM", TORSIO_DEVICE_PROGRAM, 1); }
 };

@@ -8,7 +8,7 @@
 namespace torsio {
 namespace {
 
-constexpr double kRounding_N = 1e-9;
+constexpr double kServoRounding_N = 1e-9;
 
 class HdapiServes : public testing::HdapiBench {
  protected:
@@ -17,17 +17,17 @@ class HdapiServes : public testing::HdapiBench {
     fake.set_pose(&pose);
     loop.wanted_N = {1.0, 0.0, 0.0};
     engage();
-    ASSERT_NEAR(rendered_N().x, 1.0, kRounding_N);
+    ASSERT_NEAR(rendered_N().x, 1.0, kServoRounding_N);
   }
   /// Runs until the full force is back; fails when it ever steps up by more than the slew limit.
   void expectRampedReturn() {
     double before_N = rendered_N().x;
-    for (int i = 0; i < 4'000 && before_N < 1.0 - kRounding_N; ++i) {
+    for (int i = 0; i < 4'000 && before_N < 1.0 - kServoRounding_N; ++i) {
       fake.run(1);
-      ASSERT_LE(rendered_N().x - before_N, kSlewLimit_N_per_s * 1e-3 + kRounding_N);
+      ASSERT_LE(rendered_N().x - before_N, kSlewLimit_N_per_s * 1e-3 + kServoRounding_N);
       before_N = rendered_N().x;
     }
-    EXPECT_NEAR(before_N, 1.0, kRounding_N);
+    EXPECT_NEAR(before_N, 1.0, kServoRounding_N);
   }
 };
 
@@ -91,7 +91,7 @@ TEST_F(HdapiServes, S4_CountsASingleLateTickAndKeepsTheForce) {
 
   EXPECT_EQ(device->snapshot().timing.late, 1);
   EXPECT_EQ(device->snapshot().timing.gaps, 0);
-  EXPECT_NEAR(rendered_N().x, 1.0, kRounding_N);
+  EXPECT_NEAR(rendered_N().x, 1.0, kServoRounding_N);
 }
 
 TEST_F(HdapiServes, S4_CutsTheForceAfterAGapAndEngagesByRamp) {
@@ -232,10 +232,10 @@ TEST_F(HdapiServes, E2_SendsNoMailboxForceThatIsNotRenewed) {
     device->write({{0.5, 0.0, 0.0}, 0});
     fake.run(1);
   }
-  ASSERT_NEAR(rendered_N().x, 0.5, kRounding_N);
+  ASSERT_NEAR(rendered_N().x, 0.5, kServoRounding_N);
 
   fake.run(kForceExpires_us / 1'000);
-  EXPECT_NEAR(rendered_N().x, 0.5, kRounding_N);
+  EXPECT_NEAR(rendered_N().x, 0.5, kServoRounding_N);
   fake.run(2);
 
   EXPECT_EQ(rendered_N(), Vec3{});
@@ -300,8 +300,8 @@ TEST_F(HdapiServes, E4_FoldsTheForceBackToTheContinuousOneAndLetsItReturnSlowly)
   fake.set_temperature(cool.data(), 3);
   fake.run(1'500);
 
-  EXPECT_NEAR(folded_N, 0.88, kRounding_N);
-  EXPECT_NEAR(rendered_N().x, 1.0, kRounding_N);
+  EXPECT_NEAR(folded_N, 0.88, kServoRounding_N);
+  EXPECT_NEAR(rendered_N().x, 1.0, kServoRounding_N);
 }
 
 TEST_F(HdapiServes, E4_SwitchesTheForceOffWhenTheLibrarySaysThatTheMotorsAreWarm) {

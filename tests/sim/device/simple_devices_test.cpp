@@ -55,7 +55,7 @@ TEST(ReplayDevice, EndsAtOnceWithoutSamples) {
   EXPECT_EQ(device.read(0).status, static_cast<std::uint32_t>(kDeviceEnded));
 }
 
-class PointerDeviceTest : public testing::Test {
+class PointerDeviceTest : public ::testing::Test {
  protected:
   /// The state after so many milliseconds of reading.
   ToolState settle(int ticks = 500) {

@@ -64,11 +64,11 @@ class StubbornSink final : public TrialSink {
   int refusals_;
 };
 
-class RecorderTest : public testing::Test {
+class RecorderTest : public ::testing::Test {
  protected:
   void SetUp() override {
     folder = fs::temp_directory_path() / (std::string("torsio_recorder_") +
-                                          testing::UnitTest::GetInstance()->current_test_info()->name());
+                                          ::testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(folder);
   }
   void TearDown() override { fs::remove_all(folder); }

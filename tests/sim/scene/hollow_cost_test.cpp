@@ -13,7 +13,7 @@
 namespace torsio {
 namespace {
 
-Scene shipped(const std::string& id) {
+Scene hollowScene(const std::string& id) {
   SceneRequest request;
   request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
   request.id = id;
@@ -24,7 +24,7 @@ Scene shipped(const std::string& id) {
 class HollowOrganCost : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(HollowOrganCost, OfAQueryIsNoAllocation) {
-  const Scene scene = shipped(GetParam());
+  const Scene scene = hollowScene(GetParam());
   double sum = 0.0;
   unsigned state = 1;
   const auto allocated = testing::allocationCount();
@@ -41,7 +41,7 @@ TEST_P(HollowOrganCost, OfAQueryIsNoAllocation) {
 }
 
 TEST_P(HollowOrganCost, OfASecondSetUpBuysTheSameOrgan) {
-  const Scene scene = shipped(GetParam());
+  const Scene scene = hollowScene(GetParam());
   const HollowOrgan::Parts parts{.lattice = &scene.lattice(),
                                  .shearModulus_Pa = scene.model.material().shearModulus_Pa,
                                  .graspArc = scene.pattern.graspArc,

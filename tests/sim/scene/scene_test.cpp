@@ -28,11 +28,11 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-const std::filesystem::path kAssets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+const std::filesystem::path kShippedAssets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
 
 SceneRequest shipped(const std::string& id, const std::string& pattern = "") {
   SceneRequest request;
-  request.assets = kAssets;
+  request.assets = kShippedAssets;
   request.id = id;
   request.pattern = pattern;
   return request;
@@ -43,7 +43,7 @@ SceneRequest usersMesh(const TriangleMesh& mesh, const std::string& name) {
   const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / (name + ".obj");
   writeObj(file, mesh);
   SceneRequest request;
-  request.assets = kAssets;
+  request.assets = kShippedAssets;
   request.organFile = file;
   return request;
 }
@@ -59,8 +59,8 @@ Error refusal(const SceneRequest& request) {
 }
 
 TEST(Scene, LoadsEveryShippedSceneWithEveryPattern) {
-  for (const std::string& id : sceneIds(kAssets)) {
-    for (const std::string& pattern : patternIds(kAssets, id)) {
+  for (const std::string& id : sceneIds(kShippedAssets)) {
+    for (const std::string& pattern : patternIds(kShippedAssets, id)) {
       const Scene scene = loadScene(shipped(id, pattern));
 
       EXPECT_EQ(scene.id, id);
@@ -70,14 +70,14 @@ TEST(Scene, LoadsEveryShippedSceneWithEveryPattern) {
       EXPECT_GT(scene.pattern.source.size(), 40U) << "the angles need a source";
       EXPECT_EQ(scene.organHash, contentHash(scene.mesh));
       EXPECT_EQ(scene.model.lattice().vertexCoordinates().size(), scene.mesh.vertices_m.size());
-      EXPECT_EQ(scene.patterns.size(), patternIds(kAssets, id).size());
+      EXPECT_EQ(scene.patterns.size(), patternIds(kShippedAssets, id).size());
     }
   }
 }
 
 TEST(Scene, TwistsEveryPatternToItsTargetWithinItsTorque) {
-  for (const std::string& id : sceneIds(kAssets)) {
-    for (const std::string& pattern : patternIds(kAssets, id)) {
+  for (const std::string& id : sceneIds(kShippedAssets)) {
+    for (const std::string& pattern : patternIds(kShippedAssets, id)) {
       const Scene scene = loadScene(shipped(id, pattern));
       if (scene.hollow) {
         continue;  // comes twisted, and its content widens it: hollow_skin_test.cpp
@@ -103,7 +103,7 @@ TEST(Scene, TwistsEveryPatternToItsTargetWithinItsTorque) {
 }
 
 TEST(Scene, HasTheFourGastricPatterns) {
-  EXPECT_THAT(patternIds(kAssets, "stomach"),
+  EXPECT_THAT(patternIds(kShippedAssets, "stomach"),
               ElementsAre("organo-axial", "mesentero-axial", "combined", "partial"));
   const Scene scene = loadScene(shipped("stomach"));
 
@@ -134,7 +134,7 @@ TEST(Scene, SwingsTheGreaterCurvatureForwardInAnOrganoAxialTwist) {
 
 TEST(Scene, HoldsTheCardiaOfTheStomachInEveryTask) {
   const Vec3 cardia_m{0.021, 0.018, 0.042};
-  for (const std::string& pattern : patternIds(kAssets, "stomach")) {
+  for (const std::string& pattern : patternIds(kShippedAssets, "stomach")) {
     const Scene scene = loadScene(shipped("stomach", pattern));
 
     const Vec3 moved_m = scene.toDeformed_m(cardia_m, scene.stateAt(scene.pattern.targetAngle_rad));
@@ -148,8 +148,8 @@ TEST(Scene, TasksAreDoneWithRestraintsHalfAndTwiceAsStiff) {
   const std::filesystem::path assets = std::filesystem::path(::testing::TempDir()) / "restraints";
   for (const double factor : {0.5, 2.0}) {
     std::filesystem::remove_all(assets);
-    std::filesystem::copy(kAssets, assets, std::filesystem::copy_options::recursive);
-    auto json = nlohmann::json::parse(readFile(kAssets / "scenes" / "stomach.json"));
+    std::filesystem::copy(kShippedAssets, assets, std::filesystem::copy_options::recursive);
+    auto json = nlohmann::json::parse(readFile(kShippedAssets / "scenes" / "stomach.json"));
     for (auto& restraint : json["restraints"]) {
       for (const char* name : {"stiffness_n_per_mm", "turn_nmm_per_rad"}) {
         if (restraint.contains(name)) {
@@ -237,7 +237,7 @@ TEST(Scene, ChangesItsParameterHashWithEveryWish) {
 }
 
 TEST(Scene, EverythingOfTheInstrumentDecidesTheParameters) {
-  SceneDescription description = readSceneFile(kAssets, "forearm");
+  SceneDescription description = readSceneFile(kShippedAssets, "forearm");
   const TwistPattern pattern = description.patterns.at(0).pattern;
   const auto textWith = [&](auto&& edit) {
     SceneDescription changed = description;
@@ -271,7 +271,7 @@ TEST(Scene, IsRebuiltFromItsParameters) {
     const Scene scene = loadScene(request);
 
     SceneRequest again = sceneRequestFor(scene.parametersJson);
-    again.assets = kAssets;
+    again.assets = kShippedAssets;
     again.id = scene.id;
 
     EXPECT_EQ(loadScene(again).parameterHash, scene.parameterHash);
@@ -286,7 +286,7 @@ TEST(Scene, IsRebuiltFromItsParametersAndTheUsersMesh) {
   const Scene scene = loadScene(request);
 
   SceneRequest again = sceneRequestFor(scene.parametersJson);
-  again.assets = kAssets;
+  again.assets = kShippedAssets;
   again.id = scene.id;
   again.organFile = request.organFile;
   const Scene rebuilt = loadScene(again);
@@ -428,7 +428,7 @@ TEST(UsersOrgan, IsRefusedWhenItIsMissingOrOpen) {
 }
 
 TEST(Materials, HaveAModulusInsideTheirPublishedRangeAndASource) {
-  const std::vector<Material> materials = readMaterials(kAssets);
+  const std::vector<Material> materials = readMaterials(kShippedAssets);
 
   EXPECT_GE(materials.size(), 3U);
   for (const Material& material : materials) {

@@ -24,7 +24,7 @@
 namespace torsio {
 namespace {
 
-constexpr int kTicks = 8000;
+constexpr int kFoldTicks = 8000;
 
 /// A tube of 16 mm, bent about 30 mm: with the antrum carried across its bend it folds before half a turn.
 const Scene& thinOrgan() {
@@ -68,7 +68,7 @@ const Overdone& overdone() {
     header.deviceLimits = deviceLimits(hand.capabilities());
     Recorder recorder(ring, sink, header);
     Overdone run;
-    for (int i = 0; i < kTicks; ++i) {
+    for (int i = 0; i < kFoldTicks; ++i) {
       loop.tick(1000LL * i);
       run.samples.push_back(loop.lastSample());
       if (i % 1000 == 999) {

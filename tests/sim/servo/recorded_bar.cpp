@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::int64_t kSeconds = 8;
 constexpr std::int64_t kTicksPerSecond = 1000;
-constexpr std::int64_t kTick_us = 1000;
+constexpr std::int64_t kBarTick_us = 1000;
 constexpr std::uint64_t kSeed = 11;
 constexpr std::int64_t kStarted_us = 1'763'712'000'000'000;  // 2025-11-21 08:00 UTC
 
@@ -58,13 +58,13 @@ Trial recordOnBar(const TrialId& trialId, const std::string& traineeCode, TwistD
   header.softwareVersion = "0.1.0";
   header.drive = drive;
   header.targetAngle_rad = scene.pattern.targetAngle_rad;
-  header.tickPeriod_us = kTick_us;
+  header.tickPeriod_us = kBarTick_us;
   header.startedUtc_us = kStarted_us;
   std::int64_t tick = 0;
   for (std::int64_t second = 0; second < kSeconds; ++second) {
     std::vector<Sample> samples;
     for (std::int64_t i = 0; i < kTicksPerSecond; ++i) {
-      loop.tick(tick++ * kTick_us);
+      loop.tick(tick++ * kBarTick_us);
       samples.push_back(loop.lastSample());
     }
     trial.chunks.push_back(encodeChunk(second, samples));

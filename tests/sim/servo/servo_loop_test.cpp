@@ -23,14 +23,14 @@
 namespace torsio {
 namespace {
 
-const Scene& scene() {
+const Scene& loopScene() {
   static const Scene kScene = barScene();
   return kScene;
 }
 
 ScriptedHand trainee(std::uint64_t seed, double duration_s) {
   return ScriptedHand(
-      {.seed = seed, .task = handTask(scene()), .profile = handProfile(seed), .duration_s = duration_s});
+      {.seed = seed, .task = handTask(loopScene()), .profile = handProfile(seed), .duration_s = duration_s});
 }
 
 struct Recording {
@@ -41,8 +41,8 @@ struct Recording {
 TrialHeader headerFor(const HapticDevice& device, const ServoOptions& options) {
   TrialHeader header;
   header.trialId = "test";
-  header.organHash = scene().organHash;
-  header.parameterHash = scene().parameterHash;
+  header.organHash = loopScene().organHash;
+  header.parameterHash = loopScene().parameterHash;
   header.deviceModel = device.capabilities().model;
   header.deviceLimits = deviceLimits(device.capabilities());
   header.drive = options.drive;
@@ -60,7 +60,8 @@ Recording record(HapticDevice& device, const ServoOptions& options, int ticks,
   MemoryTrialSink sink;
   SpscRing<Sample> ring(kRecordingRing);
   SpscRing<ServoCommand> wishes(16);
-  ServoLoop loop({.device = &device, .scene = &scene(), .recording = &ring, .commands = &wishes}, options);
+  ServoLoop loop({.device = &device, .scene = &loopScene(), .recording = &ring, .commands = &wishes},
+                 options);
   Recorder recorder(ring, sink, headerFor(device, options));
   std::size_t nextCommand = 0;
   for (int i = 0; i < ticks; ++i) {
@@ -120,7 +121,7 @@ TEST(ServoLoop, ReplaysBitForBitWithBothDrives) {
     const Recording recording =
         record(hand, {.drive = drive, .targetAngle_rad = 1.5, .forceScale = 0.8}, 15'500);
 
-    const ReplayReport report = replayTrial(scene(), recording.trial);
+    const ReplayReport report = replayTrial(loopScene(), recording.trial);
 
     EXPECT_TRUE(report.identical());
     EXPECT_EQ(report.samples, 15'500);
@@ -153,7 +154,7 @@ TEST(ServoLoop, RecordsTheCommandsItObeysSoThatTheyReplay) {
   }
 
   EXPECT_EQ(obeyed, 10);
-  EXPECT_TRUE(replayTrial(scene(), recording.trial).identical());
+  EXPECT_TRUE(replayTrial(loopScene(), recording.trial).identical());
 }
 
 TEST(ServoLoop, ReleasesTheTissueOnCommand) {
@@ -185,10 +186,10 @@ TEST(ReplayTrial, NamesTheFirstTickAndFieldThatDiffers) {
   const Recording recording = record(hand, {}, 8'000);
   ASSERT_EQ(recording.exact[4'321].phase, ExercisePhase::kTwisting);
 
-  const ReplayReport otherAnswer =
-      replayTrial(scene(), tampered(recording.trial, 4'321, [](Sample& s) { s.response.torque_Nm += 1e-5; }));
-  const ReplayReport otherInput =
-      replayTrial(scene(), tampered(recording.trial, 4'321, [](Sample& s) { s.device.position[1] += 100; }));
+  const ReplayReport otherAnswer = replayTrial(
+      loopScene(), tampered(recording.trial, 4'321, [](Sample& s) { s.response.torque_Nm += 1e-5; }));
+  const ReplayReport otherInput = replayTrial(
+      loopScene(), tampered(recording.trial, 4'321, [](Sample& s) { s.device.position[1] += 100; }));
 
   ASSERT_TRUE(otherAnswer.first.has_value());
   EXPECT_EQ(otherAnswer.first->tick, 4'321);
@@ -210,7 +211,7 @@ TEST(ReplayTrial, SeesADifferenceInTheLastBitOfAnAnswer) {
   recording.trial.chunks[4] = encodeChunk(4, second);
   recording.trial.summary.contentHash = contentHash(recording.trial);
 
-  const ReplayReport report = replayTrial(scene(), recording.trial);
+  const ReplayReport report = replayTrial(loopScene(), recording.trial);
 
   EXPECT_EQ(report.differentSamples, 0);
   EXPECT_EQ(report.differentChunks, 1);
@@ -223,7 +224,7 @@ TEST(ReplayTrial, StopsAtAGapThatAFullRingLeft) {
   IdleDevice device(Pose{{0.2, 0.0, 0.1}, {}});
   SpscRing<Sample> ring(700);
   MemoryTrialSink sink;
-  ServoLoop loop({.device = &device, .scene = &scene(), .recording = &ring}, {});
+  ServoLoop loop({.device = &device, .scene = &loopScene(), .recording = &ring}, {});
   Recorder recorder(ring, sink, headerFor(device, {}));
   for (int i = 0; i < 1'000; ++i) {
     loop.tick(1000LL * i);
@@ -234,7 +235,7 @@ TEST(ReplayTrial, StopsAtAGapThatAFullRingLeft) {
   }
   const RecordingResult result = recorder.finish(TrialOutcome::kCompleted, 0);
 
-  const ReplayReport report = replayTrial(scene(), sink.trial());
+  const ReplayReport report = replayTrial(loopScene(), sink.trial());
 
   EXPECT_EQ(result.summary.refusedSamples, 300);
   EXPECT_EQ(report.samples, 700);
@@ -255,14 +256,14 @@ TEST(ReplayTrial, RefusesAnotherSceneAndReportsABrokenSeal) {
 
   for (const Trial& bad : {otherOrgan, otherParameters}) {
     try {
-      (void)replayTrial(scene(), bad);
+      (void)replayTrial(loopScene(), bad);
       ADD_FAILURE() << "accepted";
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::kVerifyFailed);
     }
   }
-  EXPECT_FALSE(replayTrial(scene(), otherTrainee).contentIntact);
-  EXPECT_FALSE(replayTrial(scene(), otherTrainee).identical());
+  EXPECT_FALSE(replayTrial(loopScene(), otherTrainee).contentIntact);
+  EXPECT_FALSE(replayTrial(loopScene(), otherTrainee).identical());
 }
 
 TEST(ServoLoop, TakesNoMemoryInATick) {
@@ -270,8 +271,8 @@ TEST(ServoLoop, TakesNoMemoryInATick) {
   SpscRing<Sample> ring(20'000);
   SpscRing<ServoCommand> wishes(4);
   LatestValue<LiveState> live;
-  ServoLoop loop({.device = &hand, .scene = &scene(), .recording = &ring, .live = &live, .commands = &wishes},
-                 {});
+  ServoLoop loop(
+      {.device = &hand, .scene = &loopScene(), .recording = &ring, .live = &live, .commands = &wishes}, {});
   ASSERT_TRUE(wishes.push({ServoCommand::Kind::kSetTarget, 1.0}));
 
   const std::int64_t before = testing::allocationCount();
@@ -286,7 +287,7 @@ TEST(ServoLoop, TakesNoMemoryInATick) {
 
 TEST(ServoLoop, CountsLateTicksAndCutsTheForceAfterAGap) {
   ScriptedHand hand = trainee(3, 20.0);
-  ServoLoop loop({.device = &hand, .scene = &scene()}, {});
+  ServoLoop loop({.device = &hand, .scene = &loopScene()}, {});
   std::int64_t time_us = 0;
   double before_N = 0.0;
   while (before_N < 1.0 && time_us < 10'000'000) {
@@ -307,7 +308,7 @@ TEST(ServoLoop, CountsLateTicksAndCutsTheForceAfterAGap) {
 TEST(ServoLoop, PublishesWhatItRecords) {
   ScriptedHand hand = trainee(3, 20.0);
   LatestValue<LiveState> live;
-  ServoLoop loop({.device = &hand, .scene = &scene(), .live = &live}, {.targetAngle_rad = 1.25});
+  ServoLoop loop({.device = &hand, .scene = &loopScene(), .live = &live}, {.targetAngle_rad = 1.25});
   for (int i = 0; i < 4'000; ++i) {
     loop.tick(1000LL * i);
   }
@@ -339,7 +340,7 @@ class BrokenDevice final : public HapticDevice {
 
 TEST(ServoLoop, SendsZeroForceToADeviceThatDeliversNoPose) {
   BrokenDevice device;
-  ServoLoop loop({.device = &device, .scene = &scene()}, {});
+  ServoLoop loop({.device = &device, .scene = &loopScene()}, {});
 
   for (int i = 0; i < 2'000; ++i) {
     loop.tick(1000LL * i);
@@ -350,12 +351,13 @@ TEST(ServoLoop, SendsZeroForceToADeviceThatDeliversNoPose) {
 
 TEST(ServoLoop, RefusesOptionsOutOfRange) {
   IdleDevice device(Pose{});
-  EXPECT_THROW(ServoLoop({.device = &device, .scene = &scene()}, {.forceScale = 1.5}), Error);
-  EXPECT_THROW(ServoLoop({.device = &device, .scene = &scene()}, {.targetAngle_rad = std::nan("")}), Error);
+  EXPECT_THROW(ServoLoop({.device = &device, .scene = &loopScene()}, {.forceScale = 1.5}), Error);
+  EXPECT_THROW(ServoLoop({.device = &device, .scene = &loopScene()}, {.targetAngle_rad = std::nan("")}),
+               Error);
 }
 
 TEST(HandTask, GraspsTheSectionOfThePatternFromOutside) {
-  const HandTask task = handTask(scene());
+  const HandTask task = handTask(loopScene());
 
   EXPECT_NEAR(std::hypot(task.graspPoint_m.x, task.graspPoint_m.y), kBarRadius_m, 1e-4);
   EXPECT_NEAR(task.graspPoint_m.z, 0.8 * kBarLength_m, 1e-6);

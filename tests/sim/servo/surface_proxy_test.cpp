@@ -33,10 +33,10 @@ const Scene& thin() {
 }
 
 /// A hand that goes where it is told and cannot be stopped.
-class Hand final : public HapticDevice {
+class ProxyHand final : public HapticDevice {
  public:
   using Path = std::function<DeviceReading(double time_s)>;
-  explicit Hand(Path path, TwistDrive drive = TwistDrive::kRoll) : path_(std::move(path)) {
+  explicit ProxyHand(Path path, TwistDrive drive = TwistDrive::kRoll) : path_(std::move(path)) {
     capabilities_.drive = drive;
   }
   [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override { return capabilities_; }
@@ -85,7 +85,7 @@ Quat fromRight() {
 TEST(SurfaceProxy, StaysOnItsSideHoweverFarTheHandGoes) {
   for (const Scene* scene : {&thick(), &thin()}) {
     // 15 cm through the middle in 0.3 s, a rest behind, a grip from there.
-    Hand hand([](double t) {
+    ProxyHand hand([](double t) {
       DeviceReading reading;
       reading.pose = {{0.09 - 0.18 * std::min(1.0, t / 0.3), 0.001, 0.2}, fromRight()};
       reading.grip = t > 0.6 ? 1.0 : 0.0;
@@ -97,14 +97,14 @@ TEST(SurfaceProxy, StaysOnItsSideHoweverFarTheHandGoes) {
       ASSERT_GT(tipOf(sample).x, 0.0);
     }
     // It would have come out of the other side.
-    Hand free = hand;
+    ProxyHand free = hand;
     EXPECT_LT(tipOf(run(free, *scene, 600, false).back()).x, -0.05);
   }
 }
 
 TEST(SurfaceProxy, PressingAsDeepAsItGoesPassesAnyLimitOfAnExercise) {
   const auto pressed = [](const Scene& scene) {
-    Hand hand([](double t) {
+    ProxyHand hand([](double t) {
       DeviceReading reading;
       reading.pose = {{0.09 - 0.09 * std::min(1.0, t / 0.5), 0.0, 0.2}, fromRight()};
       return reading;
@@ -133,7 +133,7 @@ TEST(SurfaceProxy, ChangesNothingOfAHandThatTakesCare) {
 }
 
 TEST(SurfaceProxy, LetsTheHandOutAgainAtOnce) {
-  Hand hand([](double t) {
+  ProxyHand hand([](double t) {
     const double deep = t < 0.5 ? t / 0.5 : std::max(0.0, 1.0 - (t - 0.5) / 0.3);
     DeviceReading reading;
     reading.pose = {{0.06 - 0.06 * deep, 0.0, 0.2}, fromRight()};
@@ -166,7 +166,7 @@ TEST(SurfaceProxy, TheWheelOfAMouseDoesNotLeadThrough) {
 
 TEST(SurfaceProxy, SwingingTheShaftThroughPushesTheTipAway) {
   // The tip beside the bar, the shaft swings right through it about the tip.
-  Hand hand([](double t) {
+  ProxyHand hand([](double t) {
     DeviceReading reading;
     reading.pose = {{0.0, -0.08, 0.2},
                     axisAngle({1.0, 0.0, 0.0}, radians(-90.0 + 60.0 * t)) *
@@ -191,7 +191,7 @@ TEST(SurfaceProxy, NoWayByChanceLeadsThrough) {
     const double beside_m = between(-0.5, 0.5) * radius_m;
     const double bend_m = between(-0.3, 0.3) * radius_m;
     const double lasts_s = stream % 5 == 0 ? 1e-3 : between(0.05, 1.0);
-    Hand hand([=](double t) {
+    ProxyHand hand([=](double t) {
       const double share = std::clamp((t - 0.1) / lasts_s, 0.0, 1.0);
       DeviceReading reading;
       reading.pose = {{radius_m + 0.01 - share * (2.0 * radius_m + 0.05), beside_m + bend_m * share, 0.2},

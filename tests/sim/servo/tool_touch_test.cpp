@@ -28,7 +28,7 @@ namespace {
 
 /// FCL's own accuracy for a capsule against a mesh (LIBCCD's tolerance), and the stated accuracy of the map.
 constexpr double kFcl_m = 1e-5;
-constexpr double kRounding_m = 1e-12;
+constexpr double kTouchRounding_m = 1e-12;
 
 /// The surface as a tool meets it: of a wrung wall without the folds that a view draws.
 TriangleMesh moved(const Scene& scene, const OrganState& organ) {
@@ -92,7 +92,7 @@ void agreesWithTheMovedMesh(const Scene& scene, const OrganState& organ, int cou
 
     const SurfacePoint tip = surface.closest(shape.tip_m);
     if (std::isfinite(touch.tip.gap_m)) {
-      ASSERT_NEAR(touch.tip.gap_m, tip.distance_m - shape.tipRadius_m, kRounding_m);
+      ASSERT_NEAR(touch.tip.gap_m, tip.distance_m - shape.tipRadius_m, kTouchRounding_m);
       ASSERT_NEAR(norm(touch.tip.point_m - tip.position_m), 0.0, 1e-6);
     } else {
       ASSERT_GT(tip.distance_m, 0.009);
@@ -100,12 +100,12 @@ void agreesWithTheMovedMesh(const Scene& scene, const OrganState& organ, int cou
     const SegmentHit shaft = surface.nearest(shape.shaft, shape.tipRadius_m + kLookAhead_m);
     ASSERT_EQ(shaft.found, std::isfinite(touch.shaft.gap_m));
     if (shaft.found && shaft.surface.distance_m > 0.0) {
-      ASSERT_NEAR(touch.shaft.gap_m, shaft.surface.distance_m - shape.tipRadius_m, kRounding_m);
+      ASSERT_NEAR(touch.shaft.gap_m, shaft.surface.distance_m - shape.tipRadius_m, kTouchRounding_m);
       ASSERT_NEAR(norm(touch.shaft.normal), 1.0, 1e-9);
     }
     if (shaft.found && shaft.surface.distance_m == 0.0) {
       const double deepest_m = deepestWithin_m(surface, shape.shaft, shaft);
-      ASSERT_NEAR(touch.shaft.gap_m, deepest_m - shape.tipRadius_m, kRounding_m);
+      ASSERT_NEAR(touch.shaft.gap_m, deepest_m - shape.tipRadius_m, kTouchRounding_m);
     }
     touching += touch.jaw.gap_m < 0.0 ? 1 : 0;
     shafts += touch.shaft.gap_m < 0.0 ? 1 : 0;

@@ -38,7 +38,7 @@ std::size_t lane(int streams, int vertex, int which) {
   return static_cast<std::size_t>(index);
 }
 
-class KernelDispatch : public testing::TestWithParam<Isa> {
+class KernelDispatch : public ::testing::TestWithParam<Isa> {
  protected:
   const TwistKernels& kernels_ = twistKernels(GetParam());
 
@@ -64,12 +64,12 @@ double curvedPlace(const Aligned<float>& in, int v, int axis, double angle) {
   return at(axis) + std::cos(angle) * at(3 + axis) + std::sin(angle) * across;
 }
 
-std::string isaTestName(const testing::TestParamInfo<Isa>& info) {
+std::string isaTestName(const ::testing::TestParamInfo<Isa>& info) {
   return std::string(isaName(info.param));
 }
 
 INSTANTIATE_TEST_SUITE_P(EverySet, KernelDispatch,
-                         testing::ValuesIn(usableIsas().begin(), usableIsas().end()), isaTestName);
+                         ::testing::ValuesIn(usableIsas().begin(), usableIsas().end()), isaTestName);
 
 TEST(CpuFeatures, ThePortableSetIsAlwaysUsableAndTheBestIsTheLast) {
   ASSERT_FALSE(usableIsas().empty());

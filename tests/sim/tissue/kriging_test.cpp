@@ -84,7 +84,7 @@ struct Condition {
   double number;
 };
 
-class CovarianceCondition : public testing::TestWithParam<Condition> {};
+class CovarianceCondition : public ::testing::TestWithParam<Condition> {};
 
 TEST_P(CovarianceCondition, IsWhatTheRangeMakesIt) {
   const Condition c = GetParam();
@@ -104,17 +104,17 @@ TEST_P(CovarianceCondition, IsWhatTheRangeMakesIt) {
 
 // Condition numbers (2-norm) of the covariance matrix, measured once with another implementation.
 INSTANTIATE_TEST_SUITE_P(Table, CovarianceCondition,
-                         testing::Values(Condition{Covariance::kGaussian, 10, 0.1, 3.5},
-                                         Condition{Covariance::kGaussian, 20, 0.1, 2e3},
-                                         Condition{Covariance::kExponential, 20, 1.0, 551},
-                                         Condition{Covariance::kExponential, 50, 0.3, 6e2},
-                                         Condition{Covariance::kSpherical, 20, 3.0, 1e3},
-                                         Condition{Covariance::kSpherical, 100, 0.3, 9e2},
-                                         Condition{Covariance::kMatern32, 20, 0.3, 4e3},
-                                         Condition{Covariance::kMatern32, 50, 1.0, 1e7},
-                                         Condition{Covariance::kMatern52, 10, 0.3, 1e3},
-                                         Condition{Covariance::kMatern52, 20, 1.0, 7e7},
-                                         Condition{Covariance::kMatern52, 50, 0.3, 3e7}));
+                         ::testing::Values(Condition{Covariance::kGaussian, 10, 0.1, 3.5},
+                                           Condition{Covariance::kGaussian, 20, 0.1, 2e3},
+                                           Condition{Covariance::kExponential, 20, 1.0, 551},
+                                           Condition{Covariance::kExponential, 50, 0.3, 6e2},
+                                           Condition{Covariance::kSpherical, 20, 3.0, 1e3},
+                                           Condition{Covariance::kSpherical, 100, 0.3, 9e2},
+                                           Condition{Covariance::kMatern32, 20, 0.3, 4e3},
+                                           Condition{Covariance::kMatern32, 50, 1.0, 1e7},
+                                           Condition{Covariance::kMatern52, 10, 0.3, 1e3},
+                                           Condition{Covariance::kMatern52, 20, 1.0, 7e7},
+                                           Condition{Covariance::kMatern52, 50, 0.3, 3e7}));
 
 TEST(Kriging1d, KeepsTheConditionNumberBelowTenToTheTenWhateverTheNumberOfSamples) {
   constexpr double kLimit = 1e10;
@@ -318,7 +318,7 @@ struct Method {
   std::vector<std::pair<int, double>> largestError;  // samples, error / end angle: worst of the fields
 };
 
-class KrigingAccuracy : public testing::TestWithParam<Method> {};
+class KrigingAccuracy : public ::testing::TestWithParam<Method> {};
 
 TEST_P(KrigingAccuracy, IsWithinAFactorTwoOfTheMeasuredTable) {
   const Method& method = GetParam();
@@ -362,48 +362,48 @@ TEST_P(KrigingAccuracy, IsWithinAFactorTwoOfTheMeasuredTable) {
 // Largest error of the five fields, measured with another implementation.
 INSTANTIATE_TEST_SUITE_P(
     Table, KrigingAccuracy,
-    testing::Values(Method{"ordinary, exponential",
-                           Covariance::kExponential,
-                           20,
-                           0,
-                           Drift::kConstant,
-                           0,
-                           {{5, 1.1e-1}, {10, 4e-2}, {20, 1e-2}, {50, 1.6e-3}}},
-                    Method{"ordinary, spherical",
-                           Covariance::kSpherical,
-                           0,
-                           1.0,
-                           Drift::kConstant,
-                           0,
-                           {{5, 1.2e-1}, {10, 4e-2}, {20, 1e-2}, {50, 1.7e-3}}},
-                    Method{"ordinary, Matern 3/2",
-                           Covariance::kMatern32,
-                           20,
-                           0,
-                           Drift::kConstant,
-                           0,
-                           {{5, 9e-2}, {10, 2e-2}, {20, 6e-3}, {50, 1.5e-3}, {360, 4e-4}}},
-                    Method{"ordinary, Matern 5/2",
-                           Covariance::kMatern52,
-                           20,
-                           0,
-                           Drift::kConstant,
-                           0,
-                           {{5, 6e-2}, {10, 1e-2}, {20, 1.7e-3}, {50, 2.5e-4}, {360, 4e-5}}},
-                    Method{"linear drift, Matern 5/2",
-                           Covariance::kMatern52,
-                           20,
-                           0,
-                           Drift::kLinear,
-                           0,
-                           {{5, 6e-2}, {10, 9e-3}, {20, 1.4e-3}, {50, 1.8e-4}, {360, 2.3e-5}}},
-                    Method{"the default: windows of 8",
-                           Covariance::kMatern52,
-                           20,
-                           0,
-                           Drift::kLinear,
-                           8,
-                           {{20, 1.4e-3}, {50, 1.6e-4}, {360, 2.6e-6}}}),
+    ::testing::Values(Method{"ordinary, exponential",
+                             Covariance::kExponential,
+                             20,
+                             0,
+                             Drift::kConstant,
+                             0,
+                             {{5, 1.1e-1}, {10, 4e-2}, {20, 1e-2}, {50, 1.6e-3}}},
+                      Method{"ordinary, spherical",
+                             Covariance::kSpherical,
+                             0,
+                             1.0,
+                             Drift::kConstant,
+                             0,
+                             {{5, 1.2e-1}, {10, 4e-2}, {20, 1e-2}, {50, 1.7e-3}}},
+                      Method{"ordinary, Matern 3/2",
+                             Covariance::kMatern32,
+                             20,
+                             0,
+                             Drift::kConstant,
+                             0,
+                             {{5, 9e-2}, {10, 2e-2}, {20, 6e-3}, {50, 1.5e-3}, {360, 4e-4}}},
+                      Method{"ordinary, Matern 5/2",
+                             Covariance::kMatern52,
+                             20,
+                             0,
+                             Drift::kConstant,
+                             0,
+                             {{5, 6e-2}, {10, 1e-2}, {20, 1.7e-3}, {50, 2.5e-4}, {360, 4e-5}}},
+                      Method{"linear drift, Matern 5/2",
+                             Covariance::kMatern52,
+                             20,
+                             0,
+                             Drift::kLinear,
+                             0,
+                             {{5, 6e-2}, {10, 9e-3}, {20, 1.4e-3}, {50, 1.8e-4}, {360, 2.3e-5}}},
+                      Method{"the default: windows of 8",
+                             Covariance::kMatern52,
+                             20,
+                             0,
+                             Drift::kLinear,
+                             8,
+                             {{20, 1.4e-3}, {50, 1.6e-4}, {360, 2.6e-6}}}),
     [](const auto& method) {
       std::string name = method.param.name;
       std::erase_if(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; });
@@ -473,7 +473,7 @@ TEST(Kriging1d, MirrorsItsWeightsWithItsSamples) {
 }
 
 TEST(Kriging1d, RefusesBadSamplesAndOptions) {
-  using testing::HasSubstr;
+  using ::testing::HasSubstr;
   const auto message = [](const std::vector<double>& samples,
                           const KrigingOptions& options = {}) -> std::string {
     try {

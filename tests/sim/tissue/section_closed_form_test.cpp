@@ -30,7 +30,7 @@ struct Polygon {
   double sag;
 };
 
-class RegularPolygon : public testing::TestWithParam<Polygon> {};
+class RegularPolygon : public ::testing::TestWithParam<Polygon> {};
 
 TEST_P(RegularPolygon, HasTheTorsionConstantAndSagOfTheConformalMap) {
   const Polygon reference = GetParam();
@@ -45,12 +45,12 @@ TEST_P(RegularPolygon, HasTheTorsionConstantAndSagOfTheConformalMap) {
 
 INSTANTIATE_TEST_SUITE_P(
     Section, RegularPolygon,
-    testing::Values(Polygon{5, 0.84475626, 0.18224235}, Polygon{6, 1.035458950, 0.20239407},
-                    Polygon{8, 1.253104082, 0.22308635}, Polygon{12, 1.425364842, 0.23810114},
-                    Polygon{16, 1.488519673, 0.24334979}, Polygon{24, 1.534238759, 0.24707068},
-                    Polygon{36, 1.554605519, 0.24870762}, Polygon{48, 1.561714057, 0.24927601},
-                    Polygon{72, 1.566773542, 0.24967963}, Polygon{100, 1.568715508, 0.24983435},
-                    Polygon{180, 1.570155878, 0.24994903}, Polygon{360, 1.570636514, 0.24998728}));
+    ::testing::Values(Polygon{5, 0.84475626, 0.18224235}, Polygon{6, 1.035458950, 0.20239407},
+                      Polygon{8, 1.253104082, 0.22308635}, Polygon{12, 1.425364842, 0.23810114},
+                      Polygon{16, 1.488519673, 0.24334979}, Polygon{24, 1.534238759, 0.24707068},
+                      Polygon{36, 1.554605519, 0.24870762}, Polygon{48, 1.561714057, 0.24927601},
+                      Polygon{72, 1.566773542, 0.24967963}, Polygon{100, 1.568715508, 0.24983435},
+                      Polygon{180, 1.570155878, 0.24994903}, Polygon{360, 1.570636514, 0.24998728}));
 
 struct Rectangle {
   double width;  // height 1
@@ -59,7 +59,7 @@ struct Rectangle {
   double volumeRatio;  // V / (l S_c)
 };
 
-class RectangularSection : public testing::TestWithParam<Rectangle> {};
+class RectangularSection : public ::testing::TestWithParam<Rectangle> {};
 
 TEST_P(RectangularSection, MatchesTheSeries) {
   const Rectangle reference = GetParam();
@@ -77,15 +77,15 @@ TEST_P(RectangularSection, MatchesTheSeries) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Section, RectangularSection,
-                         testing::Values(Rectangle{1.0, 0.140577014955, 0.0736713532815, 0.477040968753},
-                                         Rectangle{1.2, 0.199342692095, 0.0867405879423, 0.478780793454},
-                                         Rectangle{1.5, 0.293641063313, 0.100771384782, 0.485655499572},
-                                         Rectangle{2.0, 0.457363354239, 0.113871832127, 0.502059361054},
-                                         Rectangle{2.5, 0.623412686770, 0.119918462690, 0.519863808112},
-                                         Rectangle{3.0, 0.789950793005, 0.122682394600, 0.536582555019},
-                                         Rectangle{4.0, 1.12325183323, 0.124518178594, 0.563799120495},
-                                         Rectangle{5.0, 1.45658377094, 0.124899838824, 0.583100740825},
-                                         Rectangle{10.0, 3.12325037457, 0.124999961117, 0.624650269220}));
+                         ::testing::Values(Rectangle{1.0, 0.140577014955, 0.0736713532815, 0.477040968753},
+                                           Rectangle{1.2, 0.199342692095, 0.0867405879423, 0.478780793454},
+                                           Rectangle{1.5, 0.293641063313, 0.100771384782, 0.485655499572},
+                                           Rectangle{2.0, 0.457363354239, 0.113871832127, 0.502059361054},
+                                           Rectangle{2.5, 0.623412686770, 0.119918462690, 0.519863808112},
+                                           Rectangle{3.0, 0.789950793005, 0.122682394600, 0.536582555019},
+                                           Rectangle{4.0, 1.12325183323, 0.124518178594, 0.563799120495},
+                                           Rectangle{5.0, 1.45658377094, 0.124899838824, 0.583100740825},
+                                           Rectangle{10.0, 3.12325037457, 0.124999961117, 0.624650269220}));
 
 TEST(SectionSolver, FindsTheLargestShearOfRectanglesInTheMiddleOfTheLongSide) {
   // Width to height, largest tau / (G theta short side): series.
@@ -120,7 +120,7 @@ struct Ellipse {
   double sag;              // a^2 b^2 / (2 (a^2 + b^2))
 };
 
-class EllipticSection : public testing::TestWithParam<Ellipse> {};
+class EllipticSection : public ::testing::TestWithParam<Ellipse> {};
 
 TEST_P(EllipticSection, MatchesTheClosedForm) {
   const Ellipse reference = GetParam();
@@ -136,10 +136,10 @@ TEST_P(EllipticSection, MatchesTheClosedForm) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Section, EllipticSection,
-                         testing::Values(Ellipse{1.0, 1.57079632679, 0.25},
-                                         Ellipse{1.5, 3.26242314027, 0.346153846154},
-                                         Ellipse{2.0, 5.02654824574, 0.4},
-                                         Ellipse{3.0, 8.48230016469, 0.45}));
+                         ::testing::Values(Ellipse{1.0, 1.57079632679, 0.25},
+                                           Ellipse{1.5, 3.26242314027, 0.346153846154},
+                                           Ellipse{2.0, 5.02654824574, 0.4},
+                                           Ellipse{3.0, 8.48230016469, 0.45}));
 
 TEST(SectionSolver, WarpsAnEllipseByExactlyMinusKxy) {
   // psi is quadratic, so quadratic elements hold it; on points at equal parameter steps the chords spoil
@@ -173,7 +173,7 @@ struct WarpingPoint {
   double psi;
 };
 
-class RectangleWarping : public testing::TestWithParam<WarpingPoint> {};
+class RectangleWarping : public ::testing::TestWithParam<WarpingPoint> {};
 
 TEST_P(RectangleWarping, MatchesTheSeriesInsideAndOnTheOutline) {
   constexpr double kWarpingTolerance =
@@ -192,7 +192,7 @@ TEST_P(RectangleWarping, MatchesTheSeriesInsideAndOnTheOutline) {
 // sin(n pi x / 2a).
 INSTANTIATE_TEST_SUITE_P(
     Section, RectangleWarping,
-    testing::Values(
+    ::testing::Values(
         WarpingPoint{0.5, 0.375, 0.125, 0.008508010492}, WarpingPoint{0.5, 0.25, 0.25, 0.0},
         WarpingPoint{0.5, 0.5, 0.25, 0.03473524529}, WarpingPoint{0.5, 0.5, 0.5, 0.0},
         WarpingPoint{1.0, 0.75, 0.125, -0.05002006381}, WarpingPoint{1.0, 0.5, 0.25, -0.08884180975},

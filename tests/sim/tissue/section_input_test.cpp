@@ -18,7 +18,7 @@
 namespace torsio {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// Runs `action`, which must throw an Error, and hands it back.
 Error refusal(const std::function<void()>& action) {
@@ -99,7 +99,7 @@ TEST(SectionInput, RefusesOptionsOutOfRange) {
   EXPECT_THAT(with({.maxNodes = 0}), HasSubstr("maxNodes"));
 }
 
-class OutlineFile : public testing::Test {
+class OutlineFile : public ::testing::Test {
  protected:
   std::filesystem::path write(const std::string& text) const {
     std::ofstream(file_, std::ios::binary) << text;
@@ -114,7 +114,7 @@ class OutlineFile : public testing::Test {
 
   std::filesystem::path file_ = std::filesystem::temp_directory_path() /
                                 (std::string("torsio_outline_") +
-                                 testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv");
+                                 ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv");
 };
 
 TEST_F(OutlineFile, ReadsPointsCommentsHeaderAndClosedOutlines) {

@@ -13,8 +13,8 @@
 namespace torsio {
 namespace {
 
-constexpr double kRounding = 1e-14;
-constexpr double kLength = 2.0;
+constexpr double kBarRounding = 1e-14;
+constexpr double kBarLength = 2.0;
 constexpr int kNodes = 1001;
 
 // Compliance of a uniform bar: 3 rad per N m and metre.
@@ -22,7 +22,7 @@ std::vector<double> uniformCompliance() {
   std::vector<double> c;
   c.reserve(kNodes);
   for (int i = 0; i < kNodes; ++i) {
-    c.push_back(3.0 * kLength * i / (kNodes - 1));
+    c.push_back(3.0 * kBarLength * i / (kNodes - 1));
   }
   return c;
 }
@@ -31,14 +31,14 @@ std::vector<double> uniformCompliance() {
 std::vector<double> softeningCompliance() {
   std::vector<double> c;
   for (int i = 0; i < kNodes; ++i) {
-    const double s = kLength * i / (kNodes - 1);
+    const double s = kBarLength * i / (kNodes - 1);
     c.push_back(s + 0.7 * s * s * s);
   }
   return c;
 }
 
 TorsionTable table(std::vector<double> compliance, EndCondition ends, double foundation = 0.0) {
-  return {0.0, kLength / (kNodes - 1), std::move(compliance), ends, {foundation}};
+  return {0.0, kBarLength / (kNodes - 1), std::move(compliance), ends, {foundation}};
 }
 
 // A round bar that tapers linearly from r0 at the clamp to r1: J = pi r^4 / 2.
@@ -55,7 +55,7 @@ std::vector<double> evenArcs(int count) {
   std::vector<double> arcs;
   arcs.reserve(static_cast<std::size_t>(count));
   for (int j = 0; j < count; ++j) {
-    arcs.push_back(kLength * j / (count - 1));
+    arcs.push_back(kBarLength * j / (count - 1));
   }
   return arcs;
 }
@@ -71,11 +71,11 @@ TEST(SectionCompliances, FollowTheClosedFormOfATaper) {
       const SectionProfile profile(evenArcs(sections), taperedSections(sections, 1.0, ratio), {});
 
       const std::vector<double> c =
-          sectionCompliances(profile, sections, kLength, kShear, EndCondition::kClampedFree);
+          sectionCompliances(profile, sections, kBarLength, kShear, EndCondition::kClampedFree);
 
       ASSERT_EQ(c.size(), static_cast<std::size_t>(sections));
       EXPECT_EQ(c.front(), 0.0);
-      const double prismatic = kLength / (kShear * 0.5 * kPi);
+      const double prismatic = kBarLength / (kShear * 0.5 * kPi);
       EXPECT_NEAR(c.back() / prismatic / expected, 1.0, 1e-8) << sections << " " << ratio;
     }
   }
@@ -84,24 +84,24 @@ TEST(SectionCompliances, FollowTheClosedFormOfATaper) {
 TEST(SectionCompliances, KrigedBetweenTheSectionsStayWithinAMillionthFromFiftySectionsOn) {
   const double r1 = 0.5;
   const auto exact = [&](double s) {
-    const double r = 1.0 + (r1 - 1.0) * s / kLength;
+    const double r = 1.0 + (r1 - 1.0) * s / kBarLength;
     return 2.0 * s * (1.0 + r + r * r) / (3.0 * kPi * r * r * r);
   };
   for (const int sections : {50, 360}) {
     const SectionProfile profile(evenArcs(sections), taperedSections(sections, 1.0, r1), {});
     const std::vector<double> c =
-        sectionCompliances(profile, sections, kLength, 1.0, EndCondition::kClampedFree);
+        sectionCompliances(profile, sections, kBarLength, 1.0, EndCondition::kClampedFree);
 
-    const std::vector<double> nodes = krigedNodes(c, kLength, {});
+    const std::vector<double> nodes = krigedNodes(c, kBarLength, {});
 
     ASSERT_EQ(nodes.size(), static_cast<std::size_t>(fineNodes(sections)));
     double worstAtSections = 0.0;
     double worstBetween = 0.0;
     const std::size_t perSection = (nodes.size() - 1) / static_cast<std::size_t>(sections - 1);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const double s = kLength * static_cast<double>(i) / static_cast<double>(nodes.size() - 1);
+      const double s = kBarLength * static_cast<double>(i) / static_cast<double>(nodes.size() - 1);
       double& worst = i % perSection == 0 ? worstAtSections : worstBetween;
-      worst = std::max(worst, std::abs(nodes[i] - exact(s)) / exact(kLength));
+      worst = std::max(worst, std::abs(nodes[i] - exact(s)) / exact(kBarLength));
       if (i > 0) {
         EXPECT_GE(nodes[i], nodes[i - 1]);
       }
@@ -114,7 +114,7 @@ TEST(SectionCompliances, KrigedBetweenTheSectionsStayWithinAMillionthFromFiftySe
 TEST(SectionCompliances, RefuseSectionsAndModuliWithoutMeaning) {
   std::vector<TorsionSection> sections = taperedSections(4, 1.0, 0.5);
   const SectionProfile profile(evenArcs(4), sections, {});
-  EXPECT_THROW((void)sectionCompliances(profile, 4, kLength, 0.0, EndCondition::kClampedFree), Error);
+  EXPECT_THROW((void)sectionCompliances(profile, 4, kBarLength, 0.0, EndCondition::kClampedFree), Error);
   EXPECT_THROW((void)sectionCompliances(profile, 4, 0.0, 1.0, EndCondition::kClampedFree), Error);
   sections[2].torsionConstant_m4 = 0.0;
   EXPECT_THROW((void)SectionProfile(evenArcs(4), sections, {}), Error);
@@ -165,12 +165,12 @@ TEST(TorsionTable, AClampedBarTurnsByTheSmallerComplianceAndTheKinkIsExact) {
 
   for (const double g : {0.5, 1.234567, 2.0}) {
     EXPECT_NEAR(bar.compliance(g), c(g), 1e-9);
-    for (double s = 0.0; s <= kLength; s += 0.031) {
+    for (double s = 0.0; s <= kBarLength; s += 0.031) {
       EXPECT_NEAR(bar.share(s, g).value, std::min(c(s), c(g)) / c(g), 1e-9) << s << " " << g;
     }
     EXPECT_EQ(bar.share(g, g).value, 1.0);
     EXPECT_EQ(bar.share(std::nextafter(g, 9.0), g).value, 1.0);
-    EXPECT_NEAR(bar.share(std::nextafter(g, 0.0), g).value, 1.0, kRounding);
+    EXPECT_NEAR(bar.share(std::nextafter(g, 0.0), g).value, 1.0, kBarRounding);
   }
 }
 
@@ -182,7 +182,7 @@ TEST(TorsionTable, BothEndsHeldIsSymmetricInGraspAndPoint) {
     for (double x = 0.1; x < 1.95; x += 0.13) {
       const double here = bar.share(x, g).value * bar.compliance(g);
       const double there = bar.share(g, x).value * bar.compliance(x);
-      EXPECT_NEAR(here, there, kRounding * 10.0);
+      EXPECT_NEAR(here, there, kBarRounding * 10.0);
     }
   }
 }
@@ -191,14 +191,14 @@ TEST(TorsionTable, BothEndsHeldGivesTheGreenFunctionOfTheBar) {
   const TorsionTable bar = table(uniformCompliance(), EndCondition::kBothHeld);
 
   // C = 3 s, C_tot = 6: phi(s) = C_< (1 - C_> / 6).
-  EXPECT_NEAR(bar.compliance(1.0), 3.0 * 0.5, kRounding);
-  EXPECT_NEAR(bar.share(0.5, 1.0).value, 0.5, kRounding);
-  EXPECT_NEAR(bar.share(1.5, 1.0).value, 0.5, kRounding);
+  EXPECT_NEAR(bar.compliance(1.0), 3.0 * 0.5, kBarRounding);
+  EXPECT_NEAR(bar.share(0.5, 1.0).value, 0.5, kBarRounding);
+  EXPECT_NEAR(bar.share(1.5, 1.0).value, 0.5, kBarRounding);
   EXPECT_EQ(bar.share(0.0, 1.0).value, 0.0);
-  EXPECT_NEAR(bar.share(kLength, 1.0).value, 0.0, kRounding);
+  EXPECT_NEAR(bar.share(kBarLength, 1.0).value, 0.0, kBarRounding);
   // A mirrored grasp gives the mirrored profile.
-  for (double x = 0.0; x <= kLength; x += 0.1) {
-    EXPECT_NEAR(bar.share(x, 0.6).value, bar.share(kLength - x, kLength - 0.6).value, 1e-13);
+  for (double x = 0.0; x <= kBarLength; x += 0.1) {
+    EXPECT_NEAR(bar.share(x, 0.6).value, bar.share(kBarLength - x, kBarLength - 0.6).value, 1e-13);
   }
 }
 
@@ -210,17 +210,18 @@ TEST(TorsionTable, AFoundationGivesTheHyperbolicProfile) {
   // Second order in the node distance: (h / l)^2 / 12 = 2e-6 for the shortest foundation.
   constexpr double kDiscretisation = 1e-5;
   for (const auto& [share, expected] : middle) {
-    const double l = share * kLength;
+    const double l = share * kBarLength;
     const TorsionTable bar = table(uniformCompliance(), EndCondition::kClampedFree, l);
 
-    EXPECT_NEAR(bar.share(0.5 * kLength, kLength).value, expected, 6e-4);  // the table's last digit
-    for (double x = 0.0; x <= kLength; x += 0.05) {
-      EXPECT_NEAR(bar.share(x, kLength).value, std::sinh(x / l) / std::sinh(kLength / l), kDiscretisation);
+    EXPECT_NEAR(bar.share(0.5 * kBarLength, kBarLength).value, expected, 6e-4);  // the table's last digit
+    for (double x = 0.0; x <= kBarLength; x += 0.05) {
+      EXPECT_NEAR(bar.share(x, kBarLength).value, std::sinh(x / l) / std::sinh(kBarLength / l),
+                  kDiscretisation);
     }
     // Torque that turns the end by one radian: (G J / l) coth(H_end / l), G J = 1/3.
-    EXPECT_NEAR(1.0 / bar.compliance(kLength) * 3.0 * l, 1.0 / std::tanh(kLength / l), 1e-4);
+    EXPECT_NEAR(1.0 / bar.compliance(kBarLength) * 3.0 * l, 1.0 / std::tanh(kBarLength / l), 1e-4);
     // Beyond a grasp in the middle the free part is held back by the foundation: cosh towards the free end.
-    EXPECT_NEAR(bar.share(kLength, 1.0).value, 1.0 / std::cosh(1.0 / l), 1e-4);
+    EXPECT_NEAR(bar.share(kBarLength, 1.0).value, 1.0 / std::cosh(1.0 / l), 1e-4);
   }
 }
 
@@ -239,7 +240,7 @@ TEST(TorsionTable, AVeryLongFoundationLengthIsNoFoundation) {
   const TorsionTable with = table(softeningCompliance(), EndCondition::kClampedFree, 1e4);
   const TorsionTable without = table(softeningCompliance(), EndCondition::kClampedFree);
 
-  for (double x = 0.0; x <= kLength; x += 0.1) {
+  for (double x = 0.0; x <= kBarLength; x += 0.1) {
     EXPECT_NEAR(with.share(x, 1.3).value, without.share(x, 1.3).value, 1e-7);
   }
 }
@@ -247,8 +248,8 @@ TEST(TorsionTable, AVeryLongFoundationLengthIsNoFoundation) {
 TEST(TorsionTable, AGraspOnAHeldEndActsJustInside) {
   const TorsionTable bar = table(uniformCompliance(), EndCondition::kBothHeld);
 
-  EXPECT_EQ(bar.graspAt(0.0), TorsionTable::kHeldMargin * kLength);
-  EXPECT_EQ(bar.graspAt(9.0), (1.0 - TorsionTable::kHeldMargin) * kLength);
+  EXPECT_EQ(bar.graspAt(0.0), TorsionTable::kHeldMargin * kBarLength);
+  EXPECT_EQ(bar.graspAt(9.0), (1.0 - TorsionTable::kHeldMargin) * kBarLength);
   EXPECT_GT(bar.compliance(0.0), 0.0);
   EXPECT_TRUE(std::isfinite(bar.share(1.0, 0.0).value));
 }

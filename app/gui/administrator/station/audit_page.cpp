@@ -22,12 +22,12 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/reporting/coded_tables.h"
+#include "sim/base/time_units.h"
 
 namespace torsio::gui {
 
 namespace {
 
-constexpr std::int64_t kDay_us = 86'400'000'000;
 constexpr std::int64_t kFirstEntries = 1'000;  // on the screen at once, however long the record is
 constexpr int kBetween = -1;                   // of the choice of days: two dates
 constexpr int kCode = 7;                       // column: hidden until somebody asks for it, always searched

@@ -18,14 +18,11 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "app/training/run_session.h"
+#include "sim/base/time_units.h"
 
 namespace torsio::gui {
 
-namespace {
-
-constexpr std::int64_t kMinute_us = 60'000'000;
-
-}  // namespace
+namespace {}  // namespace
 
 StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
     : Card(QString(), parent),

@@ -15,10 +15,10 @@
 namespace torsio {
 namespace {
 
-constexpr int kElements = 31;
+constexpr int kCalculixElements = 31;
 constexpr double kLength_m = 0.240;
-constexpr double kShear_Pa = 1e4;
-constexpr double kYoung_Pa = 2.9e4;  // nu = 0.45
+constexpr double kCalculixShear_Pa = 1e4;
+constexpr double kCalculixYoung_Pa = 2.9e4;  // nu = 0.45
 
 nlohmann::json calculix(const std::string& name) {
   std::ifstream file(std::string(TORSIO_TEST_DATA) + "/calculix/" + name + ".json");
@@ -26,27 +26,27 @@ nlohmann::json calculix(const std::string& name) {
 }
 
 /// Half axes at both ends, along e1 (in the plane of the bend) and e2.
-struct Bar {
+struct CalculixBar {
   std::string name;
   double angle_rad = 0.0;
   double a0_m = 0.0, b0_m = 0.0, a1_m = 0.0, b1_m = 0.0;
 };
 
-Rod bentRod(const Bar& bar, bool neoHookean) {
-  const RodPose pose = bentPose(kLength_m, bar.angle_rad, kElements);
+Rod bentRod(const CalculixBar& bar, bool neoHookean) {
+  const RodPose pose = bentPose(kLength_m, bar.angle_rad, kCalculixElements);
   std::vector<RodElement> elements;
-  for (int i = 0; i < kElements; ++i) {
-    const double s = (i + 0.5) / kElements;
+  for (int i = 0; i < kCalculixElements; ++i) {
+    const double s = (i + 0.5) / kCalculixElements;
     const EllipticSection section{bar.a0_m + (bar.a1_m - bar.a0_m) * s, bar.b0_m + (bar.b1_m - bar.b0_m) * s,
-                                  kYoung_Pa, kShear_Pa};
-    elements.push_back(curvedElement(section, bar.angle_rad / kLength_m, kLength_m / kElements));
+                                  kCalculixYoung_Pa, kCalculixShear_Pa};
+    elements.push_back(curvedElement(section, bar.angle_rad / kLength_m, kLength_m / kCalculixElements));
     if (neoHookean) {
       elements.back().axial_N = elements.back().stretch_N[8];
       elements.back().stretch_N[8] = 0.0;
     }
   }
   restAt(pose, elements);
-  return Rod(elements, pose, std::vector<double>(kElements + 1, 0.0));
+  return Rod(elements, pose, std::vector<double>(kCalculixElements + 1, 0.0));
 }
 
 double at(const std::vector<double>& arc_m, const std::vector<double>& values, double s_m) {
@@ -56,7 +56,7 @@ double at(const std::vector<double>& arc_m, const std::vector<double>& values, d
   return values[i - 1] + share * (values[i] - values[i - 1]);
 }
 
-class BentBar : public ::testing::TestWithParam<Bar> {};
+class BentBar : public ::testing::TestWithParam<CalculixBar> {};
 
 TEST_P(BentBar, HasTorqueAndProfileOfCalculix) {
   const nlohmann::json reference = calculix(GetParam().name);
@@ -79,10 +79,10 @@ TEST_P(BentBar, HasTorqueAndProfileOfCalculix) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Calculix, BentBar,
-                         ::testing::Values(Bar{"bent90", kPi / 2, 0.025, 0.025, 0.025, 0.025},
-                                           Bar{"bent90_taper", kPi / 2, 0.032, 0.024, 0.020, 0.016},
-                                           Bar{"bent180", kPi, 0.020, 0.020, 0.020, 0.020}),
-                         [](const ::testing::TestParamInfo<Bar>& bar) { return bar.param.name; });
+                         ::testing::Values(CalculixBar{"bent90", kPi / 2, 0.025, 0.025, 0.025, 0.025},
+                                           CalculixBar{"bent90_taper", kPi / 2, 0.032, 0.024, 0.020, 0.016},
+                                           CalculixBar{"bent180", kPi, 0.020, 0.020, 0.020, 0.020}),
+                         [](const ::testing::TestParamInfo<CalculixBar>& bar) { return bar.param.name; });
 
 /// Rotation vector of a rotation matrix of less than half a turn, rows first.
 Vec3 rotationVector(const nlohmann::json& r) {
@@ -101,7 +101,7 @@ TEST(BentBarFinite, FollowsNeoHookeanCalculixTo90Degrees) {
   const nlohmann::json reference = calculix("bent90_finite");
   const Rod rod = bentRod({"", kPi / 2, 0.025, 0.025, 0.025, 0.025}, true);
   const RodPose& rest = rod.rest();
-  const Vec3 axis = rotate(rest.nodes[kElements].orientation, {0, 0, 1});
+  const Vec3 axis = rotate(rest.nodes[kCalculixElements].orientation, {0, 0, 1});
   TurnedRod turned;
 
   for (const nlohmann::json& step : reference["out"]) {
@@ -114,7 +114,7 @@ TEST(BentBarFinite, FollowsNeoHookeanCalculixTo90Degrees) {
   }
 
   std::vector<double> along;
-  for (std::size_t i = 0; i <= kElements; ++i) {
+  for (std::size_t i = 0; i <= kCalculixElements; ++i) {
     const Quat turn = turned.pose.nodes[i].orientation * conjugate(rest.nodes[i].orientation);
     along.push_back(dot(rotationVector(turn), rotate(rest.nodes[i].orientation, {0, 0, 1})));
   }

@@ -13,14 +13,14 @@
 namespace torsio {
 namespace {
 
-constexpr int kElements = 31;
-constexpr double kShear_Pa = 1e4;
-constexpr double kYoung_Pa = 2.9e4;  // 2 G (1 + 0.45)
+constexpr int kClosedElements = 31;
+constexpr double kClosedShear_Pa = 1e4;
+constexpr double kClosedYoung_Pa = 2.9e4;  // 2 G (1 + 0.45)
 
 std::function<EllipticSection(double)> round(double first_m, double last_m) {
   return [=](double s) {
     const double r = first_m + (last_m - first_m) * s;
-    return EllipticSection{r, r, kYoung_Pa, kShear_Pa};
+    return EllipticSection{r, r, kClosedYoung_Pa, kClosedShear_Pa};
   };
 }
 
@@ -40,18 +40,18 @@ TEST(RodTorsion, OfStraightBarsIsTheComplianceAlongThem) {
   struct Bar {
     std::function<EllipticSection(double)> at;
   };
-  const EllipticSection ellipse{0.036, 0.024, kYoung_Pa, kShear_Pa};
+  const EllipticSection ellipse{0.036, 0.024, kClosedYoung_Pa, kClosedShear_Pa};
   for (const Bar& bar :
        {Bar{round(0.030, 0.030)}, Bar{round(0.030, 0.015)}, Bar{[=](double) { return ellipse; }}}) {
-    const Rod rod = straightRod(0.24, kElements, bar.at);
+    const Rod rod = straightRod(0.24, kClosedElements, bar.at);
     const double whole = 0.24 / torsionOver(bar.at, 0.0, 1.0);
 
     const TurnedRod turned = solveTurned(rod, {.angle_rad = radians(1.0)});
 
     EXPECT_TRUE(turned.balance.converged);
     EXPECT_NEAR(turned.torque_Nm * whole / radians(1.0), 1.0, 1e-6);
-    for (int i = 1; i < kElements; ++i) {
-      const double share = static_cast<double>(i) / kElements;
+    for (int i = 1; i < kClosedElements; ++i) {
+      const double share = static_cast<double>(i) / kClosedElements;
       const double part = 0.24 * share / torsionOver(bar.at, 0.0, share);
       EXPECT_NEAR(turned.turn_rad[static_cast<std::size_t>(i)] / radians(1.0), part / whole, 1e-6);
     }
@@ -60,8 +60,8 @@ TEST(RodTorsion, OfStraightBarsIsTheComplianceAlongThem) {
 
 TEST(RodTorsion, OfATaperIsItsClosedForm) {
   // r = r0 (1 - s/2L): integral of 2 ds/(pi G r^4) = 2L/(pi G r0^4) * (2/3) (2^3 - 1).
-  const double compliance = 2.0 * 0.24 / (kPi * kShear_Pa * std::pow(0.030, 4)) * (14.0 / 3.0);
-  const Rod rod = straightRod(0.24, kElements, round(0.030, 0.015));
+  const double compliance = 2.0 * 0.24 / (kPi * kClosedShear_Pa * std::pow(0.030, 4)) * (14.0 / 3.0);
+  const Rod rod = straightRod(0.24, kClosedElements, round(0.030, 0.015));
 
   const TurnedRod small = solveTurned(rod, {.angle_rad = radians(1.0)});
   const TurnedRod large = solveTurned(rod, {.angle_rad = kPi});
@@ -71,22 +71,22 @@ TEST(RodTorsion, OfATaperIsItsClosedForm) {
 }
 
 TEST(RodBending, OfACantileverIsTimoshenkos) {
-  const Rod rod = straightRod(0.3, kElements, round(0.030, 0.030));
+  const Rod rod = straightRod(0.3, kClosedElements, round(0.030, 0.030));
   const EllipticSection section = round(0.030, 0.030)(0.0);
   const std::vector<HeldNode> held{heldAt(0)};
   RodPose pose = rod.rest();
   Pose hand{.position_m = {0, 0, 0.3}, .orientation = {}};
   const RodGrip grip =
-      gripAt(rod, pose, kElements, 0.0, hand, {.place_N_per_m = 1.0, .turn_Nm_per_rad = 0.0});
+      gripAt(rod, pose, kClosedElements, 0.0, hand, {.place_N_per_m = 1.0, .turn_Nm_per_rad = 0.0});
   hand.position_m.x = 0.001;
 
   const RodBalance balance = balanceRod(rod, &grip, hand, held, pose);
 
   const double force_N = -balance.load.force_N.x;
   const double sag_m = force_N * (std::pow(0.3, 3) / (3.0 * section.bending2_Nm2()) +
-                                  0.3 / (0.9 * kShear_Pa * section.area_m2()));
+                                  0.3 / (0.9 * kClosedShear_Pa * section.area_m2()));
   EXPECT_TRUE(balance.converged);
-  EXPECT_NEAR(pose.nodes[kElements].position_m.x / sag_m, 1.0, 2e-3);
+  EXPECT_NEAR(pose.nodes[kClosedElements].position_m.x / sag_m, 1.0, 2e-3);
   EXPECT_NEAR(balance.held[0].force_N.x, -force_N, 1e-9);
   EXPECT_NEAR(balance.held[0].torque_Nm.y, -0.3 * force_N, 1e-4 * 0.3 * force_N);
 }
@@ -96,19 +96,20 @@ TEST(RodBending, OfAForceThroughTheShearCentreDoesNotTwist) {
   // along e2.
   constexpr double kOffset_m = 0.008;
   const EllipticSection section = round(0.030, 0.030)(0.0);
-  std::vector<RodElement> elements(kElements, straightElement(section, 0.3 / kElements));
+  std::vector<RodElement> elements(kClosedElements, straightElement(section, 0.3 / kClosedElements));
   for (RodElement& e : elements) {
     addShearCentre(e, kOffset_m, 0.0);
   }
-  const Rod rod(elements, straightPose(0.3, kElements), std::vector<double>(kElements + 1, 0.0));
+  const Rod rod(elements, straightPose(0.3, kClosedElements), std::vector<double>(kClosedElements + 1, 0.0));
   const std::vector<HeldNode> held{heldAt(0)};
   const auto twist = [&](double at_m, double& force_N) {
     RodPose pose = rod.rest();
     Pose hand{.position_m = {at_m, 0, 0.3}, .orientation = {}};
-    const RodGrip grip = gripAt(rod, pose, kElements, 0.0, hand, {.place_N_per_m = 1, .turn_Nm_per_rad = 0});
+    const RodGrip grip =
+        gripAt(rod, pose, kClosedElements, 0.0, hand, {.place_N_per_m = 1, .turn_Nm_per_rad = 0});
     hand.position_m.y = 0.001;
     force_N = -balanceRod(rod, &grip, hand, held, pose).load.force_N.y;
-    return 2.0 * pose.nodes[kElements].orientation.z;
+    return 2.0 * pose.nodes[kClosedElements].orientation.z;
   };
   double force_N = 0.0;
 
@@ -120,34 +121,35 @@ TEST(RodBending, OfAForceThroughTheShearCentreDoesNotTwist) {
 }
 
 TEST(RodBending, ByTheTurnOfAnEndGivesHalfACircle) {
-  const Rod rod = straightRod(0.3, kElements, round(0.010, 0.010));
-  const std::vector<HeldNode> held{heldAt(0), heldAt(kElements, {false, false, false, true, true, true})};
+  const Rod rod = straightRod(0.3, kClosedElements, round(0.010, 0.010));
+  const std::vector<HeldNode> held{heldAt(0),
+                                   heldAt(kClosedElements, {false, false, false, true, true, true})};
   RodPose pose = rod.rest();
   RodBalance balance;
 
   for (int step = 1; step <= 12; ++step) {
-    pose.nodes[kElements].orientation = axisAngle({0, 1, 0}, kPi * step / 12);
+    pose.nodes[kClosedElements].orientation = axisAngle({0, 1, 0}, kPi * step / 12);
     balance = balanceRod(rod, nullptr, {}, held, pose);
   }
 
   const double moment_Nm = round(0.010, 0.010)(0.0).bending2_Nm2() * kPi / 0.3;
   EXPECT_TRUE(balance.converged);
   EXPECT_NEAR(balance.held[1].torque_Nm.y / moment_Nm, 1.0, 1e-6);
-  EXPECT_NEAR(norm(pose.nodes[kElements].position_m - Vec3{2.0 * 0.3 / kPi, 0, 0}), 0.0, 5e-4 * 0.3);
+  EXPECT_NEAR(norm(pose.nodes[kClosedElements].position_m - Vec3{2.0 * 0.3 / kPi, 0, 0}), 0.0, 5e-4 * 0.3);
 }
 
 /// A helix of radius 3, pitch 2 per radian and one turn, of a thin straight rod; ends held.
 struct Helix {
   double length = 2.0 * kPi * std::sqrt(13.0);
-  EllipticSection section{0.3, 0.3, kYoung_Pa, kShear_Pa};
+  EllipticSection section{0.3, 0.3, kClosedYoung_Pa, kClosedShear_Pa};
   RodPose pose;
 
   Helix() {
-    pose.count = kElements + 1;
+    pose.count = kClosedElements + 1;
     // Normal inward along -x, tangent (0, 3, 2) / sqrt(13).
     const Quat first = axisAngle({1, 0, 0}, -std::atan2(3.0, 2.0)) * axisAngle({0, 0, 1}, kPi);
-    for (int i = 0; i <= kElements; ++i) {
-      const double a = 2.0 * kPi * i / kElements;
+    for (int i = 0; i <= kClosedElements; ++i) {
+      const double a = 2.0 * kPi * i / kClosedElements;
       pose.nodes[static_cast<std::size_t>(i)] = {
           .position_m = {3.0 * std::cos(a), 3.0 * std::sin(a), 2.0 * a},
           .orientation = axisAngle({0, 0, 1}, a) * first};
@@ -157,19 +159,21 @@ struct Helix {
 
 TEST(RodBending, OfAStraightRodIntoAHelixCarriesItsMoments) {
   Helix helix;
-  std::vector<RodElement> elements(kElements, straightElement(helix.section, helix.length / kElements));
+  std::vector<RodElement> elements(kClosedElements,
+                                   straightElement(helix.section, helix.length / kClosedElements));
   for (RodElement& e : elements) {  // thin: no shear, no stretch
     for (double& a : e.stretch_N) {
       a *= 1e2;
     }
   }
-  const Rod rod(elements, straightPose(helix.length, kElements), std::vector<double>(kElements + 1, 0.0));
+  const Rod rod(elements, straightPose(helix.length, kClosedElements),
+                std::vector<double>(kClosedElements + 1, 0.0));
   RodPose pose = helix.pose;
-  for (std::size_t i = 1; i < kElements; ++i) {  // a small fixed disturbance
+  for (std::size_t i = 1; i < kClosedElements; ++i) {  // a small fixed disturbance
     pose.nodes[i].position_m +=
         0.01 * Vec3{std::sin(3.0 * static_cast<double>(i)), std::cos(5.0 * static_cast<double>(i)), 0.0};
   }
-  const std::vector<HeldNode> held{heldAt(0), heldAt(kElements)};
+  const std::vector<HeldNode> held{heldAt(0), heldAt(kClosedElements)};
 
   const RodBalance balance = balanceRod(rod, nullptr, {}, held, pose);
 
@@ -177,10 +181,10 @@ TEST(RodBending, OfAStraightRodIntoAHelixCarriesItsMoments) {
   double bending = 0.0;
   double torsion = 0.0;
   double deviation = 0.0;
-  for (std::size_t i = 0; i < kElements; ++i) {
+  for (std::size_t i = 0; i < kClosedElements; ++i) {
     const RodStrain strain = rodStrain(elements[i].length_m, pose.nodes[i], pose.nodes[i + 1]);
-    bending += std::hypot(strain.curvature_per_m.x, strain.curvature_per_m.y) / kElements;
-    torsion += strain.curvature_per_m.z / kElements;
+    bending += std::hypot(strain.curvature_per_m.x, strain.curvature_per_m.y) / kClosedElements;
+    torsion += strain.curvature_per_m.z / kClosedElements;
     deviation = std::max(deviation, norm(pose.nodes[i].position_m - helix.pose.nodes[i].position_m));
   }
   EXPECT_NEAR(bending / (3.0 / 13.0), 1.0,
@@ -192,13 +196,14 @@ TEST(RodBending, OfAStraightRodIntoAHelixCarriesItsMoments) {
 TEST(RodStability, OfATwistedShaftIsGreenhills) {
   // Ends clamped, free to come nearer: M L = 8.9868 E I, the first root of tan(x/2) = x/2 (Greenhill 1883).
   // L/R = 160.
-  const Rod rod = straightRod(1.6, kElements, round(0.010, 0.010));
+  const Rod rod = straightRod(1.6, kClosedElements, round(0.010, 0.010));
   const EllipticSection section = round(0.010, 0.010)(0.0);
-  const std::vector<HeldNode> held{heldAt(0), heldAt(kElements, {true, true, false, true, true, true})};
+  const std::vector<HeldNode> held{heldAt(0), heldAt(kClosedElements, {true, true, false, true, true, true})};
   const auto unstable = [&](double twist_rad) {
     RodPose pose = rod.rest();
-    for (int i = 0; i <= kElements; ++i) {
-      pose.nodes[static_cast<std::size_t>(i)].orientation = axisAngle({0, 0, 1}, twist_rad * i / kElements);
+    for (int i = 0; i <= kClosedElements; ++i) {
+      pose.nodes[static_cast<std::size_t>(i)].orientation =
+          axisAngle({0, 0, 1}, twist_rad * i / kClosedElements);
     }
     return instabilities(rod, pose, held) > 0;
   };
@@ -259,23 +264,25 @@ TEST(RodBendLimit, KeepsAFoldShortOfTheInsideOfTheSection) {
   // fold sits where the tube is thinnest.
   const auto fold = [](double stiffness_N) {
     std::vector<RodElement> elements;
-    for (int i = 0; i < kElements; ++i) {
+    for (int i = 0; i < kClosedElements; ++i) {
       const double r = i == 15 ? 0.012 : 0.020;
-      elements.push_back(straightElement({r, r, kYoung_Pa, kShear_Pa}, 0.2 / kElements));
+      elements.push_back(straightElement({r, r, kClosedYoung_Pa, kClosedShear_Pa}, 0.2 / kClosedElements));
       elements.back().bendLimit = {.spread_m2 = {r * r, 0, r * r}, .limit = 0.40, .stiffness_N = stiffness_N};
     }
-    const Rod rod(elements, straightPose(0.2, kElements), std::vector<double>(kElements + 1, 0.0));
-    const std::vector<HeldNode> held{heldAt(0), heldAt(kElements, {false, false, false, true, true, true})};
+    const Rod rod(elements, straightPose(0.2, kClosedElements),
+                  std::vector<double>(kClosedElements + 1, 0.0));
+    const std::vector<HeldNode> held{heldAt(0),
+                                     heldAt(kClosedElements, {false, false, false, true, true, true})};
     RodPose pose = rod.rest();
     for (int step = 1; step <= 20; ++step) {
-      pose.nodes[kElements].orientation = axisAngle({0, 1, 0}, radians(170.0) * step / 20);
+      pose.nodes[kClosedElements].orientation = axisAngle({0, 1, 0}, radians(170.0) * step / 20);
       EXPECT_TRUE(balanceRod(rod, nullptr, {}, held, pose).converged);
     }
-    const RodStrain strain = rodStrain(0.2 / kElements, pose.nodes[15], pose.nodes[16]);
+    const RodStrain strain = rodStrain(0.2 / kClosedElements, pose.nodes[15], pose.nodes[16]);
     return std::abs(strain.curvature_per_m.y) * 0.012 * std::pow(strain.stretch.z, -1.5);
   };
 
-  const double limited = fold(200.0 * kYoung_Pa * kPi * 4e-4 / 4.0);
+  const double limited = fold(200.0 * kClosedYoung_Pa * kPi * 4e-4 / 4.0);
   const double unlimited = fold(0.0);
 
   EXPECT_GT(unlimited, 0.6);

@@ -17,7 +17,7 @@
 namespace torsio {
 namespace {
 
-constexpr double kLength_m = 0.24;
+constexpr double kSkinLength_m = 0.24;
 
 /// An organ with its rod and its skin.
 struct SkinnedOrgan {
@@ -52,7 +52,7 @@ struct SkinnedOrgan {
 };
 
 SkinnedOrgan bentOrgan() {
-  return SkinnedOrgan(testing::bentTube(0.025, kLength_m / 2.0, 2.0, 48, 60));  // radius over bend 0.21
+  return SkinnedOrgan(testing::bentTube(0.025, kSkinLength_m / 2.0, 2.0, 48, 60));  // radius over bend 0.21
 }
 
 double largestDistance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
@@ -85,7 +85,7 @@ double determinant(const SkinnedOrgan& o, const RodCurve& curve, const Vec3& p) 
 }
 
 TEST(RodSkin, TheOrganAtRestIsGivenBackToABillionthOfAMillimetre) {
-  for (const SkinnedOrgan& o : {bentOrgan(), SkinnedOrgan(testing::capsule(0.02, kLength_m, 48, 40))}) {
+  for (const SkinnedOrgan& o : {bentOrgan(), SkinnedOrgan(testing::capsule(0.02, kSkinLength_m, 48, 40))}) {
     EXPECT_LT(largestDistance(o.drawn(o.organ.rest), o.mesh.vertices_m), 1e-12);
     const RodCurve rest = o.skin.curveOf(o.organ.rest);
     for (const Vec3& p : insideOf(o)) {
@@ -126,7 +126,7 @@ TEST(RodSkin, IsWholeAcrossTheNodesOfTheRod) {
 }
 
 TEST(RodSkin, AStretchedOrganThinsByTheRootOfItsStretch) {
-  const SkinnedOrgan o(testing::prism(testing::circleOutline(0.02, 48), kLength_m, 48));
+  const SkinnedOrgan o(testing::prism(testing::circleOutline(0.02, 48), kSkinLength_m, 48));
   RodPose pose = o.organ.rest;
   for (int i = 0; i < pose.count; ++i) {
     pose.nodes[static_cast<std::size_t>(i)].position_m.z *= 1.21;
@@ -145,7 +145,7 @@ TEST(RodSkin, ABentSectionKeepsItsAreaAlongEveryFibre) {
   // Bent to a circle: a curve of radius rho with stretch g = rho / (1 / kappa); a fibre u inside of the axis
   // has the length g (1 - u / rho) of the axis at rest, so that u - u^2 / (2 rho) is its place at rest over
   // sqrt(g).
-  const SkinnedOrgan o(testing::prism(testing::circleOutline(0.02, 48), kLength_m, 48));
+  const SkinnedOrgan o(testing::prism(testing::circleOutline(0.02, 48), kSkinLength_m, 48));
   const double bend = 0.08;
   RodPose pose = o.organ.rest;
   for (int i = 0; i < pose.count; ++i) {
@@ -158,7 +158,7 @@ TEST(RodSkin, ABentSectionKeepsItsAreaAlongEveryFibre) {
   const RodCurve curve = o.skin.curveOf(pose);
 
   const auto fromCentre = [&](double x) {
-    const Vec3 p = o.skin.toDeformed_m({x, 0.0, 0.5 * kLength_m}, curve);
+    const Vec3 p = o.skin.toDeformed_m({x, 0.0, 0.5 * kSkinLength_m}, curve);
     return std::hypot(p.x - bend, p.z);
   };
   const double rho = fromCentre(0.0);  // the curve is smoothed: a little less than the bend of the nodes
@@ -173,15 +173,15 @@ TEST(RodSkin, ATwistedEllipseWarpsByTheClosedForm) {
   // psi = -(a^2 - b^2) / (a^2 + b^2) x y, flat at the held ends.
   const double a = 0.03;
   const double b = 0.02;
-  const SkinnedOrgan o(testing::prism(testing::ellipseOutline(a, b, 96), kLength_m, 48));
-  const double rate = radians(30.0) / kLength_m;
+  const SkinnedOrgan o(testing::prism(testing::ellipseOutline(a, b, 96), kSkinLength_m, 48));
+  const double rate = radians(30.0) / kSkinLength_m;
 
   const std::vector<Vec3> drawn = o.drawn(o.turned(30.0));
 
   double most = 0.0;
   for (std::size_t v = 0; v < drawn.size(); ++v) {
     const Vec3& rest = o.mesh.vertices_m[v];
-    if (rest.z < 0.03 || rest.z > kLength_m - 0.03) {
+    if (rest.z < 0.03 || rest.z > kSkinLength_m - 0.03) {
       continue;
     }
     const double psi = -(a * a - b * b) / (a * a + b * b) * rest.x * rest.y;
@@ -202,7 +202,7 @@ TEST(RodSkin, ThePlaceAtRestIsFoundAgain) {
 
 TEST(RodSkin, ABendSharperThanTheSectionAllowsStaysOneToOne) {
   // Bent to 1.05 radii: the inner fibres would have to be shorter than nothing without the limit.
-  const SkinnedOrgan o(testing::prism(testing::circleOutline(0.02, 48), kLength_m, 48));
+  const SkinnedOrgan o(testing::prism(testing::circleOutline(0.02, 48), kSkinLength_m, 48));
   RodPose pose = o.organ.rest;
   const double rho = 0.021;
   for (int i = 0; i < pose.count; ++i) {

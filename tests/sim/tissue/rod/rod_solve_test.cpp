@@ -16,17 +16,17 @@
 namespace torsio {
 namespace {
 
-constexpr int kElements = 31;
+constexpr int kSolvedElements = 31;
 
 Rod bentTube(double angle_rad) {
-  const RodPose pose = bentPose(0.24, angle_rad, kElements);
+  const RodPose pose = bentPose(0.24, angle_rad, kSolvedElements);
   std::vector<RodElement> elements(
-      kElements, curvedElement({0.020, 0.020, 2.9e4, 1e4}, angle_rad / 0.24, 0.24 / kElements));
+      kSolvedElements, curvedElement({0.020, 0.020, 2.9e4, 1e4}, angle_rad / 0.24, 0.24 / kSolvedElements));
   restAt(pose, elements);
-  return Rod(elements, pose, std::vector<double>(kElements + 1, 0.0));
+  return Rod(elements, pose, std::vector<double>(kSolvedElements + 1, 0.0));
 }
 
-const std::vector<HeldNode> kBothEnds{{.node = 0}, {.node = kElements}};
+const std::vector<HeldNode> kBothEnds{{.node = 0}, {.node = kSolvedElements}};
 
 TEST(RodSolve, IsReciprocal) {
   // Maxwell and Betti: with the ends held, the force at b for a small move at a is that at a for the same
@@ -34,7 +34,7 @@ TEST(RodSolve, IsReciprocal) {
   const Rod rod = bentTube(kPi / 2);
   constexpr double kMove_m = 1e-9;
   const auto force = [&](int moved, Vec3 by, int read, Vec3 along) {
-    const std::vector<HeldNode> held{{.node = 0}, {.node = 10}, {.node = 22}, {.node = kElements}};
+    const std::vector<HeldNode> held{{.node = 0}, {.node = 10}, {.node = 22}, {.node = kSolvedElements}};
     RodPose pose = rod.rest();
     pose.nodes[static_cast<std::size_t>(moved)].position_m += kMove_m * by;
     const RodBalance balance = balanceRod(rod, nullptr, {}, held, pose);
@@ -79,7 +79,7 @@ TEST(RodSolve, GivesWayAlikeThereAndBack) {
 
 TEST(RodSolve, DoesNotRememberThePath) {
   const Rod rod = bentTube(kPi / 2);
-  const Quat rest = rod.rest().nodes[kElements].orientation;
+  const Quat rest = rod.rest().nodes[kSolvedElements].orientation;
   const Vec3 tangent = rotate(rest, {0, 0, 1});
   struct Stop {
     double twist_rad, swing_rad;
@@ -88,7 +88,7 @@ TEST(RodSolve, DoesNotRememberThePath) {
     RodPose pose = rod.rest();
     RodBalance balance;
     for (const Stop& stop : path) {
-      pose.nodes[kElements].orientation =
+      pose.nodes[kSolvedElements].orientation =
           axisAngle({0, 1, 0}, radians(stop.swing_rad)) * axisAngle(tangent, radians(stop.twist_rad)) * rest;
       balance = balanceRod(rod, nullptr, {}, kBothEnds, pose);
     }
@@ -103,7 +103,7 @@ TEST(RodSolve, DoesNotRememberThePath) {
     EXPECT_NEAR(balance.energy_J, direct.energy_J, 1e-12 * direct.energy_J);
     EXPECT_NEAR(norm(balance.held[1].torque_Nm - direct.held[1].torque_Nm), 0.0,
                 1e-9 * norm(direct.held[1].torque_Nm));
-    for (std::size_t i = 0; i <= kElements; ++i) {
+    for (std::size_t i = 0; i <= kSolvedElements; ++i) {
       EXPECT_LT(norm(pose.nodes[i].position_m - directPose.nodes[i].position_m), 1e-12);
     }
   }
@@ -111,11 +111,11 @@ TEST(RodSolve, DoesNotRememberThePath) {
 
 TEST(RodSolve, ComesBackFromAWholeTurn) {
   const Rod rod = bentTube(kPi);
-  const Quat rest = rod.rest().nodes[kElements].orientation;
+  const Quat rest = rod.rest().nodes[kSolvedElements].orientation;
   const Vec3 tangent = rotate(rest, {0, 0, 1});
   RodPose pose = rod.rest();
   const auto turnTo = [&](double angle_rad) {
-    pose.nodes[kElements].orientation = axisAngle(tangent, angle_rad) * rest;
+    pose.nodes[kSolvedElements].orientation = axisAngle(tangent, angle_rad) * rest;
     const RodBalance balance = balanceRod(rod, nullptr, {}, kBothEnds, pose);
     EXPECT_TRUE(balance.converged);
     return balance.energy_J;
@@ -133,7 +133,7 @@ TEST(RodSolve, ComesBackFromAWholeTurn) {
   EXPECT_GT(up_J[18], 0.1);  // a whole turn is not nothing: the pose counts it
   EXPECT_NEAR(down_J[8], up_J[9], 1e-12 * up_J[9]);
   EXPECT_LT(down_J.back(), 1e-20);
-  for (std::size_t i = 0; i <= kElements; ++i) {
+  for (std::size_t i = 0; i <= kSolvedElements; ++i) {
     EXPECT_LT(norm(pose.nodes[i].position_m - rod.rest().nodes[i].position_m), 1e-12);
   }
 }
@@ -156,8 +156,9 @@ TEST(RodSolve, TurnsASectionInTheMiddleWhoseFarPartFollows) {
   ASSERT_TRUE(turned.balance.converged);
   EXPECT_NEAR(turned.turn_rad[20], radians(60.0), 1e-9);
   EXPECT_GT(turned.torque_Nm, 0.0);
-  for (std::size_t i = 20; i < kElements; ++i) {  // nothing holds the far part: it is moved as it is
-    const RodStrain strain = rodStrain(0.24 / kElements, turned.pose.nodes[i], turned.pose.nodes[i + 1]);
+  for (std::size_t i = 20; i < kSolvedElements; ++i) {  // nothing holds the far part: it is moved as it is
+    const RodStrain strain =
+        rodStrain(0.24 / kSolvedElements, turned.pose.nodes[i], turned.pose.nodes[i + 1]);
     const RodElement& e = rod.elements()[i];
     EXPECT_NEAR(strain.curvature_per_m.y, e.restCurvature_per_m[1], 1e-6);
     EXPECT_NEAR(strain.curvature_per_m.z, e.restCurvature_per_m[2], 1e-6);
