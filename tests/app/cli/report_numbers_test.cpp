@@ -76,9 +76,7 @@ class Numbers {
   CsvTable table_;
 };
 
-TEST(ReportNumbers, EqualThoseOfTheCommandsToTheLastDigit) {
-  const fs::path folder = emptyFolder("report-numbers");
-  ASSERT_EQ(runTorsio("demo --out " + (folder / "out").string() + " --shorten 300 --seed 7", folder).code, 0);
+void equalThoseOfTheCommandsToTheLastDigit(const fs::path& folder) {
   const Numbers report(folder / "out" / "cohort.csv");
 
   // Evaluation of the models.
@@ -158,9 +156,7 @@ std::vector<std::string> lines(const fs::path& file) {
   return all;
 }
 
-TEST(ReportNumbers, OfTheWindowAreThoseOfTheCommandLineInEveryCell) {
-  const fs::path folder = emptyFolder("report-cells");
-  ASSERT_EQ(runTorsio("demo --out " + (folder / "out").string() + " --shorten 150 --seed 7", folder).code, 0);
+void ofTheWindowAreThoseOfTheCommandLineInEveryCell(const fs::path& folder) {
   const std::string record = (folder / "out" / "torsio.sqlite").string();
   Connection connection = openRecord(record, OpenMode::kReadWrite);
   SystemIdSource ids;
@@ -203,9 +199,7 @@ void collect(const json& step, const std::string& what, std::vector<json>& found
   }
 }
 
-TEST(ReportNumbers, AreFollowedToTheMarksTheSheetAndTheRecording) {
-  const fs::path folder = emptyFolder("report-trace");
-  ASSERT_EQ(runTorsio("demo --out " + (folder / "out").string() + " --shorten 300 --seed 7", folder).code, 0);
+void areFollowedToTheMarksTheSheetAndTheRecording(const fs::path& folder) {
   const std::string command =
       "report trace --json --database " + (folder / "out" / "torsio.sqlite").string() + " ";
   const auto traced = [&](const std::string& cell) {
@@ -261,6 +255,15 @@ TEST(ReportNumbers, AreFollowedToTheMarksTheSheetAndTheRecording) {
   EXPECT_EQ(given.size(), 360U);
   EXPECT_EQ(runTorsio(command + "'training,nobody,,,,,score'", folder).code,
             static_cast<int>(ErrorCode::kBadParameter));
+}
+
+// One test: the demonstration takes most of its time.
+TEST(ReportNumbers, OfCommandsWindowAndTraceAreTheSame) {
+  const fs::path folder = emptyFolder("report-numbers");
+  ASSERT_EQ(runTorsio("demo --out " + (folder / "out").string() + " --shorten 150 --seed 7", folder).code, 0);
+  equalThoseOfTheCommandsToTheLastDigit(folder);
+  areFollowedToTheMarksTheSheetAndTheRecording(folder);
+  ofTheWindowAreThoseOfTheCommandLineInEveryCell(folder);
 }
 
 }  // namespace

@@ -53,6 +53,10 @@ class UntwistingRows : public DatabaseTest {
     DatabaseTest::TearDown();
   }
 
+  void comeBackFromTheRecordWithTheirMetricsAndOutcomes();
+  void areLinesOfTheTableOfUntwistingsAndOfTheCsvFile();
+  void leaveTheStudyOfTheDemonstrationAsItIs();
+
   CohortInputs reported(const std::string& cohortName) {
     for (const Cohort& cohort : StudyRepository(*connection_).cohorts()) {
       if (cohort.name == cohortName) {
@@ -89,7 +93,7 @@ std::vector<std::string> cellsOf(const std::vector<Text>& row, std::size_t count
   return cells;
 }
 
-TEST_F(UntwistingRows, ComeBackFromTheRecordWithTheirMetricsAndOutcomes) {
+void UntwistingRows::comeBackFromTheRecordWithTheirMetricsAndOutcomes() {
   const CohortInputs inputs = reported("Volvulus and torsion (demonstration)");
 
   EXPECT_EQ(digests_.measured(), 0U);  // each was measured when it was recorded
@@ -112,7 +116,7 @@ TEST_F(UntwistingRows, ComeBackFromTheRecordWithTheirMetricsAndOutcomes) {
   EXPECT_EQ(inputs.trials[3].detorsion.at("detorse.overload_time"), 0.0);  // a careful hand leaves none
 }
 
-TEST_F(UntwistingRows, AreLinesOfTheTableOfUntwistingsAndOfTheCsvFile) {
+void UntwistingRows::areLinesOfTheTableOfUntwistingsAndOfTheCsvFile() {
   const CohortInputs inputs = reported("Volvulus and torsion (demonstration)");
   const ReportModel report = cohortReport(inputs);
   const std::vector<CohortCsvRow> rows = cohortCsvRows(inputs);
@@ -134,7 +138,7 @@ TEST_F(UntwistingRows, AreLinesOfTheTableOfUntwistingsAndOfTheCsvFile) {
   EXPECT_EQ(count("twists"), 0);
 }
 
-TEST_F(UntwistingRows, LeaveTheStudyOfTheDemonstrationAsItIs) {
+void UntwistingRows::leaveTheStudyOfTheDemonstrationAsItIs() {
   std::size_t others = 0;
   for (const Cohort& cohort : StudyRepository(*connection_).cohorts()) {
     if (cohort.name != "Volvulus and torsion (demonstration)") {
@@ -147,6 +151,13 @@ TEST_F(UntwistingRows, LeaveTheStudyOfTheDemonstrationAsItIs) {
   }
 
   EXPECT_EQ(others, 1U);
+}
+
+// One test: the demonstration takes most of its time.
+TEST_F(UntwistingRows, AreTheSameInRecordTableAndFileAndLeaveTheStudyAlone) {
+  comeBackFromTheRecordWithTheirMetricsAndOutcomes();
+  areLinesOfTheTableOfUntwistingsAndOfTheCsvFile();
+  leaveTheStudyOfTheDemonstrationAsItIs();
 }
 
 }  // namespace
