@@ -45,6 +45,7 @@ void buildProgram(CLI::App& program) {
   addDevice(program);
   addEvaluate(program);
   addExport(program);
+  addDataset(program);
   addLearning(program);
   addMetrics(program);
   addPower(program);

@@ -28,6 +28,7 @@ struct ExportArguments {
   std::string format = "csv";
   std::string language = "en";
   std::string keyFile;
+  DatasetRequest dataset;
   ExchangeRequest request;
   CareOptions care;
   bool json = false;
@@ -103,6 +104,10 @@ ExchangeFiles writeTableFiles(SessionContext& session, const ExchangeData& data,
   return exportTables(session, data, tableFormat(given.format), given.out);
 }
 
+ExchangeFiles writeSet(SessionContext& session, const ExchangeData& data, const ExportArguments& given) {
+  return exportDataset(session, data, given.dataset, given.out);
+}
+
 void writeGrades(const ExportArguments& given) {
   CareDesk desk(takerOf(given), given.database);
   ExchangeRequest request = given.request;
@@ -154,6 +159,32 @@ void addExport(CLI::App& program) {
   CLI::App* grades = parent->add_subcommand("gradebook", "Scores for a learning system (Moodle's CSV)");
   addCommon(*grades, *arguments, "File to write");
   grades->callback([arguments] { writeGrades(*arguments); });
+}
+
+void addDataset(CLI::App& program) {
+  auto arguments = std::make_shared<ExportArguments>();
+  arguments->format = "frictionless";
+  CLI::App* parent =
+      program.add_subcommand("dataset", "A cohort's data with its recordings, to be published");
+  parent->require_subcommand(1);
+
+  CLI::App* out = parent->add_subcommand("export", "Tables, trajectories and definitions, with a descriptor");
+  addCommon(*out, *arguments, "New folder to write into");
+  addPseudonyms(*out, *arguments);
+  out->add_option("--as", arguments->format, "frictionless or ro-crate")->capture_default_str();
+  DatasetAbout& about = arguments->dataset.about;
+  out->add_option("--title", about.title, "Title of the data set")->required();
+  out->add_option("--licence", about.licence, "SPDX identifier of the licence: CC-BY-4.0")->required();
+  out->add_option("--description", about.description, "What the data are about");
+  out->add_option("--citation", about.citation, "How users cite the data");
+  out->add_option("--creator", about.creator, "Person or centre that publishes");
+  out->add_option("--rate", arguments->dataset.rate_Hz, "Lines of a trajectory a second; divides 1000")
+      ->capture_default_str();
+  out->callback([arguments] {
+    arguments->dataset.layout = datasetLayout(arguments->format);
+    requireWhole(arguments->dataset.about);
+    run(*arguments, &writeSet);
+  });
 }
 
 }  // namespace torsio::cli

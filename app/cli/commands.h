@@ -23,6 +23,7 @@ void addDemo(CLI::App& program);
 void addDevice(CLI::App& program);
 void addEvaluate(CLI::App& program);
 void addExport(CLI::App& program);
+void addDataset(CLI::App& program);
 void addLearning(CLI::App& program);
 void addMetrics(CLI::App& program);
 void addPower(CLI::App& program);

@@ -7,8 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/base/build_info.h"
 #include "app/base/csv_table.h"
 #include "app/reporting/report_names.h"
+#include "app/study/curriculum_content.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/people/person.h"
 #include "assessment/report/number_format.h"
@@ -16,17 +18,21 @@
 #include "assessment/report/shown_inputs.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/file_io.h"
 #include "sim/base/refusal.h"
+#include "sim/base/tick_period.h"
+#include "sim/base/time_units.h"
 
 namespace torsio {
 
 namespace {
 
 constexpr std::int64_t kAllTrials = 1'000'000;
+constexpr std::int64_t kRecordedRate_Hz = kSecond_us / kTickPeriod_us;
 
 std::map<TrialId, std::int64_t> startsOf(Connection& connection, const CohortId& cohortId) {
   std::map<TrialId, std::int64_t> starts;
@@ -117,7 +123,7 @@ void nameRequest(SessionContext& session, const std::string& cohort, const std::
 ExchangeData exchangeData(SessionContext& session, const ExchangeRequest& request, TrialDigests& digests,
                           const ProgressCallback& progress) {
   session.require(Operation::kReportExportCoded);
-  ExchangeData data{request, {}, {}, {}};
+  ExchangeData data{request, {}, {}, {}, {}};
   data.inputs =
       reportInputs(session, {request.cohortId, request.campaignId, request.frozenId, ReportIdentity::kCoded},
                    digests, progress);
@@ -125,8 +131,15 @@ ExchangeData exchangeData(SessionContext& session, const ExchangeRequest& reques
   if (request.pseudonymised || !mayTakeCodes(session)) {
     const Pseudonyms names(request.key.empty() ? Pseudonyms::freshKey() : request.key);
     PseudonymReport report;
+    for (const TrialSummaryRow& trial : data.inputs.trials) {
+      data.recordings[TrialId(names.of("T", trial.trialId.text()))] = trial.trialId;
+    }
     data.inputs = pseudonymised(std::move(data.inputs), starts, names, request.withFreeText, report);
     data.pseudonyms = report;
+  } else {
+    for (const TrialSummaryRow& trial : data.inputs.trials) {
+      data.recordings[trial.trialId] = trial.trialId;
+    }
   }
   data.set = exportSet(data.inputs, starts);
   return data;
@@ -159,6 +172,35 @@ ExchangeFiles exportTables(SessionContext& session, const ExchangeData& data, Ta
   session.require(Operation::kReportExportCoded);
   std::vector<std::filesystem::path> files = writeTables(tablesOf(data.set), format, folder);
   return noted(session, data.request, "tables", std::ssize(data.inputs.trainees), false, data.pseudonyms,
+               std::move(files));
+}
+
+ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, const DatasetRequest& request,
+                            const std::filesystem::path& folder) {
+  session.require(Operation::kReportExportCoded);
+  if (request.rate_Hz < 1 || kRecordedRate_Hz % request.rate_Hz != 0) {
+    refuseParameter(Text::tr("trajectories cannot be written at this rate"), std::to_string(request.rate_Hz),
+                    Text::tr("Take a rate that divides 1000 Hz, for example 100"));
+  }
+  DatasetContents contents;
+  contents.about = request.about;
+  contents.about.madeUtc_us = session.now_us();
+  contents.tables = tablesOf(data.set);
+  contents.every = kRecordedRate_Hz / request.rate_Hz;
+  contents.softwareVersion = softwareVersion();
+  Connection& connection = session.connection();
+  TrialLoader recordings(connection);
+  for (const TrialSummaryRow& trial : data.inputs.trials) {
+    contents.recordings.push_back(
+        {trial.trialId.text(), trial.trainee,
+         [&recordings, &data, id = trial.trialId] { return recordings.load(data.recordings.at(id)); }});
+  }
+  const Cohort cohort = StudyRepository(connection).cohort(data.request.cohortId);
+  if (const auto version = CurriculumRepository(connection).version(cohort.curriculumVersionId)) {
+    contents.curriculumJson = curriculumJson(*version);
+  }
+  std::vector<std::filesystem::path> files = writeDataset(contents, request.layout, folder);
+  return noted(session, data.request, "dataset", std::ssize(data.inputs.trainees), false, data.pseudonyms,
                std::move(files));
 }
 

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/exchange/dataset.h"
 #include "app/exchange/export_set.h"
 #include "app/exchange/pseudonyms.h"
 #include "app/exchange/table_files.h"
@@ -32,6 +34,7 @@ struct ExchangeData {
   CohortInputs inputs;
   ExportSet set;
   std::optional<PseudonymReport> pseudonyms;  ///< empty: under the codes of the centre
+  std::map<TrialId, TrialId> recordings;      ///< id in the record by the name of the recording in `inputs`
 };
 
 /// What left the house.
@@ -61,6 +64,19 @@ ExchangeFiles exportWorkbook(SessionContext& session, const ExchangeData& data, 
                              const std::filesystem::path& file);
 ExchangeFiles exportTables(SessionContext& session, const ExchangeData& data, TableFormat format,
                            const std::filesystem::path& folder);
+
+/// What of a cohort's data becomes a data set for others.
+struct DatasetRequest {
+  DatasetAbout about;
+  DatasetLayout layout = DatasetLayout::kFrictionless;
+  std::int64_t rate_Hz = 100;  ///< of the trajectories; divides the 1000 Hz of a recording
+};
+
+/// As above, of a whole data set (writeDataset) with the trajectories of the cohort's recordings. Throws
+/// Error{kBadParameter} for a rate that does not divide 1000 Hz or a description that is not whole, before
+/// anything is written.
+ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, const DatasetRequest& request,
+                            const std::filesystem::path& folder);
 
 /// Writes the scores of a cohort as a learning system takes them (Moodle's CSV): a line a trainee, known by
 /// staff or student number and mail address, or by code where the centre keeps neither; a column an occasion.

@@ -9,6 +9,7 @@
 #include "db/repository/base/id_source.h"
 #include "sim/base/digest.h"
 #include "sim/base/refusal.h"
+#include "sim/base/time_units.h"
 
 namespace torsio {
 
@@ -16,7 +17,6 @@ namespace {
 
 constexpr std::size_t kShortestKey = 32;
 constexpr std::size_t kDigits = 10;
-constexpr std::int64_t kDay_us = 86'400'000'000;
 constexpr std::int64_t kHalfYear_days = 182;
 
 Digest::Value keyedHash(const std::string& key, std::string_view kind, std::string_view code) {

@@ -32,23 +32,6 @@ std::string typeWord(ColumnKind kind) {
   return "";
 }
 
-std::string csvText(const ExportTable& table) {
-  std::string text(kByteOrderMark);
-  std::vector<std::string> cells;
-  for (const ExportColumn& column : table.columns) {
-    cells.push_back(column.name);
-  }
-  text += csvLine(cells);
-  for (const auto& row : table.rows) {
-    cells.clear();
-    for (const ExportCell& cell : row) {
-      cells.push_back(cellText(cell));
-    }
-    text += csvLine(cells);
-  }
-  return text;
-}
-
 std::string codebookText(const std::vector<const ExportTable*>& tables) {
   std::string text(kByteOrderMark);
   text += csvLine({"table", "column", "meaning", "unit", "type", "source"});
@@ -86,6 +69,23 @@ std::string readerScript(const std::vector<const ExportTable*>& tables) {
 
 }  // namespace
 
+std::string tableText(const ExportTable& table) {
+  std::string text;
+  std::vector<std::string> cells;
+  for (const ExportColumn& column : table.columns) {
+    cells.push_back(column.name);
+  }
+  text += csvLine(cells);
+  for (const auto& row : table.rows) {
+    cells.clear();
+    for (const ExportCell& cell : row) {
+      cells.push_back(cellText(cell));
+    }
+    text += csvLine(cells);
+  }
+  return text;
+}
+
 TableFormat tableFormat(const std::string& word) {
   for (const auto& [name, format] : kFormats) {
     if (name == word) {
@@ -109,7 +109,7 @@ std::vector<fs::path> writeTables(const std::vector<const ExportTable*>& tables,
       files.push_back(folder / (table->name + ".sav"));
       writeSpssFile(*table, files.back());
     } else {
-      write(table->name + ".csv", csvText(*table));
+      write(table->name + ".csv", std::string(kByteOrderMark) + tableText(*table));
     }
   }
   if (format == TableFormat::kR) {

@@ -18,6 +18,9 @@ enum class TableFormat {
 /// "csv", "r", "spss". Throws Error{kUsage} for another word.
 [[nodiscard]] TableFormat tableFormat(const std::string& word);
 
+/// Returns a table as comma-separated values in UTF-8 under a line of names, without byte order mark.
+[[nodiscard]] std::string tableText(const ExportTable& table);
+
 /// Writes each table as a file of its name into `folder`, which is made where it is missing, and
 /// codebook.csv: table, column, what it means, unit, type, where it comes from. Returns the files. A file
 /// that was there is replaced as a whole or kept. Throws Error{kFileUnwritable}, {kBadData} for a table that

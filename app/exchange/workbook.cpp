@@ -12,6 +12,7 @@
 #include "app/exchange/workbook_sheets.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/time_units.h"
 
 namespace torsio {
 
@@ -25,7 +26,6 @@ constexpr std::uint8_t kA4 = 9;
 constexpr double kNarrowest = 9.0;  // characters
 constexpr double kWidest = 48.0;
 constexpr double kUtcEpoch_days = 25'569.0;  // 1970-01-01 as a spreadsheet counts days
-constexpr double kDay_us = 86'400e6;
 
 /// Number of characters of a UTF-8 text; a Chinese one takes the room of two.
 double widthOf(const std::string& text) {

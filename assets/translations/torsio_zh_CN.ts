@@ -13160,6 +13160,198 @@ audit trail %3</source>
         <source>Kappa is agreement beyond what the raters&apos; own habits would give; a distance counts by its square. One pair far below the others names raters who should talk: see their severity.</source>
         <translation>κ 表示超出评分者各自习惯所能给出的一致性；差距按平方计。某一对远低于其他对时，这两位评分者应当沟通：参见其严格度。</translation>
     </message>
+    <message>
+        <source>trajectories cannot be written at this rate</source>
+        <translation>无法按此频率写出轨迹</translation>
+    </message>
+    <message>
+        <source>Take a rate that divides 1000 Hz, for example 100</source>
+        <translation>请选择能整除 1000 Hz 的频率，例如 100</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>The head of each recording: what was trained, with what, and where its trajectory lies.</source>
+        <translation>每次录制的概要：练习内容、所用设备，以及轨迹文件的位置。</translation>
+    </message>
+    <message>
+        <source>organ</source>
+        <translation>器官</translation>
+    </message>
+    <message>
+        <source>pattern of twist</source>
+        <translation>扭转方式</translation>
+    </message>
+    <message>
+        <source>target angle</source>
+        <translation>目标角度</translation>
+    </message>
+    <message>
+        <source>BLAKE2b-256 of the organ&apos;s file</source>
+        <translation>器官文件的 BLAKE2b-256 值</translation>
+    </message>
+    <message>
+        <source>file of the tissue model&apos;s parameters</source>
+        <translation>组织模型参数文件</translation>
+    </message>
+    <message>
+        <source>input device</source>
+        <translation>输入设备</translation>
+    </message>
+    <message>
+        <source>largest force of the device</source>
+        <translation>设备最大力</translation>
+    </message>
+    <message>
+        <source>program that recorded</source>
+        <translation>录制所用程序</translation>
+    </message>
+    <message>
+        <source>lines of the trajectory a second</source>
+        <translation>轨迹每秒行数</translation>
+    </message>
+    <message>
+        <source>lines of the trajectory</source>
+        <translation>轨迹行数</translation>
+    </message>
+    <message>
+        <source>file of the trajectory</source>
+        <translation>轨迹文件</translation>
+    </message>
+    <message>
+        <source>there is no such form of a data set</source>
+        <translation>没有这种数据集格式</translation>
+    </message>
+    <message>
+        <source>Take frictionless or ro-crate</source>
+        <translation>请选择 frictionless 或 ro-crate</translation>
+    </message>
+    <message>
+        <source>the data set has no title</source>
+        <translation>数据集缺少标题</translation>
+    </message>
+    <message>
+        <source>Give it a title</source>
+        <translation>请填写标题</translation>
+    </message>
+    <message>
+        <source>the licence is missing or is no SPDX identifier</source>
+        <translation>未填写许可协议，或不是 SPDX 标识</translation>
+    </message>
+    <message>
+        <source>Name the licence, for example CC-BY-4.0</source>
+        <translation>请填写许可协议，例如 CC-BY-4.0</translation>
+    </message>
+    <message>
+        <source>the folder of the data set is not empty</source>
+        <translation>数据集文件夹不为空</translation>
+    </message>
+    <message>
+        <source>Choose a new folder, so that nothing is mixed</source>
+        <translation>请选择新的文件夹，以免内容混杂</translation>
+    </message>
+    <message>
+        <source>time since the recording began</source>
+        <translation>录制开始后的时间</translation>
+    </message>
+    <message>
+        <source>tip of the instrument, x</source>
+        <translation>器械尖端位置 x</translation>
+    </message>
+    <message>
+        <source>tip of the instrument, y</source>
+        <translation>器械尖端位置 y</translation>
+    </message>
+    <message>
+        <source>tip of the instrument, z</source>
+        <translation>器械尖端位置 z</translation>
+    </message>
+    <message>
+        <source>rotation of the instrument, quaternion, real part</source>
+        <translation>器械姿态四元数，实部</translation>
+    </message>
+    <message>
+        <source>rotation of the instrument, quaternion, x</source>
+        <translation>器械姿态四元数 x</translation>
+    </message>
+    <message>
+        <source>rotation of the instrument, quaternion, y</source>
+        <translation>器械姿态四元数 y</translation>
+    </message>
+    <message>
+        <source>rotation of the instrument, quaternion, z</source>
+        <translation>器械姿态四元数 z</translation>
+    </message>
+    <message>
+        <source>turn about the stylus, unwrapped</source>
+        <translation>绕笔杆轴的转角（连续值）</translation>
+    </message>
+    <message>
+        <source>closure of the jaw, 0 open to 1 closed</source>
+        <translation>钳口闭合程度，0 为张开，1 为闭合</translation>
+    </message>
+    <message>
+        <source>twist of the held section</source>
+        <translation>夹持截面的扭转角</translation>
+    </message>
+    <message>
+        <source>torque that holds the twist</source>
+        <translation>维持扭转的扭矩</translation>
+    </message>
+    <message>
+        <source>force of the tissue, x</source>
+        <translation>组织作用力 x</translation>
+    </message>
+    <message>
+        <source>force of the tissue, y</source>
+        <translation>组织作用力 y</translation>
+    </message>
+    <message>
+        <source>force of the tissue, z</source>
+        <translation>组织作用力 z</translation>
+    </message>
+    <message>
+        <source>force that the device was told to give, x</source>
+        <translation>发送给设备的力 x</translation>
+    </message>
+    <message>
+        <source>force that the device was told to give, y</source>
+        <translation>发送给设备的力 y</translation>
+    </message>
+    <message>
+        <source>force that the device was told to give, z</source>
+        <translation>发送给设备的力 z</translation>
+    </message>
+    <message>
+        <source>stage of the exercise</source>
+        <translation>练习阶段</translation>
+    </message>
+    <message>
+        <source>moves freely</source>
+        <translation>自由移动</translation>
+    </message>
+    <message>
+        <source>touches</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>holds and twists</source>
+        <translation>夹持并扭转</translation>
+    </message>
+    <message>
+        <source>has let go</source>
+        <translation>已松开</translation>
+    </message>
+    <message>
+        <source>what touches, sum of: 1 jaw, 2 shaft, 4 tissue is held</source>
+        <translation>接触部位，以下各项之和：1 钳口，2 器械杆，4 已夹持组织</translation>
+    </message>
+    <message>
+        <source>state of the device, 0 is sound</source>
+        <translation>设备状态，0 为正常</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

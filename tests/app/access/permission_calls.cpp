@@ -345,6 +345,8 @@ std::vector<ServiceCall> reportingCalls() {
        }},
       {O::kReportExportCoded, "exportTables",
        [](SessionContext& w, Path folder) { exportTables(w, {}, TableFormat::kCsv, folder / "tables"); }},
+      {O::kReportExportCoded, "exportDataset",
+       [](SessionContext& w, Path folder) { exportDataset(w, {}, {}, folder / "dataset"); }},
       {O::kReportExportNamed, "exportGradebook",
        [](SessionContext& w, Path folder) {
          TrialDigests digests(folder);

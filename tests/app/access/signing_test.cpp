@@ -8,6 +8,7 @@
 
 #include "app/access/access_service.h"
 #include "db/repository/people/signature_repository.h"
+#include "sim/base/time_units.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {
@@ -15,8 +16,6 @@ namespace {
 
 using testing::kStudyPassword;
 using testing::StudyCentre;
-
-constexpr std::int64_t kMinute_us = 60'000'000;
 
 class Signing : public ::testing::Test {
  protected:

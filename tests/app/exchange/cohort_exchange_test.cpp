@@ -112,6 +112,31 @@ TEST(CohortExchange, APseudonymisedWorkbookNamesNeitherPeopleNorCentreNorWhatThe
   EXPECT_THAT(told, Not(HasSubstr("T-01")));
 }
 
+TEST(CohortExchange, APseudonymisedDatasetNamesNobody) {
+  SmallStudy study;
+  study.request.pseudonymised = true;
+  const DatasetRequest asked{.about = {.title = "Twists", .licence = "CC-BY-4.0"},
+                             .layout = DatasetLayout::kRoCrate};
+  SessionContext& session = study.centre.as("administrator");
+  const ExchangeData data = exchangeData(session, study.request, study.digests);
+  EXPECT_THROW(
+      exportDataset(session, data, {.about = asked.about, .rate_Hz = 300}, study.centre.folder() / "x"),
+      Error);
+  EXPECT_FALSE(std::filesystem::exists(study.centre.folder() / "x"));
+
+  const ExchangeFiles done = exportDataset(session, data, asked, study.centre.folder() / "set");
+
+  EXPECT_GT(done.files.size(), 12U);
+  for (const std::filesystem::path& file : done.files) {
+    for (const char* secret : {"by ten minutes", "T-01", "T-06", "administrator"}) {
+      EXPECT_THAT(readFile(file), Not(HasSubstr(secret))) << file;
+    }
+  }
+  EXPECT_THAT(readFile(study.centre.folder() / "set" / "curriculum.json"), HasSubstr("modules"));
+  EXPECT_THAT(study.newest().newJson, HasSubstr("dataset"));
+  EXPECT_THAT(study.newest().newJson, HasSubstr(done.contentHash));
+}
+
 TEST(CohortExchange, IsRefusedToWhoeverMayNotExport) {
   SmallStudy study;
   for (const char* role : {"trainee", "rater", "allocator", ""}) {

@@ -11,6 +11,7 @@
 #include "app/exchange/table_files.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/time_units.h"
 #include "tests/app/exchange/foreign_readers.h"
 
 namespace torsio {
@@ -52,7 +53,6 @@ TEST(Pseudonyms, AreTheSameUnderOneKeyAndOthersUnderAnother) {
 
 TEST(Pseudonyms, MoveTimesByWholeDaysOfEachPersonAndNeverByNone) {
   const Pseudonyms names(kKey);
-  constexpr std::int64_t kDay_us = 86'400'000'000;
   std::set<std::int64_t> shifts;
   for (int i = 0; i < 1000; ++i) {
     const std::int64_t shift_us = names.shift_us("T-" + std::to_string(i));
