@@ -11,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/exchange/dataset_bids.h"
 #include "app/exchange/table_files.h"
 #include "app/exchange/trajectory.h"
 #include "assessment/metrics/metric_cards.h"
@@ -26,8 +27,10 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::pair<std::string_view, DatasetLayout>, 2> kLayouts = {
-    {{"frictionless", DatasetLayout::kFrictionless}, {"ro-crate", DatasetLayout::kRoCrate}}};
+constexpr std::array<std::pair<std::string_view, DatasetLayout>, 3> kLayouts = {
+    {{"frictionless", DatasetLayout::kFrictionless},
+     {"ro-crate", DatasetLayout::kRoCrate},
+     {"bids", DatasetLayout::kBids}}};
 
 /// A file of the data set and what it holds.
 struct Part {
@@ -78,7 +81,11 @@ Json resourceOf(const std::string& name, const Part& part, const std::string& de
           {"mediatype", part.media},
           {"encoding", "utf-8"},
           {"dialect",
-           {{"delimiter", ","}, {"lineTerminator", "\r\n"}, {"quoteChar", "\""}, {"doubleQuote", true}, {"header", true}}},
+           {{"delimiter", ","},
+            {"lineTerminator", "\r\n"},
+            {"quoteChar", "\""},
+            {"doubleQuote", true},
+            {"header", true}}},
           {"schema", {{"fields", std::move(fields)}, {"missingValues", {""}}}}};
 }
 
@@ -165,12 +172,14 @@ class DatasetWriter {
       const Part part{"trajectories/" + recording.name + ".csv", "Trajectory " + recording.name, "text/csv"};
       std::int64_t lines = 0;
       parts_.push_back(part);
-      writeFileAtomically(folder_ / part.path,
-                          [&](std::ostream& out) { lines = writeTrajectory(trial, contents_.every, out); });
+      writeFileAtomically(folder_ / part.path, [&](std::ostream& out) {
+        lines = writeTrajectory(trial, contents_.every, TrajectoryForm::kCsv, out);
+      });
       std::string name = "trajectory-" + recording.name;
       std::transform(name.begin(), name.end(), name.begin(),
                      [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-      resources_.push_back(resourceOf(name, part, "Motion, force and twist of one recording.", trajectoryColumns()));
+      resources_.push_back(
+          resourceOf(name, part, "Motion, force and twist of one recording.", trajectoryColumns()));
       const double rate_Hz =
           1e6 / static_cast<double>(head.tickPeriod_us) / static_cast<double>(contents_.every);
       heads.rows.push_back({recording.name, recording.trainee, head.sceneId.text(), head.patternId.text(),
@@ -215,7 +224,8 @@ class DatasetWriter {
       text +=
           "| `trajectories/` | one file a recording, listed in `data/recordings.csv` |\n"
           "| `parameters/` | the parameters of the tissue models |\n"
-          "\nThe frame of positions and forces is LPS: x to the patient's left, y to the back, z to the head. "
+          "\nThe frame of positions and forces is LPS: x to the patient's left, y to the back, z to the "
+          "head. "
           "Rotations are unit quaternions that turn a vector from the frame of the instrument to it.\n";
     }
     return text + "\nColumns are described in `datapackage.json`. Written by Torsio " +
@@ -286,6 +296,15 @@ class DatasetWriter {
   Json resources_ = Json::array();
 };
 
+std::vector<fs::path> writePackage(const DatasetContents& contents, bool asCrate, const fs::path& folder) {
+  DatasetWriter writer(contents, folder);
+  writer.write();
+  if (asCrate) {
+    writer.writeCrate();
+  }
+  return writer.files();
+}
+
 bool isSpdx(const std::string& word) {
   return !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char letter) {
     return std::isalnum(letter) != 0 || letter == '-' || letter == '.' || letter == '+';
@@ -301,7 +320,7 @@ DatasetLayout datasetLayout(const std::string& word) {
     }
   }
   throw Error(ErrorCode::kUsage, Text::tr("there is no such form of a data set"), word,
-              Text::tr("Take frictionless or ro-crate"));
+              Text::tr("Take frictionless, ro-crate or bids"));
 }
 
 void requireWhole(const DatasetAbout& about) {
@@ -323,20 +342,21 @@ std::vector<fs::path> writeDataset(const DatasetContents& contents, DatasetLayou
                 folder.string(), Text::tr("Choose a new folder, so that nothing is mixed"));
   }
   try {
-    DatasetWriter writer(contents, folder);
-    writer.write();
-    if (layout == DatasetLayout::kRoCrate) {
-      writer.writeCrate();
+    if (layout == DatasetLayout::kBids) {
+      std::vector<fs::path> files = writeBids(contents, folder);
+      DatasetContents tables = contents;
+      tables.recordings.clear();  // they lie in the folders of BIDS
+      for (const fs::path& file : writePackage(tables, false, folder / "derivatives" / "torsio")) {
+        files.push_back(file);
+      }
+      return files;
     }
-    return writer.files();
+    return writePackage(contents, layout == DatasetLayout::kRoCrate, folder);
   } catch (...) {
     std::error_code ignored;
-    for (const char* part : {"data", "trajectories", "parameters", "metrics.json", "curriculum.json", "README.md",
-                             "datapackage.json", "ro-crate-metadata.json"}) {
-      fs::remove_all(folder / part, ignored);
-    }
-    if (!wasThere) {
-      fs::remove(folder, ignored);
+    fs::remove_all(folder, ignored);
+    if (wasThere) {
+      fs::create_directory(folder, ignored);
     }
     throw;
   }

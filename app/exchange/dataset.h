@@ -15,6 +15,7 @@ namespace torsio {
 enum class DatasetLayout {
   kFrictionless,  ///< Frictionless data package, version 1: datapackage.json beside the tables
   kRoCrate,       ///< the same, and ro-crate-metadata.json of RO-Crate 1.1
+  kBids,          ///< BIDS 1.9 with Motion-BIDS recordings; the data package lies in derivatives/torsio
 };
 
 /// "frictionless", "ro-crate". Throws Error{kUsage} for another word.

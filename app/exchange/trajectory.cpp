@@ -44,11 +44,10 @@ std::vector<Quantity> quantities() {
   all.push_back({{"time_s", Text::tr("time since the recording began"), number, "s"}, [](const Line& at) {
                    return static_cast<double>(at.sample.device.time_us) / static_cast<double>(kSecond_us);
                  }});
-  addVector(
-      all, "tool", "m",
-      {Text::tr("tip of the instrument, x"), Text::tr("tip of the instrument, y"),
-       Text::tr("tip of the instrument, z")},
-      [](const Line& at) { return at.tool.pose.position_m; });
+  addVector(all, "tool", "m",
+            {Text::tr("tip of the instrument, x"), Text::tr("tip of the instrument, y"),
+             Text::tr("tip of the instrument, z")},
+            [](const Line& at) { return at.tool.pose.position_m; });
   all.push_back({{"tool_qw", Text::tr("rotation of the instrument, quaternion, real part"), number},
                  [](const Line& at) { return at.tool.pose.orientation.w; }});
   all.push_back({{"tool_qx", Text::tr("rotation of the instrument, quaternion, x"), number},
@@ -65,17 +64,19 @@ std::vector<Quantity> quantities() {
                  [](const Line& at) { return degrees(at.sample.response.angle_rad); }});
   all.push_back({{"torque_Nm", Text::tr("torque that holds the twist"), number, "N m"},
                  [](const Line& at) { return at.sample.response.torque_Nm; }});
-  addVector(
-      all, "tissue_force", "N",
-      {Text::tr("force of the tissue, x"), Text::tr("force of the tissue, y"), Text::tr("force of the tissue, z")},
-      [](const Line& at) { return at.sample.response.force_N; });
-  addVector(
-      all, "device_force", "N",
-      {Text::tr("force that the device was told to give, x"),
-       Text::tr("force that the device was told to give, y"),
-       Text::tr("force that the device was told to give, z")},
-      [](const Line& at) { return at.sample.force_N; });
-  all.push_back({{"stage", Text::tr("stage of the exercise"), number, "",
+  addVector(all, "tissue_force", "N",
+            {Text::tr("force of the tissue, x"), Text::tr("force of the tissue, y"),
+             Text::tr("force of the tissue, z")},
+            [](const Line& at) { return at.sample.response.force_N; });
+  addVector(all, "device_force", "N",
+            {Text::tr("force that the device was told to give, x"),
+             Text::tr("force that the device was told to give, y"),
+             Text::tr("force that the device was told to give, z")},
+            [](const Line& at) { return at.sample.force_N; });
+  all.push_back({{"stage",
+                  Text::tr("stage of the exercise"),
+                  number,
+                  "",
                   {{0, Text::tr("moves freely")},
                    {1, Text::tr("touches")},
                    {2, Text::tr("holds and twists")},
@@ -106,14 +107,19 @@ const std::vector<ExportColumn>& trajectoryColumns() {
   return columns;
 }
 
-std::int64_t writeTrajectory(const Trial& trial, std::int64_t every, std::ostream& out) {
+std::int64_t writeTrajectory(const Trial& trial, std::int64_t every, TrajectoryForm form, std::ostream& out) {
   TORSIO_EXPECTS(every >= 1);
+  const bool csv = form == TrajectoryForm::kCsv;
+  const char* const between = csv ? "," : "\t";
+  const char* const end = csv ? "\r\n" : "\n";
   const char* separator = "";
-  for (const ExportColumn& column : trajectoryColumns()) {
-    out << separator << column.name;
-    separator = ",";
+  if (csv) {
+    for (const ExportColumn& column : trajectoryColumns()) {
+      out << separator << column.name;
+      separator = between;
+    }
+    out << end;
   }
-  out << "\r\n";
   std::int64_t lines = 0;
   for (const TrialChunk& chunk : trial.chunks) {
     for (const Sample& sample : decodeChunk(chunk)) {
@@ -124,9 +130,9 @@ std::int64_t writeTrajectory(const Trial& trial, std::int64_t every, std::ostrea
       separator = "";
       for (const Quantity& one : allQuantities()) {
         out << separator << formatExact(one.value(at));
-        separator = ",";
+        separator = between;
       }
-      out << "\r\n";
+      out << end;
       ++lines;
     }
   }

@@ -11,12 +11,17 @@
 namespace torsio {
 
 /// What a line of a trajectory holds, in its order: time from the start of the recording, pose of the
-/// instrument, jaw, twist, torque, forces on the tissue and on the hand, stage, contact. SI but for the angle.
+/// instrument, jaw, twist, torque, forces on the tissue and on the hand, stage, contact. SI but for the
+/// angle.
 [[nodiscard]] const std::vector<ExportColumn>& trajectoryColumns();
 
-/// Writes every `every`-th sample of a recording as a line of comma-separated values under a line of names;
-/// numbers with all their digits. Returns the number of lines. Throws Error{kBadData} for a recording that
-/// is not whole, ContractError for `every` < 1.
-std::int64_t writeTrajectory(const Trial& trial, std::int64_t every, std::ostream& out);
+enum class TrajectoryForm {
+  kCsv,   ///< comma-separated under a line of names
+  kBids,  ///< tab-separated without names, as Motion-BIDS wants it
+};
+
+/// Writes every `every`-th sample of a recording as a line; numbers with all their digits. Returns the number
+/// of lines. Throws Error{kBadData} for a recording that is not whole, ContractError for `every` < 1.
+std::int64_t writeTrajectory(const Trial& trial, std::int64_t every, TrajectoryForm form, std::ostream& out);
 
 }  // namespace torsio

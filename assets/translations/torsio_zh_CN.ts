@@ -13225,10 +13225,6 @@ audit trail %3</source>
         <translation>没有这种数据集格式</translation>
     </message>
     <message>
-        <source>Take frictionless or ro-crate</source>
-        <translation>请选择 frictionless 或 ro-crate</translation>
-    </message>
-    <message>
         <source>the data set has no title</source>
         <translation>数据集缺少标题</translation>
     </message>
@@ -13351,6 +13347,10 @@ audit trail %3</source>
     <message>
         <source>state of the device, 0 is sound</source>
         <translation>设备状态，0 为正常</translation>
+    </message>
+    <message>
+        <source>Take frictionless, ro-crate or bids</source>
+        <translation>请选择 frictionless、ro-crate 或 bids</translation>
     </message>
 </context>
 <context>

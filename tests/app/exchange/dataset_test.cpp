@@ -22,8 +22,8 @@ namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::HasSubstr;
 using nlohmann::json;
+using ::testing::HasSubstr;
 using testing::OwnFolder;
 
 std::vector<Sample> movedSamples() {
@@ -83,13 +83,30 @@ TEST(Trajectory, HoldsEveryNumberOfEveryTenthSample) {
   const OwnFolder folder;
   const fs::path file = folder.path() / "a.csv";
   std::ostringstream out;
-  EXPECT_EQ(writeTrajectory(movedTrial(), 10, out), 200);
+  EXPECT_EQ(writeTrajectory(movedTrial(), 10, TrajectoryForm::kCsv, out), 200);
   writeFileAtomically(file, out.str());
 
-  const CsvTable table = CsvTable::read(
-      file, {"time_s", "tool_x_m", "tool_y_m", "tool_z_m", "tool_qw", "tool_qx", "tool_qy", "tool_qz", "roll_rad",
-             "grip", "twist_deg", "torque_Nm", "tissue_force_x_N", "tissue_force_y_N", "tissue_force_z_N",
-             "device_force_x_N", "device_force_y_N", "device_force_z_N", "stage", "contact", "device_status"});
+  const CsvTable table = CsvTable::read(file, {"time_s",
+                                               "tool_x_m",
+                                               "tool_y_m",
+                                               "tool_z_m",
+                                               "tool_qw",
+                                               "tool_qx",
+                                               "tool_qy",
+                                               "tool_qz",
+                                               "roll_rad",
+                                               "grip",
+                                               "twist_deg",
+                                               "torque_Nm",
+                                               "tissue_force_x_N",
+                                               "tissue_force_y_N",
+                                               "tissue_force_z_N",
+                                               "device_force_x_N",
+                                               "device_force_y_N",
+                                               "device_force_z_N",
+                                               "stage",
+                                               "contact",
+                                               "device_status"});
   ASSERT_EQ(table.rows(), 200U);
   const std::vector<Sample> samples = movedSamples();
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -115,8 +132,7 @@ TEST(Dataset, DescribesEachOfItsFiles) {
   const OwnFolder own;
   const fs::path folder = own.path() / "set";
   const ExportSet set = exportSet(testing::awkwardCohort(), {});
-  const std::vector<fs::path> files =
-      writeDataset(wholeContents(set), DatasetLayout::kRoCrate, folder);
+  const std::vector<fs::path> files = writeDataset(wholeContents(set), DatasetLayout::kRoCrate, folder);
 
   std::size_t found = 0;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -148,14 +164,50 @@ TEST(Dataset, DescribesEachOfItsFiles) {
   EXPECT_EQ(listed.size(), files.size() - 1);  // all but the descriptor itself
   const CsvTable heads =
       CsvTable::read(folder / "data" / "recordings.csv",
-                     {"trial", "participant", "organ", "pattern", "target_deg", "organ_hash", "parameters", "device",
-                      "largest_device_force_N", "software", "rate_Hz", "lines", "trajectory"});
+                     {"trial", "participant", "organ", "pattern", "target_deg", "organ_hash", "parameters",
+                      "device", "largest_device_force_N", "software", "rate_Hz", "lines", "trajectory"});
   ASSERT_EQ(heads.rows(), 2U);
   EXPECT_EQ(heads.cell(1, "participant"), "P-bb");
   EXPECT_EQ(heads.number(1, "rate_Hz"), 100.0);
   EXPECT_EQ(heads.number(1, "lines"), 200.0);
   EXPECT_EQ(readFile(folder / heads.cell(1, "parameters")), movedTrial().header.parametersJson);
   EXPECT_THAT(readFile(folder / "README.md"), HasSubstr("Please cite: Li, 2026"));
+}
+
+TEST(Dataset, OfBidsHasAColumnForEachChannelAndALabelForEachPerson) {
+  const OwnFolder own;
+  const fs::path folder = own.path() / "set";
+  const ExportSet set = exportSet(testing::awkwardCohort(), {});
+  DatasetContents contents = wholeContents(set);
+  contents.recordings[1].trainee = "P-a.a";  // the same letters as the first
+  contents.recordings.push_back({"T-0003", "P-aa", [] { return movedTrial(); }});
+  writeDataset(contents, DatasetLayout::kBids, folder);
+
+  EXPECT_EQ(readFile(folder / "participants.tsv"), "participant_id\tcode\nsub-Paan2\tP-a.a\nsub-Paa\tP-aa\n");
+  for (const char* name : {"sub-Paa/motion/sub-Paa_task-organoaxial_tracksys-torsio_run-01",
+                           "sub-Paa/motion/sub-Paa_task-organoaxial_tracksys-torsio_run-02",
+                           "sub-Paan2/motion/sub-Paan2_task-organoaxial_tracksys-torsio_run-01"}) {
+    const std::string stem = (folder / name).string();
+    const std::string lines = readFile(stem + "_motion.tsv");
+    const std::string channels = readFile(stem + "_channels.tsv");
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 200) << name;
+    EXPECT_EQ(
+        std::count(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(lines.find('\n')), '\t') + 2,
+        std::count(channels.begin(), channels.end(), '\n'))
+        << name;
+    const json motion = json::parse(readFile(stem + "_motion.json"));
+    EXPECT_EQ(motion["SamplingFrequency"], 100.0);
+    EXPECT_EQ(motion["POSChannelCount"], 3);
+    EXPECT_EQ(motion["ORNTChannelCount"], 4);
+    EXPECT_EQ(motion["MotionChannelCount"],
+              motion["POSChannelCount"].get<int>() + motion["ORNTChannelCount"].get<int>() +
+                  motion["LATENCYChannelCount"].get<int>() + motion["MISCChannelCount"].get<int>());
+  }
+  EXPECT_THAT(readFile(folder / "sub-Paa" / "sub-Paa_scans.tsv"),
+              HasSubstr("run-02_motion.tsv\tstomach\torgano-axial\t"));
+  EXPECT_EQ(readFile(folder / "derivatives" / "torsio" / "parameters" / "ab12.json"),
+            movedTrial().header.parametersJson);
+  EXPECT_TRUE(fs::exists(folder / "derivatives" / "torsio" / "datapackage.json"));
 }
 
 TEST(Dataset, LeavesNothingHalfWrittenAndMixesNothing) {
