@@ -160,6 +160,10 @@ class HollowOrgan {
   /// Writes the sections of a span and how its wall lies there; of a cord `walls` stays. In the tick.
   void sectionsOf(int span, const OrganState& state, Sections& sections,
                   WrungOrgan::Profile& walls) const noexcept;
+  /// Does so with sections that lie as those of a limb alone. In the tick.
+  void wind(Sections& sections) const noexcept;
+  /// Returns how free the wall is to change its radius at each place: 0 at the ends of a span to 1.
+  [[nodiscard]] const std::array<double, kPlaces>& freedom() const noexcept { return free_; }
   /// Returns how the section at an arc length lies. In the tick.
   [[nodiscard]] Section sectionAt(double arc_m, const OrganState& state) const noexcept;
   /// Returns the place whose turn and shrinking a point has, at rest or as it lies: that of its arc length;
@@ -220,7 +224,6 @@ class HollowOrgan {
   void drawLine(const SectionLattice& lattice);
   [[nodiscard]] double freeShareOf(double share) const noexcept;
   void measureRoom(const SectionLattice& lattice);
-  void wind(Sections& sections) const noexcept;
 
   Detorsion detorsion_;
   Perfusion vessels_;
