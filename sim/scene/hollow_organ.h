@@ -57,6 +57,9 @@ struct BaseFriction {
   std::string source;
 };
 
+/// Patency from which on a lumen counts as closed.
+inline constexpr double kShutPatency = 0.02;
+
 /// What tissue bears, and what counts as done.
 struct DetorsionLimits {
   double jawArea_m2 = 12e-6;
@@ -137,6 +140,9 @@ class HollowOrgan {
   /// onset_rad allocates.
   [[nodiscard]] double onset_rad(double pressure_Pa) const;
   [[nodiscard]] double closing_rad(double pressure_Pa) const noexcept;
+  /// Returns the least angle, by whole degrees from closing_rad on, at which no more than kShutPatency is left
+  /// open: a thick wall is squeezed to its packed radius before it shuts. Infinite of a cord.
+  [[nodiscard]] double shut_rad(double pressure_Pa) const noexcept;
   /// Says where a section of the organ lies.
   struct Place {
     int span = -1;       ///< -1: in the mobile part
