@@ -17,6 +17,7 @@ namespace torsio {
 namespace {
 
 constexpr std::uint64_t kStartStream = 41;
+constexpr double kMostShut_rad = radians(720.0);
 constexpr double kSlopeStep_rad = radians(0.5);
 // Share of a span, from its ends, along which a wall goes over into its neighbour, which keeps its radius.
 constexpr double kClampedShare = 0.08;
@@ -219,6 +220,14 @@ double HollowOrgan::closing_rad(double pressure_Pa) const noexcept {
     closing_rad = std::min(closing_rad, limb.tube->closing_rad(pressure_Pa));
   }
   return closing_rad;
+}
+
+double HollowOrgan::shut_rad(double pressure_Pa) const noexcept {
+  double angle_rad = closing_rad(pressure_Pa);
+  while (angle_rad < kMostShut_rad && patency(angle_rad, pressure_Pa) > kShutPatency) {
+    angle_rad += radians(1.0);
+  }
+  return angle_rad;
 }
 
 HollowOrgan::Place HollowOrgan::placeOf(double arc_m) const noexcept {

@@ -57,6 +57,9 @@ struct BaseFriction {
   std::string source;
 };
 
+/// Patency from which on a lumen counts as closed.
+inline constexpr double kShutPatency = 0.02;
+
 /// What tissue bears, and what counts as done.
 struct DetorsionLimits {
   double jawArea_m2 = 12e-6;
@@ -137,6 +140,9 @@ class HollowOrgan {
   /// onset_rad allocates.
   [[nodiscard]] double onset_rad(double pressure_Pa) const;
   [[nodiscard]] double closing_rad(double pressure_Pa) const noexcept;
+  /// Returns the least angle, by whole degrees from closing_rad on, at which no more than kShutPatency is left
+  /// open: a thick wall is squeezed to its packed radius before it shuts. Infinite of a cord.
+  [[nodiscard]] double shut_rad(double pressure_Pa) const noexcept;
   /// Says where a section of the organ lies.
   struct Place {
     int span = -1;       ///< -1: in the mobile part
@@ -160,6 +166,10 @@ class HollowOrgan {
   /// Writes the sections of a span and how its wall lies there; of a cord `walls` stays. In the tick.
   void sectionsOf(int span, const OrganState& state, Sections& sections,
                   WrungOrgan::Profile& walls) const noexcept;
+  /// Does so with sections that lie as those of a limb alone. In the tick.
+  void wind(Sections& sections) const noexcept;
+  /// Returns how free the wall is to change its radius at each place: 0 at the ends of a span to 1.
+  [[nodiscard]] const std::array<double, kPlaces>& freedom() const noexcept { return free_; }
   /// Returns how the section at an arc length lies. In the tick.
   [[nodiscard]] Section sectionAt(double arc_m, const OrganState& state) const noexcept;
   /// Returns the place whose turn and shrinking a point has, at rest or as it lies: that of its arc length;
@@ -220,7 +230,6 @@ class HollowOrgan {
   void drawLine(const SectionLattice& lattice);
   [[nodiscard]] double freeShareOf(double share) const noexcept;
   void measureRoom(const SectionLattice& lattice);
-  void wind(Sections& sections) const noexcept;
 
   Detorsion detorsion_;
   Perfusion vessels_;

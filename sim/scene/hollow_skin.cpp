@@ -40,25 +40,6 @@ HollowSkin::Place HollowSkin::placeAt(const Limb& limb, double share) const noex
           {mix(before.even, after.even), mix(before.odd, after.odd)}};
 }
 
-void HollowSkin::write(int span, Cells& cells) const noexcept {
-  const Limb& limb = limbs_[static_cast<std::size_t>(span)];
-  const auto line = [](double low, double middle, double high) -> KinkedLine {
-    const double before = middle - low;
-    const double after = high - middle;
-    return {static_cast<float>(middle), static_cast<float>(0.5 * (before + after)),
-            static_cast<float>(0.5 * (after - before))};
-  };
-  constexpr double kHalfTurns = 1.0 / kPi;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const HollowOrgan::Section* section = &limb.sections[i];
-    const FoldPhase* fold = &limb.folds[i];
-    cells[i] = {line(kHalfTurns * section[0].turn_rad, kHalfTurns * section[1].turn_rad,
-                     kHalfTurns * section[2].turn_rad),
-                line(section[0].radius, section[1].radius, section[2].radius),
-                line(fold[0].even, fold[1].even, fold[2].even), line(fold[0].odd, fold[1].odd, fold[2].odd)};
-  }
-}
-
 bool HollowSkin::rests() const noexcept {
   const auto still = [](const Limb& limb) {
     return std::all_of(limb.sections.begin(), limb.sections.end(),

@@ -7,7 +7,6 @@
 #include "sim/scene/hollow_organ.h"
 #include "sim/tissue/hollow/fold_field.h"
 #include "sim/tissue/twist/twist_model_tables.h"
-#include "sim/tissue/view/twist_kernels.h"
 
 namespace torsio {
 
@@ -21,11 +20,6 @@ class HollowSkin {
   [[nodiscard]] Vec3 vertex(const TwistVertex& vertex, double round_rad) const noexcept;
 
   static constexpr std::size_t kPlaces = HollowOrgan::kPlaces;  ///< of a span, at equal shares
-  using Cells = std::array<HollowCells, kPlaces - 2>;
-  /// Writes the places of a span as the kernels read them: each two neighbouring cells.
-  void write(int span, Cells& cells) const noexcept;
-  /// Returns how many folds go round a span.
-  [[nodiscard]] int waves(int span) const noexcept { return limbs_[static_cast<std::size_t>(span)].waves; }
   /// Tells whether no vertex moves.
   [[nodiscard]] bool rests() const noexcept;
 

@@ -98,12 +98,24 @@ void HollowOrgan::wind(Sections& sections) const noexcept {
   };
   // Limbs that have no room for the turn are drawn together where they are free to.
   const Sections alone = sections;
-  for (int step = 1; step <= kDrawings && wholeRoom() < kRoomLeft * std::abs(angle_rad); ++step) {
+  const auto draw = [&](int step) {
     const double drawn = static_cast<double>(step) / kDrawings;
     for (std::size_t i = 0; i < kPlaces; ++i) {
       const double narrowest = std::min(alone[i].radius, kNarrowestWound);
       sections[i].radius = alone[i].radius + drawn * free_[i] * (narrowest - alone[i].radius);
     }
+  };
+  const auto tooNarrow = [&] { return wholeRoom() < kRoomLeft * std::abs(angle_rad); };
+  // The nearer, the more room: the first step that leaves enough is found by halving.
+  if (tooNarrow()) {
+    int low = 0;
+    int high = kDrawings;
+    while (high - low > 1) {
+      const int middle = (low + high) / 2;
+      draw(middle);
+      (tooNarrow() ? low : high) = middle;
+    }
+    draw(high);
   }
   std::array<double, kPlaces - 1> turn_rad{};
   double over_rad = 0.0;

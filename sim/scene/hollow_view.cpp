@@ -2,6 +2,7 @@
 #include "sim/scene/hollow_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -9,15 +10,22 @@
 #include "sim/base/angle.h"
 #include "sim/base/contracts.h"
 #include "sim/base/portable_math.h"
+#include "sim/scene/hollow_skin.h"
+#include "sim/tissue/view/twist_kernels.h"
 
 namespace torsio {
 
 namespace {
 
 constexpr std::size_t kLanes = static_cast<std::size_t>(kKernelBlock);
-constexpr std::size_t kOwnStreams = 16;
+constexpr std::size_t kOwnStreams = 15;
 constexpr std::size_t kWoundStreams = 12;
-constexpr std::size_t kLastRows = HollowSkin::kPlaces - 3;  // where the last three begin
+constexpr std::size_t kPlaces = HollowOrgan::kPlaces;
+constexpr std::size_t kLastRows = kPlaces - 3;  // where the last three begin
+constexpr auto kRow = static_cast<std::size_t>(kHollowRow);
+constexpr std::size_t kCellQuantities = 13;
+static_assert(FoldDepths::kSteps == kHollowDepths);
+static_assert(kPlaces + kLanes > kRow && kPlaces <= kRow);
 
 void putLane(float* lane, const Vec3& v) {
   lane[0] = static_cast<float>(v.x);
@@ -53,7 +61,7 @@ HollowView::HollowView(std::shared_ptr<const Scene> scene, Isa isa)
       mobile.push_back(v);
     } else if (place.share > 0.0) {
       wrung[static_cast<std::size_t>(place.span)].push_back(
-          {v, place.share * static_cast<double>(HollowSkin::kPlaces - 1)});
+          {v, place.share * static_cast<double>(kPlaces - 1)});
     } else {
       still.push_back(v);
     }
@@ -61,6 +69,7 @@ HollowView::HollowView(std::shared_ptr<const Scene> scene, Isa isa)
   layMobile(mobile);
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     laySpan(std::move(wrung[i]), spans_[i]);
+    layWrung(static_cast<int>(i));
   }
   stillBlocks_ = blocksFor(still.size());
   out_ = KernelBuffer<float>((blocks_ + stillBlocks_) * 3 * kLanes, 2 * kLanes);
@@ -129,20 +138,20 @@ void HollowView::putSpanVertex(const Entry& entry, int firstRow, float* lane) co
   const Vec3 along = dot(own.direction, u) * own.direction;
   const Vec3 across = u - along;
   const TwistLine turning = organ.lineOf(own, organ.turningPlace(vertex.arc_m, vertex.rest_m));
+  // The section of a vertex is that of the foot of its perpendicular, so that `along` is rounding only.
   if (organ.wound()) {
     const auto inFrame = [this](const Vec3& v) -> Vec3 {
       return {dot(first_, v), dot(second_, v), dot(scene_->hollow->line().direction, v)};
     };
-    putLane(lane, inFrame(vertex.rest_m - across - turning.point_m));
+    putLane(lane, inFrame(vertex.rest_m - turning.point_m));
     putLane(lane + 3 * kLanes, inFrame(across));
     putLane(lane + 6 * kLanes, inFrame(cross(own.direction, across)));
   } else {
-    const auto onAxis = [&turning](const Vec3& v) { return dot(turning.direction, v); };
-    putLane(lane, own.point_m + onAxis(along) * turning.direction);
-    putLane(lane + 3 * kLanes, along - onAxis(along) * turning.direction);
-    putLane(lane + 6 * kLanes, across - onAxis(across) * turning.direction);
-    putLane(lane + 9 * kLanes, turning.direction);
-    lane[12 * kLanes] = static_cast<float>(onAxis(across));
+    const Vec3 lift = dot(turning.direction, across) * turning.direction;
+    putLane(lane, own.point_m + along);
+    putLane(lane + 3 * kLanes, lift);
+    putLane(lane + 6 * kLanes, across - lift);
+    putLane(lane + 9 * kLanes, cross(turning.direction, across));
   }
   lane[(streams() - 1) * kLanes] = static_cast<float>(entry.row - (firstRow + 1));
 }
@@ -178,13 +187,89 @@ void HollowView::moveMobile(double angle_rad) noexcept {
   twistKernels(isa_).lattice(mobile_.data(), 1, mobileBlocks_, motion, out_.data());
 }
 
-void HollowView::moveSpan(const HollowSkin& skin, int index) noexcept {
-  Span& span = spans_[static_cast<std::size_t>(index)];
-  skin.write(index, span.cells);
-  if (span.waves != skin.waves(index)) {
-    putWaves(span, skin.waves(index));
+// A cord is one solved span: an even turn, nothing narrower.
+void HollowView::layWrung(int span) {
+  const HollowOrgan& organ = *scene_->hollow;
+  const WrungOrgan* tube = organ.tube(span);
+  const auto alike =
+      std::find_if(wrung_.begin(), wrung_.end(), [tube](const Wrung& known) { return known.tube == tube; });
+  spans_[static_cast<std::size_t>(span)].wrung =
+      static_cast<std::size_t>(std::distance(wrung_.begin(), alike));
+  if (alike != wrung_.end()) {
+    return;
   }
-  HollowFrame frame{span.cells.data(), static_cast<float>(skin.waves(index))};
+  Wrung& wrung = wrung_.emplace_back();
+  wrung.tube = tube;
+  const std::size_t count = tube == nullptr ? 1 : tube->solvedCount();
+  wrung.solved = KernelBuffer<float>(count * 4 * kRow);
+  wrung.places = KernelBuffer<float>(4 * kRow);
+  wrung.cells = KernelBuffer<float>(kCellQuantities * kRow);
+  const std::array<double, kPlaces>& free = organ.freedom();
+  for (std::size_t k = 0; k < count; ++k) {
+    float* row = &wrung.solved[k * 4 * kRow];
+    WrungOrgan::Profile walls;
+    if (tube != nullptr) {
+      tube->profileOf(k, walls);
+    }
+    for (std::size_t i = 0; i < kPlaces; ++i) {
+      const double even = static_cast<double>(i) / static_cast<double>(kPlaces - 1);
+      const bool end = i == 0 || i + 1 == kPlaces;
+      row[i] = static_cast<float>(end || tube == nullptr ? even : walls[i].turn);
+      row[kRow + i] = static_cast<float>(tube == nullptr ? 1.0 : 1.0 + (walls[i].radius - 1.0) * free[i]);
+      if (i > 0 && tube != nullptr) {  // the held section has no folds
+        row[2 * kRow + i] = static_cast<float>(1.0 - walls[i].slack);
+        row[3 * kRow + i] = static_cast<float>(walls[i].foldTurn);
+      }
+    }
+  }
+}
+
+void HollowView::mixPlaces(const OrganState& state, Wrung& wrung) const noexcept {
+  const double angle_rad = state.twist.graspAngle_rad;
+  const TwistKernels& kernels = twistKernels(isa_);
+  HollowMix mix;
+  std::fill_n(mix.solved, 4, wrung.solved.data());
+  mix.weights[0] = 1.0F;
+  if (wrung.tube != nullptr) {
+    const double pressure_Pa = state.hollow.reading.pressure_Pa;
+    const WringTable::Mix exact = wrung.tube->mixAt(angle_rad, pressure_Pa);
+    for (std::size_t k = 0; k < exact.solved.size(); ++k) {
+      mix.solved[k] = wrung.solved.data() + exact.solved[k] * 4 * kRow;
+      mix.weights[k] = static_cast<float>(exact.weights[k]);
+    }
+    wrung.waves = drawnWaves(wrung.tube->waves(pressure_Pa));
+  }
+  mix.turn = static_cast<float>(angle_rad / kPi);
+  mix.waves = static_cast<float>(angle_rad < 0.0 ? -wrung.waves : wrung.waves);
+  const FoldDepths& depths = foldDepths(wrung.waves);
+  mix.depths = depths.depths.data();
+  mix.depthsEach = depths.each;
+  kernels.hollowPlaces(mix, wrung.places.data());
+  if (scene_->hollow->wound()) {
+    windPlaces(angle_rad, wrung);
+  }
+  kernels.hollowCells(wrung.places.data(), wrung.cells.data());
+}
+
+void HollowView::windPlaces(double angle_rad, Wrung& wrung) const noexcept {
+  HollowOrgan::Sections sections;
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    sections[i] = {kPi * wrung.places[i], wrung.places[kRow + i]};
+  }
+  sections.back().turn_rad = angle_rad;
+  scene_->hollow->wind(sections);
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    wrung.places[i] = static_cast<float>(sections[i].turn_rad * (1.0 / kPi));
+    wrung.places[kRow + i] = static_cast<float>(sections[i].radius);
+  }
+}
+
+void HollowView::moveSpan(Span& span) noexcept {
+  const Wrung& wrung = wrung_[span.wrung];
+  if (span.waves != wrung.waves) {
+    putWaves(span, wrung.waves);
+  }
+  HollowFrame frame{wrung.cells.data(), static_cast<float>(wrung.waves)};
   const auto put = [](const Vec3& v, float* out) {
     out[0] = static_cast<float>(v.x);
     out[1] = static_cast<float>(v.y);
@@ -201,13 +286,15 @@ void HollowView::moveSpan(const HollowSkin& skin, int index) noexcept {
 }
 
 bool HollowView::updateBlocks(const OrganState& state) noexcept {
-  const HollowSkin skin(*scene_->hollow, state);
-  if (skin.rests()) {
+  if (state.twist.graspAngle_rad == 0.0 && HollowSkin(*scene_->hollow, state).rests()) {
     return false;
   }
   moveMobile(state.twist.graspAngle_rad);
-  for (int i = 0; i < std::ssize(spans_); ++i) {
-    moveSpan(skin, i);
+  for (Wrung& wrung : wrung_) {
+    mixPlaces(state, wrung);
+  }
+  for (Span& span : spans_) {
+    moveSpan(span);
   }
   return true;
 }

@@ -7,8 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "sim/scene/hollow_skin.h"
+#include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene.h"
+#include "sim/tissue/hollow/fold_field.h"
 #include "sim/tissue/view/cpu_features.h"
 #include "sim/tissue/view/twist_kernels_buffer.h"
 
@@ -45,14 +46,25 @@ class HollowView {
     std::vector<double> rounds_rad;  // ridge angle, one a lane
     int waves = 0;                   // for which `in` is written
     std::size_t firstBlock = 0;
-    HollowSkin::Cells cells{};
+    std::size_t wrung = 0;
+  };
+  /// How a span is wrung; limbs that are alike share one.
+  struct Wrung {
+    const WrungOrgan* tube = nullptr;  // none of a cord
+    KernelBuffer<float> solved;        // of HollowMix, one after the other
+    KernelBuffer<float> places;
+    KernelBuffer<float> cells;
+    int waves = kFewestDrawnWaves;
   };
   void layStill(std::span<const std::size_t> vertices);
   void layMobile(std::span<const std::size_t> vertices);
   void laySpan(std::vector<Entry> entries, Span& span);
   void putSpanVertex(const Entry& entry, int firstRow, float* lane) const;
   void putWaves(Span& span, int waves) noexcept;
-  void moveSpan(const HollowSkin& skin, int index) noexcept;
+  void layWrung(int span);
+  void mixPlaces(const OrganState& state, Wrung& wrung) const noexcept;
+  void windPlaces(double angle_rad, Wrung& wrung) const noexcept;
+  void moveSpan(Span& span) noexcept;
   void moveMobile(double angle_rad) noexcept;
   [[nodiscard]] std::size_t streams() const noexcept;
 
@@ -66,6 +78,7 @@ class HollowView {
   KernelBuffer<float> mobile_;  // against the point of the organ's line
   int mobileBlocks_ = 0;
   std::vector<Span> spans_;
+  std::vector<Wrung> wrung_;
   std::vector<std::uint32_t> slots_;  // of each mesh vertex: its x in out_
   KernelBuffer<float> out_;
 };

@@ -2,8 +2,11 @@
 // Frame rate and servo timing, measured together: a scripted hand twists an organ at real time through the
 // same servo, recorder and view as a trainee's run, first without a picture, then at each level of quality.
 //   torsio_bench_view [--seconds S] [--size WxH] [--organ ID] [--triangles N] [--level fast|fine] [--smoke]
+//   [--parts]
+// --parts prints what the processor does for a frame of the organ, without drawing one.
 // --smoke fails unless every level drew and the servo ticked; it asserts no timing.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -18,11 +21,13 @@
 #include <QTimer>
 
 #include "app/gui/scene/instrument_geometry.h"
+#include "app/gui/scene/organ_geometry.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/widgets/theme.h"
 #include "app/recording/recorded_run.h"
 #include "sim/base/error.h"
 #include "sim/device/virtual/scripted_hand.h"
+#include "sim/scene/hollow_organ.h"
 #include "sim/servo/hand_task.h"
 #include "tests/sim/servo/bar_scene.h"
 
@@ -43,6 +48,7 @@ struct Options {
   int triangles = 0;  // 0: the shipped organ; else a round bar of so many
   std::vector<RenderQuality> levels{RenderQuality::kFast, RenderQuality::kFine};
   bool smoke = false;
+  bool parts = false;
 };
 
 struct Outcome {
@@ -188,10 +194,12 @@ Options parse(const QStringList& arguments) {
     parser.addOption(QCommandLineOption(QLatin1String(name), QString(), QLatin1String(name)));
   }
   parser.addOption(QCommandLineOption(QStringLiteral("smoke")));
+  parser.addOption(QCommandLineOption(QStringLiteral("parts")));
   parser.process(arguments);
   Options options;
   const auto value = [&](const char* name) { return parser.value(QLatin1String(name)); };
   options.smoke = parser.isSet(QStringLiteral("smoke"));
+  options.parts = parser.isSet(QStringLiteral("parts"));
   if (options.smoke) {
     options.seconds = 1.0, options.size = {480, 320};
   }
@@ -215,6 +223,55 @@ Options parse(const QStringList& arguments) {
   return options;
 }
 
+double now_us() {
+  timespec used{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+  return 1e6 * static_cast<double>(used.tv_sec) + 1e-3 * static_cast<double>(used.tv_nsec);
+}
+
+/// Prints what the processor does for a frame of a scene before the scene graph gets it, in us of its time,
+/// medians: where the vertices go; view frame and normals; colours; the buffer for the graphics card.
+void measureParts(const std::shared_ptr<const Scene>& scene) {
+  constexpr int kRepeats = 101;
+  ViewScene view = makeViewScene(scene);
+  OrganGeometry geometry;
+  geometry.setSurface(view.surface, view.skin.get());
+  std::vector<Vec3> moved_m(scene->mesh.vertices_m.size());
+  std::vector<std::array<float, 3>> colours(moved_m.size());
+  std::array<std::vector<double>, 4> parts_us;
+  for (int i = 0; i < kRepeats; ++i) {
+    OrganState state;
+    if (scene->hollow) {
+      state = scene->stateAt(scene->hollow->detorsion().start.most_rad * (1.0 - 0.001 * i));
+    } else {
+      state.twist = {scene->pattern.graspArc * scene->lattice().length_m(), 0.01 * (i + 1)};
+    }
+    double at_us = now_us();
+    const auto note = [&](std::size_t part) {
+      const double then_us = now_us();
+      parts_us[part].push_back(then_us - at_us);
+      at_us = then_us;
+    };
+    view.deform(state, moved_m);
+    note(0);
+    view.surface.update(moved_m);
+    note(1);
+    if (!view.blood.empty()) {
+      view.blood.evaluate(state, colours);
+      view.surface.paint(colours);
+    }
+    note(2);
+    geometry.updateVertices(view.surface);
+    note(3);
+  }
+  std::printf("%-24s", scene->id.c_str());
+  for (std::vector<double>& part_us : parts_us) {
+    std::sort(part_us.begin(), part_us.end());
+    std::printf(" %8.1f", quantile(part_us, 0.5));
+  }
+  std::printf("\n");
+}
+
 bool drawFor(SceneView& view, double seconds) {
   QElapsedTimer clock;
   clock.start();
@@ -231,6 +288,11 @@ bool drawFor(SceneView& view, double seconds) {
 }
 
 int bench(const Options& options) {
+  if (options.parts) {
+    std::printf("us of the processor a frame    places  normals  colours   buffer\n");
+    measureParts(sceneOf(options));
+    return 0;
+  }
   const std::shared_ptr<const Scene> scene = sceneOf(options);
   SceneView view;
   view.resize(options.size);

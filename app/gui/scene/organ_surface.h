@@ -41,7 +41,14 @@ class OrganSurface {
   [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> edges() const;
 
  private:
+  /// What normals are made of, side by side.
+  struct Turning {
+    std::array<float, 4> place{};
+    std::array<float, 4> sum{};
+  };
+
   std::vector<SurfaceVertex> vertices_;
+  std::vector<Turning> turning_;  // one a vertex
   std::vector<TriangleMesh::Triangle> triangles_;
 };
 

@@ -22,6 +22,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/angle.h"
+#include "sim/scene/hollow_organ.h"
 #include "sim/servo/detorsion.h"
 
 namespace torsio::gui {
@@ -30,7 +31,6 @@ namespace {
 
 constexpr double kDegreesPerTurn = 360.0;
 constexpr double kOpenFrom = 0.8;
-constexpr double kClosedTo = 0.02;
 constexpr int kBar = 1000;
 constexpr double kWrongWay_rad = radians(10.0);  // beyond what a hand drifts while it holds
 constexpr FlowCheck kChecks[] = {FlowCheck::kLook, FlowCheck::kTouch, FlowCheck::kDoppler};
@@ -297,7 +297,7 @@ void DetorsionPanel::showRows() {
   setText(angle_.value, angleText(shown_.response.angle_rad));
   const double patency = pose.reading.patency;
   setText(lumen_.value, patency >= kOpenFrom   ? tr("open, %1 %").arg(percent(patency))
-                        : patency <= kClosedTo ? tr("closed, %1 %").arg(percent(patency))
+                        : patency <= kShutPatency ? tr("closed, %1 %").arg(percent(patency))
                                                : tr("narrow, %1 %").arg(percent(patency)));
   setText(pressure_.value,
           tr("%1 mmHg").arg(QLocale().toString(pose.reading.pressure_Pa / kPascalsPerMmHg, 'f', 1)));

@@ -15,6 +15,12 @@ constexpr double kNearlyLost = 0.95;  // dose
 constexpr double kLongest_s = 12.0 * 3600.0;
 constexpr double kStep_s = 600.0;
 
+/// Blood, and how long the organ has lain so.
+struct Lain {
+  PerfusionState blood;
+  double since_s = 0.0;
+};
+
 double angleOf(const HollowOrgan& organ, UntwistingState state) {
   const Detorsion& detorsion = organ.detorsion();
   const double pressure_Pa = detorsion.wall.pressure_Pa;
@@ -23,7 +29,7 @@ double angleOf(const HollowOrgan& organ, UntwistingState state) {
     case UntwistingState::kOnset:
       return organ.tube(0) != nullptr ? organ.onset_rad(pressure_Pa) : 0.25 * most_rad;
     case UntwistingState::kClosed:
-      return organ.tube(0) != nullptr ? organ.closing_rad(pressure_Pa) : 0.5 * most_rad;
+      return organ.tube(0) != nullptr ? organ.shut_rad(pressure_Pa) : 0.5 * most_rad;
     case UntwistingState::kIschaemic:
       return most_rad;
     case UntwistingState::kRest:
@@ -34,14 +40,15 @@ double angleOf(const HollowOrgan& organ, UntwistingState state) {
 }
 
 /// Blood of an organ that has lain twisted until it is nearly lost, or for long where that harms it little.
-PerfusionState starved(const HollowOrgan& organ) {
+Lain starved(const HollowOrgan& organ) {
   const Detorsion& detorsion = organ.detorsion();
   const double pressure_mmHg = detorsion.wall.pressure_Pa / kPascalsPerMmHg;
-  PerfusionState blood;
-  for (double since_s = kStep_s; since_s <= kLongest_s && blood.dose < kNearlyLost; since_s += kStep_s) {
-    blood = organ.vessels().after(detorsion.start.most_rad, pressure_mmHg, since_s);
+  Lain lain;
+  while (lain.since_s + kStep_s <= kLongest_s && lain.blood.dose < kNearlyLost) {
+    lain.since_s += kStep_s;
+    lain.blood = organ.vessels().after(detorsion.start.most_rad, pressure_mmHg, lain.since_s);
   }
-  return blood;
+  return lain;
 }
 
 void putBlood(const PerfusionState& blood, HollowPose& pose) {
@@ -60,11 +67,15 @@ LiveState untwistingState(const Scene& scene, UntwistingState state) {
   LiveState live = scriptedTwist(scene, detorsion.start.sign * angleOf(organ, state));
   HollowPose& pose = live.hollow;
   if (state == UntwistingState::kIschaemic) {
-    putBlood(starved(organ), pose);
+    const Lain lain = starved(organ);
+    putBlood(lain.blood, pose);
+    pose.scaled_s = lain.since_s;
   } else if (state == UntwistingState::kRecovered) {
-    PerfusionState blood = starved(organ);
-    organ.vessels().step(blood, 0.0, 0.0, 20.0 * detorsion.vessels.flowTime_s);
-    putBlood(blood, pose);
+    Lain lain = starved(organ);
+    const double back_s = 20.0 * detorsion.vessels.flowTime_s;
+    organ.vessels().step(lain.blood, 0.0, 0.0, back_s);
+    putBlood(lain.blood, pose);
+    pose.scaled_s = lain.since_s + back_s;
     pose.reading.pressure_Pa =
         detorsion.wall.vent ? detorsion.wall.ventedPressure_Pa : detorsion.wall.restPressure_Pa;
     pose.reading.patency = organ.patency(0.0, pose.reading.pressure_Pa);

@@ -13,14 +13,15 @@ namespace torsio {
 
 namespace {
 
-constexpr std::size_t kSteps = 128;  // of the table
-constexpr int kSamples = 64;         // of a wave: the sum over a period converges faster than any power
+constexpr std::size_t kSteps = FoldDepths::kSteps;
+constexpr int kSamples = 64;  // of a wave: the sum over a period converges faster than any power
 constexpr int kAmplitudeHalvings = 40;
 
 /// Amplitudes over v = sqrt(1 / slack^2 - 1), in which they begin as a straight line.
 struct AmplitudeTable {
   double most = 0.0;
   std::array<double, kSteps + 1> amplitudes{};
+  FoldDepths rounded;
 };
 
 double excessOf(double perimeter) {
@@ -39,7 +40,9 @@ AmplitudeTable tableOf(int waves) {
       (excessOf(foldedPerimeter(waves, middle)) < excess ? low : high) = middle;
     }
     table.amplitudes[k] = 0.5 * (low + high);
+    table.rounded.depths[k] = static_cast<float>(table.amplitudes[k]);
   }
+  table.rounded.each = static_cast<float>(static_cast<double>(kSteps) / table.most);
   return table;
 }
 
@@ -93,6 +96,10 @@ double foldAmplitude(int waves, double slack) noexcept {
   const std::size_t cell = std::min(static_cast<std::size_t>(at), kSteps - 1);
   const double share = at - static_cast<double>(cell);
   return table.amplitudes[cell] + share * (table.amplitudes[cell + 1] - table.amplitudes[cell]);
+}
+
+const FoldDepths& foldDepths(int waves) noexcept {
+  return tableFor(waves).rounded;
 }
 
 FoldPhase foldPhase(const FoldWaves& folds) noexcept {

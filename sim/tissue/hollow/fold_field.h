@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 namespace torsio {
 
 /// Folds round a wrung tube at one place along it: waves that run up the tube as a helix and keep the length
@@ -24,6 +26,15 @@ inline constexpr int kMostDrawnWaves = 9;
 /// radius is `slack` of the one that the perimeter would fill round: from a table made by bisection. 0 at
 /// slack 1, kDeepestFold where the folds cannot take up more. Any thread.
 [[nodiscard]] double foldAmplitude(int waves, double slack) noexcept;
+
+/// The table of foldAmplitude() for so many waves: depths at equal steps of sqrt(1 / slack^2 - 1) from 0; the
+/// last is that of all that is slacker.
+struct FoldDepths {
+  static constexpr int kSteps = 128;
+  std::array<float, kSteps + 1> depths{};
+  float each = 0.0F;  ///< steps for 1
+};
+[[nodiscard]] const FoldDepths& foldDepths(int waves) noexcept;
 
 /// Returns the length of a folded perimeter against that of a circle of its mean radius.
 [[nodiscard]] double foldedPerimeter(int waves, double amplitude) noexcept;

@@ -105,6 +105,24 @@ std::vector<WrungPlace> placesOf(const TubeWall& wall, const WrungShape& shape,
   return places;
 }
 
+// Writes places at equal shares of the length between nodes; asks for each node once.
+template <typename NodeAt>
+void spreadOut(std::size_t nodes, std::span<WrungPlace> places, const NodeAt& nodeAt) noexcept {
+  std::size_t node = 0;
+  WrungPlace from = nodeAt(0);
+  WrungPlace to = nodeAt(1);
+  const double step =
+      static_cast<double>(nodes - 1) / static_cast<double>(std::max<std::size_t>(places.size(), 2) - 1);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double along = std::min(static_cast<double>(i) * step, static_cast<double>(nodes - 1));
+    for (; node + 2 < nodes && along >= static_cast<double>(node + 1); ++node) {
+      from = to;
+      to = nodeAt(node + 2);
+    }
+    places[i] = between(from, to, along - static_cast<double>(node));
+  }
+}
+
 }  // namespace
 
 WrungState wrungState(const TubeWall& wall, const WrungShape& shape, int waves) noexcept {
@@ -329,25 +347,34 @@ void WringTable::placesAt(double angle_rad, double pressure, std::span<WrungPlac
   const std::size_t begin = cell.angle * nodes;
   const WrungPlace* low = cell.rows.low->places.data() + begin;
   const WrungPlace* high = cell.rows.high->places.data() + begin;
-  const auto nodeAt = [&](std::size_t i) {
+  spreadOut(nodes, places, [&](std::size_t i) {
     return between(between(low[i], low[nodes + i], cell.share), between(high[i], high[nodes + i], cell.share),
                    cell.rows.share);
-  };
-  // Each node once: places follow one another along the tube.
-  std::size_t node = 0;
-  WrungPlace from = nodeAt(0);
-  WrungPlace to = nodeAt(1);
-  const double step =
-      static_cast<double>(nodes - 1) / static_cast<double>(std::max<std::size_t>(places.size(), 2) - 1);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const double along = std::min(static_cast<double>(i) * step, static_cast<double>(nodes - 1));
-    for (; node + 2 < nodes && along >= static_cast<double>(node + 1); ++node) {
-      from = to;
-      to = nodeAt(node + 2);
-    }
-    places[i] = between(from, to, along - static_cast<double>(node));
-    places[i].foldTurn = angle_rad < 0.0 ? -places[i].foldTurn : places[i].foldTurn;
+  });
+  for (WrungPlace& place : places) {
+    place.foldTurn = angle_rad < 0.0 ? -place.foldTurn : place.foldTurn;
   }
+}
+
+WringTable::Mix WringTable::mixAt(double angle_rad, double pressure) const noexcept {
+  const Cell cell = cellAt(angle_rad, pressure);
+  const auto solved = [&](const Row* row) {
+    return static_cast<std::size_t>(row - rows_.data()) * kAngles + cell.angle;
+  };
+  const std::size_t low = solved(cell.rows.low);
+  const std::size_t high = solved(cell.rows.high);
+  const double highShare = cell.rows.share;
+  const double lowShare = 1.0 - highShare;
+  return {{low, low + 1, high, high + 1},
+          {lowShare * (1.0 - cell.share), lowShare * cell.share, highShare * (1.0 - cell.share),
+           highShare * cell.share}};
+}
+
+void WringTable::solvedPlaces(std::size_t solved, std::span<WrungPlace> places) const noexcept {
+  const Row& row = rows_[solved / kAngles];
+  const std::size_t nodes = row.places.size() / kAngles;
+  const WrungPlace* first = row.places.data() + solved % kAngles * nodes;
+  spreadOut(nodes, places, [first](std::size_t i) { return first[i]; });
 }
 
 double WringTable::closing_rad(double pressure) const noexcept {

@@ -50,6 +50,17 @@ class WringTable {
   /// Writes how the tube lies at equal shares of its length, both ends among them: placeAt() up to rounding,
   /// for a fraction of its time.
   void placesAt(double angle_rad, double pressure, std::span<WrungPlace> places) const noexcept;
+  /// Solved tubes that a query mixes, of rows of pressure, and their weights, of sum 1.
+  struct Mix {
+    std::array<std::size_t, 4> solved{};
+    std::array<double, 4> weights{};
+  };
+  /// Returns what a query at an angle and a pressure mixes. Any thread.
+  [[nodiscard]] Mix mixAt(double angle_rad, double pressure) const noexcept;
+  /// Returns how many tubes the table has solved.
+  [[nodiscard]] std::size_t solvedCount() const noexcept { return rows_.size() * kAngles; }
+  /// Writes how a solved tube lies at equal shares of its length, as placesAt() does.
+  void solvedPlaces(std::size_t solved, std::span<WrungPlace> places) const noexcept;
   /// Returns the angle at which the narrowest place is packed with wall.
   [[nodiscard]] double closing_rad(double pressure) const noexcept;
   /// Returns the largest torque on the way to closing.

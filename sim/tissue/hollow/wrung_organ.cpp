@@ -98,6 +98,10 @@ WrungOrgan::WrungOrgan(Unloaded tube, const HollowContent& content)
   table_.placesAt(0.0, rest_Pa_ / shear_Pa_, drawn);
   std::transform(drawn.begin(), drawn.end(), drawnRadius_.begin(),
                  [](const WrungPlace& place) { return place.radius; });
+  for (std::size_t i = 0; i < wall_.radius.size(); ++i) {
+    meanRadius_ += wall_.radius[i] / static_cast<double>(wall_.radius.size());
+    meanThickness_ += wall_.thickness[i] / static_cast<double>(wall_.radius.size());
+  }
 }
 
 WrungState WrungOrgan::at(double angle_rad, double pressure_Pa) const noexcept {
@@ -123,6 +127,15 @@ WrungPlace WrungOrgan::placeAt(double share, double angle_rad, double pressure_P
 
 void WrungOrgan::profileAt(double angle_rad, double pressure_Pa, Profile& profile) const noexcept {
   table_.placesAt(angle_rad, pressure_Pa / shear_Pa_, profile);
+  againstDrawn(profile);
+}
+
+void WrungOrgan::profileOf(std::size_t solved, Profile& profile) const noexcept {
+  table_.solvedPlaces(solved, profile);
+  againstDrawn(profile);
+}
+
+void WrungOrgan::againstDrawn(Profile& profile) const noexcept {
   for (std::size_t i = 0; i < kPlaces; ++i) {
     profile[i].radius /= drawnRadius_[i];
     profile[i].shift = 0.0;
@@ -178,13 +191,7 @@ double WrungOrgan::peakTorque_Nm(double pressure_Pa) const noexcept {
 }
 
 int WrungOrgan::waves(double pressure_Pa) const {
-  double radius = 0.0;
-  double thickness = 0.0;
-  for (std::size_t i = 0; i < wall_.radius.size(); ++i) {
-    radius += wall_.radius[i] / static_cast<double>(wall_.radius.size());
-    thickness += wall_.thickness[i] / static_cast<double>(wall_.radius.size());
-  }
-  return foldWaves(tubeAt(radius, thickness, pressure_Pa));
+  return foldWaves(tubeAt(meanRadius_, meanThickness_, pressure_Pa));
 }
 
 }  // namespace torsio

@@ -53,6 +53,14 @@ class WrungOrgan {
   /// Writes how the wall lies at all places of a profile: placeAt() up to rounding, for a fraction of its
   /// time; without shift, which is 0. In the tick.
   void profileAt(double angle_rad, double pressure_Pa, Profile& profile) const noexcept;
+  /// Returns the solved tubes that profileAt() mixes, up to rounding.
+  [[nodiscard]] WringTable::Mix mixAt(double angle_rad, double pressure_Pa) const noexcept {
+    return table_.mixAt(angle_rad, pressure_Pa / shear_Pa_);
+  }
+  /// Returns how many solved tubes there are to mix.
+  [[nodiscard]] std::size_t solvedCount() const noexcept { return table_.solvedCount(); }
+  /// Writes how the wall of a solved tube lies at all places of a profile, as profileAt() does.
+  void profileOf(std::size_t solved, Profile& profile) const noexcept;
   /// Returns the pressure at an angle when the gas cannot leave: (p_atm + p) V stays what it was at
   /// `filled_Pa` and angle 0. 30 queries.
   [[nodiscard]] double sealedPressure_Pa(double angle_rad, double filled_Pa) const noexcept;
@@ -77,6 +85,7 @@ class WrungOrgan {
   };
   static Unloaded unloaded(std::span<const WallPlace> places, double length_m, const HollowContent& content);
   WrungOrgan(Unloaded tube, const HollowContent& content);
+  void againstDrawn(Profile& profile) const noexcept;
   [[nodiscard]] TubePlace tubeAt(double radius, double thickness, double pressure_Pa) const;
 
   double shear_Pa_ = 0.0;
@@ -85,6 +94,8 @@ class WrungOrgan {
   double plainStiffness_Nm_per_rad_ = 0.0;
   TubeWall wall_;
   WringTable table_;
+  double meanRadius_ = 0.0;  // of the wall
+  double meanThickness_ = 0.0;
   std::array<double, kPlaces> drawnRadius_{};  // of the organ as drawn, at the places of a profile
 };
 

@@ -31,30 +31,30 @@ struct PaperFrame {
   float graspAngle = 0.0F;  ///< rad per N m at the grasp; sections beyond it follow rigidly
 };
 
-/// One quantity along three rows of a hollow organ, in rows from the middle one: two straight pieces that
-/// meet there, middle + slope place + kink |place|.
-struct KinkedLine {
-  float middle = 0.0F;
-  float slope = 0.0F;
-  float kink = 0.0F;
-};
+/// Places along a span of a hollow organ are a row of floats, padded to whole blocks.
+inline constexpr int kHollowRow = 80;
 
-/// Two neighbouring cells of a span of a wrung hollow organ, as a frame of it is drawn.
-struct HollowCells {
-  KinkedLine turn;    ///< of the section, in half turns
-  KinkedLine radius;  ///< mean, against rest
-  KinkedLine even;    ///< depth of the folds against the mean radius, times the cosine of their phase
-  KinkedLine odd;     ///< its part times the sine
+/// A wrung span at the angle and pressure of a frame, mixed from the four solved ones round them. A solved
+/// span is [4][kHollowRow]: share of the turn; mean radius against rest; how slack the wall is, as what is
+/// missing of 1; where the first crest has gone round to, rad.
+struct HollowMix {
+  const float* solved[4] = {};    ///< those of weight 0 may be any
+  float weights[4] = {};          ///< of sum 1
+  float turn = 0.0F;              ///< of the mobile part, half turns
+  float waves = 3.0F;             ///< folds round the tube, below 0 if they run the other way round
+  const float* depths = nullptr;  ///< of the folds, [kHollowDepths + 1], over sqrt(1 / slack^2 - 1)
+  float depthsEach = 0.0F;        ///< steps of `depths` for 1
 };
+inline constexpr int kHollowDepths = 128;
 
 /// One frame of a span of a hollow organ (docs/model.md H.8).
 struct HollowFrame {
-  const HollowCells* cells = nullptr;  ///< that begin at each row of the span
-  float waves = 3.0F;                  ///< folds round the tube
-  float point[3] = {};                 ///< of the line that wound limbs turn about, m
-  float direction[3] = {};             ///< of that line
-  float first[3] = {};                 ///< across it, of length 1
-  float second[3] = {};                ///< direction x first
+  const float* cells = nullptr;  ///< of hollowCells
+  float waves = 3.0F;            ///< folds round the tube
+  float point[3] = {};           ///< of the line that wound limbs turn about, m
+  float direction[3] = {};       ///< of that line
+  float first[3] = {};           ///< across it, of length 1
+  float second[3] = {};          ///< direction x first
 };
 
 /// Component kriging of a set of key points as the paper prints it (Eq. 15): for each vertex eight weights
@@ -85,15 +85,23 @@ struct TwistKernels {
   /// Moves vertices by the paper's linear rotation. in: rest[3] tangentCrossRadius[3] unitAngle arc lift[3]
   /// = 11 x 16 a block; out: 3 x 16.
   void (*paperLinear)(const float* in, int blocks, const PaperFrame& frame, float* out);
+  /// Computes a span's places. out: [4][kHollowRow]: turn in half turns; mean radius against rest; depth of
+  /// the folds against that radius, times the cosine and the sine of their phase.
+  void (*hollowPlaces)(const HollowMix& mix, float* out);
+  /// Lays out places (of hollowPlaces) by cells, each two neighbouring ones as two straight pieces that meet
+  /// in the middle row, middle + slope place + kink |place|, place in rows from there. out:
+  /// [13][kHollowRow], at the first row of each cell: middle, slope and kink of the turn, of the radius and
+  /// of both parts of the folds; then 0 where all three rows are free of folds.
+  void (*hollowCells)(const float* places, float* out);
   /// Moves vertices of a span with its folds, each about an axis through its own section's centre. in:
-  /// foot[3] still[3] across[3] axis[3] lean round[2] place = 16 x 16 a block. What is radius times `across`
-  /// and `still`, which no radius touches, turns about `axis`; `lean`: the part of the vertex that grows
-  /// along the axis; `foot`: the rest; m. `round`: cosine and sine of the ridge angle times the number of
-  /// waves; `place`: rows from the middle of the cells firstRows[block], -1 .. 1. out: 3 x 16.
+  /// foot[3] lift[3] across[3] aside[3] round[2] place = 15 x 16 a block, m. `across` turns towards `aside`
+  /// about the axis, `lift` lies along it, all three grow with the radius; `foot`: the rest. `round`: cosine
+  /// and sine of the ridge angle times the number of waves; `place`: rows from the middle of the cell
+  /// firstRows[block], -1 .. 1. out: 3 x 16.
   void (*hollowOwn)(const float* in, const int* firstRows, int blocks, const HollowFrame& frame, float* out);
-  /// Moves vertices of limbs that are wound round the line of the frame. in: foot[3] across[3] aside[3]
-  /// round[2] place = 12 x 16 a block, vectors along first, second, direction of the frame; `foot`: on the
-  /// section's axis, against the point of the line; `aside`: tangent x across. out: 3 x 16.
+  /// Moves vertices of limbs that are wound round the line of the frame. in: rest[3] across[3] aside[3]
+  /// round[2] place = 12 x 16 a block, vectors along first, second, direction of the frame; `rest`: against
+  /// the point of the line; `across`: from the section's axis; `aside`: tangent x across. out: 3 x 16.
   void (*hollowWound)(const float* in, const int* firstRows, int blocks, const HollowFrame& frame,
                       float* out);
   /// Moves a lattice section by section, each section padded to whole blocks of 3 x 16; motions: 12 numbers

@@ -193,12 +193,111 @@ void paperLinear(const float* __restrict in, int blocks, const PaperFrame& frame
   }
 }
 
-inline float along(const KinkedLine& k, float place, float away) {
-  return k.middle + (k.slope * place + k.kink * away);
-}
-
 inline float magnitude(float value) {
   return __builtin_bit_cast(float, __builtin_bit_cast(unsigned, value) & 0x7fffffffU);
+}
+
+// What is missing of a slack wall keeps its digits where 1 - slack^2 would lose them: the depth of the folds
+// begins as its root.
+void hollowFolds(const HollowMix& m, float* __restrict even, float* __restrict odd) {
+  const float* __restrict depths = m.depths;
+  const float each = m.depthsEach;
+  const float waves = m.waves;
+  float at[kHollowRow];
+  TORSIO_VECTOR_LOOP
+  for (int i = 0; i < kHollowRow; ++i) {
+    const float missing = even[i];
+    at[i] = smaller(TORSIO_ROOT(missing * (2.0F - missing)) / (1.0F - missing) * each,
+                    static_cast<float>(kHollowDepths));
+  }
+  float depth[kHollowRow];
+  TORSIO_VECTOR_LOOP
+  for (int i = 0; i < kHollowRow; ++i) {
+    const int cell = static_cast<int>(smaller(at[i], static_cast<float>(kHollowDepths - 1)));
+    const float low = depths[cell];
+    depth[i] = low + (at[i] - static_cast<float>(cell)) * (depths[cell + 1] - low);
+  }
+  TORSIO_VECTOR_LOOP
+  for (int i = 0; i < kHollowRow; ++i) {
+    const SineCosine crest = sineCosine(waves * odd[i]);
+    even[i] = depth[i] * crest.cosine;
+    odd[i] = depth[i] * crest.sine;
+  }
+}
+
+void hollowPlaces(const HollowMix& mix, float* __restrict out) {
+  const float* __restrict a = mix.solved[0];
+  const float* __restrict b = mix.solved[1];
+  const float* __restrict c = mix.solved[2];
+  const float* __restrict d = mix.solved[3];
+  const float weights[4] = {mix.weights[0], mix.weights[1], mix.weights[2], mix.weights[3]};
+  TORSIO_VECTOR_LOOP
+  for (int i = 0; i < 4 * kHollowRow; ++i) {
+    out[i] = (weights[0] * a[i] + weights[1] * b[i]) + (weights[2] * c[i] + weights[3] * d[i]);
+  }
+  const float turn = mix.turn;
+  TORSIO_VECTOR_LOOP
+  for (int i = 0; i < kHollowRow; ++i) {
+    out[i] *= turn;
+  }
+  float* even = out + 2 * kHollowRow;
+  unsigned slack = 0;
+  for (int i = 0; i < kHollowRow; ++i) {
+    slack |= __builtin_bit_cast(unsigned, even[i]);
+  }
+  float* odd = even + kHollowRow;
+  if (slack != 0) {
+    hollowFolds(mix, even, odd);
+    return;
+  }
+  for (int i = 0; i < kHollowRow; ++i) {
+    odd[i] = 0.0F;
+  }
+}
+
+void hollowCells(const float* __restrict places, float* __restrict out) {
+  constexpr int kCells = kHollowRow - 16;
+  for (int quantity = 0; quantity < 4; ++quantity) {
+    const float* __restrict p = places + quantity * kHollowRow;
+    float* __restrict o = out + 3 * quantity * kHollowRow;
+    TORSIO_VECTOR_LOOP
+    for (int i = 0; i < kCells; ++i) {
+      const float before = p[i + 1] - p[i];
+      const float after = p[i + 2] - p[i + 1];
+      o[i] = p[i + 1];
+      o[kHollowRow + i] = 0.5F * (before + after);
+      o[2 * kHollowRow + i] = 0.5F * (after - before);
+    }
+  }
+  const float* __restrict even = places + 2 * kHollowRow;
+  const float* __restrict odd = places + 3 * kHollowRow;
+  float* __restrict folds = out + 12 * kHollowRow;
+  TORSIO_VECTOR_LOOP
+  for (int i = 0; i < kCells; ++i) {
+    folds[i] =
+        ((magnitude(even[i]) + magnitude(even[i + 1])) + (magnitude(even[i + 2]) + magnitude(odd[i]))) +
+        (magnitude(odd[i + 1]) + magnitude(odd[i + 2]));
+  }
+}
+
+// One quantity along the cell of a block.
+struct KinkedLine {
+  float middle;
+  float slope;
+  float kink;
+};
+
+inline KinkedLine lineOf(const float* cell, int quantity) {
+  return {cell[3 * quantity * kHollowRow], cell[(3 * quantity + 1) * kHollowRow],
+          cell[(3 * quantity + 2) * kHollowRow]};
+}
+
+inline bool folded(const float* cell) {
+  return cell[12 * kHollowRow] != 0.0F;
+}
+
+inline float along(const KinkedLine& k, float place, float away) {
+  return (k.middle + k.slope * place) + k.kink * away;
 }
 
 // What the number of folds says, the same in a whole frame.
@@ -217,13 +316,21 @@ struct Folded {
   float turn;
 };
 
-inline Folded foldedAt(const HollowCells& b, const Waves& w, float cosine, float sine, float place,
-                       float away) {
-  const float even = along(b.even, place, away);
-  const float odd = along(b.odd, place, away);
+inline Folded foldedAt(const KinkedLine& evens, const KinkedLine& odds, const Waves& w, float cosine,
+                       float sine, float place, float away) {
+  const float even = along(evens, place, away);
+  const float odd = along(odds, place, away);
   const float up = even * cosine + odd * sine;
   const float aside = even * sine - odd * cosine;
   return {up, aside * (w.second * up - w.inverse)};
+}
+
+// A vertex of a section that turns about its own axis; `turn` holds the radius as well.
+inline void putOwn(const float* __restrict v, const SineCosine& turn, float radius, int i,
+                   float* __restrict o) {
+  o[i] = v[i] + radius * v[48 + i] + turn.cosine * v[96 + i] + turn.sine * v[144 + i];
+  o[16 + i] = v[16 + i] + radius * v[64 + i] + turn.cosine * v[112 + i] + turn.sine * v[160 + i];
+  o[32 + i] = v[32 + i] + radius * v[80 + i] + turn.cosine * v[128 + i] + turn.sine * v[176 + i];
 }
 
 void hollowOwn(const float* __restrict in, const int* __restrict firstRows, int blocks,
@@ -231,29 +338,43 @@ void hollowOwn(const float* __restrict in, const int* __restrict firstRows, int 
   const Waves waves = wavesOf(frame);
   const Waves w = {waves.inverse * 0.318309886F, waves.second * 0.318309886F};  // in half turns
   for (int block = 0; block < blocks; ++block) {
-    const float* __restrict v = in + static_cast<long long>(block) * (16 * 16);
+    const float* __restrict v = in + static_cast<long long>(block) * (15 * 16);
     float* __restrict o = out + static_cast<long long>(block) * (3 * 16);
-    const HollowCells b = frame.cells[firstRows[block]];
+    const float* __restrict cell = frame.cells + firstRows[block];
+    const KinkedLine turns = lineOf(cell, 0);
+    const KinkedLine radii = lineOf(cell, 1);
+    if (!folded(cell)) {
+      TORSIO_VECTOR_LOOP
+      for (int i = 0; i < 16; ++i) {
+        const float place = v[224 + i];
+        const float away = magnitude(place);
+        const float radius = along(radii, place, away);
+        putOwn(v, shortSineCosine(along(turns, place, away), radius), radius, i, o);
+      }
+      continue;
+    }
+    const KinkedLine evens = lineOf(cell, 2);
+    const KinkedLine odds = lineOf(cell, 3);
     TORSIO_VECTOR_LOOP
     for (int i = 0; i < 16; ++i) {
-      const float place = v[240 + i];
+      const float place = v[224 + i];
       const float away = magnitude(place);
-      const Folded fold = foldedAt(b, w, v[208 + i], v[224 + i], place, away);
-      const float mean = along(b.radius, place, away);
+      const Folded fold = foldedAt(evens, odds, w, v[192 + i], v[208 + i], place, away);
+      const float mean = along(radii, place, away);
       const float radius = mean + mean * fold.up;
-      const SineCosine turn = shortSineCosine(along(b.turn, place, away) + fold.turn, 1.0F);
-      const float ex = v[144 + i];
-      const float ey = v[160 + i];
-      const float ez = v[176 + i];
-      const float x = v[48 + i] + radius * v[96 + i];
-      const float y = v[64 + i] + radius * v[112 + i];
-      const float z = v[80 + i] + radius * v[128 + i];
-      const float lift = radius * v[192 + i];
-      o[i] = v[i] + lift * ex + turn.cosine * x + turn.sine * (ey * z - ez * y);
-      o[16 + i] = v[16 + i] + lift * ey + turn.cosine * y + turn.sine * (ez * x - ex * z);
-      o[32 + i] = v[32 + i] + lift * ez + turn.cosine * z + turn.sine * (ex * y - ey * x);
+      putOwn(v, shortSineCosine(along(turns, place, away) + fold.turn, radius), radius, i, o);
     }
   }
+}
+
+// A vertex of wound limbs, x, y, z of the frame, turned about its line and put where the line is.
+inline void putWound(const HollowFrame& f, const SineCosine& turn, float x, float y, float z, int i,
+                     float* __restrict o) {
+  const float p = turn.cosine * x - turn.sine * y;
+  const float q = turn.sine * x + turn.cosine * y;
+  o[i] = f.point[0] + f.first[0] * p + f.second[0] * q + f.direction[0] * z;
+  o[16 + i] = f.point[1] + f.first[1] * p + f.second[1] * q + f.direction[1] * z;
+  o[32 + i] = f.point[2] + f.first[2] * p + f.second[2] * q + f.direction[2] * z;
 }
 
 // The fold turns by at most 0.35 rad: short sums, error below 3e-6, a tenth of a micrometre at its radius.
@@ -264,25 +385,34 @@ void hollowWound(const float* __restrict in, const int* __restrict firstRows, in
   for (int block = 0; block < blocks; ++block) {
     const float* __restrict v = in + static_cast<long long>(block) * (12 * 16);
     float* __restrict o = out + static_cast<long long>(block) * (3 * 16);
-    const HollowCells b = f.cells[firstRows[block]];
+    const float* __restrict cell = f.cells + firstRows[block];
+    const KinkedLine turns = lineOf(cell, 0);
+    const KinkedLine radii = lineOf(cell, 1);
+    if (!folded(cell)) {
+      TORSIO_VECTOR_LOOP
+      for (int i = 0; i < 16; ++i) {
+        const float place = v[176 + i];
+        const float away = magnitude(place);
+        const SineCosine turn = shortSineCosine(along(turns, place, away), along(radii, place, away));
+        putWound(f, turn, v[i], v[16 + i], v[32 + i], i, o);
+      }
+      continue;
+    }
+    const KinkedLine evens = lineOf(cell, 2);
+    const KinkedLine odds = lineOf(cell, 3);
     TORSIO_VECTOR_LOOP
     for (int i = 0; i < 16; ++i) {
       const float place = v[176 + i];
       const float away = magnitude(place);
-      const Folded fold = foldedAt(b, w, v[144 + i], v[160 + i], place, away);
+      const Folded fold = foldedAt(evens, odds, w, v[144 + i], v[160 + i], place, away);
       const float zz = fold.turn * fold.turn;
       const float radius = 1.0F + fold.up;
       const float aside = radius * (fold.turn + fold.turn * zz * (-0.166666667F + zz * 8.33333333e-3F));
-      const float across = radius * (1.0F + zz * (-0.5F + zz * 0.0416666667F));
+      const float across = fold.up + radius * (zz * (-0.5F + zz * 0.0416666667F));
       const float x = v[i] + across * v[48 + i] + aside * v[96 + i];
       const float y = v[16 + i] + across * v[64 + i] + aside * v[112 + i];
       const float z = v[32 + i] + across * v[80 + i] + aside * v[128 + i];
-      const SineCosine turn = shortSineCosine(along(b.turn, place, away), along(b.radius, place, away));
-      const float p = turn.cosine * x - turn.sine * y;
-      const float q = turn.sine * x + turn.cosine * y;
-      o[i] = f.point[0] + f.first[0] * p + f.second[0] * q + f.direction[0] * z;
-      o[16 + i] = f.point[1] + f.first[1] * p + f.second[1] * q + f.direction[1] * z;
-      o[32 + i] = f.point[2] + f.first[2] * p + f.second[2] * q + f.direction[2] * z;
+      putWound(f, shortSineCosine(along(turns, place, away), along(radii, place, away)), x, y, z, i, o);
     }
   }
 }
@@ -360,5 +490,6 @@ void triad(const float* __restrict a, const float* __restrict b, float factor, i
   }
 }
 
-const TwistKernels kKernels{curvedWarp, curved,        givenAngles,      paperLinear, hollowOwn, hollowWound,
-                            lattice,    latticeDouble, componentKriging, interleave,  triad};
+const TwistKernels kKernels{curvedWarp,       curved,     givenAngles, paperLinear, hollowPlaces,
+                            hollowCells,      hollowOwn,  hollowWound, lattice,     latticeDouble,
+                            componentKriging, interleave, triad};

@@ -15,6 +15,14 @@
 #define TORSIO_VECTOR_LOOP
 #endif
 
+// The root of a float, as an instruction.
+#if defined(__clang__) || defined(__GNUC__)
+#define TORSIO_ROOT(x) __builtin_sqrtf(x)
+#else
+#include <math.h>
+#define TORSIO_ROOT(x) sqrtf(x)
+#endif
+
 namespace torsio {
 
 const TwistKernels& twistKernelsPortable() noexcept;

@@ -3,6 +3,7 @@
 #include "sim/scene/hollow_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -13,6 +14,7 @@
 
 #include "sim/base/angle.h"
 #include "sim/scene/scene_file.h"
+#include "sim/tissue/view/twist_kernels.h"
 
 namespace torsio {
 namespace {
@@ -93,16 +95,24 @@ TEST_P(HollowViewOf, AtRestIsTheDoublePathToTheBit) {
   EXPECT_EQ(drawn_m, scene->mesh.vertices_m);
 }
 
+// The table of hollowCells with one cell: its 13 quantities.
+std::vector<float> oneCell(const std::array<float, 13>& quantities) {
+  std::vector<float> cells(quantities.size() * kHollowRow);
+  for (std::size_t k = 0; k < quantities.size(); ++k) {
+    cells[k * kHollowRow] = quantities[k];
+  }
+  return cells;
+}
+
 // One block of a tube along z; `mirror` -1: the same seen in the plane y = 0, turned the other way.
-std::vector<float> tubeBlock(Isa isa, float mirror, bool wound) {
-  const std::vector<HollowCells> cells{{{mirror * 0.4F, mirror * 0.25F, mirror * 0.05F},
-                                        {0.8F, -0.15F, -0.05F},
-                                        {0.2F, 0.1F, 0.0F},
-                                        {mirror * 0.1F, mirror * 0.05F, mirror * -0.02F}}};
+std::vector<float> tubeBlock(Isa isa, float mirror, bool wound, float folds, float told) {
+  const std::vector<float> cells = oneCell({mirror * 0.4F, mirror * 0.25F, mirror * 0.05F, 0.8F, -0.15F,
+                                            -0.05F, folds * 0.2F, folds * 0.1F, 0.0F, folds * mirror * 0.1F,
+                                            folds * mirror * 0.05F, folds * mirror * -0.02F, told});
   const HollowFrame frame{
       cells.data(), 3.0F, {0.1F, 0.0F, 0.3F}, {0.6F, 0.0F, 0.8F}, {0.8F, 0.0F, -0.6F}, {0.0F, 1.0F, 0.0F}};
   const std::vector<int> firstRows{0};
-  KernelBuffer<float> in(16 * 16);
+  KernelBuffer<float> in(15 * 16);
   KernelBuffer<float> out(3 * 16);
   const std::size_t across = wound ? 3 : 6;
   for (std::size_t i = 0; i < 16; ++i) {
@@ -110,18 +120,18 @@ std::vector<float> tubeBlock(Isa isa, float mirror, bool wound) {
     float* lane = &in[i];
     lane[across * 16] = 0.04F * std::cos(angle);
     lane[(across + 1) * 16] = mirror * 0.04F * std::sin(angle);
+    lane[(across + 3) * 16] = mirror * -0.04F * std::sin(angle);
+    lane[(across + 4) * 16] = 0.04F * std::cos(angle);
     if (wound) {
-      lane[6 * 16] = mirror * -0.04F * std::sin(angle);
-      lane[7 * 16] = 0.04F * std::cos(angle);
+      lane[0] = lane[across * 16];
+      lane[16] = lane[(across + 1) * 16];
     } else {
       lane[3 * 16] = 0.002F;
-      lane[9 * 16] = 0.6F;
-      lane[11 * 16] = 0.8F;
-      lane[12 * 16] = 0.01F;
+      lane[5 * 16] = 0.01F;
     }
-    lane[(wound ? 9 : 13) * 16] = std::cos(3.0F * angle);
-    lane[(wound ? 10 : 14) * 16] = mirror * std::sin(3.0F * angle);
-    lane[(wound ? 11 : 15) * 16] = -1.0F + 0.125F * static_cast<float>(i);
+    lane[(wound ? 9 : 12) * 16] = std::cos(3.0F * angle);
+    lane[(wound ? 10 : 13) * 16] = mirror * std::sin(3.0F * angle);
+    lane[(wound ? 11 : 14) * 16] = -1.0F + 0.125F * static_cast<float>(i);
   }
   const TwistKernels& kernels = twistKernels(isa);
   (wound ? kernels.hollowWound : kernels.hollowOwn)(in.data(), firstRows.data(), 1, frame, out.data());
@@ -131,15 +141,29 @@ std::vector<float> tubeBlock(Isa isa, float mirror, bool wound) {
 TEST(HollowKernel, AMirroredOrganIsDrawnMirrored) {
   for (const Isa isa : usableIsas()) {
     for (const bool wound : {false, true}) {
-      const std::vector<float> organ = tubeBlock(isa, 1.0F, wound);
-      const std::vector<float> mirrored = tubeBlock(isa, -1.0F, wound);
+      const std::vector<float> organ = tubeBlock(isa, 1.0F, wound, 1.0F, 1.0F);
+      const std::vector<float> mirrored = tubeBlock(isa, -1.0F, wound, 1.0F, 1.0F);
 
       for (std::size_t i = 0; i < 16; ++i) {
         EXPECT_EQ(mirrored[i], organ[i]) << i;
         EXPECT_EQ(mirrored[16 + i], -organ[16 + i]) << i;
         EXPECT_EQ(mirrored[32 + i], organ[32 + i]) << i;
       }
-      EXPECT_GT(std::abs(organ[16]), 0.01F);
+      const auto [low, high] = std::minmax_element(organ.begin() + 16, organ.begin() + 32);
+      EXPECT_GT(*high - *low, 0.03F);
+    }
+  }
+}
+
+TEST(HollowKernel, WhereNothingIsFoldedTheShortWayIsTheLongOne) {
+  for (const Isa isa : usableIsas()) {
+    for (const bool wound : {false, true}) {
+      const std::vector<float> whole = tubeBlock(isa, 1.0F, wound, 0.0F, 1.0F);
+      const std::vector<float> brief = tubeBlock(isa, 1.0F, wound, 0.0F, 0.0F);
+
+      for (std::size_t i = 0; i < whole.size(); ++i) {
+        EXPECT_NEAR(brief[i], whole[i], 3e-8F) << isaName(isa) << " " << i;
+      }
     }
   }
 }
@@ -148,10 +172,11 @@ TEST(HollowKernel, ATubeWithoutFoldsOrTurnStaysWhereItIs) {
   for (const Isa isa : usableIsas()) {
     KernelBuffer<float> in(12 * 16);
     KernelBuffer<float> out(3 * 16);
-    const std::vector<HollowCells> cells{{{}, {1.0F, 0.0F, 0.0F}, {}, {}}};
+    const std::vector<float> cells = oneCell({0.0F, 0.0F, 0.0F, 1.0F});
     const std::vector<int> firstRows{0};
     for (std::size_t i = 0; i < 16; ++i) {
       in[i] = 0.02F * static_cast<float>(i);
+      in[16 + i] = 0.03F;
       in[4 * 16 + i] = 0.03F;
       in[6 * 16 + i] = -0.03F;
       in[9 * 16 + i] = 1.0F;

@@ -82,6 +82,21 @@ TEST(WringTable, BetweenItsPressuresIsTheTubeWithinOneInAHundred) {
   }
 }
 
+TEST(WringTable, TorqueGoesOverEvenlyWhereTheNumberOfFoldsChanges) {
+  // Three folds up to P 0.026, four up to 0.19, then five: gas that is let out goes through them.
+  constexpr double kStep = 2e-5;
+  ASSERT_NE(foldWaves({0.05, 6.0, 0.008, 1.0}), foldWaves({0.05, 6.0, 0.031, 1.0}));
+  ASSERT_NE(foldWaves({0.05, 6.0, 0.125, 1.0}), foldWaves({0.05, 6.0, 0.195, 1.0}));
+  for (const double angle_deg : {12.0, 40.0, 70.0, 100.0}) {
+    for (double pressure = 0.002; pressure < 0.2; pressure += kStep) {
+      const double before = table().torqueAt(radians(angle_deg), pressure * 0.05);
+      const double after = table().torqueAt(radians(angle_deg), (pressure + kStep) * 0.05);
+
+      ASSERT_NEAR(after, before, 0.002 * table().peakTorque(pressure * 0.05)) << pressure << ' ' << angle_deg;
+    }
+  }
+}
+
 TEST(WringTable, ClosesLaterUnderPressure) {
   double before = 0.0;
   for (const double pressure : {0.0, 0.05, 0.1, 0.2, 0.3, 0.5}) {

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The states in which organs that come twisted are pictured, and the boxes that name them.
+#include "app/gui/simulator/untwisting_states.h"
+
+#include <filesystem>
+#include <string>
+
+#include <QComboBox>
+#include <QStyle>
+#include <QStyleOptionComboBox>
+#include <gtest/gtest.h>
+
+#include "app/gui/practice/simulator_window.h"
+#include "app/gui/simulator/exercise_panel.h"
+#include "sim/scene/hollow_organ.h"
+#include "sim/scene/scene_file.h"
+
+namespace torsio::gui {
+namespace {
+
+const std::filesystem::path kAssets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+
+// At 8 mmHg its antrum is squeezed to the packed radius with a fifth of its lumen open.
+TEST(UntwistingStates, WhatIsCalledClosedIsShutAndWhatIsIschaemicHasLainLong) {
+  SceneRequest request;
+  request.assets = kAssets;
+  request.id = "gastric-organo-axial";
+  request.pattern = "detorse";
+  const Scene scene = loadScene(request);
+  const double pressure_Pa = scene.hollow->detorsion().wall.pressure_Pa;
+  ASSERT_GT(scene.hollow->patency(scene.hollow->closing_rad(pressure_Pa), pressure_Pa), 0.1);
+
+  const LiveState closed = untwistingState(scene, UntwistingState::kClosed);
+  const LiveState ischaemic = untwistingState(scene, UntwistingState::kIschaemic);
+  const LiveState recovered = untwistingState(scene, UntwistingState::kRecovered);
+
+  EXPECT_LE(closed.hollow.reading.patency, kShutPatency);
+  EXPECT_EQ(closed.hollow.scaled_s, 0.0);
+  EXPECT_GT(ischaemic.hollow.scaled_s, 3600.0);
+  EXPECT_GT(recovered.hollow.scaled_s, ischaemic.hollow.scaled_s);
+}
+
+TEST(ExerciseBoxes, ShowEachNameOfAnOrganWholeInASmallWindow) {
+  WindowSetup setup;
+  setup.assets = kAssets;
+  setup.remember = false;
+  SimulatorWindow window(setup);
+  window.resize(1280, 800);
+  window.showNormal();
+  const auto* panel = window.findChild<ExercisePanel*>();
+  ASSERT_NE(panel, nullptr);
+  const auto* box = panel->findChild<QComboBox*>();
+  ASSERT_NE(box, nullptr);
+  ASSERT_GE(box->count(), 9);
+
+  QStyleOptionComboBox option;
+  option.initFrom(box);
+  option.editable = false;
+  const int room =
+      box->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box).width();
+  for (int i = 0; i < box->count(); ++i) {
+    EXPECT_LE(box->fontMetrics().horizontalAdvance(box->itemText(i)), room) << box->itemText(i).toStdString();
+  }
+}
+
+}  // namespace
+}  // namespace torsio::gui
