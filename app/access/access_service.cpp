@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/access/signing.h"
 #include "app/access/two_people.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
@@ -83,8 +84,9 @@ SignInAnswer answer(SessionContext& session, const std::string& login, const Sig
     return answer;
   }
   const UserAccount user = userOf(entrance(session), result.userId);
-  answer.actor = {user.id,    user.login,   user.personId,
-                  user.roles, practiceOnly, practiceOnly ? 0 : session.now_us()};
+  // Where each signature asks for the password, the one of the sign-in is good for none.
+  const bool signs = !practiceOnly && signMinutes(session.connectionWithoutRight()) > 0;
+  answer.actor = {user.id, user.login, user.personId, user.roles, practiceOnly, signs ? session.now_us() : 0};
   if (result.outcome == SignIn::kOk) {
     session.setActor(answer.actor);
     session.note({.action = practiceOnly ? AuditAction::kUserSignInPractice : AuditAction::kUserSignIn,

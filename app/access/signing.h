@@ -17,7 +17,8 @@ inline constexpr const char* kSignMinutesSetting = "sign_minutes";
 inline constexpr int kUsualSignMinutes = 15;
 inline constexpr int kLongestSignMinutes = 60;
 
-/// For how many minutes a password that was shown signs; 0: each signature asks anew.
+/// For how many minutes a password that was shown signs; 0: each signature asks anew, also the first one
+/// after a sign-in.
 [[nodiscard]] int signMinutes(Connection& connection);
 /// Audited. kSettingsEdit. Throws Error{kBadParameter} outside 0 to kLongestSignMinutes.
 void setSignMinutes(SessionContext& session, int minutes);

@@ -313,10 +313,6 @@ DemonstrationSummary runDemonstration(const DemonstrationOptions& options) {
   const fs::path record = options.out / "torsio.sqlite";
   requireOnlySimulated(record);
   sweepUnfinished(options.out);
-  for (const char* name : {"cohort.pdf", "cohort.csv"}) {
-    std::error_code ignored;
-    fs::remove(temporaryBeside(options.out / name), ignored);  // of a demonstration that was killed
-  }
   const FileInTheMaking database(record);
   {
     MigrationOptions migration;

@@ -5,13 +5,12 @@
 #include <cmath>
 #include <memory>
 #include <set>
-#include <system_error>
 #include <utility>
 #include <xlsxwriter.h>
 
 #include "app/exchange/workbook_sheets.h"
 #include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/base/file_lock.h"
 #include "sim/base/time_units.h"
 
 namespace torsio {
@@ -231,10 +230,9 @@ void SheetPen::cell(std::uint32_t row, std::uint16_t column, const ExportCell& v
 }
 
 void writeWorkbook(const WorkbookContents& contents, const ExportWording& say, const fs::path& file) {
-  requireNoDatabase(file);
-  const fs::path temporary = temporaryBeside(file);
-  try {
-    Workbook book(temporary, file.parent_path(), say);
+  PartFile part(file);
+  {
+    Workbook book(part.path(), file.parent_path(), say);
     book.addFacts(contents.title, contents.facts);
     for (const ExportTable* table : contents.tables) {
       if (!table->rows.empty()) {
@@ -247,17 +245,8 @@ void writeWorkbook(const WorkbookContents& contents, const ExportWording& say, c
     book.addMethods(contents.methods);
     book.addSources(contents.tables);
     book.close();
-    std::error_code failed;
-    fs::rename(temporary, file, failed);
-    if (failed) {
-      throw Error(ErrorCode::kFileUnwritable, Text::tr("the workbook cannot be written"), file.string(),
-                  Text::tr("Look for free space and the rights of the folder"));
-    }
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw;
   }
+  part.finish();
 }
 
 }  // namespace torsio

@@ -37,16 +37,11 @@ using PublicKey = std::array<std::uint8_t, crypto_sign_PUBLICKEYBYTES>;
 using SecretKey = std::array<std::uint8_t, crypto_sign_SECRETKEYBYTES>;
 using Signature = std::array<std::uint8_t, crypto_sign_BYTES>;
 
-struct Head {
-  std::int64_t length = 0;
-  std::string hash{};
-  std::int64_t utc_us = 0;
-  std::string publicKey = kNone;
-  std::string signature = kNone;
+using Head = AnchoredHead;
 
-  [[nodiscard]] std::string signedText() const { return headWords(length, hash, utc_us); }
-  [[nodiscard]] std::string line() const { return signedText() + " " + publicKey + " " + signature; }
-};
+std::string signedText(const Head& head) {
+  return headWords(head.length, head.hash, head.utc_us);
+}
 
 template <typename Bytes>
 std::optional<Bytes> bytesOf(const std::string& hex) {
@@ -92,18 +87,6 @@ std::string publicOf(const SecretKey& key) {
 [[noreturn]] void notReadable(const std::string& line) {
   throw Error(ErrorCode::kBadData, Text::tr("is no head of an audit trail"), line.substr(0, 80),
               Text::tr("Give a line that torsio audit head printed"));
-}
-
-Head headOf(const std::string& line) {
-  std::istringstream words(line);
-  std::string word;
-  std::string version;
-  Head head;
-  words >> word >> version >> head.length >> head.hash >> head.utc_us >> head.publicKey >> head.signature;
-  if (!words || word != kHeadWord || version != "1") {
-    notReadable(line);
-  }
-  return head;
 }
 
 /// One key in the place of another, from some length of the trail on.
@@ -181,7 +164,7 @@ class TrustedKeys {
     if (found == times_.end()) {
       return "the head is not signed by this key";
     }
-    if (!genuine(head.signedText(), head.signature, head.publicKey)) {
+    if (!genuine(signedText(head), head.signature, head.publicKey)) {
       return "the signature of the head is not genuine";
     }
     const bool inTime = head.length >= found->second.first && head.length <= found->second.last;
@@ -222,7 +205,7 @@ KeptLines sorted(const std::vector<std::string>& lines) {
       (sound ? kept.replacements : kept.forged).push_back(std::move(made));
       continue;
     }
-    kept.heads.push_back(headOf(line));
+    kept.heads.push_back(readHead(line));
     if (kept.firstKey.empty() && kept.heads.back().publicKey != kNone) {
       kept.firstKey = kept.heads.back().publicKey;
     }
@@ -293,9 +276,21 @@ std::string anchoredHead(Connection& connection, const fs::path& key, std::int64
   if (!key.empty()) {
     const SecretKey secret = readKey(key);
     head.publicKey = publicOf(secret);
-    head.signature = signedWith(secret, head.signedText());
+    head.signature = signedWith(secret, signedText(head));
   }
-  return head.line();
+  return signedText(head) + " " + head.publicKey + " " + head.signature;
+}
+
+AnchoredHead readHead(const std::string& line) {
+  std::istringstream words(line);
+  std::string word;
+  std::string version;
+  Head head;
+  words >> word >> version >> head.length >> head.hash >> head.utc_us >> head.publicKey >> head.signature;
+  if (!words || word != kHeadWord || version != "1") {
+    notReadable(line);
+  }
+  return head;
 }
 
 void appendToWitness(const fs::path& witness, const std::string& head) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -37,6 +38,17 @@ struct ReplacedKey {
                                        std::int64_t now_us);
 [[nodiscard]] std::string anchoredHead(Connection& connection, const std::filesystem::path& key,
                                        std::int64_t now_us);
+/// What such a line says.
+struct AnchoredHead {
+  std::int64_t length = 0;  ///< entries of the trail
+  std::string hash{};       ///< of the newest one; "-": there is none
+  std::int64_t utc_us = 0;
+  std::string publicKey = "-";  ///< "-": nobody signed it
+  std::string signature = "-";
+  [[nodiscard]] bool isSigned() const { return signature != "-"; }
+};
+/// Throws Error (kBadData) for a line that is no head.
+[[nodiscard]] AnchoredHead readHead(const std::string& line);
 /// Adds a line to a witness file; makes the file. Throws Error (kFileUnwritable).
 void appendToWitness(const std::filesystem::path& witness, const std::string& head);
 

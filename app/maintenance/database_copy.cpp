@@ -7,6 +7,8 @@
 #include "app/base/build_info.h"
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
+#include "db/migrations/backup.h"
+#include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
 #include "sim/base/error.h"
 
@@ -15,32 +17,6 @@ namespace torsio {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A new target file goes again when nothing was kept in it.
-class NewFile {
- public:
-  explicit NewFile(const Locator& target) {
-    std::error_code ignored;
-    if (target.engine == Engine::kSqlite && !fs::exists(target.file, ignored)) {
-      file_ = target.file;
-    }
-  }
-  NewFile(const NewFile&) = delete;
-  NewFile& operator=(const NewFile&) = delete;
-  ~NewFile() {
-    if (file_.empty()) {
-      return;
-    }
-    std::error_code ignored;
-    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) {
-      fs::remove(file_ + suffix, ignored);
-    }
-  }
-  void keep() { file_.clear(); }
-
- private:
-  std::string file_;
-};
 
 Text wordsOf(const CopyStep& step) {
   switch (step.phase) {
@@ -75,9 +51,7 @@ void requireOther(const std::string& from, const std::string& to) {
   }
 }
 
-CopyReport copyAll(const std::string& from, const std::string& to, const ProgressCallback& progress) {
-  Connection reading = openRecord(from, OpenMode::kReadOnly);
-  NewFile newFile(parseLocator(to));  // before the connection, so that it is closed first
+CopyReport copyInto(Connection& reading, const std::string& to, const ProgressCallback& progress) {
   Connection writing = openDatabase(to, OpenMode::kCreate);
   Transaction together(writing);  // the tables come with the rows, or neither
   migrate(writing, embeddedMigrations(), {.softwareVersion = softwareVersion(), .backup = false});
@@ -85,7 +59,34 @@ CopyReport copyAll(const std::string& from, const std::string& to, const Progres
     tellProgress(progress, wordsOf(step), fractionOf(step));
   });
   together.commit();
-  newFile.keep();
+  return report;
+}
+
+void refuseTaken(const fs::path& file) {
+  std::error_code ignored;
+  if (fs::exists(fs::symlink_status(file, ignored))) {
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("exists already"), file.string(),
+                Text::tr("Name another target"));
+  }
+}
+
+/// A new file gets its name when it is complete.
+CopyReport copyAll(const std::string& from, const std::string& to, const ProgressCallback& progress) {
+  Connection reading = openRecord(from, OpenMode::kReadOnly);
+  const Locator target = parseLocator(to);
+  std::error_code failed;
+  if (target.engine != Engine::kSqlite || fs::exists(target.file, failed)) {
+    return copyInto(reading, to, progress);
+  }
+  const FileInTheMaking making(target.file);
+  CopyReport report = copyInto(reading, making.path().string(), progress);
+  foldSqlite(making.path());
+  refuseTaken(target.file);  // whoever was faster keeps what he wrote
+  fs::rename(making.path(), target.file, failed);
+  if (failed) {
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("cannot be written"), target.file,
+                Text::tr("Close other programs that use it"));
+  }
   return report;
 }
 

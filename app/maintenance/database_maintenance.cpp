@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <QDir>
-#include <QLockFile>
 #include <QTemporaryDir>
 
 #include "app/maintenance/copies.h"
@@ -79,10 +78,9 @@ class ScratchFile {
  public:
   explicit ScratchFile(const fs::path& original)
       : folder_(QDir::tempPath() + QLatin1Char('/') + QLatin1String(kCheckFolder) + QStringLiteral("XXXXXX")),
-        lock_(folder_.filePath(QLatin1String(kCheckLock))),
+        lock_(fs::path(folder_.path().toStdString()) / kCheckLock),
         path_(fs::path(folder_.path().toStdString()) / original.filename()) {
-    lock_.setStaleLockTime(0);
-    if (!folder_.isValid() || !lock_.tryLock(0)) {
+    if (!folder_.isValid() || !lock_.held()) {
       throw Error(ErrorCode::kFileUnwritable, Text::tr("no folder for the check can be made"),
                   fs::temp_directory_path().string(), Text::tr("Free some space in the temporary folder"));
     }
@@ -91,16 +89,17 @@ class ScratchFile {
 
  private:
   QTemporaryDir folder_;
-  QLockFile lock_;
+  FileLock lock_;
   fs::path path_;
 };
 
 /// Removes the folder of a check whose program is gone.
 void sweepCheck(const fs::path& folder) {
-  QLockFile lock(QString::fromStdString((folder / kCheckLock).string()));
-  lock.setStaleLockTime(0);
   std::error_code ignored;
-  if (fs::exists(folder / kCheckLock, ignored) && takeLock(lock)) {
+  if (!fs::exists(folder / kCheckLock, ignored)) {
+    return;
+  }
+  if (const FileLock lock(folder / kCheckLock); lock.held()) {
     fs::remove_all(folder, ignored);
   }
 }

@@ -11,6 +11,7 @@
 #include "app/maintenance/guarded_erase.h"
 #include "db/connection/connection.h"
 #include "db/migrations/compaction.h"
+#include "db/migrations/file_in_the_making.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/trial/trial_repository.h"
@@ -121,25 +122,6 @@ void writeManifest(const fs::path& folder, const PersonId& personId, const Trail
   writeFileAtomically(folder / "manifest.json", manifest.dump(2) + "\n");
 }
 
-/// The folder while it is being filled; without keep() it goes again.
-class FolderInTheMaking {
- public:
-  explicit FolderInTheMaking(const fs::path& target) : path_(temporaryBeside(target)) {
-    ensureFolder(path_ / "tables");
-    ensureFolder(path_ / "recordings");
-  }
-  FolderInTheMaking(const FolderInTheMaking&) = delete;
-  FolderInTheMaking& operator=(const FolderInTheMaking&) = delete;
-  ~FolderInTheMaking() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  [[nodiscard]] const fs::path& path() const noexcept { return path_; }
-
- private:
-  fs::path path_;
-};
-
 }  // namespace
 
 PersonPackage exportPersonPackage(SessionContext& session, const PersonId& personId, const fs::path& folder,
@@ -155,7 +137,9 @@ PersonPackage exportPersonPackage(SessionContext& session, const PersonId& perso
                 Text::tr("Check the code"));
   }
   PersonPackage package{.folder = folder};
-  const FolderInTheMaking making(folder);
+  const FileInTheMaking making(folder);
+  ensureFolder(making.path() / "tables");
+  ensureFolder(making.path() / "recordings");
   for (const PersonTable& table : tables) {
     writeTable(making.path() / "tables", table);
     ++package.tables;

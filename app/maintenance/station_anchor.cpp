@@ -4,6 +4,7 @@
 #include <QSettings>
 
 #include "app/maintenance/anchor.h"
+#include "sim/base/error.h"
 #include "sim/base/file_io.h"
 
 namespace torsio {
@@ -54,10 +55,21 @@ bool remindOfKey() {
   return true;
 }
 
-void witnessHead(Connection& connection, std::int64_t now_us) {
+LeftHead witnessHead(Connection& connection, std::int64_t now_us) {
   const StationAnchor anchor = stationAnchor();
-  if (!anchor.witness.empty()) {
-    appendToWitness(anchor.witness, anchoredHead(connection, anchor.key, now_us));
+  LeftHead head{.line = anchoredHead(connection, anchor.key, now_us), .witnessed = !anchor.witness.empty()};
+  if (head.witnessed) {
+    appendToWitness(anchor.witness, head.line);
+  }
+  return head;
+}
+
+LeftHead headOnLeaving(Connection& connection, std::int64_t now_us) {
+  try {
+    return witnessHead(connection, now_us);
+  } catch (const Error& error) {
+    return {.line = anchoredHead(connection, {}, now_us),
+            .trouble = Text::tr("%1: %2", error.whereText(), error.happenedText())};
   }
 }
 

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "sim/base/text.h"
+
 namespace torsio {
 
 class Connection;
@@ -23,8 +25,17 @@ void setStationAnchor(const StationAnchor& anchor);
 /// True once at a station without a key, so that it is told once.
 [[nodiscard]] bool remindOfKey();
 
-/// Adds the head of the record to the witness file of this station; does nothing where none is set. Throws
-/// Error, DbError.
-void witnessHead(Connection& connection, std::int64_t now_us);
+/// The head of a record when somebody left it.
+struct LeftHead {
+  std::string line{};      ///< as anchoredHead() makes it
+  bool witnessed = false;  ///< added to the witness file of this station
+  Text trouble{};          ///< why it was not signed or not added though it should have been; "": nothing
+};
+/// Signs the head of the record with the key of this station and adds it to its witness file, as far as they
+/// are set. Throws Error, DbError.
+LeftHead witnessHead(Connection& connection, std::int64_t now_us);
+/// The same, but a key or a witness file that cannot be used is told in the answer, and the head is not
+/// signed then. Throws DbError.
+[[nodiscard]] LeftHead headOnLeaving(Connection& connection, std::int64_t now_us);
 
 }  // namespace torsio

@@ -2,7 +2,6 @@
 #include "app/report/pdf_report.h"
 
 #include <algorithm>
-#include <system_error>
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -19,6 +18,7 @@
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/file_lock.h"
 
 namespace torsio {
 
@@ -243,14 +243,12 @@ void addBookmarks(const std::filesystem::path& file, const std::vector<PdfBookma
 void writePdfReport(const ReportModel& model, const std::filesystem::path& file, const Wording& wording,
                     const PdfProgress& progress, const std::string& language) {
   TORSIO_EXPECTS(QCoreApplication::instance() != nullptr);
-  requireNoDatabase(file);
-  const std::filesystem::path temporary = temporaryBeside(file);
-  std::error_code failed;
+  PartFile part(file);
   bool painted = false;
   std::vector<PdfBookmark> bookmarks;
   {
     const QString version = QString::fromStdString(model.softwareVersion);
-    QPdfWriter writer(QString::fromStdString(temporary.string()));
+    QPdfWriter writer(QString::fromStdString(part.path().string()));
     writer.setResolution(kResolution_dpi);
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(QMarginsF(0, 0, 0, 0));
@@ -279,22 +277,18 @@ void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
         flow.render(painter, progress);
       } catch (...) {
         painter.end();
-        std::filesystem::remove(temporary, failed);
         throw;
       }
       painted = painter.end();
       bookmarks = flow.bookmarks();
     }
   }
-  if (painted) {
-    addBookmarks(temporary, bookmarks, language);
-    std::filesystem::rename(temporary, file, failed);
-  }
-  if (!painted || failed) {
-    std::filesystem::remove(temporary, failed);
+  if (!painted) {
     throw Error(ErrorCode::kFileUnwritable, Text::tr("the report cannot be written"), file.string(),
                 Text::tr("Check that the folder exists, is not read-only, and that the disk is not full"));
   }
+  addBookmarks(part.path(), bookmarks, language);
+  part.finish();
 }
 
 }  // namespace torsio

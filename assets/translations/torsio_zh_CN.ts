@@ -1196,16 +1196,20 @@
         <translation>签名</translation>
     </message>
     <message>
-        <source>You sign as %1: “%2”</source>
-        <translation>您以 %1 的身份签名：“%2”</translation>
-    </message>
-    <message>
         <source>Your &amp;password</source>
         <translation>您的密码(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Sign</source>
         <translation>签名(&amp;S)</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>“%1”</translation>
+    </message>
+    <message>
+        <source>You sign this as %1. Your name, the time and this meaning are kept with it for good.</source>
+        <translation>您以 %1 的身份签名。您的姓名、签名时间和这一含义将随之永久保存。</translation>
     </message>
 </context>
 <context>
@@ -2489,10 +2493,6 @@
     <message>
         <source>Choose another file, or restore the latest backup</source>
         <translation>请选择其他文件，或恢复最近的备份</translation>
-    </message>
-    <message>
-        <source>Choose another folder</source>
-        <translation>请选择其他文件夹</translation>
     </message>
     <message>
         <source>Choose another group</source>
@@ -13352,6 +13352,10 @@ audit trail %3</source>
         <source>Take frictionless, ro-crate or bids</source>
         <translation>请选择 frictionless、ro-crate 或 bids</translation>
     </message>
+    <message>
+        <source>The database does not answer</source>
+        <translation>数据库没有响应</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -17305,6 +17309,49 @@ MSM = 质点弹簧</translation>
     <message>
         <source>In all %1 min of training: %2 on the simulator, %3 on the real arm. Rest does not count.</source>
         <translation>训练共 %1 分钟：模拟器 %2 分钟，实物手臂 %3 分钟。休息不计。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::HeadNotice</name>
+    <message>
+        <source>Copied</source>
+        <translation>已复制</translation>
+    </message>
+    <message>
+        <source>Head of the audit trail</source>
+        <translation>审计记录的链头</translation>
+    </message>
+    <message>
+        <source>%1 entries, %2 UTC, %3</source>
+        <translation>共 %1 条记录，%2 UTC，%3</translation>
+    </message>
+    <message>
+        <source>signed</source>
+        <translation>已签名</translation>
+    </message>
+    <message>
+        <source>not signed</source>
+        <translation>未签名</translation>
+    </message>
+    <message>
+        <source>Hash of the newest entry: %1</source>
+        <translation>最新记录的哈希：%1</translation>
+    </message>
+    <message>
+        <source>The head was not kept. %1</source>
+        <translation>链头未能保存。%1</translation>
+    </message>
+    <message>
+        <source>It was added to the witness file of this station.</source>
+        <translation>已添加到本站的见证文件。</translation>
+    </message>
+    <message>
+        <source>This station keeps no heads. Copy it or write it down, away from the record: with it anybody can tell later whether the trail was cut off or rewritten.</source>
+        <translation>本站不保存链头。请复制或抄下，并与数据分开存放：日后凭它可以查出审计记录是否被截断或改写。</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the head</source>
+        <translation>复制链头(&amp;C)</translation>
     </message>
 </context>
 <context>

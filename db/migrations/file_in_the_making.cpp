@@ -4,27 +4,11 @@
 #include <system_error>
 #include <vector>
 
-#include <QLockFile>
-
-#include "sim/base/error.h"
 #include "sim/base/file_io.h"
 
 namespace torsio {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-constexpr const char* kLock = ".lock";
-
-/// Held by no living program: one that was killed is found by its number and its name.
-std::unique_ptr<QLockFile> lockBeside(const fs::path& unfinished) {
-  auto lock = std::make_unique<QLockFile>(QString::fromStdString(withSuffix(unfinished, kLock).string()));
-  lock->setStaleLockTime(0);
-  return lock;
-}
-
-}  // namespace
 
 fs::path withSuffix(fs::path file, const std::string& suffix) {
   file += suffix;
@@ -37,6 +21,19 @@ void removeDatabase(const fs::path& file) noexcept {
     fs::remove(withSuffix(file, suffix), ignored);
   }
 }
+
+namespace {
+
+/// A database with its logs, another file, or a folder with all that is in it.
+void removeUnfinished(const fs::path& path) noexcept {
+  std::error_code ignored;
+  if (fs::is_directory(fs::symlink_status(path, ignored))) {
+    fs::remove_all(path, ignored);
+  }
+  removeDatabase(path);
+}
+
+}  // namespace
 
 fs::path freeName(const fs::path& wanted) {
   constexpr const char* kEnding = ".sqlite";
@@ -59,50 +56,33 @@ fs::path numberedName(const fs::path& stem) {
   return withSuffix(stem, "-" + std::to_string(number));
 }
 
-bool takeLock(QLockFile& lock) {
-  if (lock.tryLock(0)) {
-    return true;
-  }
-  // One that names nobody goes when the system says that nobody holds it.
-  qint64 process = 0;
-  QString machine;
-  QString program;
-  return lock.error() == QLockFile::LockFailedError && !lock.getLockInfo(&process, &machine, &program) &&
-         lock.removeStaleLockFile() && lock.tryLock(0);
-}
-
 FileInTheMaking::FileInTheMaking(const fs::path& target)
-    : path_(temporaryBeside(target)), lock_(lockBeside(path_)) {
-  if (!takeLock(*lock_)) {
-    if (lock_->error() == QLockFile::LockFailedError) {
-      throw Error(ErrorCode::kDatabase, Text::tr("another program is writing this file now"), target.string(),
-                  Text::tr("Wait until it has come to its end"));
-    }
-    throw Error(ErrorCode::kFileUnwritable, Text::tr("cannot be written"), target.string(),
-                Text::tr("Choose a folder in which you may write"));
-  }
-  removeDatabase(path_);
+    : path_(temporaryBeside(target)), lock_(lockNameOf(path_)) {
+  lock_.requireHeld(target);
+  removeUnfinished(path_);
 }
 
 FileInTheMaking::~FileInTheMaking() {
-  removeDatabase(path_);
+  if (lock_.held()) {
+    removeUnfinished(path_);
+  }
 }
 
 void sweepUnfinished(const fs::path& folder) {
-  const std::string ending = temporaryBeside("").string() + kLock;
+  const std::string lockEnding = lockNameOf("").string();
+  const std::string ending = temporaryBeside("").string() + lockEnding;
   std::vector<fs::path> unfinished;
   std::error_code unreadable;
   for (const fs::directory_entry& entry :
        fs::directory_iterator(folder.empty() ? fs::path(".") : folder, unreadable)) {
     const std::string name = entry.path().string();
     if (name.ends_with(ending)) {
-      unfinished.emplace_back(name.substr(0, name.size() - std::string(kLock).size()));
+      unfinished.emplace_back(name.substr(0, name.size() - lockEnding.size()));
     }
   }
   for (const fs::path& file : unfinished) {
-    const std::unique_ptr<QLockFile> lock = lockBeside(file);
-    if (takeLock(*lock)) {
-      removeDatabase(file);
+    if (const FileLock lock(lockNameOf(file)); lock.held()) {
+      removeUnfinished(file);
     }
   }
 }

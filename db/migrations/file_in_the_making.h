@@ -2,10 +2,9 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <string>
 
-class QLockFile;
+#include "sim/base/file_lock.h"
 
 namespace torsio {
 
@@ -23,17 +22,13 @@ void removeDatabase(const std::filesystem::path& file) noexcept;
 /// Returns the first of "<stem>-1", "<stem>-2" ... that nothing has.
 [[nodiscard]] std::filesystem::path numberedName(const std::filesystem::path& stem);
 
-/// Takes `lock`, whose stale time is 0, unless a living program holds it: one left by a killed program goes,
-/// also when that was killed before it wrote down whose it is. Does not wait.
-[[nodiscard]] bool takeLock(QLockFile& lock);
-
-/// The temporary file "<target>.part" of a database that is being made: held by a lock file beside it while
-/// this object lives, gone with its logs at the end unless it was renamed. What a killed program leaves is
+/// The temporary file "<target>.part" of a database, or a folder, that is being made: held by a lock file
+/// beside it while this object lives, gone at the end unless it was renamed. What a killed program leaves is
 /// found by its lock, and swept.
 class FileInTheMaking {
  public:
-  /// Removes leftovers of that name. Throws Error (kDatabase) when another program is making `target` now,
-  /// (kFileUnwritable) when its folder cannot be written.
+  /// Removes leftovers of that name. Throws Error (kFileUnwritable) when another program is making `target`
+  /// now, or its folder cannot be written.
   explicit FileInTheMaking(const std::filesystem::path& target);
   FileInTheMaking(const FileInTheMaking&) = delete;
   FileInTheMaking& operator=(const FileInTheMaking&) = delete;
@@ -43,10 +38,10 @@ class FileInTheMaking {
 
  private:
   std::filesystem::path path_;
-  std::unique_ptr<QLockFile> lock_;
+  FileLock lock_;
 };
 
-/// Removes from `folder` what killed programs left there of databases in the making. What another program is
+/// Removes from `folder` what killed programs left there of what was in the making. What another program is
 /// making now stays, and so does every file without a lock of ours beside it.
 void sweepUnfinished(const std::filesystem::path& folder);
 

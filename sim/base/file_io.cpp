@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "sim/base/error.h"
+#include "sim/base/file_lock.h"
 
 namespace torsio {
 
@@ -55,28 +56,18 @@ fs::path temporaryBeside(const fs::path& file) {
 }
 
 void writeFileAtomically(const fs::path& file, const std::function<void(std::ostream&)>& write) {
-  requireNoDatabase(file);
-  const fs::path temporary = temporaryBeside(file);
-  std::error_code failed;
-  try {
-    std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
+  PartFile part(file);
+  {
+    std::ofstream out(part.path(), std::ios::binary | std::ios::trunc);
+    if (out) {
+      write(out);
+      out.close();
+    }
     if (!out) {
       unwritable(file);
     }
-    write(out);
-    out.close();
-    if (!out) {
-      unwritable(file);
-    }
-  } catch (...) {
-    fs::remove(temporary, failed);
-    throw;
   }
-  fs::rename(temporary, file, failed);
-  if (failed) {
-    fs::remove(temporary, failed);
-    unwritable(file);
-  }
+  part.finish();
 }
 
 void writeFileAtomically(const fs::path& file, std::string_view bytes) {

@@ -14,10 +14,13 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
 
 namespace {
+
+constexpr int kDialogWidth = 440;
 
 /// The sentence that is signed, the password, and what was wrong with the last one.
 class SignDialog : public QDialog {
@@ -28,23 +31,35 @@ class SignDialog : public QDialog {
       : QDialog(parent), shell_(shell), password_(secretField(this)), wrong_(sentence(this, false)) {
     setObjectName(QStringLiteral("signDialog"));
     setWindowTitle(tr("Sign"));
+    setMinimumWidth(kDialogWidth);
     auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+    column->setSpacing(kSpace);
     QLabel* said = sentence(this, false);
-    said->setTextFormat(Qt::PlainText);
-    said->setText(
-        tr("You sign as %1: \u201C%2\u201D").arg(toQString(shell.session().actor().login), meaning));
+    said->setObjectName(QStringLiteral("meaning"));
+    said->setProperty("subheading", true);
+    said->setText(tr("\u201C%1\u201D").arg(meaning));
+    QLabel* kept = sentence(this);
+    kept->setText(tr("You sign this as %1. Your name, the time and this meaning are kept with it for good.")
+                      .arg(toQString(shell.session().actor().login)));
     column->addWidget(said);
+    column->addWidget(kept);
+    column->addSpacing(kSpace);
     password_->setObjectName(QStringLiteral("password"));
     nameField(addField(column, password_), tr("Your &password"));
     wrong_->setObjectName(QStringLiteral("wrong"));
     setLook(wrong_, "caution", true);
     wrong_->hide();
     column->addWidget(wrong_);
+    column->addSpacing(kSpace);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     QPushButton* sign = buttons->addButton(tr("&Sign"), QDialogButtonBox::AcceptRole);
     sign->setObjectName(QStringLiteral("sign"));
     sign->setProperty("primary", true);
     sign->setDefault(true);
+    const auto whetherTyped = [this, sign] { sign->setEnabled(!password_->text().isEmpty()); };
+    connect(password_, &QLineEdit::textChanged, this, whetherTyped);
+    whetherTyped();
     connect(buttons, &QDialogButtonBox::accepted, this, &SignDialog::check);
     connect(buttons, &QDialogButtonBox::rejected, this, &SignDialog::reject);
     column->addWidget(buttons);
@@ -64,7 +79,8 @@ class SignDialog : public QDialog {
       wrong_->setText(translatedLine(error));
     }
     wrong_->show();
-    password_->selectAll();
+    adjustSize();  // a sentence that wraps asks for no room by itself
+    password_->clear();
     password_->setFocus();
   }
 

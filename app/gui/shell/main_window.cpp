@@ -23,8 +23,8 @@
 #include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/shell/trouble_panel.h"
-#include "app/maintenance/station_anchor.h"
 #include "app/recording/station_writer.h"
+#include "sim/base/error.h"
 
 namespace torsio::gui {
 
@@ -271,13 +271,13 @@ void MainWindow::reconnect() {
   }
 }
 
-QString MainWindow::forgetActor() {
+std::optional<LeftHead> MainWindow::forgetActor() {
   if (!session_ || session_->actor().userId.empty()) {
-    return {};
+    return std::nullopt;
   }
   if (lookedAt_) {
     session_->setActor({});
-    return {};
+    return std::nullopt;
   }
   const bool office = session_->actor().hasRole("administrator");
   try {
@@ -289,17 +289,30 @@ QString MainWindow::forgetActor() {
     }
   } catch (...) {
     session_->setActor({});  // the audit trail cannot be written; nobody stays signed in for that
-    return {};
+    return std::nullopt;
   }
-  if (!office || (line_ && !line_->answers())) {
-    return {};
+  if (!office) {
+    return std::nullopt;
+  }
+  if (line_ && !line_->answers()) {
+    return LeftHead{.trouble = Text::tr("The database does not answer")};
   }
   try {
-    witnessHead(session_->connectionWithoutRight(), session_->now_us());
-  } catch (const std::exception& error) {
-    return tr("The head of the audit trail was not kept: %1").arg(QString::fromUtf8(error.what()));
+    return headOnLeaving(session_->connectionWithoutRight(), session_->now_us());
+  } catch (const Error& error) {
+    return LeftHead{.trouble = error.happenedText()};
   }
-  return {};
+}
+
+void MainWindow::tellHead(const std::optional<LeftHead>& head) {
+  if (!head) {
+    return;
+  }
+  if (head->line.empty()) {
+    signIn_->say(tr("The head of the audit trail was not kept: %1").arg(toQString(head->trouble)), true);
+    return;
+  }
+  signIn_->tellHead(*head);
 }
 
 QString MainWindow::userId() const {

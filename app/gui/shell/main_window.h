@@ -22,6 +22,7 @@
 #include "app/gui/shell/desk.h"
 #include "app/gui/shell/first_run_panel.h"
 #include "app/gui/shell/preferences.h"
+#include "app/maintenance/station_anchor.h"
 #include "app/recording/station_writer.h"
 #include "assessment/people/account.h"
 
@@ -109,8 +110,10 @@ class MainWindow : public QWidget {
   void startLine();
   void showAnswers(bool answers);
   void reconnect();
-  /// What went wrong with the head of the audit trail that is kept when an administrator leaves; else empty.
-  QString forgetActor();
+  /// Nobody is signed in any more. Returns the head of the audit trail when an administrator left; without a
+  /// line where it cannot be read, and then why.
+  std::optional<LeftHead> forgetActor();
+  void tellHead(const std::optional<LeftHead>& head);
   void tellKept();
   void tryPassword(const QString& login, const QString& password);
   void tryPin(const QString& login, const QString& pin);

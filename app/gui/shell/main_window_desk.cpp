@@ -95,18 +95,17 @@ bool MainWindow::signOut(const QString& reason) {
     return false;
   }
   leaveDesk();
-  const QString notKept = forgetActor();
+  const std::optional<LeftHead> head = forgetActor();
   if (lookedAt_) {
     endLookRound();
     openDatabase();
     return true;
   }
   enterSignIn();
-  if (!notKept.isEmpty()) {
-    signIn_->say(notKept, true);
-  } else if (!reason.isEmpty()) {
+  if (!reason.isEmpty()) {
     signIn_->say(reason, false);
   }
+  tellHead(head);
   return true;
 }
 

@@ -135,7 +135,7 @@ void MainWindow::settleAgain() {
 
 void MainWindow::changeRecord(const RecordChange& change) {
   leaveDesk();
-  forgetActor();
+  const std::optional<LeftHead> head = forgetActor();
   if (line_) {
     line_->leave();
   }
@@ -156,6 +156,7 @@ void MainWindow::changeRecord(const RecordChange& change) {
     failed = true;
   }
   openDatabase();
+  tellHead(head);
   signIn_->say(sentence, failed);
 }
 
@@ -348,6 +349,7 @@ void MainWindow::unlock(const QString& password) {
         const SignInAnswer answer = torsio::signIn(own, login, password.toStdString());
         return [this, answer] {
           if (answer.outcome == SignIn::kOk && answer.actor.userId == session_->actor().userId) {
+            session_->setActor(answer.actor);  // the password was shown again
             dialogLock_->uncover();
             show(desk_);
           } else if (answer.outcome == SignIn::kWait) {

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/gui/shell/head_notice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/time_units.h"
@@ -44,6 +45,8 @@ SignInPanel::SignInPanel(QWidget* parent) : QWidget(parent) {
   answer_ = sentence(this, false);
   column->addWidget(enter_);
   column->addWidget(answer_);
+  head_ = new HeadNotice(this);
+  column->addWidget(head_);
   column->addSpacing(kSpace);
   mode_ = linkButton(this);
   guest_ = linkButton(this);
@@ -94,6 +97,10 @@ void SignInPanel::say(const QString& text, bool caution) {
   answer_->setText(text);
 }
 
+void SignInPanel::tellHead(const LeftHead& head) {
+  head_->tell(head);
+}
+
 void SignInPanel::waitUntil(std::int64_t utc_us, std::int64_t now_us) {
   wait_s_ = static_cast<int>((utc_us - now_us + kSecond_us - 1) / kSecond_us) + 1;
   second_.start();
@@ -134,6 +141,7 @@ void SignInPanel::clear() {
   login_->clear();
   secret_->clear();
   say({}, false);
+  head_->forget();
   setPinMode(false);
 }
 

@@ -13,7 +13,13 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 
+namespace torsio {
+struct LeftHead;
+}
+
 namespace torsio::gui {
+
+class HeadNotice;
 
 /// The first thing that anybody sees: who are you? With the password one reaches one's own work; with a
 /// station PIN, or as a guest, practice that is not recorded. Holds no secret longer than the try.
@@ -30,6 +36,8 @@ class SignInPanel : public QWidget {
   /// UTC.
   void waitUntil(std::int64_t utc_us, std::int64_t now_us);
   void setWorking(bool working);
+  /// What an administrator who has just left should take along, until clear().
+  void tellHead(const LeftHead& head);
   /// A quiet way out for administrators.
   void setKiosk(bool kiosk);
   /// For the next person: no name, no password, no sentence.
@@ -68,6 +76,7 @@ class SignInPanel : public QWidget {
   QLineEdit* secret_;
   QPushButton* enter_;
   QLabel* answer_;
+  HeadNotice* head_;
   QPushButton* mode_;
   QPushButton* guest_;
   QLabel* guestNote_;

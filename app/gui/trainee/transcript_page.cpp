@@ -23,7 +23,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/base/file_lock.h"
 
 namespace torsio::gui {
 
@@ -131,10 +131,9 @@ QString TranscriptPage::html(bool paper) const {
 }
 
 void TranscriptPage::writePdf(const std::filesystem::path& file) const {
-  requireNoDatabase(file);
-  const std::filesystem::path temporary = temporaryBeside(file);
+  PartFile part(file);
   {
-    QPdfWriter writer(toQString(temporary));
+    QPdfWriter writer(toQString(part.path()));
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(kPaperMargins_mm, QPageLayout::Millimeter);
     writer.setTitle(tr("Transcript of twist training"));
@@ -142,13 +141,7 @@ void TranscriptPage::writePdf(const std::filesystem::path& file) const {
     document.setHtml(html(true));
     document.print(&writer);
   }
-  std::error_code failed;
-  std::filesystem::rename(temporary, file, failed);
-  if (failed) {
-    std::filesystem::remove(temporary, failed);
-    throw Error(ErrorCode::kFileUnwritable, Text::tr("cannot be written"), file.string(),
-                Text::tr("Choose another folder"));
-  }
+  part.finish();
 }
 
 void TranscriptPage::choosePdf() {

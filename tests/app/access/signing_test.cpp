@@ -62,8 +62,10 @@ TEST_F(Signing, APasswordSignsForAQuarterOfAnHourAndThenIsAskedAgain) {
 TEST_F(Signing, ACentreCanAskForEachSignature) {
   setSignMinutes(centre_.as("administrator"), 0);
   signedIn();
-  signOne("a");
 
+  EXPECT_THROW(signOne("a"), PasswordDue) << "the sign-in is no signature";
+  showPassword(centre_.session(), kStudyPassword);
+  signOne("a");
   EXPECT_THROW(signOne("b"), PasswordDue);
   showPassword(centre_.session(), kStudyPassword);
   signOne("b");

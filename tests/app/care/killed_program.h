@@ -21,9 +21,9 @@ inline int killInstants(int usually) {
   return wanted == nullptr ? usually : std::atoi(wanted);
 }
 
-/// Starts the built program with its output thrown away. Below 0: it could not be started.
-inline pid_t startSilent(const std::vector<std::string>& arguments) {
-  std::vector<char*> words{const_cast<char*>(TORSIO_PROGRAM)};
+/// Starts the built program, or another one, with its output thrown away. Below 0: it could not be started.
+inline pid_t startSilent(const std::vector<std::string>& arguments, const char* program = TORSIO_PROGRAM) {
+  std::vector<char*> words{const_cast<char*>(program)};
   for (const std::string& argument : arguments) {
     words.push_back(const_cast<char*>(argument.c_str()));
   }
@@ -33,7 +33,7 @@ inline pid_t startSilent(const std::vector<std::string>& arguments) {
   posix_spawn_file_actions_addopen(&silent, 1, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_addopen(&silent, 2, "/dev/null", O_WRONLY, 0);
   pid_t child = -1;
-  if (posix_spawn(&child, TORSIO_PROGRAM, &silent, nullptr, words.data(), environ) != 0) {
+  if (posix_spawn(&child, program, &silent, nullptr, words.data(), environ) != 0) {
     child = -1;
   }
   posix_spawn_file_actions_destroy(&silent);
@@ -41,8 +41,9 @@ inline pid_t startSilent(const std::vector<std::string>& arguments) {
 }
 
 /// Starts the program and kills it after so long. False: it could not be started.
-inline bool runAndKill(const std::vector<std::string>& arguments, std::chrono::microseconds after) {
-  const pid_t child = startSilent(arguments);
+inline bool runAndKill(const std::vector<std::string>& arguments, std::chrono::microseconds after,
+                       const char* program = TORSIO_PROGRAM) {
+  const pid_t child = startSilent(arguments, program);
   if (child < 0) {
     return false;
   }

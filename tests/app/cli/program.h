@@ -41,18 +41,24 @@ inline std::filesystem::path emptyFolder(const std::string& name) {
   return folder;
 }
 
-/// Runs the built program without a display, as a user would; `under` is a command that runs it.
-inline ProgramRun runTorsio(const std::string& arguments, const std::filesystem::path& scratch,
-                            const std::string& under = "") {
+/// Runs a program without a display; `under` is a command that runs it.
+inline ProgramRun runProgram(const std::string& program, const std::string& arguments,
+                             const std::filesystem::path& scratch, const std::string& under = "") {
   const std::string out = (scratch / ".out").string();
   const std::string err = (scratch / ".err").string();
-  const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY " + under + " " TORSIO_PROGRAM " " +
-                              arguments + " >" + out + " 2>" + err + " </dev/null";
+  const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY " + under + " " + program + " " + arguments +
+                              " >" + out + " 2>" + err + " </dev/null";
   const int status = std::system(command.c_str());
   ProgramRun run{WIFEXITED(status) ? WEXITSTATUS(status) : -1, readFile(out), readFile(err)};
   std::filesystem::remove(out);
   std::filesystem::remove(err);
   return run;
+}
+
+/// Runs the built program, as a user would.
+inline ProgramRun runTorsio(const std::string& arguments, const std::filesystem::path& scratch,
+                            const std::string& under = "") {
+  return runProgram(TORSIO_PROGRAM, arguments, scratch, under);
 }
 
 }  // namespace torsio::test

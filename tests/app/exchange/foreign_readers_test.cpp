@@ -17,6 +17,7 @@
 #include "sim/base/csv_cell.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/file_lock.h"
 
 namespace torsio {
 namespace {
@@ -46,6 +47,18 @@ struct Written {
     writeWorkbook(contents, kEnglish, file);
   }
 };
+
+TEST(Workbook, IsWrittenByOneProgramAtATime) {
+  Written written;
+  const PartFile other(written.file);
+  try {
+    written.workbook();
+    FAIL() << "both wrote the same temporary file";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.happened(), "another program is writing this file now");
+  }
+  EXPECT_FALSE(std::filesystem::exists(written.file));
+}
 
 double numberIn(const std::string& text) {
   double value = 0.0;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <fstream>
 
+#include <QClipboard>
 #include <QComboBox>
+#include <QGuiApplication>
 #include <QPlainTextEdit>
 #include <QSettings>
 
@@ -113,6 +115,37 @@ TEST_F(HeadsPages, AStationWithoutAKeyIsToldSoMakesOneAndReplacesIt) {
   EXPECT_TRUE(verdictOn(heads, kept.join(QLatin1Char('\n'))).contains(QStringLiteral("nothing was cut off")));
   EXPECT_EQ(std::ranges::count(trail(record()), "setting.change"), 3 + 1) << "and the one of the set-up";
   EXPECT_TRUE(failures_.isEmpty()) << failures_.join(QLatin1Char('\n')).toStdString();
+}
+
+TEST_F(HeadsPages, AnAdministratorWhoLeavesTakesTheHeadAlong) {
+  ASSERT_TRUE(window_->signOut());
+  auto& notice = child<QWidget>(*window_, "headNotice");
+  EXPECT_TRUE(notice.isVisible());
+  EXPECT_TRUE(says(QStringLiteral("not signed")));
+  EXPECT_TRUE(says(QStringLiteral("This station keeps no heads")));
+  QTest::mouseClick(&child<QPushButton>(notice, "copyHead"), Qt::LeftButton);
+  const QString line = QGuiApplication::clipboard()->text();
+  const std::vector<AuditFinding> findings = compareWithHeads(record(), {line.toStdString()}, {});
+  EXPECT_TRUE(findings.empty()) << line.toStdString();
+  EXPECT_EQ(child<QLabel>(notice, "headHash").text().remove(QLatin1Char('\n')),
+            line.section(QLatin1Char(' '), 3, 3));
+
+  signIn();
+  HeadsPage& heads = page();
+  fs::create_directory(in("disk"));
+  heads.keepIn(in("disk/heads"));
+  heads.makeKey(in("key"));
+  ASSERT_TRUE(window_->signOut());
+  EXPECT_TRUE(says(QStringLiteral("added to the witness file")));
+  EXPECT_EQ(headsOf(in("disk/heads")).size(), 2U);
+  QTest::mouseClick(&child<QPushButton>(notice, "copyHead"), Qt::LeftButton);
+  EXPECT_EQ(QGuiApplication::clipboard()->text().toStdString(), headsOf(in("disk/heads")).at(1));
+
+  signIn();
+  fs::remove_all(in("disk"));  // unplugged
+  ASSERT_TRUE(window_->signOut());
+  EXPECT_TRUE(says(QStringLiteral("The head was not kept")));
+  EXPECT_EQ(child<QLabel>(notice, "headHash").text().size(), 64 + 1);
 }
 
 TEST_F(HeadsPages, AHeadThatWasTypedFindsATrailThatWasCutOff) {

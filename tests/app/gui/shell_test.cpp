@@ -11,6 +11,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QLabel>
+#include <QLayout>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPlainTextEdit>
@@ -22,8 +23,10 @@
 
 #include "app/access/first_run.h"
 #include "app/access/settings_service.h"
+#include "app/access/signing.h"
 #include "app/base/build_info.h"
 #include "app/gui/base/language.h"
+#include "app/gui/base/sign_dialog.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/about_box.h"
 #include "app/gui/shell/dialog_lock.h"
@@ -36,6 +39,7 @@
 #include "app/maintenance/demonstration_removal.h"
 #include "assessment/people/account.h"
 #include "assessment/people/person.h"
+#include "assessment/people/signature.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/trial/station_repository.h"
@@ -413,6 +417,7 @@ TEST_F(Shell, AnIdleDeskWarnsThenLocksAndOpensAsItWas) {
   openFoundedCentre(with);
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   Desk* desk = window_->desk();
+  const std::int64_t shown_us = window_->session()->actor().passwordShownUtc_us;
   window_->watchIdleness();
 
   clock_.advance_us(12'000'000);
@@ -431,6 +436,40 @@ TEST_F(Shell, AnIdleDeskWarnsThenLocksAndOpensAsItWas) {
   testing::waitFor(window_->background());
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
   EXPECT_EQ(window_->desk(), desk);
+  EXPECT_GT(window_->session()->actor().passwordShownUtc_us, shown_us) << "it signs anew";
+}
+
+TEST_F(Shell, ASignatureAsksForThePasswordUntilItIsRightAndSaysWhatItMeans) {
+  openFoundedCentre(setup());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  const QString meaning = labelOf(SignatureMeaning::kFroze);
+  EXPECT_TRUE(readyToSign(window_.get(), window_->desk()->context(), meaning)) << "shown a moment ago";
+  setSignMinutes(window_->desk()->context().session(), 0);
+  ASSERT_TRUE(window_->signOut());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+
+  QTimer::singleShot(0, window_.get(), [&] {
+    auto& dialog = *QApplication::activeModalWidget();
+    EXPECT_EQ(dialog.objectName(), QStringLiteral("signDialog"));
+    EXPECT_TRUE(says(dialog, meaning));
+    EXPECT_TRUE(says(dialog, QStringLiteral("as admin")));
+    auto* password = dialog.findChild<QLineEdit*>(QStringLiteral("password"));
+    auto* sign = dialog.findChild<QPushButton*>(QStringLiteral("sign"));
+    EXPECT_FALSE(sign->isEnabled());
+    password->setText(QStringLiteral("not this one at all"));
+    QTest::mouseClick(sign, Qt::LeftButton);
+    EXPECT_TRUE(says(dialog, QStringLiteral("The password is not right")));
+    EXPECT_TRUE(password->text().isEmpty());
+    EXPECT_EQ(QApplication::activeModalWidget(), &dialog);
+    EXPECT_GE(dialog.height(), dialog.layout()->totalHeightForWidth(dialog.width())) << "something is cut";
+    password->setText(QString::fromLatin1(kAdminPassword));
+    QTest::mouseClick(sign, Qt::LeftButton);
+  });
+  EXPECT_TRUE(readyToSign(window_.get(), window_->desk()->context(), meaning));
+
+  EXPECT_FALSE(passwordIsDue(*window_->session()));
+  endSigning(*window_->session());
+  EXPECT_TRUE(passwordIsDue(*window_->session()));
 }
 
 /// The veil over a dialog of a locked place.

@@ -273,6 +273,18 @@ TEST_F(CareTest, ThePackageOfAPersonHoldsTablesRecordingsAndHashesThatFit) {
             ErrorCode::kBadData);
 }
 
+TEST_F(CareTest, APackageHoldsNothingOfAnotherOneThatWasKilled) {
+  SessionContext office = sessionOf("administrator");
+  fs::create_directories(in("package.part") / "recordings");
+  std::ofstream(in("package.part") / "recordings" / "of somebody else.torsio-trial") << "samples";
+
+  exportPersonPackage(office, real_.traineeId, in("package"), "asked");
+
+  EXPECT_FALSE(fs::exists(in("package") / "recordings" / "of somebody else.torsio-trial"));
+  EXPECT_EQ(readFile(in("package") / "manifest.json").find("somebody else"), std::string::npos);
+  EXPECT_FALSE(fs::exists(in("package.part")));
+}
+
 TEST_F(CareTest, ATextThatASpreadsheetWouldRunIsWrittenAsText) {
   connection_.execute("UPDATE person_identity SET full_name = ? WHERE person_id = ?",
                       {"=HYPERLINK(\"x\")", real_.traineeId});

@@ -26,6 +26,7 @@
 #include "app/report/pdf_report.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/file_lock.h"
 
 namespace torsio {
 namespace {
@@ -119,6 +120,15 @@ TEST(PdfReport, IsAVectorFileOfSeveralPages) {
   EXPECT_GE(pagesIn(pdf), 5);
   EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos) << "charts must stay vectors";
   EXPECT_FALSE(fs::exists(temporaryBeside(file)));
+}
+
+TEST(PdfReport, IsWrittenByOneProgramAtATime) {
+  const fs::path file = freshFolder("pdf-twice") / "cohort.pdf";
+  const PartFile other(file);
+
+  EXPECT_THROW(writePdfReport(smallReport(), file), Error);
+
+  EXPECT_FALSE(fs::exists(file));
 }
 
 /// Follows the cross references of a PDF from its end: every object must begin where they say.

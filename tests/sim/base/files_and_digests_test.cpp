@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <ostream>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/file_lock.h"
 
 namespace torsio {
 namespace {
@@ -105,6 +107,31 @@ TEST_F(FileIo, LeavesTheOldFileWhenTheWriterThrows) {
                std::runtime_error);
 
   EXPECT_EQ(readFile(folder / "a"), "old");
+  EXPECT_EQ(filesLeft(), 1U);
+}
+
+TEST_F(FileIo, IsWrittenByOneProgramAtATimeAndTheOtherIsToldSo) {
+  writeFileAtomically(folder / "a", "old");
+  {
+    const PartFile other(folder / "a");
+    std::ofstream(other.path()) << "half";
+
+    try {
+      writeFileAtomically(folder / "a", "new");
+      FAIL() << "both wrote the same temporary file";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kFileUnwritable);
+      EXPECT_EQ(error.happened(), "another program is writing this file now");
+    }
+    EXPECT_EQ(readFile(other.path()), "half");
+  }
+  EXPECT_EQ(readFile(folder / "a"), "old");
+  EXPECT_EQ(filesLeft(), 1U);
+
+  std::ofstream(folder / "a.part") << "of a program that was killed";
+  std::ofstream(folder / "a.part.lock").close();
+  writeFileAtomically(folder / "a", "new");
+  EXPECT_EQ(readFile(folder / "a"), "new");
   EXPECT_EQ(filesLeft(), 1U);
 }
 

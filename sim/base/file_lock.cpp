@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/base/file_lock.h"
+
+#include <system_error>
+#include <utility>
+
+#ifndef _WIN32
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+
+namespace torsio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void unwritable(const fs::path& file) {
+  throw Error(ErrorCode::kFileUnwritable, Text::tr("cannot be written"), file.string(),
+              Text::tr("Check that the folder exists, is not read-only, and that the disk is not full"));
+}
+
+}  // namespace
+
+FileLock::FileLock(fs::path file) : file_(std::move(file)), state_(take()) {}
+
+#ifdef _WIN32
+
+// Without locks: who is faster wins.
+FileLock::State FileLock::take() {
+  return State::kHeld;
+}
+
+FileLock::~FileLock() = default;
+
+#else
+
+FileLock::State FileLock::take() {
+  for (;;) {
+    descriptor_ = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR);
+    if (descriptor_ < 0) {
+      return State::kUnwritable;
+    }
+    const bool taken = flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+    if (!taken && errno == EWOULDBLOCK) {
+      close(std::exchange(descriptor_, -1));
+      return State::kOthers;
+    }
+    // Whoever held it may have removed the file between the two calls: then this lock is of no file.
+    struct stat locked {};
+    struct stat named {};
+    if (!taken || (fstat(descriptor_, &locked) == 0 && stat(file_.c_str(), &named) == 0 &&
+                   locked.st_ino == named.st_ino && locked.st_dev == named.st_dev)) {
+      return State::kHeld;  // a file system without locks keeps nobody out
+    }
+    close(std::exchange(descriptor_, -1));
+  }
+}
+
+FileLock::~FileLock() {
+  if (descriptor_ >= 0) {
+    unlink(file_.c_str());
+    close(descriptor_);
+  }
+}
+
+#endif
+
+void FileLock::requireHeld(const fs::path& target) const {
+  if (state_ == State::kOthers) {
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("another program is writing this file now"),
+                target.string(), Text::tr("Wait until it has come to its end"));
+  }
+  if (state_ == State::kUnwritable) {
+    unwritable(target);
+  }
+}
+
+fs::path lockNameOf(const fs::path& unfinished) {
+  fs::path lock = unfinished;
+  lock += ".lock";
+  return lock;
+}
+
+PartFile::PartFile(const fs::path& file)
+    : file_(file), path_(temporaryBeside(file)), lock_(lockNameOf(path_)) {
+  lock_.requireHeld(file_);
+  requireNoDatabase(file_);
+}
+
+PartFile::~PartFile() {
+  if (lock_.held()) {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+}
+
+void PartFile::finish() {
+  std::error_code failed;
+  fs::rename(path_, file_, failed);
+  if (failed) {
+    unwritable(file_);
+  }
+}
+
+}  // namespace torsio

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An act of care that only the window does, in a program of its own that can be killed:
+//   window_act erase|remove-demonstration|package LOCATOR LOGIN PASSWORD [PERSON [FOLDER]]
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <QCoreApplication>
+
+#include "app/maintenance/care_desk.h"
+#include "app/maintenance/demonstration_removal.h"
+#include "app/maintenance/person_package.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+namespace {
+
+void act(const std::vector<std::string>& words) {
+  CareDesk desk({.login = words.at(2), .password = [&words] { return words.at(3); }}, words.at(1));
+  if (words.at(0) == "erase") {
+    erasePersonRecord(desk.session(), words.at(4), "asked for it");
+  } else if (words.at(0) == "package") {
+    (void)exportPersonPackage(desk.session(), words.at(4), words.at(5), "asked for it");
+  } else {
+    (void)removeDemonstrationData(desk.session(), "the centre begins");
+  }
+}
+
+}  // namespace
+}  // namespace torsio
+
+int main(int argc, char** argv) {
+  const QCoreApplication application(argc, argv);
+  try {
+    torsio::act({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << "\n";
+    return 1;
+  }
+  return 0;
+}
