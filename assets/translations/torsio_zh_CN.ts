@@ -11263,16 +11263,8 @@
         <translation>%1：%2，Holm 校正后 %3</translation>
     </message>
     <message>
-        <source>Answer, adjusted for the score before: %1.</source>
-        <translation>答案（按训练前得分校正）：%1。</translation>
-    </message>
-    <message>
         <source>Answer: none. There is only one group.</source>
         <translation>答案：无。只有一个组。</translation>
-    </message>
-    <message>
-        <source>Answer: no difference between two groups was shown. The largest, adjusted for the score before: %1, %2. %3</source>
-        <translation>答案：未显示任何两组之间有差异。按训练前得分校正后最大的差异：%1，%2。%3</translation>
     </message>
     <message>
         <source>Every interval holds zero.</source>
@@ -12293,10 +12285,6 @@
     <message>
         <source>Version of the design</source>
         <translation>方案版本</translation>
-    </message>
-    <message>
-        <source>Rater, or all</source>
-        <translation>评分者或全部</translation>
     </message>
     <message>
         <source>Statistic</source>
@@ -13355,6 +13343,38 @@ audit trail %3</source>
     <message>
         <source>The database does not answer</source>
         <translation>数据库没有响应</translation>
+    </message>
+    <message>
+        <source>no target has a score by every rater</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts within which both hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answer, adjusted for the score before, with the 95 % interval of each pair by itself: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answer: no difference between two groups was shown. The largest, adjusted for the score before, with the 95 % interval of this pair by itself: %1, %2. %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 marks are missing, so the answer is that of the linear mixed model, which takes every mark that was given; the planned analysis stands beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The missing marks could, at worst, leave open which group is better in %1 of %2 {comparison|comparisons}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The difference depends on the score before (test of equal slopes: %1): read the table with a slope for each group.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Intervals are not adjusted for the number of pairs.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
