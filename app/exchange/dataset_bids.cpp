@@ -49,8 +49,8 @@ std::string channelsText() {
   for (const ExportColumn& column : trajectoryColumns()) {
     const Channel channel = channelOf(column);
     const std::string unit = *channel.unit != '\0' ? channel.unit : column.unit.empty() ? "n/a" : column.unit;
-    text += column.name + "\t" + channel.component + "\t" + channel.type + "\t" + channel.point + "\t" + unit +
-            "\t" + column.title.str() + "\n";
+    text += column.name + "\t" + channel.component + "\t" + channel.type + "\t" + channel.point + "\t" +
+            unit + "\t" + column.title.str() + "\n";
   }
   return text;
 }
@@ -115,16 +115,17 @@ constexpr const char* kScansHead = "filename\torgan\tpattern\ttarget_deg\torgan_
 
 std::string scanLine(const std::string& file, const TrialHeader& head) {
   return file + "\t" + head.sceneId.text() + "\t" + head.patternId.text() + "\t" +
-         formatExact(degrees(head.targetAngle_rad)) + "\t" + head.organHash + "\t" + head.parameterHash + "\n";
+         formatExact(degrees(head.targetAngle_rad)) + "\t" + head.organHash + "\t" + head.parameterHash +
+         "\n";
 }
 
 std::string scansJson() {
-  const Json json{{"organ", {{"Description", "Organ that was twisted"}}},
-                  {"pattern", {{"Description", "Pattern of twist"}}},
-                  {"target_deg", {{"Description", "Target of the angle"}, {"Units", "degree"}}},
-                  {"organ_hash", {{"Description", "BLAKE2b-256 of the organ's file"}}},
-                  {"parameter_hash",
-                   {{"Description", "Parameters of the tissue model: derivatives/torsio/parameters"}}}};
+  const Json json{
+      {"organ", {{"Description", "Organ that was twisted"}}},
+      {"pattern", {{"Description", "Pattern of twist"}}},
+      {"target_deg", {{"Description", "Target of the angle"}, {"Units", "degree"}}},
+      {"organ_hash", {{"Description", "BLAKE2b-256 of the organ's file"}}},
+      {"parameter_hash", {{"Description", "Parameters of the tissue model: derivatives/torsio/parameters"}}}};
   return json.dump(2) + "\n";
 }
 
@@ -148,8 +149,10 @@ std::string readme(const DatasetAbout& about) {
   return about.title + "\n\n" + (about.description.empty() ? "" : about.description + "\n\n") +
          "Licence: " + about.licence + "\n" +
          (about.citation.empty() ? "" : "\nPlease cite: " + about.citation + "\n") +
-         "\nMotion of the instrument, twist of the organ and forces: sub-*/motion, in the frame LPS (x to the "
-         "patient's\nleft, y to the back, z to the head). What was trained: sub-*/*_scans.tsv. Parameters of the "
+         "\nMotion of the instrument, twist of the organ and forces: sub-*/motion, in the frame LPS (x to "
+         "the "
+         "patient's\nleft, y to the back, z to the head). What was trained: sub-*/*_scans.tsv. Parameters of "
+         "the "
          "tissue models,\nmarks and computed numbers: derivatives/torsio.\n";
 }
 
@@ -199,7 +202,8 @@ std::vector<fs::path> writeBids(const DatasetContents& contents, const fs::path&
     people += "sub-" + label + "\t" + trainee + "\n";
   }
   write("participants.tsv", people);
-  write("participants.json", Json{{"code", {{"Description", "Name of the person in derivatives/torsio"}}}}.dump(2) + "\n");
+  write("participants.json",
+        Json{{"code", {{"Description", "Name of the person in derivatives/torsio"}}}}.dump(2) + "\n");
   write("dataset_description.json", descriptionJson(contents));
   write("README", readme(contents.about));
   return files;

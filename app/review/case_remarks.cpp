@@ -67,8 +67,7 @@ void editCaseRemark(SessionContext& session, const AssignmentId& assignmentId, c
                 Text::tr("case %1", assignment.caseLabel), Text::tr("Open the case again"));
   }
   const Actor& actor = session.actor();
-  const RemarkRevision revision =
-      revisionOf(*remark, actor.userId, actor.personId, text, session.now_us());
+  const RemarkRevision revision = revisionOf(*remark, actor.userId, actor.personId, text, session.now_us());
   Transaction transaction(session.connection());
   remarks.revise(revision);
   session.note({.action = AuditAction::kRemarkAdd,

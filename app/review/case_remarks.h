@@ -14,9 +14,9 @@ namespace torsio {
 /// A rater's own mark at a time of a case: a mere bookmark, or a remark that the trainee will read once the
 /// marks are released.
 struct CaseRemark {
-  std::int64_t time_us = 0;  ///< since the start of the recording
-  std::string text{};        ///< the newest words; empty: a bookmark
-  RemarkId id{};             ///< not needed to add one, nor the next
+  std::int64_t time_us = 0;              ///< since the start of the recording
+  std::string text{};                    ///< the newest words; empty: a bookmark
+  RemarkId id{};                         ///< not needed to add one, nor the next
   std::int64_t editedUtc_us = 0;         ///< 0: never edited
   std::vector<RemarkWording> earlier{};  ///< what stood there before, oldest first
 };

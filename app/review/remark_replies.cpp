@@ -19,7 +19,8 @@ std::vector<RemarkReply> repliesToMe(SessionContext& session) {
   std::vector<RemarkReply> replies;
   for (const Remark& reply : unread) {
     const std::optional<Remark> remark = repository.find(reply.replyTo);
-    replies.push_back({reply.id, remark ? remark->text : std::string(), reply.text, reply.version, reply.time_us});
+    replies.push_back(
+        {reply.id, remark ? remark->text : std::string(), reply.text, reply.version, reply.time_us});
   }
   return replies;
 }

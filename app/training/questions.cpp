@@ -223,8 +223,7 @@ void editAnswer(SessionContext& session, const RemarkId& questionId, const std::
                 Text::tr("Answer it first"));
   }
   const Actor& actor = session.actor();
-  const RemarkRevision revision =
-      revisionOf(*answer, actor.userId, actor.personId, text, session.now_us());
+  const RemarkRevision revision = revisionOf(*answer, actor.userId, actor.personId, text, session.now_us());
   Transaction transaction(session.connection());
   remarks.revise(revision);
   session.note({.action = AuditAction::kRemarkAdd,

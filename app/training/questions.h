@@ -62,7 +62,7 @@ struct PhysicianQuestion {
   bool answered = false;
   std::string answer{};
   std::int64_t answeredUtc_us = 0;
-  std::int64_t answerEditedUtc_us = 0;        ///< 0: never edited
+  std::int64_t answerEditedUtc_us = 0;          ///< 0: never edited
   std::vector<RemarkWording> earlierAnswers{};  ///< what was answered before, oldest first
 };
 /// What this physician was asked: what waits first, oldest first. kTrialViewAssigned.

@@ -65,8 +65,8 @@ class Release {
 
 /// What is known of the remarks of one trial besides themselves.
 struct AboutRemarks {
-  std::set<RemarkId> answered;               ///< questions with an answer
-  std::map<RemarkId, std::int64_t> read;     ///< the newest version that the actor has read
+  std::set<RemarkId> answered;            ///< questions with an answer
+  std::map<RemarkId, std::int64_t> read;  ///< the newest version that the actor has read
   std::map<RemarkId, std::vector<RemarkWording>> earlier;
 };
 
@@ -330,8 +330,7 @@ RemarkId replyToRemark(SessionContext& session, const RemarkId& remarkId, const 
 void editRemark(SessionContext& session, const RemarkId& remarkId, const std::string& text) {
   const Remark remark = visibleRemark(session, remarkId);
   const Actor& actor = session.actor();
-  const RemarkRevision revision =
-      revisionOf(remark, actor.userId, actor.personId, text, session.now_us());
+  const RemarkRevision revision = revisionOf(remark, actor.userId, actor.personId, text, session.now_us());
   Transaction transaction(session.connection());
   RemarkRepository(session.connection()).revise(revision);
   session.note({.action = AuditAction::kRemarkAdd,

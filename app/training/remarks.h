@@ -22,9 +22,9 @@ struct TraineeRemark {
   std::int64_t writtenUtc_us = 0;
   std::int64_t editedUtc_us = 0;         ///< 0: never edited
   std::vector<RemarkWording> earlier{};  ///< what stood there before, oldest first
-  bool own = false;       ///< written by the trainee (a reply, or a question)
-  bool question = false;  ///< the trainee's question to a named physician
-  bool read = false;  ///< the newest words
+  bool own = false;                      ///< written by the trainee (a reply, or a question)
+  bool question = false;                 ///< the trainee's question to a named physician
+  bool read = false;                     ///< the newest words
   std::vector<TraineeRemark> replies{};
 };
 

@@ -67,8 +67,8 @@ struct TraineeQuestion {
   TrialId trialId{};    ///< of the bookmark, as what follows; not written by add()
   PersonId personId{};  ///< who asks
   std::int64_t time_us = 0;
-  std::string text{};   ///< empty: none, or erased
-  RemarkId answerId{};  ///< the rater's first reply; empty: it still waits
+  std::string text{};        ///< empty: none, or erased
+  RemarkId answerId{};       ///< the rater's first reply; empty: it still waits
   std::string answerText{};  ///< the newest words
   std::int64_t answeredUtc_us = 0;
   std::int64_t answerEditedUtc_us = 0;  ///< 0: never edited

@@ -12,14 +12,10 @@ namespace torsio {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-[[noreturn]] void unwritable(const fs::path& file) {
+void refuseUnwritable(const fs::path& file) {
   throw Error(ErrorCode::kFileUnwritable, Text::tr("cannot be written"), file.string(),
               Text::tr("Check that the folder exists, is not read-only, and that the disk is not full"));
 }
-
-}  // namespace
 
 std::string readFile(const fs::path& file) {
   std::error_code ignored;
@@ -64,7 +60,7 @@ void writeFileAtomically(const fs::path& file, const std::function<void(std::ost
       out.close();
     }
     if (!out) {
-      unwritable(file);
+      refuseUnwritable(file);
     }
   }
   part.finish();

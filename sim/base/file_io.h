@@ -9,6 +9,9 @@
 
 namespace torsio {
 
+/// Throws Error (kFileUnwritable) that names the file and what to look at.
+[[noreturn]] void refuseUnwritable(const std::filesystem::path& file);
+
 /// Reads the whole file as bytes. Throws Error (kFileMissing, kFileUnreadable).
 [[nodiscard]] std::string readFile(const std::filesystem::path& file);
 

@@ -19,15 +19,6 @@ namespace torsio {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-[[noreturn]] void unwritable(const fs::path& file) {
-  throw Error(ErrorCode::kFileUnwritable, Text::tr("cannot be written"), file.string(),
-              Text::tr("Check that the folder exists, is not read-only, and that the disk is not full"));
-}
-
-}  // namespace
-
 FileLock::FileLock(fs::path file) : file_(std::move(file)), state_(take()) {}
 
 #ifdef _WIN32
@@ -78,7 +69,7 @@ void FileLock::requireHeld(const fs::path& target) const {
                 target.string(), Text::tr("Wait until it has come to its end"));
   }
   if (state_ == State::kUnwritable) {
-    unwritable(target);
+    refuseUnwritable(target);
   }
 }
 
@@ -105,7 +96,7 @@ void PartFile::finish() {
   std::error_code failed;
   fs::rename(path_, file_, failed);
   if (failed) {
-    unwritable(file_);
+    refuseUnwritable(file_);
   }
 }
 

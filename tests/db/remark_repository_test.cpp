@@ -157,9 +157,13 @@ TEST_F(RemarkRepositoryTest, AnEditIsARowBesideTheOldWordsAndIsUnreadAgain) {
   EXPECT_EQ(desk.remarks.unreadOnTrialsOf(desk.trainee, desk.trainee).size(), 2U);
   desk.remarks.markRead({remark.id, 3, desk.trainee, desk.trainee, kSampleTime_us});
   EXPECT_EQ(desk.remarks.unreadOnTrialsOf(desk.trainee, desk.trainee).size(), 1U);
-  EXPECT_EQ(faultFrom([&] { desk.remarks.revise({remark.id, 3, desk.chief, desk.chief, "other"}); }),
+  EXPECT_EQ(faultFrom([&] {
+              desk.remarks.revise({remark.id, 3, desk.chief, desk.chief, "other"});
+            }),
             DbFault::kUnique);
-  EXPECT_EQ(faultFrom([&] { desk.remarks.revise({"none", 2, desk.chief, desk.chief, "x"}); }),
+  EXPECT_EQ(faultFrom([&] {
+              desk.remarks.revise({"none", 2, desk.chief, desk.chief, "x"});
+            }),
             DbFault::kForeignKey);
   EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE remark_revision SET text = ?", {"x"}); }),
             DbFault::kAppendOnly);

@@ -103,7 +103,8 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
   });
   connect(bookmark_, &QToolButton::clicked, this, [this] { addBookmark(QString()); });
   connect(remark_, &QToolButton::clicked, this, &CasePage::askRemark);
-  connect(remarks_, &QLabel::linkActivated, this, [this](const QString& id) { editRemark(id.toStdString()); });
+  connect(remarks_, &QLabel::linkActivated, this,
+          [this](const QString& id) { editRemark(id.toStdString()); });
   connect(replay_, &ReplayPanel::played, this, [this](qint64 from, qint64 to, double speed) {
     watched_.played(from, to, speed);
     noteWork();
@@ -282,7 +283,9 @@ void CasePage::askRemark() {
 
 void CasePage::editRemark(const RemarkId& id) {
   const CaseRemark* chosen = nullptr;
-  const auto distance = [this](const CaseRemark& one) { return std::abs(one.time_us - replay_->position_us()); };
+  const auto distance = [this](const CaseRemark& one) {
+    return std::abs(one.time_us - replay_->position_us());
+  };
   for (const CaseRemark& one : caseRemarks_) {
     const bool nearer = chosen == nullptr || distance(one) < distance(*chosen);
     if (!one.text.empty() && (id.empty() ? nearer : one.id == id)) {

@@ -57,7 +57,7 @@ void QuestionsCard::read() {
 
 void QuestionsCard::fill() {
   setTitle(questions_.size() > kShown ? tr("Trainees ask you: %1").arg(questions_.size())
-            : questions_.empty()      ? tr("Your last answers to trainees")
+           : questions_.empty()       ? tr("Your last answers to trainees")
                                       : tr("Trainees ask you"));
   emptyLayout(list_);
   for (std::size_t i = 0; i < std::min(kShown, questions_.size()); ++i) {

@@ -243,7 +243,8 @@ void NextStepPage::fillSession() {
   if (best) {
     lines << tr("Your best twist: %1\u00b0 off a target of %2\u00b0, at %3 of \u201c%4\u201d.")
                  .arg(QLocale().toString(degrees(best->error_rad), 'f', 1),
-                      QLocale().toString(degrees(best->twist.target_rad), 'f', 0)
+                      QLocale()
+                          .toString(degrees(best->twist.target_rad), 'f', 0)
                           .replace(QLatin1Char('-'), QChar(0x2212)),
                       StationLabels::seconds(best->twist.when.to_s), toQString(Text(best->moduleTitle)));
   }

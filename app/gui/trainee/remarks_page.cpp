@@ -223,11 +223,10 @@ void RemarksPage::fillRemarks() {
     send->setEnabled(false);
     connect(field, &QLineEdit::textChanged, send,
             [send](const QString& now) { send->setEnabled(!now.trimmed().isEmpty()); });
-    connect(send, &QPushButton::clicked, this,
-            [this, field, id = remark.id] {
-              const std::string text = field->text().trimmed().toStdString();
-              change([&](SessionContext& session) { (void)replyToRemark(session, id, text); });
-            });
+    connect(send, &QPushButton::clicked, this, [this, field, id = remark.id] {
+      const std::string text = field->text().trimmed().toStdString();
+      change([&](SessionContext& session) { (void)replyToRemark(session, id, text); });
+    });
     row->addWidget(field, 1);
     row->addWidget(send);
     threads_->addLayout(row);

@@ -98,8 +98,9 @@ void TwistGuide::follow(const LiveState& state, bool onTarget, double heldShare)
 
 void TwistGuide::showStep() {
   const int number = std::min(static_cast<int>(step_) + 1, kMovements);
-  number_->setText(step_ == Step::kDone ? tr("Your first twist")
-                                        : tr("Your first twist: movement %1 of %2").arg(number).arg(kMovements));
+  number_->setText(step_ == Step::kDone
+                       ? tr("Your first twist")
+                       : tr("Your first twist: movement %1 of %2").arg(number).arg(kMovements));
   skip_->setText(step_ == Step::kDone ? tr("Close") : tr("Skip"));
   switch (step_) {
     case Step::kReach:

@@ -39,11 +39,11 @@ std::vector<TraineeQuestion> QuestionRepository::read(const std::string& conditi
                                .time_us = row.int64(),
                                .text = row.text()};
       });
-  Statement answer = connection_.prepare(
-      "SELECT a.id, " + newestOfRemark("a", "text", "a.text") + ", a.created_utc_us, " +
-      newestOfRemark("a", "created_utc_us", "0") +
-      " FROM trial_remark a WHERE a.reply_to = ? AND a.author_person_id = ?"
-      " ORDER BY a.created_utc_us, a.id LIMIT 1");
+  Statement answer =
+      connection_.prepare("SELECT a.id, " + newestOfRemark("a", "text", "a.text") + ", a.created_utc_us, " +
+                          newestOfRemark("a", "created_utc_us", "0") +
+                          " FROM trial_remark a WHERE a.reply_to = ? AND a.author_person_id = ?"
+                          " ORDER BY a.created_utc_us, a.id LIMIT 1");
   for (TraineeQuestion& question : questions) {
     answer.execute({question.remarkId, question.raterId});
     while (answer.step()) {

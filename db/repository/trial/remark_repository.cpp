@@ -80,13 +80,12 @@ std::vector<Remark> RemarkRepository::remarks(const TrialId& trialId) const {
 
 void RemarkRepository::revise(const RemarkRevision& revision) {
   Transaction transaction(connection_);
-  const std::array<IdempotentColumn, 6> columns{
-      {{"remark_id", revision.remarkId, Kind::kKey},
-       {"version", revision.version, Kind::kKey},
-       {"author", revision.author},
-       {"author_person_id", textOrNull(revision.authorPersonId)},
-       {"text", revision.text},
-       {"created_utc_us", revision.createdUtc_us, Kind::kIgnored}}};
+  const std::array<IdempotentColumn, 6> columns{{{"remark_id", revision.remarkId, Kind::kKey},
+                                                 {"version", revision.version, Kind::kKey},
+                                                 {"author", revision.author},
+                                                 {"author_person_id", textOrNull(revision.authorPersonId)},
+                                                 {"text", revision.text},
+                                                 {"created_utc_us", revision.createdUtc_us, Kind::kIgnored}}};
   insertIdempotent(connection_, "remark_revision", columns, Text::tr("this version of the remark"));
   transaction.commit();
 }
@@ -113,10 +112,11 @@ std::map<RemarkId, std::vector<RemarkWording>> RemarkRepository::earlierWordings
 }
 
 void RemarkRepository::markRead(const ReadReceipt& receipt) {
-  connection_.execute(insertInto("remark_receipt", "remark_id, reader, version, reader_person_id, read_utc_us") +
-                          " ON CONFLICT (remark_id, reader, version) DO NOTHING",
-                      {receipt.remarkId, receipt.reader, receipt.version, textOrNull(receipt.readerPersonId),
-                       receipt.readUtc_us});
+  connection_.execute(
+      insertInto("remark_receipt", "remark_id, reader, version, reader_person_id, read_utc_us") +
+          " ON CONFLICT (remark_id, reader, version) DO NOTHING",
+      {receipt.remarkId, receipt.reader, receipt.version, textOrNull(receipt.readerPersonId),
+       receipt.readUtc_us});
 }
 
 std::vector<ReadReceipt> RemarkRepository::receipts(const TrialId& trialId) const {

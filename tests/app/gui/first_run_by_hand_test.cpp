@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the first page to a passed exercise with mouse and keys, every action done on the real widgets and
-// counted. The servo is stepped by the test, 16 ticks a frame; an action takes the time of the keystroke-level
-// model (Card, Moran and Newell 1980): decide 1.35 s, point 1.1 s, press 0.28 s.
+// counted. The servo is stepped by the test, 16 ticks a frame; an action takes the time of the
+// keystroke-level model (Card, Moran and Newell 1980): decide 1.35 s, point 1.1 s, press 0.28 s.
 #include <cmath>
 #include <functional>
 

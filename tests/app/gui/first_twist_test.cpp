@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What makes a trainee's first run easy: the guide, the expert in slow motion, the sound, the session's story.
+// What makes a trainee's first run easy: the guide, the expert in slow motion, the sound, the session's
+// story.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -50,7 +51,8 @@ TEST(TwistGuide, WaitsForEachMovementAndBeginsAnewWhenTheTissueIsLost) {
   EXPECT_EQ(after(ExercisePhase::kTwisting, true, 0.2), Step::kHold);
   EXPECT_EQ(after(ExercisePhase::kTwisting, false), Step::kTurn);
   EXPECT_EQ(after(ExercisePhase::kReleased), Step::kReach);
-  EXPECT_TRUE(guide.findChild<QLabel*>(QStringLiteral("movement"))->text().startsWith(QStringLiteral("It came")));
+  EXPECT_TRUE(
+      guide.findChild<QLabel*>(QStringLiteral("movement"))->text().startsWith(QStringLiteral("It came")));
   EXPECT_EQ(after(ExercisePhase::kContact), Step::kClose);
   EXPECT_EQ(after(ExercisePhase::kTwisting, true, 0.9), Step::kHold);
   EXPECT_EQ(after(ExercisePhase::kTwisting, true, 1.0), Step::kLetGo);

@@ -157,7 +157,8 @@ TEST_F(QuestionCards, ThePhysicianAnswersAndTheTraineeReadsItAtItsMoment) {
     EXPECT_TRUE(card.questions().empty());  // nothing waits any more
     EXPECT_TRUE(textsOf(card).contains(QStringLiteral("You answered Chen Wei: No, but let go later.")));
     card.findChild<QPushButton*>(QStringLiteral("editWords"))->click();
-    card.findChild<QPlainTextEdit*>(QStringLiteral("newWords"))->setPlainText(QStringLiteral("Let go later."));
+    card.findChild<QPlainTextEdit*>(QStringLiteral("newWords"))
+        ->setPlainText(QStringLiteral("Let go later."));
     card.findChild<QPushButton*>(QStringLiteral("saveWords"))->click();
     settle();
     EXPECT_TRUE(textsOf(card).contains(QStringLiteral("You answered Chen Wei: Let go later.")));
