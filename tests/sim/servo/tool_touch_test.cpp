@@ -114,11 +114,25 @@ void agreesWithTheMovedMesh(const Scene& scene, const OrganState& organ, int cou
   EXPECT_GT(shafts, count / 10);
 }
 
+// A patch that reaches beyond its assumed bound hides its triangles from a tip that lies on them. Every
+// third.
+void meetsTheTrianglesThatATipLiesOn(const Scene& scene, const OrganState& organ) {
+  const TriangleMesh mesh = moved(scene, organ);
+  int missed = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+    const TriangleMesh::Triangle& t = mesh.triangles[i];
+    const Vec3 on_m = (mesh.vertices_m[t[0]] + mesh.vertices_m[t[1]] + mesh.vertices_m[t[2]]) / 3.0;
+    missed += std::abs(nearestSurface(on_m, scene, organ).distance_m) > 1e-9 ? 1 : 0;
+  }
+  EXPECT_EQ(missed, 0);
+}
+
 TEST(ToolTouch, AgreesWithEveryTriangleOfATwistedBar) {
   const Scene scene = barScene();
   for (const double angle_rad : {0.0, 0.3, -1.5, 4.0}) {
     SCOPED_TRACE(angle_rad);
     agreesWithTheMovedMesh(scene, {{0.2, angle_rad}, {}}, 300);
+    meetsTheTrianglesThatATipLiesOn(scene, {{0.2, angle_rad}, {}});
   }
 }
 
@@ -135,6 +149,8 @@ TEST(ToolTouch, AgreesWithEveryTriangleOfTheShippedOrgansTwistedToTheirTargets) 
       agreesWithTheMovedMesh(scene, scene.stateAt(scene.pattern.targetAngle_rad), 120);
       if (scene.hollow) {
         agreesWithTheMovedMesh(scene, scene.hollow->start(1), 120);
+      } else {
+        meetsTheTrianglesThatATipLiesOn(scene, scene.stateAt(1.5 * scene.pattern.targetAngle_rad));
       }
     }
   }
