@@ -93,12 +93,10 @@ int reportFailure() noexcept {
   }
 }
 
-int runCommandLine(int argc, char** argv) {
+int runCommand(int argc, char** argv) {
   CLI::App program("Training and assessment of surgical twist skills");
   buildProgram(program);
   try {
-    // Reports are drawn by Qt without any display; the database drivers are Qt plug-ins.
-    const auto application = makeHeadlessGraphicsApplication(argc, argv);
     requireKnownCommand(program, argc > 1 ? argv[1] : "");
     program.parse(argc, argv);
     return 0;
@@ -108,6 +106,16 @@ int runCommandLine(int argc, char** argv) {
     std::cerr << "torsio: " << oneLine(error.what())
               << ". Run 'torsio --help' for the commands and options\n";
     return static_cast<int>(ErrorCode::kUsage);
+  } catch (...) {
+    return reportFailure();
+  }
+}
+
+int runCommandLine(int argc, char** argv) {
+  try {
+    // Reports are drawn by Qt without any display; the database drivers are Qt plug-ins.
+    const auto application = makeHeadlessGraphicsApplication(argc, argv);
+    return runCommand(argc, argv);
   } catch (...) {
     return reportFailure();
   }

@@ -11,6 +11,10 @@ namespace torsio::cli {
 /// progress go to standard error.
 [[nodiscard]] int runCommandLine(int argc, char** argv);
 
+/// The same without the Qt application of the process, which draws reports and loads database drivers: for
+/// commands that need neither, as often as wanted in one process.
+[[nodiscard]] int runCommand(int argc, char** argv);
+
 /// One line on standard error for whatever is being thrown, and its exit code. Call inside a catch block.
 [[nodiscard]] int reportFailure() noexcept;
 
