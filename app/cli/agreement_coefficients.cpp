@@ -17,13 +17,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Outcome<IccResult> intraclass(const RatingGrid& grid) {
-  const Outcome<NumberTable> complete = completeTable(grid);
-  return complete ? intraclassCorrelation(*complete) : Outcome<IccResult>::undefined(complete.reason());
+Outcome<IccResult> intraclass(const CompleteTargets& complete) {
+  return complete.table ? intraclassCorrelation(*complete.table)
+                        : Outcome<IccResult>::undefined(complete.table.reason());
 }
 
-Json formJson(const IccForm& form) {
-  const std::string reason = "the error variance is zero";
+Json formJson(const IccForm& form, double errorVariance) {
+  const std::string reason = errorVariance > 0.0 ? "so few ratings bound nothing" : "the error variance is zero";
   Json out{{"estimate", form.estimate}};
   out["lower"] = form.interval ? Json(form.interval->lower) : undefinedJson(reason);
   out["upper"] = form.interval ? Json(form.interval->upper) : undefinedJson(reason);
@@ -33,7 +33,7 @@ Json formJson(const IccForm& form) {
 Json formsJson(const Outcome<IccResult>& icc) {
   Json out;
   const auto add = [&](const char* name, IccForm IccResult::*form) {
-    out[name] = icc ? formJson((*icc).*form) : undefinedJson(icc.reason().str());
+    out[name] = icc ? formJson((*icc).*form, icc->ems) : undefinedJson(icc.reason().str());
   };
   add("ICC(1,1)", &IccResult::oneWaySingle);
   add("ICC(2,1)", &IccResult::agreementSingle);
@@ -50,6 +50,21 @@ Json measurementErrorJson(const Outcome<IccResult>& icc) {
                 {"consistency", result.semConsistency},
                 {"agreement_of_mean", result.semMean}};
   });
+}
+
+/// Agreement within each group: what is left when differences between the groups do not count.
+Json withinGroupsJson(const RatingGrid& grid) {
+  Json list = Json::array();
+  for (std::size_t g = 0; g < grid.groups.size(); ++g) {
+    const CompleteTargets complete = completeTargets(grid, g);
+    const Outcome<IccResult> icc = intraclass(complete);
+    Json entry{{"group", grid.groups[g]}, {"targets", complete.table ? complete.table->rows() : 0}};
+    entry["icc"] = formsJson(icc);
+    entry["sem"] = measurementErrorJson(icc);
+    entry["left_out_targets"] = complete.leftOut;
+    list.push_back(std::move(entry));
+  }
+  return list;
 }
 
 /// Reliability by restricted maximum likelihood, which marks that are missing do not stop.
@@ -98,8 +113,7 @@ Json limitsJson(const BlandAltmanResult& result) {
   return out;
 }
 
-Json panelJson(const RatingGrid& grid) {
-  const Outcome<NumberTable> complete = completeTable(grid);
+Json panelJson(const RatingGrid& grid, const Outcome<NumberTable>& complete) {
   if (!complete) {
     return undefinedJson(complete.reason().str());
   }
@@ -128,8 +142,9 @@ int resamplesWithin(std::size_t scores) {
 }  // namespace
 
 Json overviewJson(const RatingGrid& grid) {
-  const Outcome<NumberTable> complete = completeTable(grid);
-  const Outcome<IccResult> icc = intraclass(grid);
+  const CompleteTargets cases = completeTargets(grid);
+  const Outcome<NumberTable>& complete = cases.table;
+  const Outcome<IccResult> icc = intraclass(cases);
   const auto kendall = complete ? kendallW(*complete) : Outcome<KendallResult>::undefined(complete.reason());
   const auto cronbach =
       complete ? cronbachAlpha(*complete) : Outcome<CronbachResult>::undefined(complete.reason());
@@ -146,11 +161,13 @@ Json overviewJson(const RatingGrid& grid) {
     return Json{{"alpha", alpha.alpha}, {"lower", alpha.interval.lower}, {"upper", alpha.interval.upper}};
   });
   out["sem"] = measurementErrorJson(icc);
+  out["left_out_targets"] = cases.leftOut;
   return out;
 }
 
 Json intraclassJson(const RatingGrid& grid) {
-  const Outcome<IccResult> icc = intraclass(grid);
+  const CompleteTargets cases = completeTargets(grid);
+  const Outcome<IccResult> icc = intraclass(cases);
   Json out;
   out["icc"] = formsJson(icc);
   out["mean_squares"] = outcomeJson(icc, [](const IccResult& result) {
@@ -175,6 +192,10 @@ Json intraclassJson(const RatingGrid& grid) {
   });
   out["sem"] = measurementErrorJson(icc);
   out["reml"] = reliabilityJson(grid);
+  if (!grid.groups.empty()) {
+    out["within_groups"] = withinGroupsJson(grid);
+  }
+  out["left_out_targets"] = cases.leftOut;
   return out;
 }
 
@@ -213,7 +234,9 @@ Json blandAltmanJson(const RatingGrid& grid) {
       out["pairs"].push_back(std::move(entry));
     }
   }
-  out["against_panel"] = panelJson(grid);
+  const CompleteTargets cases = completeTargets(grid);
+  out["against_panel"] = panelJson(grid, cases.table);
+  out["left_out_targets"] = cases.leftOut;
   out["multiplier"] = kAgreementLimit;
   return out;
 }

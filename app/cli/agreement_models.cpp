@@ -129,8 +129,9 @@ std::vector<double> planned(const std::vector<double>& numbers, std::size_t ofSt
 
 Json simpleStudyJson(const CsvTable& table, const AgreementOptions& options) {
   const RatingGrid grid = readRatingGrid(table);
-  const Outcome<NumberTable> complete = completeTable(grid);
-  const auto study = complete ? gStudyPR(*complete) : Outcome<GStudy>::undefined(complete.reason());
+  const CompleteTargets complete = completeTargets(grid);
+  const auto study =
+      complete.table ? gStudyPR(*complete.table) : Outcome<GStudy>::undefined(complete.table.reason());
   Json out{{"design", "persons x raters"}};
   out["components"] = outcomeJson(study, componentsJson);
   out["plans"] = outcomeJson(study, [&](const GStudy& result) {
@@ -142,6 +143,7 @@ Json simpleStudyJson(const CsvTable& table, const AgreementOptions& options) {
     }
     return plans;
   });
+  out["left_out_targets"] = complete.leftOut;
   return out;
 }
 
@@ -172,6 +174,7 @@ Json facetStudyJson(const CsvTable& table, const FacetDesign& design, const std:
     }
     return plans;
   });
+  out["left_out_targets"] = facets.leftOut;
   return out;
 }
 

@@ -65,11 +65,18 @@ Json methodJson(const CsvTable& table, const AgreementArguments& arguments) {
   return out;
 }
 
+CsvTable readRatings(const AgreementArguments& arguments) {
+  if (arguments.method == "generalizability") {
+    return CsvTable::read(arguments.file, {"target", "rater", "score"}, {"occasion", "task"});
+  }
+  if (arguments.method == "icc") {
+    return CsvTable::read(arguments.file, {"target", "rater", "score"}, {"group"});
+  }
+  return CsvTable::read(arguments.file, {"target", "rater", "score"});
+}
+
 void runAgreement(const AgreementArguments& arguments) {
-  const bool facets = arguments.method == "generalizability";
-  const CsvTable table =
-      facets ? CsvTable::read(arguments.file, {"target", "rater", "score"}, {"occasion", "task"})
-             : CsvTable::read(arguments.file, {"target", "rater", "score"});
+  const CsvTable table = readRatings(arguments);
   noteIgnoredColumns(table);
   printJson(methodJson(table, arguments));
 }

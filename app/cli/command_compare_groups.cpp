@@ -29,6 +29,7 @@ struct CompareArguments {
   std::optional<double> margin;
   std::optional<double> lowest;
   std::optional<double> highest;
+  bool residuals = false;
   std::string adjust = "holm";
   std::string paired;     ///< empty: groups are compared
   std::string bootstrap;  ///< empty: none
@@ -103,6 +104,7 @@ CovarianceRequest covarianceRequest(const CompareArguments& arguments, const Stu
   request.outcome = occasionOr(study, table, arguments.occasion, study.occasions.back(), "--occasion");
   request.covariate = occasionOr(study, table, arguments.covariate, study.occasions.front(), "--covariate");
   request.margin = arguments.margin;
+  request.residuals = arguments.residuals;
   if (arguments.lowest) {
     if (!(*arguments.lowest < *arguments.highest)) {
       throw Error(ErrorCode::kBadParameter, Text::verbatim("the lowest mark is not below the highest"),
@@ -162,7 +164,8 @@ void requireOptionsThatCount(const CLI::App& command) {
                   Text::verbatim("Give --bootstrap mean or --bootstrap median too"));
     }
   }
-  for (const char* name : {"--occasion", "--covariate", "--margin", "--lowest", "--highest", "--adjust"}) {
+  for (const char* name :
+       {"--occasion", "--covariate", "--margin", "--lowest", "--highest", "--residuals", "--adjust"}) {
     if (command.count(name) > 0 && command.count("--paired") > 0) {
       throw Error(ErrorCode::kUsage, std::string(name) + " belongs to a comparison between groups",
                   Text::verbatim("compare-groups --paired"), Text::verbatim("Leave one of the two out"));
@@ -207,6 +210,8 @@ void addCompareGroups(CLI::App& program) {
   auto* highest = command->add_option("--highest", arguments->highest, "Highest mark of the scale");
   lowest->needs(highest);
   highest->needs(lowest);
+  command->add_flag("--residuals", arguments->residuals,
+                    "Adds what the analysis of covariance leaves of each subject, for plots");
   command->add_option("--adjust", arguments->adjust, "Adjustment of p over the pairs of more than two groups")
       ->check(CLI::IsMember(kAdjustments))
       ->capture_default_str();

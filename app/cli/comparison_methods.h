@@ -38,6 +38,7 @@ struct CovarianceRequest {
   std::string outcome;            ///< another occasion
   std::optional<double> margin;   ///< of equivalence, points; empty: not tested
   std::optional<Interval> scale;  ///< lowest and highest mark, for bounds; empty: none
+  bool residuals = false;         ///< what is left of each subject, for plots
 };
 /// Prints the analysis of covariance of the outcome on the covariate.
 [[nodiscard]] nlohmann::ordered_json ancovaJson(const Study& study, const CovarianceRequest& request);

@@ -86,6 +86,20 @@ Json slopesJson(const Study& study, const CompleteCases& cases) {
       });
 }
 
+/// What is left of each subject, beside what a normal distribution of that spread would leave.
+Json residualsJson(const std::vector<std::vector<std::string>>& subjects, const Ancova& result) {
+  Json list = Json::array();
+  for (std::size_t g = 0; g < subjects.size(); ++g) {
+    for (std::size_t i = 0; i < subjects[g].size(); ++i) {
+      list.push_back({{"subject", subjects[g][i]},
+                      {"fitted", result.fitted[g][i]},
+                      {"residual", result.residuals[g][i]},
+                      {"normal_quantile", result.quantiles[g][i]}});
+    }
+  }
+  return list;
+}
+
 Json effectJson(const std::optional<AnovaEffect>& effect) {
   if (!effect) {
     return undefinedJson("there is only one group");
@@ -165,8 +179,10 @@ Json equivalenceJson(double difference, double error, double df, double margin) 
 Json ancovaJson(const Study& study, const CovarianceRequest& request) {
   CompleteCases cases;
   std::vector<std::string> left;
+  std::vector<std::vector<std::string>> subjects;
   for (std::size_t g = 0; g < study.groups.size(); ++g) {
     const CompleteSubjects complete = completeSubjects(study, g, {request.covariate, request.outcome});
+    subjects.push_back(complete.names);
     left.insert(left.end(), complete.leftOut.begin(), complete.leftOut.end());
     cases.before.emplace_back();
     cases.after.emplace_back();
@@ -197,6 +213,9 @@ Json ancovaJson(const Study& study, const CovarianceRequest& request) {
     out["equal_slopes"] = fTestJson(result.equalSlopes);
     if (result.equalSlopes && result.equalSlopes->p < kSlopesDiffer) {
       out["separate_slopes"] = slopesJson(study, cases);
+    }
+    if (request.residuals) {
+      out["residuals"] = residualsJson(subjects, result);
     }
     return out;
   });

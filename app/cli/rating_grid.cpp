@@ -22,10 +22,22 @@ void refuseSecondScore(const CsvTable& table, std::size_t row, std::size_t first
                "Keep one score for each rater and target" + where);
 }
 
-Outcome<std::vector<NumberTable>> incomplete(std::size_t missing, std::size_t wanted) {
-  return Outcome<std::vector<NumberTable>>::undefined(
-      std::to_string(missing) + " of " + std::to_string(wanted) +
-      " ratings are missing, and this needs a complete table");
+Text nobodyComplete() {
+  return Text::tr("no target has a score by every rater");
+}
+
+/// Notes the group of a row's target, and refuses a second one.
+void noteGroup(const CsvTable& table, std::size_t row, std::size_t target, NamePlaces& groups,
+               std::vector<std::size_t>& groupOf) {
+  const std::size_t group = groups(table.text(row, "group"));
+  if (target == groupOf.size()) {
+    groupOf.push_back(group);
+  } else if (groupOf[target] != group) {
+    table.refuse(row,
+                 "target \"" + table.text(row, "target") + "\" is in group \"" + groups.names()[group] +
+                     "\", but in another further up",
+                 Text::verbatim("A target belongs to one group"));
+  }
 }
 
 }  // namespace
@@ -34,11 +46,15 @@ RatingGrid readRatingGrid(const CsvTable& table) {
   RatingGrid grid;
   NamePlaces targets;
   NamePlaces raters;
+  NamePlaces groups;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> rowOf;  // rater, target
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const std::string& target = table.text(row, "target");
     const std::string& rater = table.text(row, "rater");
     const std::pair key{raters(rater), targets(target)};
+    if (table.has("group")) {
+      noteGroup(table, row, key.second, groups, grid.groupOf);
+    }
     const auto [first, isNew] = rowOf.emplace(key, row);
     if (!isNew) {
       refuseSecondScore(table, row, first->second, "");
@@ -46,6 +62,7 @@ RatingGrid readRatingGrid(const CsvTable& table) {
   }
   grid.targets = targets.names();
   grid.raters = raters.names();
+  grid.groups = groups.names();
   grid.ratersByTarget.assign(grid.raters.size(),
                              std::vector<std::optional<double>>(grid.targets.size(), std::nullopt));
   for (const auto& [key, row] : rowOf) {
@@ -56,18 +73,27 @@ RatingGrid readRatingGrid(const CsvTable& table) {
   return grid;
 }
 
-Outcome<NumberTable> completeTable(const RatingGrid& grid) {
-  const std::size_t wanted = grid.targets.size() * grid.raters.size();
-  if (grid.given != wanted) {
-    return Outcome<NumberTable>::undefined(incomplete(wanted - grid.given, wanted).reason());
-  }
-  NumberTable table(grid.targets.size(), grid.raters.size());
-  for (std::size_t r = 0; r < grid.raters.size(); ++r) {
-    for (std::size_t t = 0; t < grid.targets.size(); ++t) {
-      table.at(t, r) = *grid.ratersByTarget[r][t];
+CompleteTargets completeTargets(const RatingGrid& grid, std::optional<std::size_t> group) {
+  CompleteTargets out;
+  std::vector<std::vector<double>> rows;
+  for (std::size_t t = 0; t < grid.targets.size(); ++t) {
+    if (group && grid.groupOf[t] != *group) {
+      continue;
+    }
+    std::vector<double> row;
+    for (const auto& rater : grid.ratersByTarget) {
+      if (rater[t]) {
+        row.push_back(*rater[t]);
+      }
+    }
+    if (row.size() == grid.raters.size()) {
+      rows.push_back(std::move(row));
+    } else {
+      out.leftOut.push_back(grid.targets[t]);
     }
   }
-  return table;
+  out.table = rows.empty() ? Outcome<NumberTable>::undefined(nobodyComplete()) : Outcome(NumberTable(rows));
+  return out;
 }
 
 std::vector<double> distinctScores(const RatingGrid& grid) {
@@ -114,7 +140,6 @@ FacetTables readFacetTables(const CsvTable& table, const std::string& levelColum
     }
   }
   out.levels = levels.names();
-  out.targets = targets.names().size();
   out.raters = raters.front().names().size();
   if (std::any_of(raters.begin(), raters.end(),
                   [&](const NamePlaces& list) { return list.names().size() != out.raters; })) {
@@ -122,18 +147,37 @@ FacetTables readFacetTables(const CsvTable& table, const std::string& levelColum
         Outcome<std::vector<NumberTable>>::undefined(Text::tr("the tasks have different numbers of raters"));
     return out;
   }
-  const std::size_t wanted = out.levels.size() * out.targets * out.raters;
-  std::vector<NumberTable> tables(out.levels.size(), NumberTable(out.targets, out.raters));
-  std::size_t given = 0;
+  const std::size_t wanted = out.levels.size() * out.raters;
+  std::vector<std::vector<std::vector<std::optional<double>>>> scores(  // target, level, rater
+      targets.names().size(),
+      std::vector<std::vector<std::optional<double>>>(
+          out.levels.size(), std::vector<std::optional<double>>(out.raters, std::nullopt)));
+  std::vector<std::size_t> given(targets.names().size(), 0);
   for (const auto& [key, row] : rowOf) {
     if (const std::optional<double> score = table.numberIfGiven(row, "score")) {
       const auto& [level, target, rater] = key;
-      tables[level].at(target, rater) = *score;
-      ++given;
+      scores[target][level][rater] = *score;
+      ++given[target];
     }
   }
-  out.tables = given == wanted ? Outcome<std::vector<NumberTable>>(std::move(tables))
-                               : incomplete(wanted - given, wanted);
+  std::vector<std::vector<std::vector<double>>> rows(out.levels.size());
+  for (std::size_t target = 0; target < scores.size(); ++target) {
+    if (given[target] < wanted) {
+      out.leftOut.push_back(targets.names()[target]);
+      continue;
+    }
+    for (std::size_t level = 0; level < out.levels.size(); ++level) {
+      rows[level].emplace_back();
+      for (const std::optional<double>& score : scores[target][level]) {
+        rows[level].back().push_back(*score);
+      }
+    }
+  }
+  if (rows.front().empty()) {
+    out.tables = Outcome<std::vector<NumberTable>>::undefined(nobodyComplete());
+  } else {
+    out.tables = Outcome(std::vector<NumberTable>(rows.begin(), rows.end()));
+  }
   return out;
 }
 

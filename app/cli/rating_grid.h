@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,15 +17,25 @@ struct RatingGrid {
   std::vector<std::string> targets;
   std::vector<std::string> raters;
   IncompleteRatings ratersByTarget;
-  std::size_t given = 0;  ///< scores that are not missing
+  std::size_t given = 0;             ///< scores that are not missing
+  std::vector<std::string> groups;   ///< of the targets; empty: the table has no column group
+  std::vector<std::size_t> groupOf;  ///< for each target, where there are groups
 };
 
-/// Reads the columns target, rater and score. Throws Error{kBadData} for a second score of one rater for one
-/// target.
+/// Reads the columns target, rater and score, and group where there is one. Throws Error{kBadData} for a
+/// second score of one rater for one target, and for a target in two groups.
 [[nodiscard]] RatingGrid readRatingGrid(const CsvTable& table);
 
-/// Lays out the scores as targets x raters; undefined when one is missing.
-[[nodiscard]] Outcome<NumberTable> completeTable(const RatingGrid& grid);
+/// The targets that every rater scored (complete cases).
+struct CompleteTargets {
+  Outcome<NumberTable> table =
+      Outcome<NumberTable>::undefined(Text::tr("not read"));  ///< targets x raters; undefined: there are none
+  std::vector<std::string> leftOut;                           ///< the other targets
+};
+
+/// Lays out the scores of the targets that every rater scored; `group`: only those of one.
+[[nodiscard]] CompleteTargets completeTargets(const RatingGrid& grid,
+                                              std::optional<std::size_t> group = std::nullopt);
 
 /// Lists the scores that occur, smallest first, each once.
 [[nodiscard]] std::vector<double> distinctScores(const RatingGrid& grid);
@@ -37,19 +48,19 @@ struct SharedScores {
 /// Gathers the scores of the raters numbered `first` and `second`.
 [[nodiscard]] SharedScores sharedScores(const RatingGrid& grid, std::size_t first, std::size_t second);
 
-/// One complete table, targets x raters, for each occasion or task.
+/// One table without holes, targets x raters, for each occasion or task.
 struct FacetTables {
   std::vector<std::string> levels;
-  std::size_t targets = 0;
-  std::size_t raters = 0;  ///< on each level
+  std::vector<std::string> leftOut;  ///< targets without a score by every rater on every level
+  std::size_t raters = 0;            ///< on each level
   Outcome<std::vector<NumberTable>> tables =
       Outcome<std::vector<NumberTable>>::undefined(Text::tr("not read"));
 };
 
 /// Reads target, rater, score and the column that names the level. Raters are the same on every level
-/// (`crossed`) or others on each. The tables are undefined when a score is missing or the levels have
-/// different numbers of raters. Throws Error{kBadData} for a second score of one rater for one target on one
-/// level.
+/// (`crossed`) or others on each. The tables hold the targets that every rater scored on every level;
+/// undefined when there are none or the levels have different numbers of raters. Throws Error{kBadData} for a
+/// second score of one rater for one target on one level.
 [[nodiscard]] FacetTables readFacetTables(const CsvTable& table, const std::string& levelColumn,
                                           bool crossed);
 

@@ -105,6 +105,7 @@ CompleteSubjects completeSubjects(const Study& study, std::size_t group,
     }
     if (row.size() == occasions.size()) {
       out.scores.push_back(std::move(row));
+      out.names.push_back(subject.name);
     } else {
       out.leftOut.push_back(subject.name);
     }

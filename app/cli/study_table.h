@@ -42,6 +42,7 @@ struct Study {
 /// The subjects of one group with a score at every occasion asked for.
 struct CompleteSubjects {
   std::vector<std::vector<double>> scores;  ///< subjects x occasions
+  std::vector<std::string> names;           ///< of these subjects
   std::vector<std::string> leftOut;         ///< subjects of the group without some of these scores
 };
 /// Gathers the subjects of `group` that have a score at all of `occasions`.

@@ -25,6 +25,11 @@ ExportCell textOf(const std::string& text) {
   return text.empty() ? ExportCell() : ExportCell(text);
 }
 
+/// What is no number.
+ExportCell wordOf(const std::string& text) {
+  return std::holds_alternative<double>(numberOf(text)) ? ExportCell() : textOf(text);
+}
+
 ExportColumn participant() {
   return {"participant", Text::tr("Trainee")};
 }
@@ -234,6 +239,7 @@ class Sorter {
          number("able_at_attempt", Text::tr("Able at attempt")),
          number("false_pass", Text::tr("Probability of a false pass")),
          number("false_fail", Text::tr("Probability of a false fail")),
+         number("within_attempts", Text::tr("Attempts within which both hold")),
          number("design_version", Text::tr("Version of the design"))},
         {}};
     for (const Row& row : rows_) {
@@ -265,21 +271,22 @@ class Sorter {
     ExportTable table{section,
                       title,
                       source,
-                      {{"item", Text::tr("Rater, or all")},
+                      {{"item", Text::tr("Trainee, rater or all")},
                        groupColumn(),
                        {"model", Text::tr("Tissue model")},
                        {"index_name", Text::tr("Index")},
                        occasionColumn(),
                        {"statistic", Text::tr("Statistic")},
                        number("value", Text::tr("Value")),
+                       {"value_text", Text::tr("Value as text")},
                        number("n", Text::tr("Values used")),
                        {"flags", Text::tr("Flags")}},
                       {}};
     for (const Row& row : rows_) {
       if (row.section == section) {
         table.rows.push_back({textOf(row.item), textOf(row.group), textOf(row.model), textOf(row.index),
-                              textOf(row.occasion), row.statistic, numberOf(row.value), numberOf(row.n),
-                              textOf(row.flags)});
+                              textOf(row.occasion), row.statistic, numberOf(row.value), wordOf(row.value),
+                              numberOf(row.n), textOf(row.flags)});
       }
     }
     return table;

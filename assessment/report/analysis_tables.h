@@ -15,6 +15,10 @@ namespace torsio {
 /// Returns how many trainees have a score at both ends.
 [[nodiscard]] std::int64_t comparedTrainees(const StudyAnalysis& study);
 
+/// Returns the scores of a group at an occasion.
+[[nodiscard]] std::vector<double> scoresOf(const CohortInputs& inputs, std::size_t group,
+                                           std::size_t occasion);
+
 [[nodiscard]] ReportTable agreementTable(const CohortInputs& inputs, const StudyAnalysis& study);
 /// Returns agreement within each group: what is left when differences between the groups do not count.
 [[nodiscard]] ReportTable agreementWithinTable(const CohortInputs& inputs, const StudyAnalysis& study);

@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "assessment/report/analysis_tables.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_labels.h"
 #include "assessment/report/report_sections.h"
@@ -22,16 +24,12 @@ constexpr int kPointDecimals = 1;  // what a mean over ten marks in half points 
 constexpr double kSignificant = 0.05;
 constexpr std::size_t kSignatures = 3;
 
-Text pairOf(const CohortInputs& in, const AdjustedDifference& pair) {
-  return Text::verbatim("%1 - %2", in.groups[pair.first].name, in.groups[pair.second].name);
-}
-
-bool opensDirection(const AdjustedDifference& pair) {
+bool opensDirection(const PrimaryDifference& pair) {
   return pair.interval.lower <= 0.0 && pair.interval.upper >= 0.0;
 }
 
-Text shown(const AdjustedDifference& pair) {
-  return Text::tr("%1 points [%2; %3]", formatFixed(pair.difference, kPointDecimals),
+Text shown(const PrimaryDifference& pair) {
+  return Text::tr("%1 points [%2; %3]", formatFixed(pair.value, kPointDecimals),
                   formatFixed(pair.interval.lower, kPointDecimals),
                   formatFixed(pair.interval.upper, kPointDecimals));
 }
@@ -60,57 +58,90 @@ Text peopleOf(const CohortInputs& in) {
 
 /// The answer to the question, as far as the data give one.
 Text answerOf(const CohortInputs& in, const StudyAnalysis& study) {
-  if (!study.ancova) {
-    return Text::tr("Answer: none. The groups are not compared: %1.", Text(study.ancova.reason()));
+  const std::vector<PrimaryDifference> pairs = primaryDifferences(study);
+  if (pairs.empty()) {
+    return study.ancova
+               ? Text::tr("Answer: none. There is only one group.")
+               : Text::tr("Answer: none. The groups are not compared: %1.", Text(study.ancova.reason()));
   }
   std::vector<Text> differing;
-  const AdjustedDifference* widest = nullptr;
+  const PrimaryDifference* widest = &pairs.front();
   bool allHoldZero = true;
-  for (const AdjustedDifference& pair : study.ancova->pairs) {
+  for (const PrimaryDifference& pair : pairs) {
     allHoldZero = allHoldZero && opensDirection(pair);
     if (pair.pHolm < kSignificant) {
-      differing.push_back(
-          Text::tr("%1: %2, %3 after Holm", pairOf(in, pair), shown(pair), equalsP(pair.pHolm)));
+      differing.push_back(Text::tr("%1: %2, %3 after Holm", pairName(in, pair.first, pair.second),
+                                   shown(pair), equalsP(pair.pHolm)));
     }
-    if (widest == nullptr || std::abs(pair.difference) > std::abs(widest->difference)) {
+    if (std::abs(pair.value) > std::abs(widest->value)) {
       widest = &pair;
     }
   }
   if (!differing.empty()) {
-    return Text::tr("Answer, adjusted for the score before: %1.", listed(differing, Text::tr("%1; %2")));
-  }
-  if (widest == nullptr) {
-    return Text::tr("Answer: none. There is only one group.");
+    return Text::tr(
+        "Answer, adjusted for the score before, with the 95 % interval of each pair by itself: %1.",
+        listed(differing, Text::tr("%1; %2")));
   }
   return Text::tr(
-      "Answer: no difference between two groups was shown. The largest, adjusted for the score before: %1, "
-      "%2. "
-      "%3",
-      pairOf(in, *widest), shown(*widest),
+      "Answer: no difference between two groups was shown. The largest, adjusted for the score before, with "
+      "the 95 % interval of this pair by itself: %1, %2. %3",
+      pairName(in, widest->first, widest->second), shown(*widest),
       allHoldZero ? Text::tr("Every interval holds zero.")
                   : Text::tr("No p value stays below %1 after Holm.", formatFixed(kSignificant, 2)));
 }
 
+/// What the answer rests on where that is not what was planned.
+std::vector<Text> reservationsOf(const StudyAnalysis& study) {
+  std::vector<Text> out;
+  if (study.mixed) {
+    out.push_back(Text::tr(
+        "%1 of %2 marks are missing, so the answer is that of the linear mixed model, which takes every mark "
+        "that was given; the planned analysis stands beside it.",
+        study.endMissing, study.endMarks + study.endMissing));
+  }
+  const auto open = std::count_if(study.bounds.begin(), study.bounds.end(), [](const MissingBounds& pair) {
+    return !pair.worst || !pair.best ||
+           (pair.worst->interval.lower <= 0.0 && pair.best->interval.upper >= 0.0);
+  });
+  if (open > 0) {
+    out.push_back(
+        Text::tr("The missing marks could, at worst, leave open which group is better in %1 of %2 "
+                 "{comparison|comparisons}.",
+                 open, study.bounds.size()));
+  }
+  if (study.slopes) {
+    out.push_back(
+        Text::tr("The difference depends on the score before (test of equal slopes: %1): read the table with "
+                 "a slope for each group.",
+                 equalsP(study.ancova->equalSlopes->p)));
+  }
+  return out;
+}
+
 std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnalysis& study) {
-  if (!study.ancova || study.ancova->pairs.empty()) {
+  const std::vector<PrimaryDifference> pairs = primaryDifferences(study);
+  if (pairs.empty()) {
     return std::nullopt;
   }
   ReportFigure figure = itemOf<ReportFigure>(
       in, "figure-answer", Text::tr("The answer: differences between the groups with 95 % intervals"),
-      Text::tr("analysis of covariance, one pooled slope"));
+      study.mixed ? Text::tr("linear mixed model, restricted maximum likelihood")
+                  : Text::tr("analysis of covariance, one pooled slope"));
   figure.kind = FigureKind::kForest;
   figure.yLabel = Text::tr("difference (points)");
   FigureSeries series;
   series.name = Text::tr("difference [95 %]");
-  for (const AdjustedDifference& pair : study.ancova->pairs) {
-    figure.categories.push_back(pairOf(in, pair));
-    series.y.emplace_back(pair.difference);
+  for (const PrimaryDifference& pair : pairs) {
+    figure.categories.push_back(pairName(in, pair.first, pair.second));
+    series.y.emplace_back(pair.value);
     series.low.push_back(pair.interval.lower);
     series.high.push_back(pair.interval.upper);
   }
   figure.series = {series};
   figure.references = {{0.0, Text::tr("no difference")}};
-  figure.provenance.n = std::ssize(in.trainees);
+  figure.provenance.n = study.mixed ? static_cast<std::int64_t>(study.mixed->marks) : comparedTrainees(study);
+  figure.provenance.missing = study.endMissing;
+  figure.notes = {Text::tr("Intervals are not adjusted for the number of pairs.")};
   return figure;
 }
 
@@ -183,6 +214,9 @@ ReportSection boardSection(const CohortInputs& in, const StudyAnalysis& study) {
   ReportSection section;
   section.title = Text::tr("At a glance");
   section.paragraphs = {questionOf(in), peopleOf(in), answerOf(in, study)};
+  for (Text& reservation : reservationsOf(study)) {
+    section.paragraphs.push_back(std::move(reservation));
+  }
   std::size_t largest = 0;
   for (const GroupSummary& summary : in.summaries) {
     largest = std::max(largest, static_cast<std::size_t>(summary.trainees));

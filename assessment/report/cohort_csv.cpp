@@ -6,66 +6,18 @@
 
 #include "assessment/report/aggregated_inputs.h"
 #include "assessment/report/analysis_tables.h"
+#include "assessment/report/csv_rows.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
 #include "assessment/report/shown_inputs.h"
+#include "assessment/statistics/descriptive.h"
 #include "sim/base/csv_cell.h"
-#include "sim/base/text_list.h"
 
 namespace torsio {
 
 namespace {
 
-std::string joinFlags(const std::vector<Text>& common, const std::vector<std::string>& own) {
-  std::vector<Text> all = common;
-  all.insert(all.end(), own.begin(), own.end());
-  return listed(all, Text::tr("%1; %2")).str();
-}
-
-/// Collects rows that share their place and differ in statistic and value.
-class Rows {
- public:
-  explicit Rows(std::vector<CohortCsvRow>& out) : out_(out) {}
-
-  CohortCsvRow place;
-
-  /// What is no number: a hash.
-  void addText(const std::string& statistic, const std::string& value, std::int64_t n) {
-    CohortCsvRow row = place;
-    row.statistic = statistic;
-    row.value = value;
-    row.n = std::to_string(n);
-    out_.push_back(row);
-  }
-
-  void addInterval(const std::string& statistic, double value, const std::optional<Interval>& interval,
-                   std::int64_t n) {
-    add(statistic, value, n);
-    if (!interval) {
-      return;
-    }
-    add(statistic + "_lower_95", interval->lower, n);
-    add(statistic + "_upper_95", interval->upper, n);
-  }
-
-  void add(const std::string& statistic, const std::optional<double>& value, std::int64_t n) {
-    CohortCsvRow row = place;
-    row.statistic = statistic;
-    if (value) {
-      row.value = formatExact(*value);
-    }
-    row.n = std::to_string(n);
-    if (!value) {
-      row.flags += row.flags.empty() ? "undefined" : "; undefined";
-    }
-    out_.push_back(row);
-  }
-
- private:
-  std::vector<CohortCsvRow>& out_;
-};
-
-void addStatistics(Rows& rows, const ScoreStatistics& s) {
+void addStatistics(CsvRows& rows, const ScoreStatistics& s) {
   rows.add("M", s.m, s.n);
   rows.add("s2_eq26_divisor_n", s.s2, s.n);
   rows.add("min", s.min, s.n);
@@ -82,22 +34,22 @@ void addEvaluation(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
   const std::vector<Text> common = commonFlags(in);
   for (std::size_t k = 0; k < in.evaluations.size(); ++k) {
     const ModelEvaluation& model = in.evaluations[k];
-    Rows rows(out);
+    CsvRows rows(out);
     rows.place.section = "evaluation";
     rows.place.item = "all";
     rows.place.model = model.model;
-    rows.place.flags = joinFlags(common, model.flags);
+    rows.place.flags = csvFlags(common, model.flags);
     rows.add("N_eq27", model.n27, std::ssize(model.composites));
     for (std::size_t j = 0; j < model.indices.size(); ++j) {
       rows.place.index = in.instrument.indices[j].id;
-      rows.place.flags = joinFlags(common, model.indices[j].flags);
+      rows.place.flags = csvFlags(common, model.indices[j].flags);
       addStatistics(rows, model.indices[j]);
     }
     rows.place.index.clear();
     for (const RaterComposite& composite : model.composites) {
       rows.place.item = composite.rater;
       rows.place.group = in.instrument.classes[composite.raterClass].id;
-      rows.place.flags = joinFlags(common, {});
+      rows.place.flags = csvFlags(common, {});
       rows.add("composite", composite.score, composite.score ? 1 : 0);
     }
     for (const RaterSheet& sheet : in.ratings[k].sheets) {
@@ -116,14 +68,14 @@ void addEvaluation(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
 }
 
 void addTraining(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
-  Rows rows(out);
+  CsvRows rows(out);
   rows.place.section = "training";
-  rows.place.flags = joinFlags(commonFlags(in), {});
+  rows.place.flags = csvFlags(commonFlags(in), {});
   for (const GroupSummary& s : in.summaries) {
     rows.place.item = "all";
     rows.place.group = in.groups[s.group].name.str();
     rows.place.occasion = in.occasions[s.occasion].str();
-    rows.add("mean", s.mean, s.trainees);
+    rows.addInterval("mean", s.mean, meanInterval(scoresOf(in, s.group, s.occasion)), s.trainees);
     rows.add("median", s.median, s.trainees);
     rows.add("min", s.min, s.trainees);
     rows.add("max", s.max, s.trainees);
@@ -148,15 +100,15 @@ void addTraining(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
 }
 
 void addTrials(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
-  Rows rows(out);
+  CsvRows rows(out);
   rows.place.section = "trial";
   for (const TrialSummaryRow& trial : in.trials) {
     rows.place.item = trial.trainee;
     rows.place.group = in.groups[trial.group].name.str();
     rows.place.model = trial.model;
     rows.place.occasion = trial.phase.str();
-    rows.place.flags = joinFlags(commonFlags(in), trial.interrupted ? std::vector<std::string>{"interrupted"}
-                                                                    : std::vector<std::string>{});
+    rows.place.flags = csvFlags(commonFlags(in), trial.interrupted ? std::vector<std::string>{"interrupted"}
+                                                                   : std::vector<std::string>{});
     rows.add("minutes", trial.minutes, trial.samples);
     if (trial.detorsion.empty()) {
       rows.add("twists", static_cast<double>(trial.twists), trial.samples);
@@ -184,82 +136,17 @@ void addTrials(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
   }
 }
 
-void addAgreement(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
-  Rows rows(out);
-  rows.place.section = "agreement";
-  rows.place.item = "all";
-  for (std::size_t t = 0; t < study.occasions.size(); ++t) {
-    const OccasionMarks& at = study.occasions[t];
-    rows.place.occasion = in.occasions[t].str();
-    rows.place.flags = joinFlags(commonFlags(in), at.missing > 0 ? std::vector<std::string>{"marks missing"}
-                                                                 : std::vector<std::string>{});
-    if (at.icc) {
-      rows.addInterval("icc_2_1", at.icc->agreementSingle.estimate, at.icc->agreementSingle.interval, at.n);
-      rows.addInterval("icc_2_k", at.icc->agreementMean.estimate, at.icc->agreementMean.interval, at.n);
-      rows.add("sem_agreement", at.icc->semAgreement, at.n);
-    }
-    rows.add("krippendorff_alpha_interval", at.alpha ? std::optional<double>(at.alpha->alpha) : std::nullopt,
-             at.n);
-  }
-  rows.place.occasion.clear();
-  rows.place.flags = joinFlags(commonFlags(in), {});
-  for (const RaterSeverity& rater : study.severity) {
-    rows.place.item = rater.rater;
-    rows.addInterval("severity_offset", rater.offset, rater.interval, rater.n);
-  }
-}
-
-void addComparison(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
-  if (!study.ancova) {
-    return;
-  }
-  Rows rows(out);
-  rows.place.section = "comparison";
-  rows.place.item = "all";
-  rows.place.occasion = in.occasions.back().str();
-  rows.place.flags =
-      joinFlags(commonFlags(in),
-                study.asPlanned() ? std::vector<std::string>{} : std::vector<std::string>{"complete cases"});
-  const std::int64_t n = comparedTrainees(study);
-  rows.add("ancova_f", study.ancova->group.f, n);
-  rows.add("ancova_p", study.ancova->group.p, n);
-  rows.add("ancova_slope", study.ancova->slope, n);
-  if (study.ancova->equalSlopes) {
-    rows.add("ancova_equal_slopes_p", study.ancova->equalSlopes->p, n);
-  }
-  for (std::size_t g = 0; g < study.ancova->adjusted.size(); ++g) {
-    rows.place.group = in.groups[g].name.str();
-    rows.addInterval("adjusted_mean", study.ancova->adjusted[g].mean, study.ancova->adjusted[g].interval, n);
-  }
-  const Groups& after = study.ends.after;
-  for (const AdjustedDifference& pair : study.ancova->pairs) {
-    rows.place.group = pairName(in, pair.first, pair.second).str();
-    rows.addInterval("adjusted_difference", pair.difference, pair.interval, n);
-    rows.add("t", pair.t, n);
-    rows.add("p", pair.p, n);
-    rows.add("p_holm", pair.pHolm, n);
-    if (const Outcome<HedgesG> g = hedgesG(after[pair.first], after[pair.second])) {
-      rows.addInterval("hedges_g", g->g, g->interval, n);
-    }
-  }
-  rows.place.group.clear();
-  if (study.course && study.course->interaction) {
-    rows.add("mixed_interaction_f", study.course->interaction->f, n);
-    rows.add("mixed_interaction_p", study.course->interaction->p, n);
-  }
-}
-
 void addCompetence(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
-  Rows rows(out);
+  CsvRows rows(out);
   rows.place.section = "competence";
   for (const CohortCompetence& one : in.competence) {
     rows.place.item = one.trainee;
     rows.place.group = in.groups[one.group].name.str();
     rows.place.index = one.exercise.str();
     rows.place.flags =
-        joinFlags(commonFlags(in), one.designVersion > 0
-                                       ? std::vector<std::string>{}
-                                       : std::vector<std::string>{"design shipped with the exercise"});
+        csvFlags(commonFlags(in), one.designVersion > 0
+                                      ? std::vector<std::string>{}
+                                      : std::vector<std::string>{"design shipped with the exercise"});
     rows.addText("level", one.level.str(), one.attempts);
     rows.add("failed", static_cast<double>(one.failed), one.attempts);
     rows.add("able", one.able ? 1.0 : 0.0, one.attempts);
@@ -268,40 +155,15 @@ void addCompetence(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
     }
     rows.add("false_pass", one.falsePass, one.withinAttempts);
     rows.add("false_fail", one.falseFail, one.withinAttempts);
+    rows.add("within_attempts", static_cast<double>(one.withinAttempts), one.attempts);
     rows.add("design_version", static_cast<double>(one.designVersion), one.attempts);
   }
 }
 
-/// The comparison where marks are missing: the mixed model, and how far the missing ones could move it.
-void addMixedModel(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
-  Rows rows(out);
-  rows.place.section = "comparison";
-  rows.place.item = "all";
-  rows.place.occasion = in.occasions.back().str();
-  rows.place.flags = joinFlags(commonFlags(in), {"marks missing"});
-  const std::int64_t n = comparedTrainees(study);
-  if (study.mixed) {
-    for (const MixedComparison::Pair& pair : study.mixed->pairs) {
-      rows.place.group = pairName(in, pair.first, pair.second).str();
-      rows.addInterval("mixed_model_difference", pair.difference.value, pair.difference.interval, n);
-      rows.add("mixed_model_df", pair.difference.df, n);
-      rows.add("mixed_model_p", pair.difference.p, n);
-      rows.add("mixed_model_p_holm", pair.pHolm, n);
-    }
-  }
-  for (const MissingBounds& pair : study.bounds) {
-    rows.place.group = pairName(in, pair.first, pair.second).str();
-    if (pair.worst && pair.best) {
-      rows.add("bound_worst", pair.worst->difference, n);
-      rows.add("bound_best", pair.best->difference, n);
-    }
-  }
-}
-
 void addDeviations(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
-  Rows rows(out);
+  CsvRows rows(out);
   rows.place.section = "deviation";
-  rows.place.flags = joinFlags(commonFlags(in), {});
+  rows.place.flags = csvFlags(commonFlags(in), {});
   for (const CohortDeviation& deviation : in.deviations) {
     rows.place.item = deviation.trainee.empty() ? "all" : deviation.trainee;
     rows.place.occasion = formatUtc(deviation.happenedUtc_us);
@@ -330,24 +192,21 @@ std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
   addEvaluation(in, rows);
   addTraining(in, rows);
   if (!in.trainingMarks.empty()) {
-    const StudyAnalysis study = analyseStudy(in);
-    addAgreement(in, study, rows);
-    addComparison(in, study, rows);
-    addMixedModel(in, study, rows);
+    addStudyRows(in, analyseStudy(in), rows);
   }
   addTrials(in, rows);
   addCompetence(in, rows);
   addDeviations(in, rows);
   if (inputs.sheetsAsked > inputs.sheetsPresent) {
-    Rows sheets(rows);
+    CsvRows sheets(rows);
     sheets.place.section = "training";
     sheets.place.item = "all";
-    sheets.place.flags = joinFlags(commonFlags(in), {});
+    sheets.place.flags = csvFlags(commonFlags(in), {});
     sheets.add("sheets_asked", static_cast<double>(inputs.sheetsAsked), inputs.sheetsAsked);
     sheets.add("sheets_present", static_cast<double>(inputs.sheetsPresent), inputs.sheetsAsked);
   }
   if (!in.auditHead.empty()) {
-    Rows record(rows);
+    CsvRows record(rows);
     record.place.section = "record";
     record.place.item = "audit_trail";
     record.place.flags = formatUtc(in.createdUtc_us);

@@ -71,6 +71,16 @@ std::int64_t comparedTrainees(const StudyAnalysis& study) {
   return n;
 }
 
+std::vector<double> scoresOf(const CohortInputs& in, std::size_t group, std::size_t occasion) {
+  std::vector<double> scores;
+  for (const TraineeScore& score : in.scores) {
+    if (score.group == group && score.occasion == occasion) {
+      scores.push_back(score.score);
+    }
+  }
+  return scores;
+}
+
 ReportTable meansTable(const CohortInputs& in, const StudyAnalysis& study) {
   ReportTable table = itemOf<ReportTable>(in, "table-means", Text::tr("Mean scores of the groups"),
                                           Text::tr("mean over trainees, Student's t"));
@@ -78,12 +88,7 @@ ReportTable meansTable(const CohortInputs& in, const StudyAnalysis& study) {
                    Text::tr("Mean [95 %, not adjusted]"), Text::tr("Standard deviation")};
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     for (std::size_t t = 0; t < in.occasions.size(); ++t) {
-      std::vector<double> scores;
-      for (const TraineeScore& score : in.scores) {
-        if (score.group == g && score.occasion == t) {
-          scores.push_back(score.score);
-        }
-      }
+      const std::vector<double> scores = scoresOf(in, g, t);
       table.provenance.n += std::ssize(scores);
       table.rows.push_back({in.groups[g].name, in.occasions[t], std::to_string(scores.size()),
                             scores.empty() ? Text::tr("not defined")
@@ -238,29 +243,16 @@ std::vector<ReportFigure> residualFigures(const CohortInputs& in, const StudyAna
   fitted.references = {{0.0, Text::tr("as the model says")}};
   normal.xLabel = Text::tr("normal quantile times standard deviation (points)");
   normal.yLabel = Text::tr("residual (points)");
-  std::vector<std::pair<double, std::size_t>> ordered;  // residual, group
+  std::vector<double> all;
   for (std::size_t g = 0; g < model.residuals.size(); ++g) {
     FigureSeries series;
     series.name = in.groups[g].name;
     series.x = model.fitted[g];
     series.y.assign(model.residuals[g].begin(), model.residuals[g].end());
     fitted.series.push_back(series);
-    FigureSeries quantiles;
-    quantiles.name = in.groups[g].name;
-    normal.series.push_back(quantiles);
-    for (const double residual : model.residuals[g]) {
-      ordered.emplace_back(residual, g);
-    }
-  }
-  std::sort(ordered.begin(), ordered.end());
-  const double n = static_cast<double>(ordered.size());
-  std::vector<double> all;
-  for (std::size_t i = 0; i < ordered.size(); ++i) {
-    const auto& [residual, group] = ordered[i];
-    const double quantile = normalQuantile((static_cast<double>(i) + 0.5) / n);
-    normal.series[group].x.push_back(quantile * std::sqrt(model.residualVariance));
-    normal.series[group].y.emplace_back(residual);
-    all.push_back(residual);
+    series.x = model.quantiles[g];
+    normal.series.push_back(std::move(series));
+    all.insert(all.end(), model.residuals[g].begin(), model.residuals[g].end());
   }
   const Outcome<NormalityTest> shape = shapiroWilk(all);
   fitted.notes = {Text::tr("A fan or a bow says that spread or slope are not as the model takes them.")};

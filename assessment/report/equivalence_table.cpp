@@ -7,34 +7,6 @@
 
 namespace torsio {
 
-namespace {
-
-/// A difference of the primary comparison.
-struct Difference {
-  std::size_t first = 0;
-  std::size_t second = 0;
-  double value = 0.0;
-  double error = 0.0;
-  double df = 0.0;
-};
-
-std::vector<Difference> primaryDifferences(const StudyAnalysis& study) {
-  std::vector<Difference> out;
-  if (study.mixed) {
-    for (const MixedComparison::Pair& pair : study.mixed->pairs) {
-      const ModelEstimate& of = pair.difference;
-      out.push_back({pair.first, pair.second, of.value, of.error, of.df});
-    }
-  } else if (study.ancova) {
-    for (const AdjustedDifference& pair : study.ancova->pairs) {
-      out.push_back({pair.first, pair.second, pair.difference, pair.error, study.ancova->residualDf});
-    }
-  }
-  return out;
-}
-
-}  // namespace
-
 std::optional<ReportTable> equivalenceTable(const CohortInputs& in, const StudyAnalysis& study) {
   if (!in.equivalenceMargin) {
     return std::nullopt;
@@ -53,7 +25,7 @@ std::optional<ReportTable> equivalenceTable(const CohortInputs& in, const StudyA
       "interval lies within -%1 to %1, which is where p is below 0.05. Not shown to be equal does not "
       "say that the groups differ.",
       margin)};
-  for (const Difference& pair : primaryDifferences(study)) {
+  for (const PrimaryDifference& pair : primaryDifferences(study)) {
     if (!(pair.error > 0.0)) {
       table.rows.push_back({pairName(in, pair.first, pair.second), Text::tr("not defined"), "", ""});
       continue;

@@ -157,9 +157,7 @@ Text medianText(const std::vector<double>& gains) {
     for (const std::size_t i : chosen) {
       values.push_back(gains[i]);
     }
-    std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+    return medianOf(values);
   };
   const Outcome<Bootstrap> found = bootstrap(gains.size(), median);
   return found ? Text(withInterval(found->estimate, found->bca)) : notDefined(found.reason());

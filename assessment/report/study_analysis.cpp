@@ -141,9 +141,13 @@ Ends endsOf(const CohortInputs& in, const StudyAnalysis& study) {
 void compareEnds(const CohortInputs& in, StudyAnalysis& out) {
   const Ends ends = endsOf(in, out);
   out.ends = completeCases(ends.trainees, in.groups.size());
+  out.endCodes.resize(in.groups.size());
   const std::vector<MissingCount> counts = missingMarks(ends.trainees);
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const bool leftOut = std::binary_search(out.ends.leftOut.begin(), out.ends.leftOut.end(), i);
+    if (!leftOut) {
+      out.endCodes[ends.trainees[i].group].push_back(ends.codes[i]);
+    }
     out.endMissing += static_cast<std::int64_t>(counts[i].before + counts[i].after);
     if (leftOut || counts[i].before + counts[i].after > 0) {
       out.missing.push_back({ends.codes[i], ends.trainees[i].group, counts[i], leftOut});
@@ -207,6 +211,22 @@ std::optional<double> meanOfOthers(const std::vector<std::optional<double>>& mar
     }
   }
   return others > 0 ? std::optional(sum / static_cast<double>(others)) : std::nullopt;
+}
+
+std::vector<PrimaryDifference> primaryDifferences(const StudyAnalysis& study) {
+  std::vector<PrimaryDifference> out;
+  if (study.mixed) {
+    for (const MixedComparison::Pair& pair : study.mixed->pairs) {
+      const ModelEstimate& of = pair.difference;
+      out.push_back({pair.first, pair.second, of.value, of.error, of.df, pair.pHolm, of.interval});
+    }
+  } else if (study.ancova) {
+    for (const AdjustedDifference& pair : study.ancova->pairs) {
+      out.push_back({pair.first, pair.second, pair.difference, pair.error, study.ancova->residualDf,
+                     pair.pHolm, pair.interval});
+    }
+  }
+  return out;
 }
 
 StudyAnalysis analyseStudy(const CohortInputs& in) {

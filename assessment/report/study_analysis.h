@@ -54,6 +54,18 @@ struct RaterSeverity {
   std::optional<Interval> interval;  ///< 95 %, Student's t over the trainees; empty with fewer than two
 };
 
+/// A difference of the primary comparison: of the mixed model where marks are missing and it is defined, else
+/// of the analysis of covariance.
+struct PrimaryDifference {
+  std::size_t first = 0;
+  std::size_t second = 0;
+  double value = 0.0;  ///< first minus second, points, adjusted for the score before
+  double error = 0.0;
+  double df = 0.0;
+  double pHolm = 0.0;
+  Interval interval;  ///< not adjusted for the number of pairs
+};
+
 /// Analysis of the training marks for the report, its figures and its table of numbers; computed once.
 struct StudyAnalysis {
   std::vector<std::string> trainees;  ///< codes of those with a mark, ascending
@@ -61,10 +73,11 @@ struct StudyAnalysis {
   std::vector<OccasionMarks> occasions;
   std::vector<RaterSeverity> severity;                   ///< in the order of the raters
   std::vector<Outcome<BlandAltmanResult>> againstPanel;  ///< last occasion; trainees with every rater's mark
-  CompleteCases ends;                   ///< scores before and at the end, of the trainees with both
-  std::vector<MissingTrainee> missing;  ///< by code
-  std::int64_t endMarks = 0;            ///< given at the first and the last occasion
-  std::int64_t endMissing = 0;          ///< missing there
+  CompleteCases ends;  ///< scores before and at the end, of the trainees with both
+  std::vector<std::vector<std::string>> endCodes;  ///< whose those are
+  std::vector<MissingTrainee> missing;             ///< by code
+  std::int64_t endMarks = 0;                       ///< given at the first and the last occasion
+  std::int64_t endMissing = 0;                     ///< missing there
   Outcome<Ancova> ancova = Outcome<Ancova>::undefined(Text::tr("there are fewer than two occasions"));
   Outcome<SeparateSlopes> slopes = Outcome<SeparateSlopes>::undefined(
       Text::tr("the slopes do not differ"));  ///< where the test of equal slopes asks for it
@@ -83,6 +96,9 @@ struct StudyAnalysis {
 /// Gives the mean of the marks that others than `rater` gave a trainee, points; empty: nobody else scored.
 [[nodiscard]] std::optional<double> meanOfOthers(const std::vector<std::optional<double>>& marks,
                                                  std::size_t rater);
+
+/// Gives the differences of the primary comparison, (0,1), (0,2), ..., (1,2); none where it is not defined.
+[[nodiscard]] std::vector<PrimaryDifference> primaryDifferences(const StudyAnalysis& study);
 
 [[nodiscard]] StudyAnalysis analyseStudy(const CohortInputs& inputs);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "assessment/statistics/descriptive.h"
@@ -132,13 +133,23 @@ void addPairs(const std::vector<Moments>& groups, const Moments& within, double 
 
 void addResiduals(const Groups& before, const Groups& after, const std::vector<Moments>& groups,
                   Ancova& out) {
+  std::vector<std::tuple<double, std::size_t, std::size_t>> ordered;  // residual, group, trainee
   for (std::size_t g = 0; g < before.size(); ++g) {
     out.fitted.emplace_back();
     out.residuals.emplace_back();
     for (std::size_t i = 0; i < before[g].size(); ++i) {
       out.fitted[g].push_back(groups[g].meanY + out.slope * (before[g][i] - groups[g].meanX));
       out.residuals[g].push_back(after[g][i] - out.fitted[g][i]);
+      ordered.push_back({out.residuals[g][i], g, i});
     }
+    out.quantiles.emplace_back(before[g].size());
+  }
+  std::sort(ordered.begin(), ordered.end());
+  const double n = static_cast<double>(ordered.size());
+  for (std::size_t rank = 0; rank < ordered.size(); ++rank) {
+    const auto& [residual, g, i] = ordered[rank];
+    out.quantiles[g][i] =
+        normalQuantile((static_cast<double>(rank) + 0.5) / n) * std::sqrt(out.residualVariance);
   }
 }
 

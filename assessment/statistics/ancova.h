@@ -43,6 +43,7 @@ struct Ancova {
   double partialEtaSquared = 0.0;
   Groups fitted;     ///< what the model says for each trainee
   Groups residuals;  ///< score after minus fitted
+  Groups quantiles;  ///< what a normal distribution of that spread has at (rank - 0.5) / n of each residual
 };
 
 /// Compares groups by analysis of covariance. `before[g][i]` and `after[g][i]` belong to the same trainee;

@@ -128,8 +128,12 @@ void addAgreement(IccResult& out, double tail) {
   const double spread = k * out.jms + (k * n - k - n) * out.ems;
   const Interval single{n * (out.bms - f1 * out.ems) / (f1 * spread + n * out.bms),
                         n * (f2 * out.bms - out.ems) / (spread + n * f2 * out.bms)};
+  const Interval mean{spearmanBrown(single.lower, k), spearmanBrown(single.upper, k)};
+  if (!std::isfinite(mean.lower) || !std::isfinite(mean.upper)) {  // likewise
+    return;
+  }
   out.agreementSingle.interval = single;
-  out.agreementMean.interval = Interval{spearmanBrown(single.lower, k), spearmanBrown(single.upper, k)};
+  out.agreementMean.interval = mean;
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace torsio {
 
 struct IccForm {
   double estimate = 0.0;             ///< may be negative; reported as it is
-  std::optional<Interval> interval;  ///< empty when the error variance is zero
+  std::optional<Interval> interval;  ///< empty when the error variance is zero, or nothing bounds it
 };
 
 /// Intraclass correlations of Shrout and Fleiss (1979), with the mean squares they come from.

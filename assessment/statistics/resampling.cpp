@@ -49,9 +49,13 @@ Interval atLevels(const std::vector<double>& values, double low, double high) {
   return {*quantile(values, low, QuantileRule::kType1), *quantile(values, high, QuantileRule::kType1)};
 }
 
-}  // namespace
+/// Equal up to this counts as equal: sums of the same numbers in another order differ in the last bit.
+double roundingAt(double value) {
+  return 1e-12 * std::max(1.0, std::abs(value));
+}
 
-Outcome<Jackknife> jackknife(std::size_t trainees, const ResampledStatistic& statistic) {
+/// Zero error and acceleration: leaving any one trainee out changes nothing.
+Outcome<Jackknife> leaveEachOut(std::size_t trainees, const ResampledStatistic& statistic) {
   if (trainees < 3) {
     return Outcome<Jackknife>::undefined(Text::tr("there are fewer than three trainees"));
   }
@@ -70,21 +74,33 @@ Outcome<Jackknife> jackknife(std::size_t trainees, const ResampledStatistic& sta
   const double mean = meanOf(values);
   double squares = 0.0;
   double cubes = 0.0;
+  bool changes = false;
   for (const double value : values) {
     const double d = mean - value;
     squares += d * d;
     cubes += d * d * d;
+    changes = changes || std::abs(d) > roundingAt(mean);
   }
-  if (squares == 0.0) {
-    return Outcome<Jackknife>::undefined(Text::tr("the statistic does not change with any trainee"));
+  if (!changes) {
+    return Jackknife{};
   }
   const double n = static_cast<double>(trainees);
   return Jackknife{std::sqrt((n - 1.0) / n * squares), cubes / (6.0 * std::pow(squares, 1.5))};
 }
 
+}  // namespace
+
+Outcome<Jackknife> jackknife(std::size_t trainees, const ResampledStatistic& statistic) {
+  Outcome<Jackknife> found = leaveEachOut(trainees, statistic);
+  if (found && found->error == 0.0) {
+    return Outcome<Jackknife>::undefined(Text::tr("the statistic does not change with any trainee"));
+  }
+  return found;
+}
+
 Outcome<Bootstrap> bootstrap(std::size_t trainees, const ResampledStatistic& statistic,
                              const BootstrapOptions& options) {
-  const Outcome<Jackknife> leaveOut = jackknife(trainees, statistic);
+  const Outcome<Jackknife> leaveOut = leaveEachOut(trainees, statistic);
   if (!leaveOut) {
     return Outcome<Bootstrap>::undefined(leaveOut.reason());
   }
@@ -93,6 +109,9 @@ Outcome<Bootstrap> bootstrap(std::size_t trainees, const ResampledStatistic& sta
   TORSIO_EXPECTS(options.resamples >= 1);
   const std::vector<double> values =
       options.everyResample ? drawAll(trainees, statistic) : drawSome(trainees, statistic, options);
+  if (const std::optional<Text> reason = beyondArithmetic(values)) {
+    return Outcome<Bootstrap>::undefined(*reason);
+  }
   std::vector<std::size_t> rows(trainees);
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   Bootstrap out;
@@ -100,15 +119,19 @@ Outcome<Bootstrap> bootstrap(std::size_t trainees, const ResampledStatistic& sta
   out.resamples = std::ssize(values);
   const double count = static_cast<double>(values.size());
   out.error = std::sqrt(sumOfSquares(values) / count);
-  // Equal up to rounding counts as equal: sums of the same numbers in another order differ in the last bit.
-  const double rounding = 1e-12 * std::max(1.0, std::abs(out.estimate));
+  const double rounding = roundingAt(out.estimate);
   double below = 0.0;
+  bool changes = false;
   for (const double value : values) {
+    changes = changes || std::abs(value - out.estimate) > rounding;
     if (value < out.estimate - rounding) {
       below += 1.0;
     } else if (value <= out.estimate + rounding) {
       below += 0.5;
     }
+  }
+  if (!changes) {
+    return Outcome<Bootstrap>::undefined(Text::tr("the statistic does not change with any trainee"));
   }
   if (below == 0.0 || below == count) {
     return Outcome<Bootstrap>::undefined(Text::tr("every resample lies on the same side of the estimate"));

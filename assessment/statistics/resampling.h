@@ -30,7 +30,8 @@ struct BootstrapOptions {
 
 /// Intervals by resampling trainees. Quantiles are of type 1 (inverse of the empirical distribution); ties in
 /// z0 count half; the variance has divisor `resamples`. With about ten trainees these intervals are too
-/// short.
+/// short. The acceleration is 0 where leaving out any one trainee changes nothing (a median among equals).
+/// Undefined for fewer than three trainees, or when no resample changes the statistic.
 struct Bootstrap {
   double estimate = 0.0;
   std::int64_t resamples = 0;

@@ -124,6 +124,14 @@ TEST(IntraclassCorrelation, HasNoIntervalWhereItsDegreesOfFreedomVanish) {
   EXPECT_FALSE(icc->agreementMean.interval);
 }
 
+TEST(IntraclassCorrelation, HasNoIntervalWhereThatOfTheMeanHasNoEnd) {
+  const Outcome<IccResult> got = intraclassCorrelation(NumberTable({{8, 8}, {3, 10}}));
+  ASSERT_TRUE(got);
+  EXPECT_NEAR(got->agreementMean.estimate, -10.0 / 2.25, 1e-12);
+  EXPECT_FALSE(got->agreementSingle.interval);
+  EXPECT_FALSE(got->agreementMean.interval);
+}
+
 TEST(IntraclassCorrelation, OfRatersThatDifferByAConstantLosesOnlyWhatTheResidualDivides) {
   const Outcome<IccResult> got = intraclassCorrelation(NumberTable({{1, 2}, {2, 3}, {3, 4}}));
 

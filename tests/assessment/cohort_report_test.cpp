@@ -374,6 +374,19 @@ TEST(CohortReport, OneMissingMarkTakesNothingOut) {
   EXPECT_THAT(textOf(report), ::testing::Not(::testing::HasSubstr("Left out of both")));
   ASSERT_NE(find(report, "figure-differences"), nullptr);
   EXPECT_EQ(find(report, "figure-differences")->series.size(), 2U);
+
+  // The first page answers by the comparison that is primary.
+  const ReportSection& board = report.sections.front();
+  EXPECT_EQ(board.figures[0].series[0].y, find(report, "figure-differences")->series[0].y);
+  EXPECT_THAT(board.figures[0].provenance.formula.str(), ::testing::HasSubstr("mixed model"));
+  EXPECT_EQ(board.figures[0].provenance.missing, 1);
+  EXPECT_THAT(board.paragraphs[3].str(), ::testing::HasSubstr("1 of 600 marks are missing, so the answer"));
+}
+
+TEST(CohortReport, LabelsTheIntervalsOfTheAnswer) {
+  const ReportSection board = cohortReport(demonstrationCohort()).sections.front();
+  EXPECT_THAT(board.paragraphs[2].str(), ::testing::HasSubstr("by itself"));
+  EXPECT_THAT(board.figures[0].notes.at(0).str(), ::testing::HasSubstr("not adjusted"));
 }
 
 TEST(CohortReport, NamesWhoIsLeftOutByCode) {
@@ -392,6 +405,12 @@ TEST(CohortReport, NamesWhoIsLeftOutByCode) {
   EXPECT_EQ(textOf(aggregated).find(whose), std::string::npos);
   EXPECT_EQ(tableOf(aggregated, "table-missing"), nullptr);
   EXPECT_EQ(find(aggregated, "figure-residuals"), nullptr);
+}
+
+std::int64_t csvCount(const CohortInputs& in, const std::string& statistic) {
+  const std::vector<CohortCsvRow> rows = cohortCsvRows(in);
+  return std::count_if(rows.begin(), rows.end(),
+                       [&](const CohortCsvRow& row) { return row.statistic == statistic; });
 }
 
 TEST(CohortReport, SlopesThatDifferAreAnalysedAsWell) {
@@ -417,6 +436,10 @@ TEST(CohortReport, SlopesThatDifferAreAnalysedAsWell) {
   ASSERT_NE(slopes, nullptr);
   EXPECT_EQ(slopes->rows.size(), 9U);  // pairs x stated scores before
   EXPECT_THAT(tableOf(report, "table-ancova")->notes[1].str(), ::testing::HasSubstr("The slopes differ"));
+  EXPECT_THAT(report.sections.front().paragraphs[3].str(),
+              ::testing::HasSubstr("The difference depends on the score before"));
+  EXPECT_EQ(csvCount(in, "separate_slopes_difference"), 9);
+  EXPECT_EQ(csvCount(in, "separate_slope"), 3);
 }
 
 TEST(CohortReport, ShowsKappaOfMarksInWholePoints) {
@@ -629,6 +652,46 @@ TEST(CohortCsv, IsTidyCompleteAndTheSameEachTime) {
   const auto n27 = std::find_if(rows.begin(), rows.end(),
                                 [](const CohortCsvRow& row) { return row.statistic == "N_eq27"; });
   EXPECT_EQ(std::stod(n27->value), in.evaluations[0].n27);
+}
+
+TEST(CohortCsv, HoldsWhatTheTablesOfTheStudyShow) {
+  CohortInputs in = demonstrationCohort();
+  in.equivalenceMargin = 1.0;
+  // Agreement: three occasions, and within each of three groups.
+  EXPECT_EQ(csvCount(in, "sem_of_mean"), 12);
+  EXPECT_EQ(csvCount(in, "icc_2_k_lower_95"), 12);
+  EXPECT_EQ(csvCount(in, "limit_of_agreement_upper"), 10);
+  EXPECT_EQ(csvCount(in, "mean_lower_95"), 9);
+  EXPECT_EQ(csvCount(in, "adjusted_difference_simultaneous_lower_95"), 3);
+  EXPECT_EQ(csvCount(in, "equivalence_margin"), 1);
+  EXPECT_EQ(csvCount(in, "equivalence_p"), 3);
+  EXPECT_EQ(csvCount(in, "ancova_residual"), 30);
+  EXPECT_EQ(csvCount(in, "ancova_normal_quantile"), 30);
+  EXPECT_EQ(csvCount(in, "reml_mean"), 0);
+  const auto wordOf = [](const CohortInputs& of, const std::string& statistic) {
+    for (const CohortCsvRow& row : cohortCsvRows(of)) {
+      if (row.statistic == statistic) {
+        return row.value;
+      }
+    }
+    return std::string();
+  };
+  EXPECT_EQ(wordOf(in, "primary_analysis"), "analysis of covariance");
+  EXPECT_EQ(wordOf(in, "marks_missing"), "0");
+
+  const TrainingMark lost = in.trainingMarks.back();
+  const CohortInputs holed = without([&](const TrainingMark& mark) {
+    return mark.trainee == lost.trainee && mark.rater == lost.rater && mark.occasion == 2;
+  });
+  EXPECT_EQ(wordOf(holed, "planned_analysis"), "analysis of covariance");
+  EXPECT_EQ(wordOf(holed, "primary_analysis"), "linear mixed model");
+  EXPECT_EQ(wordOf(holed, "marks_missing"), "1");
+  EXPECT_EQ(csvCount(holed, "reml_mean"), 1);
+  EXPECT_EQ(csvCount(holed, "bound_worst_lower_95"), 3);
+
+  in.identity = ReportIdentity::kAggregated;
+  EXPECT_EQ(csvCount(in, "ancova_residual"), 0);
+  EXPECT_EQ(csvCount(in, "limit_of_agreement_upper"), 0);
 }
 
 TEST(CohortCsvText, QuotesFieldsThatHoldCommasAndQuotes) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/statistics/distributions.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -148,6 +151,37 @@ TEST(Bootstrap, RepeatsForTheSameSeedAndIsUndefinedForAConstant) {
   EXPECT_FALSE(bootstrap(6, [](std::span<const std::size_t>) { return 1.0; }));
   const auto huge = [](std::span<const std::size_t> rows) { return rows.front() == 0 ? 1e308 : -1e308; };
   EXPECT_FALSE(bootstrap(6, huge));
+}
+
+double medianOfRows(const std::vector<double>& data, std::span<const std::size_t> rows) {
+  std::vector<double> values;
+  for (const std::size_t row : rows) {
+    values.push_back(data[row]);
+  }
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+TEST(Bootstrap, OfValuesThatOnlyAResampleBringsUpIsUndefined) {
+  const std::vector<double> data = {9, 4, -1e308,
+                                    8};  // the median of all four, and of any three, is not huge
+  const auto median = [&](std::span<const std::size_t> rows) { return medianOfRows(data, rows); };
+  ASSERT_TRUE(jackknife(data.size(), median));
+  EXPECT_FALSE(bootstrap(data.size(), median, {.seed = 1, .resamples = 99}));
+}
+
+TEST(Bootstrap, OfAMedianAmongEqualsHasNoAccelerationButAnInterval) {
+  const std::vector<double> data = {1, 4, 5, 5, 5, 5, 6, 9};  // without any one of them the median is still 5
+  const auto median = [&](std::span<const std::size_t> rows) { return medianOfRows(data, rows); };
+  EXPECT_FALSE(jackknife(data.size(), median));
+  const Outcome<Bootstrap> got = bootstrap(data.size(), median);
+  ASSERT_TRUE(got);
+  EXPECT_EQ(got->estimate, 5.0);
+  EXPECT_EQ(got->acceleration, 0.0);
+  EXPECT_LE(got->bca.lower, 5.0);
+  EXPECT_GE(got->bca.upper, 5.0);
+  EXPECT_LT(got->bca.lower, got->bca.upper);
 }
 
 TEST(Jackknife, AgreesOnTheLawSchoolData) {

@@ -201,7 +201,7 @@ TEST_F(AssessmentCommands, AgreementGivesTheTableOfShroutAndFleiss) {
   EXPECT_NEAR(out["cronbach"]["alpha"].get<double>(), 0.909315542, kPublished);
 }
 
-TEST_F(AssessmentCommands, AgreementWithHolesKeepsKrippendorffOnly) {
+TEST_F(AssessmentCommands, AgreementWithHolesIsThatOfTheCompleteTargetsAndNamesTheOthers) {
   // Krippendorff's table of four observers and twelve units; 0 stands for a missing value.
   const std::vector<std::vector<int>> coders = {{1, 2, 3, 3, 2, 1, 4, 1, 2, 0, 0, 0},
                                                 {1, 2, 3, 3, 2, 2, 4, 1, 2, 5, 0, 3},
@@ -218,8 +218,13 @@ TEST_F(AssessmentCommands, AgreementWithHolesKeepsKrippendorffOnly) {
   EXPECT_NEAR(out["krippendorff"]["ordinal"].get<double>(), 0.815387504, kPublished);
   EXPECT_NEAR(out["krippendorff"]["interval"].get<double>(), 0.849107143, kPublished);
   EXPECT_NEAR(out["krippendorff"]["ratio"].get<double>(), 0.797402775, kPublished);
-  EXPECT_TRUE(out["icc"]["ICC(2,k)"].contains("undefined"));
-  EXPECT_TRUE(out["kendall_w"].contains("undefined"));
+  EXPECT_EQ(out["left_out_targets"], json::array({"t0", "t9", "t10", "t11"}));
+  std::vector<std::vector<int>> complete(units.begin() + 1, units.begin() + 9);
+  const json whole = answer("agreement --ratings " + write("complete.csv", ratingTable(complete)));
+  EXPECT_EQ(out["icc"], whole["icc"]);
+  EXPECT_EQ(out["kendall_w"], whole["kendall_w"]);
+  EXPECT_EQ(out["cronbach"], whole["cronbach"]);
+  EXPECT_TRUE(whole["left_out_targets"].empty());
 }
 
 TEST_F(AssessmentCommands, AgreementOfOneRaterOrWithoutVariationIsUndefined) {

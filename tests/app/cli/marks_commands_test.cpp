@@ -59,6 +59,25 @@ TEST_F(MarksCommands, OfEveryMarkAreComparedAsTheirMeansAre) {
   EXPECT_EQ(out["ancova"]["left_out"], 0);
 }
 
+TEST_F(MarksCommands, GiveWhatIsLeftOfEachSubjectForPlots) {
+  const std::string file = write("marks.csv", marks({"s4,after,r0", "s4,after,r1", "s4,after,r2"}));
+  EXPECT_FALSE(answer("compare-groups " + file)["ancova"].contains("residuals"));
+  const json left = answer("compare-groups --residuals " + file)["ancova"]["residuals"];
+  ASSERT_EQ(left.size(), 11U);  // without s4
+  double sum = 0.0;
+  double quantiles = 0.0;
+  for (const json& one : left) {
+    EXPECT_NE(one["subject"], "s4");
+    sum += one["residual"].get<double>();
+    quantiles += one["normal_quantile"].get<double>();
+    for (const json& other : left) {  // the larger residual has the larger quantile
+      EXPECT_FALSE(one["residual"] < other["residual"] && one["normal_quantile"] > other["normal_quantile"]);
+    }
+  }
+  EXPECT_NEAR(sum, 0.0, 1e-9);
+  EXPECT_NEAR(quantiles, 0.0, 1e-9);
+}
+
 TEST_F(MarksCommands, SayWhichOccasionAdjustsBeforeItReverses) {
   const std::string file = write("marks.csv", marks());
   const test::ProgramRun silent = test::runTorsio("compare-groups " + file, folder_);

@@ -223,6 +223,35 @@ TEST_F(StatisticsCommands, AgreementByIccGivesTheMeanSquares) {
   expectMatch(out["sem"]["agreement"], c.expected.at("SEM_agreement"), c.tolerance, "SEM");
 }
 
+TEST_F(StatisticsCommands, AgreementByIccWithinEachGroup) {
+  const std::vector<std::string> first = {"a,x,1,one", "a,y,2,one", "b,x,3,one",
+                                          "b,y,3,one", "c,x,4,one", "c,y,6,one"};
+  const std::vector<std::string> second = {"d,x,7,two", "d,y,9,two", "e,x,8,two",
+                                           "e,y,8,two", "f,x,9,two", "f,y,"};
+  const auto table = [&](const std::vector<std::vector<std::string>>& parts) {
+    std::string text = "target,rater,score,group\n";
+    for (const std::vector<std::string>& part : parts) {
+      for (const std::string& line : part) {
+        text += line + (line.back() == ',' ? ",two\n" : "\n");
+      }
+    }
+    return text;
+  };
+  const std::string command = "agreement --method icc --ratings ";
+
+  const json out = answer(command + write("groups.csv", table({first, second})));
+
+  ASSERT_EQ(out["within_groups"].size(), 2U);
+  EXPECT_EQ(out["within_groups"][0]["group"], "one");
+  const json alone = answer(command + write("one.csv", table({first})));
+  EXPECT_EQ(out["within_groups"][0]["icc"], alone["icc"]);
+  EXPECT_EQ(out["within_groups"][0]["sem"], alone["sem"]);
+  EXPECT_EQ(out["within_groups"][1]["left_out_targets"], json::array({"f"}));
+  EXPECT_EQ(out["within_groups"][1]["targets"], 2);
+  expectRefused(command + write("both.csv", "target,rater,score,group\na,x,1,one\na,y,2,two\n"),
+                {"line 3", "\"a\"", "one group"});
+}
+
 TEST_F(StatisticsCommands, AgreementByKrippendorffPutsTheSameIntervalRoundTheSameSeed) {
   const ReferenceCase c = referenceCase("rasch", "mfrm_jml_12x4");
   const std::string file = write("alpha.csv", ratings(c.input.at("ratings_0_4")));
@@ -309,8 +338,12 @@ TEST_F(StatisticsCommands, GeneralizabilityOfRatersAloneAndItsRefusals) {
   EXPECT_NEAR(out["components"][1]["mean_square"].get<double>(), 1.5, 1e-12);
   EXPECT_NEAR(out["components"][2]["mean_square"].get<double>(), 0.5, 1e-12);
   EXPECT_NEAR(out["components"][0]["variance"].get<double>(), (6.166666666666667 - 0.5) / 2.0, 1e-12);
-  EXPECT_EQ(answer(method + hole)["components"]["undefined"],
-            "1 of 4 ratings are missing, and this needs a complete table");
+  const json holed = answer(method + hole);
+  EXPECT_EQ(holed["left_out_targets"], json::array({"b"}));
+  EXPECT_TRUE(holed["components"].contains("undefined"));  // of the one target that is left
+  const std::string more =
+      write("more.csv", "target,rater,score\na,x,1\na,y,2\nb,x,3\nb,y,3\nd,x,5\nc,x,4\nc,y,6\n");
+  EXPECT_EQ(answer(method + more)["components"], out["components"]);
   expectRefused(method + both, {"both.csv", "occasions and tasks"});
   expectRefused(method + plain + " --tasks 2", {"\"task\"", "--tasks"}, ErrorCode::kBadParameter);
 }

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/report/cohort_csv.h"
+#include "assessment/report/study_analysis.h"
+#include "assessment/statistics/values.h"
+
+// Rows of cohort.csv as they are gathered. Private to assessment/report.
+namespace torsio {
+
+/// Joins the flags of all rows and those of some.
+[[nodiscard]] std::string csvFlags(const std::vector<Text>& common, const std::vector<std::string>& own);
+
+/// Collects rows that share their place and differ in statistic and value.
+class CsvRows {
+ public:
+  explicit CsvRows(std::vector<CohortCsvRow>& out) : out_(out) {}
+
+  CohortCsvRow place;
+
+  /// Adds what is no number: a hash, a word.
+  void addText(const std::string& statistic, const std::string& value, std::int64_t n);
+  /// Adds a number, and its interval as `statistic` with _lower_95 and _upper_95.
+  void addInterval(const std::string& statistic, double value, const std::optional<Interval>& interval,
+                   std::int64_t n);
+  /// Adds an interval by itself; `statistic` says of what and how wide.
+  void addBounds(const std::string& statistic, const Interval& interval, std::int64_t n);
+  /// Adds a number; empty: undefined.
+  void add(const std::string& statistic, const std::optional<double>& value, std::int64_t n);
+
+ private:
+  std::vector<CohortCsvRow>& out_;
+};
+
+/// Adds the numbers about raters and about groups.
+void addStudyRows(const CohortInputs& inputs, const StudyAnalysis& study, std::vector<CohortCsvRow>& out);
+
+}  // namespace torsio
