@@ -23,7 +23,8 @@ Outcome<IccResult> intraclass(const CompleteTargets& complete) {
 }
 
 Json formJson(const IccForm& form, double errorVariance) {
-  const std::string reason = errorVariance > 0.0 ? "so few ratings bound nothing" : "the error variance is zero";
+  const std::string reason =
+      errorVariance > 0.0 ? "so few ratings bound nothing" : "the error variance is zero";
   Json out{{"estimate", form.estimate}};
   out["lower"] = form.interval ? Json(form.interval->lower) : undefinedJson(reason);
   out["upper"] = form.interval ? Json(form.interval->upper) : undefinedJson(reason);
