@@ -105,7 +105,8 @@ WorkbookContents contentsOf(const ExchangeData& data, const ReportModel& report)
       contents.figures.push_back(&figure);
     }
   }
-  for (const Text& paragraph : methodsSection(data.inputs).paragraphs) {
+  const StudyAnalysis study = data.inputs.trainingMarks.empty() ? StudyAnalysis{} : analyseStudy(data.inputs);
+  for (const Text& paragraph : methodsSection(data.inputs, study).paragraphs) {
     contents.methods.push_back(paragraph);
   }
   return contents;

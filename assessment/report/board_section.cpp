@@ -103,7 +103,7 @@ std::vector<Text> reservationsOf(const StudyAnalysis& study) {
     return !pair.worst || !pair.best ||
            (pair.worst->interval.lower <= 0.0 && pair.best->interval.upper >= 0.0);
   });
-  if (open > 0) {
+  if (open > 0 && !primaryDifferences(study).empty()) {
     out.push_back(
         Text::tr("The missing marks could, at worst, leave open which group is better in %1 of %2 "
                  "{comparison|comparisons}.",

@@ -452,7 +452,7 @@ ReportModel reportOf(const CohortInputs& in) {
   if (!in.signatures.empty()) {
     report.sections.push_back(signaturesSection(in));
   }
-  report.sections.push_back(methodsSection(in));
+  report.sections.push_back(methodsSection(in, study ? *study : StudyAnalysis{}));
   report.sections.push_back(provenanceSection(in));
   for (ReportSection& section : report.sections) {
     for (ReportFigure& figure : section.figures) {

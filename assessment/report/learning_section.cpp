@@ -113,6 +113,7 @@ ReportTable learningTable(const CohortInputs& in, const std::vector<Course>& all
                    Text::tr("Mean error, first half (deg)"),
                    Text::tr("Second half (deg)"),
                    Text::tr("Error left in the end (deg)")};
+  std::int64_t fitted = 0;
   for (const Course& course : all) {
     std::vector<double> number;
     std::vector<double> error;
@@ -125,15 +126,23 @@ ReportTable learningTable(const CohortInputs& in, const std::vector<Course>& all
     const std::size_t half = error.size() / 2;
     const std::span<const double> values(error);
     const Outcome<LearningCurve> fit = fitLearningCurve(LearningFamily::kExponential, number, error);
-    table.rows.push_back(
-        {in.groups[course.group].name, course.trainee, std::to_string(error.size()), std::to_string(onTarget),
-         half > 0 ? Text(formatFixed(meanOf(values.first(half)), 2)) : Text::tr("too few"),
-         formatFixed(meanOf(values.subspan(half)), 2),
-         fit ? Text(formatFixed(fit->asymptote, 2)) : Text::tr("not fitted: %1", Text(fit.reason()))});
+    table.rows.push_back({in.groups[course.group].name, course.trainee, std::to_string(error.size()),
+                          std::to_string(onTarget),
+                          half > 0 ? Text(formatFixed(meanOf(values.first(half)), 2)) : Text::tr("too few"),
+                          formatFixed(meanOf(values.subspan(half)), 2),
+                          !fit                   ? Text::tr("not fitted: %1", Text(fit.reason()))
+                          : fit->asymptoteAtZero ? Text::tr("%1, held at zero", formatFixed(0.0, 2))
+                                                 : Text(formatFixed(fit->asymptote, 2))});
+    fitted += fit ? 1 : 0;
     table.provenance.n += std::ssize(error);
   }
-  table.notes = {Text::tr(
-      "Each trainee is fitted alone; eight twists are the fewest for a curve with three parameters.")};
+  table.notes = {
+      Text::tr(
+          "Each trainee is fitted alone; eight twists are the fewest for a curve with three parameters."),
+      Text::tr(
+          "A curve was fitted to %1 of %2 {trainee|trainees}. An error that falls like a straight line, or "
+          "not at all, does not level off and has none.",
+          fitted, all.size())};
   return table;
 }
 

@@ -26,7 +26,7 @@ Text policyText(MissingPolicy policy) {
 
 }  // namespace
 
-ReportSection methodsSection(const CohortInputs& in) {
+ReportSection methodsSection(const CohortInputs& in, const StudyAnalysis& study) {
   ReportSection section;
   section.title = Text::tr("Methods and limits");
   if (!in.evaluations.empty()) {
@@ -63,13 +63,20 @@ ReportSection methodsSection(const CohortInputs& in) {
     section.paragraphs.push_back(std::move(sentence));
   }
   if (!in.trainingMarks.empty()) {
+    if (study.mixed) {
+      section.paragraphs.push_back(Text::tr(
+          "Groups are compared by a linear mixed model, as marks are missing: the marks at the end, adjusted "
+          "for the mean mark before, trainees and raters as random effects, restricted maximum likelihood, "
+          "degrees of freedom after Satterthwaite. The planned analysis of covariance stands beside it."));
+    } else {
+      section.paragraphs.push_back(
+          Text::tr("Groups are compared by an analysis of covariance: the score at the end, adjusted for the "
+                   "score before, one pooled slope; the trainee is the unit."));
+    }
     section.paragraphs.push_back(Text::tr(
-        "Groups are compared by an analysis of covariance: the score at the end, adjusted for the score "
-        "before, "
-        "one pooled slope; the trainee is the unit. Effect sizes are Hedges g with intervals from the "
-        "noncentral t distribution. Agreement of raters is the intraclass correlation for absolute agreement "
-        "(Shrout and Fleiss) and Krippendorff's alpha. Severity is a rater's mean distance from the other "
-        "raters."));
+        "Effect sizes are Hedges g with intervals from the noncentral t distribution. Agreement of raters is "
+        "the intraclass correlation for absolute agreement (Shrout and Fleiss) and Krippendorff's alpha. "
+        "Severity is a rater's mean distance from the other raters."));
   }
   if (!in.competence.empty()) {
     section.paragraphs.push_back(Text::tr(

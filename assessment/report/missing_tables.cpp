@@ -27,19 +27,52 @@ std::vector<Text> leftOutCodes(const StudyAnalysis& study) {
   return codes;
 }
 
+/// Raters who are missing as a whole at one of the two occasions: no trainee lacks a mark that others have,
+/// but the two scores are not of the same raters.
+std::vector<Text> otherRaters(const CohortInputs& in, const StudyAnalysis& study) {
+  std::vector<Text> out;
+  const OccasionMarks& first = study.occasions.front();
+  const OccasionMarks& last = study.occasions.back();
+  const auto add = [&](const OccasionMarks& here, const OccasionMarks& there, const Text& missingAt) {
+    std::vector<Text> codes;
+    for (const std::size_t r : here.present) {
+      if (std::find(there.present.begin(), there.present.end(), r) == there.present.end()) {
+        codes.emplace_back(study.raters[r]);
+      }
+    }
+    if (!codes.empty() && !there.present.empty()) {
+      out.push_back(Text::tr(
+          "Raters with marks at the other end of the study but none %1: %2. The scores before and at the end "
+          "are then not means over the same raters, which shifts the gains of all groups alike and not the "
+          "differences between them.",
+          missingAt,
+          in.identity == ReportIdentity::kAggregated ? Text(std::to_string(codes.size())) : listed(codes)));
+    }
+  };
+  add(first, last, in.occasions.back());
+  add(last, first, in.occasions.front());
+  return out;
+}
+
 }  // namespace
 
 std::vector<Text> plannedAndUsed(const CohortInputs& in, const StudyAnalysis& study) {
   if (study.occasions.size() < 2) {
     return {};
   }
+  std::vector<Text> out = otherRaters(in, study);
   if (study.asPlanned()) {
-    return {
-        Text::tr("Planned and used: the analysis of covariance of the score at the end on the score before. "
-                 "No mark of "
-                 "the first and the last occasion is missing.")};
+    out.insert(
+        out.begin(),
+        out.empty()
+            ? Text::tr("Planned and used: the analysis of covariance of the score at the end on the score "
+                       "before. No mark of "
+                       "the first and the last occasion is missing.")
+            : Text::tr("Planned and used: the analysis of covariance of the score at the end on the score "
+                       "before. Every trainee has the marks that most have at the first and the last "
+                       "occasion."));
+    return out;
   }
-  std::vector<Text> out;
   const Text missing = Text::tr(
       "%1 of %2 {mark of the first and the last occasion is|marks of the first and the last occasion are} "
       "missing",
@@ -52,6 +85,11 @@ std::vector<Text> plannedAndUsed(const CohortInputs& in, const StudyAnalysis& st
                 "that was given. The planned analysis stands beside it, of the %2 trainees with a score "
                 "at both occasions.",
                 missing, comparedTrainees(study))
+      : !study.ancova
+          ? Text::tr("Planned: the analysis of covariance of the score at the end on the score before. %1. "
+                     "Neither it nor the linear mixed model that would take every mark is defined (%2): "
+                     "the groups are not compared.",
+                     missing, study.ancova.reason())
           : Text::tr(
                 "Planned: the analysis of covariance of the score at the end on the score before. %1. The "
                 "linear mixed model that would take every mark is not defined (%2), so the planned "

@@ -134,13 +134,10 @@ ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study) {
   for (const RaterSeverity& rater : study.severity) {
     const auto at = static_cast<std::size_t>(
         std::lower_bound(study.raters.begin(), study.raters.end(), rater.rater) - study.raters.begin());
-    Text limits = Text::tr("too few trainees with every mark");
-    if (at < study.againstPanel.size()) {
-      limits = study.againstPanel[at]
-                   ? Text::tr("%1 to %2", formatFixed(study.againstPanel[at]->limits.lower, kRaterDecimals),
-                              formatFixed(study.againstPanel[at]->limits.upper, kRaterDecimals))
-                   : notDefined(study.againstPanel[at].reason());
-    }
+    const Outcome<BlandAltmanResult>& against = study.againstPanel[at];
+    const Text limits = against ? Text::tr("%1 to %2", formatFixed(against->limits.lower, kRaterDecimals),
+                                           formatFixed(against->limits.upper, kRaterDecimals))
+                                : notDefined(against.reason());
     table.rows.push_back(
         {rater.rater, std::to_string(rater.n), withInterval(rater.offset, rater.interval), limits});
     table.provenance.n += rater.n;

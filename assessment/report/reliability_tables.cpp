@@ -22,23 +22,6 @@ constexpr int kReliabilityDecimals = 3;
 constexpr double kWantedDependability = 0.8;
 constexpr int kMostRaters = 100;
 
-/// The last occasion, without the trainees who lack a mark.
-NumberTable completeRows(const StudyAnalysis& study) {
-  std::vector<std::vector<double>> rows;
-  for (const std::vector<std::optional<double>>& marks : study.occasions.back().marks) {
-    std::vector<double> row;
-    for (const std::optional<double>& mark : marks) {
-      if (mark) {
-        row.push_back(*mark);
-      }
-    }
-    if (row.size() == marks.size()) {
-      rows.push_back(std::move(row));
-    }
-  }
-  return NumberTable(rows);
-}
-
 /// The fewest raters whose mean is dependable enough; empty: more than kMostRaters.
 std::optional<int> ratersNeeded(const GStudy& found) {
   for (int raters = 1; raters <= kMostRaters; ++raters) {
@@ -64,15 +47,16 @@ ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study
   table.columns = {Text::tr("Raters"), Text::tr("Dependability (level)"),
                    Text::tr("Generalizability (order)"),
                    Text::tr("Standard error of the mean mark (points)")};
-  const NumberTable marks = completeRows(study);
+  const OccasionMarks& last = study.occasions.back();
+  const NumberTable marks = completeMarks(last);
   const Outcome<GStudy> found = gStudyPR(marks);
   table.provenance.n = static_cast<std::int64_t>(marks.rows() * marks.columns());
-  table.provenance.missing = std::ssize(in.trainees) - static_cast<std::int64_t>(marks.rows());
+  table.provenance.missing = last.missing;
   if (!found) {
     table.rows.push_back({notDefined(found.reason()), "", "", ""});
     return table;
   }
-  std::set<std::size_t> sizes{1, 2, 3, 5, 10, study.raters.size()};
+  std::set<std::size_t> sizes{1, 2, 3, 5, 10, last.present.size()};
   for (const std::size_t raters : sizes) {
     const Outcome<DStudy> planned = dStudyPR(*found, static_cast<double>(raters));
     if (!planned) {

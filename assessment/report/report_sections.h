@@ -21,7 +21,7 @@ namespace torsio {
 [[nodiscard]] ReportSection competenceSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection deviationsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection trialsSection(const CohortInputs& inputs);
-[[nodiscard]] ReportSection methodsSection(const CohortInputs& inputs);
+[[nodiscard]] ReportSection methodsSection(const CohortInputs& inputs, const StudyAnalysis& study);
 [[nodiscard]] ReportSection provenanceSection(const CohortInputs& inputs);
 
 /// Returns what more or fewer raters would give, and each rater's severity on one scale.

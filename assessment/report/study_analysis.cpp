@@ -38,41 +38,34 @@ void gatherMarks(const CohortInputs& in, StudyAnalysis& out) {
   }
 }
 
-/// The trainees whom every rater scored; `only`: those of one group.
-NumberTable complete(const OccasionMarks& occasion, const std::vector<std::size_t>& groupOf,
-                     std::optional<std::size_t> only = std::nullopt) {
-  std::vector<std::vector<double>> rows;
-  for (std::size_t i = 0; i < occasion.marks.size(); ++i) {
-    const std::vector<std::optional<double>>& marks = occasion.marks[i];
-    if ((only && groupOf[i] != *only) ||
-        !std::all_of(marks.begin(), marks.end(), [](const auto& mark) { return mark.has_value(); })) {
-      continue;
-    }
-    rows.emplace_back();
-    for (const std::optional<double>& mark : marks) {
-      rows.back().push_back(*mark);
+void findPresent(OccasionMarks& occasion) {
+  const std::size_t raters = occasion.marks.empty() ? 0 : occasion.marks.front().size();
+  for (std::size_t r = 0; r < raters; ++r) {
+    if (std::any_of(occasion.marks.begin(), occasion.marks.end(),
+                    [r](const auto& marks) { return marks[r].has_value(); })) {
+      occasion.present.push_back(r);
     }
   }
-  return NumberTable(rows);
 }
 
 void measureAgreement(const CohortInputs& in, const std::vector<std::size_t>& groupOf,
                       OccasionMarks& occasion) {
-  IncompleteRatings byRater(occasion.marks.empty() ? 0 : occasion.marks.front().size(),
-                            std::vector<std::optional<double>>(occasion.marks.size()));
-  for (std::size_t i = 0; i < occasion.marks.size(); ++i) {
-    for (std::size_t r = 0; r < occasion.marks[i].size(); ++r) {
-      byRater[r][i] = occasion.marks[i][r];
-      ++(occasion.marks[i][r] ? occasion.n : occasion.missing);
+  findPresent(occasion);
+  IncompleteRatings byRater;
+  for (const std::size_t r : occasion.present) {
+    byRater.emplace_back();
+    for (const std::vector<std::optional<double>>& marks : occasion.marks) {
+      byRater.back().push_back(marks[r]);
+      ++(marks[r] ? occasion.n : occasion.missing);
     }
   }
-  const NumberTable table = complete(occasion, groupOf);
+  const NumberTable table = completeMarks(occasion);
   occasion.completeTrainees = static_cast<std::int64_t>(table.rows());
   occasion.icc = intraclassCorrelation(table);
   occasion.alpha = krippendorffAlpha(byRater, AlphaMetric::kInterval);
   occasion.reliability = holedReliability(byRater);
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    const NumberTable within = complete(occasion, groupOf, g);
+    const NumberTable within = completeMarks(occasion, groupOf, g);
     occasion.groups.push_back({g, static_cast<std::int64_t>(within.rows()), intraclassCorrelation(within)});
   }
 }
@@ -201,6 +194,26 @@ void followCourse(const CohortInputs& in, StudyAnalysis& out) {
 
 }  // namespace
 
+NumberTable completeMarks(const OccasionMarks& occasion, const std::vector<std::size_t>& groupOf,
+                          std::optional<std::size_t> only) {
+  std::vector<std::vector<double>> rows;
+  for (std::size_t i = 0; i < occasion.marks.size(); ++i) {
+    if (only && groupOf[i] != *only) {
+      continue;
+    }
+    std::vector<double> row;
+    for (const std::size_t r : occasion.present) {
+      if (occasion.marks[i][r]) {
+        row.push_back(*occasion.marks[i][r]);
+      }
+    }
+    if (row.size() == occasion.present.size()) {
+      rows.push_back(std::move(row));
+    }
+  }
+  return NumberTable(rows);
+}
+
 std::optional<double> meanOfOthers(const std::vector<std::optional<double>>& marks, std::size_t rater) {
   double sum = 0.0;
   std::int64_t others = 0;
@@ -243,9 +256,14 @@ StudyAnalysis analyseStudy(const CohortInputs& in) {
   if (out.occasions.empty()) {
     return out;
   }
-  if (const NumberTable last = complete(out.occasions.back(), groupOf);
-      last.rows() >= 2 && last.columns() >= 2) {
-    out.againstPanel = blandAltmanAgainstPanel(last);
+  out.againstPanel.assign(
+      out.raters.size(), Outcome<BlandAltmanResult>::undefined(Text::tr("too few trainees with every mark")));
+  const OccasionMarks& end = out.occasions.back();
+  if (const NumberTable last = completeMarks(end); last.rows() >= 2 && last.columns() >= 2) {
+    std::vector<Outcome<BlandAltmanResult>> found = blandAltmanAgainstPanel(last);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      out.againstPanel[end.present[i]] = std::move(found[i]);
+    }
   }
   if (out.occasions.size() < 2) {
     return out;

@@ -28,9 +28,10 @@ struct GroupAgreement {
 /// empty.
 struct OccasionMarks {
   std::vector<std::vector<std::optional<double>>> marks;
+  std::vector<std::size_t> present;  ///< raters with a mark here; what the others did not give is not missing
   std::int64_t n = 0;
   std::int64_t missing = 0;
-  std::int64_t completeTrainees = 0;  ///< with a mark of every rater: what `icc` is made from
+  std::int64_t completeTrainees = 0;  ///< with a mark of every rater present: what `icc` is made from
   Outcome<IccResult> icc = Outcome<IccResult>::undefined(Text::tr("not computed"));
   std::vector<GroupAgreement> groups;
   Outcome<HoledReliability> reliability = Outcome<HoledReliability>::undefined(Text::tr("not computed"));
@@ -71,8 +72,9 @@ struct StudyAnalysis {
   std::vector<std::string> trainees;  ///< codes of those with a mark, ascending
   std::vector<std::string> raters;
   std::vector<OccasionMarks> occasions;
-  std::vector<RaterSeverity> severity;                   ///< in the order of the raters
-  std::vector<Outcome<BlandAltmanResult>> againstPanel;  ///< last occasion; trainees with every rater's mark
+  std::vector<RaterSeverity> severity;  ///< in the order of the raters
+  std::vector<Outcome<BlandAltmanResult>>
+      againstPanel;    ///< by rater, last occasion; trainees with every mark
   CompleteCases ends;  ///< scores before and at the end, of the trainees with both
   std::vector<std::vector<std::string>> endCodes;  ///< whose those are
   std::vector<MissingTrainee> missing;             ///< by code
@@ -92,6 +94,12 @@ struct StudyAnalysis {
   /// Whether the planned analysis, of covariance, has every mark it was planned with.
   [[nodiscard]] bool asPlanned() const noexcept { return missing.empty(); }
 };
+
+/// Returns the marks of the trainees whom every rater who is present scored, trainees x such raters;
+/// `groupOf` and `only`: those of one group.
+[[nodiscard]] NumberTable completeMarks(const OccasionMarks& occasion,
+                                        const std::vector<std::size_t>& groupOf = {},
+                                        std::optional<std::size_t> only = std::nullopt);
 
 /// Gives the mean of the marks that others than `rater` gave a trainee, points; empty: nobody else scored.
 [[nodiscard]] std::optional<double> meanOfOthers(const std::vector<std::optional<double>>& marks,

@@ -8,51 +8,76 @@
 #include "assessment/scoring/exact_quotient.h"
 #include "assessment/scoring/exact_statistics.h"
 #include "sim/base/contracts.h"
-#include "sim/base/error.h"
 
 namespace torsio {
 
-EvaluationKernel::EvaluationKernel(const EvaluationInstrument& instrument,
-                                   std::span<const std::size_t> raterClasses)
-    : instrument_(instrument),
-      raterClasses_(raterClasses.begin(), raterClasses.end()),
-      classCounts_(instrument.classes.size(), 0),
-      sums_(instrument.classes.size() * instrument.indices.size(), 0),
-      squares_(instrument.indices.size(), 0),
-      meanFactors_(instrument.classes.size(), 0) {
-  validateInstrument(instrument);
-  for (const std::size_t c : raterClasses_) {
-    TORSIO_EXPECTS(c < classCounts_.size());
+namespace {
+
+/// The class means as whole numbers over one denominator.
+struct CommonDenominator {
+  std::vector<std::int64_t> factors;  // of the sum of each class
+  std::int64_t denominator = 1;
+  bool fits = true;
+};
+
+CommonDenominator commonDenominator(const EvaluationInstrument& instrument,
+                                    std::span<const std::size_t> raterClasses) {
+  constexpr std::int64_t kLargestMultiple = 1'000'000;
+  std::vector<std::int64_t> counts(instrument.classes.size(), 0);
+  for (const std::size_t c : raterClasses) {
+    TORSIO_EXPECTS(c < counts.size());
     TORSIO_EXPECTS(instrument.classes[c].weight_milli > 0);
-    ++classCounts_[c];
+    ++counts[c];
   }
   const std::vector<std::int64_t> weights = reducedWeights(classWeights(instrument));
+  CommonDenominator out;
+  out.factors.assign(counts.size(), 0);
   std::int64_t lcm = 1;
   std::int64_t weightSum = 0;
   for (std::size_t c = 0; c < weights.size(); ++c) {
     if (weights[c] == 0) {
       continue;
     }
-    TORSIO_EXPECTS(classCounts_[c] > 0);
-    lcm = std::lcm(lcm, classCounts_[c]);
-    TORSIO_EXPECTS(lcm < 1'000'000);
+    TORSIO_EXPECTS(counts[c] > 0);
+    lcm = std::lcm(lcm, counts[c]);
     weightSum += weights[c];
+    if (lcm >= kLargestMultiple) {
+      out.fits = false;
+      return out;
+    }
   }
   for (std::size_t c = 0; c < weights.size(); ++c) {
     if (weights[c] > 0) {
-      meanFactors_[c] = weights[c] * (lcm / classCounts_[c]);
+      out.factors[c] = weights[c] * (lcm / counts[c]);
     }
   }
-  commonDenominator_ = lcm * weightSum;
+  out.denominator = lcm * weightSum;
+  const std::int64_t maxSteps = std::max(std::abs(instrument.scale.lo), std::abs(instrument.scale.hi));
+  out.fits = fitsDouble(std::ssize(raterClasses), maxSteps, static_cast<double>(out.denominator),
+                        instrument.scale.stepsPerPoint);
+  return out;
+}
+
+}  // namespace
+
+bool EvaluationKernel::fits(const EvaluationInstrument& instrument,
+                            std::span<const std::size_t> raterClasses) {
+  return commonDenominator(instrument, raterClasses).fits;
+}
+
+EvaluationKernel::EvaluationKernel(const EvaluationInstrument& instrument,
+                                   std::span<const std::size_t> raterClasses)
+    : instrument_(instrument),
+      raterClasses_(raterClasses.begin(), raterClasses.end()),
+      sums_(instrument.classes.size() * instrument.indices.size(), 0),
+      squares_(instrument.indices.size(), 0) {
+  validateInstrument(instrument);
+  const CommonDenominator common = commonDenominator(instrument, raterClasses);
+  TORSIO_EXPECTS(common.fits);
+  meanFactors_ = common.factors;
+  commonDenominator_ = common.denominator;
   indexWeights_ = indexWeights(instrument);
   indexWeightSum_ = std::accumulate(indexWeights_.begin(), indexWeights_.end(), std::int64_t{0});
-  const std::int64_t maxSteps = std::max(std::abs(instrument.scale.lo), std::abs(instrument.scale.hi));
-  if (!fitsDouble(std::ssize(raterClasses_), maxSteps, static_cast<double>(commonDenominator_),
-                  instrument.scale.stepsPerPoint)) {
-    throw Error(ErrorCode::kBadParameter,
-                Text::verbatim("the class sizes have too large a common multiple for the fast evaluation"),
-                Text::verbatim("rater classes"), Text::verbatim("Use evaluateModel."));
-  }
 }
 
 double EvaluationKernel::run(std::span<const std::int64_t> steps, std::span<double> m, std::span<double> s2) {
@@ -77,7 +102,7 @@ double EvaluationKernel::run(std::span<const std::int64_t> steps, std::span<doub
   for (std::size_t j = 0; j < indices; ++j) {
     std::int64_t sum = 0;
     std::int64_t numerator = 0;
-    for (std::size_t c = 0; c < classCounts_.size(); ++c) {
+    for (std::size_t c = 0; c < meanFactors_.size(); ++c) {
       sum += sums_[c * indices + j];
       numerator += meanFactors_[c] * sums_[c * indices + j];
     }

@@ -11,11 +11,16 @@
 namespace torsio {
 
 /// Eqs. 25 to 27 for complete marks, without any allocation: for repeated evaluation (resampling,
-/// simulation). Made for fixed class sizes, none of weight 0; refuses class sizes whose common multiple is
-/// too large. One thread an object.
+/// simulation). Made for fixed class sizes, none of weight 0. One thread an object.
 class EvaluationKernel {
  public:
-  /// Prepares the kernel. `raterClasses`: the class of each rater, in the order of the rows given to run().
+  /// Tells whether the common multiple of the class sizes is small enough for whole numbers in doubles; every
+  /// class that counts has a rater.
+  [[nodiscard]] static bool fits(const EvaluationInstrument& instrument,
+                                 std::span<const std::size_t> raterClasses);
+
+  /// Prepares the kernel; the classes fit. `raterClasses`: the class of each rater, in the order of the rows
+  /// given to run().
   EvaluationKernel(const EvaluationInstrument& instrument, std::span<const std::size_t> raterClasses);
 
   /// Evaluates `steps`, raters x indices, row-major: fills m and s2 (one an index) and returns N. Gives the
@@ -25,7 +30,6 @@ class EvaluationKernel {
  private:
   EvaluationInstrument instrument_;
   std::vector<std::size_t> raterClasses_;
-  std::vector<std::int64_t> classCounts_;
   std::vector<std::int64_t> sums_;         // class x index
   std::vector<std::int64_t> squares_;      // index
   std::vector<std::int64_t> meanFactors_;  // weight x L / n of each class

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/evaluation_kernel.h"
 #include "sim/base/error.h"
 #include "sim/base/random.h"
@@ -51,6 +53,43 @@ Panel panelOf(const EvaluationInstrument& instrument, const ModelRatings& rating
   return panel;
 }
 
+/// N of a drawn panel: by the kernel, or in full where the class sizes are too awkward for it.
+class DrawnScore {
+ public:
+  DrawnScore(const EvaluationInstrument& instrument, const ModelRatings& ratings, const Panel& panel)
+      : instrument_(instrument), means_(instrument.indices.size()), variances_(instrument.indices.size()) {
+    if (EvaluationKernel::fits(instrument, panel.classes)) {
+      kernel_.emplace(instrument, panel.classes);
+      return;
+    }
+    drawn_.model = ratings.model;
+    for (std::size_t i = 0; i < panel.classes.size(); ++i) {
+      drawn_.sheets.push_back({std::to_string(i), panel.classes[i], {}});
+      drawn_.sheets.back().steps.resize(instrument.indices.size());
+    }
+  }
+
+  double operator()(const std::vector<std::int64_t>& steps) {
+    if (kernel_) {
+      return kernel_->run(steps, means_, variances_);
+    }
+    const std::int64_t* mark = steps.data();
+    for (RaterSheet& sheet : drawn_.sheets) {
+      for (std::optional<std::int64_t>& place : sheet.steps) {
+        place = *mark++;
+      }
+    }
+    return evaluateModel(instrument_, drawn_).n27;
+  }
+
+ private:
+  const EvaluationInstrument& instrument_;
+  std::optional<EvaluationKernel> kernel_;
+  ModelRatings drawn_;
+  std::vector<double> means_;
+  std::vector<double> variances_;
+};
+
 }  // namespace
 
 ScoreRange resampledScore(const EvaluationInstrument& instrument, const ModelRatings& ratings,
@@ -61,11 +100,9 @@ ScoreRange resampledScore(const EvaluationInstrument& instrument, const ModelRat
                 std::to_string(resampling.resamples), Text::verbatim("Draw some thousands"));
   }
   const Panel panel = panelOf(instrument, ratings);
-  EvaluationKernel kernel(instrument, panel.classes);
+  DrawnScore score(instrument, ratings, panel);
   const std::size_t indices = instrument.indices.size();
   std::vector<std::int64_t> drawn(panel.steps.size());
-  std::vector<double> means(indices);
-  std::vector<double> variances(indices);
   std::vector<double> scores;
   Random random(resampling.seed);
   for (std::int64_t i = 0; i < resampling.resamples; ++i) {
@@ -81,7 +118,7 @@ ScoreRange resampledScore(const EvaluationInstrument& instrument, const ModelRat
       }
       first = end;
     }
-    scores.push_back(kernel.run(drawn, means, variances));
+    scores.push_back(score(drawn));
   }
   std::sort(scores.begin(), scores.end());
   const auto at = [&scores](double p) {

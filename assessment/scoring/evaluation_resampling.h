@@ -23,7 +23,7 @@ struct ScoreRange {
 /// such panel (Eqs. 25 and 27) and returns the middle 95 % of N (quantiles of type 1). With few raters in a
 /// class the range is too short. The same seed gives the same range on every machine. Throws Error{kBadData}
 /// when a mark of a weighted class is missing or a weighted class has no rater, {kBadParameter} for no
-/// resample or class sizes that EvaluationKernel refuses.
+/// resample.
 [[nodiscard]] ScoreRange resampledScore(const EvaluationInstrument& instrument, const ModelRatings& ratings,
                                         const EvaluationResampling& resampling = {});
 

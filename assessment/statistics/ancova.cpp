@@ -68,10 +68,15 @@ std::optional<Text> notComparable(const Groups& before, const Groups& after) {
   return std::nullopt;
 }
 
+/// Share of the squares that rounding may leave where scores after follow those before.
+constexpr double kExactly = 1e-14;
+
 Outcome<FTest> slopesTest(const std::vector<Moments>& groups, double residual, double n) {
   const double k = static_cast<double>(groups.size());
   double separate = 0.0;
+  double squares = 0.0;
   for (const Moments& m : groups) {
+    squares += m.yy;
     if (m.xx == 0.0) {
       return Outcome<FTest>::undefined(Text::tr("the scores before do not vary in one group"));
     }
@@ -80,8 +85,11 @@ Outcome<FTest> slopesTest(const std::vector<Moments>& groups, double residual, d
   FTest test;
   test.df1 = k - 1.0;
   test.df2 = n - 2.0 * k;
-  if (test.df2 <= 0.0 || !(separate > 0.0)) {
+  if (test.df2 <= 0.0) {
     return Outcome<FTest>::undefined(Text::tr("too few trainees for separate slopes"));
+  }
+  if (!(separate > kExactly * squares)) {
+    return Outcome<FTest>::undefined(Text::tr("the scores after follow the scores before exactly"));
   }
   test.f = (residual - separate) / test.df1 / (separate / test.df2);
   test.p = fUpper(std::max(0.0, test.f), test.df1, test.df2);
@@ -183,7 +191,7 @@ Outcome<Ancova> ancova(const Groups& before, const Groups& after, double confide
   }
   out.slope = within.xy / within.xx;
   const double residual = within.yy - out.slope * within.xy;
-  if (!(residual > 0.0)) {
+  if (!(residual > kExactly * within.yy)) {
     return Outcome<Ancova>::undefined(Text::tr("the scores after follow the scores before exactly"));
   }
   out.residualVariance = residual / out.residualDf;
@@ -271,6 +279,7 @@ Outcome<SeparateSlopes> separateSlopes(const Groups& before, const Groups& after
   out.baselines.assign(baselines.begin(), baselines.end());
   std::vector<Moments> groups;
   double residual = 0.0;
+  double squares = 0.0;
   double total = 0.0;
   for (std::size_t g = 0; g < before.size(); ++g) {
     const Moments m = momentsOf(before[g], after[g]);
@@ -279,12 +288,16 @@ Outcome<SeparateSlopes> separateSlopes(const Groups& before, const Groups& after
     }
     out.slopes.push_back(m.xy / m.xx);
     residual += m.yy - m.xy * m.xy / m.xx;
+    squares += m.yy;
     total += m.n;
     groups.push_back(m);
   }
   out.residualDf = total - 2.0 * static_cast<double>(groups.size());
-  if (out.residualDf <= 0.0 || !(residual > 0.0)) {
+  if (out.residualDf <= 0.0) {
     return Undefined::undefined(Text::tr("too few trainees for separate slopes"));
+  }
+  if (!(residual > kExactly * squares)) {
+    return Undefined::undefined(Text::tr("the scores after follow the scores before exactly"));
   }
   out.residualVariance = residual / out.residualDf;
   for (const Moments& m : groups) {

@@ -281,7 +281,7 @@ Outcome<CurveFit> bestFit(LearningFamily family, std::span<const double> t, std:
     return Outcome<CurveFit>::undefined(Text::tr("the parameters cannot be told apart"));
   }
   if (asymptote && best->parameters.back() == slowest && restAtSlowest(family, t, y) <= best->rss) {
-    return Outcome<CurveFit>::undefined(Text::tr("the fit does not settle"));
+    return Outcome<CurveFit>::undefined(Text::tr("the values do not level off within these attempts"));
   }
   return fitCurve(familyCurve(family, asymptote), t, y, best->parameters);
 }

@@ -35,6 +35,15 @@ double sumOfSquares(std::span<const double> values) {
   return squares - deviations * deviations / static_cast<double>(values.size());
 }
 
+double roundingSquares(std::span<const double> values) {
+  double squares = 0.0;
+  for (const double x : values) {
+    const double rounding = 2.0 * std::numeric_limits<double>::epsilon() * x;
+    squares += rounding * rounding;
+  }
+  return squares;
+}
+
 std::optional<double> sampleVariance(std::span<const double> values) {
   if (values.size() < 2) {
     return std::nullopt;

@@ -15,6 +15,9 @@ namespace torsio {
 /// Computes the sum of squares about the mean, in two passes with correction, so that large offsets do no
 /// harm.
 [[nodiscard]] double sumOfSquares(std::span<const double> values);
+/// Returns the squares that rounding of decimals to doubles alone may leave, summed: what is no larger is no
+/// variation.
+[[nodiscard]] double roundingSquares(std::span<const double> values);
 /// Computes the variance with divisor n - 1; empty for fewer than two values.
 [[nodiscard]] std::optional<double> sampleVariance(std::span<const double> values);
 [[nodiscard]] std::optional<double> sampleDeviation(std::span<const double> values);

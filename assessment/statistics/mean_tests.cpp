@@ -86,7 +86,7 @@ Outcome<TTest> pairedT(std::span<const double> x, std::span<const double> y, dou
     differences.push_back(x[i] - y[i]);
   }
   const double variance = *sampleVariance(differences);
-  if (variance == 0.0) {
+  if (variance * (countOf(x) - 1.0) <= roundingSquares(x) + roundingSquares(y)) {
     return Outcome<TTest>::undefined(Text::tr("the differences do not vary"));
   }
   return finished(meanOf(differences), std::sqrt(variance / countOf(x)), countOf(x) - 1.0, confidence);

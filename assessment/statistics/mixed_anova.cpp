@@ -27,7 +27,8 @@ struct Cells {
   double ssTimeUnweighted = 0.0;
   double ssInteraction = 0.0;
   double ssError = 0.0;
-  Eigen::MatrixXd products;  // within groups, occasion x occasion
+  Eigen::MatrixXd products;  // of what is left within groups and trainees, occasion x occasion
+  double noise = 0.0;        // squares that rounding of the scores alone may leave
 };
 
 void addWithinGroup(const NumberTable& x, std::size_t g, Cells& out) {
@@ -36,13 +37,14 @@ void addWithinGroup(const NumberTable& x, std::size_t g, Cells& out) {
     const double subject = meanOf(row);
     const double shift = subject - out.groupMeans[g];
     out.ssSubjects += out.m * shift * shift;
-    Eigen::VectorXd d(static_cast<Index>(row.size()));
+    Eigen::VectorXd left(static_cast<Index>(row.size()));
     for (std::size_t t = 0; t < row.size(); ++t) {
-      d[static_cast<Index>(t)] = row[t] - out.means[g][t];
       const double residual = row[t] - subject - out.means[g][t] + out.groupMeans[g];
+      left[static_cast<Index>(t)] = residual;
       out.ssError += residual * residual;
     }
-    out.products += d * d.transpose();
+    out.products += left * left.transpose();
+    out.noise += roundingSquares(row);
   }
 }
 
@@ -98,9 +100,7 @@ Sphericity sphericityOf(const Cells& cells) {
   const double dfe = cells.n - k;
   const double p = cells.m - 1.0;
   const Index m = cells.products.rows();
-  const Eigen::MatrixXd centre =
-      Eigen::MatrixXd::Identity(m, m) - Eigen::MatrixXd::Constant(m, m, 1.0 / cells.m);
-  const Eigen::MatrixXd s = centre * (cells.products / dfe) * centre;
+  const Eigen::MatrixXd s = cells.products / dfe;  // of contrasts: its rows add up to nothing
   Sphericity out;
   out.greenhouseGeisser = s.trace() * s.trace() / (p * s.squaredNorm());
   const double pe = p * out.greenhouseGeisser;
@@ -175,7 +175,7 @@ Outcome<MixedAnova> mixedAnova(const std::vector<NumberTable>& groups) {
   if (dfSubjects < cells.m - 1.0) {
     return Undefined::undefined(Text::tr("there are too few trainees for the number of occasions"));
   }
-  if (!(cells.ssError > 0.0) || !(cells.ssSubjects > 0.0)) {
+  if (!(cells.ssError > cells.noise) || !(cells.ssSubjects > cells.noise)) {
     return Undefined::undefined(Text::tr("there is no residual variation"));
   }
   const double dfTime = cells.m - 1.0;

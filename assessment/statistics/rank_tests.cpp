@@ -383,7 +383,8 @@ Outcome<SignedRank> signedRank(std::span<const double> differences, const MonteC
   }
   out.n = kept.size();
   if (kept.empty()) {
-    return Outcome<SignedRank>::undefined(Text::tr("every difference is zero"));
+    return Outcome<SignedRank>::undefined(differences.empty() ? Text::tr("there are no pairs")
+                                                              : Text::tr("every difference is zero"));
   }
   const DoubledRanks ranks = doubledRanks(magnitudes);
   std::int64_t doubledV = 0;

@@ -10939,10 +10939,6 @@
         <translation>论文中模型评价的量表为 0 到 10，训练研究的量表为 1 到 10；此处分别为 %1 到 %2 和 %3 到 %4。</translation>
     </message>
     <message>
-        <source>Groups are compared by an analysis of covariance: the score at the end, adjusted for the score before, one pooled slope; the trainee is the unit. Effect sizes are Hedges g with intervals from the noncentral t distribution. Agreement of raters is the intraclass correlation for absolute agreement (Shrout and Fleiss) and Krippendorff&apos;s alpha. Severity is a rater&apos;s mean distance from the other raters.</source>
-        <translation>各组用协方差分析比较：结束时的得分，按训练前得分校正，使用一个合并斜率；分析单位为学员。效应量为 Hedges g，区间由非中心 t 分布得出。评分者一致性用绝对一致的组内相关系数（Shrout 和 Fleiss）和 Krippendorff α。严格程度为一名评分者与其他评分者的平均差距。</translation>
-    </message>
-    <message>
         <source>Who is held to be able is judged by LC-CUSUM, by the designs and with the error rates of the section Competence.</source>
         <translation>谁被认为胜任由 LC-CUSUM 判定，所用标准和错误率见“胜任”一节。</translation>
     </message>
@@ -13346,35 +13342,35 @@ audit trail %3</source>
     </message>
     <message>
         <source>no target has a score by every rater</source>
-        <translation type="unfinished"></translation>
+        <translation>没有任何对象获得所有评分者的评分</translation>
     </message>
     <message>
         <source>Attempts within which both hold</source>
-        <translation type="unfinished"></translation>
+        <translation>两种错误率所对应的尝试次数</translation>
     </message>
     <message>
         <source>Answer, adjusted for the score before, with the 95 % interval of each pair by itself: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>答案（已按训练前得分校正，区间为每一配对各自的 95 % 区间）：%1。</translation>
     </message>
     <message>
         <source>Answer: no difference between two groups was shown. The largest, adjusted for the score before, with the 95 % interval of this pair by itself: %1, %2. %3</source>
-        <translation type="unfinished"></translation>
+        <translation>答案：未显示任何两组之间有差异。最大的差异（已按训练前得分校正，区间为该配对自身的 95 % 区间）：%1，%2。%3</translation>
     </message>
     <message>
         <source>%1 of %2 marks are missing, so the answer is that of the linear mixed model, which takes every mark that was given; the planned analysis stands beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 个评分中缺失 %1 个，因此答案取自线性混合模型，它使用给出的每一个评分；计划的分析并列给出。</translation>
     </message>
     <message>
         <source>The missing marks could, at worst, leave open which group is better in %1 of %2 {comparison|comparisons}.</source>
-        <translation type="unfinished"></translation>
+        <translation>在最坏情况下，缺失的评分会使 %2 项比较中的 %1 项无法判定哪一组更好。</translation>
     </message>
     <message>
         <source>The difference depends on the score before (test of equal slopes: %1): read the table with a slope for each group.</source>
-        <translation type="unfinished"></translation>
+        <translation>差异随训练前得分而变（斜率相等检验：%1）：请看各组斜率分开的表。</translation>
     </message>
     <message>
         <source>Intervals are not adjusted for the number of pairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>区间未按配对数校正。</translation>
     </message>
     <message>
         <source>there is no simulated trainee here</source>
@@ -13443,6 +13439,42 @@ audit trail %3</source>
     <message>
         <source>this version of the remark</source>
         <translation>评语的这个版本</translation>
+    </message>
+    <message>
+        <source>%1, held at zero</source>
+        <translation>%1，固定为零</translation>
+    </message>
+    <message>
+        <source>A curve was fitted to %1 of %2 {trainee|trainees}. An error that falls like a straight line, or not at all, does not level off and has none.</source>
+        <translation>%2 名学员中有 %1 名拟合出曲线。误差像直线一样下降或根本不下降时不会趋于平稳，因而没有曲线。</translation>
+    </message>
+    <message>
+        <source>Groups are compared by a linear mixed model, as marks are missing: the marks at the end, adjusted for the mean mark before, trainees and raters as random effects, restricted maximum likelihood, degrees of freedom after Satterthwaite. The planned analysis of covariance stands beside it.</source>
+        <translation>因有评分缺失，各组用线性混合模型比较：结束时的评分，按训练前的平均评分校正，学员和评分者为随机效应，采用限制性最大似然，自由度按 Satterthwaite 计算。计划的协方差分析并列给出。</translation>
+    </message>
+    <message>
+        <source>Groups are compared by an analysis of covariance: the score at the end, adjusted for the score before, one pooled slope; the trainee is the unit.</source>
+        <translation>各组用协方差分析比较：结束得分按训练前得分校正，各组共用一个斜率；以学员为分析单位。</translation>
+    </message>
+    <message>
+        <source>Effect sizes are Hedges g with intervals from the noncentral t distribution. Agreement of raters is the intraclass correlation for absolute agreement (Shrout and Fleiss) and Krippendorff&apos;s alpha. Severity is a rater&apos;s mean distance from the other raters.</source>
+        <translation>效应量为 Hedges g，区间取自非中心 t 分布。评分者一致性为绝对一致的组内相关系数（Shrout 与 Fleiss）和 Krippendorff α。严格度为某评分者与其他评分者的平均差距。</translation>
+    </message>
+    <message>
+        <source>Raters with marks at the other end of the study but none %1: %2. The scores before and at the end are then not means over the same raters, which shifts the gains of all groups alike and not the differences between them.</source>
+        <translation>在研究的另一端给过评分、但在“%1”未给评分的评分者：%2。因此训练前与结束时的得分不是同一批评分者的平均，这会使各组的增益同样偏移，而不影响组间差异。</translation>
+    </message>
+    <message>
+        <source>Planned and used: the analysis of covariance of the score at the end on the score before. Every trainee has the marks that most have at the first and the last occasion.</source>
+        <translation>计划并采用：以训练前得分为协变量的结束得分协方差分析。每名学员在首末两个评分时点都有多数学员所有的评分。</translation>
+    </message>
+    <message>
+        <source>Planned: the analysis of covariance of the score at the end on the score before. %1. Neither it nor the linear mixed model that would take every mark is defined (%2): the groups are not compared.</source>
+        <translation>计划的分析：以训练前得分为协变量的结束得分协方差分析。%1。它与使用每一个评分的线性混合模型均无法定义（%2）：各组未作比较。</translation>
+    </message>
+    <message>
+        <source>the values do not level off within these attempts</source>
+        <translation>数值在这些尝试之内没有趋于平稳</translation>
     </message>
 </context>
 <context>
@@ -19175,6 +19207,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>too few for this width, however many raters score them</source>
         <translation>无论由多少评分者评分，都太少，达不到此宽度</translation>
+    </message>
+    <message>
+        <source>Trainees at &amp;hand</source>
+        <translation>现有学员(&amp;H)</translation>
     </message>
 </context>
 <context>

@@ -190,6 +190,24 @@ TEST(CohortReport, HasTheAdditionsOfTheStatistician) {
   }
 }
 
+TEST(CohortReport, SaysWhoseLearningHasACurveAndWhyNot) {
+  CohortInputs in = demonstrationCohort();
+  TrialSummaryRow straight = in.trials[0];
+  straight.trainee = "x102";
+  straight.trialId = "t2";
+  for (int n = 0; n < 16; ++n) {
+    in.trials[0].attempts.push_back({2.0 + 6.0 * std::exp(-0.4 * n) + (n % 2 == 0 ? 0.1 : -0.1), true});
+    straight.attempts.push_back({8.0 - 0.3 * n + (n % 2 == 0 ? 0.1 : -0.1), true});
+  }
+  in.trials.push_back(straight);
+  const ReportModel report = cohortReport(in);
+  const ReportTable* learning = tableOf(report, "table-learning");
+  ASSERT_NE(learning, nullptr);
+  EXPECT_NEAR(std::stod(learning->rows[0].back().str()), 2.0, 0.1);
+  EXPECT_EQ(learning->rows[1].back().str(), "not fitted: the values do not level off within these attempts");
+  EXPECT_THAT(learning->notes.back().str(), ::testing::HasSubstr("fitted to 1 of 2 trainees"));
+}
+
 TEST(CohortReport, SaysHowManyRatersAreNeededAndWhatEachGroupGained) {
   const CohortInputs in = demonstrationCohort();
   const StudyAnalysis study = analyseStudy(in);
@@ -381,6 +399,43 @@ TEST(CohortReport, OneMissingMarkTakesNothingOut) {
   EXPECT_THAT(board.figures[0].provenance.formula.str(), ::testing::HasSubstr("mixed model"));
   EXPECT_EQ(board.figures[0].provenance.missing, 1);
   EXPECT_THAT(board.paragraphs[3].str(), ::testing::HasSubstr("1 of 600 marks are missing, so the answer"));
+}
+
+TEST(CohortReport, ARaterWhoIsMissingAsAWholeIsSaidAndTakesNoAgreementOut) {
+  const std::string by = demonstrationCohort().trainingMarks.back().rater;
+  const CohortInputs in =
+      without([&](const TrainingMark& mark) { return mark.rater == by && mark.occasion == 2; });
+  const ReportModel report = cohortReport(in);
+  const std::string said = textOf(report);
+  EXPECT_THAT(said, ::testing::HasSubstr("Planned and used"));
+  EXPECT_THAT(said, ::testing::Not(::testing::HasSubstr("No mark of the first and the last occasion")));
+  EXPECT_THAT(said, ::testing::HasSubstr("but none after 40 min: " + by));
+  const ReportTable& agreement = *tableOf(report, "table-agreement");
+  ASSERT_EQ(agreement.rows.size(), 3U);
+  EXPECT_EQ(agreement.rows[2][1].str(), "30");  // nine raters scored everybody
+  EXPECT_EQ(agreement.provenance.missing, 0);
+  EXPECT_EQ(tableOf(report, "table-raters-needed")->rows.back().at(0).str(), "10");
+  EXPECT_EQ(tableOf(report, "table-raters-needed")->provenance.n, 270);
+  const auto& raters = tableOf(report, "table-raters")->rows;
+  const auto absent =
+      std::find_if(raters.begin(), raters.end(), [&](const auto& row) { return row[0] == by; });
+  ASSERT_NE(absent, raters.end());
+  EXPECT_THAT((*absent)[3].str(), ::testing::HasSubstr("too few trainees"));
+  EXPECT_THAT(raters.front()[3].str(), ::testing::HasSubstr(" to "));
+}
+
+TEST(CohortReport, MethodsNameTheComparisonThatIsUsed) {
+  EXPECT_THAT(textOf(cohortReport(demonstrationCohort())),
+              ::testing::HasSubstr("Groups are compared by an analysis of covariance"));
+  const TrainingMark lost = demonstrationCohort().trainingMarks.back();
+  const std::string holed = textOf(cohortReport(without([&](const TrainingMark& mark) {
+    return mark.trainee == lost.trainee && mark.rater == lost.rater && mark.occasion == 2;
+  })));
+  EXPECT_THAT(holed, ::testing::HasSubstr("Groups are compared by a linear mixed model"));
+  EXPECT_THAT(holed, ::testing::Not(::testing::HasSubstr("compared by an analysis of covariance")));
+  const std::string none = textOf(
+      cohortReport(without([](const TrainingMark& mark) { return mark.group == 1 && mark.occasion == 2; })));
+  EXPECT_THAT(none, ::testing::HasSubstr("the groups are not compared"));
 }
 
 TEST(CohortReport, LabelsTheIntervalsOfTheAnswer) {

@@ -509,6 +509,34 @@ TEST(ResampledScore, IsTheMiddleOfWhatPanelsDrawnAnewGive) {
   EXPECT_NEAR(wide.upper, 5.22, 0.03);
 }
 
+TEST(ResampledScore, TakesClassSizesWithoutACommonMultiple) {
+  // 97 x 101 x 103 panels share no denominator below a million; 31, 29 and 23 none whose squares fit a
+  // double.
+  for (const std::vector<int>& sizes : {std::vector<int>{97, 101, 103}, std::vector<int>{31, 29, 23}}) {
+    EvaluationInstrument instrument = paperInstrument();
+    instrument.indices.resize(1);
+    instrument.indices[0].weight_milli = 1000;
+    ModelRatings ratings{"PM", {}};
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (int i = 0; i < sizes[c]; ++i) {
+        ratings.sheets.push_back(
+            {std::string(1, static_cast<char>('A' + c)) + std::to_string(i), c, {40 + 20 * (i % 2)}});
+      }
+    }
+    const ScoreRange range = resampledScore(instrument, ratings, {.resamples = 400});
+    const double n = evaluateModel(instrument, ratings).n27;
+    EXPECT_LT(range.lower, n);
+    EXPECT_GT(range.upper, n);
+    // Marks of 4 and 6 in equal parts: the standard error of N is the root of the sum of w^2 / n.
+    double variance = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double weight = static_cast<double>(instrument.classes[c].weight_milli) / 1000.0;
+      variance += weight * weight / sizes[c];
+    }
+    EXPECT_NEAR(0.5 * (range.upper - range.lower), 1.96 * std::sqrt(variance), 0.4 * std::sqrt(variance));
+  }
+}
+
 TEST(ResampledScore, RefusesHolesAndEmptyClasses) {
   ModelRatings hole = twoClasses({6, 8}, {});
   hole.sheets[0].steps[0].reset();

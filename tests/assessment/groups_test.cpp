@@ -452,6 +452,39 @@ TEST(MixedAnova, NeedsNoMoreTraineesThanContrasts) {
       mixedAnova({NumberTable({{1, 3, 2, 5}, {2, 2, 4, 6}}), NumberTable({{3, 3, 5, 4}, {2, 5, 3, 6}})}));
 }
 
+TEST(MixedAnova, OfGainsThatDifferByRoundingOnlyIsUndefined) {
+  // Everybody of a group gains the same in decimals; as doubles the gains differ in the last bit.
+  const std::vector<NumberTable> groups = {NumberTable({{0.1, 10.1}, {0.2, 10.2}}),
+                                           NumberTable({{0.1, 10.1}, {0.1, 10.1}}),
+                                           NumberTable({{0.2, 10.1}, {0.2, 10.1}})};
+  EXPECT_FALSE(mixedAnova(groups));
+  EXPECT_FALSE(pairedT(std::vector<double>{5.1, 6.2, 7.3}, std::vector<double>{3.1, 4.2, 5.3}));
+  const Groups before = {{0.1, 0.2, 0.3}, {0.1, 0.2, 0.4}};
+  const Groups after = {{1.1, 1.2, 1.3}, {2.1, 2.2, 2.4}};
+  EXPECT_FALSE(ancova(before, after));
+}
+
+TEST(MixedAnova, KeepsASmallErrorBesideLargeDifferencesBetweenTrainees) {
+  // Trainees lie a million apart, and what is left within them is a tenth: both are known.
+  std::vector<std::vector<double>> rows;
+  std::vector<std::vector<double>> near;
+  const std::vector<std::vector<double>> left = {
+      {0.1, -0.1, 0.0}, {-0.1, 0.1, 0.1}, {0.0, 0.2, -0.1}, {0.1, 0.0, 0.1}};
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    rows.emplace_back();
+    near.emplace_back();
+    for (const double e : left[i]) {
+      rows.back().push_back(1e6 * static_cast<double>(i) + e);
+      near.back().push_back(static_cast<double>(i) + e);
+    }
+  }
+  const Outcome<MixedAnova> far = mixedAnova({NumberTable(rows)});
+  const Outcome<MixedAnova> close = mixedAnova({NumberTable(near)});
+  ASSERT_TRUE(far);
+  EXPECT_NEAR(far->sphericity.greenhouseGeisser, close->sphericity.greenhouseGeisser, 1e-6);
+  EXPECT_NEAR(far->time.f, close->time.f, 1e-6 * close->time.f);
+}
+
 TEST(MixedAnova, AgreesOnTheSyntheticTrainingStudy) {
   const Study study;
   std::vector<NumberTable> groups;

@@ -243,3 +243,59 @@ bound <- function(name, a, b, usual, low, high) {
   w <- w[!is.nan(w$after), ]; w$group <- factor(w$group, g)
   m <- lm(after ~ 0 + group + before, w); coef(m)[[a]] - coef(m)[[b]]
 }
+# Components of a fully crossed table of persons, raters and occasions, and of raters nested in tasks (Brennan 2001).
+g_crossed <- function() {
+  d <- rows("repeats"); s <- summary(aov(score ~ target * rater * occasion, d))[[1]]
+  m <- setNames(s[, 3], trimws(rownames(s))); p <- 8; r <- 3; o <- 2; e <- m[["target:rater:occasion"]]
+  v <- c(pr = (m[["target:rater"]] - e) / o, po = (m[["target:occasion"]] - e) / r, ro = (m[["rater:occasion"]] - e) / p, pro = e)
+  c(p = (m[["target"]] - m[["target:rater"]] - m[["target:occasion"]] + e) / (r * o),
+    r = (m[["rater"]] - m[["target:rater"]] - m[["rater:occasion"]] + e) / (p * o),
+    o = (m[["occasion"]] - m[["target:occasion"]] - m[["rater:occasion"]] + e) / (p * r), v)
+}
+g_nested <- function() {
+  d <- rows("stations"); s <- summary(aov(score ~ target * task + task:rater, d))[[1]]
+  m <- setNames(s[, 3], trimws(rownames(s))); p <- 8; t <- 3; r <- 2; e <- m[["Residuals"]]
+  c(p = (m[["target"]] - m[["target:task"]]) / (t * r), t = (m[["task"]] - m[["target:task"]] - m[["task:rater"]] + e) / (p * r),
+    rt = (m[["task:rater"]] - e) / p, pt = (m[["target:task"]] - e) / r, prt = e)
+}
+# Every resample of the subjects; bias-corrected and accelerated (Efron 1987), quantiles of type 1, ties in z0 by halves.
+bootstrapped <- function() {
+  x <- rows("gains")$score; n <- length(x); estimate <- mean(x)
+  all <- rowMeans(matrix(x[as.matrix(expand.grid(rep(list(1:n), n)))], ncol = n))
+  z0 <- qnorm(mean((all < estimate - 1e-12) + 0.5 * (abs(all - estimate) <= 1e-12)))
+  left <- sapply(1:n, function(i) mean(x[-i])); d <- mean(left) - left; a <- sum(d^3) / (6 * sum(d^2)^1.5)
+  level <- function(z) pnorm(z0 + (z0 + z) / (1 - a * (z0 + z)))
+  list(error = sqrt(mean((all - mean(all))^2)), z0 = z0, acceleration = a,
+       percentile = quantile(all, c(0.025, 0.975), type = 1, names = FALSE),
+       bca = quantile(all, level(qnorm(c(0.025, 0.975))), type = 1, names = FALSE))
+}
+# Chance that the LC-CUSUM (Biau & Porcher 2010) reaches its limit: every sum that can be, with its probability.
+lc_pass <- function(failure, attempts, adequate, inadequate, limit) {
+  up <- log((1 - adequate) / (1 - inadequate)); down <- log(adequate / inadequate)
+  p <- c("0" = 1); passed <- 0
+  for (i in 1:attempts) {
+    s <- as.numeric(names(p)); to <- c(pmax(0, s + up), pmax(0, s + down)); q <- c(p * (1 - failure), p * failure)
+    there <- to >= limit; passed <- passed + sum(q[there])
+    p <- tapply(q[!there], sprintf("%.12f", to[!there]), sum); p <- setNames(as.vector(p), names(p))
+  }
+  passed
+}
+# Average run length in control: the integral equation by Gauss and Legendre (Crowder 1987); both sides together.
+run_length <- function(limit, k = 0.5, nodes = 80) {
+  i <- 1:(nodes - 1); b <- i / sqrt(4 * i^2 - 1); j <- matrix(0, nodes, nodes); j[cbind(i, i + 1)] <- b; j[cbind(i + 1, i)] <- b
+  e <- eigen(j, symmetric = TRUE); x <- limit * (e$values + 1) / 2; w <- limit * e$vectors[1, ]^2
+  at <- c(0, x); m <- outer(at, x, function(z, y) dnorm(y + k - z)) * rep(w, each = nodes + 1)
+  solve(diag(nodes + 1) - cbind(pnorm(k - at), m), rep(1, nodes + 1))[1] / 2
+}
+# Many-facet Rasch by joint maximum likelihood is a Poisson log-linear model with a level of its own for each mark.
+rasch <- function(name) {
+  d <- rows(name); d <- d[!is.na(d$score), ]; low <- min(d$score); high <- max(d$score)
+  extreme <- names(which(tapply(d$score, d$target, function(v) all(v == low) || all(v == high)))); d <- d[!d$target %in% extreme, ]
+  k <- high - low; long <- d[rep(seq_len(nrow(d)), each = k + 1), ]
+  long$mark <- factor(rep(seq_len(nrow(d)), each = k + 1)); long$step <- rep(0:k, nrow(d)); long$y <- as.numeric(long$score - low == long$step)
+  person <- model.matrix(~ 0 + target, long); rater <- model.matrix(~ C(factor(rater), contr.sum), long)[, -1]
+  x <- cbind(model.matrix(~ 0 + mark, long), person * long$step, rater * long$step, sapply(1:(k - 1), function(c) as.numeric(long$step == c)))
+  b <- suppressWarnings(glm.fit(x, long$y, family = poisson(), control = glm.control(epsilon = 1e-15, maxit = 200)))$coefficients
+  at <- nlevels(long$mark) + ncol(person); severity <- -b[at + seq_len(ncol(rater))]
+  unname(c(severity, -sum(severity)))
+}

@@ -294,6 +294,18 @@ TEST(CurriculaPage, SaysOfEveryStateWhatMayBeChanged) {
   EXPECT_TRUE(child<QLabel>(*page, "state").text().contains(QStringLiteral("version 2")));
 }
 
+/// Whether every wrapped sentence of a dialog is shown whole.
+::testing::AssertionResult sentencesWhole(QWidget& dialog) {
+  dialog.show();
+  QTest::qWait(1);
+  for (const QLabel* label : dialog.findChildren<QLabel*>()) {
+    if (label->isVisible() && label->wordWrap() && label->height() < label->heightForWidth(label->width())) {
+      return ::testing::AssertionFailure() << label->text().toStdString();
+    }
+  }
+  return ::testing::AssertionSuccess();
+}
+
 TEST(CompetenceDialog, PreviewsBothErrorRatesBeforeADesignIsRegistered) {
   AdministratorDesk desk;
   const CurriculumVersionId version = desk.centre.runPaperCurriculum();
@@ -305,10 +317,13 @@ TEST(CompetenceDialog, PreviewsBothErrorRatesBeforeADesignIsRegistered) {
   EXPECT_TRUE(child<QLabel>(dialog, "in-force").text().contains(QStringLiteral("shipped with the exercise")));
   EXPECT_TRUE(preview->text().contains(QStringLiteral("4.9 %")));
   EXPECT_TRUE(store->isEnabled());
+  EXPECT_TRUE(sentencesWhole(dialog));
 
   child<QDoubleSpinBox>(dialog, "inadequate").setValue(20.0);
   EXPECT_TRUE(preview->text().contains(QStringLiteral("50.3 %")));  // of the able would not pass
   EXPECT_FALSE(store->isEnabled());
+  EXPECT_TRUE(sentencesWhole(dialog));
+  EXPECT_LE(dialog.height(), 700);                            // on a small screen
   child<QDoubleSpinBox>(dialog, "inadequate").setValue(5.0);  // below the able
   EXPECT_FALSE(store->isEnabled());
   child<QDoubleSpinBox>(dialog, "inadequate").setValue(40.0);
@@ -337,6 +352,7 @@ TEST(PowerDialog, AnswersAtOnceHowManyTraineesAreNeededAndWhatTheyShow) {
             QStringLiteral("power 0.40 for this effect; with power 0.80 they detect an effect of 1.32"));
   child<QComboBox>(dialog, "design").setCurrentIndex(1);
   EXPECT_EQ(child<QLabel>(dialog, "needed").text(), QStringLiteral("15 trainees"));  // type = "paired": 14.3
+  EXPECT_TRUE(sentencesWhole(dialog));
 }
 
 TEST(StandardDialog, SaysWhereTheLineIsAndWhatIsWrongInTheTable) {
@@ -351,6 +367,7 @@ TEST(StandardDialog, SaysWhereTheLineIsAndWhatIsWrongInTheTable) {
   EXPECT_TRUE(says("0.28 items (standard deviation), the cut is sure to 0.20")) << said();
   table.setPlainText(QStringLiteral("judge,item,percent\nA,grip,180\n"));
   EXPECT_TRUE(says("line 2")) << said();
+  EXPECT_TRUE(sentencesWhole(dialog));
   table.setPlainText(QStringLiteral("judge,item,percent\nA,grip,80\nB,turn,60\n"));
   EXPECT_TRUE(says("no percentage")) << said();
 

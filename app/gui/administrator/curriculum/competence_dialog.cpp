@@ -18,6 +18,7 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/dialog_height.h"
 #include "app/gui/widgets/form.h"
 #include "app/recording/competence_text.h"
 #include "sim/base/angle.h"
@@ -62,7 +63,8 @@ CompetenceDialog::CompetenceDialog(ShellContext& shell, const CurriculumVersionI
       falsePass_(shareField(this, "false-pass")),
       falseFail_(shareField(this, "false-fail")),
       reason_(new QLineEdit(this)),
-      preview_(sentence(this, false)) {
+      preview_(sentence(this, false)),
+      form_(new QFormLayout) {
   build();
   fillCohorts(cohort_, shell_.session());
   read();
@@ -87,27 +89,26 @@ void CompetenceDialog::build() {
   auto* experts = new QHBoxLayout;
   experts->addWidget(cohort_, 1);
   experts->addWidget(take_);
-  auto* form = new QFormLayout;
-  form->addRow(tr("E&xercise"), exercise_);
-  form->addRow(tr("Counts now"), inForce_);
-  form->addRow(tr("Tolerance &comes"), source_);
-  form->addRow(tr("&Tolerance"), tolerance_);
-  form->addRow(tr("Experts: people of"), experts);
-  form->addRow(QString(), standard_);
-  form->addRow(tr("Failures of somebody &able"), adequate_);
-  form->addRow(tr("Failures of somebody &not able"), inadequate_);
-  form->addRow(tr("Attempts &planned"), attempts_);
-  form->addRow(tr("Most that pass &wrongly"), falsePass_);
-  form->addRow(tr("Most that &fail wrongly"), falseFail_);
-  form->addRow(tr("&Reason"), reason_);
-  form->addRow(tr("What it does"), preview_);
+  form_->addRow(tr("E&xercise"), exercise_);
+  form_->addRow(tr("Counts now"), inForce_);
+  form_->addRow(tr("Tolerance &comes"), source_);
+  form_->addRow(tr("&Tolerance"), tolerance_);
+  form_->addRow(tr("Experts: people of"), experts);
+  form_->addRow(QString(), standard_);
+  form_->addRow(tr("Failures of somebody &able"), adequate_);
+  form_->addRow(tr("Failures of somebody &not able"), inadequate_);
+  form_->addRow(tr("Attempts &planned"), attempts_);
+  form_->addRow(tr("Most that pass &wrongly"), falsePass_);
+  form_->addRow(tr("Most that &fail wrongly"), falseFail_);
+  form_->addRow(tr("&Reason"), reason_);
+  form_->addRow(tr("What it does"), preview_);
   auto* column = new QVBoxLayout(this);
   auto* rule = sentence(this);
   rule->setText(
       tr("An attempt is a completed twist, or an untwisting. A design never changes; a new one counts for "
          "trainees who begin after it was registered."));
   column->addWidget(rule);
-  column->addLayout(form);
+  column->addLayout(form_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   register_ = buttons->addButton(tr("Register"), QDialogButtonBox::ActionRole);
   register_->setObjectName(QStringLiteral("register"));
@@ -162,6 +163,7 @@ void CompetenceDialog::showExercise() {
   falseFail_->setValue(100.0 * newest.falseFailMost);
   reason_->clear();
   standard_->clear();
+  form_->setRowVisible(standard_, false);
   filling_ = false;
   showPreview();
 }
@@ -220,6 +222,7 @@ void CompetenceDialog::showPreview() {
   preview_->setText(said);
   setLook(preview_, "caution", !ready);
   register_->setEnabled(ready);
+  growToSentences(this);
 }
 
 bool CompetenceDialog::takeFromExperts() {
@@ -234,6 +237,7 @@ bool CompetenceDialog::takeFromExperts() {
             .arg(found.mean, 0, 'f', 2)
             .arg(found.oneDeviation, 0, 'f', 2)
             .arg(found.toleranceBound, 0, 'f', 2));
+    form_->setRowVisible(standard_, true);
     tolerance_->setValue(found.toleranceBound);
     showPreview();
   });

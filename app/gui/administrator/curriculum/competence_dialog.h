@@ -10,6 +10,7 @@
 
 class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -60,6 +61,7 @@ class CompetenceDialog : public QDialog {
   QDoubleSpinBox* falseFail_;
   QLineEdit* reason_;
   QLabel* preview_;
+  QFormLayout* form_;
   QPushButton* register_ = nullptr;
 };
 

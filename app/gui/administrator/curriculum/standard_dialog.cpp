@@ -13,6 +13,7 @@
 
 #include "app/base/csv_table.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/dialog_height.h"
 #include "app/gui/widgets/form.h"
 #include "app/study/standard_tables.h"
 #include "assessment/statistics/standard_setting.h"
@@ -141,6 +142,12 @@ void StandardDialog::showMethod() {
 }
 
 void StandardDialog::showAnswer() {
+  readAnswer();
+  growToSentences(this);
+}
+
+void StandardDialog::readAnswer() {
+  setLook(answer_, "caution", false);
   const QString text = table_->toPlainText();
   if (text.trimmed().isEmpty()) {
     answer_->setText(tr("Paste the table above, with its first line as in the example."));
@@ -157,6 +164,7 @@ void StandardDialog::showAnswer() {
                                           borderline_->value())
                          : contrastingText(CsvTable::parse(bytes, name, {"subject", "group", "score"})));
   } catch (const Error& error) {
+    setLook(answer_, "caution", true);
     answer_->setText(tr("%1: %2").arg(translated(error).details, translatedLine(error)));
   }
 }

@@ -22,6 +22,7 @@ class StandardDialog : public QDialog {
  private:
   void showMethod();
   void showAnswer();
+  void readAnswer();
 
   QComboBox* method_;
   QLabel* asks_;

@@ -11,6 +11,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "app/gui/widgets/dialog_height.h"
 #include "app/gui/widgets/form.h"
 #include "assessment/statistics/power.h"
 
@@ -118,11 +119,14 @@ PowerDialog::PowerDialog(QWidget* parent)
 
 void PowerDialog::showAnswer() {
   const int design = design_->currentIndex();
-  for (QWidget* of :
-       {static_cast<QWidget*>(groups_), static_cast<QWidget*>(effect_), static_cast<QWidget*>(power_),
-        static_cast<QWidget*>(alpha_), static_cast<QWidget*>(correlation_)}) {
+  for (QDoubleSpinBox* of : {effect_, power_, alpha_}) {
     form_->setRowVisible(of, design != kAgreement);
   }
+  form_->setRowVisible(groups_, design == kSeveralGroups);
+  form_->setRowVisible(correlation_, design == kTwoGroups || design == kSeveralGroups);
+  qobject_cast<QLabel*>(form_->labelForField(atHand_))
+      ->setText(design == kTwoGroups || design == kSeveralGroups ? tr("Trainees at &hand, each group")
+                                                                 : tr("Trainees at &hand"));
   for (QWidget* of :
        {static_cast<QWidget*>(icc_), static_cast<QWidget*>(width_), static_cast<QWidget*>(raters_)}) {
     form_->setRowVisible(of, design == kAgreement);
@@ -133,8 +137,6 @@ void PowerDialog::showAnswer() {
   }
   const int groups = groups_->value();
   const double n = atHand_->value();
-  groups_->setEnabled(design == kSeveralGroups);
-  correlation_->setEnabled(design != kBeforeAfter);
   const double size = sizeOf(design, groups, effect_->value(), power_->value(), alpha_->value());
   const auto whole = [](double needed) { return static_cast<int>(std::ceil(needed)); };
   needed_->setText(design == kBeforeAfter
@@ -146,6 +148,7 @@ void PowerDialog::showAnswer() {
                       .arg(powerOf(design, groups, n, effect_->value(), alpha_->value()), 0, 'f', 2)
                       .arg(power_->value(), 0, 'f', 2)
                       .arg(detectableOf(design, groups, n, power_->value(), alpha_->value()), 0, 'f', 2));
+  growToSentences(this);
 }
 
 void PowerDialog::showAgreement() {
@@ -162,6 +165,7 @@ void PowerDialog::showAgreement() {
   shown_->setText(sizeFor(raters) <= atHand_->value()
                       ? tr("%1 raters are enough for this width").arg(raters)
                       : tr("too few for this width, however many raters score them"));
+  growToSentences(this);
 }
 
 }  // namespace torsio::gui
