@@ -114,6 +114,7 @@ class MainWindow : public QWidget {
   void tellKept();
   void tryPassword(const QString& login, const QString& password);
   void tryPin(const QString& login, const QString& pin);
+  void tryCode(const QString& code);
   void enterAsGuest();
   void took(const SignInAnswer& answer, const QString& login, const QString& password);
   void changePassword(const QString& login, const QString& oldPassword, const QString& newPassword);
@@ -154,6 +155,7 @@ class MainWindow : public QWidget {
   bool mayClose_ = true;
   ThemeKind theme_ = ThemeKind::kLight;
   QString centre_;
+  bool cardsOpen_ = false;  // the kiosk takes cards, as the centre chose when the record was opened
   QLabel* idleWarning_;
   QLabel* awayBanner_;
   QStackedWidget* stack_;

@@ -40,6 +40,7 @@ class StationSettingsCard : public Card {
   QSpinBox* lock_;
   QCheckBox* mouse_;
   QCheckBox* two_;
+  QCheckBox* cards_;
   QLabel* signLabel_;
   QSpinBox* sign_;
   QLabel* note_;
