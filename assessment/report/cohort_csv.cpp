@@ -6,6 +6,7 @@
 
 #include "assessment/report/aggregated_inputs.h"
 #include "assessment/report/analysis_tables.h"
+#include "assessment/report/csv_rows.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
 #include "assessment/report/shown_inputs.h"
@@ -16,56 +17,7 @@ namespace torsio {
 
 namespace {
 
-std::string joinFlags(const std::vector<Text>& common, const std::vector<std::string>& own) {
-  std::vector<Text> all = common;
-  all.insert(all.end(), own.begin(), own.end());
-  return listed(all, Text::tr("%1; %2")).str();
-}
-
-/// Collects rows that share their place and differ in statistic and value.
-class Rows {
- public:
-  explicit Rows(std::vector<CohortCsvRow>& out) : out_(out) {}
-
-  CohortCsvRow place;
-
-  /// What is no number: a hash.
-  void addText(const std::string& statistic, const std::string& value, std::int64_t n) {
-    CohortCsvRow row = place;
-    row.statistic = statistic;
-    row.value = value;
-    row.n = std::to_string(n);
-    out_.push_back(row);
-  }
-
-  void addInterval(const std::string& statistic, double value, const std::optional<Interval>& interval,
-                   std::int64_t n) {
-    add(statistic, value, n);
-    if (!interval) {
-      return;
-    }
-    add(statistic + "_lower_95", interval->lower, n);
-    add(statistic + "_upper_95", interval->upper, n);
-  }
-
-  void add(const std::string& statistic, const std::optional<double>& value, std::int64_t n) {
-    CohortCsvRow row = place;
-    row.statistic = statistic;
-    if (value) {
-      row.value = formatExact(*value);
-    }
-    row.n = std::to_string(n);
-    if (!value) {
-      row.flags += row.flags.empty() ? "undefined" : "; undefined";
-    }
-    out_.push_back(row);
-  }
-
- private:
-  std::vector<CohortCsvRow>& out_;
-};
-
-void addStatistics(Rows& rows, const ScoreStatistics& s) {
+void addStatistics(CsvRows& rows, const ScoreStatistics& s) {
   rows.add("M", s.m, s.n);
   rows.add("s2_eq26_divisor_n", s.s2, s.n);
   rows.add("min", s.min, s.n);
@@ -82,7 +34,7 @@ void addEvaluation(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
   const std::vector<Text> common = commonFlags(in);
   for (std::size_t k = 0; k < in.evaluations.size(); ++k) {
     const ModelEvaluation& model = in.evaluations[k];
-    Rows rows(out);
+    CsvRows rows(out);
     rows.place.section = "evaluation";
     rows.place.item = "all";
     rows.place.model = model.model;
@@ -116,7 +68,7 @@ void addEvaluation(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
 }
 
 void addTraining(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
-  Rows rows(out);
+  CsvRows rows(out);
   rows.place.section = "training";
   rows.place.flags = joinFlags(commonFlags(in), {});
   for (const GroupSummary& s : in.summaries) {
@@ -148,7 +100,7 @@ void addTraining(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
 }
 
 void addTrials(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
-  Rows rows(out);
+  CsvRows rows(out);
   rows.place.section = "trial";
   for (const TrialSummaryRow& trial : in.trials) {
     rows.place.item = trial.trainee;
@@ -185,7 +137,7 @@ void addTrials(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
 }
 
 void addAgreement(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
-  Rows rows(out);
+  CsvRows rows(out);
   rows.place.section = "agreement";
   rows.place.item = "all";
   for (std::size_t t = 0; t < study.occasions.size(); ++t) {
@@ -213,7 +165,7 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, std::vect
   if (!study.ancova) {
     return;
   }
-  Rows rows(out);
+  CsvRows rows(out);
   rows.place.section = "comparison";
   rows.place.item = "all";
   rows.place.occasion = in.occasions.back().str();
@@ -250,7 +202,7 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, std::vect
 }
 
 void addCompetence(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
-  Rows rows(out);
+  CsvRows rows(out);
   rows.place.section = "competence";
   for (const CohortCompetence& one : in.competence) {
     rows.place.item = one.trainee;
@@ -274,7 +226,7 @@ void addCompetence(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
 
 /// The comparison where marks are missing: the mixed model, and how far the missing ones could move it.
 void addMixedModel(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
-  Rows rows(out);
+  CsvRows rows(out);
   rows.place.section = "comparison";
   rows.place.item = "all";
   rows.place.occasion = in.occasions.back().str();
@@ -299,7 +251,7 @@ void addMixedModel(const CohortInputs& in, const StudyAnalysis& study, std::vect
 }
 
 void addDeviations(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
-  Rows rows(out);
+  CsvRows rows(out);
   rows.place.section = "deviation";
   rows.place.flags = joinFlags(commonFlags(in), {});
   for (const CohortDeviation& deviation : in.deviations) {
@@ -311,6 +263,9 @@ void addDeviations(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
 
 /// What an aggregated table may hold: summaries over at least kSmallestCell.
 bool isAggregate(const CohortCsvRow& row) {
+  if (row.section == "scoring_sheet" || row.section == "record") {
+    return true;
+  }
   if (row.item != "all" || row.section == "deviation" || row.section == "trial") {
     return false;
   }
@@ -318,6 +273,21 @@ bool isAggregate(const CohortCsvRow& row) {
 }
 
 }  // namespace
+
+std::string joinFlags(const std::vector<Text>& common, const std::vector<std::string>& own) {
+  std::vector<Text> all = common;
+  all.insert(all.end(), own.begin(), own.end());
+  return listed(all, Text::tr("%1; %2")).str();
+}
+
+std::string numberAddress(const CohortCsvRow& row) {
+  std::string address;
+  for (const std::string* field :
+       {&row.section, &row.item, &row.group, &row.model, &row.index, &row.occasion, &row.statistic}) {
+    address += (field == &row.section ? "" : ",") + csvCell(*field);
+  }
+  return address;
+}
 
 std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
   std::vector<Text> left;
@@ -329,6 +299,7 @@ std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
   std::vector<CohortCsvRow> rows;
   addEvaluation(in, rows);
   addTraining(in, rows);
+  addCriteriaRows(in, rows);
   if (!in.trainingMarks.empty()) {
     const StudyAnalysis study = analyseStudy(in);
     addAgreement(in, study, rows);
@@ -339,7 +310,7 @@ std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
   addCompetence(in, rows);
   addDeviations(in, rows);
   if (inputs.sheetsAsked > inputs.sheetsPresent) {
-    Rows sheets(rows);
+    CsvRows sheets(rows);
     sheets.place.section = "training";
     sheets.place.item = "all";
     sheets.place.flags = joinFlags(commonFlags(in), {});
@@ -347,15 +318,22 @@ std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
     sheets.add("sheets_present", static_cast<double>(inputs.sheetsPresent), inputs.sheetsAsked);
   }
   if (!in.auditHead.empty()) {
-    Rows record(rows);
+    CsvRows record(rows);
     record.place.section = "record";
     record.place.item = "audit_trail";
     record.place.flags = formatUtc(in.createdUtc_us);
     record.addText("head", in.auditHead, in.auditEntries);
   }
+  if (!in.programHash.empty()) {
+    CsvRows record(rows);
+    record.place.section = "record";
+    record.place.item = "program";
+    record.place.model = in.softwareVersion;
+    record.addText("file_blake2b", in.programHash, 1);
+  }
   if (!inputs.singleMarks) {
     std::erase_if(rows, [](const CohortCsvRow& row) {
-      return row.statistic == "mark" || row.statistic == "rater_mark";
+      return row.statistic == "mark" || row.statistic == "rater_mark" || row.statistic == "criterion_mark";
     });
   }
   if (aggregated) {

@@ -28,6 +28,7 @@
 #include "app/people/roster_import.h"
 #include "app/recording/competence_service.h"
 #include "app/recording/trial_digests.h"
+#include "app/reporting/cell_trace.h"
 #include "app/reporting/coded_tables.h"
 #include "app/reporting/report_data.h"
 #include "app/reporting/report_export.h"
@@ -340,6 +341,8 @@ std::vector<ServiceCall> reportingCalls() {
       {O::kPersonExport, "personRequests", [](SessionContext& w, Path) { (void)personRequests(w); }},
       {O::kPersonExport, "answerPersonRequest",
        [](SessionContext& w, Path) { answerPersonRequest(w, kNoSuch, true, "why"); }},
+      {O::kResultsCompute, "traceNumber",
+       [](SessionContext& w, Path) { (void)traceNumber(w, kNoSuch, {}, "training,all"); }},
       {O::kReportExportCoded, "exportReport, coded",
        [](SessionContext& w, Path folder) { takeOut(w, ReportIdentity::kCoded, folder); }},
       {O::kReportExportNamed, "exportReport, named",
