@@ -21,7 +21,7 @@ struct ReportArguments {
 };
 
 nlohmann::ordered_json jsonOf(const TraceStep& step) {
-  nlohmann::ordered_json json{{"what", step.what}, {"value", step.value}};
+  nlohmann::ordered_json json{{"what", step.what.str()}, {"value", step.value}};
   for (const TraceStep& part : step.madeOf) {
     json["made_of"].push_back(jsonOf(part));
   }
@@ -29,7 +29,7 @@ nlohmann::ordered_json jsonOf(const TraceStep& step) {
 }
 
 void print(const TraceStep& step, const std::string& indent) {
-  std::cout << indent << step.what << (step.value.empty() ? "" : " = " + step.value) << "\n";
+  std::cout << indent << step.what.str() << (step.value.empty() ? "" : " = " + step.value) << "\n";
   for (const TraceStep& part : step.madeOf) {
     print(part, indent + "  ");
   }

@@ -97,6 +97,9 @@ void sortByCode(CohortInputs& in) {
   }
   sortBy(in.trainingMarks,
          [](const TrainingMark& one) { return std::tuple(one.trainee, one.occasion, one.rater); });
+  sortBy(in.criterionMarks, [](const CriterionMark& one) {
+    return std::tuple(one.trainee, one.occasion, one.rater, one.criterion);
+  });
   sortBy(in.trials, [](const TrialSummaryRow& one) { return one.trainee; });
   sortBy(in.competence, [](const CohortCompetence& one) { return one.trainee; });
   sortBy(in.deviations,
@@ -156,6 +159,10 @@ CohortInputs pseudonymised(CohortInputs in, std::map<TrialId, std::int64_t>& sta
     person(one.trainee);
     rater(one.rater);
   }
+  for (CriterionMark& one : in.criterionMarks) {
+    person(one.trainee);
+    rater(one.rater);
+  }
   for (CohortDose& one : in.doses) {
     person(one.trainee);
   }
@@ -177,11 +184,14 @@ CohortInputs pseudonymised(CohortInputs in, std::map<TrialId, std::int64_t>& sta
   if (in.freeze) {
     in.freeze->frozenBy = names.of("A", in.freeze->frozenBy);
   }
-  if (!withFreeText) {  // names of cohorts and data sets, and descriptions
+  if (!withFreeText) {  // names of cohorts, data sets and scoring sheets, and descriptions
     in.title = CohortInputs().title;
     in.facts.clear();
     if (in.freeze) {
       in.freeze->name = names.of("F", in.freeze->name);
+    }
+    for (ReportedSheet& sheet : in.sheets) {
+      sheet.name = names.of("S", sheet.name);
     }
   }
   in.allocation.seed = 0;

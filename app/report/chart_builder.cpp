@@ -28,6 +28,8 @@ namespace torsio {
 namespace {
 
 constexpr std::size_t kFewPoints = 14;  // lines with no more points carry markers
+constexpr double kFaint = 0.5;          // share of the colour of individual courses
+constexpr double kCloud = 0.6;          // and of the dots of a cloud
 
 constexpr std::array kMarkers{
     QScatterSeries::MarkerShapeCircle,   QScatterSeries::MarkerShapeRectangle,
@@ -214,7 +216,7 @@ class Builder {
       auto* line = new QLineSeries;
       QColor colour = seriesColour(number, look_);
       if (series.faint) {
-        colour.setAlpha(130);
+        colour = paled(colour, kFaint, look_);
       }
       QPen pen(colour, series.faint ? 1.1 : 2.2);
       pen.setStyle(static_cast<Qt::PenStyle>(Qt::SolidLine + static_cast<int>(number % 4)));
@@ -261,9 +263,7 @@ class Builder {
     for (std::size_t s = 0; s < figure_.series.size(); ++s) {
       const FigureSeries& series = figure_.series[s];
       auto* dots = marks(lookOf(s), series.name, series.y.size() > 150 ? 4.5 : 6.5);
-      QColor fill = seriesColour(lookOf(s), look_);
-      fill.setAlpha(150);
-      dots->setColor(fill);
+      dots->setColor(paled(seriesColour(lookOf(s), look_), kCloud, look_));
       for (std::size_t i = 0; i < series.y.size(); ++i) {
         if (series.y[i]) {
           dots->append(series.x[i], *series.y[i]);

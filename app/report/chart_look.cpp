@@ -30,6 +30,10 @@ QColor seriesColour(std::size_t i, const ChartLook& look) {
   return look.dark ? kOnDark[i % kOnDark.size()] : kOnWhite[i % kOnWhite.size()];
 }
 
+QColor paled(const QColor& colour, double share, const ChartLook& look) {
+  return between(look.ground, colour, share);
+}
+
 QBrush seriesFill(std::size_t i, const ChartLook& look) {
   // In grey, and in print where the patterns are fine: full, light, half.
   static const std::array<Qt::BrushStyle, 6> kPatterns{Qt::SolidPattern,  Qt::BDiagPattern,

@@ -21,6 +21,9 @@ struct ChartLook {
 /// Colour of series `i`: told apart by colour-blind readers (after Okabe and Ito). Pattern, dash and marker
 /// tell the series apart in grey.
 [[nodiscard]] QColor seriesColour(std::size_t i, const ChartLook& look = {});
+/// A colour that lets the ground through, without transparency, which archive files may not have. `share` of
+/// the colour: 0 to 1.
+[[nodiscard]] QColor paled(const QColor& colour, double share, const ChartLook& look);
 /// Fill of a bar: neighbouring series differ in pattern, not in colour alone.
 [[nodiscard]] QBrush seriesFill(std::size_t i, const ChartLook& look = {});
 /// Shade of a heat map, `at` from 0 (lowest) to 1: lightness falls evenly, so that it reads in grey.

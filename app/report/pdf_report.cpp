@@ -56,19 +56,22 @@ class Composer {
  public:
   Composer(PageFlow& flow, const Wording& wording) : flow_(flow), say_(wording) {}
 
-  void title(const ReportModel& model) {
-    flow_.add(30.0, [](QPainter& painter, const QRectF& area, double unit) {
-      painter.fillRect(QRectF(area.left(), area.top() + 12.0 * unit, 18.0 * unit, 1.6 * unit), kAccent);
+  /// `whole`: a page of its own; else something stands below that has to fit the page.
+  void title(const ReportModel& model, bool whole) {
+    const double above_mm = whole ? 12.0 : 2.0;
+    flow_.add(above_mm + (whole ? 18.0 : 4.0), [above_mm](QPainter& painter, const QRectF& area,
+                                                          double unit) {
+      painter.fillRect(QRectF(area.left(), area.top() + above_mm * unit, 18.0 * unit, 1.6 * unit), kAccent);
     });
-    flow_.text(say_(model.title), 24.0, true, kAccent);
-    flow_.space(2.0);
-    flow_.text(say_(model.subtitle), 13.0, false, kQuietInk);
-    flow_.space(8.0);
+    flow_.text(say_(model.title), whole ? 24.0 : 17.0, true, kAccent);
+    flow_.space(whole ? 2.0 : 1.0);
+    flow_.text(say_(model.subtitle), whole ? 13.0 : 10.0, false, kQuietInk);
+    flow_.space(whole ? 8.0 : 3.0);
     if (model.demonstration) {
       flow_.text(say_(Text::tr("Demonstration: the people, their movements and all marks in this report are "
                                "simulated. Nothing in it is a result about real trainees.")),
-                 10.5, true, kWarningInk);
-      flow_.space(6.0);
+                 whole ? 10.5 : 8.5, true, kWarningInk);
+      flow_.space(whole ? 6.0 : 3.0);
     }
   }
 
@@ -88,14 +91,15 @@ class Composer {
   }
 
   void section(const ReportSection& section) {
-    flow_.text(say_(section.title), 16.0, true, kAccent, 20.0);
+    const double gap_mm = section.onFirstPage ? 1.2 : 2.0;
+    flow_.text(say_(section.title), section.onFirstPage ? 13.0 : 16.0, true, kAccent, 20.0);
     flow_.bookmark(say_(section.title), 0);
-    flow_.space(2.5);
+    flow_.space(gap_mm);
     for (const Text& paragraph : section.paragraphs) {
       flow_.text(say_(paragraph), 9.5);
-      flow_.space(2.0);
+      flow_.space(gap_mm);
     }
-    flow_.space(2.0);
+    flow_.space(gap_mm);
     for (const ReportFigure& figure : section.figures) {
       addFigure(figure);
     }
@@ -125,7 +129,8 @@ class Composer {
 
   void addFigure(const ReportFigure& figure) {
     const ReportTable twin = figureTable(figure, kTableDecimals);
-    const bool printed = twin.rows.size() <= kLongestTwin && twin.columns.size() <= kWidestTwin;
+    const bool printed =
+        !figure.valuesInLabels && twin.rows.size() <= kLongestTwin && twin.columns.size() <= kWidestTwin;
     const PlainTable values = printed ? plain(twin) : PlainTable{};
     const TableLayout layout = printed ? flow_.layOut(values) : TableLayout{};
     const double height_mm = heightOf(figure);
@@ -148,7 +153,7 @@ class Composer {
     if (printed) {
       flow_.table(values, layout, notesHeight_mm(figure.notes, figure.provenance));
       flow_.space(1.0);
-    } else {
+    } else if (!figure.valuesInLabels) {
       QString line = say_(Text::tr("The %1 values drawn are too many to print here.",
                                    twin.rows.size() * (twin.columns.size() - 1)));
       if (!figure.valuesStand.empty()) {
@@ -204,17 +209,12 @@ class Composer {
   const Wording& say_;
 };
 
-/// What is to be signed stands on the first page, under the title.
-bool isSigned(const ReportSection& section) {
-  return std::any_of(section.tables.begin(), section.tables.end(),
-                     [](const ReportTable& table) { return table.id == "table-signatures"; });
-}
-
 void compose(PageFlow& flow, const ReportModel& model, const Wording& wording) {
   Composer composer(flow, wording);
-  composer.title(model);
   auto next = model.sections.begin();
-  if (next != model.sections.end() && isSigned(*next)) {
+  const bool board = next != model.sections.end() && next->onFirstPage;
+  composer.title(model, !board);
+  if (board) {
     composer.section(*next++);
     flow.newPage();
   }
@@ -249,6 +249,7 @@ void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
   {
     const QString version = QString::fromStdString(model.softwareVersion);
     QPdfWriter writer(QString::fromStdString(part.path().string()));
+    writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b);
     writer.setResolution(kResolution_dpi);
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(QMarginsF(0, 0, 0, 0));
@@ -260,8 +261,10 @@ void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
     style.headerText = wording(model.title);
     style.footerText = QStringLiteral("Torsio %1  |  %2").arg(version, created);
     if (!model.number.empty()) {
-      style.reference = wording(Text::tr("Report %1  |  numbers %2\naudit trail %3", model.number,
-                                         model.numbersHash, model.auditHead));
+      style.reference = wording(model.auditHead.empty()
+                                    ? Text::tr("Report %1  |  numbers %2", model.number, model.numbersHash)
+                                    : Text::tr("Report %1  |  numbers %2\naudit trail %3", model.number,
+                                               model.numbersHash, model.auditHead));
     }
     if (model.demonstration) {
       style.watermark = wording(Text::tr("DEMONSTRATION DATA - SIMULATED"));

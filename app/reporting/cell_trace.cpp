@@ -14,6 +14,7 @@
 #include "app/recording/trial_digests.h"
 #include "app/reporting/report_names.h"
 #include "app/scoring/cohort_inputs.h"
+#include "app/scoring/cohort_occasions.h"
 #include "app/scoring/scoring_service.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/rating/assignment.h"
@@ -34,6 +35,7 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/refusal.h"
+#include "sim/base/text_list.h"
 
 namespace torsio {
 
@@ -46,30 +48,39 @@ std::array<std::string, 7> addressOf(const Row& row) {
 }
 
 /// "score of T-07, after 40 min".
-std::string nameOf(const Row& row) {
-  std::string name = row.statistic;
+Text nameOf(const Row& row) {
+  std::vector<Text> parts;
   for (const std::string* part : {&row.item, &row.group, &row.model, &row.index, &row.occasion}) {
     if (!part->empty() && *part != "all") {
-      name += (name == row.statistic ? " of " : ", ") + *part;
+      parts.emplace_back(*part);
     }
   }
-  return name;
+  return parts.empty() ? Text(row.statistic) : Text::tr("%1 of %2", row.statistic, listed(parts));
+}
+
+/// A report with names says "T-07 Li Na" where the record says "T-07".
+std::string codeOf(const std::string& item) {
+  return item.substr(0, item.find(' '));
+}
+
+/// What the command line follows: everything, under codes.
+CohortInputs wholeInputs(Connection& connection, const CohortId& cohortId, const CampaignId& campaignId) {
+  const CampaignResult campaign =
+      campaignId.empty() ? CampaignResult{} : readCampaign(connection, campaignId);
+  CohortInputs inputs = cohortInputs(connection, cohortId, campaign, readTraining(connection, cohortId));
+  inputs.trials = TrialDigests(assetsFolder()).read(connection, cohortId, 0);
+  return inputs;
 }
 
 /// Walks from a row of the table to the rows and the rows of the record that it was made of.
 class Tracer {
  public:
-  Tracer(Connection& connection, const CohortId& cohortId, const CampaignId& campaignId)
-      : sheets_(connection), trials_(connection) {
-    const CampaignResult campaign =
-        campaignId.empty() ? CampaignResult{} : readCampaign(connection, campaignId);
-    const TrainingResult training = readTraining(connection, cohortId);
-    CohortInputs inputs = cohortInputs(connection, cohortId, campaign, training);
-    inputs.trials = TrialDigests(assetsFolder()).read(connection, cohortId, 0);
-    rows_ = cohortCsvRows(inputs);
-    const std::vector<Text> names = occasionTexts(training.occasions);
+  Tracer(Connection& connection, const CohortId& cohortId, const CohortInputs& inputs)
+      : sheets_(connection), trials_(connection), rows_(cohortCsvRows(inputs)), program_(inputs.programHash) {
+    const Occasions occasions = occasionsOfCohort(connection, cohortId);
+    const std::vector<Text> names = occasionTexts(occasions);
     for (std::size_t i = 0; i < names.size(); ++i) {
-      occasionCode_[names[i].str()] = training.occasions.at(i).code;
+      occasionCode_[names[i].str()] = occasions.at(i).code;
     }
     marks_ = RatingRepository(connection).marks(cohortId);
     for (LiveCall& call : CallRepository(connection).calls(cohortId)) {
@@ -89,8 +100,12 @@ class Tracer {
     if (typed.size() == 1 && typed.front().values.size() >= wanted.size()) {
       std::copy_n(typed.front().values.begin(), wanted.size(), wanted.begin());
       for (const Row& row : rows_) {
-        if (addressOf(row) == wanted) {
-          return step(row);
+        if (numberAddress(row) == cell || addressOf(row) == wanted) {
+          TraceStep found = step(row);
+          if (!program_.empty()) {
+            found.madeOf.push_back({Text::tr("program file that computes it (BLAKE2b)"), program_});
+          }
+          return found;
         }
       }
     }
@@ -116,8 +131,14 @@ class Tracer {
         return other.section == section && other.statistic == statistic;
       };
     };
-    if (row.section == "training" && row.statistic == "rater_mark") {
+    if (row.statistic == "rater_mark" || row.statistic == "criterion_mark") {
       step.madeOf = markSteps(row);
+    } else if (row.section == "criterion") {
+      addAll(step, [&, is = same("criterion", row.item == "all" ? "criterion_mean" : "criterion_mark")](
+                       const Row& other) {
+        return is(other) && other.item != "all" && (row.item == "all" || other.item == row.item) &&
+               other.group == row.group && other.model == row.model && other.occasion == row.occasion;
+      });
     } else if (row.section == "training" && row.statistic == "score") {
       addAll(step, [&, is = same("training", "rater_mark")](const Row& other) {
         return is(other) && other.item == row.item && other.occasion == row.occasion;
@@ -147,40 +168,50 @@ class Tracer {
     } else if (row.section == "trial") {
       step.madeOf.push_back(recordingStep(row.value));
     }
+    if (step.madeOf.empty() && (row.section == "training" || row.section == "criterion")) {
+      step.madeOf.push_back({Text::tr("not shown to you one by one; so many"), row.n});
+    }
     return step;
   }
 
   TraceStep recordingStep(const TrialId& trialId) {
-    TraceStep step{"recording", trialId};
-    const Trial trial = trials_.load(trialId);
-    step.madeOf = {{"content hash", trial.summary.contentHash},
-                   {"recorded by program version", trial.header.softwareVersion},
-                   {"device", trial.header.deviceModel},
-                   {"started", formatUtc(trial.header.startedUtc_us)},
-                   {"organ", trial.header.sceneId + ", " + trial.header.organHash},
-                   {"parameters of the model", trial.header.parameterHash}};
+    const auto [known, first] = recordings_.try_emplace(trialId);
+    TraceStep& step = known->second;
+    if (first) {
+      const Trial trial = trials_.load(trialId);
+      step = {Text::tr("recording"),
+              trialId,
+              {{Text::tr("content hash"), trial.summary.contentHash},
+               {Text::tr("recorded by program version"), trial.header.softwareVersion},
+               {Text::tr("device"), trial.header.deviceModel},
+               {Text::tr("started"), formatUtc(trial.header.startedUtc_us)},
+               {Text::tr("organ"), trial.header.sceneId + ", " + trial.header.organHash},
+               {Text::tr("parameters of the model"), trial.header.parameterHash}}};
+    }
     return step;
   }
 
   /// What stands behind one mark of one rater.
   std::vector<TraceStep> markSteps(const Row& row) {
     const auto mark = std::find_if(marks_.begin(), marks_.end(), [&](const SubmittedMark& one) {
-      return one.traineeCode == row.item && one.raterCode == row.index &&
+      return one.traineeCode == codeOf(row.item) && one.raterCode == row.index &&
              one.occasionCode == occasionCode_[row.occasion];
     });
     if (mark == marks_.end()) {
       return {};
     }
-    std::vector<TraceStep> steps{{"mark", mark->id},
-                                 {"version", std::to_string(mark->version)},
-                                 {"submitted", formatUtc(mark->submittedUtc_us)}};
+    std::vector<TraceStep> steps{{Text::tr("mark"), mark->id},
+                                 {Text::tr("version"), std::to_string(mark->version)},
+                                 {Text::tr("submitted"), formatUtc(mark->submittedUtc_us)}};
     if (!mark->assignmentId.empty()) {
       addSheet(*mark, steps);
     }
     if (!mark->trialId.empty()) {
       steps.push_back(recordingStep(mark->trialId));
     } else if (const auto call = calls_.find({mark->enrolmentId, mark->occasionCode}); call != calls_.end()) {
-      steps.push_back({"seen live", call->second.room, {{"called", formatUtc(call->second.calledUtc_us)}}});
+      steps.push_back({Text::tr("seen live"),
+                       call->second.room,
+                       {{Text::tr("called"), formatUtc(call->second.calledUtc_us)}}});
     }
     return steps;
   }
@@ -195,20 +226,21 @@ class Tracer {
     if (!rubric) {
       return;
     }
-    steps.push_back({"case", asked->assignment.caseLabel});
-    TraceStep criteria{"scoring sheet",
+    steps.push_back({Text::tr("case"), asked->assignment.caseLabel});
+    TraceStep criteria{Text::tr("scoring sheet"),
                        rubricNames_[rubric->rubricId] + ", revision " + std::to_string(rubric->number)};
     for (const RubricLine& line : rubric->rows) {
       for (const SheetRow& answer : sheet->rows) {
         if (answer.code != line.code) {
           continue;
         }
-        TraceStep criterion{"criterion " + line.label,
+        TraceStep criterion{Text::tr("criterion %1", line.label),
                             answer.score_steps ? formatExact(pointsFromSteps(*answer.score_steps, line.scale))
                                                : "not assessable: " + answer.notAssessableReason};
         for (const RubricAnchor& anchor : line.anchors) {
           criterion.madeOf.push_back(
-              {"anchor " + formatExact(pointsFromSteps(anchor.score_steps, line.scale)), anchor.meaning});
+              {Text::tr("anchor %1", formatExact(pointsFromSteps(anchor.score_steps, line.scale))),
+               anchor.meaning});
         }
         criteria.madeOf.push_back(std::move(criterion));
       }
@@ -219,6 +251,8 @@ class Tracer {
   SheetRepository sheets_;
   TrialRepository trials_;
   std::vector<Row> rows_;
+  std::string program_;
+  std::map<TrialId, TraceStep> recordings_;
   std::vector<SubmittedMark> marks_;
   std::map<std::string, std::string> occasionCode_;  // by its name in the table
   std::map<std::pair<EnrolmentId, std::string>, LiveCall> calls_;
@@ -230,7 +264,14 @@ class Tracer {
 TraceStep traceCell(const TraceRequest& request) {
   Connection connection = openRecord(request.record, OpenMode::kReadOnly);
   const CohortId cohort = cohortNamed(connection, request.cohort);
-  return Tracer(connection, cohort, campaignNamed(connection, request.campaign)).trace(request.cell);
+  const CohortInputs inputs = wholeInputs(connection, cohort, campaignNamed(connection, request.campaign));
+  return Tracer(connection, cohort, inputs).trace(request.cell);
+}
+
+TraceStep traceNumber(SessionContext& session, const CohortId& cohortId, const CohortInputs& inputs,
+                      const std::string& cell) {
+  session.require(Operation::kResultsCompute);
+  return Tracer(session.connection(), cohortId, inputs).trace(cell);
 }
 
 }  // namespace torsio

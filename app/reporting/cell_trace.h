@@ -4,13 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "app/access/session_context.h"
+#include "assessment/report/cohort_report.h"
 #include "sim/base/ids.h"
+#include "sim/base/text.h"
 
 namespace torsio {
 
 /// One step from a number of a report back to what it was made of.
 struct TraceStep {
-  std::string what{};   ///< "score of T-07 after 40 min: mean of the raters' marks"
+  Text what{};          ///< "score of T-07, after 40 min"
   std::string value{};  ///< as it stands in the table; empty: none
   std::vector<TraceStep> madeOf{};
 };
@@ -27,5 +30,11 @@ struct TraceRequest {
 /// Follows a number to its marks, criteria, revision of the scoring sheet, recording and program. Throws
 /// Error{kBadParameter}: no such cohort, campaign or cell; DbError.
 [[nodiscard]] TraceStep traceCell(const TraceRequest& request);
+
+/// Follows a number of a report that was made of `inputs`, as far as its reader may look: where single marks
+/// are not shown, it ends at how many there are. kResultsCompute. Throws Error{kBadParameter}: the table of
+/// numbers has no such line.
+[[nodiscard]] TraceStep traceNumber(SessionContext& session, const CohortId& cohortId,
+                                    const CohortInputs& inputs, const std::string& cell);
 
 }  // namespace torsio

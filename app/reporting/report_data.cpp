@@ -126,6 +126,9 @@ void nameTrainees(SessionContext& session, CohortInputs& inputs) {
   for (TrainingMark& mark : inputs.trainingMarks) {
     rename(mark.trainee);
   }
+  for (CriterionMark& mark : inputs.criterionMarks) {
+    rename(mark.trainee);
+  }
   for (TrialSummaryRow& trial : inputs.trials) {
     rename(trial.trainee);
   }

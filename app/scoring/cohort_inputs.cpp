@@ -3,19 +3,25 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "app/base/build_info.h"
 #include "assessment/people/person.h"
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/campaign.h"
+#include "assessment/rating/mark.h"
+#include "assessment/rating/rubric.h"
 #include "assessment/study/allocation.h"
 #include "assessment/study/allocation_entry.h"
 #include "assessment/study/cohort.h"
 #include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -149,6 +155,74 @@ void addTimes(StudyRepository& study, const CohortId& cohortId, CohortInputs& in
   }
 }
 
+/// A scoring sheet in points and words.
+ReportedSheet reported(const RubricRevision& revision, const std::string& name) {
+  ReportedSheet sheet{name, revision.number, {}};
+  for (const RubricLine& line : revision.rows) {
+    ReportedCriterion criterion{line.code,
+                                line.label,
+                                pointsFromSteps(line.scale.lo, line.scale),
+                                pointsFromSteps(line.scale.hi, line.scale),
+                                static_cast<double>(line.weight_milli) / 1000.0,
+                                {}};
+    for (const RubricAnchor& anchor : line.anchors) {
+      criterion.anchors.push_back({pointsFromSteps(anchor.score_steps, line.scale), anchor.meaning});
+    }
+    sheet.criteria.push_back(std::move(criterion));
+  }
+  return sheet;
+}
+
+/// The sheets behind the newest marks, and what they say of each criterion.
+void addCriteria(Connection& connection, const CohortId& cohortId, const Occasions& occasions,
+                 const std::vector<StudyGroup>& groups, CohortInputs& inputs) {
+  SheetRepository sheets(connection);
+  RatingRepository ratings(connection);
+  std::map<RubricId, std::string> names;
+  for (const Rubric& rubric : sheets.rubrics()) {
+    names[rubric.id] = rubric.name;
+  }
+  std::map<RubricRevisionId, std::size_t> sheetOf;
+  std::map<std::pair<std::size_t, std::string>, std::pair<std::size_t, ScoreScale>> criterionOf;
+  const auto sheetFor = [&](const RubricRevisionId& id) {
+    const auto [known, added] = sheetOf.try_emplace(id, inputs.sheets.size());
+    if (added) {
+      const RubricRevision revision = sheets.revision(id).value();
+      for (std::size_t i = 0; i < revision.rows.size(); ++i) {
+        criterionOf[{known->second, revision.rows[i].code}] = {i, revision.rows[i].scale};
+      }
+      inputs.sheets.push_back(reported(revision, names[revision.rubricId]));
+    }
+    return known->second;
+  };
+  const std::map<MarkId, std::vector<MarkRow>> answers = ratings.criteria(cohortId);
+  for (const SubmittedMark& mark : ratings.marks(cohortId)) {
+    const auto rows = answers.find(mark.id);
+    const std::optional<std::size_t> occasion = occasions.positionOf(mark.occasionCode);
+    if (rows == answers.end() || mark.groupCode.empty() || !occasion) {
+      continue;
+    }
+    const auto group = std::find_if(groups.begin(), groups.end(),
+                                    [&](const StudyGroup& one) { return one.code == mark.groupCode; });
+    const std::size_t first = inputs.criterionMarks.size();
+    for (const MarkRow& row : rows->second) {
+      CriterionMark one{.trainee = mark.traineeCode,
+                        .rater = mark.raterCode,
+                        .group = static_cast<std::size_t>(group - groups.begin()),
+                        .occasion = *occasion,
+                        .sheet = sheetFor(row.rubricRevisionId)};
+      const auto& [criterion, scale] = criterionOf.at({one.sheet, row.rowCode});
+      one.criterion = criterion;
+      if (row.score_steps) {
+        one.points = pointsFromSteps(*row.score_steps, scale);
+      }
+      inputs.criterionMarks.push_back(std::move(one));
+    }
+    std::sort(inputs.criterionMarks.begin() + static_cast<std::ptrdiff_t>(first), inputs.criterionMarks.end(),
+              [](const CriterionMark& a, const CriterionMark& b) { return a.criterion < b.criterion; });
+  }
+}
+
 }  // namespace
 
 CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, const CampaignResult& campaign,
@@ -159,9 +233,7 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
     inputs.centre = centre->name;
   }
   inputs.softwareVersion = softwareVersion();
-  if (!programHash().empty()) {
-    inputs.provenance.emplace_back(Text::tr("Program file (BLAKE2b)"), programHash());
-  }
+  inputs.programHash = programHash();
   const std::vector<StudyGroup> groups = study.groups(cohortId);
   addGroups(connection, cohortId, groups, inputs);
   std::map<std::string, Trainee> trainees;
@@ -209,6 +281,7 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
   inputs.notAssessable = training.notAssessable;
   inputs.markWays = training.ways;
   addSheets(connection, cohortId, inputs);
+  addCriteria(connection, cohortId, training.occasions, groups, inputs);
   inputs.evaluationRatersAsked = std::ssize(campaign.campaign.raters);
   for (const CampaignModel& model : campaign.campaign.models) {
     inputs.modelsHidden += !model.hiddenLabel.empty() && model.hiddenLabel != model.code ? 1 : 0;

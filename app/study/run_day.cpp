@@ -10,10 +10,14 @@
 #include "app/devices/station_device.h"
 #include "app/scoring/cohort_occasions.h"
 #include "app/study/cohort_service.h"
+#include "app/study/day_plan.h"
 #include "assessment/rating/assignment.h"
+#include "assessment/rating/live_call.h"
 #include "db/connection/connection.h"
+#include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/slot_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/base/error.h"
@@ -125,6 +129,8 @@ namespace {
 
 /// What is known of a cohort, by enrolment.
 struct Today {
+  std::vector<DaySlot> slots;                ///< half a day to either side
+  std::map<std::string, std::int64_t> seen;  ///< when somebody trained, rested or was called last
   std::map<std::string, std::vector<Exposure>> exposures;
   std::map<std::string, RunningTrial> running;
   std::map<std::string, std::size_t> deviations;
@@ -137,6 +143,18 @@ Today readToday(SessionContext& session, const CohortId& cohortId) {
   for (Exposure& exposure : study.exposures(cohortId)) {
     today.exposures[exposure.enrolmentId].push_back(std::move(exposure));
   }
+  for (const auto& [enrolment, exposures] : today.exposures) {
+    for (const Exposure& exposure : exposures) {
+      std::int64_t& seen_us = today.seen[enrolment];
+      seen_us = std::max(seen_us, exposure.startedUtc_us + exposure.duration_us);
+    }
+  }
+  for (const LiveCall& call : CallRepository(session.connection()).calls(cohortId)) {
+    std::int64_t& seen_us = today.seen[call.enrolmentId];
+    seen_us = std::max(seen_us, call.cancelled ? 0 : call.calledUtc_us);
+  }
+  today.slots = SlotRepository(session.connection())
+                    .between(cohortId, session.now_us() - kHalfDay_us, session.now_us() + kHalfDay_us);
   for (RunningTrial& trial : study.runningTrials(cohortId)) {
     today.running.emplace(trial.enrolmentId, std::move(trial));
   }
@@ -191,6 +209,12 @@ RunDayBoard runDayBoard(SessionContext& session, const CohortId& cohortId) {
       row.runningTrialId = trial->second.trialId;
       row.station = trial->second.station;
       row.runningSinceUtc_us = trial->second.startedUtc_us;
+    }
+    if (const DaySlot* slot = slotAt(today.slots, enrolment.id, board.asOfUtc_us)) {
+      row.slot = *slot;
+      row.overdue = row.state != EnrolmentState::kWithdrawn && row.runningTrialId.empty() &&
+                    board.asOfUtc_us > slot->startsUtc_us + kSlotGrace_us &&
+                    today.seen[enrolment.id] < slot->startsUtc_us - kSlotGrace_us;
     }
     board.rows.push_back(std::move(row));
   }
@@ -263,6 +287,12 @@ std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board) {
           row.occasionDue.code, RunDayAlert{.kind = Kind::kSheetsMissing, .occasion = row.occasionDue});
       alert->second.count += row.sheetsMissing;
     }
+    if (row.overdue) {
+      alerts.push_back({.kind = Kind::kSlotOverdue,
+                        .subject = row.traineeCode,
+                        .station = row.slot->place,
+                        .sinceUtc_us = row.slot->startsUtc_us});
+    }
     if (!row.done && row.progress.restUsed_us > row.restAllowance_us) {
       alerts.push_back({.kind = Kind::kRestTooLong, .subject = row.traineeCode});
     }
@@ -275,6 +305,30 @@ std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board) {
   }
   return alerts;
 }
+
+namespace {
+
+/// Each comes when and where the other was expected; nothing changes unless both are.
+void swapSlots(SessionContext& session, const CohortId& cohortId, const EnrolmentId& one,
+               const EnrolmentId& other) {
+  const std::int64_t now_us = session.now_us();
+  const std::vector<DaySlot> slots = daySlots(session, cohortId, now_us - kHalfDay_us, now_us + kHalfDay_us);
+  const DaySlot* first = slotAt(slots, one, now_us);
+  const DaySlot* second = slotAt(slots, other, now_us);
+  if (first == nullptr || second == nullptr) {
+    return;
+  }
+  SlotRepository repository(session.connection());
+  for (const auto& [slot, comes] : {std::pair(first, other), std::pair(second, one)}) {
+    repository.give(slot->id, comes);
+    session.note({.action = AuditAction::kSlotPlan,
+                  .objectKind = AuditObject::kEnrolment,
+                  .objectId = comes,
+                  .newJson = slotJson(*slot)});
+  }
+}
+
+}  // namespace
 
 void swapTurns(SessionContext& session, const CohortId& cohortId, const EnrolmentId& enrolmentId,
                const EnrolmentId& otherEnrolmentId, const std::string& reason) {
@@ -302,6 +356,7 @@ void swapTurns(SessionContext& session, const CohortId& cohortId, const Enrolmen
                               .description = "turn swapped with " + codes.at(other) +
                                              (reason.empty() ? "" : ": " + reason)});
   }
+  swapSlots(session, cohortId, enrolmentId, otherEnrolmentId);
   transaction.commit();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "app/access/session_context.h"
 #include "assessment/study/cohort.h"
 #include "assessment/study/curriculum.h"
+#include "assessment/study/day_slot.h"
 #include "assessment/study/occasion.h"
 #include "assessment/study/protocol_terms.h"
 #include "assessment/study/station_state.h"
@@ -52,6 +54,8 @@ struct RunDayRow {
   std::string station{};          ///< where it runs
   std::int64_t runningSinceUtc_us = 0;
   std::size_t deviations = 0;
+  std::optional<DaySlot> slot{};  ///< of today that counts now (slotAt()); empty: none planned
+  bool overdue = false;           ///< the slot has begun, the trainee has not
 
   [[nodiscard]] std::int64_t trained_us() const noexcept { return progress.virtual_us + progress.real_us; }
 };
@@ -70,6 +74,7 @@ struct RunDayAlert {
     kDeviceUnfit,    ///< the last check of a device forbids scored runs; `subject` is the station
     kServoUneven,    ///< the last run there had its force cut or ticks skipped; `subject` is the station
     kTrialOpen,      ///< a recording runs on a station that gives no sign of life
+    kSlotOverdue,    ///< the slot has begun, nothing was trained or scored; `station` is the place
     kRestTooLong,    ///< longer than the curriculum allows
     kSheetsMissing,  ///< of an occasion that the exposure has passed
     kNoGroup,        ///< enrolled, but not allocated
@@ -87,9 +92,9 @@ struct RunDayAlert {
 /// by occasion.
 [[nodiscard]] std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board);
 
-/// Two trainees take each other's turn today; their groups stay as they were drawn. A deviation of kind
-/// "swapped" for each, naming the other, both or none. kStudySetup. Throws Error{kBadData} for one and the
-/// same trainee.
+/// Two trainees take each other's turn today, and each other's slot where both have one; their groups stay as
+/// they were drawn. A deviation of kind "swapped" for each, naming the other, both or none. kStudySetup.
+/// Throws Error{kBadData} for one and the same trainee.
 void swapTurns(SessionContext& session, const CohortId& cohortId, const EnrolmentId& enrolmentId,
                const EnrolmentId& otherEnrolmentId, const std::string& reason);
 

@@ -58,6 +58,7 @@ CohortInputs withoutSmallGroups(const CohortInputs& inputs, std::vector<Text>& l
   out.groups = std::move(groups);
   keepGroups(out.trainees, newNumber);
   keepGroups(out.trainingMarks, newNumber);
+  keepGroups(out.criterionMarks, newNumber);
   keepGroups(out.scores, newNumber);
   keepGroups(out.summaries, newNumber);
   keepGroups(out.trials, newNumber);

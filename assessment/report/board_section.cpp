@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "assessment/report/analysis_tables.h"
+#include "assessment/report/cohort_csv.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_labels.h"
 #include "assessment/report/report_sections.h"
@@ -23,6 +24,8 @@ namespace {
 constexpr int kPointDecimals = 1;  // what a mean over ten marks in half points deserves
 constexpr double kSignificant = 0.05;
 constexpr std::size_t kSignatures = 3;
+constexpr std::size_t kNamedAtMost = 10;  // people in one cell
+constexpr std::size_t kRoomyGroups = 3;   // with more of them the page is full
 
 bool opensDirection(const PrimaryDifference& pair) {
   return pair.interval.lower <= 0.0 && pair.interval.upper >= 0.0;
@@ -128,11 +131,12 @@ std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnal
       study.mixed ? Text::tr("linear mixed model, restricted maximum likelihood")
                   : Text::tr("analysis of covariance, one pooled slope"));
   figure.kind = FigureKind::kForest;
+  figure.valuesInLabels = true;
   figure.yLabel = Text::tr("difference (points)");
   FigureSeries series;
   series.name = Text::tr("difference [95 %]");
   for (const PrimaryDifference& pair : pairs) {
-    figure.categories.push_back(pairName(in, pair.first, pair.second));
+    figure.categories.push_back(Text::verbatim("%1: %2", pairName(in, pair.first, pair.second), shown(pair)));
     series.y.emplace_back(pair.value);
     series.low.push_back(pair.interval.lower);
     series.high.push_back(pair.interval.upper);
@@ -143,6 +147,16 @@ std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnal
   figure.provenance.missing = study.endMissing;
   figure.notes = {Text::tr("Intervals are not adjusted for the number of pairs.")};
   return figure;
+}
+
+/// "2 of 10: T-03, T-07".
+Text ableOf(const CohortInputs& in, const std::vector<Text>& able, std::int64_t judged) {
+  const Text count = Text::tr("%1 of %2", able.size(), judged);
+  if (able.empty() || in.identity == ReportIdentity::kAggregated) {
+    return count;
+  }
+  return able.size() > kNamedAtMost ? Text::tr("%1, see the section Competence", count)
+                                    : Text::tr("%1: %2", count, listed(able));
 }
 
 /// Per group: scores at the end, and how many have been shown adequate on the simulator.
@@ -165,26 +179,34 @@ ReportTable standardTable(const CohortInputs& in) {
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     std::int64_t people = 0;
     std::int64_t judged = 0;
-    std::int64_t able = 0;
+    std::vector<Text> able;
     for (const CohortTrainee& trainee : in.trainees) {
       people += trainee.group == g ? 1 : 0;
       const auto verdict = ableAtAll.find(trainee.code);
       if (trainee.group == g && verdict != ableAtAll.end()) {
         ++judged;
-        able += verdict->second ? 1 : 0;
+        if (verdict->second) {
+          able.emplace_back(trainee.code);
+        }
       }
     }
     Text score = Text::tr("none");
+    std::string origin;
     for (const GroupSummary& summary : in.summaries) {
       if (summary.group == g && summary.occasion + 1 == in.occasions.size()) {
         score = Text::verbatim("%1 [%2; %3]", formatFixed(summary.mean, kPointDecimals),
                                formatFixed(summary.min, kPointDecimals),
                                formatFixed(summary.max, kPointDecimals));
+        origin = numberAddress({.section = "training",
+                                .item = "all",
+                                .group = in.groups[g].name.str(),
+                                .occasion = in.occasions.back().str(),
+                                .statistic = "mean"});
       }
     }
-    table.rows.push_back(
-        {in.groups[g].name, std::to_string(people), score,
-         judged == 0 ? Text::tr("did not train there") : Text::tr("%1 of %2", able, judged)});
+    table.rows.push_back({in.groups[g].name, std::to_string(people), score,
+                          judged == 0 ? Text::tr("did not train there") : ableOf(in, able, judged)});
+    table.origins.push_back({"", "", origin, ""});
     table.provenance.n += people;
   }
   if (!ableAtAll.empty()) {
@@ -196,14 +218,17 @@ ReportTable standardTable(const CohortInputs& in) {
   return table;
 }
 
-ReportTable signatureTable() {
+/// `roomy`: with a line above each to write on.
+ReportTable signatureTable(bool roomy) {
   ReportTable table;
   table.id = "table-signatures";
   table.title = Text::tr("Signatures");
   table.columns = {Text::tr("Name"), Text::tr("Role"), Text::tr("Date"), Text::tr("Signature")};
   for (std::size_t i = 0; i < kSignatures; ++i) {
-    table.rows.push_back({Text::verbatim("____________________"), Text::verbatim("______________"),
-                          Text::verbatim("____________"), Text::verbatim("________________________")});
+    const Text above = roomy ? Text::verbatim("\n") : Text();
+    table.rows.push_back({Text::verbatim("%1____________________", above),
+                          Text::verbatim("%1______________", above), Text::verbatim("%1____________", above),
+                          Text::verbatim("%1________________________", above)});
   }
   return table;
 }
@@ -213,6 +238,7 @@ ReportTable signatureTable() {
 ReportSection boardSection(const CohortInputs& in, const StudyAnalysis& study) {
   ReportSection section;
   section.title = Text::tr("At a glance");
+  section.onFirstPage = true;
   section.paragraphs = {questionOf(in), peopleOf(in), answerOf(in, study)};
   for (Text& reservation : reservationsOf(study)) {
     section.paragraphs.push_back(std::move(reservation));
@@ -226,14 +252,11 @@ ReportSection boardSection(const CohortInputs& in, const StudyAnalysis& study) {
                "can be found, and a difference that was not shown is no evidence of equality. Marks on a "
                "training arm say nothing about patients.",
                largest));
-  if (in.demonstration) {
-    section.paragraphs.push_back(
-        Text::tr("All people and marks here are simulated: nothing may be concluded."));
-  }
   if (std::optional<ReportFigure> figure = answerFigure(in, study)) {
     section.figures.push_back(std::move(*figure));
   }
-  section.tables = {standardTable(in), signatureTable()};
+  const bool roomy = in.groups.size() <= kRoomyGroups;
+  section.tables = {standardTable(in), signatureTable(roomy)};
   return section;
 }
 

@@ -173,6 +173,9 @@ void addDeviations(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
 
 /// What an aggregated table may hold: summaries over at least kSmallestCell.
 bool isAggregate(const CohortCsvRow& row) {
+  if (row.section == "scoring_sheet" || row.section == "record") {
+    return true;
+  }
   if (row.item != "all" || row.section == "deviation" || row.section == "trial") {
     return false;
   }
@@ -180,6 +183,15 @@ bool isAggregate(const CohortCsvRow& row) {
 }
 
 }  // namespace
+
+std::string numberAddress(const CohortCsvRow& row) {
+  std::string address;
+  for (const std::string* field :
+       {&row.section, &row.item, &row.group, &row.model, &row.index, &row.occasion, &row.statistic}) {
+    address += (field == &row.section ? "" : ",") + csvCell(*field);
+  }
+  return address;
+}
 
 std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
   std::vector<Text> left;
@@ -191,6 +203,7 @@ std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
   std::vector<CohortCsvRow> rows;
   addEvaluation(in, rows);
   addTraining(in, rows);
+  addCriteriaRows(in, rows);
   if (!in.trainingMarks.empty()) {
     addStudyRows(in, analyseStudy(in), rows);
   }
@@ -212,9 +225,16 @@ std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
     record.place.flags = formatUtc(in.createdUtc_us);
     record.addText("head", in.auditHead, in.auditEntries);
   }
+  if (!in.programHash.empty()) {
+    CsvRows record(rows);
+    record.place.section = "record";
+    record.place.item = "program";
+    record.place.model = in.softwareVersion;
+    record.addText("file_blake2b", in.programHash, 1);
+  }
   if (!inputs.singleMarks) {
     std::erase_if(rows, [](const CohortCsvRow& row) {
-      return row.statistic == "mark" || row.statistic == "rater_mark";
+      return row.statistic == "mark" || row.statistic == "rater_mark" || row.statistic == "criterion_mark";
     });
   }
   if (aggregated) {

@@ -56,6 +56,12 @@ void checkInputs(const CohortInputs& in) {
       refuse(Text::tr("a mark belongs to a group or an occasion that does not exist"));
     }
   }
+  for (const CriterionMark& mark : in.criterionMarks) {
+    if (mark.group >= in.groups.size() || mark.occasion >= in.occasions.size() ||
+        mark.sheet >= in.sheets.size() || mark.criterion >= in.sheets[mark.sheet].criteria.size()) {
+      refuse(Text::tr("a mark of a criterion belongs to no group, occasion or scoring sheet"));
+    }
+  }
   for (const TrialSummaryRow& trial : in.trials) {
     if (trial.group >= in.groups.size()) {
       refuse(Text::tr("a run is in a group that does not exist"));
@@ -427,6 +433,9 @@ ReportModel reportOf(const CohortInputs& in) {
   if (!in.scores.empty()) {
     report.sections.push_back(trainingSection(in));
   }
+  if (!in.criterionMarks.empty()) {
+    report.sections.push_back(criteriaSection(in));
+  }
   if (study) {
     report.sections.push_back(analysisSection(in, *study));
     if (std::optional<ReportTable> within = withinGroupsTable(in, *study)) {
@@ -495,7 +504,8 @@ ReportModel cohortReport(const CohortInputs& inputs) {
     ReportSection section;
     section.title = Text::tr("What is left out");
     section.paragraphs = std::move(left);
-    report.sections.insert(report.sections.begin(), std::move(section));
+    const bool board = !report.sections.empty() && report.sections.front().onFirstPage;
+    report.sections.insert(report.sections.begin() + (board ? 1 : 0), std::move(section));
   }
   addReference(inputs, report);
   return report;

@@ -156,6 +156,40 @@ struct CohortSignature {
   std::int64_t signedUtc_us = 0;
 };
 
+/// What a mark of a criterion means, in words.
+struct ReportedAnchor {
+  double points = 0.0;
+  std::string meaning{};
+};
+
+/// A line of a scoring sheet as raters saw it.
+struct ReportedCriterion {
+  std::string code{};  ///< "proficiency"
+  std::string label{};
+  double lowest = 0.0;  ///< points
+  double highest = 0.0;
+  double weight = 1.0;  ///< in the mean of the criteria
+  std::vector<ReportedAnchor> anchors{};
+};
+
+/// A revision of a scoring sheet that raters filled in.
+struct ReportedSheet {
+  std::string name{};
+  std::int64_t revision = 1;
+  std::vector<ReportedCriterion> criteria{};
+};
+
+/// What one rater gave for one criterion.
+struct CriterionMark {
+  std::string trainee{};
+  std::string rater{};
+  std::size_t group = 0;
+  std::size_t occasion = 0;
+  std::size_t sheet = 0;           ///< of CohortInputs::sheets
+  std::size_t criterion = 0;       ///< of the sheet
+  std::optional<double> points{};  ///< empty: not assessable
+};
+
 /// An evaluation that cannot be computed yet.
 struct UnfinishedEvaluation {
   std::int64_t marks = 0;                   ///< so far
@@ -167,6 +201,7 @@ struct CohortInputs {
   Text title = Text::tr("Cohort report");
   std::string centre;
   std::string softwareVersion;
+  std::string programHash;  ///< BLAKE2b-256 of the program file; empty: not known
   std::int64_t createdUtc_us = 0;
   std::int64_t auditEntries = 0;  ///< length of the audit trail then
   std::string auditHead;          ///< hash of its newest entry; empty: nothing was noted yet
@@ -199,6 +234,9 @@ struct CohortInputs {
   std::size_t trainingRaters = 0;
   /// The marks behind the scores. When given, the report has a section with agreement and comparisons.
   std::vector<TrainingMark> trainingMarks;
+  /// The sheets behind these marks, and what was given for their criteria; empty: entered without a sheet.
+  std::vector<ReportedSheet> sheets;
+  std::vector<CriterionMark> criterionMarks;
   /// Whether the reader may see single marks; scores, agreement and severity are shown in any case.
   bool singleMarks = true;
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "assessment/report/analysis_tables.h"
+#include "assessment/report/cohort_csv.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_labels.h"
 #include "assessment/report/report_sections.h"
@@ -94,6 +95,14 @@ ReportTable meansTable(const CohortInputs& in, const StudyAnalysis& study) {
                             scores.empty() ? Text::tr("not defined")
                                            : Text(withInterval(meanOf(scores), meanInterval(scores))),
                             Text(formatFixed(sampleDeviation(scores), 3))});
+      table.origins.push_back({"", "", "",
+                               scores.empty() ? std::string()
+                                              : numberAddress({.section = "training",
+                                                               .item = "all",
+                                                               .group = in.groups[g].name.str(),
+                                                               .occasion = in.occasions[t].str(),
+                                                               .statistic = "mean"}),
+                               ""});
     }
   }
   table.provenance.missing = study.endMissing;
@@ -128,6 +137,15 @@ ReportTable covarianceTable(const CohortInputs& in, const StudyAnalysis& study) 
                           intervalText(pair.simultaneous), formatFixed(pair.t, 2), formatP(pair.p),
                           formatP(pair.pHolm),
                           g ? Text(withInterval(g->g, g->interval)) : notDefined(g.reason())});
+    const auto origin = [&](const char* statistic) {
+      return numberAddress({.section = "comparison",
+                            .item = "all",
+                            .group = pairName(in, pair.first, pair.second).str(),
+                            .occasion = in.occasions.back().str(),
+                            .statistic = statistic});
+    };
+    table.origins.push_back({"", origin("adjusted_difference"), "", origin("t"), origin("p"),
+                             origin("p_holm"), g ? origin("hedges_g") : std::string()});
   }
   std::vector<Text> means;
   for (std::size_t i = 0; i < got->adjusted.size(); ++i) {

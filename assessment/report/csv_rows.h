@@ -37,6 +37,10 @@ class CsvRows {
   std::vector<CohortCsvRow>& out_;
 };
 
+/// Adds the criteria: every scoring sheet that was used with its anchors, what each group and trainee got for
+/// each criterion, and every mark of it (criteria_section.cpp).
+void addCriteriaRows(const CohortInputs& inputs, std::vector<CohortCsvRow>& out);
+
 /// Adds the numbers about raters and about groups.
 void addStudyRows(const CohortInputs& inputs, const StudyAnalysis& study, std::vector<CohortCsvRow>& out);
 

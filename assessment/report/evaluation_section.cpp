@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "assessment/report/cohort_csv.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
 #include "assessment/statistics/quantiles.h"
@@ -240,6 +241,9 @@ ReportTable comprehensiveTable(const CohortInputs& in) {
     }
     row.push_back(listed(flags));
     table.rows.push_back(row);
+    table.origins.emplace_back(row.size());
+    table.origins.back()[1] =
+        numberAddress({.section = "evaluation", .item = "all", .model = model.model, .statistic = "N_eq27"});
   }
   table.notes = {
       Text::tr("With no mark missing, the class-weighted mean of the raters' own scores equals N exactly.")};
@@ -263,6 +267,15 @@ ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model) {
          std::to_string(s.n), formatFixed(s.min, 1), formatFixed(s.m, kScoreDecimals), formatFixed(s.max, 1),
          formatFixed(s.s2, kScoreDecimals), formatFixed(s.plainMean, kScoreDecimals),
          formatFixed(s.sampleVariance, kScoreDecimals), formatFixed(s.standardError, kScoreDecimals)});
+    table.origins.push_back({"", "", ""});
+    for (const char* statistic :
+         {"min", "M", "max", "s2_eq26_divisor_n", "plain_mean", "sample_variance", "se_of_M"}) {
+      table.origins.back().push_back(numberAddress({.section = "evaluation",
+                                                    .item = "all",
+                                                    .model = model.model,
+                                                    .index = in.instrument.indices[j].id,
+                                                    .statistic = statistic}));
+    }
   }
   table.notes = {Text::tr(
       "s2 is taken about M with divisor n (Eq. 26). The sample variance is taken about the plain mean with "

@@ -58,6 +58,13 @@ ReportTable versionsTable(const CohortInputs& in) {
                  in.allocation.sealed ? Text::tr("%1, seed sealed", in.allocation.version)
                                       : Text::tr("%1, seed %2", in.allocation.version, in.allocation.seed)},
                 {Text::tr("Allocation commitment"), in.allocation.commitment}};
+  if (!in.programHash.empty()) {
+    table.rows.insert(table.rows.begin() + 1, {Text::tr("Program file (BLAKE2b)"), in.programHash});
+  }
+  for (const ReportedSheet& sheet : in.sheets) {
+    table.rows.push_back(
+        {Text::tr("Scoring sheet"), Text::tr("%1, revision %2", sheet.name, sheet.revision)});
+  }
   if (in.freeze) {
     table.rows.push_back({Text::tr("Frozen data set"), in.freeze->name});
     table.rows.push_back({Text::tr("Frozen data set, content hash"), in.freeze->contentHash});

@@ -28,7 +28,10 @@ struct ReportTable {
   Text title;
   std::vector<Text> columns;
   std::vector<std::vector<Text>> rows;  ///< each as long as columns; numbers are formatted already
-  bool individual = false;              ///< lists single people: no part of an aggregated report
+  /// As long as rows and columns, or empty: the line of the table of numbers that a cell shows, as
+  /// numberAddress() names it; empty: none.
+  std::vector<std::vector<std::string>> origins;
+  bool individual = false;  ///< lists single people: no part of an aggregated report
   std::vector<Text> notes;
   Provenance provenance;
 };
@@ -84,7 +87,8 @@ struct ReportFigure {
   std::vector<FigureReference> references;
   std::optional<double> yMin;  ///< of the axis of values, whichever way it lies
   std::optional<double> yMax;
-  bool individual = false;  ///< shows single people: no part of an aggregated report
+  bool individual = false;      ///< shows single people: no part of an aggregated report
+  bool valuesInLabels = false;  ///< each category says its value: nobody needs a table of them
   std::vector<Text> notes;
   Provenance provenance;
   Text valuesStand;  ///< a sentence: where the values stand that are too many to print; "": nowhere else
@@ -92,6 +96,7 @@ struct ReportFigure {
 
 struct ReportSection {
   Text title;
+  bool onFirstPage = false;  ///< stands under the title, on one page with it
   std::vector<Text> paragraphs;
   std::vector<ReportFigure> figures;
   std::vector<ReportTable> tables;

@@ -14,6 +14,8 @@ namespace torsio {
 [[nodiscard]] ReportSection participantsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection evaluationSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection trainingSection(const CohortInputs& inputs);
+/// The scoring sheets with their anchors, and what was given for each criterion.
+[[nodiscard]] ReportSection criteriaSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection analysisSection(const CohortInputs& inputs, const StudyAnalysis& study);
 [[nodiscard]] ReportSection ratersSection(const CohortInputs& inputs, const StudyAnalysis& study);
 [[nodiscard]] ReportSection learningSection(const CohortInputs& inputs);

@@ -24,6 +24,8 @@ void withholdMarks(CohortInputs& out, std::vector<Text>& left) {
   out.scores.clear();
   out.summaries.clear();
   out.trainingMarks.clear();
+  out.criterionMarks.clear();
+  out.sheets.clear();
   out.notAssessable = 0;
 }
 
@@ -81,6 +83,7 @@ void withholdSmallCells(CohortInputs& out, std::vector<Text>& left) {
   std::erase_if(out.summaries, smallGroup);
   std::erase_if(out.scores, fewMarks);
   std::erase_if(out.trainingMarks, fewMarks);
+  std::erase_if(out.criterionMarks, [&](const auto& mark) { return fewMarks(mark) || smallGroup(mark); });
   if (out.scores.size() + out.summaries.size() < before) {
     left.push_back(Text::tr(
         "Scores of fewer than %1 marks, and means of fewer than %1 trainees or with such a score among "

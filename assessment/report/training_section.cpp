@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "assessment/report/cohort_csv.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/record_sentences.h"
 #include "assessment/report/report_sections.h"
@@ -201,6 +202,16 @@ ReportTable summaryTable(const CohortInputs& in) {
                           formatFixed(s.sampleVarianceOfScores, kVarianceDecimals),
                           formatFixed(s.varianceOfMarks, kVarianceDecimals),
                           formatFixed(s.meanBetweenRaterVariance, kVarianceDecimals)});
+    table.origins.push_back({"", "", "", ""});
+    for (const char* statistic : {"mean", "median", "min", "max", "variance_of_scores_divisor_n",
+                                  "variance_of_scores_divisor_n_minus_1", "variance_of_all_marks_divisor_n",
+                                  "mean_between_rater_variance_divisor_n_minus_1"}) {
+      table.origins.back().push_back(numberAddress({.section = "training",
+                                                    .item = "all",
+                                                    .group = in.groups[s.group].name.str(),
+                                                    .occasion = in.occasions[s.occasion].str(),
+                                                    .statistic = statistic}));
+    }
   }
   table.notes = {Text::tr(
       "The trainee is the unit of analysis: marks of several raters for one trainee are averaged first.")};
@@ -215,17 +226,28 @@ ReportTable scoresTable(const CohortInputs& in) {
   table.individual = true;
   table.columns = {Text::tr("Group"), Text::tr("Number"), Text::tr("Trainee")};
   table.columns.insert(table.columns.end(), in.occasions.begin(), in.occasions.end());
-  std::map<std::tuple<std::size_t, std::size_t, std::string>, std::vector<Text>> rows;
+  struct Line {
+    std::vector<Text> cells;
+    std::vector<std::string> origins;
+  };
+  std::map<std::tuple<std::size_t, std::size_t, std::string>, Line> rows;
   for (const TraineeScore& score : in.scores) {
-    std::vector<Text>& row = rows[{score.group, score.number, score.trainee}];
-    if (row.empty()) {
-      row = {in.groups[score.group].name, std::to_string(score.number), score.trainee};
-      row.resize(table.columns.size(), Text::tr("missing"));
+    Line& row = rows[{score.group, score.number, score.trainee}];
+    if (row.cells.empty()) {
+      row.cells = {in.groups[score.group].name, std::to_string(score.number), score.trainee};
+      row.cells.resize(table.columns.size(), Text::tr("missing"));
+      row.origins.resize(table.columns.size());
     }
-    row[3 + score.occasion] = formatFixed(score.score, kMarkDecimals);
+    row.cells[3 + score.occasion] = formatFixed(score.score, kMarkDecimals);
+    row.origins[3 + score.occasion] = numberAddress({.section = "training",
+                                                     .item = score.trainee,
+                                                     .group = in.groups[score.group].name.str(),
+                                                     .occasion = in.occasions[score.occasion].str(),
+                                                     .statistic = "score"});
   }
   for (auto& [place, row] : rows) {
-    table.rows.push_back(std::move(row));
+    table.rows.push_back(std::move(row.cells));
+    table.origins.push_back(std::move(row.origins));
   }
   table.provenance = provenance(in, Text::tr("mean over raters"), std::ssize(in.scores));
   return table;

@@ -175,6 +175,16 @@
     </message>
 </context>
 <context>
+    <name>torsio::gui::DayPlanDialog</name>
+    <message numerus="yes">
+        <source>&amp;Add %n trainee(s) to the plan</source>
+        <translation>
+            <numerusform>&amp;Add %n trainee to the plan</numerusform>
+            <numerusform>&amp;Add %n trainees to the plan</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::DebriefPage</name>
     <message numerus="yes">
         <source>%n twist(s) not completed and not counted.</source>

@@ -30,6 +30,10 @@
         <source>no cohort yet</source>
         <translation>尚无批次</translation>
     </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 等，另有 %2 项</translation>
+    </message>
 </context>
 <context>
     <name>CopiesText</name>
@@ -524,6 +528,14 @@
     <message>
         <source>%1. Your way into Torsio. For you alone.</source>
         <translation>%1。Torsio 登录信息，仅供本人使用。</translation>
+    </message>
+    <message>
+        <source>%1: hold the card to the scanner, or type the code</source>
+        <translation>%1：请将卡片对准扫码器，或输入代码</translation>
+    </message>
+    <message>
+        <source>Cards for the kiosk: %1</source>
+        <translation>自助终端卡片：%1</translation>
     </message>
 </context>
 <context>
@@ -11315,10 +11327,6 @@
         <translation>概览</translation>
     </message>
     <message>
-        <source>All people and marks here are simulated: nothing may be concluded.</source>
-        <translation>此处所有人员和分数均为模拟：不得据此得出任何结论。</translation>
-    </message>
-    <message>
         <source>SEM of one rater (points)</source>
         <translation>单个评分者的测量标准误（分）</translation>
     </message>
@@ -13475,6 +13483,298 @@ audit trail %3</source>
     <message>
         <source>the values do not level off within these attempts</source>
         <translation>数值在这些尝试之内没有趋于平稳</translation>
+    </message>
+    <message>
+        <source>the centre does not let anybody in by a code</source>
+        <translation>中心不允许凭代码登录</translation>
+    </message>
+    <message>
+        <source>cards for the kiosk</source>
+        <translation>自助终端卡片</translation>
+    </message>
+    <message>
+        <source>Switch it on under Devices, At every station</source>
+        <translation>请在“设备”页的“所有工作站”中开启</translation>
+    </message>
+    <message>
+        <source>nobody is chosen</source>
+        <translation>未选择任何人</translation>
+    </message>
+    <message>
+        <source>a card opens a kiosk for trainees only</source>
+        <translation>卡片仅供学员在自助终端登录</translation>
+    </message>
+    <message>
+        <source>Choose users whose only role is that of a trainee</source>
+        <translation>请选择仅有学员角色的用户</translation>
+    </message>
+    <message>
+        <source>a code is taken back with a reason only</source>
+        <translation>撤销代码必须说明理由</translation>
+    </message>
+    <message>
+        <source>you are nobody of the record</source>
+        <translation>您不在记录的人员之中</translation>
+    </message>
+    <message>
+        <source>Sign in as a trainee</source>
+        <translation>请以学员身份登录</translation>
+    </message>
+    <message>
+        <source>you have asked for this already</source>
+        <translation>您已经提出过这项申请</translation>
+    </message>
+    <message>
+        <source>Wait for the answer, or take it back</source>
+        <translation>请等待答复，或收回申请</translation>
+    </message>
+    <message>
+        <source>this is no request of yours</source>
+        <translation>这不是您的申请</translation>
+    </message>
+    <message>
+        <source>Read the page again</source>
+        <translation>请重新打开该页</translation>
+    </message>
+    <message>
+        <source>a request is declined with a reason only</source>
+        <translation>拒绝申请必须说明理由</translation>
+    </message>
+    <message>
+        <source>Report %1  |  numbers %2</source>
+        <translation>报告 %1  |  数值 %2</translation>
+    </message>
+    <message>
+        <source>program file that computes it (BLAKE2b)</source>
+        <translation>计算它的程序文件 (BLAKE2b)</translation>
+    </message>
+    <message>
+        <source>not shown to you one by one; so many</source>
+        <translation>不逐项向您显示，共</translation>
+    </message>
+    <message>
+        <source>content hash</source>
+        <translation>内容哈希</translation>
+    </message>
+    <message>
+        <source>recorded by program version</source>
+        <translation>记录时的程序版本</translation>
+    </message>
+    <message>
+        <source>started</source>
+        <translation>开始时间</translation>
+    </message>
+    <message>
+        <source>parameters of the model</source>
+        <translation>模型参数</translation>
+    </message>
+    <message>
+        <source>version</source>
+        <translation>版本</translation>
+    </message>
+    <message>
+        <source>submitted</source>
+        <translation>提交时间</translation>
+    </message>
+    <message>
+        <source>seen live</source>
+        <translation>现场观看</translation>
+    </message>
+    <message>
+        <source>called</source>
+        <translation>呼叫时间</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>案例</translation>
+    </message>
+    <message>
+        <source>scoring sheet</source>
+        <translation>评分标准</translation>
+    </message>
+    <message>
+        <source>criterion %1</source>
+        <translation>评分项 %1</translation>
+    </message>
+    <message>
+        <source>anchor %1</source>
+        <translation>锚点 %1</translation>
+    </message>
+    <message>
+        <source>plan of the day</source>
+        <translation>当日计划</translation>
+    </message>
+    <message>
+        <source>a slot needs a place</source>
+        <translation>时段需要地点</translation>
+    </message>
+    <message>
+        <source>Name at least one station or room</source>
+        <translation>请至少写出一个工作站或房间</translation>
+    </message>
+    <message>
+        <source>a place comes twice</source>
+        <translation>同一地点出现两次</translation>
+    </message>
+    <message>
+        <source>Name each station or room once</source>
+        <translation>每个工作站或房间只写一次</translation>
+    </message>
+    <message>
+        <source>a slot takes no time</source>
+        <translation>时段没有时长</translation>
+    </message>
+    <message>
+        <source>Give minutes above zero</source>
+        <translation>请输入大于零的分钟数</translation>
+    </message>
+    <message>
+        <source>%1 is taken at that time, by %2</source>
+        <translation>%1 在该时间已由 %2 占用</translation>
+    </message>
+    <message>
+        <source>Choose another time or place, or take that slot out of the plan</source>
+        <translation>请选择其他时间或地点，或从计划中删除该时段</translation>
+    </message>
+    <message>
+        <source>has another slot at that time, at %1</source>
+        <translation>在该时间已有另一时段，地点 %1</translation>
+    </message>
+    <message>
+        <source>Choose another time, or take that slot out of the plan</source>
+        <translation>请选择其他时间，或从计划中删除该时段</translation>
+    </message>
+    <message>
+        <source>this trainee takes no part in the cohort</source>
+        <translation>该学员不参加此批次</translation>
+    </message>
+    <message>
+        <source>this slot is in the plan no more</source>
+        <translation>该时段已不在计划中</translation>
+    </message>
+    <message>
+        <source>Read the plan again</source>
+        <translation>请重新读取计划</translation>
+    </message>
+    <message>
+        <source>Signed in with the code of a card</source>
+        <translation>凭卡片代码登录</translation>
+    </message>
+    <message>
+        <source>Code of a card made</source>
+        <translation>已生成卡片代码</translation>
+    </message>
+    <message>
+        <source>Code of a card revoked</source>
+        <translation>已撤销卡片代码</translation>
+    </message>
+    <message>
+        <source>Asked about their own record</source>
+        <translation>就本人记录提出申请</translation>
+    </message>
+    <message>
+        <source>Request about the own record answered</source>
+        <translation>已答复关于本人记录的申请</translation>
+    </message>
+    <message>
+        <source>Slot of a day planned</source>
+        <translation>已安排时段</translation>
+    </message>
+    <message>
+        <source>Slot of a day taken out of the plan</source>
+        <translation>已从计划中删除时段</translation>
+    </message>
+    <message>
+        <source>request about the own record</source>
+        <translation>关于本人记录的申请</translation>
+    </message>
+    <message>
+        <source>a copy of everything kept</source>
+        <translation>所保存全部内容的副本</translation>
+    </message>
+    <message>
+        <source>erasing the record</source>
+        <translation>删除记录</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>declined</source>
+        <translation>已拒绝</translation>
+    </message>
+    <message>
+        <source>taken back</source>
+        <translation>已收回</translation>
+    </message>
+    <message>
+        <source>%1, see the section Competence</source>
+        <translation>%1，见“胜任”一节</translation>
+    </message>
+    <message>
+        <source>a mark of a criterion belongs to no group, occasion or scoring sheet</source>
+        <translation>某评分项的评分不属于任何组、评分时点或评分标准</translation>
+    </message>
+    <message>
+        <source>%1, revision %2</source>
+        <translation>%1，修订版 %2</translation>
+    </message>
+    <message>
+        <source>Scoring sheet as the raters saw it: %1</source>
+        <translation>评分者所见的评分标准：%1</translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation>评分项</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>量程</translation>
+    </message>
+    <message>
+        <source>What the marks mean (anchors)</source>
+        <translation>各评分的含义（锚点）</translation>
+    </message>
+    <message>
+        <source>Criteria by group: %1</source>
+        <translation>各组的评分项：%1</translation>
+    </message>
+    <message>
+        <source>mean over trainees of the mean of their raters</source>
+        <translation>各学员评分者均值的均值</translation>
+    </message>
+    <message>
+        <source>Criteria by trainee: %1</source>
+        <translation>各学员的评分项：%1</translation>
+    </message>
+    <message>
+        <source>mean over the raters</source>
+        <translation>评分者的均值</translation>
+    </message>
+    <message>
+        <source>What each rater gave for each criterion stands in the table of numbers (CSV), section &quot;criterion&quot;.</source>
+        <translation>每位评分者对每个评分项的评分见数值表 (CSV) 的 “criterion” 部分。</translation>
+    </message>
+    <message>
+        <source>Means of fewer than %1 marks are left out: a single mark could be read from them.</source>
+        <translation>少于 %1 个评分的均值不予列出：否则可从中读出单个评分。</translation>
+    </message>
+    <message>
+        <source>Criteria of the scoring sheet</source>
+        <translation>评分标准的评分项</translation>
+    </message>
+    <message>
+        <source>Raters gave a mark for each criterion and an overall mark. Scores, comparison and agreement are those of the overall mark; the criteria show what it rests on and enter no test.</source>
+        <translation>评分者对每个评分项和总体各给出一个评分。得分、比较和一致性均依据总体评分；评分项说明其依据，不进入任何检验。</translation>
+    </message>
+    <message>
+        <source>Scoring sheet</source>
+        <translation>评分标准</translation>
+    </message>
+    <message>
+        <source>this request was answered already</source>
+        <translation>该申请已经答复</translation>
     </message>
 </context>
 <context>
@@ -15787,6 +16087,103 @@ MSM = 质点弹簧</translation>
     </message>
 </context>
 <context>
+    <name>torsio::gui::DayPlanDialog</name>
+    <message>
+        <source>Plan of the day</source>
+        <translation>当日计划</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> 分钟</translation>
+    </message>
+    <message>
+        <source>Station 1, Station 2, Room 3</source>
+        <translation>工作站 1, 工作站 2, 房间 3</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Add %n trainee(s) to the plan</source>
+        <translation>
+            <numerusform>将 %n 名学员加入计划(&amp;A)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>删除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>打印(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Trainees come in the order of the board, as many at a time as there are places. Swapping turns on the board swaps slots, too; whoever has not begun five minutes after the start is shown as overdue.</source>
+        <translation>学员按总览的顺序到来，每次的人数等于地点数。在总览中互换次序时，时段也随之互换；开始五分钟后仍未开始者显示为逾期。</translation>
+    </message>
+    <message>
+        <source>&amp;Day</source>
+        <translation>日期(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;First slot begins at</source>
+        <translation>首个时段开始于(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Each takes</source>
+        <translation>每段时长(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Pa&amp;use between two</source>
+        <translation>两段之间的间隔(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Stations and &amp;rooms, with commas</source>
+        <translation>工作站和房间，以逗号分隔(&amp;R)</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>至</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>地点</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>Nobody is planned for this day yet.</source>
+        <translation>该日尚未安排任何人。</translation>
+    </message>
+    <message>
+        <source>Plan of %1</source>
+        <translation>%1 的计划</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Began at</source>
+        <translation>实际开始</translation>
+    </message>
+    <message>
+        <source>Print the plan</source>
+        <translation>打印计划</translation>
+    </message>
+    <message>
+        <source>Plan %1.pdf</source>
+        <translation>计划 %1.pdf</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::DebriefPage</name>
     <message>
         <source>Looking at your run</source>
@@ -17745,6 +18142,57 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::KioskCardsDialog</name>
+    <message>
+        <source>Save &amp;cards (PDF)…</source>
+        <translation>保存卡片 (PDF)(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Cards for the kiosk</source>
+        <translation>自助终端卡片</translation>
+    </message>
+    <message>
+        <source>These codes are shown only now. Each opens a kiosk for its trainee; one that is lost is revoked here, or replaced by making a new one.</source>
+        <translation>这些代码仅显示这一次。每个代码供其学员在自助终端登录；丢失的卡片可在此撤销，或通过生成新卡片替换。</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>人员</translation>
+    </message>
+    <message>
+        <source>Sign-in name</source>
+        <translation>登录名</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>代码</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Cards saved</source>
+        <translation>卡片已保存</translation>
+    </message>
+    <message>
+        <source>Save cards</source>
+        <translation>保存卡片</translation>
+    </message>
+    <message>
+        <source>kiosk-cards.pdf</source>
+        <translation>自助终端卡片.pdf</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>No cards were saved, and these codes are not shown again. Close all the same?</source>
+        <translation>尚未保存卡片，这些代码不会再次显示。仍要关闭吗？</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::LevelBar</name>
     <message>
         <source>%1, at the limit</source>
@@ -18088,6 +18536,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>You are a simulated trainee. Sign out to become yourself again</source>
         <translation>您现在是模拟学员。退出登录即可恢复自己的身份</translation>
+    </message>
+    <message>
+        <source>No card with this code is in force. Sign in with your name and password</source>
+        <translation>没有使用此代码的有效卡片。请用登录名和密码登录</translation>
     </message>
 </context>
 <context>
@@ -18936,6 +19388,49 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::OwnRecordCard</name>
+    <message>
+        <source>You asked for %1 on %2; it waits for the centre.</source>
+        <translation>您于 %2 申请了%1；正在等待中心处理。</translation>
+    </message>
+    <message>
+        <source>You asked for %1 on %2: %3. %4</source>
+        <translation>您于 %2 申请了%1：%3。%4</translation>
+    </message>
+    <message>
+        <source>Ask for erasing</source>
+        <translation>申请删除</translation>
+    </message>
+    <message>
+        <source>Your name and your recordings are removed, and nobody can bring them back; marks stay without a person. Ask for it?</source>
+        <translation>您的姓名和录制将被删除，任何人都无法恢复；评分保留但不再关联到人。要提出申请吗？</translation>
+    </message>
+    <message>
+        <source>The centre finds your request in its list.</source>
+        <translation>中心会在其列表中看到您的申请。</translation>
+    </message>
+    <message>
+        <source>Your record</source>
+        <translation>您的记录</translation>
+    </message>
+    <message>
+        <source>You may ask for a copy of everything that is kept about you, or that it be erased. The centre answers here.</source>
+        <translation>您可以索取关于您的全部保存内容的副本，或要求将其删除。中心在此处答复。</translation>
+    </message>
+    <message>
+        <source>Ask for a &amp;copy…</source>
+        <translation>索取副本(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Ask for &amp;erasing…</source>
+        <translation>申请删除(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Take the request back</source>
+        <translation>收回申请(&amp;T)</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::PaperDialog</name>
     <message>
         <source>Marks on paper</source>
@@ -19104,6 +19599,77 @@ Leave it empty to remove it.</source>
         <translation>
             <numerusform>选取 %n 人</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::PersonRequestsDialog</name>
+    <message>
+        <source>What people asked for</source>
+        <translation>人员提出的申请</translation>
+    </message>
+    <message>
+        <source>&amp;Go to the person</source>
+        <translation>转到此人(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Done…</source>
+        <translation>已完成(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>De&amp;cline…</source>
+        <translation>拒绝(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Trainees ask on their page for a copy of their record, or that it be erased. Go to the person, do it there, then say here that it is done.</source>
+        <translation>学员可在自己的页面索取记录副本，或要求删除记录。请转到此人，在那里处理，然后在此标记为已完成。</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>人员</translation>
+    </message>
+    <message>
+        <source>Asked for</source>
+        <translation>申请内容</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>答复</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>理由</translation>
+    </message>
+    <message>
+        <source>Answered</source>
+        <translation>答复时间</translation>
+    </message>
+    <message>
+        <source>Nobody has asked for anything.</source>
+        <translation>尚无人提出申请。</translation>
+    </message>
+    <message>
+        <source>waits</source>
+        <translation>等待中</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>%1: say what was done, and when it was handed over.</source>
+        <translation>%1：请说明做了什么，以及何时交付。</translation>
+    </message>
+    <message>
+        <source>Decline</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>%1 reads this reason on their page.</source>
+        <translation>%1 会在自己的页面看到此理由。</translation>
     </message>
 </context>
 <context>
@@ -20282,6 +20848,14 @@ Leave it empty to remove it.</source>
         <source>Recordings (%1) and marks (%2) written to %3</source>
         <translation>已将 %1 条录制和 %2 项评分写入 %3</translation>
     </message>
+    <message>
+        <source>Follow a numbe&amp;r…</source>
+        <translation>追溯数值(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Every number back to its marks, criteria, scoring sheet, recording and program. In the preview, press a number itself.</source>
+        <translation>将每个数值追溯到其评分、评分项、评分标准、录制和程序。在预览中可直接点按数值。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RequestsDialog</name>
@@ -20873,6 +21447,18 @@ Leave it empty to remove it.</source>
         <source>Tables (%1) and recordings (%2) written to %3</source>
         <translation>已将 %1 个表格和 %2 个录制写入 %3</translation>
     </message>
+    <message>
+        <source>Request&amp;s…</source>
+        <translation>申请(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Request&amp;s (%1)…</source>
+        <translation>申请 (%1)(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>What trainees asked for about their own record</source>
+        <translation>学员就本人记录提出的申请</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RosterPreviewPage</name>
@@ -21371,6 +21957,26 @@ Leave it empty to remove it.</source>
     <message>
         <source>Last seen</source>
         <translation>最近在线</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>! overdue: %1</source>
+        <translation>! 逾期：%1</translation>
+    </message>
+    <message>
+        <source>Plan the da&amp;y…</source>
+        <translation>安排当日(&amp;Y)…</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>已安排</translation>
+    </message>
+    <message>
+        <source>%1 was expected at %2, %3, and has not begun.</source>
+        <translation>%1 应于 %2 在 %3 开始，但尚未开始。</translation>
     </message>
 </context>
 <context>
@@ -22053,6 +22659,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>A training tool and not a medical device. No patient data.</source>
         <translation>培训工具，不是医疗器械。不含患者数据。</translation>
+    </message>
+    <message>
+        <source>Hold your &amp;card to the scanner, or type its code</source>
+        <translation>请将卡片对准扫码器，或输入其代码(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -22766,6 +23376,10 @@ T-02,master,17</translation>
         <source>A sound when a l&amp;imit is reached (not in a room that is shared)</source>
         <translation>达到限值时发出提示音（不宜用于共用的房间）(&amp;I)</translation>
     </message>
+    <message>
+        <source>&amp;Kiosks let trainees in by the code on their card, without a password (from their next start on)</source>
+        <translation>自助终端允许学员凭卡片代码登录，无需密码（下次启动起生效）(&amp;K)</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::StressLegend</name>
@@ -22784,6 +23398,57 @@ T-02,master,17</translation>
     <message>
         <source>Dark blue is %1, yellow is %2 and more</source>
         <translation>深蓝为 %1，黄色为 %2 及以上</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::TraceDialog</name>
+    <message>
+        <source>Where a number comes from</source>
+        <translation>数值的来源</translation>
+    </message>
+    <message>
+        <source>Made of</source>
+        <translation>组成</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>What the chosen number was made of</source>
+        <translation>所选数值的组成</translation>
+    </message>
+    <message>
+        <source>Choose a number; type a code such as T-07 to find those of a person. Below stands what it was made of: open a step to go on to marks, criteria, scoring sheet, recording and program.</source>
+        <translation>请选择一个数值；输入 T-07 之类的代码可查找某人的数值。下方列出其组成：展开各步可追溯到评分、评分项、评分标准、录制和程序。</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>数值名称</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>对象</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>组</translation>
+    </message>
+    <message>
+        <source>Model or criterion</source>
+        <translation>模型或评分项</translation>
+    </message>
+    <message>
+        <source>Index or rater</source>
+        <translation>指标或评分者</translation>
+    </message>
+    <message>
+        <source>Occasion</source>
+        <translation>评分时点</translation>
+    </message>
+    <message>
+        <source>Following the number</source>
+        <translation>正在追溯数值</translation>
     </message>
 </context>
 <context>
@@ -23369,6 +24034,34 @@ T-02,master,17</translation>
     <message>
         <source>Another administrator confirms the roles under Requests</source>
         <translation>由另一位管理员在“申请”中确认角色</translation>
+    </message>
+    <message>
+        <source>&amp;Kiosk cards…</source>
+        <translation>自助终端卡片(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Of the chosen trainees, or of all: a card with a barcode that opens a kiosk. A card made before is of no use then.</source>
+        <translation>为所选学员或全部学员生成带条形码的自助终端登录卡片。此前的卡片随即失效。</translation>
+    </message>
+    <message>
+        <source>Re&amp;voke cards…</source>
+        <translation>撤销卡片(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Kiosk card</source>
+        <translation>自助终端卡片</translation>
+    </message>
+    <message>
+        <source>Revoke cards</source>
+        <translation>撤销卡片</translation>
+    </message>
+    <message>
+        <source>The cards of the chosen users open no kiosk any more.</source>
+        <translation>所选用户的卡片将不能再在自助终端登录。</translation>
+    </message>
+    <message>
+        <source>Cards revoked: %1</source>
+        <translation>已撤销卡片：%1</translation>
     </message>
 </context>
 <context>

@@ -292,6 +292,34 @@ CREATE TABLE sign_in_failure (
   locked_until_utc_us BIGINT NOT NULL
 );
 
+-- Codes on the cards of trainees, with which a kiosk lets them in while the centre allows it. Only a hash is kept.
+CREATE TABLE kiosk_code (
+  id TEXT PRIMARY KEY,
+  user_id TEXT NOT NULL REFERENCES app_user (id),
+  code_hash TEXT NOT NULL UNIQUE,
+  made_utc_us BIGINT NOT NULL,
+  revoked_utc_us BIGINT
+);
+CREATE INDEX kiosk_code_user ON kiosk_code (user_id);
+{{frozen kiosk_code user_id}}
+{{frozen kiosk_code code_hash}}
+
+-- What somebody asked for about their own record: a copy of everything, or that it be erased.
+CREATE TABLE person_request (
+  id TEXT PRIMARY KEY,
+  person_id TEXT NOT NULL REFERENCES person (id),
+  kind TEXT NOT NULL CHECK (kind IN ('export', 'erase')),
+  asked_utc_us BIGINT NOT NULL,
+  answer TEXT CHECK (answer IN ('done', 'declined', 'taken_back')),
+  answer_reason TEXT,
+  answered_utc_us BIGINT,
+  CHECK ((answer IS NULL) = (answered_utc_us IS NULL))
+);
+CREATE INDEX person_request_person ON person_request (person_id);
+{{frozen person_request person_id}}
+{{frozen person_request kind}}
+{{frozen person_request asked_utc_us}}
+
 -- Acts that need two people: one asks, another one does it or refuses. subject: the id of a user, person or design,
 -- the hash of a backup.
 CREATE TABLE duty_request (
@@ -993,6 +1021,18 @@ CREATE TABLE assignment_withdrawal (
   withdrawn_utc_us BIGINT NOT NULL
 );
 {{append_only assignment_withdrawal}}
+
+-- Who is expected when and where: the plan of a day, which changes as the day goes. What came of it stands in exposure,
+-- trial and live_call.
+CREATE TABLE day_slot (
+  id TEXT PRIMARY KEY,
+  enrolment_id TEXT NOT NULL REFERENCES enrolment (id),
+  place TEXT NOT NULL,
+  starts_utc_us BIGINT NOT NULL,
+  duration_us BIGINT NOT NULL CHECK (duration_us > 0)
+);
+CREATE INDEX day_slot_start ON day_slot (starts_utc_us);
+CREATE INDEX day_slot_enrolment ON day_slot (enrolment_id);
 
 -- A trainee is called to the real arm: the live sheets of that case open for every rater who is asked. One call a room
 -- at a time. Cancelled: somebody else stood there; the sheets are closed again.

@@ -125,9 +125,144 @@ TEST(CohortReport, BeginsWithAPageThatABoardReadsInAMinute) {
   EXPECT_EQ(answer.find("Every interval holds zero") != std::string::npos,
             answer.find("no difference") != std::string::npos && excluded == 0)
       << answer;
+  EXPECT_TRUE(board.onFirstPage);
+  for (std::size_t i = 0; i < board.figures[0].categories.size(); ++i) {
+    EXPECT_THAT(board.figures[0].categories[i].str(),
+                ::testing::HasSubstr(formatFixed(*board.figures[0].series[0].y[i], 1)))
+        << "the value stands in its label";
+  }
   ASSERT_EQ(board.tables.size(), 2U);
   EXPECT_EQ(board.tables[0].rows.size(), 3U);
   EXPECT_EQ(board.tables[1].id, "table-signatures");
+}
+
+TEST(CohortReport, NamesOnTheFirstPageWhoReachedTheStandard) {
+  CohortInputs in = demonstrationCohort();
+  CohortCompetence able;
+  able.trainee = "x101";
+  able.able = true;
+  CohortCompetence notYet;
+  notYet.trainee = "x102";
+  in.competence = {able, notYet};
+
+  EXPECT_EQ(cohortReport(in).sections.front().tables.at(0).rows.at(0).at(3).str(), "1 of 2: x101");
+  EXPECT_EQ(cohortReport(in).sections.front().tables.at(0).rows.at(2).at(3).str(), "did not train there");
+  in.identity = ReportIdentity::kAggregated;
+  EXPECT_EQ(cohortReport(in).sections.front().tables.at(0).rows.at(0).at(3).str(), "1 of 2");
+}
+
+TEST(CohortReport, WhatIsLeftOutStandsAfterThePageOfTheBoard) {
+  CohortInputs in = demonstrationCohort();
+  in.identity = ReportIdentity::kAggregated;
+  const ReportModel report = cohortReport(in);
+  EXPECT_TRUE(report.sections.at(0).onFirstPage);
+  EXPECT_EQ(report.sections.at(1).title, "What is left out");
+}
+
+TEST(CohortReport, ShowsTheScoringSheetWithItsAnchorsAndWhatWasGivenForEachCriterion) {
+  const CohortInputs in = demonstrationCohort();
+  const ReportModel report = cohortReport(in);
+
+  const ReportTable* sheet = tableOf(report, "table-sheet-1");
+  ASSERT_NE(sheet, nullptr);
+  EXPECT_THAT(sheet->title.str(), ::testing::HasSubstr("Arm sheet, revision 2"));
+  EXPECT_EQ(sheet->rows.at(0).at(3).str(), "1: far too slow; 10: quick and steady");
+  EXPECT_EQ(sheet->rows.at(1).at(2).str(), "0.5");
+  const ReportTable* groups = tableOf(report, "table-criteria-1");
+  ASSERT_NE(groups, nullptr);
+  ASSERT_EQ(groups->rows.size(), 9U);
+  ASSERT_EQ(in.summaries.size(), 9U);
+  for (const std::vector<Text>& row : groups->rows) {
+    for (const GroupSummary& summary : in.summaries) {
+      if (in.groups[summary.group].name == row[0] && in.occasions[summary.occasion] == row[1]) {
+        EXPECT_EQ(row[3].str(), formatFixed(summary.mean, 1));
+        EXPECT_EQ(row[4].str(), formatFixed(0.5 * summary.mean + 1.0, 1));
+      }
+    }
+  }
+  const ReportTable* trainees = tableOf(report, "table-criteria-trainees-1");
+  ASSERT_NE(trainees, nullptr);
+  EXPECT_EQ(trainees->rows.size(), 90U);
+  EXPECT_TRUE(trainees->individual);
+}
+
+std::size_t rowsOf(const CohortInputs& in, const std::string& section, const std::string& statistic) {
+  const std::vector<CohortCsvRow> rows = cohortCsvRows(in);
+  return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [&](const CohortCsvRow& row) {
+    return row.section == section && row.statistic == statistic;
+  }));
+}
+
+TEST(CohortCsv, HasEveryMarkOfACriterionTheAnchorsTheRevisionAndTheProgram) {
+  CohortInputs in = demonstrationCohort();
+  in.programHash = std::string(64, 'e');
+
+  EXPECT_EQ(rowsOf(in, "criterion", "criterion_mark"), 1800U);
+  EXPECT_EQ(rowsOf(in, "criterion", "criterion_mean"), 2U * (9 + 90));
+  EXPECT_EQ(rowsOf(in, "scoring_sheet", "anchor_10"), 1U);
+  EXPECT_EQ(rowsOf(in, "record", "file_blake2b"), 1U);
+  const std::vector<CohortCsvRow> rows = cohortCsvRows(in);
+  const auto mark = std::find_if(rows.begin(), rows.end(), [](const CohortCsvRow& row) {
+    return row.statistic == "criterion_mark" && row.item == "x101" && row.index == "R101";
+  });
+  ASSERT_NE(mark, rows.end());
+  EXPECT_EQ(mark->model, "Arm sheet, revision 2: time");
+  in.singleMarks = false;
+  EXPECT_EQ(rowsOf(in, "criterion", "criterion_mark"), 0U) << "a single mark is nobody's business";
+  in.sheetsAsked = 900;
+  in.sheetsPresent = 899;
+  EXPECT_EQ(rowsOf(in, "criterion", "criterion_mean"), 0U) << "nothing before the set is complete";
+}
+
+TEST(CohortReport, ACellThatLeadsBackShowsTheNumberThatItsLineHolds) {
+  CohortInputs in = demonstrationCohort();
+  std::map<std::string, std::string> values;
+  for (const CohortCsvRow& row : cohortCsvRows(in)) {
+    EXPECT_TRUE(values.try_emplace(numberAddress(row), row.value).second) << numberAddress(row);
+  }
+  std::size_t cells = 0;
+  for (const ReportSection& section : cohortReport(in).sections) {
+    for (const ReportTable& table : section.tables) {
+      ASSERT_TRUE(table.origins.empty() || table.origins.size() == table.rows.size()) << table.id;
+      for (std::size_t r = 0; r < table.origins.size(); ++r) {
+        ASSERT_EQ(table.origins[r].size(), table.rows[r].size()) << table.id;
+        for (std::size_t c = 0; c < table.origins[r].size(); ++c) {
+          if (table.origins[r][c].empty()) {
+            continue;
+          }
+          ++cells;
+          const auto line = values.find(table.origins[r][c]);
+          ASSERT_NE(line, values.end()) << table.origins[r][c];
+          const std::string shown = table.rows[r][c].str();
+          if (!shown.starts_with("<")) {  // "< 0.001"
+            const std::size_t point = shown.find('.');
+            const auto end = shown.find_first_not_of("0123456789", point + 1);
+            const auto decimals = static_cast<double>(std::min(end, shown.size()) - point - 1);
+            EXPECT_NEAR(std::stod(shown), std::stod(line->second), 0.51 * std::pow(10.0, -decimals))
+                << table.id << ": " << line->first;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(cells, 400U);
+}
+
+TEST(CohortCsv, AMeanOfTwoMarksOfACriterionIsNotShownToWhoMayNotSeeMarks) {
+  CohortInputs in = demonstrationCohort();
+  in.singleMarks = false;
+  std::size_t kept = 0;
+  for (CriterionMark& mark : in.criterionMarks) {  // all but two could not be given
+    if (mark.trainee == "x101" && mark.occasion == 0 && mark.criterion == 0 && ++kept > 2) {
+      mark.points.reset();
+    }
+  }
+  for (const CohortCsvRow& row : cohortCsvRows(in)) {
+    if (row.section == "criterion" && row.item == "x101" && row.occasion == "before" &&
+        row.model.ends_with("time")) {
+      EXPECT_EQ(row.value, "");
+    }
+  }
 }
 
 TEST(CohortReport, ComparesGroupsAndRatersWhenTheMarksAreGiven) {
@@ -287,7 +422,7 @@ TEST(CohortReport, AnAggregatedReportHasNoLineAboutASinglePerson) {
   ASSERT_NE(find(report, "figure-23"), nullptr);
   EXPECT_EQ(find(report, "figure-23")->series.size(), 2U);
   for (const CohortCsvRow& row : cohortCsvRows(in)) {
-    EXPECT_EQ(row.item, "all");
+    EXPECT_TRUE(row.item == "all" || row.section == "scoring_sheet") << "the sheet is about nobody";
     EXPECT_NE(row.group, "Group 1");
   }
 }

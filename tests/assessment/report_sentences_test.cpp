@@ -286,7 +286,7 @@ TEST(CompetenceSection, TheFirstPageCountsItsVerdictsAndNoneOfItsOwn) {
   const ReportModel report = cohortReport(in);
   const ReportTable* table = tableIn(report, "table-standard");
   ASSERT_NE(table, nullptr);
-  EXPECT_EQ(table->rows.at(0).at(3), "1 of 3") << "one is able at all that was tried";
+  EXPECT_EQ(table->rows.at(0).at(3), "1 of 3: x101") << "one is able at all that was tried";
   ASSERT_EQ(table->notes.size(), 1U);
   EXPECT_THAT(table->notes[0].str(),
               HasSubstr("able in at most 12.0 %, an adequate one is not in at most 9.4 %"));

@@ -49,6 +49,16 @@ CohortInputs demonstrationCohort() {
   in.summaries = groupSummaries(in.trainingScale, marks);
   in.trainingRaters = 10;
   in.trainingMarks = marks;
+  in.sheets = {{"Arm sheet",
+                2,
+                {{"time", "Pace", 1.0, 10.0, 1.0, {{1.0, "far too slow"}, {10.0, "quick and steady"}}},
+                 {"accuracy", "Aim", 1.0, 10.0, 0.5, {}}}}};
+  for (const TrainingMark& mark : marks) {
+    const double points = pointsFromSteps(mark.steps, in.trainingScale);
+    in.criterionMarks.push_back({mark.trainee, mark.rater, mark.group, mark.occasion, 0, 0, points});
+    in.criterionMarks.push_back(
+        {mark.trainee, mark.rater, mark.group, mark.occasion, 0, 1, 0.5 * points + 1.0});
+  }
   TrialSummaryRow trial;
   trial.trialId = "t1";
   trial.trainee = "x101";

@@ -127,6 +127,7 @@ void MainWindow::createPanels() {
   connect(&firstRun_->job(), &JobPanel::cancelled, this, [this] { setUpCancelled_->store(true); });
   connect(signIn_, &SignInPanel::passwordGiven, this, &MainWindow::tryPassword);
   connect(signIn_, &SignInPanel::pinGiven, this, &MainWindow::tryPin);
+  connect(signIn_, &SignInPanel::codeGiven, this, &MainWindow::tryCode);
   connect(signIn_, &SignInPanel::languageWanted, this, &MainWindow::chooseLanguage);
   connect(signIn_, &SignInPanel::guestChosen, this, &MainWindow::enterAsGuest);
   connect(password_, &PasswordPanel::chosen, this, &MainWindow::changePassword);

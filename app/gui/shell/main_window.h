@@ -117,6 +117,7 @@ class MainWindow : public QWidget {
   void tellKept();
   void tryPassword(const QString& login, const QString& password);
   void tryPin(const QString& login, const QString& pin);
+  void tryCode(const QString& code);
   void enterAsGuest();
   /// In place of the administrator who is signed in; signing out leads to the sign-in.
   void enterAsSimulatedTrainee();
@@ -160,6 +161,7 @@ class MainWindow : public QWidget {
   bool mayClose_ = true;
   ThemeKind theme_ = ThemeKind::kLight;
   QString centre_;
+  bool cardsOpen_ = false;  // the kiosk takes cards, as the centre chose when the record was opened
   QLabel* idleWarning_;
   QLabel* awayBanner_;
   QStackedWidget* stack_;

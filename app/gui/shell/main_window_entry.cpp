@@ -7,6 +7,7 @@
 #include <QUrl>
 
 #include "app/access/first_run.h"
+#include "app/access/kiosk_codes.h"
 #include "app/demonstration/demonstration_accounts.h"
 #include "app/gui/base/problem_labels.h"
 #include "app/gui/base/translated_text.h"
@@ -67,6 +68,7 @@ void MainWindow::openDatabase() {
     session_->setPasswordCost(setup_.passwordCost);
     const CentreSign sign = centreSign(session_->connectionWithoutRight());
     centre_ = toQString(sign.name);
+    cardsOpen_ = setup_.kiosk && kioskCodesAllowed(session_->connectionWithoutRight());
     if (!preferences_.language({})) {
       if (const auto language = languageOf(toQString(sign.language))) {
         chooseLanguage(*language);
@@ -265,6 +267,7 @@ void MainWindow::setUp(const FirstRunChoice& choice) {
 void MainWindow::enterSignIn() {
   applyChoices({});
   signIn_->setCentre(centre_);
+  signIn_->setCards(cardsOpen_);
   signIn_->clear();
   show(signIn_);
 }
@@ -285,6 +288,22 @@ void MainWindow::tryPin(const QString& login, const QString& pin) {
         SessionContext own(key);
         const SignInAnswer answer = signInForPractice(own, login.toStdString(), pin.toStdString());
         return [this, answer, login] { took(answer, login, {}); };
+      },
+      [this](const std::exception_ptr& problem) { signIn_->say(problemSentence(problem), true); });
+}
+
+void MainWindow::tryCode(const QString& code) {
+  background_.run(
+      [this, key = key(), code]() -> Background::Finish {
+        SessionContext own(key);
+        const SignInAnswer answer = signInWithCode(own, code.toStdString());
+        return [this, answer] {
+          if (answer.outcome == SignIn::kWrong) {
+            signIn_->say(tr("No card with this code is in force. Sign in with your name and password"), true);
+          } else {
+            took(answer, {}, {});
+          }
+        };
       },
       [this](const std::exception_ptr& problem) { signIn_->say(problemSentence(problem), true); });
 }

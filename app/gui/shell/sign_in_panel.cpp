@@ -30,6 +30,8 @@ SignInPanel::SignInPanel(QWidget* parent) : QWidget(parent) {
   centre_ = sentence(this);
   heading_ = new QLabel(this);
   heading_->setProperty("subheading", true);
+  code_ = secretField(this);
+  code_->setObjectName(QStringLiteral("cardCode"));
   login_ = new QLineEdit(this);
   secret_ = secretField(this);
   column->addWidget(name);
@@ -37,6 +39,8 @@ SignInPanel::SignInPanel(QWidget* parent) : QWidget(parent) {
   column->addSpacing(2 * kSpace);
   column->addWidget(heading_);
   column->addSpacing(kSpace);
+  codeLabel_ = addField(column, code_);
+  column->addSpacing(4);
   loginLabel_ = addField(column, login_);
   column->addSpacing(4);
   secretLabel_ = addField(column, secret_);
@@ -73,6 +77,15 @@ SignInPanel::SignInPanel(QWidget* parent) : QWidget(parent) {
   connect(language_, &QPushButton::clicked, this, [this] { Q_EMIT languageWanted(otherLanguage()); });
   connect(leaveKiosk_, &QPushButton::clicked, this, &SignInPanel::leaveKioskWanted);
 
+  setCards(false);
+  connect(code_, &QLineEdit::returnPressed, this, [this] {
+    const QString code = code_->text().trimmed();
+    code_->clear();
+    if (!code.isEmpty() && !working_ && wait_s_ == 0) {
+      say(tr("Checking\u2026"), false);
+      Q_EMIT codeGiven(code);
+    }
+  });
   connect(enter_, &QPushButton::clicked, this, &SignInPanel::submit);
   connect(login_, &QLineEdit::returnPressed, this, [this] { secret_->setFocus(); });
   connect(secret_, &QLineEdit::returnPressed, this, &SignInPanel::submit);
@@ -135,7 +148,13 @@ void SignInPanel::setKiosk(bool kiosk) {
   leaveKiosk_->setVisible(kiosk);
 }
 
+void SignInPanel::setCards(bool cards) {
+  code_->setVisible(cards);
+  codeLabel_->setVisible(cards);
+}
+
 void SignInPanel::clear() {
+  code_->clear();
   second_.stop();
   wait_s_ = 0;
   login_->clear();
@@ -153,6 +172,10 @@ void SignInPanel::setPinMode(bool pin) {
 }
 
 void SignInPanel::chooseField() {
+  if (!code_->isHidden() && !pinMode_ && login_->text().isEmpty()) {
+    code_->setFocus();
+    return;
+  }
   (login_->text().isEmpty() ? login_ : secret_)->setFocus();
 }
 
@@ -173,7 +196,7 @@ void SignInPanel::submit() {
 
 void SignInPanel::enableForm() {
   const bool open = !working_ && wait_s_ == 0;
-  for (QWidget* field : {static_cast<QWidget*>(login_), static_cast<QWidget*>(secret_)}) {
+  for (QLineEdit* field : {login_, secret_, code_}) {
     field->setEnabled(!working_);
   }
   enter_->setEnabled(open && !login_->text().trimmed().isEmpty() && !secret_->text().isEmpty());
@@ -183,6 +206,7 @@ void SignInPanel::enableForm() {
 
 void SignInPanel::retranslate() {
   heading_->setText(pinMode_ ? tr("Practice with your PIN") : tr("Sign in"));
+  nameField(codeLabel_, tr("Hold your &card to the scanner, or type its code"));
   nameField(loginLabel_, tr("Sign-in &name"));
   nameField(secretLabel_, pinMode_ ? tr("Station &PIN") : tr("&Password"));
   enter_->setText(pinMode_ ? tr("Practise") : tr("Sign in"));

@@ -40,12 +40,16 @@ class SignInPanel : public QWidget {
   void tellHead(const LeftHead& head);
   /// A quiet way out for administrators.
   void setKiosk(bool kiosk);
+  /// Whether a card can be held to a scanner here, or its code typed.
+  void setCards(bool cards);
   /// For the next person: no name, no password, no sentence.
   void clear();
 
  Q_SIGNALS:
   void passwordGiven(const QString& login, const QString& password);
   void pinGiven(const QString& login, const QString& pin);
+  /// What a scanner typed, with Enter behind it, or a hand.
+  void codeGiven(const QString& code);
   void guestChosen();
   void leaveKioskWanted();
   void languageWanted(torsio::gui::Language language);
@@ -72,6 +76,8 @@ class SignInPanel : public QWidget {
   QLabel* heading_;
   QLabel* loginLabel_;
   QLabel* secretLabel_;
+  QLabel* codeLabel_;
+  QLineEdit* code_;
   QLineEdit* login_;
   QLineEdit* secret_;
   QPushButton* enter_;

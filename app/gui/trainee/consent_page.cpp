@@ -13,6 +13,7 @@
 #include "app/gui/base/language.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/trainee/own_record_card.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
@@ -68,6 +69,8 @@ ConsentPage::ConsentPage(ShellContext& context, QWidget* parent) : Page(context,
   row->addWidget(decline_);
   row->addWidget(agree_);
   page.column->addLayout(row);
+  ownRecord_ = new OwnRecordCard(context, this);
+  page.column->addWidget(ownRecord_);
   page.column->addStretch(1);
   connect(understood_, &QCheckBox::toggled, agree_, &QPushButton::setEnabled);
   connect(agree_, &QPushButton::clicked, this, [this] { decide(true); });
@@ -80,6 +83,7 @@ void ConsentPage::enter(const QVariant& argument) {
   agree_->setEnabled(false);
   others_.clear();
   retranslate();
+  ownRecord_->read();
   understood_->setFocus();  // never a button that decides: Enter may still be on its way
 }
 
@@ -131,6 +135,7 @@ void ConsentPage::retranslate() {
   understood_->setText(tr("I have &read and understood this"));
   agree_->setText(tr("I &agree to the training record"));
   decline_->setText(tr("&Not now"));
+  ownRecord_->retranslate();
   attempt(shell(), [&] {
     readTexts();
     showState();

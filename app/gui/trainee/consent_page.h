@@ -14,6 +14,7 @@ class QVBoxLayout;
 namespace torsio::gui {
 
 class Card;
+class OwnRecordCard;
 class PageHeading;
 
 /// Shows every text that the centre asks about and takes the trainee's own decision about each before
@@ -53,6 +54,7 @@ class ConsentPage : public Page {
   QVBoxLayout* othersColumn_;
   QLabel* state_;
   QCheckBox* understood_;
+  OwnRecordCard* ownRecord_;
   QPushButton* agree_;
   QPushButton* decline_;
 };

@@ -162,16 +162,20 @@ void AccessRepository::setFailures(const Account& account, std::int64_t failures
                       {failures, lockedUntilUtc_us, account.id});
 }
 
+std::optional<std::int64_t> AccessRepository::waitOf(const Account& account, std::int64_t now_us) {
+  if (account.lockedUntilUtc_us > now_us + kLongestWait_us) {
+    // The clock was set back since. The wait begins anew, and is no longer than any other.
+    setFailures(account, account.failures, now_us + kLongestWait_us);
+    return now_us + kLongestWait_us;
+  }
+  return now_us < account.lockedUntilUtc_us ? std::optional(account.lockedUntilUtc_us) : std::nullopt;
+}
+
 SignInResult AccessRepository::check(const std::string& login, const std::string& secret, bool pin,
                                      std::int64_t now_us) {
   const Account found = account(login).value_or(unknownAccount(login));
-  if (found.lockedUntilUtc_us > now_us + kLongestWait_us) {
-    // The clock was set back since. The wait begins anew, and is no longer than any other.
-    setFailures(found, found.failures, now_us + kLongestWait_us);
-    return {SignIn::kWait, "", now_us + kLongestWait_us};
-  }
-  if (now_us < found.lockedUntilUtc_us) {
-    return {SignIn::kWait, "", found.lockedUntilUtc_us};
+  if (const std::optional<std::int64_t> until_us = waitOf(found, now_us)) {
+    return {SignIn::kWait, "", *until_us};
   }
   const std::string& hash = pin ? found.pinHash : found.passwordHash;
   if (hash.empty()) {
@@ -210,6 +214,57 @@ void AccessRepository::setPassword(const UserId& userId, const SealedSecret& pas
 
 void AccessRepository::setPin(const UserId& userId, const SealedSecret& pin) {
   connection_.execute("UPDATE app_user SET pin_hash = ? WHERE id = ?", {textOrNull(pin.hash), userId});
+}
+
+void AccessRepository::setKioskCode(const std::string& id, const UserId& userId, const std::string& codeHash,
+                                    std::int64_t utc_us) {
+  Transaction transaction(connection_);
+  (void)revokeKioskCode(userId, utc_us);
+  connection_.execute(insertInto("kiosk_code", "id, user_id, code_hash, made_utc_us"),
+                      {id, userId, codeHash, utc_us});
+  transaction.commit();
+}
+
+bool AccessRepository::revokeKioskCode(const UserId& userId, std::int64_t utc_us) {
+  return connection_.execute(
+             "UPDATE kiosk_code SET revoked_utc_us = ? WHERE user_id = ? AND revoked_utc_us IS NULL",
+             {utc_us, userId}) > 0;
+}
+
+std::vector<KioskCodeRow> AccessRepository::kioskCodes() const {
+  return selectAll(
+      connection_,
+      "SELECT user_id, made_utc_us FROM kiosk_code WHERE revoked_utc_us IS NULL ORDER BY made_utc_us, id", {},
+      [](RowReader& row) {
+        return KioskCodeRow{row.text(), row.int64()};
+      });
+}
+
+SignInResult AccessRepository::signInWithCode(const std::string& codeHash, const std::string& station,
+                                              std::int64_t now_us) {
+  const Account gate = unknownAccount("card at " + station);
+  if (const std::optional<std::int64_t> until_us = waitOf(gate, now_us)) {
+    return {SignIn::kWait, "", *until_us};
+  }
+  const auto found = selectFirst(connection_,
+                                 "SELECT u.id, u.state FROM kiosk_code k JOIN app_user u ON u.id = k.user_id"
+                                 " WHERE k.code_hash = ? AND k.revoked_utc_us IS NULL AND NOT EXISTS"
+                                 " (SELECT 1 FROM user_role r WHERE r.user_id = u.id"
+                                 "  AND r.role_code <> 'trainee')",
+                                 {codeHash}, [](RowReader& row) {
+                                   return std::pair<UserId, bool>{row.text(), row.text() == "active"};
+                                 });
+  if (!found) {
+    setFailures(gate, gate.failures + 1, now_us + waitAfter(gate.failures + 1));
+    return {SignIn::kWrong};
+  }
+  if (!found->second) {
+    return {SignIn::kDisabled};
+  }
+  if (gate.failures > 0) {
+    setFailures(gate, 0, 0);
+  }
+  return {SignIn::kOk, found->first};
 }
 
 }  // namespace torsio

@@ -29,6 +29,12 @@ struct SealedSecret {
   std::string hash{};
 };
 
+/// A card's code that is in force.
+struct KioskCodeRow {
+  UserId userId{};
+  std::int64_t madeUtc_us = 0;
+};
+
 /// Users, roles, and the matrix role x operation (data of the migration). Default deny.
 class AccessRepository {
  public:
@@ -62,12 +68,25 @@ class AccessRepository {
   [[nodiscard]] SignInResult signInForPractice(const std::string& login, const std::string& pin,
                                                std::int64_t now_us);
 
+  /// Makes the code behind this hash the only one of a user; none of theirs before lets anybody in.
+  void setKioskCode(const std::string& id, const UserId& userId, const std::string& codeHash,
+                    std::int64_t utc_us);
+  /// Returns whether there was one in force.
+  bool revokeKioskCode(const UserId& userId, std::int64_t utc_us);
+  [[nodiscard]] std::vector<KioskCodeRow> kioskCodes() const;
+  /// By the hash of what a card says; somebody with any other role than that of a trainee is let in by none.
+  /// Failures are counted for each station.
+  [[nodiscard]] SignInResult signInWithCode(const std::string& codeHash, const std::string& station,
+                                            std::int64_t now_us);
+
  private:
   struct Account;
   [[nodiscard]] std::optional<Account> account(const std::string& login) const;
   [[nodiscard]] SignInResult check(const std::string& login, const std::string& secret, bool pin,
                                    std::int64_t now_us);
   [[nodiscard]] Account unknownAccount(const std::string& login) const;
+  /// Until when nobody may try; empty: now.
+  [[nodiscard]] std::optional<std::int64_t> waitOf(const Account& account, std::int64_t now_us);
   void setFailures(const Account& account, std::int64_t failures, std::int64_t lockedUntilUtc_us);
 
   Connection& connection_;

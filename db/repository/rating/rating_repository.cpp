@@ -147,6 +147,22 @@ std::vector<SubmittedMark> RatingRepository::marks(const CohortId& cohortId) con
       {cohortId}, markOf);
 }
 
+std::map<MarkId, std::vector<MarkRow>> RatingRepository::criteria(const CohortId& cohortId) const {
+  using Answer = std::pair<MarkId, MarkRow>;
+  std::map<MarkId, std::vector<MarkRow>> rows;
+  for (Answer& answer :
+       selectAll(connection_,
+                 "SELECT r.mark_id, r.revision_id, r.row_code, r.score_steps, r.not_assessable_reason"
+                 " FROM training_mark_row r JOIN training_mark m ON m.id = r.mark_id"
+                 " JOIN enrolment e ON e.id = m.enrolment_id WHERE e.cohort_id = ?",
+                 {cohortId}, [](RowReader& row) {
+                   return Answer{row.text(), MarkRow{row.text(), row.text(), row.maybeInt64(), row.text()}};
+                 })) {
+    rows[answer.first].push_back(std::move(answer.second));
+  }
+  return rows;
+}
+
 std::vector<SubmittedMark> RatingRepository::history(const EnrolmentId& enrolmentId, const RaterId& raterId,
                                                      const std::string& occasionCode) const {
   return selectAll(

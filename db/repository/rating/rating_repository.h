@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -58,6 +59,8 @@ class RatingRepository {
   void submit(std::span<const SubmittedMark> marks);
   /// The newest version of every mark of a cohort, ordered by scoring point, group, number, rater code.
   [[nodiscard]] std::vector<SubmittedMark> marks(const CohortId& cohortId) const;
+  /// What the sheets behind the marks of a cohort answered for each criterion, by mark, all versions.
+  [[nodiscard]] std::map<MarkId, std::vector<MarkRow>> criteria(const CohortId& cohortId) const;
   /// All versions of one mark, oldest first.
   [[nodiscard]] std::vector<SubmittedMark> history(const EnrolmentId& enrolmentId, const RaterId& raterId,
                                                    const std::string& occasionCode) const;

@@ -19,6 +19,7 @@ constexpr std::array kSubjects{
     " JOIN person p ON p.id = e.trainee_id WHERE x.id",
     "SELECT x.id, p.code FROM deviation x JOIN enrolment e ON e.id = x.enrolment_id"
     " JOIN person p ON p.id = e.trainee_id WHERE x.id",
+    "SELECT x.id, p.code FROM person_request x JOIN person p ON p.id = x.person_id WHERE x.id",
     "SELECT x.id, p.code FROM live_call x JOIN enrolment e ON e.id = x.enrolment_id"
     " JOIN person p ON p.id = e.trainee_id WHERE x.id",
     "SELECT x.id, p.code || ': ' || x.case_label FROM assignment x JOIN person p ON p.id = x.rater_id WHERE "

@@ -5,6 +5,7 @@
 
 #include "app/access/access_service.h"
 #include "app/access/audit_service.h"
+#include "app/access/kiosk_codes.h"
 #include "app/access/settings_service.h"
 #include "app/access/signing.h"
 #include "app/access/two_people.h"
@@ -22,10 +23,12 @@
 #include "app/maintenance/station_heads.h"
 #include "app/people/consent_service.h"
 #include "app/people/people_service.h"
+#include "app/people/person_requests.h"
 #include "app/people/roster_accounts.h"
 #include "app/people/roster_import.h"
 #include "app/recording/competence_service.h"
 #include "app/recording/trial_digests.h"
+#include "app/reporting/cell_trace.h"
 #include "app/reporting/coded_tables.h"
 #include "app/reporting/report_data.h"
 #include "app/reporting/report_export.h"
@@ -43,6 +46,7 @@
 #include "app/study/campaign_service.h"
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
+#include "app/study/day_plan.h"
 #include "app/study/frozen_data.h"
 #include "app/study/live_call.h"
 #include "app/study/occasion_service.h"
@@ -324,6 +328,23 @@ std::vector<ServiceCall> reportingCalls() {
          TrialDigests digests(folder);
          (void)reportInputs(w, {.cohortId = kNoSuch}, digests);
        }},
+      {O::kStudySetup, "planDay", [](SessionContext& w, Path) { (void)planDay(w, {}); }},
+      {O::kStudySetup, "daySlots", [](SessionContext& w, Path) { (void)daySlots(w, kNoSuch, 0, 1); }},
+      {O::kStudySetup, "removeSlots", [](SessionContext& w, Path) { removeSlots(w, kNoSuch, {}); }},
+      {O::kUserManage, "makeKioskCodes", [](SessionContext& w, Path) { (void)makeKioskCodes(w, {}); }},
+      {O::kUserManage, "revokeKioskCodes",
+       [](SessionContext& w, Path) { (void)revokeKioskCodes(w, {}, "why"); }},
+      {O::kUserManage, "kioskCodesInForce", [](SessionContext& w, Path) { (void)kioskCodesInForce(w); }},
+      {O::kTrialViewOwn, "requestAboutOwnRecord",
+       [](SessionContext& w, Path) { requestAboutOwnRecord(w, PersonRequestKind::kExport); }},
+      {O::kTrialViewOwn, "takeBackOwnRequest",
+       [](SessionContext& w, Path) { takeBackOwnRequest(w, kNoSuch); }},
+      {O::kTrialViewOwn, "ownRequests", [](SessionContext& w, Path) { (void)ownRequests(w); }},
+      {O::kPersonExport, "personRequests", [](SessionContext& w, Path) { (void)personRequests(w); }},
+      {O::kPersonExport, "answerPersonRequest",
+       [](SessionContext& w, Path) { answerPersonRequest(w, kNoSuch, true, "why"); }},
+      {O::kResultsCompute, "traceNumber",
+       [](SessionContext& w, Path) { (void)traceNumber(w, kNoSuch, {}, "training,all"); }},
       {O::kReportExportCoded, "exportReport, coded",
        [](SessionContext& w, Path folder) { takeOut(w, ReportIdentity::kCoded, folder); }},
       {O::kReportExportNamed, "exportReport, named",

@@ -179,7 +179,13 @@ void ofTheWindowAreThoseOfTheCommandLineInEveryCell(const fs::path& folder) {
       std::erase_if(window,
                     [](const std::string& line) { return line.find(",audit_trail,") != std::string::npos; }),
       1U);
-  const std::vector<std::string> command = lines(folder / "out" / "cohort.csv");
+  // Each names the file that made it, and they are two files.
+  std::vector<std::string> command = lines(folder / "out" / "cohort.csv");
+  for (std::vector<std::string>* table : {&window, &command}) {
+    EXPECT_EQ(
+        std::erase_if(*table, [](const std::string& line) { return line.find("file_blake2b") != line.npos; }),
+        1U);
+  }
   ASSERT_GT(window.size(), 1000U);
   for (std::size_t i = 0; i < std::min(window.size(), command.size()); ++i) {
     ASSERT_EQ(window[i], command[i]) << "line " << i + 1;
@@ -232,6 +238,10 @@ void areFollowedToTheMarksTheSheetAndTheRecording(const fs::path& folder) {
     sum += std::stod(mark["value"].get<std::string>());
   }
   EXPECT_NEAR(sum / 100.0, std::stod(group["value"].get<std::string>()), 1e-12);
+  std::vector<json> program;
+  collect(group, "program file", program);
+  ASSERT_EQ(program.size(), 1U);
+  EXPECT_EQ(program[0]["value"].get<std::string>().size(), 64U);
   std::vector<json> sheets;
   std::vector<json> live;
   collect(marks.front(), "scoring sheet", sheets);

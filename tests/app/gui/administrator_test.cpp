@@ -24,6 +24,8 @@
 #include <QTableWidget>
 #include <QTimer>
 #include <QToolButton>
+#include <QTreeWidget>
+#include <QUrl>
 #include <gtest/gtest.h>
 
 #include "app/gui/administrator/administrator_pages.h"
@@ -268,6 +270,47 @@ void expectReportInChinese(ReportsPage& reports, const fs::path& file) {
   EXPECT_NE(readFile(file).find("NotoSansCJK"), std::string::npos);
 }
 
+/// How deep a step of this kind stands below; 0: it is none.
+int depthOf(const QTreeWidgetItem& item, const QString& kind) {
+  for (int i = 0; i < item.childCount(); ++i) {
+    if (item.child(i)->text(0).startsWith(kind)) {
+      return 1;
+    }
+    if (const int below = depthOf(*item.child(i), kind); below > 0) {
+      return below + 1;
+    }
+  }
+  return 0;
+}
+
+/// Presses a group's mean in the preview and goes back to marks and program, then finds a person's numbers.
+void expectNumbersLeadBack(ReportsPage& reports, ShellContext& shell) {
+  auto& preview = child<ReportPreview>(reports, "preview");
+  const QString page = preview.toHtml();
+  const qsizetype at = page.indexOf(QStringLiteral("number:training%2Call%2CGroup%201"));
+  ASSERT_GE(at, 0);
+  const QUrl link(page.mid(at, page.indexOf(QLatin1Char('"'), at) - at));
+  answer([&](QDialog& dialog) {
+    shell.waitForJobs();
+    auto& steps = child<QTreeWidget>(dialog, "steps");
+    ASSERT_EQ(steps.topLevelItemCount(), 1);
+    const QTreeWidgetItem& mean = *steps.topLevelItem(0);
+    EXPECT_TRUE(mean.text(0).startsWith(QStringLiteral("mean of Group 1"))) << mean.text(0).toStdString();
+    EXPECT_EQ(mean.childCount(), 11) << "ten scores and the program";
+    EXPECT_EQ(depthOf(mean, QStringLiteral("score of T-")), 1);
+    EXPECT_EQ(depthOf(mean, QStringLiteral("rater_mark of T-")), 2);
+    EXPECT_EQ(depthOf(mean, QStringLiteral("submitted")), 3);
+    EXPECT_EQ(depthOf(mean, QStringLiteral("scoring sheet")), 3);
+    EXPECT_EQ(depthOf(mean, QStringLiteral("program file")), 1);
+    auto& numbers = child<DataTable>(dialog, "numbers");
+    numbers.filter().setText(QStringLiteral("T-07"));
+    EXPECT_EQ(numbers.visibleRows(), 3 * (1 + 10 + 3 + 30))
+        << "at three occasions the score, ten marks, and as much for each of three criteria";
+    dialog.reject();
+  });
+  Q_EMIT preview.anchorClicked(link);
+}
+
 TEST(AdministratorPages, RunsAWholeStudyFromTheRosterToTheReport) {
   AdministratorDesk office;
 
@@ -295,6 +338,7 @@ TEST(AdministratorPages, RunsAWholeStudyFromTheRosterToTheReport) {
   ASSERT_TRUE(reports->inputs()->freeze.has_value());
   EXPECT_TRUE(reports->inputs()->freeze->unchanged);
   EXPECT_EQ(reports->inputs()->scores.size(), 90U);
+  expectNumbersLeadBack(*reports, office.shell());
   const fs::path pdf = office.centre.folder() / "report.pdf";
   const fs::path csv = office.centre.folder() / "report.csv";
   EXPECT_TRUE(reports->exportTo(ReportFormat::kPdf, pdf));

@@ -4,18 +4,22 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QDateTime>
 #include <QDialog>
 #include <QDoubleSpinBox>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QTableView>
 #include <QTest>
+#include <QTimeEdit>
 #include <QTimer>
 #include <gtest/gtest.h>
 
 #include "app/gui/administrator/base/printed_sheets.h"
+#include "app/gui/administrator/study/day_plan_dialog.h"
 #include "app/gui/administrator/study/run_day_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
@@ -103,6 +107,35 @@ TEST_F(CallsFromTheBoard, AScannedCodeCallsAndTheLineSaysWhoIsMissing) {
   press(*page_, QStringLiteral("End call"));
   ASSERT_EQ(lines().size(), 1);
   EXPECT_TRUE(lines()[0].startsWith(QStringLiteral("! Late"))) << lines()[0].toStdString();
+}
+
+TEST_F(CallsFromTheBoard, TheDayIsPlannedAndPrintedAndTheOverdueAreShown) {
+  StudyCentre& centre = office_.centre;
+  const QDateTime now = QDateTime::fromMSecsSinceEpoch(centre.as("administrator").now_us() / 1000);
+  const std::filesystem::path file = centre.folder() / "plan.pdf";
+  answer([&](QDialog& dialog) {
+    child<QTimeEdit>(dialog, "planFirst").setTime(now.time().addSecs(600));
+    child<QSpinBox>(dialog, "planMinutes").setValue(20);
+    child<QLineEdit>(dialog, "planPlaces").setText(QStringLiteral("Station 1, Skills lab"));
+    child<QPushButton>(dialog, "planAdd").click();
+    auto& slots = child<DataTable>(dialog, "planSlots");
+    EXPECT_EQ(slots.visibleRows(), 3);
+    EXPECT_TRUE(slots.asText().contains(QStringLiteral("Skills lab\tT-02"))) << slots.asText().toStdString();
+    dynamic_cast<DayPlanDialog&>(dialog).print(file);
+    dialog.reject();
+  });
+  press(*page_, QStringLiteral("Plan the day"));
+  EXPECT_EQ(pagesOf(file), 1);
+  const auto board = [&] { return child<DataTable>(*page_, "table").asText(); };
+  EXPECT_TRUE(board().contains(QStringLiteral("Station 1"))) << board().toStdString();
+  EXPECT_FALSE(board().contains(QStringLiteral("overdue")));
+
+  centre.passTime_us(16LL * 60 * 1'000'000);  // the first two are six minutes late
+  page_->enter(toQString(cohort_));
+
+  EXPECT_EQ(board().count(QStringLiteral("overdue")), 2) << board().toStdString();
+  EXPECT_TRUE(child<QLabel>(*page_, "alerts").text().contains(QStringLiteral("T-01 was expected at")))
+      << child<QLabel>(*page_, "alerts").text().toStdString();
 }
 
 TEST_F(CallsFromTheBoard, TheChosenTraineeIsCalledByTheButtonAndNotDueNeedsAReason) {

@@ -3,6 +3,9 @@
 #include "app/gui/administrator/base/printed_cards.h"
 
 #include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
 
 #include <QProcess>
 #include <QRegularExpression>
@@ -10,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "app/access/first_run.h"
+#include "app/gui/administrator/base/barcode.h"
 
 namespace torsio::gui {
 namespace {
@@ -45,6 +49,51 @@ TEST(PrintedCards, EveryStartPasswordAndNameIsWhole) {
     EXPECT_TRUE(words.contains(name)) << account.personName;
   }
   EXPECT_FALSE(words.contains(QChar(0x2026)));
+}
+
+/// Reads the signs of a barcode back from its bars, as a scanner does: nine stripes a sign, three of them
+/// wide.
+std::string readBack(const std::vector<BarcodeStripe>& bars) {
+  const std::map<std::string, char> signs{{"000110100", '0'}, {"100100001", '1'}, {"001100001", '2'},
+                                          {"101100000", '3'}, {"000110001", '4'}, {"100110000", '5'},
+                                          {"001110000", '6'}, {"000100101", '7'}, {"100100100", '8'},
+                                          {"001100100", '9'}, {"010010100", '*'}};
+  std::string text;
+  for (std::size_t first = 0; first + 5 <= bars.size(); first += 5) {
+    std::string wide;
+    for (std::size_t bar = first; bar < first + 5; ++bar) {
+      wide += bars[bar].width > 1.5 ? '1' : '0';
+      if (bar + 1 < first + 5) {
+        const double gap = bars[bar + 1].left - bars[bar].left - bars[bar].width;
+        wide += gap > 1.5 ? '1' : '0';
+      }
+    }
+    const auto sign = signs.find(wide);
+    text += sign == signs.end() ? '?' : sign->second;
+  }
+  return text;
+}
+
+TEST(Barcode, IsReadBackWithItsStartAndStopSigns) {
+  const std::string digits = "12345678909876543210";
+
+  const std::vector<BarcodeStripe> bars = code39(digits);
+
+  EXPECT_EQ(readBack(bars), "*" + digits + "*");
+  EXPECT_DOUBLE_EQ(bars.back().left + bars.back().width, code39Width(digits.size()));
+}
+
+TEST(PrintedCards, ACardForTheKioskBearsItsCodeInDigitsToo) {
+  QTemporaryDir folder;
+  const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "kiosk.pdf";
+
+  writeKioskCards({{"T-01", "t-01", "12345678909876543210"}, {"T-02", "t-02", "11112222333344445555"}},
+                  "City hospital", file);
+
+  const QString words = wordsOfPdf(file);
+  EXPECT_TRUE(words.contains(QStringLiteral("12345678909876543210")));
+  EXPECT_TRUE(words.contains(QStringLiteral("11112222333344445555")));
+  EXPECT_TRUE(words.contains(QStringLiteral("T-02")));
 }
 
 }  // namespace

@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an administrator decides about records: how long they are kept, a person's own copy, erasure on
 // request, a move to another group, another occasion.
+#include <algorithm>
 #include <filesystem>
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QInputDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTableView>
 
+#include "app/access/kiosk_codes.h"
+#include "app/access/settings_service.h"
 #include "app/gui/administrator/curriculum/curricula_page.h"
+#include "app/gui/administrator/people/kiosk_cards_dialog.h"
 #include "app/gui/administrator/people/roster_page.h"
+#include "app/gui/administrator/people/users_page.h"
 #include "app/gui/administrator/station/maintenance_page.h"
 #include "app/gui/administrator/study/allocation_page.h"
 #include "app/gui/base/translated_text.h"
@@ -20,6 +27,7 @@
 #include "app/maintenance/retention.h"
 #include "app/people/consent_service.h"
 #include "app/people/people_service.h"
+#include "app/people/person_requests.h"
 #include "app/study/cohort_service.h"
 #include "app/study/occasion_service.h"
 #include "assessment/people/consent.h"
@@ -129,6 +137,84 @@ TEST(RosterPage, EntersWhatWasSignedOnPaperAndShowsEveryDecision) {
   EXPECT_TRUE(kept[0].granted);
   EXPECT_FALSE(kept[1].granted);
   EXPECT_EQ(office.centre.audited("consent.withdraw"), 1);
+}
+
+TEST(RosterPage, ShowsWhatTraineesAskedForAndGoesToThem) {
+  AdministratorDesk office;
+  const std::vector<TraineeId> trainees = office.centre.addTrainees(3);
+  SessionContext& trainee = office.centre.as("trainee");
+  Actor actor = trainee.actor();
+  actor.personId = trainees[1];
+  trainee.setActor(actor);
+  requestAboutOwnRecord(trainee, PersonRequestKind::kExport);
+  auto page = office.open<RosterPage>("administrator");
+  EXPECT_TRUE(named(*page, "personRequests").text().contains(QStringLiteral("(1)")));
+  answer([](QDialog& dialog) {
+    auto* table = dialog.findChild<DataTable*>();
+    EXPECT_EQ(table->visibleRows(), 1);
+    table->view().selectRow(0);
+    testing::press(dialog, QStringLiteral("Go to the person"));
+  });
+  named(*page, "personRequests").click();
+  EXPECT_EQ(page->findChild<DataTable*>()->currentId(), toQString(trainees[1]));
+
+  answer([](QDialog& dialog) {
+    dialog.findChild<DataTable*>()->view().selectRow(0);
+    answer(giveReason);
+    named(dialog, "requestDone").click();
+    EXPECT_FALSE(named(dialog, "requestDone").isEnabled());
+    dialog.reject();
+  });
+  named(*page, "personRequests").click();
+  EXPECT_FALSE(named(*page, "personRequests").text().contains(QStringLiteral("(1)")));
+  EXPECT_EQ(office.centre.audited("person.request_answer"), 1);
+}
+
+TEST(RosterPage, MarksAllWhoAreChosenAsGoneAndTakesThemBack) {
+  AdministratorDesk office;
+  office.centre.addTrainees(5);
+  auto page = office.open<RosterPage>("administrator");
+  auto& table = *page->findChild<DataTable*>();
+  const auto gone = [&] {
+    const std::vector<PersonRow> all = people(office.centre.as("administrator"));
+    return std::count_if(all.begin(), all.end(),
+                         [](const PersonRow& row) { return row.person.state == PersonState::kLeft; });
+  };
+
+  table.view().selectAll();
+  answer([](QDialog& dialog) {
+    EXPECT_TRUE(dialog.findChild<QLabel*>()->text().contains(QStringLiteral("T-01, T-02, T-03 and 2 more")));
+    giveReason(dialog);
+  });
+  testing::press(*page, QStringLiteral("Has left"));
+  EXPECT_EQ(gone(), 5);
+
+  table.view().selectAll();
+  answer(giveReason);
+  testing::press(*page, QStringLiteral("Came back"));
+  EXPECT_EQ(gone(), 0);
+}
+
+TEST(UsersPage, MakesCardsForTheKioskAndRevokesThem) {
+  AdministratorDesk office;
+  setCentreSetting(office.centre.as("administrator"), kKioskCodesSetting, "yes");
+  auto page = office.open<UsersPage>("administrator");
+  const std::filesystem::path file = office.centre.folder() / "cards.pdf";
+  answer([&file](QDialog& dialog) {
+    auto& cards = dynamic_cast<KioskCardsDialog&>(dialog);
+    EXPECT_EQ(dialog.findChild<DataTable*>()->visibleRows(), 1) << "the one who only trains";
+    cards.saveCards(file);
+    cards.reject();
+  });
+  named(*page, "makeKioskCards").click();
+  EXPECT_TRUE(std::filesystem::exists(file));
+  const std::map<UserId, std::int64_t> made = kioskCodesInForce(office.centre.as("administrator"));
+  ASSERT_EQ(made.size(), 1U);
+
+  page->findChild<DataTable*>()->select(toQString(made.begin()->first));
+  answer(giveReason);
+  named(*page, "revokeKioskCards").click();
+  EXPECT_TRUE(kioskCodesInForce(office.centre.as("administrator")).empty());
 }
 
 TEST(RosterPage, OffersNeitherToWhoeverMayNot) {

@@ -105,6 +105,34 @@ TEST_F(RosterWizardTest, ImportsNothingWhenAnyLineIsWrongAndSaysWhatToMend) {
   EXPECT_EQ(office.centre.audited("roster.import"), 0);
 }
 
+TEST_F(RosterWizardTest, AMendedFileKeepsTheColumnsAndEmptyOrDoubleLinesBlockNothing) {
+  open("Kennung;Wer;Jahre;Bemerkung\nS-1;Ann Smith;24;erste\nS-2;Bo Chen;250;zweite\n");
+  next();
+  EXPECT_TRUE(lines().asText().contains(QStringLiteral("Bemerkung"))) << "every column of the file is shown";
+  EXPECT_TRUE(lines().asText().contains(QStringLiteral("zweite")));
+  choose(RosterField::kExternalId, "Kennung");
+  choose(RosterField::kFullName, "Wer");
+  choose(RosterField::kAge, "Jahre");
+  next();
+  EXPECT_FALSE(import().isEnabled()) << "an age of 250";
+  wizard->button(QWizard::CancelButton)->click();
+
+  open(
+      "Kennung;Wer;Jahre;Bemerkung\nS-1;Ann Smith;24;erste\n;;;\nS-2;Bo Chen;25;zweite\nS-2;Bo "
+      "Chen;25;zweite\n");
+  next();
+  ASSERT_TRUE(wizard->button(QWizard::NextButton)->isEnabled()) << "the choices are remembered";
+  next();
+  ASSERT_TRUE(import().isEnabled()) << lines().asText().toStdString();
+  import().click();
+  office.shell().waitForJobs();
+
+  EXPECT_EQ(wizard->outcome()->added, 2U);
+  for (const NamedPersonRow& one : namedPeople(office.centre.session())) {
+    EXPECT_EQ(one.row.person.age_years, one.identity.externalId == "S-1" ? 24 : 25);
+  }
+}
+
 TEST_F(RosterWizardTest, KnowsPeopleByTheirNumberAndChangesOnlyWhatDiffers) {
   open("Staff ID,Name,E-mail\nS-1,Ann Smith,ann@example.org\n");
   next();

@@ -22,6 +22,7 @@
 #include <gtest/gtest.h>
 
 #include "app/access/first_run.h"
+#include "app/access/kiosk_codes.h"
 #include "app/access/settings_service.h"
 #include "app/access/signing.h"
 #include "app/base/build_info.h"
@@ -749,6 +750,47 @@ TEST_F(Shell, TheKioskEndsWithTheNameAndPasswordOfAnAdministratorOnly) {
   Q_EMIT signIn->leaveKioskWanted();
   testing::waitFor(window_->background());
   EXPECT_FALSE(window_->isVisible());
+}
+
+TEST_F(Shell, AKioskTakesTheCodeOfACardWhereTheCentreAllowsItAndNoOtherPlaceDoes) {
+  ShellSetup with = setup();
+  openFoundedCentre(with);
+  EXPECT_TRUE(window_->findChild<QLineEdit*>(QStringLiteral("cardCode"))->isHidden()) << "no kiosk";
+  window_.reset();
+  std::string code;
+  {
+    SessionKey key;
+    key.locator = with.locator.toStdString();
+    key.station = "office";
+    SessionContext office(key);
+    ASSERT_EQ(torsio::signIn(office, "admin", kAdminPassword).outcome, SignIn::kOk);
+    setCentreSetting(office, kKioskCodesSetting, "yes");
+    std::vector<UserId> trainees;
+    for (const UserAccount& user : users(office)) {
+      if (user.login == "chen") {
+        trainees.push_back(user.id);
+      }
+    }
+    code = makeKioskCodes(office, trainees).at(0).code;
+    torsio::signOut(office);
+  }
+  with.kiosk = true;
+  open(with);
+  auto* field = window_->findChild<QLineEdit*>(QStringLiteral("cardCode"));
+  ASSERT_TRUE(field->isVisible());
+  const auto scan = [&](const QString& typed) {  // a scanner is a keyboard that ends with Enter
+    QTest::keyClicks(field, typed);
+    QTest::keyClick(field, Qt::Key_Return);
+    testing::waitFor(window_->background());
+  };
+
+  scan(QStringLiteral("00000000000000000000"));
+  EXPECT_TRUE(says(*window_, QStringLiteral("No card with this code is in force")));
+  EXPECT_TRUE(field->text().isEmpty());
+  scan(QString::fromStdString(code));
+
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
+  EXPECT_EQ(window_->session()->actor().login, "chen");
 }
 
 TEST_F(Shell, OneChoiceInTheMenuRemovesTheDemonstration) {

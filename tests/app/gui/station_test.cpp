@@ -31,8 +31,10 @@
 #include "app/gui/widgets/angle_dial.h"
 #include "app/gui/widgets/theme.h"
 #include "app/people/consent_service.h"
+#include "app/people/person_requests.h"
 #include "app/recording/station_writer.h"
 #include "app/training/run_session.h"
+#include "db/repository/people/request_repository.h"
 #include "db/repository/trial/station_repository.h"
 #include "tests/app/gui/trainee_station.h"
 #include "tests/app/support/training_centre.h"
@@ -207,6 +209,26 @@ TEST(StationPages, ConsentIsKeptWithoutAskingTwiceAndWithdrawnForTheRecordAlone)
   for (const ConsentDecision& one : ownConsents(centre.session())) {
     EXPECT_EQ(one.granted, one.purpose == "teaching") << one.purpose;
   }
+}
+
+TEST(StationPages, ATraineeAsksForACopyOfTheRecordAndReadsTheAnswer) {
+  TrainingCentre centre;
+  Station station(centre);
+  station.open(PageId::kConsent);
+  station.press("askCopy");
+
+  EXPECT_FALSE(station.find<QPushButton>("askCopy")->isEnabled()) << "it waits";
+  EXPECT_TRUE(station.find<QLabel>("ownRequests")->text().contains(QStringLiteral("a copy of everything")));
+  std::vector<PersonRequest> own = ownRequests(centre.session());
+  ASSERT_EQ(own.size(), 1U);
+  RequestRepository(centre.connection()).answer(own[0].id, PersonRequestAnswer::kDone, "at the office", 1);
+  station.open(PageId::kConsent);
+  EXPECT_TRUE(station.find<QLabel>("ownRequests")->text().contains(QStringLiteral("done. at the office")))
+      << station.find<QLabel>("ownRequests")->text().toStdString();
+  EXPECT_TRUE(station.find<QPushButton>("askCopy")->isEnabled());
+  station.press("askCopy");
+  station.press("takeBackRequest");
+  EXPECT_TRUE(station.find<QPushButton>("askCopy")->isEnabled());
 }
 
 TEST(StationPages, AmberAllowsPracticeOnlyAndRedNothing) {

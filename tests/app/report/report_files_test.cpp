@@ -198,6 +198,28 @@ TEST(PdfReport, HasBookmarksOfSectionsFiguresAndTablesAndItsReferenceOnEveryPage
   EXPECT_EQ(said, 1U) << "composed once and drawn in the foot of all " << pages << " pages";
 }
 
+TEST(PdfReport, SaysThatItIsAnArchiveFileAndHoldsWhatOneNeeds) {
+  const fs::path file = freshFolder("archive") / "report.pdf";
+
+  writePdfReport(smallReport(), file);
+
+  const std::string pdf = readFile(file);
+  EXPECT_NE(pdf.find("pdfaid:part=\"1\""), std::string::npos);
+  EXPECT_NE(pdf.find("pdfaid:conformance=\"B\""), std::string::npos);
+  const std::string catalog = pdf.substr(pdf.rfind("/Type /Catalog"), 400);
+  EXPECT_NE(catalog.find("/Metadata "), std::string::npos) << "the update keeps what the file was given";
+  EXPECT_NE(catalog.find("/OutputIntents "), std::string::npos);
+  EXPECT_NE(pdf.substr(pdf.rfind("trailer")).find("/ID"), std::string::npos);
+  for (std::size_t at = pdf.find("/SMask"); at != std::string::npos; at = pdf.find("/SMask", at + 1)) {
+    EXPECT_EQ(pdf.substr(at, 12), "/SMask /None") << "no transparency in PDF/A-1";
+  }
+  for (const char* key : {"/CA ", "/ca "}) {
+    for (std::size_t at = pdf.find(key); at != std::string::npos; at = pdf.find(key, at + 1)) {
+      EXPECT_EQ(pdf.substr(at + 4, 3), "1.0") << key;
+    }
+  }
+}
+
 TEST(PdfOutline, RefusesWhatIsNoPdf) {
   EXPECT_THROW((void)withBookmarks("", {}, "en"), Error);
   EXPECT_THROW((void)withBookmarks("startxref\n5\n/Root 1 0 R /Size 3", {}, "en"), Error);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The report in Chinese: nothing is left in English, and the numbers are those of the English one.
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 
@@ -98,6 +99,7 @@ void sayAll(const ReportModel& model, const Say& say) {
 /// What stays as it is in Chinese: names of methods and models, codes, units, symbols, hashes, versions.
 QString withoutKeptWords(QString text) {
   static const QRegularExpression kKept(QStringLiteral(
+      "Arm sheet|Pace|Aim|far too slow|quick and steady|criterion|"  // a sheet speaks the words of its centre
       "Bland-Altman|Shapiro-Wilk|Bonferroni|Student|Biau|Porcher|Shrout-Fleiss|Shrout|Fleiss|Krippendorff|"
       "Cohen|"
       "Hedges|Kruskal-Wallis|Dunn|Holm|"
@@ -173,6 +175,35 @@ TEST(ReportLanguage, WritesAChinesePdfWithItsLettersInIt) {
   EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
   EXPECT_NE(pdf.find("NotoSansCJK"), std::string::npos) << "fonts-noto-cjk is missing (app/setup.sh)";
   EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos);
+}
+
+/// Which pages the bookmarks lead to: how many lead to the first one.
+std::size_t bookmarksOfFirstPage(const std::string& pdf) {
+  const std::string pages = pdf.substr(pdf.find("/Kids"));
+  const std::string first = std::to_string(std::stoull(pages.substr(pages.find('[') + 1)));
+  std::size_t count = 0;
+  for (std::size_t at = pdf.find("/Dest ["); at != std::string::npos; at = pdf.find("/Dest [", at + 1)) {
+    count += pdf.compare(at + 7, first.size() + 5, first + " 0 R ") == 0 ? 1U : 0U;
+  }
+  return count;
+}
+
+TEST(ReportLanguage, ThePageOfTheBoardIsOnePageWithItsSignaturesInBothLanguages) {
+  ReportModel model = cohortReport(everything());
+  const auto board = std::find_if(model.sections.begin(), model.sections.end(),
+                                  [](const ReportSection& one) { return one.onFirstPage; });
+  ASSERT_NE(board, model.sections.end());
+  model.sections = {*board};
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "torsio-report-board.pdf";
+
+  for (const std::string& language : reportLanguages()) {
+    writePdfReport(model, file, wordingIn(language));
+
+    EXPECT_EQ(bookmarksOfFirstPage(readFile(file)),
+              1 + model.sections[0].figures.size() + model.sections[0].tables.size())
+        << language << ": title, figure, standard and signatures begin on the first page";
+  }
+  std::filesystem::remove(file);
 }
 
 TEST(ReportLanguage, RefusesALanguageItDoesNotSpeak) {

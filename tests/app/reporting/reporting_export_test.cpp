@@ -11,6 +11,7 @@
 #include "app/base/csv_look.h"
 #include "app/base/csv_table.h"
 #include "app/people/people_service.h"
+#include "app/reporting/cell_trace.h"
 #include "app/reporting/coded_tables.h"
 #include "app/reporting/report_export.h"
 #include "app/study/allocation_service.h"
@@ -23,6 +24,8 @@
 #include "assessment/people/audit_entry.h"
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/campaign.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/report/cohort_csv.h"
 #include "assessment/report/cohort_report.h"
 #include "assessment/report/number_format.h"
 #include "assessment/study/cohort.h"
@@ -177,6 +180,68 @@ TEST(CodedTables, TellTheCriteriaTheAnchorsTheRevisionAndTheBuild) {
   ASSERT_NE(mean, german[0].values.end());
   EXPECT_EQ(german[1].values[static_cast<std::size_t>(mean - german[0].values.begin())], "1,5")
       << "each row half a point above its lowest mark of 1";
+}
+
+/// How many steps of this kind stand below.
+std::size_t stepsOf(const TraceStep& step, const std::string& kind) {
+  std::size_t count = step.what.str().starts_with(kind) ? 1 : 0;
+  for (const TraceStep& part : step.madeOf) {
+    count += stepsOf(part, kind);
+  }
+  return count;
+}
+
+TEST(ReportInputs, HoldTheSheetsBehindTheMarksAndANumberLeadsBackToThem) {
+  SmallStudy study;
+  const std::vector<RaterId> chiefs = study.centre.addChiefs(3);
+  const std::string rubric = study.centre.addPaperRubric();
+  createAssignments(study.centre.session(), {.cohortId = study.request.cohortId,
+                                             .occasionCodes = {"pre"},
+                                             .raterIds = chiefs,
+                                             .rubricRevisionId = rubric,
+                                             .seed = 3});
+  SheetRepository sheets(study.centre.connection());
+  const RubricRevision used = sheets.revision(rubric).value();
+  for (const AssignmentStatus& asked : sheets.assignments(study.request.cohortId)) {
+    Sheet sheet{.overall_steps = 70};
+    for (const RubricLine& row : used.rows) {
+      sheet.rows.push_back({row.code, row.scale.lo + 5, ""});
+    }
+    sheet.rows.back() = {used.rows.back().code, std::nullopt, "hidden by a hand"};
+    sheets.submit(asked.assignment.id, study.centre.session().ids().newUuid(), sheet, "", 1);
+  }
+
+  CohortInputs inputs = reportInputs(study.centre.as("statistician"), study.request, study.digests);
+
+  ASSERT_EQ(inputs.sheets.size(), 1U);
+  EXPECT_EQ(inputs.sheets[0].revision, 1);
+  EXPECT_EQ(inputs.sheets[0].criteria.at(0).anchors.size(), used.rows[0].anchors.size());
+  ASSERT_EQ(inputs.criterionMarks.size(), 6U * 3U * used.rows.size());
+  for (const CriterionMark& mark : inputs.criterionMarks) {
+    EXPECT_EQ(mark.points.has_value(), mark.criterion + 1 < used.rows.size());
+  }
+  EXPECT_EQ(inputs.programHash.size(), 64U);
+  std::string mean;
+  std::string score;
+  for (const CohortCsvRow& row : cohortCsvRows(inputs)) {
+    if (row.statistic == "criterion_mean" && row.item == "all" && mean.empty()) {
+      mean = numberAddress(row);
+    }
+    if (row.statistic == "score" && score.empty()) {
+      score = numberAddress(row);
+    }
+  }
+  SessionContext& session = study.centre.as("statistician");
+  const TraceStep criterion = traceNumber(session, study.request.cohortId, inputs, mean);
+  EXPECT_EQ(stepsOf(criterion, "criterion_mean of T-"), 2U) << "two trainees a group";
+  EXPECT_EQ(stepsOf(criterion, "criterion_mark of T-"), 6U);
+  EXPECT_EQ(stepsOf(criterion, "scoring sheet"), 6U);
+  EXPECT_EQ(stepsOf(criterion, "program file"), 1U);
+  EXPECT_THROW((void)traceNumber(session, study.request.cohortId, inputs, "training,T-99,,,,,score"), Error);
+  inputs.singleMarks = false;
+  const TraceStep closed = traceNumber(session, study.request.cohortId, inputs, score);
+  EXPECT_EQ(stepsOf(closed, "rater_mark"), 0U) << "whoever may not see marks finds none on the way back";
+  EXPECT_EQ(stepsOf(closed, "not shown to you"), 1U);
 }
 
 TEST(CsvLook, ChangesNumbersAndNothingElse) {

@@ -97,6 +97,14 @@ QString orDash(const std::string& text) {
   return text.empty() ? QStringLiteral("\u2013") : toQString(text);
 }
 
+QString firstFew(const QStringList& names) {
+  constexpr qsizetype kFew = 3;
+  const QString first = names.mid(0, kFew).join(QStringLiteral(", "));
+  const qsizetype more = names.size() - kFew;
+  return more > 0 ? QCoreApplication::translate("Administration", "%1 and %2 more").arg(first).arg(more)
+                  : first;
+}
+
 QString shownTime(std::int64_t utc_us, const QLocale& locale) {
   if (utc_us == 0) {
     return QStringLiteral("\u2013");

@@ -8,6 +8,7 @@
 
 #include <QLocale>
 #include <QString>
+#include <QStringList>
 
 #include "app/gui/base/translated_text.h"
 
@@ -43,6 +44,8 @@ void chooseId(QComboBox* chooser, const std::string& id);
 
 /// The text, or a dash when there is none.
 [[nodiscard]] QString orDash(const std::string& text);
+/// The first three of some names and how many more there are: "T-01, T-02, T-03 and 5 more".
+[[nodiscard]] QString firstFew(const QStringList& names);
 /// Date and time in the user's language; a dash for 0.
 [[nodiscard]] QString shownTime(std::int64_t utc_us, const QLocale& locale);
 

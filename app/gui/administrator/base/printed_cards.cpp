@@ -13,6 +13,7 @@
 #include <QPdfWriter>
 
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/barcode.h"
 #include "app/report/typeface.h"
 #include "sim/base/file_io.h"
 
@@ -40,6 +41,7 @@ struct CardLine {
 struct PrintedCard {
   std::array<CardLine, 3> label;
   std::array<CardLine, 3> inside;
+  std::string barcode{};  ///< digits; empty: none
 };
 
 /// Nothing on a card is cut off, in whatever font the machine has: a line that is too wide is set smaller.
@@ -57,6 +59,17 @@ void drawHalf(QPainter& painter, const QRectF& half, const std::array<CardLine, 
   }
 }
 
+/// In the middle of a half, with ten narrow bars of white at either side.
+void drawBarcode(QPainter& painter, const QRectF& half, const std::string& digits) {
+  constexpr double kQuiet = 10.0;
+  const double narrow = half.width() / (code39Width(digits.size()) + 2.0 * kQuiet);
+  for (const BarcodeStripe& bar : code39(digits)) {
+    painter.fillRect(QRectF(half.left() + (kQuiet + bar.left) * narrow, half.top() + 0.38 * half.height(),
+                            bar.width * narrow, 0.32 * half.height()),
+                     Qt::black);
+  }
+}
+
 void drawCard(QPainter& painter, const QRectF& strip, const PrintedCard& card) {
   QRectF label = strip;
   label.setWidth(strip.width() / 2.0);
@@ -68,6 +81,9 @@ void drawCard(QPainter& painter, const QRectF& strip, const PrintedCard& card) {
   const double inset = 0.04 * strip.width();
   drawHalf(painter, label.adjusted(inset, 0.0, -inset, 0.0), card.label);
   drawHalf(painter, inside.adjusted(inset, 0.0, -inset, 0.0), card.inside);
+  if (!card.barcode.empty()) {
+    drawBarcode(painter, inside, card.barcode);
+  }
 }
 
 void writeCards(const std::vector<PrintedCard>& cards, const QString& title,
@@ -129,6 +145,26 @@ void writeAccountCards(const std::vector<StartAccount>& accounts, const std::str
                      {PrintedCards::tr("Choose your own password at the first sign-in.")}}}});
   }
   writeCards(printed, PrintedCards::tr("Start passwords: %1").arg(toQString(centre)), file);
+}
+
+void writeKioskCards(const std::vector<KioskCardText>& cards, const std::string& centre,
+                     const std::filesystem::path& file) {
+  std::vector<PrintedCard> printed;
+  for (const KioskCardText& card : cards) {
+    QString spaced = toQString(card.code);
+    for (qsizetype i = spaced.size() - 4; i > 0; i -= 4) {
+      spaced.insert(i, QLatin1Char(' '));
+    }
+    printed.push_back({.label = {{{toQString(centre)},
+                                  {toQString(card.personCode), 24.0, true},
+                                  {PrintedCards::tr("Sign-in name: %1").arg(toQString(card.login))}}},
+                       .inside = {{{PrintedCards::tr("%1: hold the card to the scanner, or type the code")
+                                        .arg(toQString(card.personCode))},
+                                   {QString()},
+                                   {spaced, 11.0}}},
+                       .barcode = card.code});
+  }
+  writeCards(printed, PrintedCards::tr("Cards for the kiosk: %1").arg(toQString(centre)), file);
 }
 
 }  // namespace torsio::gui

@@ -21,4 +21,14 @@ void writeSealedCards(const std::vector<SealedCard>& cards, const std::string& c
 void writeAccountCards(const std::vector<StartAccount>& accounts, const std::string& centre,
                        const std::filesystem::path& file);
 
+/// A card that opens a kiosk: whose it is, the code in digits and as a barcode.
+struct KioskCardText {
+  std::string personCode{};
+  std::string login{};
+  std::string code{};
+};
+/// The label names the person's code and sign-in name; the card bears the barcode.
+void writeKioskCards(const std::vector<KioskCardText>& cards, const std::string& centre,
+                     const std::filesystem::path& file);
+
 }  // namespace torsio::gui

@@ -18,6 +18,7 @@
 #include "app/gui/administrator/people/consent_dialog.h"
 #include "app/gui/administrator/people/consent_texts_dialog.h"
 #include "app/gui/administrator/people/person_dialog.h"
+#include "app/gui/administrator/people/person_requests_dialog.h"
 #include "app/gui/administrator/people/roster_wizard.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/table_choice.h"
@@ -26,6 +27,7 @@
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/maintenance/person_package.h"
+#include "app/people/person_requests.h"
 #include "assessment/people/consent.h"
 
 namespace torsio::gui {
@@ -36,6 +38,7 @@ RosterPage::RosterPage(ShellContext& shell)
       import_(new QPushButton(this)),
       add_(new QPushButton(this)),
       texts_(new QPushButton(this)),
+      requests_(new QPushButton(this)),
       table_(new DataTable(QStringLiteral("roster"), this)),
       names_(new QCheckBox(this)),
       edit_(nullptr),
@@ -57,6 +60,8 @@ RosterPage::RosterPage(ShellContext& shell)
   erase_->setObjectName(QStringLiteral("erasePerson"));
   import_->setProperty("primary", true);
   texts_->setObjectName(QStringLiteral("consentTexts"));
+  requests_->setObjectName(QStringLiteral("personRequests"));
+  heading_->addAction(requests_);
   heading_->addAction(texts_);
   heading_->addAction(add_);
   heading_->addAction(import_);
@@ -68,6 +73,7 @@ RosterPage::RosterPage(ShellContext& shell)
 
   connect(import_, &QPushButton::clicked, this, &RosterPage::import);
   connect(texts_, &QPushButton::clicked, this, [this] { ConsentTextsDialog(this->shell(), this).exec(); });
+  connect(requests_, &QPushButton::clicked, this, &RosterPage::showRequests);
   connect(add_, &QPushButton::clicked, this, &RosterPage::add);
   connect(edit_, &QPushButton::clicked, this, &RosterPage::edit);
   connect(state_, &QPushButton::clicked, this, &RosterPage::switchState);
@@ -90,6 +96,7 @@ void RosterPage::enter(const QVariant&) {
   names_->setVisible(shell().may(Operation::kPersonViewIdentity));
   package_->setVisible(shell().may(Operation::kPersonExport));
   erase_->setVisible(shell().may(Operation::kPersonErase));
+  requests_->setVisible(shell().may(Operation::kPersonExport));
   for (QPushButton* button : {import_, add_, edit_, state_}) {
     button->setVisible(shell().may(Operation::kPersonEdit));
   }
@@ -134,11 +141,30 @@ void RosterPage::read() {
         people_.push_back({std::move(row), {}});
       }
     }
+    waiting_ = 0;
+    if (shell().may(Operation::kPersonExport)) {
+      const std::vector<PersonRequest> requests = personRequests(shell().session());
+      waiting_ = static_cast<std::size_t>(std::count_if(
+          requests.begin(), requests.end(), [](const PersonRequest& one) { return !one.answer; }));
+    }
     showContent();
   });
 }
 
+void RosterPage::showRequests() {
+  PersonRequestsDialog dialog(shell(), this);
+  dialog.exec();
+  read();
+  if (!dialog.person().empty()) {
+    table_->filter().clear();
+    table_->select(toQString(dialog.person()));
+  }
+}
+
 void RosterPage::showContent() {
+  requests_->setText(waiting_ == 0 ? tr("Request&s\u2026") : tr("Request&s (%1)\u2026").arg(waiting_));
+  requests_->setProperty("caution", waiting_ > 0);
+  requests_->setToolTip(tr("What trainees asked for about their own record"));
   std::vector<Row> rows;
   rows.reserve(people_.size());
   for (const NamedPersonRow& named : people_) {
@@ -230,9 +256,20 @@ void RosterPage::switchState() {
   if (person == people_.end()) {
     return;
   }
+  // All that are chosen and stand as the current one does.
+  const PersonState state = person->row.person.state;
+  const QStringList chosen = table_->selectedIds();
+  std::vector<PersonId> ids;
+  QStringList codes;
+  for (const NamedPersonRow& one : people_) {
+    if (one.row.person.state == state && chosen.contains(toQString(one.row.person.id))) {
+      ids.push_back(one.row.person.id);
+      codes << toQString(one.row.person.code);
+    }
+  }
   attempt(shell(), [&] {
-    const bool active = person->row.person.state == PersonState::kActive;
-    const QString code = toQString(person->row.person.code);
+    const bool active = state == PersonState::kActive;
+    const QString code = firstFew(codes);
     const std::optional<std::string> reason =
         active ? askReason(this, tr("Has left"),
                            tr("%1 keeps the record and is offered nowhere any more.").arg(code))
@@ -240,7 +277,9 @@ void RosterPage::switchState() {
     if (!reason) {
       return;
     }
-    setPersonState(shell().session(), id, active ? PersonState::kLeft : PersonState::kActive, *reason);
+    for (const PersonId& one : ids) {
+      setPersonState(shell().session(), one, active ? PersonState::kLeft : PersonState::kActive, *reason);
+    }
     read();
   });
 }

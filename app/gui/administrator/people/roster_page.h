@@ -40,13 +40,16 @@ class RosterPage : public Page {
   void exportList();
   void askExportPerson();
   void askErasePerson();
+  void showRequests();
   [[nodiscard]] const NamedPersonRow* current() const;
 
+  std::size_t waiting_ = 0;             // requests of people about their own record
   std::vector<NamedPersonRow> people_;  // identities empty while names are hidden
   PageHeading* heading_;
   QPushButton* import_;
   QPushButton* add_;
   QPushButton* texts_;
+  QPushButton* requests_;
   DataTable* table_;
   QCheckBox* names_;
   QPushButton* edit_;

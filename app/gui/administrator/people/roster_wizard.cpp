@@ -14,6 +14,8 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QSettings>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/people/roster_labels.h"
@@ -32,6 +34,38 @@ namespace {
 
 constexpr std::size_t kSampleRows = 5;
 constexpr int kWhole = 1000;  // of the progress bar
+
+/// Where this station keeps the choices for files with these headings: headings are no data of anybody.
+QString columnsKey(const RosterFile& file, RosterKind kind) {
+  QStringList headings;
+  for (const std::string& name : file.header) {
+    headings << QString::fromLatin1(QUrl::toPercentEncoding(toQString(name)));
+  }
+  return QStringLiteral("roster/%1/%2").arg(static_cast<int>(kind)).arg(headings.join(QLatin1Char('|')));
+}
+
+void keepColumns(const RosterFile& file, RosterKind kind, const RosterColumns& columns) {
+  QStringList chosen;
+  for (const std::optional<std::size_t>& column : columns) {
+    chosen << (column ? QString::number(*column) : QString());
+  }
+  QSettings().setValue(columnsKey(file, kind), chosen);
+}
+
+/// Those that were chosen before for the same headings, else what the headings suggest.
+RosterColumns columnsFor(const RosterFile& file, RosterKind kind) {
+  RosterColumns columns = suggestColumns(file, kind);
+  const QStringList kept = QSettings().value(columnsKey(file, kind)).toStringList();
+  if (kept.size() != static_cast<qsizetype>(columns.size())) {
+    return columns;
+  }
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    bool isNumber = false;
+    const std::size_t column = kept[static_cast<qsizetype>(i)].toULongLong(&isNumber);
+    columns[i] = isNumber && column < file.header.size() ? std::optional(column) : std::nullopt;
+  }
+  return columns;
+}
 
 }  // namespace
 
@@ -149,7 +183,7 @@ bool RosterFilePage::validatePage() {
     import_.file = readRoster(toPath(path_->text().trimmed()));
     // A mended file with the same headings keeps the choices that were made for it.
     if (import_.file->header != headerBefore || import_.kind != kindBefore) {
-      import_.columns = suggestColumns(*import_.file, import_.kind);
+      import_.columns = columnsFor(*import_.file, import_.kind);
     }
     return true;
   } catch (const Error& error) {
@@ -254,6 +288,7 @@ bool RosterColumnsPage::validatePage() {
     auto& chosen = import_.columns[static_cast<std::size_t>(field)];
     chosen = column < 0 ? std::nullopt : std::optional<std::size_t>(static_cast<std::size_t>(column));
   }
+  keepColumns(*import_.file, import_.kind, import_.columns);
   return true;
 }
 

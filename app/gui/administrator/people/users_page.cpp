@@ -12,11 +12,13 @@
 
 #include "app/access/access_service.h"
 #include "app/access/first_run.h"
+#include "app/access/kiosk_codes.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/people_dialog.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/second_person.h"
 #include "app/gui/administrator/people/accounts_dialog.h"
+#include "app/gui/administrator/people/kiosk_cards_dialog.h"
 #include "app/gui/administrator/people/requests_dialog.h"
 #include "app/gui/administrator/people/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
@@ -65,7 +67,12 @@ UsersPage::UsersPage(ShellContext& shell)
       requests_(new QPushButton(this)),
       roles_(listButton(table_)),
       password_(listButton(table_)),
-      active_(listButton(table_)) {
+      active_(listButton(table_)),
+      cards_(listButton(table_)),
+      revoke_(listButton(table_)) {
+  cards_->setObjectName(QStringLiteral("makeKioskCards"));
+  revoke_->setObjectName(QStringLiteral("revokeKioskCards"));
+  table_->setObjectName(QStringLiteral("table"));
   add_->setProperty("primary", true);
   requests_->setObjectName(QStringLiteral("requests"));
   heading_->addAction(requests_);
@@ -81,6 +88,8 @@ UsersPage::UsersPage(ShellContext& shell)
   connect(roles_, &QPushButton::clicked, this, &UsersPage::changeRoles);
   connect(password_, &QPushButton::clicked, this, &UsersPage::newPassword);
   connect(active_, &QPushButton::clicked, this, &UsersPage::switchActive);
+  connect(cards_, &QPushButton::clicked, this, &UsersPage::makeKioskCards);
+  connect(revoke_, &QPushButton::clicked, this, &UsersPage::revokeKioskCards);
   connect(table_, &DataTable::currentChanged, this, &UsersPage::showButtons);
   connect(table_, &DataTable::activated, this, &UsersPage::changeRoles);
   retranslate();
@@ -90,6 +99,7 @@ void UsersPage::enter(const QVariant&) {
   attempt(shell(), [&] {
     users_ = users(shell().session());
     waiting_ = openRequests(shell().session()).size();
+    kioskCodes_ = kioskCodesInForce(shell().session());
     personCodes_.clear();
     for (const PersonRow& row : people(shell().session())) {
       personCodes_[row.person.id] = row.person.code;
@@ -105,12 +115,18 @@ void UsersPage::retranslate() {
   addForRoster_->setText(tr("&Accounts for the roster\u2026"));
   roles_->setText(tr("&Roles\u2026"));
   password_->setText(tr("New &password\u2026"));
+  cards_->setText(tr("&Kiosk cards\u2026"));
+  cards_->setToolTip(
+      tr("Of the chosen trainees, or of all: a card with a barcode that opens a kiosk. A card made before is "
+         "of no use then."));
+  revoke_->setText(tr("Re&voke cards\u2026"));
   table_->setColumns({{tr("Sign-in name")},
                       {tr("Person")},
                       {tr("Roles")},
                       {tr("State")},
                       {tr("Password")},
                       {tr("Station PIN")},
+                      {tr("Kiosk card")},
                       {tr("Since")}});
   table_->setEmptyText(tr("No users yet."));
   showContent();
@@ -130,6 +146,7 @@ void UsersPage::showContent() {
                      {user.active ? tr("active") : tr("disabled")},
                      {user.mustChangePassword ? tr("to be changed") : tr("own")},
                      {user.hasPin ? tr("set") : QStringLiteral("\u2013")},
+                     timeCell(kioskCodes_.contains(user.id) ? kioskCodes_[user.id] : 0),
                      timeCell(user.createdUtc_us)}});
   }
   table_->setRows(std::move(rows));
@@ -148,7 +165,56 @@ void UsersPage::showButtons() {
   for (QPushButton* button : {roles_, password_, active_}) {
     button->setEnabled(user != nullptr);
   }
+  cards_->setEnabled(!users_.empty());
+  const std::vector<UserId> chosen = chosenUsers();
+  revoke_->setEnabled(
+      std::any_of(chosen.begin(), chosen.end(), [&](const UserId& id) { return kioskCodes_.contains(id); }));
   active_->setText(user != nullptr && !user->active ? tr("&Enable") : tr("&Disable\u2026"));
+}
+
+std::vector<UserId> UsersPage::chosenUsers() const {
+  std::vector<UserId> ids;
+  for (const QString& id : table_->selectedIds()) {
+    ids.emplace_back(id.toStdString());
+  }
+  return ids;
+}
+
+void UsersPage::makeKioskCards() {
+  std::vector<UserId> ids = chosenUsers();
+  if (ids.empty()) {  // all who train and may come in
+    for (const UserAccount& user : users_) {
+      if (user.active && user.roles == std::vector<std::string>{"trainee"}) {
+        ids.push_back(user.id);
+      }
+    }
+  }
+  attempt(shell(), [&] {
+    std::vector<KioskCardText> cards;
+    for (const KioskCard& card : makeKioskCodes(shell().session(), ids)) {
+      const auto user = std::find_if(users_.begin(), users_.end(),
+                                     [&](const UserAccount& one) { return one.id == card.userId; });
+      const std::string person = user == users_.end() ? std::string() : personCodes_[user->personId];
+      cards.push_back({person.empty() ? card.login : person, card.login, card.code});
+    }
+    KioskCardsDialog(std::move(cards), centreSign(shell().session().connectionWithoutRight()).name, this)
+        .exec();
+    enter({});
+  });
+}
+
+void UsersPage::revokeKioskCards() {
+  const std::vector<UserId> ids = chosenUsers();
+  const std::optional<std::string> reason =
+      askReason(this, tr("Revoke cards"), tr("The cards of the chosen users open no kiosk any more."));
+  if (!reason) {
+    return;
+  }
+  attempt(shell(), [&] {
+    const std::size_t revoked = revokeKioskCodes(shell().session(), ids, *reason);
+    enter({});
+    shell().notify(tr("Cards revoked: %1").arg(revoked));
+  });
 }
 
 const UserAccount* UsersPage::current() const {
@@ -296,16 +362,29 @@ void UsersPage::switchActive() {
   if (user == nullptr) {
     return;
   }
+  // All that are chosen and stand as the current one does.
+  const bool active = user->active;
+  const std::vector<UserId> chosen = chosenUsers();
+  std::vector<UserId> ids;
+  QStringList logins;
+  for (const UserAccount& one : users_) {
+    if (one.active == active && std::find(chosen.begin(), chosen.end(), one.id) != chosen.end()) {
+      ids.push_back(one.id);
+      logins << toQString(one.login);
+    }
+  }
   attempt(shell(), [&] {
-    const QString login = toQString(user->login);
+    const QString login = firstFew(logins);
     const std::optional<std::string> reason =
-        user->active ? askReason(this, tr("Disable user"),
-                                 tr("%1 cannot sign in any more; everything recorded stays.").arg(login))
-                     : askReason(this, tr("Enable user"), tr("%1 can sign in again.").arg(login));
+        active ? askReason(this, tr("Disable user"),
+                           tr("%1 cannot sign in any more; everything recorded stays.").arg(login))
+               : askReason(this, tr("Enable user"), tr("%1 can sign in again.").arg(login));
     if (!reason) {
       return;
     }
-    setUserActive(shell().session(), user->id, !user->active, *reason);
+    for (const UserId& id : ids) {
+      setUserActive(shell().session(), id, !active, *reason);
+    }
     enter({});
   });
 }

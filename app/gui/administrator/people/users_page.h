@@ -43,10 +43,14 @@ class UsersPage : public Page {
   void storeAndShow(const std::function<MadeUser(SessionContext&)>& store, const QString& login);
   void showRequests();
   void switchActive();
+  void makeKioskCards();
+  void revokeKioskCards();
+  [[nodiscard]] std::vector<UserId> chosenUsers() const;
 
   std::vector<UserAccount> users_;
   std::size_t waiting_ = 0;                         // requests for a second person
   std::map<std::string, std::string> personCodes_;  // by id
+  std::map<UserId, std::int64_t> kioskCodes_;       // since when
   PageHeading* heading_;
   DataTable* table_;
   QPushButton* add_;
@@ -55,6 +59,8 @@ class UsersPage : public Page {
   QPushButton* roles_;
   QPushButton* password_;
   QPushButton* active_;
+  QPushButton* cards_;
+  QPushButton* revoke_;
 };
 
 }  // namespace torsio::gui

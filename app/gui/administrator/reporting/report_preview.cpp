@@ -19,6 +19,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr QSize kFigure(640, 300);
+constexpr char kNumber[] = "number:";
 constexpr std::size_t kRowsShown = 15;  // long tables are told of, not shown
 
 QImage drawn(const ReportFigure& figure, const Wording& wording) {
@@ -44,6 +45,12 @@ QImage drawn(const ReportFigure& figure, const Wording& wording) {
 
 ReportPreview::ReportPreview(QWidget* parent) : QTextBrowser(parent) {
   setOpenLinks(false);
+  connect(this, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {
+    const QString text = link.toString(QUrl::FullyEncoded);
+    if (text.startsWith(QLatin1String(kNumber))) {
+      Q_EMIT numberPressed(QUrl::fromPercentEncoding(text.mid(qstrlen(kNumber)).toLatin1()));
+    }
+  });
   QPalette paper = palette();
   paper.setColor(QPalette::Base, Qt::white);
   paper.setColor(QPalette::Text, QColor(0x17, 0x22, 0x2B));
@@ -62,8 +69,14 @@ QString ReportPreview::tableHtml(const ReportTable& table, const Wording& wordin
   text += QStringLiteral("</tr>");
   for (std::size_t r = 0; r < std::min(table.rows.size(), kRowsShown); ++r) {
     text += QStringLiteral("<tr>");
-    for (const Text& cell : table.rows[r]) {
-      text += QStringLiteral("<td>%1</td>").arg(html(cell));
+    for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
+      const QString cell = html(table.rows[r][c]);
+      const std::string origin = table.origins.empty() ? std::string() : table.origins[r][c];
+      text += origin.empty()
+                  ? QStringLiteral("<td>%1</td>").arg(cell)
+                  : QStringLiteral("<td><a href=\"%1%2\" style=\"color:#004a7c\">%3</a></td>")
+                        .arg(QLatin1String(kNumber),
+                             QString::fromLatin1(QUrl::toPercentEncoding(toQString(origin))), cell);
     }
     text += QStringLiteral("</tr>");
   }

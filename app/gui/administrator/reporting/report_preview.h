@@ -19,6 +19,10 @@ class ReportPreview : public QTextBrowser {
   /// The words are those of `wording`: the language of the report, whatever that of the window.
   void setReport(const ReportModel& model, const Wording& wording);
 
+ Q_SIGNALS:
+  /// A number was pressed: its line of the table of numbers, as numberAddress() names it.
+  void numberPressed(const QString& address);
+
  private:
   [[nodiscard]] static QString tableHtml(const ReportTable& table, const Wording& wording);
 };

@@ -14,6 +14,7 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/reporting/export_dialog.h"
 #include "app/gui/administrator/reporting/report_preview.h"
+#include "app/gui/administrator/reporting/trace_dialog.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/sign_dialog.h"
@@ -49,6 +50,7 @@ ReportsPage::ReportsPage(ShellContext& shell)
       csv_(new QPushButton(this)),
       tables_(new QPushButton(this)),
       other_(new QPushButton(this)),
+      origin_(new QPushButton(this)),
       cohort_(new QComboBox(this)),
       campaign_(new QComboBox(this)),
       frozen_(new QComboBox(this)),
@@ -65,6 +67,8 @@ ReportsPage::ReportsPage(ShellContext& shell)
   tables_->setObjectName(QStringLiteral("codedTables"));
   tables_->setVisible(shell.may(Operation::kTrialViewCoded) || shell.may(Operation::kMarkViewCoded));
   other_->setObjectName(QStringLiteral("export"));
+  origin_->setObjectName(QStringLiteral("origin"));
+  heading_->addAction(origin_);
   heading_->addAction(tables_);
   heading_->addAction(other_);
   heading_->addAction(csv_);
@@ -103,6 +107,8 @@ ReportsPage::ReportsPage(ShellContext& shell)
   connect(tables_, &QPushButton::clicked, this, &ReportsPage::askTables);
   connect(other_, &QPushButton::clicked, this, &ReportsPage::askOther);
   connect(csv_, &QPushButton::clicked, this, [this] { askExport(ReportFormat::kCsv); });
+  connect(origin_, &QPushButton::clicked, this, [this] { askOrigin({}); });
+  connect(preview_, &ReportPreview::numberPressed, this, &ReportsPage::askOrigin);
   const QSignalBlocker quietLanguage(language_);
   language_->addItem(QString(), QString());  // that of the window
   for (const Language language : {Language::kEnglish, Language::kSimplifiedChinese}) {
@@ -204,6 +210,7 @@ void ReportsPage::showButtons() {
   pdf_->setEnabled(ready);
   csv_->setEnabled(ready);
   other_->setEnabled(ready);
+  origin_->setEnabled(ready);
   freeze_->setEnabled(cohort_->count() > 0);
   tables_->setEnabled(cohort_->count() > 0);
   QString words;
@@ -267,6 +274,19 @@ void ReportsPage::askExport(ReportFormat format) {
 
 void ReportsPage::askOther() {
   attempt(shell(), [&] { ExportDialog(shell(), request(), digests_, reportLanguage(), this).exec(); });
+}
+
+void ReportsPage::askOrigin(const QString& address) {
+  if (!inputs_) {
+    return;
+  }
+  attempt(shell(), [&] {
+    TraceDialog dialog(shell(), chosenId(cohort_), inputs_, this);
+    if (!address.isEmpty()) {
+      dialog.follow(address);
+    }
+    dialog.exec();
+  });
 }
 
 void ReportsPage::askTables() {
@@ -333,6 +353,10 @@ void ReportsPage::retranslate() {
   other_->setToolTip(
       tr("Workbook, tables for SPSS and R, scores for a learning system; pseudonymised if wanted"));
   csv_->setText(tr("Save &numbers (CSV)\u2026"));
+  origin_->setText(tr("Follow a numbe&r\u2026"));
+  origin_->setToolTip(
+      tr("Every number back to its marks, criteria, scoring sheet, recording and program. In the preview, "
+         "press a number itself."));
   tables_->setText(tr("Coded &tables\u2026"));
   tables_->setToolTip(tr("Recordings and single marks under their codes, as far as you may see them"));
   cohortLabel_->setText(tr("&Cohort"));

@@ -47,6 +47,8 @@ class ReportsPage : public Page {
   void askExport(ReportFormat format);
   void askTables();
   void askOther();
+  /// Opens what a number comes from; empty: to choose one there.
+  void askOrigin(const QString& address);
   void showButtons();
   [[nodiscard]] ReportRequest request() const;
   /// Chosen, or that of the window.
@@ -61,6 +63,7 @@ class ReportsPage : public Page {
   QPushButton* csv_;
   QPushButton* tables_;
   QPushButton* other_;
+  QPushButton* origin_;
   QLabel* cohortLabel_;
   QComboBox* cohort_;
   QLabel* campaignLabel_;

@@ -9,6 +9,7 @@
 #include <QSpinBox>
 
 #include "app/access/first_run.h"
+#include "app/access/kiosk_codes.h"
 #include "app/access/settings_service.h"
 #include "app/access/signing.h"
 #include "app/access/two_people.h"
@@ -36,6 +37,7 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
       mouse_(new QCheckBox(this)),
       sound_(new QCheckBox(this)),
       two_(new QCheckBox(this)),
+      cards_(new QCheckBox(this)),
       signLabel_(nullptr),
       sign_(new QSpinBox(this)),
       note_(sentence(this)),
@@ -47,6 +49,7 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
   mouse_->setObjectName(QStringLiteral("gradedWithMouse"));
   sound_->setObjectName(QStringLiteral("soundAtLimit"));
   two_->setObjectName(QStringLiteral("twoPeople"));
+  cards_->setObjectName(QStringLiteral("kioskCodes"));
   sign_->setObjectName(QStringLiteral("signMinutes"));
   sign_->setRange(0, kLongestSignMinutes);
   lock_->setRange(kShortestIdleLock_min, kLongestIdleLock_min);
@@ -65,6 +68,7 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
   content()->addWidget(mouse_);
   content()->addWidget(sound_);
   content()->addWidget(two_);
+  content()->addWidget(cards_);
   auto* signing = new QHBoxLayout;
   signing->setSpacing(kSpace);
   signLabel_ = addField(signing, sign_);
@@ -90,6 +94,7 @@ void StationSettingsCard::read() {
     mouse_->setChecked(gradesWithMouse(shell_.session()));
     sound_->setChecked(soundsAtLimit(shell_.session()));
     two_->setChecked(needsTwoPeople(shell_.session().connectionWithoutRight()));
+    cards_->setChecked(kioskCodesAllowed(shell_.session().connectionWithoutRight()));
     sign_->setValue(signMinutes(shell_.session().connectionWithoutRight()));
   });
 }
@@ -101,6 +106,9 @@ void StationSettingsCard::keep() {
     setGradedWithMouse(shell_.session(), mouse_->isChecked());
     setSoundAtLimit(shell_.session(), sound_->isChecked());
     setSignMinutes(shell_.session(), sign_->value());
+    if (cards_->isChecked() != kioskCodesAllowed(shell_.session().connectionWithoutRight())) {
+      setCentreSetting(shell_.session(), kKioskCodesSetting, cards_->isChecked() ? "yes" : "no");
+    }
     if (two_->isChecked() != needsTwoPeople(shell_.session().connectionWithoutRight())) {
       keepTwoPeople();
     }
@@ -129,6 +137,8 @@ void StationSettingsCard::retranslate() {
   two_->setText(
       tr("&Two people for new passwords and roles of those who score or run the study, for erasing, "
          "restoring and opening the allocation"));
+  cards_->setText(
+      tr("&Kiosks let trainees in by the code on their card, without a password (from their next start on)"));
   nameField(signLabel_, tr("A password that was &entered signs for"));
   sign_->setSuffix(tr(" min"));
   sign_->setSpecialValueText(tr("one signature"));

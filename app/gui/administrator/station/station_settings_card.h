@@ -41,6 +41,7 @@ class StationSettingsCard : public Card {
   QCheckBox* mouse_;
   QCheckBox* sound_;
   QCheckBox* two_;
+  QCheckBox* cards_;
   QLabel* signLabel_;
   QSpinBox* sign_;
   QLabel* note_;

@@ -232,17 +232,30 @@ void CohortsPage::changeState() {
   if (row == nullptr || enrolment == enrolments_.end()) {
     return;
   }
+  // All that are chosen and stand as the current one does.
   const bool back = enrolment->state == EnrolmentState::kWithdrawn;
-  const std::optional<std::string> reason = askReason(
-      this, back ? tr("Back into the study") : tr("Withdraw from the study"),
-      back ? tr("%1 takes part again.").arg(toQString(enrolment->traineeCode))
-           : tr("%1 trains no further; what was recorded stays.").arg(toQString(enrolment->traineeCode)));
+  const QStringList chosen = members_->selectedIds();
+  std::vector<EnrolmentId> ids;
+  QStringList codes;
+  for (const Enrolment& one : enrolments_) {
+    if ((one.state == EnrolmentState::kWithdrawn) == back && chosen.contains(toQString(one.id))) {
+      ids.push_back(one.id);
+      codes << toQString(one.traineeCode);
+    }
+  }
+  const std::optional<std::string> reason =
+      askReason(this, back ? tr("Back into the study") : tr("Withdraw from the study"),
+                back ? tr("%1 takes part again.").arg(firstFew(codes))
+                     : tr("%1 trains no further; what was recorded stays.").arg(firstFew(codes)));
   if (!reason) {
     return;
   }
+  const CohortId cohort = row->cohort.id;
   attempt(shell(), [&] {
-    setEnrolmentState(shell().session(), row->cohort.id, id,
-                      back ? EnrolmentState::kEnrolled : EnrolmentState::kWithdrawn, *reason);
+    for (const EnrolmentId& one : ids) {
+      setEnrolmentState(shell().session(), cohort, one,
+                        back ? EnrolmentState::kEnrolled : EnrolmentState::kWithdrawn, *reason);
+    }
     read();
   });
 }

@@ -19,6 +19,7 @@
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/study/call_bar.h"
+#include "app/gui/administrator/study/day_plan_dialog.h"
 #include "app/gui/administrator/study/run_day_dialogs.h"
 #include "app/gui/base/background.h"
 #include "app/gui/base/clock_time.h"
@@ -28,7 +29,6 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/study/cohort_service.h"
-#include "assessment/study/station_state.h"
 
 namespace torsio::gui {
 
@@ -36,10 +36,6 @@ namespace {
 
 constexpr int kReadAgain_ms = 10'000;
 constexpr int kReadCalls_ms = 2'000;  // while somebody stands at the arm
-constexpr int kStationsFrame = 74;    // count of rows, headings, borders
-constexpr int kStationHeight = 32;
-constexpr std::size_t kMostStations = 4;
-constexpr qsizetype kMostAlerts = 3;
 
 }  // namespace
 
@@ -56,6 +52,7 @@ RunDayPage::RunDayPage(ShellContext& shell)
       stationsTitle_(new QLabel(this)),
       stations_(new DataTable(QStringLiteral("run-day-stations"), this)),
       reader_(new Background(this)),
+      plan_(new QPushButton(this)),
       print_(new QPushButton(this)),
       callList_(new QAction(this)),
       sheets_(new QAction(this)),
@@ -71,6 +68,9 @@ RunDayPage::RunDayPage(ShellContext& shell)
   stations_->setObjectName(QStringLiteral("stations"));
   table_->setObjectName(QStringLiteral("table"));
   print_->setObjectName(QStringLiteral("print"));
+  plan_->setObjectName(QStringLiteral("planDay"));
+  heading_->addAction(plan_);
+  connect(plan_, &QPushButton::clicked, this, &RunDayPage::planDay);
   auto* paper = new QMenu(print_);
   paper->addActions({callList_, sheets_, typeIn_, reminders_});
   print_->setMenu(paper);
@@ -185,6 +185,42 @@ QString RunDayPage::nowText(const RunDayRow& row) const {
   return toQString(row.phaseLabel);
 }
 
+Cell RunDayPage::slotCell(const RunDayRow& row) const {
+  if (!row.slot) {
+    return {QStringLiteral("\u2013"), QVariant(static_cast<qlonglong>(0))};
+  }
+  const QString when =
+      tr("%1 \u00B7 %2").arg(slotTime(row.slot->startsUtc_us, locale()), toQString(row.slot->place));
+  return {row.overdue ? tr("! overdue: %1").arg(when) : when,
+          QVariant(static_cast<qlonglong>(row.slot->startsUtc_us))};
+}
+
+void RunDayPage::planDay() {
+  if (!board_) {
+    return;
+  }
+  std::vector<std::pair<EnrolmentId, QString>> everybody;
+  std::vector<std::pair<EnrolmentId, QString>> chosen;
+  const QStringList ids = table_->selectedIds();
+  for (const RunDayRow& row : board_->rows) {
+    if (row.state == EnrolmentState::kWithdrawn) {
+      continue;
+    }
+    everybody.emplace_back(row.enrolmentId, toQString(row.traineeCode));
+    if (ids.contains(toQString(row.enrolmentId))) {
+      chosen.push_back(everybody.back());
+    }
+  }
+  QStringList places;
+  for (const StationState& station : board_->stations) {
+    places << toQString(station.station);
+  }
+  attempt(shell(), [&] {
+    DayPlanDialog(shell(), chosenId(cohort_), chosen.size() > 1 ? chosen : everybody, places, this).exec();
+  });
+  read();
+}
+
 void RunDayPage::showContent() {
   std::vector<Row> rows;
   std::size_t running = 0;
@@ -211,7 +247,8 @@ void RunDayPage::showContent() {
             {row.sheetsMissing == 0 ? QStringLiteral("\u2013") : QString::number(row.sheetsMissing),
              static_cast<qlonglong>(row.sheetsMissing)},
             {row.deviations == 0 ? QStringLiteral("\u2013") : QString::number(row.deviations),
-             static_cast<qlonglong>(row.deviations)}}});
+             static_cast<qlonglong>(row.deviations)},
+            slotCell(row)}});
     }
   }
   table_->setRows(std::move(rows));
@@ -234,104 +271,6 @@ void RunDayPage::showContent() {
   showAlerts();
   showStations();
   showButtons();
-}
-
-QString RunDayPage::alertText(const RunDayAlert& alert) const {
-  using Kind = RunDayAlert::Kind;
-  switch (alert.kind) {
-    case Kind::kTrialOpen:
-      return tr("%1 was recording at %2, which does not answer since %3. Go and look.")
-          .arg(toQString(alert.subject), toQString(alert.station), shownTime(alert.sinceUtc_us, locale()));
-    case Kind::kStationSilent:
-      return tr("%1 does not answer since %2.")
-          .arg(toQString(alert.subject), shownTime(alert.sinceUtc_us, locale()));
-    case Kind::kDeviceUnfit:
-      return tr("%1: the device is not fit for graded runs: %2.")
-          .arg(toQString(alert.subject), toQString(alert.reason));
-    case Kind::kServoUneven:
-      return tr("%1, last run: %2. %3.")
-          .arg(toQString(alert.subject), toQString(alert.reason), toQString(alert.remedy));
-    case Kind::kRestTooLong:
-      return tr("%1 has rested longer than allowed.").arg(toQString(alert.subject));
-    case Kind::kSheetsMissing:
-      return tr("%1: sheets still missing: %2.").arg(occasionName(alert.occasion)).arg(alert.count);
-    case Kind::kNoGroup:
-      return tr("Trainees without a group: %1. Draw them under Allocation.").arg(alert.count);
-  }
-  return {};
-}
-
-void RunDayPage::showAlerts() {
-  QStringList lines;
-  if (board_) {
-    for (const RunDayAlert& alert : runDayAlerts(*board_)) {
-      lines << alertText(alert);
-    }
-  }
-  const qsizetype more = lines.size() - kMostAlerts;
-  if (more > 0) {
-    lines.resize(kMostAlerts);
-    lines << tr("and %n more", nullptr, static_cast<int>(more));
-  }
-  alerts_->setText(lines.isEmpty() ? QString()
-                                   : QStringLiteral("\u26A0 ") + lines.join(QStringLiteral("\n\u26A0 ")));
-  alerts_->setVisible(!lines.isEmpty());
-}
-
-QString RunDayPage::checkText(const StationDevice& device) const {
-  if (device.device.empty()) {
-    return QStringLiteral("\u2013");
-  }
-  const QDateTime checked = QDateTime::fromMSecsSinceEpoch(device.checkedUtc_us / 1000);
-  const QDateTime now = QDateTime::fromMSecsSinceEpoch(board_->asOfUtc_us / 1000);
-  if (!device.light) {
-    return tr("\u25CB not checked yet");
-  }
-  if (checked.date() != now.date()) {
-    return tr("\u25CB not checked today, last on %1")
-        .arg(locale().toString(checked.date(), QLocale::ShortFormat));
-  }
-  const QString time = locale().toString(checked.time(), QLocale::ShortFormat);
-  switch (*device.light) {
-    case Light::kGreen:
-      return tr("\u2713 fit at %1").arg(time);
-    case Light::kAmber:
-      return tr("! practice only at %1: %2").arg(time, toQString(device.problem));
-    case Light::kRed:
-      break;
-  }
-  return tr("\u2717 not fit at %1: %2").arg(time, toQString(device.problem));
-}
-
-void RunDayPage::showStations() {
-  std::vector<Row> rows;
-  if (board_) {
-    for (const StationState& station : board_->stations) {
-      const bool silent = board_->asOfUtc_us - station.heartbeatUtc_us > kStationSilence_us;
-      const bool records = !station.trialId.empty() && !station.ended;
-      const StationDevice device = storedDevice(station);
-      const QString check = checkText(device);
-      rows.push_back(
-          {toQString(station.station),
-           {{toQString(station.station)},
-            {silent    ? tr("! does not answer")
-             : records ? tr("\u25CF records")
-                       : tr("\u25CB free")},
-            {records ? toQString(station.traineeCode) : QStringLiteral("\u2013")},
-            {records ? orDash(station.phaseLabel) : QStringLiteral("\u2013")},
-            {records ? clockTime(board_->asOfUtc_us - station.startedUtc_us) : QStringLiteral("\u2013")},
-            timeCell(station.heartbeatUtc_us),
-            {orDash(station.softwareVersion)},
-            {device.device.empty() ? orDash({}) : toQString(device.device)},
-            {check, {}, check}}});
-    }
-  }
-  const bool some = !rows.empty();
-  stations_->setFixedHeight(kStationsFrame + kStationHeight * static_cast<int>(std::clamp<std::size_t>(
-                                                                  rows.size(), 1, kMostStations)));
-  stations_->setRows(std::move(rows));
-  stations_->setVisible(some);
-  stationsTitle_->setVisible(some);
 }
 
 void RunDayPage::swap() {
@@ -384,15 +323,27 @@ void RunDayPage::logTime() {
   if (row == nullptr) {
     return;
   }
-  std::optional<NewExposure> exposure = askExposure(this, toQString(row->traineeCode));
+  // Whoever trained together is chosen together.
+  const QStringList chosen = table_->selectedIds();
+  std::vector<EnrolmentId> ids;
+  QStringList codes;
+  for (const RunDayRow& one : board_->rows) {
+    if (chosen.contains(toQString(one.enrolmentId))) {
+      ids.push_back(one.enrolmentId);
+      codes << toQString(one.traineeCode);
+    }
+  }
+  std::optional<NewExposure> exposure = askExposure(this, firstFew(codes));
   if (!exposure) {
     return;
   }
   attempt(shell(), [&] {
     exposure->cohortId = chosenId(cohort_);
-    exposure->enrolmentId = row->enrolmentId;
-    exposure->startedUtc_us = shell().session().now_us() - exposure->duration_us;
-    recordExposure(shell().session(), *exposure);
+    for (const EnrolmentId& id : ids) {
+      exposure->enrolmentId = id;
+      exposure->startedUtc_us = shell().session().now_us() - exposure->duration_us;
+      recordExposure(shell().session(), *exposure);
+    }
     read();
   });
 }
@@ -436,6 +387,7 @@ void RunDayPage::changeState() {
 }
 
 void RunDayPage::retranslate() {
+  plan_->setText(tr("Plan the da&y\u2026"));
   print_->setText(tr("On &paper"));
   callList_->setText(tr("Print the call list\u2026"));
   sheets_->setText(tr("Print sheets for the raters\u2026"));
@@ -472,7 +424,8 @@ void RunDayPage::retranslate() {
                       {tr("Station")},
                       {tr("Scoring due")},
                       {tr("Sheets missing"), true, true},
-                      {tr("Deviations"), true, true}});
+                      {tr("Deviations"), true, true},
+                      {tr("Planned")}});
   showContent();
 }
 

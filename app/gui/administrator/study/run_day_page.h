@@ -19,6 +19,7 @@ namespace torsio::gui {
 class Background;
 class CallBar;
 class DataTable;
+struct Cell;
 class PageHeading;
 
 /// The board of the day: who is at what, how much time is left, where a recording runs, which sheets are
@@ -42,6 +43,8 @@ class RunDayPage : public Page {
   void showAlerts();
   [[nodiscard]] QString alertText(const RunDayAlert& alert) const;
   void swap();
+  /// Plans slots for the chosen trainees; for all of them without a choice of several.
+  void planDay();
   void showButtons();
   void logTime();
   void reportDeviation();
@@ -52,6 +55,7 @@ class RunDayPage : public Page {
   void typeSheets();
   void copyReminders();
   [[nodiscard]] const RunDayRow* current() const;
+  [[nodiscard]] Cell slotCell(const RunDayRow& row) const;
   [[nodiscard]] QString nowText(const RunDayRow& row) const;
   /// What the last check of a station's device found: sign and word, never colour alone.
   [[nodiscard]] QString checkText(const StationDevice& device) const;
@@ -69,6 +73,7 @@ class RunDayPage : public Page {
   QLabel* stationsTitle_;
   DataTable* stations_;
   Background* reader_;
+  QPushButton* plan_;
   QPushButton* print_;
   QAction* callList_;
   QAction* sheets_;

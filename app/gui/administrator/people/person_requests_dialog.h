@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QDialog>
+
+#include "assessment/people/person_request.h"
+
+class QPushButton;
+
+namespace torsio::gui {
+
+class DataTable;
+class ShellContext;
+
+/// What people asked for about their own records, and what became of it. GUI thread.
+class PersonRequestsDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  PersonRequestsDialog(ShellContext& shell, QWidget* parent);
+
+  /// Whom to go to in the roster; empty: nobody was chosen.
+  [[nodiscard]] const PersonId& person() const noexcept { return person_; }
+
+ private:
+  void read();
+  void showButtons();
+  void answer(bool done);
+  [[nodiscard]] const PersonRequest* current() const;
+
+  ShellContext& shell_;
+  PersonId person_;
+  std::vector<PersonRequest> requests_;
+  DataTable* table_;
+  QPushButton* goTo_;
+  QPushButton* done_;
+  QPushButton* decline_;
+};
+
+}  // namespace torsio::gui

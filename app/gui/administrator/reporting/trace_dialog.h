@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include <QDialog>
+#include <QString>
+
+#include "app/reporting/cell_trace.h"
+
+class QTreeWidget;
+
+namespace torsio::gui {
+
+class DataTable;
+class ShellContext;
+
+/// Every number of a report, and for the chosen one what it was made of, step after step back to marks,
+/// criteria, recording and program. GUI thread.
+class TraceDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// `inputs`: what the report was made of.
+  TraceDialog(ShellContext& shell, const CohortId& cohortId, std::shared_ptr<const CohortInputs> inputs,
+              QWidget* parent);
+
+  /// Chooses the number with this address and follows it.
+  void follow(const QString& address);
+
+ private:
+  void fill();
+  void start();
+  void show(const TraceStep& step);
+
+  ShellContext& shell_;
+  CohortId cohortId_;
+  std::shared_ptr<const CohortInputs> inputs_;
+  QString wanted_;
+  QString followed_;
+  bool running_ = false;
+  DataTable* numbers_;
+  QTreeWidget* steps_;
+};
+
+}  // namespace torsio::gui

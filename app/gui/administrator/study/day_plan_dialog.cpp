@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/study/day_plan_dialog.h"
+
+#include <map>
+#include <utility>
+
+#include <QDateEdit>
+#include <QDateTime>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTimeEdit>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/printed_sheets.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/file_choice.h"
+#include "app/gui/widgets/form.h"
+#include "app/study/day_plan.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr std::int64_t kMinute_us = 60'000'000;
+constexpr int kUsualSlot_min = 60;
+constexpr int kLongestSlot_min = 600;
+constexpr int kLongestPause_min = 240;
+constexpr int kFirstHour = 9;
+
+std::int64_t utcOf(const QDateTime& time) {
+  return time.toMSecsSinceEpoch() * 1000;
+}
+
+QDateTime timeOf(std::int64_t utc_us) {
+  return QDateTime::fromMSecsSinceEpoch(utc_us / 1000);
+}
+
+}  // namespace
+
+QString slotTime(std::int64_t utc_us, const QLocale& locale) {
+  const QDateTime time = timeOf(utc_us);
+  const QString hour = locale.toString(time.time(), QLocale::ShortFormat);
+  return time.date() == QDate::currentDate()
+             ? hour
+             : QStringLiteral("%1 %2").arg(locale.toString(time.date(), QLocale::ShortFormat), hour);
+}
+
+DayPlanDialog::DayPlanDialog(ShellContext& shell, const CohortId& cohortId, Trainees trainees,
+                             const QStringList& places, QWidget* parent)
+    : QDialog(parent),
+      shell_(shell),
+      cohortId_(cohortId),
+      trainees_(std::move(trainees)),
+      day_(new QDateEdit(timeOf(shell.session().now_us()).date(), this)),
+      first_(new QTimeEdit(QTime(kFirstHour, 0), this)),
+      minutes_(new QSpinBox(this)),
+      pause_(new QSpinBox(this)),
+      places_(new QLineEdit(this)),
+      plan_(new QPushButton(this)),
+      table_(new DataTable(QStringLiteral("day-plan"), this)),
+      remove_(listButton(table_)),
+      print_(listButton(table_)) {
+  build(places);
+  read();
+}
+
+void DayPlanDialog::build(const QStringList& places) {
+  setObjectName(QStringLiteral("dayPlan"));
+  setWindowTitle(tr("Plan of the day"));
+  resize(820, 620);
+  day_->setObjectName(QStringLiteral("planDate"));
+  first_->setObjectName(QStringLiteral("planFirst"));
+  minutes_->setObjectName(QStringLiteral("planMinutes"));
+  pause_->setObjectName(QStringLiteral("planPause"));
+  places_->setObjectName(QStringLiteral("planPlaces"));
+  plan_->setObjectName(QStringLiteral("planAdd"));
+  table_->setObjectName(QStringLiteral("planSlots"));
+  remove_->setObjectName(QStringLiteral("planRemove"));
+  print_->setObjectName(QStringLiteral("planPrint"));
+  day_->setCalendarPopup(true);
+  minutes_->setRange(1, kLongestSlot_min);
+  minutes_->setValue(kUsualSlot_min);
+  minutes_->setSuffix(tr(" min"));
+  pause_->setRange(0, kLongestPause_min);
+  pause_->setSuffix(tr(" min"));
+  places_->setText(places.join(QStringLiteral(", ")));
+  places_->setPlaceholderText(tr("Station 1, Station 2, Room 3"));
+  plan_->setText(tr("&Add %n trainee(s) to the plan", nullptr, static_cast<int>(trainees_.size())));
+  plan_->setEnabled(!trainees_.empty());
+  remove_->setText(tr("&Remove"));
+  print_->setText(tr("&Print\u2026"));
+  auto* words = sentence(this);
+  words->setText(
+      tr("Trainees come in the order of the board, as many at a time as there are places. Swapping turns on "
+         "the board swaps slots, too; whoever has not begun five minutes after the start is shown as "
+         "overdue."));
+  auto* form = new QFormLayout;
+  form->addRow(tr("&Day"), day_);
+  form->addRow(tr("&First slot begins at"), first_);
+  form->addRow(tr("&Each takes"), minutes_);
+  form->addRow(tr("Pa&use between two"), pause_);
+  form->addRow(tr("Stations and &rooms, with commas"), places_);
+  auto* row = new QHBoxLayout;
+  row->addStretch(1);
+  row->addWidget(plan_);
+  QVBoxLayout* column = pageColumn(this);
+  column->addWidget(words);
+  column->addLayout(form);
+  column->addLayout(row);
+  column->addWidget(table_, 1);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  column->addWidget(buttons);
+  table_->setColumns({{tr("From")}, {tr("Until")}, {tr("Place")}, {tr("Trainee")}});
+  table_->setEmptyText(tr("Nobody is planned for this day yet."));
+  connect(buttons, &QDialogButtonBox::rejected, this, &DayPlanDialog::reject);
+  connect(day_, &QDateEdit::dateChanged, this, &DayPlanDialog::read);
+  connect(plan_, &QPushButton::clicked, this, &DayPlanDialog::plan);
+  connect(remove_, &QPushButton::clicked, this, &DayPlanDialog::remove);
+  connect(print_, &QPushButton::clicked, this, &DayPlanDialog::askPrint);
+  connect(table_, &DataTable::currentChanged, this,
+          [this](const QString& id) { remove_->setEnabled(!id.isEmpty()); });
+  remove_->setEnabled(false);
+}
+
+void DayPlanDialog::read() {
+  const QDate day = day_->date();
+  attempt(shell_, [&] {
+    slots_ =
+        daySlots(shell_.session(), cohortId_, utcOf(day.startOfDay()), utcOf(day.addDays(1).startOfDay()));
+  });
+  std::vector<Row> rows;
+  for (const DaySlot& slot : slots_) {
+    rows.push_back({toQString(slot.id),
+                    {{locale().toString(timeOf(slot.startsUtc_us).time(), QLocale::ShortFormat),
+                      static_cast<qlonglong>(slot.startsUtc_us)},
+                     {locale().toString(timeOf(slot.endsUtc_us()).time(), QLocale::ShortFormat),
+                      static_cast<qlonglong>(slot.endsUtc_us())},
+                     {toQString(slot.place)},
+                     {toQString(slot.traineeCode)}}});
+  }
+  table_->setRows(std::move(rows));
+  print_->setEnabled(!slots_.empty());
+}
+
+void DayPlanDialog::plan() {
+  DayPlanRequest request;
+  request.cohortId = cohortId_;
+  for (const auto& [id, code] : trainees_) {
+    request.enrolmentIds.push_back(id);
+  }
+  for (const QString& place : places_->text().split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+    if (!place.trimmed().isEmpty()) {
+      request.places.push_back(place.trimmed().toStdString());
+    }
+  }
+  request.firstUtc_us = utcOf(QDateTime(day_->date(), first_->time()));
+  request.duration_us = minutes_->value() * kMinute_us;
+  request.pause_us = pause_->value() * kMinute_us;
+  attempt(shell_, [&] { (void)planDay(shell_.session(), request); });
+  read();
+}
+
+void DayPlanDialog::remove() {
+  std::vector<DaySlotId> ids;
+  for (const QString& id : table_->selectedIds()) {
+    ids.emplace_back(id.toStdString());
+  }
+  attempt(shell_, [&] { removeSlots(shell_.session(), cohortId_, ids); });
+  read();
+}
+
+void DayPlanDialog::print(const std::filesystem::path& file) const {
+  std::map<QString, QString> byPlace;
+  for (const DaySlot& slot : slots_) {
+    byPlace[toQString(slot.place)] +=
+        QStringLiteral("<tr><td>%1 \u2013 %2</td><td><b>%3</b></td><td>____________</td></tr>")
+            .arg(locale().toString(timeOf(slot.startsUtc_us).time(), QLocale::ShortFormat),
+                 locale().toString(timeOf(slot.endsUtc_us()).time(), QLocale::ShortFormat),
+                 toQString(slot.traineeCode).toHtmlEscaped());
+  }
+  const QString title = tr("Plan of %1").arg(locale().toString(day_->date(), QLocale::LongFormat));
+  QString html = QStringLiteral("<h2>%1</h2>").arg(title);
+  for (const auto& [place, rows] : byPlace) {
+    html += QStringLiteral(
+                "<h3>%1</h3><table cellpadding='6' width='100%'><tr><th align='left'>%2</th>"
+                "<th align='left'>%3</th><th align='left'>%4</th></tr>%5</table>")
+                .arg(place.toHtmlEscaped(), tr("Time"), tr("Trainee"), tr("Began at"), rows);
+  }
+  printHtml(html, title, QPageLayout::Portrait, file);
+}
+
+void DayPlanDialog::askPrint() {
+  const QString file =
+      askFileToSave(this, tr("Print the plan"), tr("Plan %1.pdf").arg(day_->date().toString(Qt::ISODate)),
+                    tr("PDF (*.pdf)"));
+  if (!file.isEmpty()) {
+    attempt(shell_, [&] { print(toPath(file)); });
+  }
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include <QDialog>
+#include <QString>
+#include <QStringList>
+
+#include "assessment/study/day_slot.h"
+#include "sim/base/ids.h"
+
+class QDateEdit;
+class QLabel;
+class QLineEdit;
+class QLocale;
+class QPushButton;
+class QSpinBox;
+class QTimeEdit;
+
+namespace torsio::gui {
+
+class DataTable;
+class ShellContext;
+
+/// The time of a slot in words: the hour, with the date unless it is today.
+[[nodiscard]] QString slotTime(std::int64_t utc_us, const QLocale& locale);
+
+/// The plan of a day: who comes when to which station or room. Adds, removes and prints. GUI thread.
+class DayPlanDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  using Trainees = std::vector<std::pair<EnrolmentId, QString>>;  ///< with their codes
+
+  /// `trainees`: who is to be planned, in this order; `places`: the stations that are known.
+  DayPlanDialog(ShellContext& shell, const CohortId& cohortId, Trainees trainees, const QStringList& places,
+                QWidget* parent);
+
+  /// The slots of the day that is shown, by place. Throws Error{kFileUnwritable}.
+  void print(const std::filesystem::path& file) const;
+
+ private:
+  void build(const QStringList& places);
+  void read();
+  void plan();
+  void remove();
+  void askPrint();
+
+  ShellContext& shell_;
+  CohortId cohortId_;
+  Trainees trainees_;
+  std::vector<DaySlot> slots_;
+  QDateEdit* day_;
+  QTimeEdit* first_;
+  QSpinBox* minutes_;
+  QSpinBox* pause_;
+  QLineEdit* places_;
+  QPushButton* plan_;
+  DataTable* table_;
+  QPushButton* remove_;
+  QPushButton* print_;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "app/gui/widgets/card.h"
+#include "assessment/people/person_request.h"
+
+class QLabel;
+class QPushButton;
+
+namespace torsio::gui {
+
+class ShellContext;
+
+/// What a trainee may ask for about their own record, and what became of it.
+class OwnRecordCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit OwnRecordCard(ShellContext& shell, QWidget* parent = nullptr);
+
+  void read();
+  void retranslate();
+
+ private:
+  void ask(PersonRequestKind kind);
+  void takeBack();
+  void showState();
+  [[nodiscard]] const PersonRequest* waiting(PersonRequestKind kind) const;
+
+  ShellContext& shell_;
+  std::vector<PersonRequest> own_;
+  QLabel* words_;
+  QLabel* state_;
+  QPushButton* copy_;
+  QPushButton* erase_;
+  QPushButton* takeBack_;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "assessment/study/day_slot.h"
+#include "db/connection/connection.h"
+#include "sim/base/ids.h"
+
+namespace torsio {
+
+/// The plan of the days. One call, one transaction.
+class SlotRepository {
+ public:
+  explicit SlotRepository(Connection& connection) : connection_(connection) {}
+
+  void add(std::span<const DaySlot> slots);
+  void remove(const DaySlotId& slotId);
+  /// Somebody else comes in this slot.
+  void give(const DaySlotId& slotId, const EnrolmentId& enrolmentId);
+  /// Of a cohort (empty: of all), those that touch [from, to), by start and place.
+  [[nodiscard]] std::vector<DaySlot> between(const CohortId& cohortId, std::int64_t fromUtc_us,
+                                             std::int64_t toUtc_us) const;
+
+ private:
+  Connection& connection_;
+};
+
+}  // namespace torsio
