@@ -275,7 +275,7 @@ void CasePage::askRemark() {
   if (!replay_->ready()) {
     return;
   }
-  edited_.clear();
+  edited_ = {};
   replay_->pause();
   remarkField_->show();
   remarkField_->setFocus(Qt::OtherFocusReason);
@@ -427,7 +427,7 @@ bool CasePage::eventFilter(QObject* watched, QEvent* event) {
     if (enter) {
       storeRemark();
     }
-    edited_.clear();
+    edited_ = {};
     remarkField_->clear();
     remarkField_->hide();
     sheet_->takeFocus();

@@ -39,7 +39,10 @@ class SheetPanel : public QWidget {
   /// Scores alone, in compact rows: no comment, no "not assessable".
   void setScoresOnly(RowShape shape = RowShape::kCompact);
   /// Goes on to the next row after a figure. After a "1" that may become a "10" it waits for the next key.
-  void setAdvancing(bool advancing) noexcept { advancing_ = advancing; }
+  void setAdvancing(bool advancing) noexcept {
+    advancing_ = advancing;
+    typed_points_.reset();
+  }
   [[nodiscard]] bool advancing() const noexcept { return advancing_; }
   /// A sealed sheet is read only.
   void setReadOnly(bool readOnly);
