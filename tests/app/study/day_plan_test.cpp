@@ -10,6 +10,7 @@
 #include "app/study/cohort_service.h"
 #include "app/study/run_day.h"
 #include "sim/base/error.h"
+#include "sim/base/time_units.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {
@@ -17,8 +18,6 @@ namespace {
 
 using testing::kStudyTime_us;
 using testing::StudyCentre;
-
-constexpr std::int64_t kMinute_us = 60'000'000;
 
 class DayPlan : public ::testing::Test {
  protected:

@@ -25,12 +25,12 @@
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/study/day_plan.h"
+#include "sim/base/time_units.h"
 
 namespace torsio::gui {
 
 namespace {
 
-constexpr std::int64_t kMinute_us = 60'000'000;
 constexpr int kUsualSlot_min = 60;
 constexpr int kLongestSlot_min = 600;
 constexpr int kLongestPause_min = 240;
