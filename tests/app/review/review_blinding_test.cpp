@@ -204,13 +204,13 @@ TEST(CaseRemarks, AreEditedByTheirAuthorBesideTheOldWords) {
   ASSERT_EQ(now[1].earlier.size(), 1U);
   EXPECT_EQ(now[1].earlier[0].text, "second grip slips");
   const auto other = centre.physician(1);
-  EXPECT_EQ(refusal([&] { editCaseRemark(*other, centre.caseAbout(1, 0), now[1].id, "mine"); }).first,
+  EXPECT_EQ(refusedWith([&] { editCaseRemark(*other, centre.caseAbout(1, 0), now[1].id, "mine"); }).first,
             ErrorCode::kPermission);
-  EXPECT_EQ(refusal([&] { editCaseRemark(*first, centre.caseAbout(0, 1), now[1].id, "there"); }).first,
+  EXPECT_EQ(refusedWith([&] { editCaseRemark(*first, centre.caseAbout(0, 1), now[1].id, "there"); }).first,
             ErrorCode::kBadParameter);
-  EXPECT_EQ(refusal([&] { editCaseRemark(*first, own, now[0].id, "a bookmark"); }).first,
+  EXPECT_EQ(refusedWith([&] { editCaseRemark(*first, own, now[0].id, "a bookmark"); }).first,
             ErrorCode::kBadParameter);
-  EXPECT_EQ(refusal([&] { editCaseRemark(*first, own, now[1].id, "  "); }).first, ErrorCode::kBadParameter);
+  EXPECT_EQ(refusedWith([&] { editCaseRemark(*first, own, now[1].id, "  "); }).first, ErrorCode::kBadParameter);
 }
 
 TEST(RaterCalibration, ShowsThePanelOnlyAfterTheOwnMark) {
