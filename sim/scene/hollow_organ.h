@@ -140,8 +140,8 @@ class HollowOrgan {
   /// onset_rad allocates.
   [[nodiscard]] double onset_rad(double pressure_Pa) const;
   [[nodiscard]] double closing_rad(double pressure_Pa) const noexcept;
-  /// Returns the least angle, by whole degrees from closing_rad on, at which no more than kShutPatency is left
-  /// open: a thick wall is squeezed to its packed radius before it shuts. Infinite of a cord.
+  /// Returns the least angle, by whole degrees from closing_rad on, at which no more than kShutPatency is
+  /// left open: a thick wall is squeezed to its packed radius before it shuts. Infinite of a cord.
   [[nodiscard]] double shut_rad(double pressure_Pa) const noexcept;
   /// Says where a section of the organ lies.
   struct Place {

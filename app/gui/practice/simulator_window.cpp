@@ -35,7 +35,7 @@ constexpr double kReadoutEvery_s = 0.08;  // figures that change faster cannot b
 constexpr double kRateOver_s = 1.0;
 constexpr double kNoticeFor_s = 6.0;
 constexpr double kLongestFrame_s = 0.25;  // after a pause nothing jumps
-constexpr int kPanelWidth = 380;  // so that the longest name of an organ is read whole
+constexpr int kPanelWidth = 380;          // so that the longest name of an organ is read whole
 constexpr double kNear_m = 0.050;
 
 }  // namespace

@@ -296,9 +296,9 @@ void DetorsionPanel::showRows() {
   const HollowPose& pose = shown_.hollow;
   setText(angle_.value, angleText(shown_.response.angle_rad));
   const double patency = pose.reading.patency;
-  setText(lumen_.value, patency >= kOpenFrom   ? tr("open, %1 %").arg(percent(patency))
+  setText(lumen_.value, patency >= kOpenFrom      ? tr("open, %1 %").arg(percent(patency))
                         : patency <= kShutPatency ? tr("closed, %1 %").arg(percent(patency))
-                                               : tr("narrow, %1 %").arg(percent(patency)));
+                                                  : tr("narrow, %1 %").arg(percent(patency)));
   setText(pressure_.value,
           tr("%1 mmHg").arg(QLocale().toString(pose.reading.pressure_Pa / kPascalsPerMmHg, 'f', 1)));
   setText(time_.value, clockText(pose.scaled_s));
