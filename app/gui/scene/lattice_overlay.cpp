@@ -2,6 +2,7 @@
 #include "app/gui/scene/lattice_overlay.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -108,20 +109,24 @@ RibbonGeometry::RibbonGeometry() {
   addAttribute(Attribute::IndexSemantic, 0, Attribute::U32Type);
 }
 
-void RibbonGeometry::setLines(std::vector<SkinLine> lines, float width_mm, const OrganSurface& surface) {
+void RibbonGeometry::setLines(std::vector<SkinLine> lines, float width_mm, const OrganSurface& surface,
+                              Shape shape) {
   lines_ = std::move(lines);
+  strips_ = shape == Shape::kStanding ? 2 : 1;
   halfWidth_mm_ = 0.5F * width_mm;
   std::vector<std::uint32_t> indices;
   std::uint32_t first = 0;
   for (const SkinLine& line : lines_) {
     const auto count = static_cast<std::uint32_t>(line.anchors.size());
     const std::uint32_t pieces = line.closed ? count : count - 1;
-    for (std::uint32_t i = 0; i < pieces; ++i) {
-      const std::uint32_t a = first + 2 * i;
-      const std::uint32_t b = first + 2 * ((i + 1) % count);
+    const std::uint32_t corners = 2 * strips_;
+    for (std::uint32_t i = 0; i < pieces * strips_; ++i) {
+      const std::uint32_t strip = first + 2 * (i / pieces);
+      const std::uint32_t a = strip + corners * (i % pieces);
+      const std::uint32_t b = strip + corners * ((i % pieces + 1) % count);
       indices.insert(indices.end(), {a, a + 1, b, b, a + 1, b + 1});
     }
-    first += 2 * count;
+    first += corners * count;
   }
   setIndexData({reinterpret_cast<const char*>(indices.data()),
                 static_cast<qsizetype>(indices.size() * sizeof(std::uint32_t))});
@@ -137,7 +142,7 @@ void RibbonGeometry::follow(const OrganSurface& surface) {
   for (const SkinLine& line : lines_) {
     points += line.anchors.size();
   }
-  QByteArray bytes(static_cast<qsizetype>(points * 6 * sizeof(float)), Qt::Uninitialized);
+  QByteArray bytes(static_cast<qsizetype>(points * strips_ * 6 * sizeof(float)), Qt::Uninitialized);
   auto* out = reinterpret_cast<float*>(bytes.data());
   std::vector<SkinPlace> places;
   for (const SkinLine& line : lines_) {
@@ -152,7 +157,9 @@ void RibbonGeometry::follow(const OrganSurface& surface) {
       const QVector3D along = places[after].position - places[before].position;
       const QVector3D side = QVector3D::crossProduct(along, places[i].normal).normalized() * halfWidth_mm_;
       const QVector3D centre = places[i].position + kLift_mm * places[i].normal;
-      for (const QVector3D& p : {centre - side, centre + side}) {
+      const QVector3D top = centre + 2.0F * halfWidth_mm_ * places[i].normal;
+      const std::array<QVector3D, 4> ends{centre - side, centre + side, places[i].position, top};
+      for (const QVector3D& p : std::span(ends).first(2 * strips_)) {
         for (int k = 0; k < 3; ++k) {
           *out++ = p[k];
           low[k] = std::min(low[k], p[k]);

@@ -43,14 +43,20 @@ class RibbonGeometry : public MovingGeometry {
 
  public:
   RibbonGeometry();
+  enum class Shape : std::uint8_t {
+    kFlat,      ///< on the skin
+    kStanding,  ///< flat, and a second ribbon upright on it: it is seen where the skin turns away
+  };
   /// `width_mm`: of the ribbon; `surface`: the skin that the anchors mean.
-  void setLines(std::vector<SkinLine> lines, float width_mm, const OrganSurface& surface);
+  void setLines(std::vector<SkinLine> lines, float width_mm, const OrganSurface& surface,
+                Shape shape = Shape::kFlat);
   /// The skin moved.
   void follow(const OrganSurface& surface);
 
  private:
   std::vector<SkinLine> lines_;
   float halfWidth_mm_ = 0.3F;
+  std::uint32_t strips_ = 1;
 };
 
 }  // namespace torsio::gui

@@ -244,7 +244,8 @@ void SceneView::setScene(const ViewScene& view) {
     organ_->setSurface(view_.surface, view_.skin.get());
     wire_->setSurface(view_.surface);
     lattice_->setLines(view_.lines.lattice, kLatticeWidth * organRadius_, view_.surface);
-    grasp_->setLines(view_.lines.grasp, kGraspWidth * organRadius_, view_.surface);
+    grasp_->setLines(view_.lines.grasp, kGraspWidth * organRadius_, view_.surface,
+                     RibbonGeometry::Shape::kStanding);
   }
   setGhost(std::nullopt);
   setForce({}, {});
