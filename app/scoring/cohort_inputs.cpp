@@ -160,6 +160,7 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
     inputs.centre = centre->name;
   }
   inputs.softwareVersion = softwareVersion();
+  inputs.equivalenceMargin = study.cohort(cohortId).equivalenceMargin;
   if (!programHash().empty()) {
     inputs.provenance.emplace_back(Text::tr("Program file (BLAKE2b)"), programHash());
   }
