@@ -229,7 +229,6 @@ CohortInputs reportInputs(SessionContext& session, const ReportRequest& request,
   inputs.auditHead = head.hash;
   inputs.demonstration = cohort.demonstration || campaign.campaign.demonstration;
   inputs.identity = request.identity;
-  inputs.equivalenceMargin = cohort.equivalenceMargin;
   if (!cohort.description.empty()) {
     inputs.facts.emplace_back(Text::tr("Cohort"), cohort.description);
   }

@@ -234,6 +234,7 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
   }
   inputs.softwareVersion = softwareVersion();
   inputs.programHash = programHash();
+  inputs.equivalenceMargin = study.cohort(cohortId).equivalenceMargin;
   const std::vector<StudyGroup> groups = study.groups(cohortId);
   addGroups(connection, cohortId, groups, inputs);
   std::map<std::string, Trainee> trainees;

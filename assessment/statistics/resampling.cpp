@@ -54,8 +54,9 @@ double roundingAt(double value) {
   return 1e-12 * std::max(1.0, std::abs(value));
 }
 
-/// Zero error and acceleration: leaving any one trainee out changes nothing.
-Outcome<Jackknife> leaveEachOut(std::size_t trainees, const ResampledStatistic& statistic) {
+}  // namespace
+
+Outcome<Jackknife> jackknife(std::size_t trainees, const ResampledStatistic& statistic) {
   if (trainees < 3) {
     return Outcome<Jackknife>::undefined(Text::tr("there are fewer than three trainees"));
   }
@@ -88,19 +89,9 @@ Outcome<Jackknife> leaveEachOut(std::size_t trainees, const ResampledStatistic& 
   return Jackknife{std::sqrt((n - 1.0) / n * squares), cubes / (6.0 * std::pow(squares, 1.5))};
 }
 
-}  // namespace
-
-Outcome<Jackknife> jackknife(std::size_t trainees, const ResampledStatistic& statistic) {
-  Outcome<Jackknife> found = leaveEachOut(trainees, statistic);
-  if (found && found->error == 0.0) {
-    return Outcome<Jackknife>::undefined(Text::tr("the statistic does not change with any trainee"));
-  }
-  return found;
-}
-
 Outcome<Bootstrap> bootstrap(std::size_t trainees, const ResampledStatistic& statistic,
                              const BootstrapOptions& options) {
-  const Outcome<Jackknife> leaveOut = leaveEachOut(trainees, statistic);
+  const Outcome<Jackknife> leaveOut = jackknife(trainees, statistic);
   if (!leaveOut) {
     return Outcome<Bootstrap>::undefined(leaveOut.reason());
   }

@@ -18,7 +18,8 @@ struct Jackknife {
   double error = 0.0;
   double acceleration = 0.0;
 };
-/// Leaves each trainee out once. Undefined for fewer than three or when the statistic does not change.
+/// Leaves each trainee out once; error and acceleration are 0 where that changes nothing. Undefined for fewer
+/// than three.
 [[nodiscard]] Outcome<Jackknife> jackknife(std::size_t trainees, const ResampledStatistic& statistic);
 
 struct BootstrapOptions {

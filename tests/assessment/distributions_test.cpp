@@ -174,7 +174,7 @@ TEST(Bootstrap, OfValuesThatOnlyAResampleBringsUpIsUndefined) {
 TEST(Bootstrap, OfAMedianAmongEqualsHasNoAccelerationButAnInterval) {
   const std::vector<double> data = {1, 4, 5, 5, 5, 5, 6, 9};  // without any one of them the median is still 5
   const auto median = [&](std::span<const std::size_t> rows) { return medianOfRows(data, rows); };
-  EXPECT_FALSE(jackknife(data.size(), median));
+  EXPECT_EQ(jackknife(data.size(), median)->error, 0.0);
   const Outcome<Bootstrap> got = bootstrap(data.size(), median);
   ASSERT_TRUE(got);
   EXPECT_EQ(got->estimate, 5.0);
