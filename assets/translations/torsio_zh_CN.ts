@@ -16135,8 +16135,8 @@ MSM = 质点弹簧</translation>
         <translation>两段之间的间隔(&amp;U)</translation>
     </message>
     <message>
-        <source>Stations and &amp;rooms, with commas</source>
-        <translation>工作站和房间，以逗号分隔(&amp;R)</translation>
+        <source>Stations and roo&amp;ms, with commas</source>
+        <translation>工作站和房间，以逗号分隔(&amp;M)</translation>
     </message>
     <message>
         <source>From</source>

@@ -108,7 +108,7 @@ void DayPlanDialog::build(const QStringList& places) {
   form->addRow(tr("&First slot begins at"), first_);
   form->addRow(tr("&Each takes"), minutes_);
   form->addRow(tr("Pa&use between two"), pause_);
-  form->addRow(tr("Stations and &rooms, with commas"), places_);
+  form->addRow(tr("Stations and roo&ms, with commas"), places_);
   auto* row = new QHBoxLayout;
   row->addStretch(1);
   row->addWidget(plan_);
