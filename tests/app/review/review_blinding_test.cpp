@@ -210,7 +210,8 @@ TEST(CaseRemarks, AreEditedByTheirAuthorBesideTheOldWords) {
             ErrorCode::kBadParameter);
   EXPECT_EQ(refusedWith([&] { editCaseRemark(*first, own, now[0].id, "a bookmark"); }).first,
             ErrorCode::kBadParameter);
-  EXPECT_EQ(refusedWith([&] { editCaseRemark(*first, own, now[1].id, "  "); }).first, ErrorCode::kBadParameter);
+  EXPECT_EQ(refusedWith([&] { editCaseRemark(*first, own, now[1].id, "  "); }).first,
+            ErrorCode::kBadParameter);
 }
 
 TEST(RaterCalibration, ShowsThePanelOnlyAfterTheOwnMark) {
